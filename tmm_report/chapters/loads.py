@@ -1,0 +1,64 @@
+"""Loads on the mechanism as the variant states them: laws of magnitude, forces on points, moments on links."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+Motion = Literal["along", "against"]
+
+
+@dataclass(frozen=True)
+class Constant:
+    value: float
+
+
+@dataclass(frozen=True)
+class ByPosition:
+    """Magnitudes at the table positions 0..N-1, linear between them."""
+
+    values: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class ByAngle:
+    """Magnitudes at angles of turn from position 0 in the sense of rotation, rad; linear between them, periodic."""
+
+    angles: tuple[float, ...]
+    values: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class ByDisplacement:
+    """Indicator diagram: magnitude against x = displacement / stroke of the loaded point, 0 <= x <= 1.
+
+    x counts from the extreme position of the point in `zero` (unit complex); `forward` is the stroke away from
+    it, `back` the return. Each is a tuple of (x, value), linear between.
+    """
+
+    zero: complex
+    forward: tuple[tuple[float, float], ...]
+    back: tuple[tuple[float, float], ...]
+
+
+Law = Constant | ByPosition | ByAngle | ByDisplacement
+
+
+@dataclass(frozen=True)
+class Force:
+    """A force on a named point. `direction`: unit complex, fixed, or along / against the point's motion. N."""
+
+    name: str
+    at: str
+    direction: complex | Motion
+    law: Law
+
+
+@dataclass(frozen=True)
+class Moment:
+    """A moment on a link. `direction`: +1 counter-clockwise, -1 clockwise, or along / against its rotation. N m."""
+
+    name: str
+    on: str
+    direction: int | Motion
+    law: Law

@@ -1,0 +1,203 @@
+"""Lettering of drawings: mathematical symbols and plain words, measured, and written as SVG and as TeX.
+
+Nothing a user typed reaches SVG or TeX unescaped: `xml_text` and `tex_text` are the only ways through.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from html import escape
+
+
+@dataclass(frozen=True)
+class Symbol:
+    """A mathematical symbol. `italic=False` sets an upright base; `bar` marks a vector."""
+
+    base: str
+    sub: str = ""
+    sup: str = ""
+    italic: bool = True
+    bar: bool = False
+
+
+Part = Symbol | str  # a plain str is set upright
+Parts = tuple[Part, ...]
+
+SMALL = 0.72  # height of an index against its base
+DROP, RAISE = 0.22, 0.36  # how far an index stands below and above, in sizes of the base
+
+
+def symbol(text: str, bar: bool = False) -> Symbol:
+    """A Symbol from its usual writing: "p", "v_BA", "R_12^t", "a_BA_n", "S2" (the digits become the index)."""
+    base, *indices = re.split(r"[_^]", text, maxsplit=2)
+    if not base:
+        return Symbol(text, bar=bar)
+    if not indices and (match := re.fullmatch(r"(\D+?)(\d+)", base)):
+        base, indices = match[1], [match[2]]
+    sub, sup = [*indices, "", ""][:2]
+    if "^" in text and "_" not in text:
+        sub, sup = sup, sub
+    return Symbol(base, sub, sup, bar=bar)
+
+
+def joined(symbols: Sequence[Part], between: str = ", ") -> Parts:
+    """Several symbols as one text: b, p."""
+    parts: list[Part] = []
+    for one in symbols:
+        parts += [between, one] if parts else [one]
+    return tuple(parts)
+
+
+# Widths, in sizes, after DejaVu Serif, the widest of the fonts asked for: a label is never wider than estimated.
+_NARROW, _WIDE = frozenset("iljftrI1.,;:'|!()[] ·′"), frozenset("mwMWОЖШЩЮФМЫжшщюфмыω%@—=+−→")
+
+
+def _char_width(char: str) -> float:
+    if char in _NARROW:
+        return 0.42 if char != " " else 0.33
+    if char in _WIDE:
+        return 0.95
+    return 0.76 if char.isupper() else 0.64
+
+
+@lru_cache(maxsize=4096)
+def _run_width(text: str) -> float:
+    return sum(map(_char_width, text))
+
+
+def width(parts: Parts, size: float) -> float:
+    """Estimated width of a text `size` mm high, mm."""
+    return size * sum(_run_width(part) if isinstance(part, str) else _symbol_width(part) for part in parts)
+
+
+def _symbol_width(symbol: Symbol) -> float:
+    return _run_width(symbol.base) + SMALL * max(_run_width(symbol.sub), _run_width(symbol.sup))
+
+
+# --- SVG ---
+
+_NOT_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+
+
+def xml_text(text: str) -> str:
+    """Text escaped for XML; characters that XML cannot hold are replaced."""
+    return escape(_NOT_XML.sub("\ufffd", text))
+
+
+def svg_parts(parts: Parts, size: float) -> str:
+    """The inside of an SVG `text` element `size` mm high. tspans move by dy and move back after each index."""
+    if all(isinstance(part, str) for part in parts):
+        return xml_text("".join(map(str, parts)))
+    out, back, skip = [], 0.0, 0.0
+    for part in parts:
+        for text, mark, rise, dx, small in _runs(part):
+            out.append(_tspan(text, mark, size * (back - rise), size * (dx + skip), SMALL * size if small else size))
+            back, skip = rise, 0.0
+        skip = _ahead(part)
+    return "".join(out)
+
+
+def _runs(part: Part) -> Iterator[tuple[str, str, float, float, bool]]:
+    """(text, attributes, rise, shift to the right, small) of each stretch of one lettering."""
+    if isinstance(part, str):
+        yield part, "", 0.0, 0.0, False
+        return
+    bar = ' text-decoration="overline"' if part.bar else ""
+    for text, slanted in _slants(part.base, part.italic):
+        yield text, slanted + bar, 0.0, 0.0, False
+    for text, slanted in _slants(part.sub, True):
+        yield text, slanted, -DROP, 0.0, True
+    shift = -_step_back(part)
+    for text, slanted in _slants(part.sup, True):
+        yield text, slanted, RAISE, shift, True
+        shift = 0.0
+
+
+def _step_back(symbol: Symbol) -> float:
+    """How far an upper index steps back to stand over the lower one: short of its estimated width, for
+    fonts are narrower than the estimate and must not run into the base."""
+    return 0.75 * SMALL * _run_width(symbol.sub) if symbol.sup else 0.0
+
+
+def _ahead(part: Part) -> float:
+    """What is left to go to the right end of a symbol whose upper index is the shorter."""
+    if isinstance(part, str):
+        return 0.0
+    return max(0.0, _step_back(part) - SMALL * _run_width(part.sup)) if part.sup else 0.0
+
+
+_LETTERS = re.compile(r"([A-Za-zΑ-Ωα-ωϕϑε]+)")
+
+
+def _slants(text: str, italic: bool) -> Iterator[tuple[str, str]]:
+    """Letters of symbols are italic; digits, signs and Cyrillic stand upright."""
+    for run in _LETTERS.split(text):
+        if run:
+            yield run, ' font-style="italic"' if italic and _LETTERS.fullmatch(run) else ""
+
+
+def _tspan(text: str, mark: str, dy: float, dx: float, size: float) -> str:
+    move = (f' dy="{dy:.3g}"' if dy else "") + (f' dx="{dx:.3g}"' if dx else "")
+    return f'<tspan{mark}{move} font-size="{size:.3g}">{xml_text(text)}</tspan>'
+
+
+# --- TeX ---
+
+_GREEK = dict(
+    zip(
+        "αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΥΦΨΩϕϑ",
+        "alpha beta gamma delta varepsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon varphi "
+        "chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega phi vartheta".split(),
+        strict=True,
+    )
+)
+_TEX = {
+    **{char: rf"\ensuremath{{\{name}}}" for char, name in _GREEK.items()},
+    **{char: "\\" + char for char in "{}$&#_%"},
+    **{"\\": r"\textbackslash{}", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", '"': "''", "`": "'"},
+    **{"<": r"\ensuremath{<}", ">": r"\ensuremath{>}", "|": r"\ensuremath{|}", "−": r"\ensuremath{-}"},
+    **{"·": r"\ensuremath{\cdot}", "×": r"\ensuremath{\times}", "°": r"\ensuremath{{}^\circ}", "²": r"\ensuremath{{}^2}"},
+    **{"³": r"\ensuremath{{}^3}", "′": r"\ensuremath{{}'}", "—": "---", "–": "--", "№": r"\textnumero{}", "\xa0": "~"},
+    **{"→": r"\ensuremath{\to}", "µ": r"\ensuremath{\mu}"},
+}
+
+
+def _tex_char(char: str) -> str:
+    if char in _TEX:
+        return _TEX[char]
+    if char.isspace():
+        return " "
+    known = " " <= char <= "~" or "À" <= char <= "ſ" or "Ѐ" <= char <= "ӿ" or char in "«»"
+    return char if known else "?"  # pdflatex stops at a character its fonts do not have
+
+
+def tex_text(text: str) -> str:
+    """Text escaped for LaTeX; a character outside Latin, Greek and Cyrillic becomes a question mark."""
+    return "".join(map(_tex_char, text))
+
+
+def tex_parts(parts: Parts) -> str:
+    """A label as TeX: symbols in math, words as text."""
+    return "".join(tex_text(part) if isinstance(part, str) else f"${_tex_symbol(part)}$" for part in parts)
+
+
+def _tex_symbol(symbol: Symbol) -> str:
+    base = _tex_math(symbol.base)
+    base = base if symbol.italic else rf"\mathrm{{{base}}}"
+    base = rf"\overline{{{base}}}" if symbol.bar else f"{{{base}}}"
+    indices = [f"{mark}{{{_tex_math(text)}}}" for mark, text in (("_", symbol.sub), ("^", symbol.sup)) if text]
+    return base + "".join(indices)
+
+
+def _tex_math(text: str) -> str:
+    """Latin and digits go into math as they are, Greek by name, anything else inside \\text."""
+    return "".join(map(_tex_run, re.findall(r"[A-Za-z0-9']+|[Α-Ωα-ωϕϑ]|[^A-Za-z0-9'Α-Ωα-ωϕϑ]+", text)))
+
+
+def _tex_run(run: str) -> str:
+    if run in _GREEK:
+        return rf"\{_GREEK[run]}{{}}"
+    return run if run.isascii() and run.replace("'", "").isalnum() or run.strip("'") == "" else rf"\text{{{tex_text(run)}}}"

@@ -1,0 +1,1 @@
+"""The shared arithmetic of mechanism theory: numpy arrays in, numpy arrays out, nothing of the project above."""

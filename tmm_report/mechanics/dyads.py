@@ -1,0 +1,333 @@
+"""The five dyads (Assur groups of class II) in closed form: positions, rates and reactions.
+
+A dyad hangs on known links by its outer pairs. Its closure is one vector equation with two unknown numbers,
+
+    left + x·e1 = right + y·e2      (plan of velocities, and with more known terms, of accelerations)
+
+so one 2×2 solution serves all five kinds; sin(e1, e2) tells how near a singular position is.
+
+    kind          a (first link)      b (second link)      x            y            root: `sign` = +1 when
+    1 RRR         outer A, inner B    outer C, inner B     ω_a          ω_b          B is left of the line A → C
+    2 RRP         outer A, inner B    slides on c          ω_a          s'(b on c)   B is ahead of A's foot on the guide
+    3 RPR         carries the guide,  slides on a,         ω_a = ω_b    s'(b on a)   C is ahead of A's foot on the guide
+                  outer A             outer C
+    4 PRP         slides on c1        slides on c2         s'(a on c1)  s'(b on c2)  (one root)
+    5 RPP         outer A, slides     slides on c          s'(b on c)   s'(a, b)     (one root)
+                  on b
+"Ahead": on the side to which the guide's direction points. c, c1, c2 are known links that carry a guide.
+
+Statics is the transpose: the outer reaction R_a has two known moments or components, R_a × f1 = c1, R_a × f2 = c2.
+Source: Artobolevsky, Theory of mechanisms and machines, ch. 4-5, 13; Levitsky, ch. 3.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from tmm_report.mechanics.mechanism import FRAME, Mechanism
+from tmm_report.mechanics.planar import cross, resolve, sine
+from tmm_report.mechanics.structure import Group, Pair
+
+Array = Any
+
+
+@dataclass(eq=False)
+class State:
+    """Motion of the links found so far, by link name; arrays (..., P), SI.
+
+    A link is carried by its reference point, the joint through which it was found: `o` is that point in the
+    link's axes, `r` its world place, `v`, `a` its velocity and acceleration. `u` is the direction of the link's
+    x axis, `w`, `e` its angular velocity and acceleration; `iw` = iω and `ie` = iε − ω² turn an arm into the
+    velocity and acceleration of its end.
+    """
+
+    o: dict[str, Array] = field(default_factory=dict)
+    r: dict[str, Array] = field(default_factory=dict)
+    u: dict[str, Array] = field(default_factory=dict)
+    v: dict[str, Array] = field(default_factory=dict)
+    w: dict[str, Array] = field(default_factory=dict)
+    a: dict[str, Array] = field(default_factory=dict)
+    e: dict[str, Array] = field(default_factory=dict)
+    iw: dict[str, Array] = field(default_factory=dict)
+    ie: dict[str, Array] = field(default_factory=dict)
+
+    def world(self, link: str, at: Array) -> Array:
+        """World place of the point `at` of a link."""
+        o = self.o[link]
+        return self.r[link] if at is o else self.r[link] + self.u[link] * (at - o)
+
+    def velocity(self, link: str, point: Array) -> Array:
+        """Velocity of the point of a link that is now at the world place `point`, m/s."""
+        return self.v[link] + self.iw[link] * (point - self.r[link])
+
+    def acceleration(self, link: str, point: Array) -> Array:
+        return self.a[link] + self.ie[link] * (point - self.r[link])
+
+    def turn(self, link: str, w: Array, e: Array) -> None:
+        """Set a link's angular velocity and acceleration."""
+        self.w[link], self.e[link] = w, e
+        iw = 1j * w
+        self.iw[link], self.ie[link] = iw, iw * iw + 1j * e
+
+    def turn_with(self, link: str, carrier: str) -> None:
+        """A link that slides on its carrier turns as the carrier does."""
+        for rate in (self.w, self.e, self.iw, self.ie):
+            rate[link] = rate[carrier]
+
+    def carry(self, link: str, v: Array, a: Array) -> None:
+        """Set the motion of a link's reference point."""
+        self.v[link], self.a[link] = v, a
+
+
+@dataclass(frozen=True, eq=False)
+class Dyad:
+    """A dyad with its links in the order of the table above and its root."""
+
+    group: Group
+    kind: int
+    a: str
+    b: str
+    outer_a: Pair
+    outer_b: Pair
+    inner: Pair
+    sign: int = 1
+
+    @property
+    def carrier_a(self) -> str:
+        return self.outer_a.other(self.a)
+
+    @property
+    def carrier_b(self) -> str:
+        return self.outer_b.other(self.b)
+
+    @property
+    def two_roots(self) -> bool:
+        return self.kind <= 3
+
+    @property
+    def joint(self) -> str | None:
+        """Name of the inner revolute joint, if it is one."""
+        return self.inner.name if self.inner.kind == "R" else None
+
+
+def dyad(mechanism: Mechanism, group: Group, sign: int = 1) -> Dyad:
+    """Order the links of a group of class II as the table above has them."""
+    first, second = group.links
+    of = {link: next(pair for pair in group.outer if link in pair.links) for link in group.links}
+    inner = group.inner[0]
+    if group.kind in (2, 5):
+        swap = of[first].kind == "P"
+    else:  # RPR: the carrier of the guide first; RRR, PRP: as described
+        swap = inner.kind == "P" and mechanism.guides[inner.name].link == second
+    a, b = (second, first) if swap else (first, second)
+    return Dyad(group, group.kind or 0, a, b, of[a], of[b], inner, sign)
+
+
+# ---------------------------------------------------------------- positions
+
+
+def place(s: State, d: Dyad) -> None:
+    """Add the poses of both links to the state. A position that cannot be assembled is nan."""
+    _PLACE[d.kind](s, d)
+
+
+def _outer(s: State, pair: Pair, carrier: str) -> Array:
+    return s.world(carrier, pair.at[carrier])
+
+
+def _refer(s: State, link: str, pair: Pair, r: Array, u: Array) -> None:
+    """Place a link by one of its joints."""
+    s.o[link], s.r[link], s.u[link] = pair.at[link], r, u
+
+
+def _arm(link: str, start: Pair, end: Pair) -> Array:
+    """From one joint of a link to another, in the link's axes."""
+    return end.at[link] - start.at[link]
+
+
+def _root(x: Array) -> Array:
+    """Square root; nan, and no warning, where there is none."""
+    return np.sqrt(np.where(x >= 0, x, np.nan))
+
+
+def _place_rrr(s: State, d: Dyad) -> None:
+    p, q = _arm(d.a, d.outer_a, d.inner), _arm(d.b, d.outer_b, d.inner)
+    A, C = _outer(s, d.outer_a, d.carrier_a), _outer(s, d.outer_b, d.carrier_b)
+    # B from A, in axes with x along A → C: the circles |p| and |q| meet at x = (|AC|² + |p|² − |q|²) / 2|AC|
+    AC = C - A
+    distance = np.abs(AC)
+    pp = abs(p) ** 2
+    x = (distance * distance + (pp - abs(q) ** 2)) / (2 * distance)
+    AB = AC * ((x + 1j * d.sign * _root(pp - x * x)) / distance)
+    _refer(s, d.a, d.outer_a, A, AB / p)
+    _refer(s, d.b, d.outer_b, C, (AB - AC) / q)
+
+
+def _guide_line(s: State, d: Dyad, link: str, outer: Pair, carrier: str) -> tuple[Array, Array, Array]:
+    """Direction t of an outer guide, the sliding link's u, and a point of the line on which its inner joint runs."""
+    t = s.u[carrier] * outer.along[carrier]
+    u = t * np.conj(outer.along[link])
+    return t, u, _outer(s, outer, carrier) + u * _arm(link, outer, d.inner)
+
+
+def _place_rrp(s: State, d: Dyad) -> None:
+    p = _arm(d.a, d.outer_a, d.inner)
+    A = _outer(s, d.outer_a, d.carrier_a)
+    t, u, G = _guide_line(s, d, d.b, d.outer_b, d.carrier_b)
+    # in axes along the guide: B − A = x + ih, h the distance of A from the line, |x + ih| = |p|
+    h = cross(t, G - A)
+    AB = t * (d.sign * _root(abs(p) ** 2 - h * h) + 1j * h)
+    _refer(s, d.a, d.outer_a, A, AB / p)
+    _refer(s, d.b, d.inner, A + AB, u)
+
+
+def _place_rpr(s: State, d: Dyad) -> None:
+    A, C = _outer(s, d.outer_a, d.carrier_a), _outer(s, d.outer_b, d.carrier_b)
+    along_a, along_b = d.inner.along[d.a], d.inner.along[d.b]
+    # constant distance h of C from the parallel to the guide through A: the line lies the same way from both
+    h = cross(along_a, _arm(d.a, d.outer_a, d.inner)) - cross(along_b, _arm(d.b, d.outer_b, d.inner))
+    AC = C - A
+    t = AC / (d.sign * _root(AC.real**2 + AC.imag**2 - h * h) + 1j * h)
+    _refer(s, d.a, d.outer_a, A, t * np.conj(along_a))
+    _refer(s, d.b, d.outer_b, C, t * np.conj(along_b))
+
+
+def _place_prp(s: State, d: Dyad) -> None:
+    t1, u1, G1 = _guide_line(s, d, d.a, d.outer_a, d.carrier_a)
+    t2, u2, G2 = _guide_line(s, d, d.b, d.outer_b, d.carrier_b)
+    x, _ = resolve(G2 - G1, t1, -t2)
+    B = G1 + x * t1
+    _refer(s, d.a, d.inner, B, u1)
+    _refer(s, d.b, d.inner, B, u2)
+
+
+def _place_rpp(s: State, d: Dyad) -> None:
+    A = _outer(s, d.outer_a, d.carrier_a)
+    t2 = s.u[d.carrier_b] * d.outer_b.along[d.carrier_b]
+    u_b = t2 * np.conj(d.outer_b.along[d.b])
+    t1 = u_b * d.inner.along[d.b]
+    _refer(s, d.a, d.outer_a, A, t1 * np.conj(d.inner.along[d.a]))
+    # b slides on its outer guide until its inner guide line passes through that of a
+    G = _outer(s, d.outer_b, d.carrier_b) + u_b * _arm(d.b, d.outer_b, d.inner)
+    x, _ = resolve(s.world(d.a, d.inner.at[d.a]) - G, t2, t1)
+    _refer(s, d.b, d.inner, G + x * t2, u_b)
+
+
+_PLACE: dict[int, Callable[[State, Dyad], None]] = {
+    1: _place_rrr,
+    2: _place_rrp,
+    3: _place_rpr,
+    4: _place_prp,
+    5: _place_rpp,
+}
+
+
+# ---------------------------------------------------------------- rates
+
+
+@dataclass(frozen=True, eq=False)
+class Side:
+    """One side of a dyad's vector equation: from a joint whose motion is known, along an unknown vector.
+
+    `joint`: world place, a point of the known link `carrier`; `e`: the unknown vector per unit of its number;
+    `follows`: the link whose angular velocity turns a sliding direction (Coriolis), None where the unknown is
+    itself an angular velocity and `e` is perpendicular to the arm.
+    """
+
+    joint: Array
+    carrier: str
+    e: Array
+    follows: str | None = None
+
+    def velocity(self, s: State) -> Array:
+        return 0.0 if self.carrier == FRAME else s.velocity(self.carrier, self.joint)
+
+    def acceleration(self, s: State) -> Array:
+        return 0.0 if self.carrier == FRAME else s.acceleration(self.carrier, self.joint)
+
+    def curvature(self, s: State, rate: Array) -> Array:
+        """The known part of the relative acceleration: normal, iω·(iω·AB), or Coriolis, 2iω·s'·t."""
+        if self.follows is None:
+            return (1j * rate * rate) * self.e
+        return 0.0 if self.follows == FRAME else (2 * rate) * s.iw[self.follows] * self.e
+
+
+def sides(s: State, d: Dyad) -> tuple[Side, Side]:
+    """Both sides of the closure: left joint's motion + x·e_left = right joint's motion + y·e_right."""
+    if d.kind == 4:
+        B = s.world(d.a, d.inner.at[d.a])
+        return _sliding(s, d.outer_a, B, d.carrier_a), _sliding(s, d.outer_b, B, d.carrier_b)
+    A = _outer(s, d.outer_a, d.carrier_a)
+    if d.kind == 5:  # b slides on c by x, a on b by −y; all three turn alike
+        t1 = s.u[d.b] * d.inner.along[d.b]
+        return _sliding(s, d.outer_b, A, d.carrier_b), Side(A, d.carrier_a, -t1, d.carrier_b)
+    if d.kind == 3:
+        C = _outer(s, d.outer_b, d.carrier_b)
+        return Side(A, d.carrier_a, 1j * (C - A)), Side(C, d.carrier_b, -s.u[d.a] * d.inner.along[d.a], d.a)
+    B = s.world(d.a, d.inner.at[d.a])
+    left = Side(A, d.carrier_a, 1j * (B - A))
+    if d.kind == 2:
+        return left, _sliding(s, d.outer_b, B, d.carrier_b)
+    C = _outer(s, d.outer_b, d.carrier_b)
+    return left, Side(C, d.carrier_b, 1j * (B - C))
+
+
+def _sliding(s: State, guide: Pair, joint: Array, carrier: str) -> Side:
+    return Side(joint, carrier, s.u[carrier] * guide.along[carrier], carrier)
+
+
+def move(s: State, d: Dyad) -> tuple[Array, Array]:
+    """Add the rates of both links to the state; returns the sliding velocity and acceleration, or the angular
+    ones, of the second unknown."""
+    left, right = sides(s, d)
+    e1, e2 = left.e, -right.e
+    inverse = 1.0 / cross(e1, e2)
+    v_left, v_right = left.velocity(s), right.velocity(s)
+    gap = v_right - v_left
+    x, y = cross(gap, e2) * inverse, cross(e1, gap) * inverse
+    if d.kind == 3:  # the guide turns with a, whose ω is x
+        s.iw[d.a] = 1j * x
+    a_left, a_right = left.acceleration(s), right.acceleration(s)
+    bend = left.curvature(s, x)
+    gap = a_right + right.curvature(s, y) - a_left - bend
+    xx, yy = cross(gap, e2) * inverse, cross(e1, gap) * inverse
+    _turn(s, d, x, y, xx, yy)
+    _carry(s, d, (v_left, a_left), (v_right, a_right), (v_left + x * e1, a_left + bend + xx * e1))
+    return y, yy
+
+
+def _turn(s: State, d: Dyad, x: Array, y: Array, xx: Array, yy: Array) -> None:
+    """Angular rates of both links from the two unknowns and their derivatives."""
+    if d.kind <= 3:
+        s.turn(d.a, x, xx)
+    else:
+        s.turn_with(d.a, d.carrier_a if d.kind == 4 else d.carrier_b)
+    if d.kind == 1:
+        s.turn(d.b, y, yy)
+    else:
+        s.turn_with(d.b, d.a if d.kind == 3 else d.carrier_b)
+
+
+def _carry(s: State, d: Dyad, left: tuple, right: tuple, end: tuple) -> None:
+    """Motion of the links' reference points (see `place`): a joint of the frame side, or the equation's end."""
+    if d.kind == 4:
+        s.carry(d.a, *end)
+        s.carry(d.b, *end)
+    elif d.kind == 5:
+        A = s.r[d.a]
+        s.carry(d.a, *right)
+        arm = s.r[d.b] - A  # `end` moves the point of b that is at A
+        s.carry(d.b, end[0] + s.iw[d.b] * arm, end[1] + s.ie[d.b] * arm)
+    else:
+        s.carry(d.a, *left)
+        s.carry(d.b, *(end if d.kind == 2 else right))
+
+
+def singularity(s: State, d: Dyad) -> Array:
+    """Sine of the angle between the two unknown directions: 0 in a singular position of the dyad, (..., P)."""
+    left, right = sides(s, d)
+    return sine(left.e, right.e)

@@ -1,0 +1,117 @@
+"""What a planar mechanism is: links with points in their own axes, guides, pairs and the driving link.
+
+A link's axes are its own: a point's place in them is one complex number, m. The frame is link "0"; its axes
+are the axes of the drawing (x to the right, y up). Lengths may be arrays of shape (V, 1) instead of numbers:
+then one Mechanism stands for V variants of the same scheme and everything solved from it is (V, P).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+
+FRAME = "0"
+
+Scalar = Any  # a number, or an array (V, 1) of numbers, one a variant
+
+
+@dataclass(frozen=True, eq=False)
+class Link:
+    """A rigid link. `points`: name -> place in the link's axes, complex, m. SI throughout."""
+
+    name: str
+    points: Mapping[str, Scalar]
+    mass: Scalar = 0.0
+    mass_centre: str | None = None  # the name of one of `points`
+    inertia: Scalar = 0.0  # about the mass centre, kg m²
+
+
+@dataclass(frozen=True, eq=False)
+class Guide:
+    """A straight guide carried by `link` (the frame or a moving one): a line in that link's axes."""
+
+    name: str
+    link: str
+    through: Scalar  # a point of the line, complex, m
+    direction: Scalar  # unit complex
+
+
+@dataclass(frozen=True, eq=False)
+class Slide:
+    """A prismatic pair: `link` slides along `guide`. The same line, seen in the sliding link's axes."""
+
+    link: str
+    guide: str
+    through: Scalar = 0.0  # the point of the sliding link that lies on the guide, complex, m
+    direction: Scalar = 1.0  # unit complex: the guide's direction in the sliding link's axes
+
+
+@dataclass(frozen=True)
+class ZeroAngle:
+    """Position 0 is where the driving link's x axis makes this angle with the x axis, rad."""
+
+    angle: float
+
+
+@dataclass(frozen=True)
+class ZeroExtreme:
+    """Position 0 is an extreme position: of `point` in `direction` (unit complex), or, with `direction`
+    +1 (counter-clockwise) or -1 (clockwise), of the rocker `link`."""
+
+    point: str | None = None
+    link: str | None = None
+    direction: complex = 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class Driver:
+    """The driving link turns about a fixed point at constant `omega`, rad/s, + counter-clockwise."""
+
+    link: str
+    omega: Scalar
+    zero: ZeroAngle | ZeroExtreme = ZeroAngle(0.0)
+    sweep: float = 2 * np.pi  # how far it turns, rad; less than a full turn for a rocker
+
+
+@dataclass(frozen=True)
+class Assembly:
+    """Which of two roots a dyad takes.
+
+    `key` names the group: its inner point ("B") or its links ("2-3"). `choice`: +1 or -1 (see `dyads`), a unit
+    complex number, the side of the guide on which the inner joint lies, or ("left" | "right", P, Q): the inner
+    joint lies on that side of the line from point P to point Q.
+    """
+
+    key: str
+    choice: int | complex | tuple[Literal["left", "right"], str, str]
+
+
+@dataclass(frozen=True, eq=False)
+class Mechanism:
+    """A mechanism as its drawing describes it; nothing about Assur groups is declared.
+
+    `links` holds the frame under "0" and the moving links in the order of the description. Points with the same
+    name on several links are revolute pairs. `sketch`: rough places of points in some one position, m.
+    """
+
+    links: Mapping[str, Link]
+    driver: Driver
+    guides: Mapping[str, Guide] = field(default_factory=dict)
+    slides: Sequence[Slide] = ()
+    assembly: Sequence[Assembly] = ()
+    sketch: Mapping[str, complex] = field(default_factory=dict)
+
+    @property
+    def moving(self) -> list[str]:
+        return [name for name in self.links if name != FRAME]
+
+    def links_at(self, point: str) -> list[str]:
+        """Names of the links that share the point, in the order of the description."""
+        return [name for name, link in self.links.items() if point in link.points]
+
+    @property
+    def point_names(self) -> list[str]:
+        return list(dict.fromkeys(point for link in self.links.values() for point in link.points))

@@ -1,0 +1,172 @@
+"""Kinetostatics: reactions in all pairs, group by group from the farthest, and the balancing moment.
+
+Inertia forces are loads among others (d'Alembert). R12 is the force of link 1 on link 2. Arrays (..., P), SI.
+Source: Artobolevsky, Theory of mechanisms and machines, ch. 13; Levitsky, ch. 7.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from tmm_report.mechanics.dyads import Dyad, State
+from tmm_report.mechanics.mechanism import FRAME
+from tmm_report.mechanics.motion import Motion
+from tmm_report.mechanics.planar import cross, dot
+from tmm_report.mechanics.structure import Pair
+
+Array = Any
+
+
+@dataclass(frozen=True, eq=False)
+class Reaction:
+    """The reaction in a pair: `force` and `moment` of link `pair.links[0]` on `pair.links[1]`.
+
+    Complex N and N m, (..., P). The force acts at `at` (world place): a pivot's centre, or the point of the sliding
+    link that lies on the guide; there a guide also gives the moment.
+    """
+
+    pair: Pair
+    force: Array
+    moment: Array
+    at: Array
+    along: Array | None = None  # the guide's direction, world axes
+
+    @property
+    def offset(self) -> Array:
+        """How far along the guide from `at` the normal force alone would act, m; nan where there is no force."""
+        normal = cross(self.along, self.force)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return np.where(np.abs(normal) > 1e-9 * np.max(np.abs(normal), initial=0.0), self.moment / normal, np.nan)
+
+
+@dataclass(frozen=True, eq=False)
+class Load:
+    """Everything that acts on one link, inertia included, reduced to its reference point `State.r`."""
+
+    force: Array
+    moment: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Statics:
+    """`reactions`: pair key "1-2" -> Reaction; `balancing`: moment on the driving link, N m, (..., P)."""
+
+    reactions: Mapping[str, Reaction]
+    balancing: Array
+
+    def force(self, on: str, by: str) -> Array:
+        """Force of link `by` on link `on`, complex N."""
+        if (r := self.reactions.get(f"{by}-{on}")) is not None:
+            return r.force
+        return -self.reactions[f"{on}-{by}"].force
+
+
+def inertia_and_gravity(motion: Motion, gravity: complex) -> dict[str, Load]:
+    """Gravity and d'Alembert's inertia force and couple of every moving link, about its reference point."""
+    mechanism = motion.linkage.mechanism
+    loads = {}
+    for name in mechanism.moving:
+        link = mechanism.links[name]
+        force: Array = 0.0
+        moment = -link.inertia * motion.state.e[name]
+        if link.mass_centre is not None and np.any(link.mass):
+            force = link.mass * (gravity - motion.acceleration(link.mass_centre))
+            if link.points[link.mass_centre] is not motion.state.o[name]:
+                moment = moment + cross(motion.place(link.mass_centre) - motion.state.r[name], force)
+        loads[name] = Load(force, moment)
+    return loads
+
+
+def solve(motion: Motion, loads: Mapping[str, Load]) -> Statics:
+    """Reactions in every pair and the balancing moment under `loads` (link -> resultant), inertia among them."""
+    s, linkage = motion.state, motion.linkage
+    rest = dict(loads)
+    reactions: dict[str, Reaction] = {}
+    with np.errstate(invalid="ignore", divide="ignore"):
+        for d in reversed(linkage.dyads):
+            outer_a, outer_b, inner = _solve_dyad(motion, d, rest[d.a], rest[d.b])
+            for reaction in (outer_a, outer_b):
+                _pass_on(s, rest, reaction)
+            reactions |= {r.pair.key: r for r in (outer_a, outer_b, inner)}
+    driver, pair = rest[linkage.mechanism.driver.link], linkage.structure.driver_pair
+    reactions[pair.key] = Reaction(pair, -driver.force, 0.0, s.r[linkage.mechanism.driver.link])
+    return Statics(reactions, -driver.moment)
+
+
+def _pass_on(s: State, rest: dict[str, Load], reaction: Reaction) -> None:
+    """A solved group loads the link it hangs on with its outer reaction, turned round."""
+    carrier = reaction.pair.links[0]
+    if carrier != FRAME:
+        load, arm = rest[carrier], reaction.at - s.r[carrier]
+        moment = load.moment - cross(arm, reaction.force) - reaction.moment
+        rest[carrier] = Load(load.force - reaction.force, moment)
+
+
+def _solve_dyad(motion: Motion, d: Dyad, load_a: Load, load_b: Load) -> tuple[Reaction, Reaction, Reaction]:
+    """Outer reactions on a and on b, and the inner one, of a dyad under the loads of its links."""
+    s, total = motion.state, load_a.force + load_b.force
+    at_a, at_b, at_i = (_acts_at(s, pair) for pair in (d.outer_a, d.outer_b, d.inner))
+    (f1, c1), (f2, c2) = _conditions(s, d, load_a, load_b, total)
+    on_a = (c2 * f1 - c1 * f2) / cross(f1, f2)
+    on_b, inner = -total - on_a, -load_a.force - on_a  # inner: of b on a
+    m_a: Array = 0.0
+    m_b: Array = 0.0
+    m_i: Array = 0.0
+    if d.inner.kind == "P":  # link a about its outer joint
+        m_i = -load_a.moment - cross(at_i - at_a, inner)
+    if d.outer_a.kind == "P":  # link a about its inner joint
+        m_a = -load_a.moment - cross(at_a - at_i, on_a)
+    if d.outer_b.kind == "P":
+        m_b = -_moment_about(s, d.b, load_b, at_i) - cross(at_b - at_i, on_b) + m_i
+    flip = 1 if d.inner.links[1] == d.a else -1
+    return (
+        Reaction(d.outer_a, on_a, m_a, at_a, _guide(s, d.outer_a)),
+        Reaction(d.outer_b, on_b, m_b, at_b, _guide(s, d.outer_b)),
+        Reaction(d.inner, flip * inner, flip * m_i, at_i, _guide(s, d.inner)),
+    )
+
+
+def _conditions(s: State, d: Dyad, load_a: Load, load_b: Load, total: Array) -> tuple[tuple, tuple]:
+    """Two conditions R_a × f = c on the outer reaction of link a, one a free motion of the dyad without it."""
+    A, B = s.r[d.a], None
+    if d.kind in (1, 2):  # link a turns about B
+        B = s.world(d.a, d.inner.at[d.a])
+        first = A - B, load_a.moment + cross(A - B, load_a.force)
+        if d.kind == 2:  # both slide along the guide of b
+            return first, _no_force_along(_guide(s, d.outer_b), total)
+        C = s.r[d.b]  # link b turns about B: (C − B) × R_b with R_b = −F − R_a
+        return first, (C - B, cross(C - B, total) - _moment_about(s, d.b, load_b, B))
+    if d.kind == 3:  # link a slides on b; both turn about C
+        C = s.r[d.b]
+        about_c = load_a.moment + cross(A - C, load_a.force) + load_b.moment
+        return (A - C, about_c), _no_force_along(_guide(s, d.inner), load_a.force)
+    slides_a = _guide(s, d.outer_a if d.kind == 4 else d.inner)
+    own = 0.0 if d.kind == 4 else load_a.force
+    return _no_force_along(slides_a, own), _no_force_along(_guide(s, d.outer_b), total)
+
+
+def _no_force_along(t: Array, load: Array) -> tuple[Array, Array]:
+    """(R + load)·t = 0, written as R × it = −load·t."""
+    return 1j * t, -dot(t, load)
+
+
+def _moment_about(s: State, link: str, load: Load, point: Array) -> Array:
+    return load.moment if point is s.r[link] else load.moment + cross(s.r[link] - point, load.force)
+
+
+def _acts_at(s: State, pair: Pair) -> Array:
+    """World place of a pair's reaction: the pivot, or the point of the sliding link that lies on the guide."""
+    link = pair.slider or pair.links[1]
+    return s.world(link, pair.at[link])
+
+
+def _guide(s: State, pair: Pair) -> Array | None:
+    """World direction of a prismatic pair's guide; None for a pivot."""
+    if pair.kind == "R":
+        return None
+    link = pair.other(pair.slider)
+    return s.u[link] * pair.along[link]

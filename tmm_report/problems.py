@@ -1,0 +1,68 @@
+"""What went wrong, as data: a user's mistake is a Problem and never a stack trace; a bug keeps its trace.
+
+Texts are gettext message ids with named values, translated only where they are printed (`Problem.text`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+
+def N_(text: str) -> str:
+    """Mark a message for translation without translating it here."""
+    return text
+
+
+@dataclass(frozen=True)
+class Message:
+    """A translatable sentence: `text % values` once `text` is translated."""
+
+    text: str
+    values: Mapping[str, Any] = field(default_factory=dict)
+
+    def __str__(self) -> str:
+        return self.render(str)
+
+    def render(self, translate: Callable[[str], str]) -> str:
+        values = {k: v.render(translate) if isinstance(v, Message) else v for k, v in self.values.items()}
+        return translate(self.text) % values if values else translate(self.text).replace("%%", "%")
+
+
+@dataclass(frozen=True)
+class Problem:
+    """One mistake of the user: where it is, what is wrong, what would be right."""
+
+    wrong: Message
+    right: Message | None = None
+    path: tuple[str | int, ...] = ()
+    file: str = ""
+    line: int | None = None
+    column: int | None = None
+
+    @property
+    def key(self) -> str:
+        return ".".join(str(part) for part in self.path)
+
+    def text(self, translate: Callable[[str], str] = str) -> str:
+        """`file:line:column: key: what is wrong; what would be right`, on one line."""
+        place = ":".join(str(part) for part in (self.file, self.line, self.column) if part not in (None, ""))
+        parts = [part for part in (place, self.key) if part]
+        sentence = self.wrong.render(translate)
+        if self.right is not None:
+            sentence += "; " + self.right.render(translate)
+        return ": ".join([*parts, sentence])
+
+
+class ProblemError(Exception):
+    """A user's mistakes, all of them at once. Raised by reading and by solving; printed only by the cli."""
+
+    def __init__(self, problems: list[Problem]):
+        super().__init__("\n".join(problem.text() for problem in problems))
+        self.problems = problems
+
+
+def mistake(text: str, path: tuple[str | int, ...] = (), right: Message | None = None, **values: Any) -> Problem:
+    """A Problem in one call: `mistake(N_("no link %(name)s"), ("loads",), name="7")`."""
+    return Problem(wrong=Message(text, values), right=right, path=path)

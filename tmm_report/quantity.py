@@ -1,0 +1,156 @@
+"""Number -> text in one place, and what a number means: its symbol, unit and name.
+
+Rounding is what a person does with the number in view: half up on its decimal digits. A float that stands for
+2.675 is a little less than 2.675, so sizes are raised by a relative 1e-12 before they are rounded.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, fields, replace
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from tmm_report.i18n import NP_, Translator
+
+ZERO = 1e-9  # relative to the scale: anything smaller is the noise of a computation and prints as 0
+NUDGE = 1 + 1e-12
+MINUS = "\N{MINUS SIGN}"
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+class Parts(NamedTuple):
+    """A number ready to be typeset: sign, digits with a point, and the power of ten or None."""
+
+    negative: bool
+    digits: str
+    power: int | None = None
+
+
+def split(
+    x: float, digits: int = 5, places: int | None = None, scale: float = 1.0, keep_zeros: bool = False
+) -> Parts:
+    """`x` to `digits` significant digits, or to `places` decimals. |x| <= 1e-9 scale is 0.
+
+    The power of ten appears outside 1e-4 <= |x| < 1e6. nan is a dash. `keep_zeros` keeps trailing zeros.
+    """
+    size = abs(x)
+    if not math.isfinite(size):
+        return Parts(x < 0, "—" if size != size else "∞")
+    size = 0.0 if size <= ZERO * scale else size * NUDGE
+    text, power = _fixed(size, digits) if places is None else (f"{size:.{places}f}", None)
+    if not keep_zeros and "." in text:
+        text = text.rstrip("0").rstrip(".")
+    return Parts(x < 0 and text.strip("0.") != "", text, power)
+
+
+def _fixed(size: float, digits: int) -> tuple[str, int | None]:
+    """Digits and power of a size that is already nudged."""
+    if size == 0:
+        return "0", None
+    mantissa, _, exponent = f"{size:.{digits - 1}e}".partition("e")
+    power = int(exponent)
+    if -4 <= power < 6:
+        return f"{float(f'{mantissa}e{power}'):.{max(0, digits - 1 - power)}f}", None
+    return mantissa, power
+
+
+def number(
+    x: float,
+    digits: int = 5,
+    decimal: str = ",",
+    places: int | None = None,
+    scale: float = 1.0,
+    keep_zeros: bool = False,
+) -> str:
+    """`split` as running text: 4,444; −41,888; 1,35·10⁻⁵; a dash for nan."""
+    parts = split(x, digits, places, scale, keep_zeros)
+    text = (MINUS if parts.negative else "") + parts.digits.replace(".", decimal)
+    return text if parts.power is None else f"{text}·10{str(parts.power).translate(_RAISED)}"
+
+
+def round_significant(x: Any, digits: int) -> Any:
+    """`x` (a number or an array) rounded half up to `digits` significant digits, as `number` prints it."""
+    if isinstance(x, (int, float)):
+        return float(f"{x * NUDGE:.{digits - 1}e}") if math.isfinite(x) else x
+    x = np.asarray(x, dtype=float)
+    size = np.abs(x) * NUDGE
+    known = np.isfinite(size) & (size > 0)
+    shift = digits - 1 - np.floor(np.log10(np.where(known, size, 1.0)))
+    up, down = 10.0 ** np.maximum(shift, 0), 10.0 ** np.maximum(-shift, 0)  # one of them is 1: both exact
+    rounded = np.floor(size * up / down + 0.5) / up * down
+    return np.where(known, np.copysign(rounded, x), x)
+
+
+def column(values: Iterable[float], digits: int = 5, decimal: str = ",") -> list[str]:
+    """A table column with one number of decimals: the largest value has `digits` significant digits."""
+    values = [float(value) for value in values]
+    largest = max((abs(value) for value in values if math.isfinite(value)), default=0.0)
+    scale = max(1.0, largest)
+    if not 1e-4 <= largest < 1e6:
+        return [number(value, digits, decimal, scale=scale) for value in values]
+    places = max(0, digits - 1 - math.floor(math.log10(round_significant(largest, digits))))
+    return [_cell(value, places, decimal, scale) for value in values]
+
+
+def _cell(value: float, places: int, decimal: str, scale: float) -> str:
+    text = number(value, decimal=decimal, places=places, scale=scale, keep_zeros=True)
+    return text if text.strip("0" + decimal) else "0"
+
+
+@dataclass(frozen=True, eq=False)
+class Quantity:
+    """A value (number or array, SI) with its symbol's key ("v_BA"), unit ("m/s") and meaning (a message id)."""
+
+    symbol: str
+    value: Any
+    unit: str
+    meaning: str
+
+
+def q(symbol: str, unit: str, meaning: str) -> dict[str, Quantity]:
+    """Metadata of a result's field: `omega: Array = field(metadata=q("omega", "rad/s", N_("angular velocity")))`."""
+    return {"quantity": Quantity(symbol, None, unit, meaning)}
+
+
+def quantities(result: Any) -> Mapping[str, Quantity]:
+    """Field name -> Quantity with its value, for every field of a dataclass that carries `q` metadata."""
+    return {
+        item.name: replace(item.metadata["quantity"], value=getattr(result, item.name))
+        for item in fields(result)
+        if "quantity" in item.metadata
+    }
+
+
+UNITS = (
+    NP_("unit", "m"),
+    NP_("unit", "mm"),
+    NP_("unit", "s"),
+    NP_("unit", "min"),
+    NP_("unit", "kg"),
+    NP_("unit", "N"),
+    NP_("unit", "W"),
+    NP_("unit", "kW"),
+    NP_("unit", "J"),
+    NP_("unit", "Pa"),
+    NP_("unit", "MPa"),
+    NP_("unit", "Hz"),
+    NP_("unit", "rad"),
+    NP_("unit", "rpm"),
+    NP_("unit", "deg"),
+)
+_SIGNS = str.maketrans({"*": "·", "^": "", "2": "²", "3": "³", "4": "⁴"})
+
+
+@lru_cache(maxsize=1024)
+def unit_text(unit: str, language: str) -> str:
+    """A unit as it is printed in the language: "kg*m^2" or "kg·m²" -> "кг·м²"; "deg" -> "°"."""
+    translate = Translator(language).pgettext
+    words = re.split(r"([^\W\d_]+)", unit)
+    words[1::2] = ["°" if word == "deg" else translate("unit", word) for word in words[1::2]]
+    words[::2] = [sign.translate(_SIGNS) for sign in words[::2]]
+    return "".join(words)

@@ -1,0 +1,19 @@
+"""Where the program's own files live: templates, fonts, translations and ready variants."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+
+@cache
+def data_root() -> Path:
+    """The folder that holds `templates/` and `variants/`: inside an installed package, or the checkout's root.
+
+    Raises FileNotFoundError for an installation that lost them.
+    """
+    package = Path(__file__).resolve().parent
+    for root in (package / "_data", package.parent):
+        if (root / "templates").is_dir():
+            return root
+    raise FileNotFoundError(f"templates/ stands neither in {package / '_data'} nor in {package.parent}")
