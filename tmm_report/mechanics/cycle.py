@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -18,6 +19,14 @@ Rate = Callable[[Motion], Array]
 
 SEARCH = 720  # brackets of the root search over a turn; two extremes nearer than half a degree count as none
 FULL_TURN = 2 * np.pi
+
+
+@dataclass(frozen=True)
+class Extreme:
+    """An extreme value and the angle turned from position 0, rad, at which it is reached."""
+
+    value: float
+    turned: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,45 +60,72 @@ class Cycle:
         """Motion at angles turned from position 0, rad."""
         return solve(self.linkage, self.phi(np.asarray(turned, dtype=float)))
 
-    def roots(self, rate: Rate) -> Array:
-        """Angles turned, sorted, at which `rate` of the motion changes sign continuously, rad, to full precision."""
+    @cached_property
+    def _search(self) -> tuple[Array, Motion]:
+        """Angles turned that bracket the roots, and the motion there."""
         grid = np.linspace(0.0, self.sweep, SEARCH + 1)
         # half a step aside, so that a root at position 0 falls inside a bracket and not on its edge
         grid = grid - (grid[1] / 2 if self.closed else 0.0)
-        values = np.real(rate(self.motion(grid)))
+        return grid, self.motion(grid)
+
+    def roots(self, rate: Rate, noise: float = 1e-13) -> Array:
+        """Angles turned, sorted, at which `rate` of the motion passes through zero, rad.
+
+        `noise`: rounding error of the rate, relative to its largest value, to which a root is found.
+        """
+        grid, motion = self._search
+        values = np.real(rate(motion))
         turns = np.flatnonzero(np.sign(values[:-1]) * np.sign(values[1:]) < 0)
-        found = _bisect(lambda x: np.real(rate(self.motion(x))), grid[turns], grid[turns + 1], values[turns])
-        tolerance = 1e-6 * np.nanmax(np.abs(values), initial=0.0)
-        crossing = np.abs(np.real(rate(self.motion(found)))) <= tolerance  # a pole changes sign too
-        found = found[crossing] if found.size else found
-        return np.sort(np.mod(found + 1e-9, self.sweep) - 1e-9 if self.closed else found)
+        if turns.size:
+            size = np.nanmax(np.abs(values))
+            brackets = grid[turns], grid[turns + 1], values[turns]
+            found, left = _bisect(lambda x: np.real(rate(self.motion(x))), *brackets, noise=noise * size)
+            found = found[np.abs(left) <= 1e-6 * size]  # a pole changes sign too
+        else:
+            found = np.array([])
+        if self.closed:
+            found = np.mod(found, self.sweep)
+            found = np.where(np.minimum(found, self.sweep - found) < 1e-9, 0.0, found)  # a turn is no turn
+        return np.sort(found)
 
-    def extremes(self, value: Rate, rate: Rate) -> tuple[tuple[float, float], tuple[float, float]]:
-        """(value, angle turned) of the least and the greatest `value` over the cycle; `rate` is its derivative."""
+    def extremes(self, value: Rate, rate: Rate, noise: float = 1e-13) -> tuple[Extreme, Extreme]:
+        """The least and the greatest `value` over the cycle; `rate` is its derivative by time or angle."""
         ends = np.array([0.0] if self.closed else [0.0, self.sweep])
-        where = np.concatenate([self.roots(rate), ends])
+        where = np.concatenate([self.roots(rate, noise), ends])
         values = np.real(value(self.motion(where)))
-        low, high = np.nanargmin(values), np.nanargmax(values)
-        return (float(values[low]), float(where[low])), (float(values[high]), float(where[high]))
+        return tuple(Extreme(float(values[k]), float(where[k])) for k in (np.nanargmin(values), np.nanargmax(values)))
+
+    def slope(self, value: Rate, step: float = 1e-4) -> Rate:
+        """Derivative of a quantity by the angle turned, by central difference: good for finding extremes of the
+        highest derivative, whose own derivative is not solved for."""
+
+        def rate(motion: Motion) -> Array:
+            turned = (motion.phi - self.zero) * self.sense
+            ahead, behind = self.motion(turned + step), self.motion(turned - step)
+            return (np.real(value(ahead)) - np.real(value(behind))) / (2 * step)
+
+        return rate
 
 
-def _bisect(f: Callable[[Array], Array], low: Array, high: Array, f_low: Array) -> Array:
-    """Roots in many brackets at once: Illinois steps, a halving where they stall, to the last bits."""
-    if not low.size:
-        return low
-    f_high = f(high)
-    for step in range(60):
+def _bisect(
+    f: Callable[[Array], Array], low: Array, high: Array, f_low: Array, noise: float
+) -> tuple[Array, Array]:
+    """Roots in many brackets at once, and f there: regula falsi with Illinois' halving of a stale end.
+
+    Stops where |f| is within `noise`, its rounding error, or the bracket is a few bits wide.
+    """
+    f_high, x, fx = f(high), low, f_low
+    for _ in range(60):
         with np.errstate(invalid="ignore", divide="ignore"):
-            x = (low * f_high - high * f_low) / (f_high - f_low)
-        bad = ~((x > np.minimum(low, high)) & (x < np.maximum(low, high)))
-        x = np.where(bad | (step % 4 == 3), (low + high) / 2, x)
+            step = (low * f_high - high * f_low) / (f_high - f_low)
+        x = np.where((step > low) & (step < high), step, (low + high) / 2)
         fx = f(x)
+        if np.all((np.abs(fx) <= noise) | (high - low < 1e-15)):
+            break
         left = np.sign(fx) == np.sign(f_low)
         low, f_low = np.where(left, x, low), np.where(left, fx, f_low / 2)
         high, f_high = np.where(left, high, x), np.where(left, f_high / 2, fx)
-        if np.all((np.abs(high - low) < 4e-15) | (fx == 0)):
-            break
-    return np.where(fx == 0, x, np.where(np.abs(f_low) < np.abs(f_high), low, high))
+    return x, fx
 
 
 def cycle_of(linkage: Linkage) -> Cycle:

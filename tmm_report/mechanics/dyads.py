@@ -280,9 +280,30 @@ def _sliding(s: State, guide: Pair, joint: Array, carrier: str) -> Side:
     return Side(joint, carrier, s.u[carrier] * guide.along[carrier], carrier)
 
 
-def move(s: State, d: Dyad) -> tuple[Array, Array]:
-    """Add the rates of both links to the state; returns the sliding velocity and acceleration, or the angular
-    ones, of the second unknown."""
+@dataclass(frozen=True, eq=False)
+class Closure:
+    """Both sides of a dyad's vector equations with their numbers, vectors in m/s and m/s², (..., P).
+
+    Velocities: v_left + x·e_left = v_right + y·e_right; accelerations: a_left + bend_left + xx·e_left = the same
+    of the right side, `bend` being the normal or Coriolis part.
+    """
+
+    left: Side
+    right: Side
+    v_left: Array
+    v_right: Array
+    x: Array
+    y: Array
+    a_left: Array
+    a_right: Array
+    bend_left: Array
+    bend_right: Array
+    xx: Array
+    yy: Array
+
+
+def close(s: State, d: Dyad) -> Closure:
+    """Solve a placed dyad's velocities and accelerations."""
     left, right = sides(s, d)
     e1, e2 = left.e, -right.e
     inverse = 1.0 / cross(e1, e2)
@@ -292,12 +313,18 @@ def move(s: State, d: Dyad) -> tuple[Array, Array]:
     if d.kind == 3:  # the guide turns with a, whose ω is x
         s.iw[d.a] = 1j * x
     a_left, a_right = left.acceleration(s), right.acceleration(s)
-    bend = left.curvature(s, x)
-    gap = a_right + right.curvature(s, y) - a_left - bend
+    bend_left, bend_right = left.curvature(s, x), right.curvature(s, y)
+    gap = a_right + bend_right - (a_left + bend_left)
     xx, yy = cross(gap, e2) * inverse, cross(e1, gap) * inverse
-    _turn(s, d, x, y, xx, yy)
-    _carry(s, d, (v_left, a_left), (v_right, a_right), (v_left + x * e1, a_left + bend + xx * e1))
-    return y, yy
+    return Closure(left, right, v_left, v_right, x, y, a_left, a_right, bend_left, bend_right, xx, yy)
+
+
+def move(s: State, d: Dyad) -> None:
+    """Add the rates of both links to the state."""
+    c = close(s, d)
+    _turn(s, d, c.x, c.y, c.xx, c.yy)
+    end = c.v_left + c.x * c.left.e, c.a_left + c.bend_left + c.xx * c.left.e
+    _carry(s, d, (c.v_left, c.a_left), (c.v_right, c.a_right), end)
 
 
 def _turn(s: State, d: Dyad, x: Array, y: Array, xx: Array, yy: Array) -> None:

@@ -1,0 +1,151 @@
+"""The vector equations of the dyads by name: which point about which, along which direction.
+
+A dyad's closure has two sides that end in the same point, the vertex: v_B = v_A + v_BA = v_C + v_BC. A point of a
+guide that just coincides with joint B is named B with the number of its link, "B4". Keys are those of the
+readings and of results.json: "v_B", "v_BA", "a_BA_n", "a_BA_t", "a_B2B4_k", "a_B2B4_r", "w_2", "e_2".
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+
+from tmm_report.mechanics.dyads import Dyad, close
+from tmm_report.mechanics.mechanism import FRAME
+from tmm_report.mechanics.motion import Linkage, Motion
+
+Array = Any
+Part = Literal["n", "t", "k", "r"]  # normal and tangential; Coriolis and relative
+
+
+@dataclass(frozen=True)
+class Branch:
+    """One side of a dyad's vector equation.
+
+    `start`: the point whose motion is known, None for a fixed one; `end`: the vertex. Either `link` turns about
+    the joint `arm[0]`, along the arm to `arm[1]`, or the end slides along `guide`, which turns with `link`.
+    """
+
+    start: str | None
+    end: str
+    link: str
+    arm: tuple[str, str] | None = None
+    guide: str | None = None
+
+    @property
+    def turns(self) -> bool:
+        return self.arm is not None
+
+    @property
+    def pair(self) -> str:
+        """Subscript of the relative vector: BA is of B about A; a fixed start keeps its joint's name."""
+        return self.end + (self.start or (self.arm[0] if self.arm else ""))
+
+    @property
+    def v_key(self) -> str:
+        return f"v_{self.end}" if self.start is None else f"v_{self.pair}"
+
+    def a_key(self, part: Part) -> str:
+        return f"a_{self.pair}_{part}" if self.start is not None or self.has_bend else f"a_{self.end}"
+
+    @property
+    def has_bend(self) -> bool:
+        """Whether the acceleration has a normal or Coriolis part: not where a guide does not turn."""
+        return self.turns or self.link != FRAME
+
+
+@dataclass(frozen=True)
+class Relation:
+    """Both branches of one dyad; `left` is the side solved for x, `right` for y (see `dyads`)."""
+
+    dyad: Dyad
+    left: Branch
+    right: Branch
+
+    @property
+    def vertex(self) -> str:
+        return self.left.end
+
+
+def relation(linkage: Linkage, d: Dyad) -> Relation:
+    """Name the vector equation of a dyad."""
+
+    def known(point: str, carrier: str) -> str | None:
+        return None if carrier == FRAME else point
+
+    a_joint, b_joint, inner = d.outer_a.name, d.outer_b.name, d.inner.name
+    start_a = known(a_joint, d.carrier_a)
+    if d.kind == 1:
+        left = Branch(start_a, inner, d.a, (a_joint, inner))
+        return Relation(d, left, Branch(known(b_joint, d.carrier_b), inner, d.b, (b_joint, inner)))
+    if d.kind == 2:
+        left = Branch(start_a, inner, d.a, (a_joint, inner))
+        return Relation(d, left, Branch(known(inner + d.carrier_b, d.carrier_b), inner, d.carrier_b, guide=b_joint))
+    if d.kind == 3:
+        vertex = b_joint + d.a
+        left = Branch(start_a, vertex, d.a, (a_joint, b_joint))
+        return Relation(d, left, Branch(known(b_joint, d.carrier_b), vertex, d.a, guide=inner))
+    if d.kind == 4:
+        left = Branch(known(inner + d.carrier_a, d.carrier_a), inner, d.carrier_a, guide=a_joint)
+        return Relation(d, left, Branch(known(inner + d.carrier_b, d.carrier_b), inner, d.carrier_b, guide=b_joint))
+    vertex = a_joint + d.b
+    left = Branch(known(a_joint + d.carrier_b, d.carrier_b), vertex, d.carrier_b, guide=b_joint)
+    return Relation(d, left, Branch(start_a, vertex, d.carrier_b, guide=inner))
+
+
+def relations(linkage: Linkage) -> list[Relation]:
+    return [relation(linkage, d) for d in linkage.dyads]
+
+
+def moving_points(linkage: Linkage) -> list[str]:
+    """Named points that move, in the order in which their links are found."""
+    order = [linkage.mechanism.driver.link, *(link for d in linkage.dyads for link in (d.a, d.b))]
+    fixed = linkage.mechanism.links[FRAME].points
+    carriers = linkage.carriers
+    return [p for link in order for p in linkage.mechanism.links[link].points if carriers[p] == link and p not in fixed]
+
+
+def turning_links(linkage: Linkage) -> list[str]:
+    """Links that can turn, the driving link first; a slider on a fixed guide cannot."""
+    turning = {FRAME: False, linkage.mechanism.driver.link: True}
+    for d in linkage.dyads:
+        turning[d.a] = d.kind <= 3 or turning[d.carrier_a if d.kind == 4 else d.carrier_b]
+        turning[d.b] = d.kind == 1 or turning[d.a if d.kind == 3 else d.carrier_b]
+    return [link for link, turns in turning.items() if turns]
+
+
+def named_values(motion: Motion) -> dict[str, Array]:
+    """Every velocity, acceleration and angular rate of the note by its key; (..., P), SI.
+
+    Vectors are complex; angular values are real, + counter-clockwise.
+    """
+    values: dict[str, Array] = {}
+    for point in moving_points(motion.linkage):
+        values[f"v_{point}"], values[f"a_{point}"] = motion.velocity(point), motion.acceleration(point)
+    for r in relations(motion.linkage):
+        values |= _branch_values(motion, r)
+    for link in turning_links(motion.linkage):
+        values[f"w_{link}"] = motion.angular_velocity(link)
+        values[f"e_{link}"] = motion.angular_acceleration(link)
+    return values
+
+
+def _branch_values(motion: Motion, r: Relation) -> dict[str, Array]:
+    with np.errstate(invalid="ignore", divide="ignore"):
+        c = close(motion.state, r.dyad)
+    out: dict[str, Array] = {}
+    sides = (
+        (r.left, c.v_left, c.left.e, c.x, c.a_left, c.bend_left, c.xx),
+        (r.right, c.v_right, c.right.e, c.y, c.a_right, c.bend_right, c.yy),
+    )
+    for branch, v_start, e, x, a_start, bend, xx in sides:
+        if branch.start is not None:
+            out[f"v_{branch.start}"], out[f"a_{branch.start}"] = v_start, a_start
+        out[f"v_{branch.end}"], out[f"a_{branch.end}"] = v_start + x * e, a_start + bend + xx * e
+        out[branch.v_key] = x * e
+        if branch.has_bend:
+            out[branch.a_key("n" if branch.turns else "k")] = bend
+        out[branch.a_key("t" if branch.turns else "r")] = xx * e
+    return {key: np.broadcast_to(value, motion.shape) for key, value in out.items()}
