@@ -1,0 +1,51 @@
+"""Scale factors as a person chooses them, readings off a drawing, and numbers as a person writes them down."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+ROUND = (1.0, 2.0, 2.5, 4.0, 5.0)
+CAD = 1e-5  # m of paper: with this accuracy or better a drawing is made by computer
+
+
+def round_scale(largest: float, paper: float) -> float:
+    """The smallest round scale (1, 2, 2.5, 4, 5 · 10^n) at which `largest` is at most `paper` mm long."""
+    if not largest > 0:
+        return 1.0
+    least = largest / paper * (1 - 1e-9)
+    decade = 10.0 ** math.floor(math.log10(least))
+    return float(f"{min(s * d for s in ROUND for d in (decade, 10 * decade) if s * d >= least):.12g}")
+
+
+def rounded(x: Any, step: float) -> Any:
+    """`x` (real or complex, number or array) rounded half up to a multiple of `step`; unchanged for step 0."""
+    if step == 0:
+        return x
+    if np.iscomplexobj(x):
+        return rounded(np.real(x), step) + 1j * rounded(np.imag(x), step)
+    size = np.floor(np.abs(x) / step * (1 + 1e-12) + 0.5)
+    # multiples of 0.01 come out as the decimal number, not as 59.250000000000004
+    return np.copysign(np.round(size * step, 12), x) + 0.0
+
+
+class Pen:
+    """How exactly lines are drawn and lengths are read, mm of paper.
+
+    By computer (accuracy 0.01 mm or better) a construction is exact and lengths are read to the accuracy; by hand
+    every constructed point is placed to the accuracy as well.
+    """
+
+    def __init__(self, accuracy: float):
+        self.read_step = accuracy * 1e3
+        self.place_step = 0.0 if accuracy <= CAD else self.read_step
+
+    def place(self, point: complex) -> complex:
+        """Where a point, mm, is drawn."""
+        return complex(rounded(point, self.place_step))
+
+    def read(self, length: complex) -> float:
+        """What is read for a drawn segment, mm."""
+        return float(rounded(abs(length), self.read_step))

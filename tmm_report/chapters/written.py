@@ -1,0 +1,49 @@
+"""Numbers as they are written down by hand in a note, and the symbols of the values' keys."""
+
+from __future__ import annotations
+
+import math
+
+from tmm_report.formula import Expr, Formula, Symbol, Var
+from tmm_report.symbols import segment
+
+DIGITS = 5  # significant digits that a hand calculation carries
+PLACES = 3  # decimals are not carried beyond these, unless the largest value of the kind needs more
+
+BASES = {"w": "omega", "e": "epsilon"}
+UNITS = {"v": "m/s", "a": "m/s²", "w": "rad/s", "e": "rad/s²", "S": "m", "R": "N", "F": "N", "M": "N·m"}
+
+
+def symbol_of(key: str) -> Symbol:
+    """Symbol of a value's key: "v_BA", "a_BA_n", "w_2", "e_2", "R_24_t"."""
+    base, sub, sup = (*key.split("_"), "", "")[:3]
+    return Symbol(BASES.get(base, base), sub, sup)
+
+
+def unit_of(key: str) -> str:
+    return UNITS[key[0]]
+
+
+def decimals(size: float, digits: int = DIGITS) -> int:
+    """Decimals of a number with so many significant digits."""
+    return digits - 1 - math.floor(math.log10(size)) if size > 0 else digits
+
+
+def hand(key: str, expression: Expr, reference: float) -> Formula:
+    """A formula worked by hand from the numbers as printed: five digits, and no more decimals than `reference`,
+    the leading value of its kind, needs (at least three)."""
+    trial = Formula(symbol_of(key), expression, unit_of(key), hand=True)
+    size = abs(trial.written)
+    most = max(PLACES, decimals(abs(reference)))
+    digits = DIGITS - max(0, decimals(size) - most) if size > 0 else DIGITS
+    return Formula(symbol_of(key), expression, unit_of(key), digits=max(1, digits), hand=True)
+
+
+def number(symbol: Symbol | str, value: float, unit: str = "") -> Var:
+    """A number that stands in a hand calculation with all its written digits."""
+    return Var(symbol, value, unit, digits=DIGITS + 2)
+
+
+def length_of(ends: str, millimetres: float) -> Var:
+    """A segment of a drawing, mm, as read."""
+    return Var(segment(ends), millimetres, "mm", digits=DIGITS + 2)
