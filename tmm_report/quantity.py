@@ -42,21 +42,24 @@ def split(
     if not math.isfinite(size):
         return Parts(x < 0, "—" if size != size else "∞")
     size = 0.0 if size <= ZERO * scale else size * NUDGE
-    text, power = _fixed(size, digits) if places is None else (f"{size:.{places}f}", None)
-    if not keep_zeros and "." in text:
+    if places is not None:
+        text, power = f"{size:.{places}f}", None
+    else:
+        text, power = _significant(size, digits) if size else ("0", None)
+    if "." in text and not keep_zeros:
         text = text.rstrip("0").rstrip(".")
     return Parts(x < 0 and text.strip("0.") != "", text, power)
 
 
-def _fixed(size: float, digits: int) -> tuple[str, int | None]:
-    """Digits and power of a size that is already nudged."""
-    if size == 0:
-        return "0", None
-    mantissa, _, exponent = f"{size:.{digits - 1}e}".partition("e")
-    power = int(exponent)
-    if -4 <= power < 6:
-        return f"{float(f'{mantissa}e{power}'):.{max(0, digits - 1 - power)}f}", None
-    return mantissa, power
+def _significant(size: float, digits: int) -> tuple[str, int | None]:
+    """Digits, trailing zeros kept, and power of a size that is already nudged."""
+    text = f"{size:#.{digits}g}"
+    if "e" not in text:
+        return text.rstrip("."), None
+    mantissa, _, power = text.partition("e")
+    if int(power) >= 6 or size < 1e-4:
+        return mantissa.rstrip("."), int(power)
+    return str(round(float(text))), None
 
 
 def number(
@@ -141,7 +144,6 @@ UNITS = (
     NP_("unit", "Hz"),
     NP_("unit", "rad"),
     NP_("unit", "rpm"),
-    NP_("unit", "deg"),
 )
 _SIGNS = str.maketrans({"*": "·", "^": "", "2": "²", "3": "³", "4": "⁴"})
 
@@ -150,7 +152,7 @@ _SIGNS = str.maketrans({"*": "·", "^": "", "2": "²", "3": "³", "4": "⁴"})
 def unit_text(unit: str, language: str) -> str:
     """A unit as it is printed in the language: "kg*m^2" or "kg·m²" -> "кг·м²"; "deg" -> "°"."""
     translate = Translator(language).pgettext
-    words = re.split(r"([^\W\d_]+)", unit)
+    words = re.split(r"([A-Za-z]+)", unit)
     words[1::2] = ["°" if word == "deg" else translate("unit", word) for word in words[1::2]]
     words[::2] = [sign.translate(_SIGNS) for sign in words[::2]]
     return "".join(words)

@@ -1,0 +1,240 @@
+"""The command line: the only place that prints and exits.
+
+Exit codes: 0 done; 1 done, but a check failed or something asked for could not be made; 2 the input is wrong.
+"""
+
+from __future__ import annotations
+
+import locale
+import os
+import sys
+import threading
+import unicodedata
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from tmm_report.problems import N_, ProblemError
+
+app = typer.Typer(
+    add_completion=False,
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+    help="Course projects in the theory of mechanisms and machines: a YAML variant in, an explanatory note out.",
+)
+
+Language = Annotated[str | None, typer.Option("--lang", help="Language of the note and of messages: ru or en.")]
+VariantFile = Annotated[Path, typer.Argument(help="The variant, a YAML file.", show_default=False)]
+
+
+def main() -> None:
+    for stream in (sys.stdout, sys.stderr):
+        # a name that the terminal cannot show must not stop the run
+        stream.reconfigure(errors="backslashreplace")  # type: ignore[union-attr]
+    app()
+
+
+@app.callback()
+def program(
+    version: Annotated[bool, typer.Option("--version", help="Print the version and exit.", is_eager=True)] = False,
+) -> None:
+    if version:
+        from tmm_report import __version__
+
+        typer.echo(f"tmm-report {__version__}")
+        raise typer.Exit
+
+
+@app.command()
+def solve(
+    variant: VariantFile,
+    output: Annotated[Path | None, typer.Option("-o", "--output", help="Folder for the note.")] = None,
+    formats: Annotated[str, typer.Option("--format", help="Any of html,tex,json,csv, joined by commas.")] = "html,tex",
+    lang: Language = None,
+    pdf: Annotated[bool, typer.Option("--pdf", help="Also compile note.tex to note.pdf with pdflatex.")] = False,
+    open_note: Annotated[bool, typer.Option("--open", help="Open the note in the browser.")] = False,
+) -> None:
+    """Solve a variant and write its note."""
+    say = _translate(lang)
+    wanted = _formats(formats, open_note, say)
+    folder = output or Path(f"{variant.stem}-note")
+    with _progress(say(N_("solving"))) as stage, _mistakes(lambda text: say(text)):
+        from tmm_report import load
+        from tmm_report import solve as solve_variant
+        from tmm_report.output import render, write
+
+        loaded = load(variant)
+        say = _translate(lang or loaded.language)
+        results = solve_variant(loaded)
+        files: dict[str, bytes] = {}
+        for fmt in wanted:
+            stage(say(N_("writing %s")) % fmt)
+            files |= render(results, fmt, lang)
+        failed = _add_pdf(results, lang, files, stage, say) if pdf else None
+        try:
+            write(folder, files)
+        except OSError as error:
+            _fail(say(N_("cannot write into %s: %s")) % (folder, error.strerror))
+    bad = _summary(results, folder, list(files), say)
+    if failed:
+        typer.echo(failed, err=True)
+    if open_note:
+        import webbrowser
+
+        webbrowser.open((folder / "note.html").resolve().as_uri())
+    if bad or failed:
+        raise typer.Exit(1)
+
+
+def _formats(text: str, open_note: bool, say: Callable[[str], str]) -> list[str]:
+    known = ("html", "tex", "json", "csv")
+    wanted = list(dict.fromkeys(part.strip().lower() for part in text.split(",") if part.strip()))
+    unknown = [part for part in wanted if part not in known]
+    if unknown or not wanted:
+        _fail(say(N_("--format: unknown %s; known: %s")) % (", ".join(unknown) or "''", ", ".join(known)))
+    if open_note and "html" not in wanted:
+        wanted.append("html")
+    return wanted
+
+
+def _add_pdf(results: Any, lang: str | None, files: dict[str, bytes], stage: Callable[[str], None], say: Callable[[str], str]) -> str | None:
+    """Add note.pdf to the files; what went wrong, in words, if it could not be made."""
+    from tmm_report.output import render
+    from tmm_report.pdf import NoTex, TexFailed, compile_pdf
+
+    stage(say(N_("compiling the PDF")))
+    try:
+        source = files if "note.tex" in files else render(results, "tex", lang)
+        files["note.pdf"] = compile_pdf({name: text for name, text in source.items() if name != "note.html"})
+    except NoTex:
+        return say(
+            N_(
+                "no PDF: pdflatex is not installed. Windows: install MiKTeX (miktex.org). Debian, Ubuntu: apt install "
+                "texlive-latex-recommended texlive-pictures texlive-lang-cyrillic cm-super. macOS: MacTeX"
+            )
+        )
+    except TexFailed as error:
+        return say(N_("no PDF: pdflatex stopped. The end of its log:")) + "\n" + _clean(str(error), keep="\n")
+    return None
+
+
+def _summary(results: Any, folder: Path, names: list[str], say: Callable[[str], str]) -> bool:
+    """Print what was found and written; whether a check failed."""
+    plans, forces = results.plans, results.kinetostatics
+    typer.echo(f"{results.structure.formula}")
+    worst = max(plans.worst, results.force_plans.worst if results.force_plans else 0.0)
+    typer.echo(say(N_("largest difference of the graph-analytical method: %.3g %%")) % worst)
+    if any(drawn.readings for drawn in plans.drawn):
+        typer.echo(say(N_("largest difference of the student's readings: %.3g %%")) % plans.worst_reading)
+    if plans.singular:
+        text = say(N_("no plans at singular positions: %s"))
+        typer.echo(text % ", ".join(map(str, plans.singular)))
+    bad = False
+    if forces is not None:
+        text = say(N_("checks of the balancing moment, relative disagreement: lever %.1e, power balance %.1e"))
+        typer.echo(text % (forces.worst_lever, forces.worst_power))
+        bad = not forces.agrees
+    if bad:
+        typer.echo(say(N_("error: the checks of the balancing moment disagree by more than 1e-9")), err=True)
+    shown = [name for name in names if "/" not in name]
+    for part in sorted({name.split("/")[0] for name in names if "/" in name}):
+        shown.append(part + "/")
+    typer.echo(say(N_("written: %s")) % ", ".join(_clean(str(folder / name)) for name in shown))
+    return bad
+
+
+@app.command()
+def schema() -> None:
+    """Print the JSON Schema of the variant format, for editors that complete and check YAML."""
+    import json
+
+    from tmm_report.variant import schema as make
+
+    typer.echo(json.dumps(make(), ensure_ascii=False, indent=2))
+
+
+@app.command()
+def new(
+    file: Annotated[Path, typer.Argument(help="Where to write it.")] = Path("variant.yaml"),
+    lang: Language = None,
+) -> None:
+    """Write a commented starting variant. An existing file is not overwritten."""
+    from tmm_report.variant import new as make
+
+    say = _translate(lang)
+    try:
+        with file.open("x", encoding="utf-8", newline="\n") as stream:
+            stream.write(make(lang or _language()))
+    except FileExistsError:
+        _fail(say(N_("%s exists already; choose another name")) % _clean(str(file)))
+    except OSError as error:
+        _fail(f"{_clean(str(file))}: {error.strerror}")
+    typer.echo(say(N_("written: %s")) % _clean(str(file)))
+
+
+# ---------------------------------------------------------------- talking to the user
+
+
+def _language() -> str:
+    """The user's language from the environment."""
+    names = [os.environ.get(name, "") for name in ("LC_ALL", "LC_MESSAGES", "LANG")]
+    name = next((n for n in names if n), "") or (locale.getlocale()[0] or "")
+    return "ru" if name.lower().startswith("ru") else "en"
+
+
+def _translate(lang: str | None) -> Callable[[str], str]:
+    from tmm_report.i18n import Translator
+
+    if lang not in (None, "ru", "en"):
+        _fail(Translator(_language()).gettext(N_("--lang: ru or en")))
+    return Translator(lang or _language()).gettext
+
+
+def _clean(text: str, keep: str = "") -> str:
+    """Text for the terminal: no control, format or bidirectional characters, which could forge what is shown."""
+    return "".join(c if c in keep or not unicodedata.category(c).startswith("C") else "\N{REPLACEMENT CHARACTER}" for c in text)
+
+
+def _fail(text: str) -> None:
+    typer.echo(_clean(text, keep="\n"), err=True)
+    raise typer.Exit(2)
+
+
+@contextmanager
+def _mistakes(say: Callable[[str], str]) -> Iterator[None]:
+    """Print a user's mistakes, one a line, and exit with 2."""
+    try:
+        yield
+    except ProblemError as error:
+        _fail("\n".join(_clean(problem.text(say)) for problem in error.problems))
+
+
+@contextmanager
+def _progress(first: str) -> Iterator[Callable[[str], None]]:
+    """A line on the terminal that says what is being done, shown when that takes over a second."""
+    current, shown = [first], threading.Event()
+
+    def show() -> None:
+        shown.set()
+        typer.echo(f"\r{current[0] + '…':60}", nl=False, err=True)
+
+    timer = threading.Timer(1.0, show)
+    timer.daemon = True
+    if sys.stderr.isatty():
+        timer.start()
+
+    def stage(text: str) -> None:
+        current[0] = text
+        if shown.is_set():
+            show()
+
+    try:
+        yield stage
+    finally:
+        timer.cancel()
+        if shown.is_set():
+            typer.echo(f"\r{'':60}\r", nl=False, err=True)

@@ -1,0 +1,65 @@
+"""note.tex -> PDF by pdflatex where there is one, shut off from the rest of the machine."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+import subprocess
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+
+RUNS = 2  # the second run fills in the page numbers of the contents
+SECONDS = 120
+
+
+class NoTex(Exception):
+    """There is no pdflatex on this machine."""
+
+
+class TexFailed(Exception):
+    """pdflatex stopped; the text is the end of its log."""
+
+
+def compile_pdf(files: Mapping[str, bytes]) -> bytes:
+    """Compile the files of `render(..., "tex")`. Raises NoTex or TexFailed.
+
+    A student's text is escaped already; still pdflatex runs in an empty folder, may neither read nor write outside
+    it, has no shell, and is stopped with all its children when its time is up.
+    """
+    program = shutil.which("pdflatex")
+    if program is None:
+        raise NoTex
+    with tempfile.TemporaryDirectory() as folder:
+        for name, content in files.items():
+            target = Path(folder, name)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_bytes(content)
+        command = [program, "-no-shell-escape", "-interaction=nonstopmode", "-halt-on-error", "note.tex"]
+        for _ in range(RUNS):
+            _run(command, folder)
+        return Path(folder, "note.pdf").read_bytes()
+
+
+def _run(command: list[str], folder: str) -> None:
+    env = {**os.environ, "openin_any": "p", "openout_any": "p", "SOURCE_DATE_EPOCH": "0", "FORCE_SOURCE_DATE": "1"}
+    own_group = {"start_new_session": True} if os.name == "posix" else {}
+    process = subprocess.Popen(
+        command, cwd=folder, env=env, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **own_group
+    )
+    try:
+        log, _ = process.communicate(timeout=SECONDS)
+    except subprocess.TimeoutExpired:
+        _kill(process)
+        raise TexFailed(f"pdflatex took more than {SECONDS} s") from None
+    if process.returncode:
+        raise TexFailed(log.decode("utf-8", "replace")[-2000:])
+
+
+def _kill(process: subprocess.Popen[bytes]) -> None:
+    if os.name == "posix":
+        os.killpg(process.pid, signal.SIGKILL)
+    else:
+        process.kill()
+    process.wait()

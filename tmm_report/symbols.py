@@ -1,0 +1,309 @@
+"""How symbols, numbers and the shapes of a formula are written in each format. Markup of formulas is made only here.
+
+Names of points and links come from users: every one of them is escaped on its way into LaTeX or MathML.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, replace
+from functools import cache, lru_cache
+from html import escape
+from typing import Literal
+
+from tmm_report.i18n import NP_, Translator
+from tmm_report.quantity import Parts, split, unit_text
+
+GREEK = dict(
+    zip(
+        "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi "
+        "chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega".split(),
+        "αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΦΨΩ",
+        strict=True,
+    )
+)
+_GREEK_TEX = {letter: f"\\{name}" for name, letter in GREEK.items()} | {"φ": "\\varphi", "ε": "\\varepsilon"}
+_TEX = {
+    "\\": "\\textbackslash{}",
+    "~": "\\textasciitilde{}",
+    "^": "\\textasciicircum{}",
+    **{sign: "\\" + sign for sign in "{}$&#%_"},
+}
+_SIGNS_TEX = {"∥": "\\parallel ", "⟂": "\\perp ", "⊥": "\\perp ", "·": "\\cdot "}
+
+_UNIT_TEX = {"·": "\\cdot ", "²": "^{2}", "³": "^{3}", "⁴": "^{4}", "°": "^{\\circ}"}
+
+INDEX_WORDS = (
+    NP_("index", "bal"),  # balancing
+    NP_("index", "fr"),  # friction
+    NP_("index", "gr"),  # graph-analytical
+    NP_("index", "an"),  # analytical
+    NP_("index", "max"),
+    NP_("index", "min"),
+)
+_KEY = re.compile(r"(vec:)?([^_^]+)(?:_([^_^]*))?(?:[_^](.*))?", re.DOTALL)
+_RUN = re.compile("|".join(name for name in GREEK if name[0].isupper()) + r"|[A-Z]+|[a-z]+|\d+|[^\W\d_]+|['′]+|.", re.DOTALL)  # one kind of letter or sign at a time
+
+
+def latex_escape(text: str) -> str:
+    """User's text for pdflatex with T2A: specials escaped, signs that its fonts lack become "?"."""
+    return "".join(_TEX.get(sign, sign) if _printable(sign) else "?" for sign in text)
+
+
+def _printable(sign: str) -> bool:
+    return " " <= sign <= "~" or "А" <= sign <= "я" or sign in "ЁёІіЇїЄєҐґЎў«»—–…№"
+
+
+def xml_escape(text: str) -> str:
+    """User's text for HTML and XML: markup escaped, characters that XML forbids become "?"."""
+    return escape(re.sub("[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]", "?", text))
+
+
+@dataclass(frozen=True)
+class Symbol:
+    """A symbol of the course: base letter ("v", "omega"), index below and above, optional vector bar.
+
+    `kind` "segment" is the length of a drawn segment, named by its ends: a bar over all of `base`.
+    """
+
+    base: str
+    sub: str = ""
+    sup: str = ""
+    bar: bool = False
+    kind: Literal["symbol", "segment"] = "symbol"
+
+    def latex(self, tr: Translator) -> str:
+        return notation("latex", tr).symbol(self)
+
+    def mathml(self, tr: Translator) -> str:
+        return notation("mathml", tr).formula([notation("mathml", tr).symbol(self)])
+
+
+@lru_cache(maxsize=4096)
+def math_symbol(key: str) -> Symbol:
+    """Symbol of a key: "v_B", "a_BA^n" (also "a_BA_n"), "omega_2", "R_12^t", "vec:v_BA", "M_bal".
+
+    Raises ValueError for a key without a base. A name that may hold "_" or "^" goes to `Symbol(...)` directly.
+    """
+    match = _KEY.fullmatch(key)
+    if not match:
+        raise ValueError(f"no symbol in the key {key!r}")
+    bar, base, sub, sup = match.groups()
+    return Symbol(base, sub or "", sup or "", bool(bar))
+
+
+def segment(ends: str) -> Symbol:
+    """The length of a plan's segment in mm, named by its ends: "pb", "πb", "ps2"."""
+    return Symbol(ends, kind="segment")
+
+
+@dataclass(frozen=True, eq=False)
+class Notation:
+    """What both formats share: the translator and how a run of letters in an index is read."""
+
+    tr: Translator
+
+    def number(self, x: float, digits: int, scale: float = 1.0) -> str:
+        return self.parts(split(x, digits, scale=scale))
+
+    def parts(self, parts: Parts) -> str:
+        raise NotImplementedError
+
+    def symbol(self, symbol: Symbol) -> str:
+        raise NotImplementedError
+
+    def operator(self, sign: str) -> str:
+        raise NotImplementedError
+
+    def run(self, run: str) -> str:
+        raise NotImplementedError
+
+    def text(self, text: str) -> str:
+        """A whole index: runs of point names (italic), digits, words (upright), Greek letters by name."""
+        return "".join(self.run(GREEK.get(run, run)) for run in _RUN.findall(text))
+
+    def word(self, run: str) -> str:
+        return self.tr.pgettext("index", run)
+
+
+@dataclass(frozen=True, eq=False)
+class Latex(Notation):
+    """Math-mode LaTeX for amsmath, T2A and pdflatex."""
+
+    def parts(self, parts: Parts) -> str:
+        if parts.digits in ("—", "∞"):
+            return "\\text{---}" if parts.digits == "—" else ("-" if parts.negative else "") + "\\infty"
+        text = ("-" if parts.negative else "") + parts.digits.replace(".", self.decimal)
+        return text if parts.power is None else f"{text}\\cdot 10^{{{parts.power}}}"
+
+    @property
+    def decimal(self) -> str:
+        return "{,}" if self.tr.decimal == "," else "."
+
+    def symbol(self, symbol: Symbol) -> str:
+        return _symbol(symbol, self)
+
+    def indexed(self, base: str, sub: str, sup: str) -> str:
+        return base + (f"_{{{sub}}}" if sub else "") + (f"^{{{sup}}}" if sup else "")
+
+    def run(self, run: str) -> str:
+        if run in _GREEK_TEX:
+            return _GREEK_TEX[run] + " "
+        if run[0] in "'′":
+            return "{}^{" + "\\prime" * len(run) + "}"
+        if run in _SIGNS_TEX:
+            return _SIGNS_TEX[run]
+        if run.isascii() and run.isalnum() and (run.isupper() or run.isdigit() or len(run) == 1):
+            return run
+        return f"\\text{{{latex_escape(self.word(run))}}}"
+
+    def unit(self, unit: str) -> str:
+        if unit == "deg":
+            return "^{\\circ}"
+        text = re.sub(r"[^\W\d_²³⁴]+|.", _unit_sign, unit_text(unit, self.tr.language))
+        return f"\\;{text}" if text else ""
+
+    def operator(self, sign: str) -> str:
+        return {"·": "\\cdot ", "−": "-"}.get(sign, sign)
+
+    def negative(self, text: str) -> str:
+        return f"-{text}"
+
+    def brackets(self, text: str, marks: str = "()") -> str:
+        return f"\\left{marks[0]}{text}\\right{marks[1]}"
+
+    def fraction(self, above: str, below: str) -> str:
+        return f"\\frac{{{above}}}{{{below}}}"
+
+    def root(self, text: str) -> str:
+        return f"\\sqrt{{{text}}}"
+
+    def power(self, base: str, exponent: str) -> str:
+        return f"{base}^{{{exponent}}}"
+
+    def function(self, name: str, argument: str) -> str:
+        return f"\\operatorname{{{name}}}{argument}"
+
+    def bar(self, text: str) -> str:
+        return f"\\overline{{{text}}}"
+
+    def underlined(self, text: str, lines: int) -> str:
+        return "\\underline{" * lines + text + "}" * lines
+
+    def under(self, text: str, note: str) -> str:
+        return f"\\underset{{{note}}}{{{text}}}"
+
+    def formula(self, pieces: list[str]) -> str:
+        """Pieces, each beginning with its relation or sign, as one text for math mode."""
+        return " ".join(pieces)
+
+
+@dataclass(frozen=True, eq=False)
+class MathML(Notation):
+    """MathML Core, as Chromium and Firefox draw it with the embedded math font."""
+
+    def parts(self, parts: Parts) -> str:
+        text = f"<mn>{parts.digits.replace('.', self.tr.decimal)}</mn>"
+        if parts.power is not None:
+            power = self.parts(Parts(parts.power < 0, str(abs(parts.power))))
+            text += f"<mo>·</mo><msup><mn>10</mn>{power}</msup>"
+        if parts.negative:
+            return f"<mrow><mo>−</mo>{text}</mrow>"
+        return text if parts.power is None else f"<mrow>{text}</mrow>"
+
+    def symbol(self, symbol: Symbol) -> str:
+        return _symbol(symbol, self)
+
+    def indexed(self, base: str, sub: str, sup: str) -> str:
+        base = base if base.count("<m") == 1 else f"<mrow>{base}</mrow>"
+        rows = "".join(f"<mrow>{index}</mrow>" for index in (sub, sup) if index)
+        tag = ("msubsup" if sup else "msub") if sub else ("msup" if sup else "mrow")
+        return f"<{tag}>{base}{rows}</{tag}>" if rows else base
+
+    def run(self, run: str) -> str:
+        if run.isdigit():
+            return f"<mn>{run}</mn>"
+        if run[0] in "'′":
+            return f"<mo>{'′' * len(run)}</mo>"
+        if len(run) == 1:
+            italic = run.isascii() or (run in _GREEK_TEX and run.islower())
+            upright = "" if italic or not run.isalpha() else ' mathvariant="normal"'
+            tag = "mi" if run.isalpha() else "mo"
+            return f"<{tag}{upright}>{xml_escape(run)}</{tag}>"
+        if run.isascii() and run.isupper():
+            return "".join(f"<mi>{letter}</mi>" for letter in run)
+        return f"<mtext>{xml_escape(self.word(run))}</mtext>"
+
+    def unit(self, unit: str) -> str:
+        text = unit_text(unit, self.tr.language)
+        gap = "" if text == "°" else "<mspace width='0.2em'/>"
+        return f"{gap}<mtext>{xml_escape(text)}</mtext>" if text else ""
+
+    def operator(self, sign: str) -> str:
+        return f'<mo form="infix">{sign}</mo>'
+
+    def negative(self, text: str) -> str:
+        return f'<mrow><mo form="prefix">−</mo>{text}</mrow>'
+
+    def brackets(self, text: str, marks: str = "()") -> str:
+        left, right = (f'<mo form="{form}" fence="true" stretchy="true">{mark}</mo>'
+                       for form, mark in zip(("prefix", "postfix"), marks, strict=True))
+        return f"<mrow>{left}{text}{right}</mrow>"
+
+    def fraction(self, above: str, below: str) -> str:
+        return f"<mfrac><mrow>{above}</mrow><mrow>{below}</mrow></mfrac>"
+
+    def root(self, text: str) -> str:
+        return f"<msqrt>{text}</msqrt>"
+
+    def power(self, base: str, exponent: str) -> str:
+        return f"<msup><mrow>{base}</mrow><mrow>{exponent}</mrow></msup>"
+
+    def function(self, name: str, argument: str) -> str:
+        return f'<mrow><mi>{name}</mi><mspace width="0.17em"/>{argument}</mrow>'
+
+    def bar(self, text: str) -> str:
+        return f'<mover><mrow>{text}</mrow><mo stretchy="true">‾</mo></mover>'
+
+    def underlined(self, text: str, lines: int) -> str:
+        # MathML Core has no underline; a border of a row is drawn by every browser.
+        style = {1: "border-bottom:0.06em solid", 2: "border-bottom:0.2em double"}.get(lines)
+        return f'<mrow style="{style};padding-bottom:0.12em">{text}</mrow>' if style else text
+
+    def under(self, text: str, note: str) -> str:
+        return f"<munder><mrow>{text}</mrow><mrow>{note}</mrow></munder>"
+
+    def formula(self, pieces: list[str]) -> str:
+        """Pieces as neighbouring `math` elements: a browser breaks lines between them, never inside one."""
+        return "<wbr/>".join(f'<math displaystyle="true">{piece}</math>' for piece in pieces)
+
+
+def _unit_sign(word: re.Match[str]) -> str:
+    return _UNIT_TEX.get(word[0]) or (f"\\text{{{latex_escape(word[0])}}}" if word[0] not in "/()" else word[0])
+
+
+@lru_cache(maxsize=8192)
+def _symbol(symbol: Symbol, notation: Latex | MathML) -> str:
+    if symbol.kind == "segment":
+        return notation.bar(_segment(symbol.base, notation))
+    base = notation.text(symbol.base)
+    return notation.indexed(
+        notation.bar(base) if symbol.bar else base, notation.text(symbol.sub), notation.text(symbol.sup)
+    )
+
+
+def _segment(ends: str, notation: Latex | MathML) -> str:
+    """Each letter of a segment's name on its own, digits and marks as its index: ps2 -> p s₂."""
+    pieces = re.findall(r"([^\W\d_]|.)(\d*)", ends, re.DOTALL)
+    return "".join(notation.indexed(notation.run(letter), notation.text(digits), "") for letter, digits in pieces)
+
+
+@cache
+def notation(format: Literal["latex", "mathml"], tr: Translator) -> Latex | MathML:
+    return Latex(tr) if format == "latex" else MathML(tr)
+
+
+@lru_cache(maxsize=4096)
+def with_power(symbol: Symbol, exponent: str) -> Symbol | None:
+    """The symbol with a power in the place of its upper index, or None where that place is taken."""
+    return replace(symbol, sup=exponent) if not symbol.sup and symbol.kind == "symbol" else None

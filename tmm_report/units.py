@@ -1,0 +1,185 @@
+"""Numbers with units, as a person writes them, to SI: `300 mm`, `1200 об/мин`, `0,0135 кг·м²`.
+
+A bare number is in SI already."""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import NamedTuple
+
+from tmm_report.problems import N_, Message
+from tmm_report.yamlread import shown
+
+Exponents = tuple[int, int, int, int]  # of metre, kilogram, second, radian
+
+
+class WrongValue(ValueError):
+    """A value that cannot be what its place wants: what is wrong, what would be right."""
+
+    def __init__(self, wrong: Message, right: Message | None = None):
+        super().__init__(str(wrong))
+        self.wrong, self.right = wrong, right
+
+
+class Dimension(NamedTuple):
+    """What a number measures: its name, exponents, SI unit and an example for messages."""
+
+    name: str
+    exponents: Exponents
+    unit: str
+    example: str
+
+
+DIMENSIONS = {
+    "length": Dimension(N_("a length"), (1, 0, 0, 0), "m", "300 mm"),
+    "mass": Dimension(N_("a mass"), (0, 1, 0, 0), "kg", "1.5 kg"),
+    "time": Dimension(N_("a time"), (0, 0, 1, 0), "s", "0.05 s"),
+    "angle": Dimension(N_("an angle"), (0, 0, 0, 1), "rad", "20 deg"),
+    "speed": Dimension(N_("an angular velocity"), (0, 0, -1, 1), "rad/s", "1200 rpm"),
+    "acceleration": Dimension(N_("an acceleration"), (1, 0, -2, 0), "m/s^2", "9.81 m/s^2"),
+    "force": Dimension(N_("a force"), (1, 1, -2, 0), "N", "2 kN"),
+    "moment": Dimension(N_("a moment of force"), (2, 1, -2, 0), "N*m", "50 N*m"),
+    "pressure": Dimension(N_("a pressure"), (-1, 1, -2, 0), "Pa", "1.2 MPa"),
+    "inertia": Dimension(N_("a moment of inertia"), (2, 1, 0, 0), "kg*m^2", "0.0135 kg*m^2"),
+    "number": Dimension(N_("a plain number"), (0, 0, 0, 0), "1", "0.1"),
+}
+
+_NONE = (0, 0, 0, 0)
+_FORCE, _PRESSURE, _WORK, _POWER = (1, 1, -2, 0), (-1, 1, -2, 0), (2, 1, -2, 0), (2, 1, -3, 0)
+_TURN, _TURN_RATE = (0, 0, 0, 1), (0, 0, -1, 1)
+_RPM = 2 * math.pi / 60
+
+_TABLE: list[tuple[str, float, Exponents]] = [  # the names of a unit, its factor to SI, its exponents
+    ("m м", 1, (1, 0, 0, 0)),
+    ("km км", 1e3, (1, 0, 0, 0)),
+    ("dm дм", 1e-1, (1, 0, 0, 0)),
+    ("cm см", 1e-2, (1, 0, 0, 0)),
+    ("mm мм", 1e-3, (1, 0, 0, 0)),
+    ("um µm μm мкм", 1e-6, (1, 0, 0, 0)),
+    ("kg кг", 1, (0, 1, 0, 0)),
+    ("g г", 1e-3, (0, 1, 0, 0)),
+    ("t т", 1e3, (0, 1, 0, 0)),
+    ("s с", 1, (0, 0, 1, 0)),
+    ("ms мс", 1e-3, (0, 0, 1, 0)),
+    ("min мин хв", 60, (0, 0, 1, 0)),
+    ("h ч", 3600, (0, 0, 1, 0)),
+    ("rad рад", 1, _TURN),
+    ("deg ° град", math.pi / 180, _TURN),
+    ("rev об", 2 * math.pi, _TURN),
+    ("rpm", _RPM, _TURN_RATE),
+    ("N Н", 1, _FORCE),
+    ("kN кН", 1e3, _FORCE),
+    ("MN МН", 1e6, _FORCE),
+    ("Pa Па", 1, _PRESSURE),
+    ("kPa кПа", 1e3, _PRESSURE),
+    ("MPa МПа", 1e6, _PRESSURE),
+    ("GPa ГПа", 1e9, _PRESSURE),
+    ("bar бар", 1e5, _PRESSURE),
+    ("J Дж", 1, _WORK),
+    ("kJ кДж", 1e3, _WORK),
+    ("W Вт", 1, _POWER),
+    ("kW кВт", 1e3, _POWER),
+    ("%", 1e-2, _NONE),
+]
+UNITS = {name: (factor, exponents) for names, factor, exponents in _TABLE for name in names.split()}
+
+_NUMBER = re.compile(r"([-+]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][-+]?[0-9]+)?)\s*(.*)")
+_FACTOR = re.compile(r"([^\W\d_]+|[°%])(?:\^?([-+]?[0-9]))?")
+_PLAIN = str.maketrans("−·⋅×⁻⁰¹²³⁴", "-***-01234", "\N{NO-BREAK SPACE}\N{NARROW NO-BREAK SPACE}")
+
+
+def parse(value: object, dimension: str) -> float:
+    """The value in SI: a number, or a text "number unit" of the dimension, one of `DIMENSIONS`.
+
+    A decimal comma is a decimal point. Raises WrongValue for what is no number, is not finite, or has another
+    dimension; the error names both units.
+    """
+    wanted = DIMENSIONS[dimension]
+    if isinstance(value, bool) or not isinstance(value, int | float | str):
+        raise _not_a_number(value, wanted)
+    number, unit = _split(value, wanted) if isinstance(value, str) else (_float(value), "")
+    factor, exponents = _unit(unit, wanted) if unit else (1.0, wanted.exponents)
+    if not _agree(exponents, wanted.exponents):
+        raise _other_dimension(value, unit, exponents, wanted)
+    if not math.isfinite(number * factor):
+        raise _not_a_number(value, wanted)
+    return number * factor
+
+
+def _float(value: float) -> float:
+    try:
+        return float(value)
+    except OverflowError:  # an int beyond every float
+        return math.inf
+
+
+def _split(text: str, wanted: Dimension) -> tuple[float, str]:
+    match = _NUMBER.fullmatch(text.strip().translate(_PLAIN)) if len(text) <= 60 else None
+    if match is None:
+        raise _not_a_number(text, wanted)
+    return float(match[1].replace(",", ".")), match[2]
+
+
+def _unit(text: str, wanted: Dimension) -> tuple[float, Exponents]:
+    """Factor and exponents of products and powers with at most one quotient: `kg*m^2`, `об/мин`, `м/с2`."""
+    over, *under = text.replace("**", "^").split("/")
+    if len(under) > 1:
+        raise _unknown_unit(text, wanted)
+    reciprocal = bool(under) and over.strip() == "1"
+    factor, total = (1.0, _NONE) if reciprocal else _product(over, 1, text, wanted)
+    if under:
+        divisor, below = _product(under[0], -1, text, wanted)
+        factor, total = factor * divisor, _sum(total, below)
+    return factor, total
+
+
+def _product(text: str, sign: int, whole: str, wanted: Dimension) -> tuple[float, Exponents]:
+    factor, total = 1.0, _NONE
+    for part in re.split(r"\s*\*\s*|\s+", text.strip()):
+        match = _FACTOR.fullmatch(part)
+        if match is None or match[1] not in UNITS:
+            raise _unknown_unit(whole, wanted)
+        power = sign * int(match[2] or 1)
+        size, exponents = UNITS[match[1]]
+        factor, total = factor * size**power, _sum(total, exponents, power)
+    return factor, total
+
+
+def _sum(a: Exponents, b: Exponents, times: int = 1) -> Exponents:
+    return (a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2], a[3] + times * b[3])
+
+
+def _agree(given: Exponents, wanted: Exponents) -> bool:
+    """Equal, or equal but for a radian left out of a compound unit: `1/s` is `rad/s`."""
+    return given == wanted or (given[:3] == wanted[:3] and any(given[:3]) and given[3] == 0)
+
+
+def _not_a_number(value: object, wanted: Dimension) -> WrongValue:
+    quoted = shown(value) if isinstance(value, int | float | str) else "[…]"
+    wrong = Message(N_("%(value)s is not a number; expected: %(name)s (%(unit)s)"), _naming(wanted, quoted))
+    return WrongValue(wrong, _example(wanted))
+
+
+def _unknown_unit(text: str, wanted: Dimension) -> WrongValue:
+    wrong = Message(N_("unknown unit %(value)s; expected: %(name)s (%(unit)s)"), _naming(wanted, shown(text)))
+    return WrongValue(wrong, _example(wanted))
+
+
+def _other_dimension(value: object, unit: str, exponents: Exponents, wanted: Dimension) -> WrongValue:
+    names = [dimension.name for dimension in DIMENSIONS.values() if dimension.exponents == exponents]
+    values = {**_naming(wanted, shown(value)), "given": shown(unit)}
+    if not names:
+        wrong = Message(N_("%(value)s is in %(given)s; expected: %(name)s (%(unit)s)"), values)
+    else:
+        text = N_("%(value)s is %(is)s (%(given)s); expected: %(name)s (%(unit)s)")
+        wrong = Message(text, {**values, "is": Message(names[0])})
+    return WrongValue(wrong, _example(wanted))
+
+
+def _naming(wanted: Dimension, value: str) -> dict[str, object]:
+    return {"value": value, "name": Message(wanted.name), "unit": wanted.unit}
+
+
+def _example(wanted: Dimension) -> Message:
+    return Message(N_("for example, %(example)s"), {"example": wanted.example})
