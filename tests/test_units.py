@@ -1,0 +1,85 @@
+# ruff: noqa: E501  (tables of cases: one case, one line)
+"""Numbers with units, as students write them."""
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tmm_report import units
+
+GOOD = [
+    ("300 mm", "length", 0.3), ("300мм", "length", 0.3), ("7,5 см", "length", 0.075), ("−3 mm", "length", -0.003),
+    (0.25, "length", 0.25), ("0.25", "length", 0.25), ("1e2 mm", "length", 0.1), ("1200 rpm", "speed", 40 * math.pi),
+    ("1200 об/мин", "speed", 40 * math.pi), ("1200 об/хв", "speed", 40 * math.pi), ("5 рад/с", "speed", 5),
+    ("5 1/s", "speed", 5), ("5 с⁻¹", "speed", 5), ("20 deg", "angle", math.pi / 9), ("20°", "angle", math.pi / 9),
+    ("180 град", "angle", math.pi), ("0.0135 kg*m^2", "inertia", 0.0135), ("0,0135 кг·м²", "inertia", 0.0135),
+    ("135 kg*cm^2", "inertia", 0.0135), ("1.2 MPa", "pressure", 1.2e6), ("3 N/mm^2", "pressure", 3e6),
+    ("12 бар", "pressure", 1.2e6), ("9.81 m/s^2", "acceleration", 9.81), ("9,81 м/с2", "acceleration", 9.81),
+    ("9.81 m*s^-2", "acceleration", 9.81), ("50 N*m", "moment", 50), ("50 Н м", "moment", 50),
+    ("2 kN", "force", 2000), ("2 кН", "force", 2000), ("2 kg*m/s^2", "force", 2), ("5 %", "number", 0.05),
+    ("50 ms", "time", 0.05), ("1.5 т", "mass", 1500),
+]  # fmt: skip
+
+BAD = [
+    ("1.5 kg", "length", "1.5 kg is a mass (kg); expected: a length (m)"),
+    ("2 mm", "angle", "2 mm is a length (mm); expected: an angle (rad)"),
+    ("3 kg*m", "length", "3 kg*m is in kg*m; expected: a length (m)"),
+    ("20 rad", "number", "20 rad is an angle (rad); expected: a plain number (1)"),
+    ("20 Hz", "speed", "unknown unit Hz; expected: an angular velocity (rad/s)"),
+    ("1 m/s/s", "acceleration", "unknown unit m/s/s; expected: an acceleration (m/s^2)"),
+    ("1 200 rpm", "speed", "unknown unit 200 rpm; expected: an angular velocity (rad/s)"),
+    ("12:30", "time", "unknown unit :30; expected: a time (s)"),
+    (".nan", "length", ".nan is not a number; expected: a length (m)"),
+    ("inf", "length", "inf is not a number; expected: a length (m)"),
+    ("1e999", "length", "1e999 is not a number; expected: a length (m)"),
+    (math.nan, "length", "nan is not a number; expected: a length (m)"),
+    (True, "length", "True is not a number; expected: a length (m)"),
+    ("", "length", " is not a number; expected: a length (m)"),
+    ([1], "length", "[…] is not a number; expected: a length (m)"),
+    ("0x1F", "mass", "unknown unit x1F; expected: a mass (kg)"),
+]
+
+
+@pytest.mark.parametrize(("written", "dimension", "value"), GOOD)
+def test_reads(written, dimension, value):
+    assert units.parse(written, dimension) == pytest.approx(value, rel=1e-14)
+
+
+@pytest.mark.parametrize(("written", "dimension", "wrong"), BAD)
+def test_refuses_naming_both_units(written, dimension, wrong):
+    with pytest.raises(units.WrongValue) as caught:
+        units.parse(written, dimension)
+    assert str(caught.value.wrong) == wrong
+    assert str(caught.value.right) == f"for example, {units.DIMENSIONS[dimension].example}"
+
+
+@pytest.mark.parametrize("dimension", units.DIMENSIONS)
+def test_every_dimension_reads_its_own_example_and_unit(dimension):
+    about = units.DIMENSIONS[dimension]
+    assert units.parse(about.example, dimension) > 0
+    if about.unit != "1":
+        assert units.parse(f"1 {about.unit}", dimension) == 1
+
+
+@given(st.floats(-1e9, 1e9), st.sampled_from(sorted(units.UNITS)))
+def test_a_unit_scales_and_only_its_dimension_takes_it(number, unit):
+    factor, exponents = units.UNITS[unit]
+    for name, about in units.DIMENSIONS.items():
+        if about.exponents == exponents:
+            assert units.parse(f"{number!r} {unit}", name) == number * factor
+        elif about.exponents[:3] != exponents[:3]:
+            with pytest.raises(units.WrongValue):
+                units.parse(f"{number!r} {unit}", name)
+
+
+@given(
+    st.text(max_size=80) | st.text("0123456789.,eE+-*/^ mkgNПаs°%", max_size=80),
+    st.sampled_from(sorted(units.DIMENSIONS)),
+)
+def test_any_text_is_a_finite_number_or_a_wrong_value(text, dimension):
+    try:
+        assert math.isfinite(units.parse(text, dimension))
+    except units.WrongValue as error:
+        assert len(str(error)) < 220

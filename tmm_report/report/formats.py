@@ -1,0 +1,86 @@
+"""The two formats of the note: how text is escaped, how mathematics and pictures get in.
+
+Whatever is not Markup is escaped for its format, so that a name from a variant can break out of neither.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from typing import Any, Protocol
+
+from markupsafe import Markup
+
+from tmm_report.figures.drawing import Drawing, svg, tikz
+from tmm_report.i18n import Translator
+from tmm_report.symbols import GREEK, latex_escape, xml_escape
+
+
+class Mathematics(Protocol):
+    """A Formula, VectorEquation, Inline or Symbol."""
+
+    def latex(self, tr: Translator) -> str: ...
+
+    def mathml(self, tr: Translator) -> str: ...
+
+
+@dataclass
+class Html:
+    """One self-contained file: pictures stand in it as svg."""
+
+    name = "html"
+    files: dict[str, bytes] = field(default_factory=dict)
+
+    def escape(self, text: str) -> Markup:
+        return Markup(xml_escape(text))
+
+    def math(self, item: Mathematics, tr: Translator, display: bool = False) -> Markup:
+        return Markup(item.mathml(tr))
+
+    def picture(self, picture: Any, anchor: str) -> Markup:
+        return Markup(svg(picture) if isinstance(picture, Drawing) else picture.svg)
+
+
+@dataclass
+class Tex:
+    """`files`: the figures that note.tex reads, by their names beside it."""
+
+    name = "tex"
+    files: dict[str, bytes] = field(default_factory=dict)
+
+    def escape(self, text: str) -> Markup:
+        return Markup(tex_escape(text))
+
+    def math(self, item: Mathematics, tr: Translator, display: bool = False) -> Markup:
+        return Markup(("$\\displaystyle " if display else "$") + item.latex(tr) + "$")
+
+    def picture(self, picture: Any, anchor: str) -> Markup:
+        drawn = isinstance(picture, Drawing)
+        name = f"figures/{anchor}.{'tex' if drawn else 'pdf'}"
+        self.files[name] = tikz(picture).encode() if drawn else picture.pdf
+        return Markup(f"\\input{{{name}}}" if drawn else f"\\includegraphics{{{name}}}")
+
+
+Format = Html | Tex
+
+_RAISED = dict(zip("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789", strict=True))
+_GREEK_MACRO = {letter: f"$\\{name}$" for name, letter in GREEK.items() if letter != "ο"}
+_TEX_SIGNS = {
+    "−": "$-$", "·": "$\\cdot$", "°": "$^{\\circ}$", "→": "$\\to$", "×": "$\\times$", "≤": "$\\leqslant$",
+    "≥": "$\\geqslant$", "±": "$\\pm$", "≈": "$\\approx$", "∥": "$\\parallel$", "⟂": "$\\perp$", "≠": "$\\neq$",
+    "\N{NO-BREAK SPACE}": "~", "\N{NARROW NO-BREAK SPACE}": "\\,", "‖": "$\\parallel$", "∞": "$\\infty$",
+    "\n": " ", "\t": " ", "’": "'", "φ": "$\\varphi$", "ε": "$\\varepsilon$",
+}  # fmt: skip
+_SIGNS = _GREEK_MACRO | _TEX_SIGNS
+_KNOWN = re.compile("([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+|[" + re.escape("".join(_SIGNS)) + "])")
+
+
+def tex_escape(text: str) -> str:
+    """Text for pdflatex: the signs of mathematics go to math mode, the rest as `symbols.latex_escape` says."""
+    return "".join(_tex_sign(run) if i % 2 else latex_escape(run) for i, run in enumerate(_KNOWN.split(text)))
+
+
+def _tex_sign(run: str) -> str:
+    if run in _SIGNS:
+        return _SIGNS[run]
+    return "$^{" + "".join(_RAISED[sign] for sign in run) + "}$"

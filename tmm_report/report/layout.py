@@ -1,0 +1,65 @@
+"""How a table of the note is cut into parts that fit the width of an A4 page."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+TEXT_WIDTH = 165.0  # mm, of A4 between margins of 30 and 15 mm
+CHAR, PADDING = 2.15, 2.6  # mm: a digit of a table's font, in the widest of the fonts asked for; both cell margins
+WHOLE = 20  # rows: a longer table may be cut by the end of a page
+
+
+class Column(NamedTuple):
+    head: Any
+    cells: Sequence[str]
+
+    @property
+    def width(self) -> float:
+        return PADDING + CHAR * max(6, *(len(cell) for cell in self.cells))
+
+
+@dataclass(frozen=True)
+class Part:
+    """What stands side by side on the page. `shares`: widths of the columns in parts of the text's width."""
+
+    head: Sequence[Any]
+    rows: Sequence[Sequence[Any]]
+    shares: Sequence[float]
+
+    @property
+    def long(self) -> bool:
+        return len(self.rows) > WHOLE
+
+
+@dataclass(frozen=True)
+class Table:
+    caption: Any
+    parts: Sequence[Part]
+    words: bool = False  # of text: as wide as the page
+
+
+def worded(caption: Any, head: Sequence[Any], rows: Iterable[Sequence[Any]], shares: Sequence[float]) -> Table:
+    """A table with text in its cells; widths in proportion to `shares`."""
+    total = sum(shares)
+    return Table(caption, [Part(head, [list(row) for row in rows], [s / total for s in shares])], words=True)
+
+
+def numeric(caption: Any, first: Column, columns: Sequence[Column]) -> Table:
+    """A table of numbers, cut into parts as wide as the page; each begins with the first column."""
+    return Table(caption, [_part([first, *block]) for block in _blocks(columns, TEXT_WIDTH - first.width)])
+
+
+def _blocks(columns: Sequence[Column], room: float) -> Iterator[Sequence[Column]]:
+    """Neighbouring columns, about equally many in each block, none wider than the room."""
+    widest = max((column.width for column in columns), default=room)
+    most = max(1, int(room / widest))
+    count = max(1, -(-len(columns) // most))
+    size = max(1, -(-len(columns) // count))
+    return (columns[k : k + size] for k in range(0, max(1, len(columns)), size))
+
+
+def _part(columns: Sequence[Column]) -> Part:
+    rows = list(zip(*(column.cells for column in columns), strict=True))
+    return Part([c.head for c in columns], rows, [c.width / TEXT_WIDTH for c in columns])

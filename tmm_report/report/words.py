@@ -1,0 +1,226 @@
+"""What things are called in the note: links by their motion, pairs, groups, and the meaning of every symbol."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import fields
+from typing import Any, NamedTuple
+
+import numpy as np
+from markupsafe import Markup
+
+from tmm_report.formula import Expr, Formula, Var
+from tmm_report.mechanics.mechanism import FRAME, ZeroAngle
+from tmm_report.mechanics.structure import ROMAN, Group, Pair
+from tmm_report.problems import N_
+from tmm_report.report.page import Page
+from tmm_report.symbols import Symbol, math_symbol
+
+SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+
+
+class LinkName(NamedTuple):
+    name: str
+    motion: str
+
+
+FIXED = LinkName(N_("frame"), N_("fixed"))
+ROTATION, ROCKING, TRANSLATION, PLANE = N_("rotation"), N_("rocking"), N_("translation"), N_("plane motion")
+
+KINDS = {1: "RRR", 2: "RRP", 3: "RPR", 4: "PRP", 5: "RPP"}
+PAIR_KINDS = {"R": N_("revolute"), "P": N_("prismatic")}
+ORDINALS = {1: N_("1st kind"), 2: N_("2nd kind"), 3: N_("3rd kind"), 4: N_("4th kind"), 5: N_("5th kind")}
+COMPASS = {1: N_("to the right"), -1: N_("to the left"), 1j: N_("upwards"), -1j: N_("downwards")}
+EXTREMES = {1: N_("rightmost"), -1: N_("leftmost"), 1j: N_("topmost"), -1j: N_("lowest")}
+
+# Base of a symbol, and its upper index where that matters -> meaning; %(of)s is the lower index.
+MEANINGS = {
+    ("v", ""): (N_("velocity of point %(of)s"), "m/s"),
+    ("a", ""): (N_("acceleration of point %(of)s"), "m/s²"),
+    ("v", "relative"): (N_("velocity of point %(one)s relative to point %(other)s"), "m/s"),
+    ("a", "n"): (N_("normal acceleration of point %(one)s relative to point %(other)s"), "m/s²"),
+    ("a", "t"): (N_("tangential acceleration of point %(one)s relative to point %(other)s"), "m/s²"),
+    ("a", "k"): (N_("Coriolis acceleration of point %(of)s"), "m/s²"),
+    ("a", "r"): (N_("relative (sliding) acceleration of point %(of)s"), "m/s²"),
+    ("omega", ""): (N_("angular velocity of link %(of)s"), "rad/s"),
+    ("epsilon", ""): (N_("angular acceleration of link %(of)s"), "rad/s²"),
+    ("l", ""): (N_("length of segment %(of)s"), "m"),
+    ("m", ""): (N_("mass of link %(of)s"), "kg"),
+    ("J", ""): (N_("moment of inertia of link %(of)s about its mass centre"), "kg·m²"),
+    ("G", ""): (N_("weight of link %(of)s"), "N"),
+    ("F", ""): (N_("inertia force of link %(of)s"), "N"),
+    ("M", ""): (N_("inertia couple of link %(of)s"), "N·m"),
+    ("M", "stated"): (N_("moment applied to link %(of)s"), "N·m"),
+    ("M", "bal"): (N_("balancing moment on the driving link"), "N·m"),
+    ("P", ""): (N_("load applied at point %(of)s"), "N"),
+    ("h", ""): (N_("arm of force %(of)s"), "m"),
+    ("L", ""): (N_("length of the vector of reaction %(of)s in the plan"), "mm"),
+    ("R", ""): (N_("reaction of link %(one)s on link %(other)s"), "N"),
+    ("R", "t"): (N_("tangential component of the reaction of link %(one)s on link %(other)s"), "N"),
+    ("mu", "l"): (N_("scale of lengths"), "m/mm"),
+    ("mu", "v"): (N_("scale of the velocity plan"), "(m/s)/mm"),
+    ("mu", "a"): (N_("scale of the acceleration plan"), "(m/s²)/mm"),
+    ("mu", "F"): (N_("scale of the force plan"), "N/mm"),
+    ("segment", ""): (N_("length of a vector in the plan"), "mm"),
+}
+
+
+class Words:
+    """Names in the language of the note."""
+
+    def __init__(self, results: Any, page: Page):
+        self.results, self.page = results, page
+        self.mechanism = results.variant.mechanism
+        self.pairs: Sequence[Pair] = results.structure.pairs
+
+    # ------------------------------------------------------------ links, pairs, groups
+
+    def link(self, link: str) -> LinkName:
+        """The link's name by its motion, and its motion (message ids)."""
+        if link == FRAME:
+            return FIXED
+        carries = any(p.kind == "P" and p.slider != link and link in p.links for p in self.pairs)
+        slides = [p.other(link) for p in self.pairs if p.kind == "P" and p.slider == link]
+        pivoted = any(p.kind == "R" and FRAME in p.links and link in p.links for p in self.pairs)
+        turning = ROTATION if self._makes_turns(link) else ROCKING
+        if link == self.mechanism.driver.link:
+            return LinkName(N_("crank") if turning == ROTATION else N_("driving rocker"), turning)
+        if FRAME in slides:
+            return LinkName(N_("translating slotted link") if carries else N_("slider"), TRANSLATION)
+        if pivoted and carries:
+            return LinkName(N_("slotted link"), turning)
+        if pivoted:
+            name = N_("rocking block") if slides else N_("rocker")
+            return LinkName(name if turning == ROCKING or slides else N_("driven crank"), turning)
+        if slides:
+            return LinkName(N_("block of the slotted link"), self._free_motion(link))
+        return LinkName(N_("slotted connecting rod") if carries else N_("connecting rod"), self._free_motion(link))
+
+    def _free_motion(self, link: str) -> str:
+        rate = self.results.kinematics.diagram.angular_velocity(link)
+        return PLANE if np.any(np.abs(rate) > 1e-9 * abs(self.results.kinematics.omega)) else TRANSLATION
+
+    def _makes_turns(self, link: str) -> bool:
+        turn = np.unwrap(np.angle(self.results.kinematics.diagram.turn(link)))
+        return bool(abs(turn[-1] - turn[0]) > 2 * np.pi - 1e-6)
+
+    def name(self, link: str) -> str:
+        return self.page.tr.gettext(self.link(link).name)
+
+    def motion(self, link: str) -> str:
+        return self.page.tr.gettext(self.link(link).motion)
+
+    def pair_kind(self, pair: Pair) -> str:
+        return self.page.tr.gettext(PAIR_KINDS[pair.kind])
+
+    def group_kind(self, group: Group) -> str:
+        """ "2nd kind (RRP)"; a dash for a group that is no dyad."""
+        if group.kind is None:
+            return "—"
+        return f"{self.page.tr.gettext(ORDINALS[group.kind])} ({KINDS[group.kind]})"
+
+    def roman(self, number: int) -> str:
+        return ROMAN[number]
+
+    def group(self, group: Group) -> str:
+        """The label with the order as an index: II₂(2,3)."""
+        return f"{ROMAN[group.group_class]}{str(group.order).translate(SUBSCRIPT)}({','.join(group.links)})"
+
+    def structural_formula(self) -> str:
+        groups = [self.group(group) for group in self.results.structure.groups]
+        return " → ".join([f"I(0,{self.mechanism.driver.link})", *groups])
+
+    # ------------------------------------------------------------ directions and position 0
+
+    def direction(self, direction: complex | str) -> Markup:
+        """Of a force: fixed, or along its point's motion."""
+        if isinstance(direction, str):
+            along = direction == "along"
+            return self.page.t("along the motion of the point") if along else self.page.t("against the motion of the point")
+        for unit, word in COMPASS.items():
+            if abs(direction - unit) < 1e-9:
+                return self.page.t(word)
+        return self.page.t("at %(angle)s° to the x axis", angle=self.page.num(np.degrees(np.angle(direction)), 4))
+
+    def turning(self, direction: int | str) -> Markup:
+        """Of a moment: a sense, or along its link's rotation."""
+        if isinstance(direction, str):
+            along = direction == "along"
+            return self.page.t("along the rotation of the link") if along else self.page.t("against the rotation of the link")
+        return self.page.t("counter-clockwise") if direction > 0 else self.page.t("clockwise")
+
+    def zero(self) -> Markup:
+        """Which position counts as position 0."""
+        t, zero = self.page.t, self.mechanism.driver.zero
+        if isinstance(zero, ZeroAngle):
+            angle = self.page.num(np.degrees(zero.angle), 5)
+            return t("the position in which link %(link)s makes an angle of %(angle)s° with the x axis", link=self.mechanism.driver.link, angle=angle)
+        if zero.point is None:
+            sense = self.turning(1 if np.real(zero.direction) > 0 else -1)
+            return t("the extreme %(sense)s position of link %(link)s", sense=sense, link=zero.link)
+        word = next((w for unit, w in EXTREMES.items() if abs(zero.direction - unit) < 1e-9), N_("extreme"))
+        return t("the %(which)s position of point %(point)s", which=t(word), point=zero.point)
+
+    # ------------------------------------------------------------ symbols
+
+    def of(self, *formulas: Formula) -> list[dict[str, Any]]:
+        """Items of a "where" list: every symbol of the formulas in their order, with its meaning and unit."""
+        symbols = [s for f in formulas for s in (_symbol(f.result), *_symbols(f.expression))]
+        items = [self._item(symbol) for symbol in symbols]
+        return [item for item in items if item is not None]
+
+    def _item(self, symbol: Symbol) -> dict[str, Any] | None:
+        found = MEANINGS.get(self._meaning_key(symbol))
+        if found is None:
+            return None
+        message, unit = found
+        one, other = self._two(symbol.sub)
+        of = self.page.sym(Symbol(*_force(symbol.sub))) if symbol.base in "hL" else symbol.sub.removeprefix("I")
+        meaning = self.page.t(message, of=of, one=one, other=other)
+        # segments differ only by their ends, which name themselves
+        return {"symbol": symbol, "id": "segment" if symbol.kind == "segment" else symbol, "meaning": meaning, "unit": unit}
+
+    def _two(self, sub: str) -> tuple[str, str]:
+        """The two points or links that an index names: "BA" -> B, A; "B2B4" -> B2, B4; "12,3" -> 12, 3."""
+        if "," in sub:
+            first, _, second = sub.partition(",")
+            return first, second
+        known = {*self.mechanism.point_names, *self.mechanism.links}
+        cuts = [(sub[:k], sub[k:]) for k in range(1, len(sub))]
+        halves = [cut for cut in cuts if all(self._named(half, known) for half in cut)]
+        return next(iter([*halves, (sub[:1], sub[1:])]))
+
+    def _meaning_key(self, symbol: Symbol) -> tuple[str, str]:
+        base, sub = symbol.base, symbol.sub
+        if symbol.kind == "segment":
+            return "segment", ""
+        if base == "mu":
+            return base, sub
+        if base == "M":
+            return base, "bal" if sub == "bal" else "" if sub.startswith("I") else "stated"
+        if base == "v":
+            return base, "" if self._named(sub, {*self.mechanism.point_names}) else "relative"
+        return base, symbol.sup
+
+    def _named(self, half: str, known: set[str]) -> bool:
+        return half in known or any(half == point + link for point in known for link in self.mechanism.links)
+
+
+def _symbol(key: Symbol | str) -> Symbol:
+    return math_symbol(key) if isinstance(key, str) else key
+
+
+def _symbols(node: Expr) -> Iterator[Symbol]:
+    """Symbols of a formula's right side in their order."""
+    if isinstance(node, Var):
+        yield node.sign
+        return
+    for item in fields(node):
+        child = getattr(node, item.name)
+        if isinstance(child, Expr):
+            yield from _symbols(child)
+
+
+def _force(sub: str) -> tuple[str, str]:
+    """A force's base and index from the index of its arm or vector: "FI2" -> F, I2; "R12" -> R, 12."""
+    return sub[:1], sub[1:]

@@ -1,0 +1,201 @@
+"""A checked model -> course.Variant. Only a link's geometry can fail here, and `checks` tries it first."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from tmm_report import course
+from tmm_report.chapters import given
+from tmm_report.chapters.loads import (
+    ByAngle,
+    ByDisplacement,
+    ByPosition,
+    Constant,
+    Force,
+    Law,
+    Moment,
+)
+from tmm_report.mechanics.mechanism import (
+    FRAME,
+    Assembly,
+    Driver,
+    Guide,
+    Link,
+    Mechanism,
+    Slide,
+    ZeroAngle,
+    ZeroExtreme,
+)
+from tmm_report.problems import N_, Message
+from tmm_report.units import WrongValue
+from tmm_report.variant import models as m
+from tmm_report.variant.values import SIDES, unit_vector
+
+_TURNS = {"counter-clockwise": 1, "clockwise": -1, "along motion": "along", "against motion": "against"}
+
+
+def variant(model: m.VariantModel, places: Mapping[Any, Any], file: str) -> course.Variant:
+    """Every block of the variant, in SI."""
+    follows = "comma" if model.language == "ru" else "point"
+    return course.Variant(
+        mechanism=mechanism(model.mechanism),
+        title=given.Title(**model.title.model_dump()),
+        language=model.language,
+        decimal_sign=model.decimal_sign or follows,  # type: ignore[arg-type]
+        positions=positions(model.positions),
+        drawing=drawing(model.drawing),
+        readings={int(position): symbols for position, symbols in model.readings.items()},
+        loads=loads(model.loads) if model.loads else None,
+        friction=friction(model.friction) if model.friction else None,
+        places=places,
+        file=file,
+    )
+
+
+# --- the mechanism
+
+
+def mechanism(model: m.MechanismModel) -> Mechanism:
+    frame = Link(FRAME, {name: complex(*place) for name, place in model.frame.items()})
+    links = {FRAME: frame, **{name: link(name, part) for name, part in model.links.items()}}
+    return Mechanism(
+        links=links,
+        driver=driver(model.driver),  # type: ignore[arg-type]  # checks: there is one
+        guides={name: guide(name, part, links[part.link]) for name, part in model.guides.items()},
+        slides=tuple(
+            slide(name, one, links[name]) for name, part in model.links.items() for one in slides_of(part)
+        ),
+        assembly=tuple(Assembly(key, choice) for key, choice in model.assembly.items()),
+        sketch={name: complex(*place) for name, place in model.sketch.items()},
+    )
+
+
+def link(name: str, model: m.LinkModel) -> Link:
+    places = link_places(model)
+    centre = model.mass_centre or (next(iter(places)) if model.mass and len(places) == 1 else None)
+    return Link(name, places, mass=model.mass, mass_centre=centre, inertia=model.inertia)
+
+
+def link_places(model: m.LinkModel) -> dict[str, complex]:
+    """The link's points in its axes, m. Raises WrongValue where a triangle does not close."""
+    if isinstance(model.points, list):
+        return {model.points[0]: 0j}
+    placed: dict[str, complex] = {}
+    for name, written in model.points.items():
+        placed[name] = place(written, placed)
+    return placed
+
+
+def place(written: float | tuple[float, float] | m.Triangle, placed: Mapping[str, complex]) -> complex:
+    """A point's place in the link's axes, m; `placed`: the link's points before it."""
+    if isinstance(written, m.Triangle):
+        return triangle(written, placed)
+    return complex(*written) if isinstance(written, tuple) else complex(written)
+
+
+def triangle(model: m.Triangle, placed: Mapping[str, complex]) -> complex:
+    """The third corner: `along` the side from the first point and `off` it, left of it positive.
+
+    Raises WrongValue for a corner that is not placed yet and for lengths that make no triangle.
+    """
+    (first, from_first), (second, from_second) = model.from_.items()
+    for name in (first, second):
+        if name not in placed:
+            wrong = N_("the point %(name)s is not placed on this link before")
+            raise WrongValue(Message(wrong, {"name": name}), Message(N_("give its place above")))
+    side = placed[second] - placed[first]
+    along = (from_first**2 - from_second**2 + abs(side) ** 2) / (2 * abs(side)) if side else math.inf
+    square = from_first**2 - along**2
+    if not square >= -1e-9 * abs(side) ** 2:
+        values = {"a": first, "b": second, "length": f"{abs(side):.6g}"}
+        wrong = N_("the triangle does not close: %(a)s and %(b)s are %(length)s m apart")
+        right = Message(N_("the longest side must be shorter than the other two together"))
+        raise WrongValue(Message(wrong, values), right)
+    off = math.sqrt(max(square, 0.0)) * (1 if model.side == "left" else -1)
+    return placed[first] + side / abs(side) * complex(along, off)
+
+
+def guide(name: str, model: m.GuideModel, carrier: Link) -> Guide:
+    if isinstance(model.through, str):
+        return Guide(name, model.link, carrier.points[model.through], unit_vector(model.angle or 0.0))
+    start, end = (carrier.points[point] for point in model.through)
+    return Guide(name, model.link, start, unit_vector(cmath.phase(end - start)))
+
+
+def slides_of(model: m.LinkModel) -> list[m.SlideModel]:
+    """The link's slides, one or many, written short or long."""
+    written = model.slides if isinstance(model.slides, list) else [model.slides] if model.slides else []
+    return [m.SlideModel(guide=one) if isinstance(one, str) else one for one in written]
+
+
+def slide(name: str, model: m.SlideModel, own: Link) -> Slide:
+    at = model.at or next(iter(own.points))
+    return Slide(name, model.guide, own.points[at], unit_vector(model.angle))
+
+
+def driver(model: m.DriverModel) -> Driver:
+    speed = model.speed if model.speed is not None else 2 * math.pi / (model.period or math.inf)
+    return Driver(model.link, _TURNS[model.rotation] * speed, zero(model.zero), model.range)  # type: ignore[operator]
+
+
+def zero(model: m.ZeroModel | None) -> ZeroAngle | ZeroExtreme:
+    if model is None or model.angle is not None:
+        return ZeroAngle(model.angle or 0.0 if model else 0.0)
+    if model.point is not None:
+        return ZeroExtreme(point=model.point, direction=SIDES[str(model.extreme)])
+    return ZeroExtreme(link=model.link, direction=complex(1 if model.extreme == "counter-clockwise" else -1))
+
+
+# --- loads, friction, presentation
+
+
+def loads(model: m.LoadsModel) -> given.Loads:
+    gravity = model.gravity
+    pull = gravity.value * gravity.direction if isinstance(gravity, m.GravityModel) else gravity * -1j
+    forces = [force(one, index) for index, one in enumerate(model.forces, 1) if one]
+    moments = [moment(one, index) for index, one in enumerate(model.moments, 1) if one]
+    return given.Loads(pull, tuple(forces), tuple(moments))
+
+
+def force(model: m.ForceModel | m.PistonModel, index: int) -> Force:
+    area = math.pi / 4 * model.piston_diameter**2 if isinstance(model, m.PistonModel) else 1.0
+    return Force(model.name or f"F{index}", model.at, model.direction, law(model, area))
+
+
+def moment(model: m.MomentModel, index: int) -> Moment:
+    direction: Any = _TURNS[model.direction]
+    return Moment(model.name or f"M{index}", model.on, direction, law(model))
+
+
+def law(model: Any, area: float = 1.0) -> Law:
+    """The one law that the load states; `area` turns pressures into forces."""
+    if (diagram := getattr(model, "by_displacement", None)) is not None:
+        forward, back = (tuple((x, y * area) for x, y in way) for way in (diagram.forward, diagram.back))
+        return ByDisplacement(SIDES[diagram.zero], forward, back)
+    if model.by_angle is not None:
+        return ByAngle(tuple(x for x, _ in model.by_angle), tuple(y for _, y in model.by_angle))
+    return ByPosition(tuple(model.by_position)) if model.by_position is not None else Constant(model.constant)
+
+
+def friction(model: m.FrictionModel) -> given.Friction:
+    joints = {name: given.Rubbing(one.coefficient, one.diameter) for name, one in model.joints.items()}
+    pivots = given.Rubbing(model.pivots.coefficient, model.pivots.diameter) if model.pivots else None
+    return given.Friction(pivots, given.Rubbing(model.guides.coefficient) if model.guides else None, joints)
+
+
+def positions(model: m.PositionsModel) -> given.Positions:
+    """Left out: the plans of the first and the opposite position, the force plan of the last of the plans."""
+    plans = _some(model.plans) or (1, model.table // 2 + 1)
+    return given.Positions(model.table, model.diagram, plans, _some(model.force_plan) or plans[-1:])
+
+
+def _some(written: int | list[int] | None) -> tuple[int, ...]:
+    return () if written is None else (written,) if isinstance(written, int) else tuple(written)
+
+
+def drawing(model: m.DrawingModel) -> given.Drawing:
+    scales = model.scales
+    return given.Drawing(model.accuracy, scales.length, scales.velocity, scales.acceleration, scales.force)

@@ -1,0 +1,258 @@
+"""What one part of a variant says about another. Each check yields Problems; none of them needs the others.
+
+A part that is wrong in itself is missing from the model, so names are taken from the file's raw data: a point
+whose length is mistyped is still a known point.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from tmm_report.mechanics.mechanism import FRAME
+from tmm_report.problems import N_, Message, Problem, mistake
+from tmm_report.units import WrongValue
+from tmm_report.variant import build
+from tmm_report.variant import models as m
+from tmm_report.variant.errors import near
+from tmm_report.yamlread import Path
+
+Found = Iterator[Problem]
+_MECHANISM: Path = ("mechanism",)
+_PARTS = {
+    "frame": "{O: [0, 0]}",
+    "links": "{1: {points: {O: 0, A: 100 mm}}}",
+    "driver": "{link: 1, speed: 1200 rpm}",
+}
+
+
+@dataclass(frozen=True)
+class Names:
+    """Names that the file declares, right or wrong otherwise: link -> its points (the frame is 0); guides."""
+
+    points: dict[str, list[str]]
+    guides: list[str]
+
+    @property
+    def all_points(self) -> list[str]:
+        return list(dict.fromkeys(point for points in self.points.values() for point in points))
+
+
+def names(data: Any) -> Names:
+    parts = _mapping(_mapping(data).get("mechanism"))
+    points = {
+        name: _names(_mapping(link).get("points")) for name, link in _mapping(parts.get("links")).items()
+    }
+    return Names({FRAME: _names(parts.get("frame")), **points}, list(_mapping(parts.get("guides"))))
+
+
+def _mapping(value: Any) -> dict[str, Any]:
+    return value if isinstance(value, dict) else {}
+
+
+def _names(value: Any) -> list[str]:
+    return [str(name) for name in value] if isinstance(value, dict | list) else []
+
+
+def check(model: m.VariantModel, data: Any, broken: Iterable[Path]) -> list[Problem]:
+    """All cross mistakes of the parts that are right in themselves; `broken`: paths of those that are not."""
+    known, mechanism = names(data), model.mechanism
+    found = [
+        *_complete(mechanism, data, set(broken)),
+        *_links(mechanism, known),
+        *_guides(mechanism, known),
+        *_slides(mechanism, known),
+        *_driver(mechanism, known),
+        *_assembly(mechanism, known),
+        *_loads(model, known),
+        *_friction(model, known),
+        *_positions(model),
+    ]
+    wrong = {path for path in broken if path[:1] == ("positions",)}
+    return [problem for problem in found if not (wrong and _counts_positions(problem))]
+
+
+def _counts_positions(problem: Problem) -> bool:
+    return problem.path[:1] in (("positions",), ("readings",)) or problem.path[-1:] == ("by_position",)
+
+
+def _complete(mechanism: m.MechanismModel, data: Any, broken: set[Path]) -> Found:
+    """The parts that every mechanism has. The models let them be absent, to check the rest all the same."""
+    written = _mapping(_mapping(data).get("mechanism"))
+    if _MECHANISM in broken:
+        return
+    for key, example in _PARTS.items():
+        if not written.get(key) and (*_MECHANISM, key) not in broken:
+            right = Message(N_("for example, %(example)s"), {"example": f"{key}: {example}"})
+            yield mistake(N_("the key %(key)s is missing"), (*_MECHANISM, key), right, key=key)
+    if FRAME in _mapping(written.get("links")):
+        right = Message(N_("call it otherwise"))
+        yield mistake(N_("0 is the frame and cannot be a moving link"), (*_MECHANISM, "links", FRAME), right)
+
+
+def _no_point(name: str, path: Path, known: Names) -> Found:
+    if name not in known.all_points:
+        yield mistake(N_("no link has the point %(name)s"), path, near(name, known.all_points), name=name)
+
+
+def _no_link(name: str, path: Path, known: Names) -> Found:
+    if name not in known.points:
+        yield mistake(N_("there is no link %(name)s"), path, near(name, list(known.points)), name=name)
+
+
+def _not_on(name: str, link: str, path: Path, known: Names) -> Found:
+    """The point must be one of the link's."""
+    points = known.points.get(link, [name])
+    if name not in points:
+        text = N_("the point %(name)s is not on link %(link)s")
+        yield mistake(text, path, near(name, points), name=name, link=link)
+
+
+# --- the mechanism
+
+
+def _links(mechanism: m.MechanismModel, known: Names) -> Found:
+    for name, link in mechanism.links.items():
+        path = (*_MECHANISM, "links", name)
+        yield from _geometry(link, path)
+        if link.mass_centre is not None:
+            yield from _not_on(link.mass_centre, name, (*path, "mass_centre"), known)
+        elif link.mass and len(known.points[name]) > 1:
+            right = Message(
+                N_("mass_centre: one of the points %(words)s"), {"words": ", ".join(known.points[name])}
+            )
+            yield mistake(N_("the link has a mass and no mass centre"), (*path, "mass"), right)
+
+
+def _geometry(link: m.LinkModel, path: Path) -> Found:
+    """Every point of the link has its own place."""
+    if isinstance(link.points, list):
+        return
+    *first, second = list(link.points.items())[:2]
+    if first and isinstance(second[1], float) and second[1] < 0 and first[0][1] == 0:
+        yield mistake(
+            N_("negative length"), (*path, "points", second[0]), Message(N_("point it the other way"))
+        )
+    placed: dict[str, complex] = {}
+    for name, place in link.points.items():
+        here = (*path, "points", name)
+        try:
+            placed[name] = build.place(place, placed)
+        except WrongValue as error:
+            yield Problem(error.wrong, error.right, here)
+            continue
+        for other in placed:
+            if other != name and abs(placed[other] - placed[name]) < 1e-9:
+                yield mistake(
+                    N_("zero length: %(name)s is at the place of %(other)s"), here, name=name, other=other
+                )
+
+
+def _guides(mechanism: m.MechanismModel, known: Names) -> Found:
+    for name, guide in mechanism.guides.items():
+        path = (*_MECHANISM, "guides", name)
+        yield from _no_link(guide.link, (*path, "link"), known)
+        points = [guide.through] if isinstance(guide.through, str) else guide.through
+        for point in points:
+            yield from _not_on(point, guide.link, (*path, "through"), known)
+        if len(points) == 2 and points[0] == points[1]:
+            yield mistake(N_("a line needs two different points"), (*path, "through"))
+        if len(points) == 2 and guide.angle is not None:
+            right = Message(N_("two points, or one point and an angle"))
+            yield mistake(N_("the direction is stated twice"), (*path, "angle"), right)
+        if name in known.all_points:
+            right = Message(N_("call the guide otherwise"))
+            yield mistake(N_("a point is also called %(name)s"), path, right, name=name)
+
+
+def _slides(mechanism: m.MechanismModel, known: Names) -> Found:
+    for name, link in mechanism.links.items():
+        for index, slide in enumerate(build.slides_of(link)):
+            path: Path = (*_MECHANISM, "links", name, "slides")
+            path = (*path, index) if isinstance(link.slides, list) else path
+            if slide.guide not in known.guides:
+                yield mistake(
+                    N_("there is no guide %(name)s"), path, near(slide.guide, known.guides), name=slide.guide
+                )
+            elif slide.guide in mechanism.guides and mechanism.guides[slide.guide].link == name:
+                yield mistake(N_("the link cannot slide along its own guide"), path)
+            if slide.at is not None:
+                yield from _not_on(slide.at, name, (*path, "at"), known)
+
+
+def _driver(mechanism: m.MechanismModel, known: Names) -> Found:
+    if (driver := mechanism.driver) is None:
+        return
+    path = (*_MECHANISM, "driver", "link")
+    yield from _no_link(driver.link, path, known)
+    fixed = known.points[FRAME]
+    if driver.link == FRAME:
+        yield mistake(N_("the frame cannot drive"), path)
+    elif not set(known.points.get(driver.link, fixed)) & set(fixed) and fixed:
+        right = Message(N_("one of its points must be of the frame: %(words)s"), {"words": ", ".join(fixed)})
+        yield mistake(N_("the driving link %(name)s has no fixed point"), path, right, name=driver.link)
+    if driver.zero and driver.zero.point is not None:
+        yield from _no_point(driver.zero.point, (*_MECHANISM, "driver", "zero", "point"), known)
+    if driver.zero and driver.zero.link is not None:
+        yield from _no_link(driver.zero.link, (*_MECHANISM, "driver", "zero", "link"), known)
+
+
+def _assembly(mechanism: m.MechanismModel, known: Names) -> Found:
+    for key, choice in mechanism.assembly.items():
+        path = (*_MECHANISM, "assembly", key)
+        pair = key.split("-")
+        if key not in known.all_points and not (
+            len(pair) == 2 and all(link in known.points for link in pair)
+        ):
+            right = near(key, known.all_points)
+            yield mistake(N_("%(key)s is neither a point nor a pair of links"), path, right, key=key)
+        for point in choice[1:] if isinstance(choice, tuple) else ():
+            yield from _no_point(point, path, known)
+    for name in mechanism.sketch:
+        yield from _no_point(name, (*_MECHANISM, "sketch", name), known)
+
+
+# --- loads, friction, positions
+
+
+def _loads(model: m.VariantModel, known: Names) -> Found:
+    loads = model.loads or m.LoadsModel()
+    for index, force in enumerate(loads.forces):
+        if force:
+            yield from _no_point(force.at, ("loads", "forces", index, "at"), known)
+            yield from _one_each(force, ("loads", "forces", index), model.positions.table)
+    for index, moment in enumerate(loads.moments):
+        if moment:
+            yield from _no_link(moment.on, ("loads", "moments", index, "on"), known)
+            yield from _one_each(moment, ("loads", "moments", index), model.positions.table)
+
+
+def _one_each(load: Any, path: Path, count: int) -> Found:
+    values = getattr(load, "by_position", None)
+    if values is not None and len(values) != count:
+        text = N_("%(found)s values, %(count)s positions")
+        right = Message(N_("one value for each position of the table"))
+        yield mistake(text, (*path, "by_position"), right, found=len(values), count=count)
+
+
+def _friction(model: m.VariantModel, known: Names) -> Found:
+    joints = [*known.all_points, *known.guides]
+    for name in model.friction.joints if model.friction else ():
+        if name not in joints:
+            text = N_("there is no joint %(name)s: neither a point nor a guide")
+            yield mistake(text, ("friction", "joints", name), near(name, joints), name=name)
+
+
+def _positions(model: m.VariantModel) -> Found:
+    table = model.positions.table
+    text = N_("there is no position %(position)s: the table has positions 0 to %(last)s")
+    for key in ("plans", "force_plan"):
+        written = getattr(model.positions, key)
+        for index, position in enumerate(written if isinstance(written, list) else [written or 0]):
+            if position > table:
+                path: Path = ("positions", key, index) if isinstance(written, list) else ("positions", key)
+                yield mistake(text, path, position=position, last=table)
+    for position in model.readings:
+        if int(position) > table:
+            yield mistake(text, ("readings", position), position=position, last=table)

@@ -1,0 +1,37 @@
+"""The JSON Schema of the format, made from the models, for editors to complete and check a variant with."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pydantic import BaseModel
+from pydantic.json_schema import GenerateJsonSchema
+
+DIALECT = "https://json-schema.org/draft/2020-12/schema"
+_REQUIRED = {"VariantModel": ["mechanism"], "MechanismModel": ["frame", "links", "driver"]}
+
+
+class _Schema(GenerateJsonSchema):
+    """Without `null`: an empty key is a mistake, what is absent is left out."""
+
+    def nullable_schema(self, schema: Any) -> Any:
+        return self.generate_inner(schema["schema"])
+
+    def default_schema(self, schema: Any) -> Any:
+        made = super().default_schema(schema)
+        return {key: value for key, value in made.items() if key != "default" or value not in (None, {}, [])}
+
+    def dict_schema(self, schema: Any) -> Any:
+        made = super().dict_schema(schema)
+        return {**made, "additionalProperties": False} if "patternProperties" in made else made
+
+    def model_schema(self, schema: Any) -> Any:
+        made = super().model_schema(schema)
+        required = _REQUIRED.get(schema["cls"].__name__)  # the models let them be absent, `checks` does not
+        made["title"] = schema["cls"].__name__.removesuffix("Model")
+        return {**made, "required": required} if required else made
+
+
+def schema_of(model: type[BaseModel]) -> dict[str, Any]:
+    """Draft 2020-12, keys as they are written in the file."""
+    return {"$schema": DIALECT, **model.model_json_schema(by_alias=True, schema_generator=_Schema)}

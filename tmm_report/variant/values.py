@@ -1,0 +1,213 @@
+"""Single values of a variant: names, texts, numbers with units, directions; each reads and describes itself.
+
+Numbers come out in SI, directions as unit complex numbers. A value that does not fit raises WrongValue.
+"""
+
+import cmath
+import math
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import partial
+from itertools import pairwise
+from typing import Annotated, Any, Literal
+
+from pydantic import AfterValidator, BaseModel, Discriminator, Field
+from pydantic_core import core_schema
+
+from tmm_report import units
+from tmm_report.problems import N_, Message
+from tmm_report.units import DIMENSIONS, WrongValue
+from tmm_report.yamlread import shown
+
+NAME = r"[0-9A-Za-z\u0400-\u0481\u048a-\u052f][0-9A-Za-z\u0400-\u0481\u048a-\u052f'’]{0,11}"
+SIDES = {"right": 1 + 0j, "up": 1j, "left": -1 + 0j, "down": -1j}
+SCALAR, LIST, MAP = "<scalar>", "<list>", "<map>"
+
+_BIDI = set(map(chr, [*range(0x202A, 0x202F), *range(0x2066, 0x206A), 0x200E, 0x200F, 0x61C]))
+
+
+def unit_vector(angle: float) -> complex:
+    """cos + i sin of the angle, rad, with the rounding of right angles removed."""
+    turned = cmath.rect(1.0, angle)
+    return complex(
+        *(round(part) if abs(part - round(part)) < 1e-15 else part for part in (turned.real, turned.imag))
+    )
+
+
+def _quantity(value: object, dimension: str, low: float, high: float, limits: str) -> float:
+    number = units.parse(value, dimension)
+    if low <= number <= high * (1 + 1e-12):
+        return number
+    name = Message(DIMENSIONS[dimension].name)
+    if limits:
+        text = N_("%(value)s is out of range: %(name)s from %(limits)s is expected")
+        raise WrongValue(Message(text, {"value": shown(value), "name": name, "limits": limits}))
+    text = N_("%(value)s is negative: %(name)s cannot be")
+    if low > 0:
+        text = N_("%(value)s is negative or zero: %(name)s must be greater than zero")
+    raise WrongValue(Message(text, {"value": shown(value), "name": name}))
+
+
+@dataclass(frozen=True, eq=False)
+class Reads:
+    """The metadata of a field's type: how what is written becomes its value, and what an editor is told."""
+
+    read: Callable[[Any], Any]
+    schema: Mapping[str, Any]
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> core_schema.CoreSchema:
+        return core_schema.no_info_plain_validator_function(self.read)
+
+    def __get_pydantic_json_schema__(self, core: Any, handler: Any) -> dict[str, Any]:
+        return dict(self.schema)
+
+
+def quantity(dimension: str, low: float = -math.inf, high: float = math.inf, limits: str = "") -> Reads:
+    """A number with a unit: SI after validation; `limits` is the range as text, for messages."""
+    about = DIMENSIONS[dimension]
+    described = f"{about.name}: SI ({about.unit}) or text with a unit" + (f"; {limits}" if limits else "")
+    schema = {
+        "anyOf": [{"type": "number"}, {"type": "string", "pattern": r"^\s*[-+−]?[0-9.,]"}],
+        "description": described,
+        "examples": [about.example],
+    }
+    return Reads(partial(_quantity, dimension=dimension, low=low, high=high, limits=limits), schema)
+
+
+def _whole(value: object, low: int, high: int) -> int:
+    number = units.parse(value, "number")
+    if number != int(number) or not low <= number <= high:
+        text = N_("%(value)s is out of range: a whole number from %(low)s to %(high)s is expected")
+        raise WrongValue(Message(text, {"value": shown(value), "low": low, "high": high}))
+    return int(number)
+
+
+def whole(low: int, high: int) -> Reads:
+    """A whole number in a range."""
+    return Reads(partial(_whole, low=low, high=high), {"type": "integer", "minimum": low, "maximum": high})
+
+
+def _quoted(value: object) -> str:
+    return shown(value) if isinstance(value, str | int | float) else "[…]"
+
+
+def _name(value: object) -> str:
+    text = str(value) if isinstance(value, str | int) and not isinstance(value, bool) else None
+    if text is not None and re.fullmatch(NAME, text):
+        return text
+    wrong = Message(N_("%(value)s is not a name"), {"value": _quoted(value)})
+    raise WrongValue(wrong, Message(N_("letters, digits and ', at most 12, for example A or S2")))
+
+
+def _free_text(value: object) -> str:
+    if not isinstance(value, str | int | float):
+        raise WrongValue(Message(N_("a text is expected here")))
+    text = " ".join(str(value).split())
+    if len(text) > 200:
+        raise WrongValue(Message(N_("the text is longer than %(limit)s characters"), {"limit": 200}))
+    if any(ord(char) < 32 or char in _BIDI for char in text):
+        raise WrongValue(Message(N_("%(value)s: control characters are not allowed"), {"value": shown(text)}))
+    return text
+
+
+def _direction(value: object) -> complex | str:
+    if isinstance(value, str) and value.strip() in SIDES:
+        return SIDES[value.strip()]
+    if value in ("along motion", "against motion"):
+        return str(value).split()[0]
+    try:
+        return unit_vector(units.parse(value, "angle"))
+    except WrongValue as error:
+        right = Message(N_("right, left, up, down, an angle (30 deg), along motion or against motion"))
+        wrong = Message(N_("%(value)s is not a direction"), {"value": _quoted(value)})
+        measured = isinstance(value, str) and value[:1].isdigit()  # say what is wrong with its unit
+        raise WrongValue(error.wrong if measured else wrong, right) from None
+
+
+def _fixed_direction(value: object) -> complex:
+    direction = _direction(value)
+    if isinstance(direction, str):
+        wrong = Message(N_("%(value)s is not a fixed direction"), {"value": _quoted(value)})
+        raise WrongValue(wrong, Message(N_("right, left, up, down or an angle (30 deg)")))
+    return direction
+
+
+def _choice(value: object) -> int | complex | tuple[str, str, str]:
+    """What `mechanism.Assembly.choice` may be."""
+    text = str(value).strip()
+    if text in ("+", "+1", "1", "-", "-1"):
+        return -1 if text.startswith("-") else 1
+    if text in SIDES:
+        return SIDES[text]
+    if match := re.fullmatch(rf"(left|right) of ({NAME})-({NAME})", text):
+        return match[1], match[2], match[3]
+    wrong = Message(N_("%(value)s does not say which way the group is assembled"), {"value": _quoted(value)})
+    raise WrongValue(wrong, Message(N_("right, left, up, down, +, -, left of A-C or right of A-C")))
+
+
+def _shape(value: object) -> str:
+    return MAP if isinstance(value, dict | BaseModel) else LIST if isinstance(value, list | tuple) else SCALAR
+
+
+def by_shape(right: str) -> Discriminator:
+    """Tells a union apart by the shape of what is written. `right`: what to write instead."""
+    return Discriminator(_shape, custom_error_type="shape", custom_error_message=right)
+
+
+def _ascending(pairs: Any) -> Any:
+    if any(a[0] >= b[0] for a, b in pairwise(pairs)):
+        raise WrongValue(Message(N_("the first numbers of the pairs must ascend")))
+    return pairs
+
+
+_NAME = {"type": ["string", "integer"], "pattern": f"^{NAME}$", "examples": ["A"]}
+_WORDS = {"type": ["string", "number"]}
+_CURVE = (Field(min_length=1, max_length=1000), AfterValidator(_ascending))
+
+Name = Annotated[str, Reads(_name, _NAME)]
+KeyName = Annotated[str, Reads(_name, {"type": "string", "pattern": f"^{NAME}$"})]
+GroupName = Annotated[str, Field(max_length=60)]
+ReadingKey = Annotated[str, Field(max_length=40)]
+PositionKey = Annotated[str, Field(pattern=r"^[0-9]{1,3}$")]
+Text = Annotated[str, Reads(_free_text, {"type": ["string", "number", "boolean", "null"], "maxLength": 200})]
+Label = Annotated[str, Reads(_free_text, {"type": ["string", "number"], "maxLength": 200})]
+
+Length = Annotated[float, quantity("length")]
+Positive = Annotated[float, quantity("length", 1e-9)]
+Distance = Annotated[float, quantity("length", 0.0)]
+Accuracy = Annotated[float, quantity("length", 1e-6, 2e-3, "0.001 … 2 mm")]
+Mass = Annotated[float, quantity("mass", 0.0)]
+Inertia = Annotated[float, quantity("inertia", 0.0)]
+Acceleration = Annotated[float, quantity("acceleration", 0.0)]
+Speed = Annotated[float, quantity("speed", 1e-12)]
+Period = Annotated[float, quantity("time", 1e-12)]
+Angle = Annotated[float, quantity("angle")]
+TurnAngle = Annotated[float, quantity("angle", 0.0, 2 * math.pi, "0 … 360 deg")]
+Range = Annotated[float, quantity("angle", 1e-6, 2 * math.pi, "0 … 360 deg")]
+Number = Annotated[float, quantity("number")]
+Coefficient = Annotated[float, quantity("number", 0.0, 1.0, "0 … 1")]
+Scale = Annotated[float, quantity("number", 1e-12)]
+ForceValue = Annotated[float, quantity("force")]
+MomentValue = Annotated[float, quantity("moment")]
+Pressure = Annotated[float, quantity("pressure")]
+Position = Annotated[int, whole(0, 360)]
+TableCount = Annotated[int, whole(4, 360)]
+DiagramCount = Annotated[int, whole(4, 720)]
+
+Point = tuple[Length, Length]
+AngleForces = Annotated[list[tuple[TurnAngle, ForceValue]], *_CURVE]
+AngleMoments = Annotated[list[tuple[TurnAngle, MomentValue]], *_CURVE]
+StrokeForces = Annotated[list[tuple[Coefficient, ForceValue]], *_CURVE]
+StrokePressures = Annotated[list[tuple[Coefficient, Pressure]], *_CURVE]
+
+_TO = "right, left, up, down or an angle"
+Direction = Annotated[
+    Any, Reads(_direction, {**_WORDS, "description": f"{_TO}; along motion or against motion"})
+]
+FixedDirection = Annotated[complex, Reads(_fixed_direction, {**_WORDS, "description": _TO})]
+Choice = Annotated[
+    Any, Reads(_choice, {"type": ["string", "integer"], "examples": ["right", "left of A-C", "+"]})
+]
+Side = Literal["right", "left", "up", "down"]
+Turn = Literal["clockwise", "counter-clockwise"]

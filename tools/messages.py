@@ -1,0 +1,106 @@
+"""Refresh the translations: `python tools/messages.py` after any change of a text (needs babel).
+
+Collects the message ids of the program and the templates, takes their translations from the language's .po and
+from templates/locale/parts/*.<language>.po (the newer word, may be deleted afterwards), writes .po and .mo, and
+lists what is still untranslated (exit code 1).
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from datetime import UTC, datetime
+from pathlib import Path
+
+from babel.messages.catalog import Catalog, Message
+from babel.messages.extract import DEFAULT_KEYWORDS, extract_from_dir
+from babel.messages.mofile import write_mo
+from babel.messages.pofile import read_po, write_po
+
+ROOT = Path(__file__).resolve().parent.parent
+LOCALE = ROOT / "templates" / "locale"
+LANGUAGES = ("ru",)
+KEYWORDS = {**DEFAULT_KEYWORDS, "N_": None, "t": None, "NP_": ((1, "c"), 2)}
+JINJA = {"silent": "false"}  # the templates' delimiters go here when they are not Jinja's own
+SOURCES = (("tmm_report", "**.py", "python", {}), ("templates", "**.j2", "jinja2", JINJA))
+UNDATED = datetime(2000, 1, 1, tzinfo=UTC)  # a date would change the file at every run
+
+
+def extracted() -> Iterator[tuple[str, str | tuple[str, ...], str | None]]:
+    """(file, message id, context) of every text of the program and its templates."""
+    for folder, pattern, method, options in SOURCES:
+        found = extract_from_dir(
+            ROOT / folder, [(pattern, method)], {pattern: options}, KEYWORDS, directory_filter=lambda _: True
+        )
+        for file, _, message, _, context in found:
+            if message:
+                yield f"{folder}/{Path(file).as_posix()}", message, context
+
+
+def po_file(language: str) -> Path:
+    return LOCALE / language / "LC_MESSAGES" / "tmm_report.po"
+
+
+def known(language: str) -> list[Catalog]:
+    """Catalogues that hold translations, the strongest first."""
+    files = [*sorted((LOCALE / "parts").glob(f"*.{language}.po")), po_file(language)]
+    return [read_po(file.open("rb"), locale=language) for file in files if file.exists()]
+
+
+def merged(language: str) -> Catalog:
+    """Every message of the program with its translation, or with an empty one."""
+    catalogue = Catalog(
+        locale=language,
+        header_comment="# Written by tools/messages.py; translations may be edited here.",
+        project="tmm-report",
+        version="",
+        msgid_bugs_address="-",
+        last_translator="-",
+        language_team="-",
+        charset="utf-8",
+        creation_date=UNDATED,
+        revision_date=UNDATED,
+        fuzzy=False,
+    )
+    sources = known(language)
+    for file, message, context in extracted():
+        catalogue.add(message, locations=[(file, 0)], context=context)
+    for entry in messages(catalogue):
+        found = (source.get(entry.id, entry.context) for source in sources)
+        entry.string = next((other.string for other in found if other and _filled(other)), entry.string)
+    return catalogue
+
+
+def messages(catalogue: Catalog) -> list[Message]:
+    return [entry for entry in catalogue if entry.id]
+
+
+def _filled(entry: Message) -> bool:
+    return all(entry.string) if isinstance(entry.string, tuple) else bool(entry.string)
+
+
+def missing(catalogue: Catalog) -> list[str]:
+    return [str(entry.id) for entry in messages(catalogue) if not _filled(entry)]
+
+
+def write(language: str, catalogue: Catalog) -> None:
+    po = po_file(language)
+    po.parent.mkdir(parents=True, exist_ok=True)
+    with po.open("wb") as file:
+        write_po(file, catalogue, width=110, sort_output=True, include_lineno=False)
+    with po.with_suffix(".mo").open("wb") as file:
+        write_mo(file, catalogue)
+
+
+def main() -> int:
+    untranslated = []
+    for language in LANGUAGES:
+        catalogue = merged(language)
+        write(language, catalogue)
+        untranslated += [f"{language}: {text}" for text in missing(catalogue)]
+    print("\n".join(untranslated) or "every message is translated")
+    return 1 if untranslated else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
