@@ -1,8 +1,8 @@
 """tmm-report: course projects in the theory of mechanisms and machines, from a YAML variant to a finished note.
 
-    from tmm_report import load, solve, render
-    results = solve(load("variant.yaml"))
-    files = render(results, "html")
+from tmm_report import load, solve, render
+results = solve(load("variant.yaml"))
+files = render(results, "html")
 """
 
 from __future__ import annotations

@@ -27,7 +27,9 @@ app = typer.Typer(
     help="Course projects in the theory of mechanisms and machines: a YAML variant in, an explanatory note out.",
 )
 
-Language = Annotated[str | None, typer.Option("--lang", help="Language of the note and of messages: ru or en.")]
+Language = Annotated[
+    str | None, typer.Option("--lang", help="Language of the note and of messages: ru or en.")
+]
 VariantFile = Annotated[Path, typer.Argument(help="The variant, a YAML file.", show_default=False)]
 
 
@@ -38,24 +40,35 @@ def main() -> None:
     app()
 
 
-@app.callback()
-def program(
-    version: Annotated[bool, typer.Option("--version", help="Print the version and exit.", is_eager=True)] = False,
-) -> None:
-    if version:
+def _show_version(wanted: bool) -> None:
+    if wanted:
         from tmm_report import __version__
 
         typer.echo(f"tmm-report {__version__}")
         raise typer.Exit
 
 
+@app.callback()
+def program(
+    version: Annotated[
+        bool,
+        typer.Option("--version", help="Print the version and exit.", is_eager=True, callback=_show_version),
+    ] = False,
+) -> None:
+    """Options of the program itself."""
+
+
 @app.command()
 def solve(
     variant: VariantFile,
     output: Annotated[Path | None, typer.Option("-o", "--output", help="Folder for the note.")] = None,
-    formats: Annotated[str, typer.Option("--format", help="Any of html,tex,json,csv, joined by commas.")] = "html,tex",
+    formats: Annotated[
+        str, typer.Option("--format", help="Any of html,tex,json,csv, joined by commas.")
+    ] = "html,tex",
     lang: Language = None,
-    pdf: Annotated[bool, typer.Option("--pdf", help="Also compile note.tex to note.pdf with pdflatex.")] = False,
+    pdf: Annotated[
+        bool, typer.Option("--pdf", help="Also compile note.tex to note.pdf with pdflatex.")
+    ] = False,
     open_note: Annotated[bool, typer.Option("--open", help="Open the note in the browser.")] = False,
 ) -> None:
     """Solve a variant and write its note."""
@@ -101,7 +114,13 @@ def _formats(text: str, open_note: bool, say: Callable[[str], str]) -> list[str]
     return wanted
 
 
-def _add_pdf(results: Any, lang: str | None, files: dict[str, bytes], stage: Callable[[str], None], say: Callable[[str], str]) -> str | None:
+def _add_pdf(
+    results: Any,
+    lang: str | None,
+    files: dict[str, bytes],
+    stage: Callable[[str], None],
+    say: Callable[[str], str],
+) -> str | None:
     """Add note.pdf to the files; what went wrong, in words, if it could not be made."""
     from tmm_report.output import render
     from tmm_report.pdf import NoTex, TexFailed, compile_pdf
@@ -135,7 +154,9 @@ def _summary(results: Any, folder: Path, names: list[str], say: Callable[[str], 
         typer.echo(text % ", ".join(map(str, plans.singular)))
     bad = False
     if forces is not None:
-        text = say(N_("checks of the balancing moment, relative disagreement: lever %.1e, power balance %.1e"))
+        text = say(
+            N_("checks of the balancing moment, relative disagreement: lever %.1e, power balance %.1e")
+        )
         typer.echo(text % (forces.worst_lever, forces.worst_power))
         bad = not forces.agrees
     if bad:
@@ -196,7 +217,10 @@ def _translate(lang: str | None) -> Callable[[str], str]:
 
 def _clean(text: str, keep: str = "") -> str:
     """Text for the terminal: no control, format or bidirectional characters, which could forge what is shown."""
-    return "".join(c if c in keep or not unicodedata.category(c).startswith("C") else "\N{REPLACEMENT CHARACTER}" for c in text)
+    return "".join(
+        c if c in keep or not unicodedata.category(c).startswith("C") else "\N{REPLACEMENT CHARACTER}"
+        for c in text
+    )
 
 
 def _fail(text: str) -> None:

@@ -55,5 +55,11 @@ def solve(variant: Variant) -> Results:
         if variant.friction is not None:
             found_friction = friction.solve(variant.friction, found_forces)
     return Results(
-        variant, found_structure, found_kinematics, found_plans, found_forces, found_force_plans, found_friction
+        variant,
+        found_structure,
+        found_kinematics,
+        found_plans,
+        found_forces,
+        found_force_plans,
+        found_friction,
     )

@@ -35,7 +35,7 @@ class Piece(NamedTuple):
 
 @dataclass(eq=False)
 class Page:
-    """Where an expression is being printed: the format, as symbols or numbers, which position, how many digits."""
+    """Where an expression is printed: the format, as symbols or numbers, which position, how many digits."""
 
     notation: Latex | MathML
     numbers: bool
@@ -238,7 +238,9 @@ class Quotient(Expr):
         return np.divide(self.above.evaluate(digits), self.below.evaluate(digits))
 
     def piece(self, page: Page) -> Piece:
-        return Piece(page.notation.fraction(self.above.piece(page).text, self.below.piece(page).text), FRACTION)
+        return Piece(
+            page.notation.fraction(self.above.piece(page).text, self.below.piece(page).text), FRACTION
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -266,7 +268,10 @@ class Negative(Expr):
         return -self.body.evaluate(digits)
 
     def piece(self, page: Page) -> Piece:
-        return Piece(page.notation.negative(page.bracket(self.body.piece(page), NEGATIVE)), NEGATIVE)
+        body = self.body.piece(page)
+        if body.text == page.notation.number(0.0, 1):
+            return body  # never -0
+        return Piece(page.notation.negative(page.bracket(body, NEGATIVE)), NEGATIVE)
 
 
 @dataclass(frozen=True, eq=False)
@@ -336,9 +341,10 @@ def arccos(argument: Operand) -> Expr:
 class Formula:
     """`result` = expression in symbols = in numbers = value, unit.
 
-    `index`: the position printed where values are arrays (..., P). Unit "deg": the value is in rad, printed in
-    degrees. `hand`: the printed value is computed from the numbers as printed, so that a reader's calculator
-    agrees. `scale`: the size against which a value is noise (1e-9 of it prints 0); None: the largest, at least 1.
+    `index`: the position printed where values are arrays (..., P). Unit "deg": the value is in rad, printed
+    in degrees. `hand`: the printed value is computed from the numbers as printed, so that a reader's
+    calculator agrees. `scale`: the size against which a value is noise (1e-9 of it prints 0); None: the
+    largest, at least 1.
     """
 
     result: Symbol | str

@@ -1,4 +1,4 @@
-"""The language of the note: gettext catalogues and the decimal sign. English is the language of the message ids."""
+"""The language of the note: gettext catalogues and the decimal sign. Message ids are in English."""
 
 from __future__ import annotations
 

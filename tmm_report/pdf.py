@@ -43,10 +43,21 @@ def compile_pdf(files: Mapping[str, bytes]) -> bytes:
 
 
 def _run(command: list[str], folder: str) -> None:
-    env = {**os.environ, "openin_any": "p", "openout_any": "p", "SOURCE_DATE_EPOCH": "0", "FORCE_SOURCE_DATE": "1"}
-    own_group = {"start_new_session": True} if os.name == "posix" else {}
+    env = {
+        **os.environ,
+        "openin_any": "p",
+        "openout_any": "p",
+        "SOURCE_DATE_EPOCH": "0",
+        "FORCE_SOURCE_DATE": "1",
+    }
     process = subprocess.Popen(
-        command, cwd=folder, env=env, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **own_group
+        command,
+        cwd=folder,
+        env=env,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        start_new_session=True,  # its own group, so that its children can be stopped with it; nothing on Windows
     )
     try:
         log, _ = process.communicate(timeout=SECONDS)

@@ -63,6 +63,8 @@ class ProblemError(Exception):
         self.problems = problems
 
 
-def mistake(text: str, path: tuple[str | int, ...] = (), right: Message | None = None, **values: Any) -> Problem:
+def mistake(
+    text: str, path: tuple[str | int, ...] = (), right: Message | None = None, **values: Any
+) -> Problem:
     """A Problem in one call: `mistake(N_("no link %(name)s"), ("loads",), name="7")`."""
     return Problem(wrong=Message(text, values), right=right, path=path)

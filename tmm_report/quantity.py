@@ -107,7 +107,7 @@ def _cell(value: float, places: int, decimal: str, scale: float) -> str:
 
 @dataclass(frozen=True, eq=False)
 class Quantity:
-    """A value (number or array, SI) with its symbol's key ("v_BA"), unit ("m/s") and meaning (a message id)."""
+    """A value (number or array, SI), its symbol's key ("v_BA"), unit ("m/s") and meaning (a message id)."""
 
     symbol: str
     value: Any
@@ -116,7 +116,7 @@ class Quantity:
 
 
 def q(symbol: str, unit: str, meaning: str) -> dict[str, Quantity]:
-    """Metadata of a result's field: `omega: Array = field(metadata=q("omega", "rad/s", N_("angular velocity")))`."""
+    """Metadata of a result's field: `v: Array = field(metadata=q("v_B", "m/s", N_("velocity of B")))`."""
     return {"quantity": Quantity(symbol, None, unit, meaning)}
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 @cache
 def data_root() -> Path:
-    """The folder that holds `templates/` and `variants/`: inside an installed package, or the checkout's root.
+    """The folder that holds `templates/` and `variants/`: in an installed package, or the checkout's root.
 
     Raises FileNotFoundError for an installation that lost them.
     """

@@ -1,4 +1,4 @@
-"""How symbols, numbers and the shapes of a formula are written in each format. Markup of formulas is made only here.
+"""How symbols, numbers and the shapes of a formula are written in each format; the only markup of formulas.
 
 Names of points and links come from users: every one of them is escaped on its way into LaTeX or MathML.
 """
@@ -16,8 +16,11 @@ from tmm_report.quantity import Parts, split, unit_text
 
 GREEK = dict(
     zip(
-        "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi "
-        "chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega".split(),
+        re.findall(
+            r"\w+",
+            "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau "
+            "upsilon phi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega",
+        ),
         "αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΦΨΩ",
         strict=True,
     )
@@ -42,7 +45,9 @@ INDEX_WORDS = (
     NP_("index", "min"),
 )
 _KEY = re.compile(r"(vec:)?([^_^]+)(?:_([^_^]*))?(?:[_^](.*))?", re.DOTALL)
-_RUN = re.compile("|".join(name for name in GREEK if name[0].isupper()) + r"|[A-Z]+|[a-z]+|\d+|[^\W\d_]+|['′]+|.", re.DOTALL)  # one kind of letter or sign at a time
+_RUN = re.compile(
+    "|".join(name for name in GREEK if name[0].isupper()) + r"|[A-Z]+|[a-z]+|\d+|[^\W\d_]+|['′]+|.", re.DOTALL
+)  # one kind of letter or sign at a time
 
 
 def latex_escape(text: str) -> str:
@@ -83,7 +88,7 @@ class Symbol:
 def math_symbol(key: str) -> Symbol:
     """Symbol of a key: "v_B", "a_BA^n" (also "a_BA_n"), "omega_2", "R_12^t", "vec:v_BA", "M_bal".
 
-    Raises ValueError for a key without a base. A name that may hold "_" or "^" goes to `Symbol(...)` directly.
+    Raises ValueError for a key without a base. A name that may hold "_" or "^" goes to `Symbol(...)`.
     """
     match = _KEY.fullmatch(key)
     if not match:
@@ -236,7 +241,7 @@ class MathML(Notation):
 
     def unit(self, unit: str) -> str:
         text = unit_text(unit, self.tr.language)
-        gap = "" if text == "°" else "<mspace width='0.2em'/>"
+        gap = "" if text == "°" else '<mspace width="0.2em"/>'
         return f"{gap}<mtext>{xml_escape(text)}</mtext>" if text else ""
 
     def operator(self, sign: str) -> str:
@@ -246,8 +251,12 @@ class MathML(Notation):
         return f'<mrow><mo form="prefix">−</mo>{text}</mrow>'
 
     def brackets(self, text: str, marks: str = "()") -> str:
-        left, right = (f'<mo form="{form}" fence="true" stretchy="true">{mark}</mo>'
-                       for form, mark in zip(("prefix", "postfix"), marks, strict=True))
+        # Stretched brackets have wide bearings: only what is tall gets them.
+        tall = "true" if "<mfrac" in text or "<msqrt" in text else "false"
+        left, right = (
+            f'<mo form="{form}" fence="true" stretchy="{tall}">{mark}</mo>'
+            for form, mark in zip(("prefix", "postfix"), marks, strict=True)
+        )
         return f"<mrow>{left}{text}{right}</mrow>"
 
     def fraction(self, above: str, below: str) -> str:
@@ -274,12 +283,14 @@ class MathML(Notation):
         return f"<munder><mrow>{text}</mrow><mrow>{note}</mrow></munder>"
 
     def formula(self, pieces: list[str]) -> str:
-        """Pieces as neighbouring `math` elements: a browser breaks lines between them, never inside one."""
+        """Pieces as neighbouring `math` elements: lines may break between them, never inside one."""
         return "<wbr/>".join(f'<math displaystyle="true">{piece}</math>' for piece in pieces)
 
 
 def _unit_sign(word: re.Match[str]) -> str:
-    return _UNIT_TEX.get(word[0]) or (f"\\text{{{latex_escape(word[0])}}}" if word[0] not in "/()" else word[0])
+    return _UNIT_TEX.get(word[0]) or (
+        f"\\text{{{latex_escape(word[0])}}}" if word[0] not in "/()" else word[0]
+    )
 
 
 @lru_cache(maxsize=8192)
@@ -295,7 +306,9 @@ def _symbol(symbol: Symbol, notation: Latex | MathML) -> str:
 def _segment(ends: str, notation: Latex | MathML) -> str:
     """Each letter of a segment's name on its own, digits and marks as its index: ps2 -> p s₂."""
     pieces = re.findall(r"([^\W\d_]|.)(\d*)", ends, re.DOTALL)
-    return "".join(notation.indexed(notation.run(letter), notation.text(digits), "") for letter, digits in pieces)
+    return "".join(
+        notation.indexed(notation.run(letter), notation.text(digits), "") for letter, digits in pieces
+    )
 
 
 @cache

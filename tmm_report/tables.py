@@ -23,7 +23,7 @@ from tmm_report.course import Results
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.motion import Linkage, Motion
 from tmm_report.mechanics.relations import moving_points, named_values, relations, turning_links
-from tmm_report.problems import Message, N_
+from tmm_report.problems import N_, Message
 
 Array = Any
 FORMAT = 1
@@ -37,7 +37,7 @@ class Column:
     key: str
     unit: str
     meaning: Message
-    values: Sequence[float] | Sequence[str]
+    values: Any  # (P,) numbers, or a list of texts
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,7 +69,9 @@ def tables(results: Results) -> list[Table]:
         found.append(Table(f"positions_{name}", PLACES, (*where, *_places(motion))))
         found.append(Table(f"rates_{name}", RATES, (*where, *_rates(motion))))
     found += [_comparison(f"comparison_{d.position}", COMPARISON, d.comparison) for d in results.plans.drawn]
-    found += [_comparison(f"readings_{d.position}", READINGS, d.readings) for d in results.plans.drawn if d.readings]
+    found += [
+        _comparison(f"readings_{d.position}", READINGS, d.readings) for d in results.plans.drawn if d.readings
+    ]
     return found + list(_force_tables(results)) + list(_friction_tables(results))
 
 
@@ -105,7 +107,11 @@ def _outputs(travels: Iterable[Travel], name: str) -> Iterator[Column]:
         slider = travel.output.kind == "slider"
         of = {"name": travel.output.name}
         texts = SLIDER if slider else ROCKER
-        rows = (travel.S, travel.V, travel.a) if name == "table" else (travel.diagram_S, travel.diagram_V, travel.diagram_a)
+        rows = (
+            (travel.S, travel.V, travel.a)
+            if name == "table"
+            else (travel.diagram_S, travel.diagram_V, travel.diagram_a)
+        )
         for (base, unit, text), row in zip(texts, rows, strict=True):
             yield Column(f"{base}_{travel.output.name}", unit, Message(text, of), row)
 
@@ -132,7 +138,9 @@ def _places(motion: Motion) -> Iterator[Column]:
         yield Column(f"phi_{link}", "deg", text, np.degrees(np.angle(motion.turn(link))))
     for label, sine in motion.sines.items():
         of = {"group": label}
-        yield Column(f"sin_{label}", "", Message(N_("sine of group %(group)s: 0 in a singular position"), of), sine)
+        yield Column(
+            f"sin_{label}", "", Message(N_("sine of group %(group)s: 0 in a singular position"), of), sine
+        )
         digits = np.floor(DIGITS + np.log10(np.maximum(sine, 1e-300)))
         text = Message(N_("decimal digits that remain in group %(group)s"), of)
         yield Column(f"digits_{label}", "", text, np.maximum(digits, 0.0))
@@ -162,10 +170,16 @@ def meanings(linkage: Linkage) -> dict[str, Message]:
             pair = {"name": branch.end, "about": about}
             texts.setdefault(branch.v_key, Message(N_("velocity of %(name)s relative to %(about)s"), pair))
             if branch.turns:
-                texts[branch.a_key("n")] = Message(N_("normal acceleration of %(name)s relative to %(about)s"), pair)
-                texts[branch.a_key("t")] = Message(N_("tangential acceleration of %(name)s relative to %(about)s"), pair)
+                texts[branch.a_key("n")] = Message(
+                    N_("normal acceleration of %(name)s relative to %(about)s"), pair
+                )
+                texts[branch.a_key("t")] = Message(
+                    N_("tangential acceleration of %(name)s relative to %(about)s"), pair
+                )
             elif branch.has_bend:
-                texts[branch.a_key("k")] = Message(N_("Coriolis acceleration of %(name)s relative to %(about)s"), pair)
+                texts[branch.a_key("k")] = Message(
+                    N_("Coriolis acceleration of %(name)s relative to %(about)s"), pair
+                )
             relative = Message(N_("relative acceleration of %(name)s along %(about)s"), pair)
             texts.setdefault(branch.a_key("r"), relative)
     for link in turning_links(linkage):
@@ -174,7 +188,9 @@ def meanings(linkage: Linkage) -> dict[str, Message]:
     return texts
 
 
-def _comparison(name: str, meaning: Message, rows: Sequence[Any], unit: Callable[[str], str] = unit_of) -> Table:
+def _comparison(
+    name: str, meaning: Message, rows: Sequence[Any], unit: Callable[[str], str] = unit_of
+) -> Table:
     deltas = [math.nan if row.delta is None else row.delta for row in rows]
     columns = (
         Column("key", "", Message(N_("the value compared")), [row.key for row in rows]),
@@ -206,9 +222,13 @@ def _loads(results: Results, solved: Solved) -> Iterator[Column]:
     for link, force in load.gravity.items():
         yield from _vector(f"G_{link}", "N", Message(N_("weight of link %(name)s"), {"name": link}), force)
     for link, force in load.inertia.items():
-        yield from _vector(f"F_I{link}", "N", Message(N_("inertia force of link %(name)s"), {"name": link}), force)
+        yield from _vector(
+            f"F_I{link}", "N", Message(N_("inertia force of link %(name)s"), {"name": link}), force
+        )
     for link, couple in load.couples.items():
-        yield Column(f"M_I{link}", "N·m", Message(N_("inertia couple of link %(name)s"), {"name": link}), couple)
+        yield Column(
+            f"M_I{link}", "N·m", Message(N_("inertia couple of link %(name)s"), {"name": link}), couple
+        )
     keys = load_keys([force.at for force in given.forces])
     for stated, key, force in zip(given.forces, keys, load.forces, strict=True):
         text = Message(N_("force on point %(at)s: %(name)s"), {"at": stated.at, "name": stated.name})
@@ -222,13 +242,21 @@ def _reactions(solved: Solved) -> Iterator[Column]:
     shape = solved.motion.shape
     for reaction in solved.statics.reactions.values():
         by, on = reaction.pair.links
-        text = Message(N_("force of link %(by)s on link %(on)s in pair %(pair)s"), {"by": by, "on": on, "pair": reaction.pair.name})
+        text = Message(
+            N_("force of link %(by)s on link %(on)s in pair %(pair)s"),
+            {"by": by, "on": on, "pair": reaction.pair.name},
+        )
         yield from _vector(reaction_key(by, on), "N", text, np.broadcast_to(reaction.force, shape))
         if reaction.pair.kind == "P":
             of = {"pair": reaction.pair.name}
             moment = np.broadcast_to(reaction.moment, shape)
             key = reaction_key(by, on).replace("R", "M", 1)
-            yield Column(key, "N·m", Message(N_("moment of the reaction in guide %(pair)s about the slider's point"), of), moment)
+            yield Column(
+                key,
+                "N·m",
+                Message(N_("moment of the reaction in guide %(pair)s about the slider's point"), of),
+                moment,
+            )
             text = Message(N_("where the reaction acts along guide %(pair)s, from the slider's point"), of)
             offset = np.broadcast_to(reaction.offset, shape)
             yield Column(key.replace("M", "x", 1), "m", text, offset)
@@ -254,10 +282,15 @@ def _friction_tables(results: Results) -> Iterator[Table]:
     for name, losses, solved in sets:
         columns = []
         for loss in losses.pairs:
-            text = Message(N_("friction power in pair %(pair)s of links %(links)s"), {"pair": loss.pair.name, "links": loss.pair.key})
+            text = Message(
+                N_("friction power in pair %(pair)s of links %(links)s"),
+                {"pair": loss.pair.name, "links": loss.pair.key},
+            )
             columns.append(Column(f"P_fr_{loss.pair.key}", "W", text, loss.power))
         columns.append(Column("P_fr", "W", Message(N_("friction power of all pairs")), losses.total))
-        columns.append(Column("P_drive", "W", Message(N_("power of the balancing moment, magnitude")), losses.driving))
+        columns.append(
+            Column("P_drive", "W", Message(N_("power of the balancing moment, magnitude")), losses.driving)
+        )
         columns.append(Column("eta", "", Message(N_("instantaneous efficiency")), losses.efficiency))
         yield Table(f"friction_{name}", FRICTION, (*_where(solved.turned), *columns))
 
@@ -272,11 +305,15 @@ def values(results: Results) -> list[Value]:
         Value("W", s.mobility, "", Message(N_("mobility"))),
         Value("class", s.mechanism_class, "", Message(N_("class of the mechanism"))),
         Value("omega", k.omega, "rad/s", Message(N_("angular velocity of the driving link"))),
-        Value("phi_0", math.degrees(k.cycle.zero), "deg", Message(N_("angle of the driving link in position 0"))),
+        Value(
+            "phi_0", math.degrees(k.cycle.zero), "deg", Message(N_("angle of the driving link in position 0"))
+        ),
         Value("mu_l", p.length_scale, "m/mm", Message(N_("scale of the scheme"))),
         Value("mu_v", p.velocity_scale, "(m/s)/mm", Message(N_("scale of the velocity plans"))),
         Value("mu_a", p.acceleration_scale, "(m/s²)/mm", Message(N_("scale of the acceleration plans"))),
-        Value("delta_max", p.worst, "%", Message(N_("largest difference of plans from the analytical method"))),
+        Value(
+            "delta_max", p.worst, "%", Message(N_("largest difference of plans from the analytical method"))
+        ),
     ]
     for travel in k.travels:
         found += _travel_values(travel)
@@ -290,7 +327,9 @@ def _travel_values(travel: Travel) -> Iterator[Value]:
     stroke = N_("stroke of slider %(name)s") if slider else N_("swing of link %(name)s")
     yield Value(f"H_{name}", travel.stroke, units[0], Message(stroke, of))
     if travel.time_ratio is not None:
-        yield Value(f"K_{name}", travel.time_ratio, "", Message(N_("time ratio of the strokes of %(name)s"), of))
+        yield Value(
+            f"K_{name}", travel.time_ratio, "", Message(N_("time ratio of the strokes of %(name)s"), of)
+        )
     ends = ((travel.near, travel.far), travel.V_extremes, travel.a_extremes)
     texts = (
         (N_("least displacement of %(name)s"), N_("greatest displacement of %(name)s")),
@@ -308,7 +347,12 @@ def _force_values(results: Results) -> Iterator[Value]:
         low, high = found.extremes
         yield Value("M_bal_min", low.value, "N·m", Message(N_("least balancing moment")), low.turned)
         yield Value("M_bal_max", high.value, "N·m", Message(N_("greatest balancing moment")), high.turned)
-        yield Value("lever_disagreement", found.worst_lever, "", Message(N_("worst relative disagreement of the lever")))
+        yield Value(
+            "lever_disagreement",
+            found.worst_lever,
+            "",
+            Message(N_("worst relative disagreement of the lever")),
+        )
         text = Message(N_("worst relative disagreement of the power balance"))
         yield Value("power_disagreement", found.worst_power, "", text)
     if results.force_plans is not None:
@@ -316,7 +360,9 @@ def _force_values(results: Results) -> Iterator[Value]:
         yield Value("delta_F_max", results.force_plans.worst, "%", text)
     if results.friction is not None:
         yield Value("P_fr_mean", results.friction.mean_power, "W", Message(N_("mean friction power")))
-        yield Value("eta_mean", results.friction.mean_efficiency, "", Message(N_("efficiency over the cycle")))
+        yield Value(
+            "eta_mean", results.friction.mean_efficiency, "", Message(N_("efficiency over the cycle"))
+        )
 
 
 # ---------------------------------------------------------------- files
@@ -326,16 +372,30 @@ def as_json(results: Results, tr: Translator) -> bytes:
     """results.json: every number with its key, unit and meaning; missing numbers are null."""
 
     def column(c: Column) -> dict[str, Any]:
-        return {"key": c.key, "unit": c.unit, "meaning": c.meaning.render(tr.gettext), "values": _plain(c.values)}
+        return {
+            "key": c.key,
+            "unit": c.unit,
+            "meaning": c.meaning.render(tr.gettext),
+            "values": _plain(c.values),
+        }
 
     def value(v: Value) -> dict[str, Any]:
         at = {} if v.at is None else {"at_deg": _finite(math.degrees(v.at))}
-        return {"key": v.key, "value": _finite(v.value), "unit": v.unit, "meaning": v.meaning.render(tr.gettext), **at}
+        return {
+            "key": v.key,
+            "value": _finite(v.value),
+            "unit": v.unit,
+            "meaning": v.meaning.render(tr.gettext),
+            **at,
+        }
 
     document = {
         "format": FORMAT,
         "title": _title(results),
-        "structure": {"formula": results.structure.formula, "groups": [g.label for g in results.structure.groups]},
+        "structure": {
+            "formula": results.structure.formula,
+            "groups": [g.label for g in results.structure.groups],
+        },
         "values": [value(v) for v in values(results)],
         "tables": {
             t.name: {"meaning": t.meaning.render(tr.gettext), "columns": [column(c) for c in t.columns]}
@@ -349,7 +409,7 @@ def _title(results: Results) -> Mapping[str, str]:
     return {name: text for name, text in vars(results.variant.title).items() if text}
 
 
-def _plain(column: Sequence[float] | Sequence[str]) -> list[Any]:
+def _plain(column: Iterable[Any]) -> list[Any]:
     return [x if isinstance(x, str | int) else _finite(float(x)) for x in column]
 
 

@@ -1,8 +1,8 @@
 """Refresh the translations: `python tools/messages.py` after any change of a text (needs babel).
 
-Collects the message ids of the program and the templates, takes their translations from the language's .po and
-from templates/locale/parts/*.<language>.po (the newer word, may be deleted afterwards), writes .po and .mo, and
-lists what is still untranslated (exit code 1).
+Collects the message ids of the program and the templates, takes their translations from the language's .po
+and from templates/locale/parts/*.<language>.po (the newer word, may be deleted afterwards), writes .po and
+.mo, and lists what is still untranslated (exit code 1).
 """
 
 from __future__ import annotations
@@ -20,9 +20,12 @@ from babel.messages.pofile import read_po, write_po
 ROOT = Path(__file__).resolve().parent.parent
 LOCALE = ROOT / "templates" / "locale"
 LANGUAGES = ("ru",)
-KEYWORDS = {**DEFAULT_KEYWORDS, "N_": None, "t": None, "NP_": ((1, "c"), 2)}
+KEYWORDS = {**DEFAULT_KEYWORDS, "N_": None, "t": None, "count": (1, 2), "NP_": ((1, "c"), 2)}
 JINJA = {"silent": "false"}  # the templates' delimiters go here when they are not Jinja's own
-SOURCES = (("tmm_report", "**.py", "python", {}), ("templates", "**.j2", "jinja2", JINJA))
+SOURCES: tuple[tuple[str, str, str, dict[str, str]], ...] = (
+    ("tmm_report", "**.py", "python", {}),
+    ("templates", "**.j2", "jinja2", JINJA),
+)
 UNDATED = datetime(2000, 1, 1, tzinfo=UTC)  # a date would change the file at every run
 
 

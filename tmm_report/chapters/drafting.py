@@ -24,7 +24,9 @@ from tmm_report.mechanics.relations import Branch, Relation, relations, turning_
 from tmm_report.quantity import round_significant
 from tmm_report.symbols import segment
 
-Role = Literal["absolute", "relative", "bend", "rate"]  # bend: normal or Coriolis; rate: tangential or relative
+Role = Literal[
+    "absolute", "relative", "bend", "rate"
+]  # bend: normal or Coriolis; rate: tangential or relative
 
 
 @dataclass(frozen=True)
@@ -127,7 +129,13 @@ class _Draft:
     """One plan in the making: what has been drawn, read and calculated so far."""
 
     def __init__(self, motion: Motion, position: int, scales: Scales, pen: Pen, velocity: Plan | None):
-        self.motion, self.position, self.scales, self.pen, self.velocity = motion, position, scales, pen, velocity
+        self.motion, self.position, self.scales, self.pen, self.velocity = (
+            motion,
+            position,
+            scales,
+            pen,
+            velocity,
+        )
         self.kind: Literal["v", "a"] = "v" if velocity is None else "a"
         self.scale = scales.velocity if velocity is None else scales.acceleration
         self.pole = "p" if velocity is None else "π"
@@ -281,7 +289,7 @@ class _Draft:
         sliding = v.vector(branch.v_key) * v.scale
         speed = number(_sign(branch.v_key), v.values[branch.v_key], "m/s")
         if branch.turns:
-            vector = -abs(sliding) ** 2 / abs(arm) * unit(arm)
+            vector = -(abs(sliding) ** 2) / abs(arm) * unit(arm)
             key, size = branch.a_key("n"), speed**2 / self._length(branch, arm)
         else:
             omega = (v.turns[branch.link] * v.scale).imag
@@ -303,7 +311,9 @@ class _Draft:
         mm = self.pen.read(arm / self.scales.length)
         points = self.motion.linkage.mechanism.links[branch.link].points
         rigid = all(joint in points for joint in branch.arm)
-        given = float(np.abs(points[branch.arm[1]] - points[branch.arm[0]])) if rigid else mm * self.scales.length
+        given = (
+            float(np.abs(points[branch.arm[1]] - points[branch.arm[0]])) if rigid else mm * self.scales.length
+        )
         return number(Symbol("l", "".join(branch.arm)), float(round_significant(given, DIGITS + 2)), "m")
 
     def _close(self, line: _Line, z: complex) -> list[Formula]:
@@ -312,9 +322,15 @@ class _Draft:
         start = self._letter(branch.start) if branch.start else self.pole
         key = branch.v_key if self.kind == "v" else branch.a_key("t" if branch.turns else "r")
         if self.kind == "a" and branch.has_bend:
-            start = next(name for name, place in reversed(self.vertices.items()) if place == line.z_bend and name[0] in "nk")
+            start = next(
+                name
+                for name, place in reversed(self.vertices.items())
+                if place == line.z_bend and name[0] in "nk"
+            )
         absolute = start == self.pole
-        self._stroke(line.z_bend, z, key, "absolute" if absolute else ("relative" if self.kind == "v" else "rate"))
+        self._stroke(
+            line.z_bend, z, key, "absolute" if absolute else ("relative" if self.kind == "v" else "rate")
+        )
         return [self._read(key, start, end)] if key not in self.values else []
 
     def _angular(self, line: _Line) -> list[Formula]:
@@ -372,7 +388,8 @@ class _Draft:
         first = self._letter(line.branch.start) if line.branch.start else self.pole
         whole = self._segment(first, self._letter(end))
         part, rod = (
-            number(Symbol("l", start + to), float(np.abs(points[to] - points[start])), "m") for to in (point, end)
+            number(Symbol("l", start + to), float(np.abs(points[to] - points[start])), "m")
+            for to in (point, end)
         )
         return Formula(segment(first + self._letter(point)), whole * part / rod, "mm", hand=True)
 
@@ -385,7 +402,7 @@ class _Draft:
     def _links_that_turn_alike(self) -> None:
         """A link that slides on a turning guide has the guide's angular velocity and acceleration."""
         letter = "w" if self.kind == "v" else "e"
-        carriers = {}
+        carriers: dict[str, str] = {}
         for d in self.motion.linkage.dyads:
             carriers |= {d.b: d.a} if d.kind == 3 else {d.b: d.carrier_b} if d.kind != 1 else {}
             carriers |= {d.a: d.carrier_a if d.kind == 4 else d.carrier_b} if d.kind > 3 else {}
@@ -393,11 +410,16 @@ class _Draft:
         for link in turning_links(self.motion.linkage):
             if link == driver:
                 omega = abs(float(np.ravel(self.motion.linkage.mechanism.driver.omega)[0]))
-                self.values[f"{letter}_{link}"] = float(round_significant(omega, DIGITS)) if letter == "w" else 0.0
+                self.values[f"{letter}_{link}"] = (
+                    float(round_significant(omega, DIGITS)) if letter == "w" else 0.0
+                )
                 self.per_mm[f"{letter}_{link}"] = 0.0
             elif link in carriers:
                 source = f"{letter}_{carriers[link]}"
-                self.values[f"{letter}_{link}"], self.per_mm[f"{letter}_{link}"] = self.values[source], self.per_mm[source]
+                self.values[f"{letter}_{link}"], self.per_mm[f"{letter}_{link}"] = (
+                    self.values[source],
+                    self.per_mm[source],
+                )
 
     # ------------------------------------------------------------ vector equations
 

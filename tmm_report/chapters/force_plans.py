@@ -18,11 +18,11 @@ from tmm_report.chapters.given import Drawing
 from tmm_report.chapters.kinetostatics import Kinetostatics, Solved, loaded_link
 from tmm_report.chapters.plans import PAPER, PARALLEL, Comparison, Plans
 from tmm_report.chapters.scales import Pen, round_scale
-from tmm_report.chapters.written import DIGITS, hand, length_of, number, symbol_of
-from tmm_report.formula import Expr, Formula, Number, Symbol, Term, Var, VectorEquation
+from tmm_report.chapters.written import DIGITS, hand, number, symbol_of
+from tmm_report.formula import Expr, Formula, Number, Symbol, Term, VectorEquation
 from tmm_report.mechanics.dyads import Dyad
 from tmm_report.mechanics.mechanism import FRAME
-from tmm_report.mechanics.planar import cross, dot, resolve, unit
+from tmm_report.mechanics.planar import cross, resolve, unit
 from tmm_report.mechanics.statics import Reaction
 from tmm_report.mechanics.structure import Pair
 from tmm_report.quantity import round_significant
@@ -123,7 +123,9 @@ class ForcePlans:
     @property
     def worst(self) -> float:
         """Largest |delta| of all reactions and moments, %."""
-        return max((abs(c.delta) for d in self.drawn for c in d.comparison if c.delta is not None), default=0.0)
+        return max(
+            (abs(c.delta) for d in self.drawn for c in d.comparison if c.delta is not None), default=0.0
+        )
 
 
 def solve(drawing: Drawing, positions: Sequence[int], found: Kinetostatics, plans: Plans) -> ForcePlans:
@@ -164,7 +166,9 @@ class _Draft:
     def drawn(self) -> ForceDrawn:
         plans = [self._group(d) for d in reversed(self.motion.linkage.dyads)]
         plan, moment = self._driving_link()
-        return ForceDrawn(self.k, tuple(self.inertia), (*plans, plan), tuple(self.reduced), moment, tuple(self.comparison))
+        return ForceDrawn(
+            self.k, tuple(self.inertia), (*plans, plan), tuple(self.reduced), moment, tuple(self.comparison)
+        )
 
     # ------------------------------------------------------------ what acts
 
@@ -180,7 +184,9 @@ class _Draft:
             size = self._product(f"M_I{link}", f"J_{link}", self.mechanism.links[link].inertia, f"e_{link}")
             self._couple(link, f"M_I{link}", couple[self.k], size)
             self._reduce(link)
-        for stated, key, vector in zip(given.forces, load_keys([f.at for f in given.forces]), load.forces, strict=True):
+        for stated, key, vector in zip(
+            given.forces, load_keys([f.at for f in given.forces]), load.forces, strict=True
+        ):
             self._add(loaded_link(self.motion, stated.at), key, "load", vector[self.k], self._at(stated.at))
         for number_, (on, couple) in enumerate(zip(given.moments, load.moments, strict=True), 1):
             key = f"M_{on.on}" if [m.on for m in given.moments].count(on.on) == 1 else f"M_{on.on},{number_}"
@@ -201,7 +207,9 @@ class _Draft:
         self.inertia.append(formula)
         return formula.written
 
-    def _add(self, link: str, key: str, kind: Kind, vector: complex, at: complex, size: float | None = None) -> None:
+    def _add(
+        self, link: str, key: str, kind: Kind, vector: complex, at: complex, size: float | None = None
+    ) -> None:
         """`size`: the magnitude as already written; else the vector's own, rounded as one writes it."""
         if abs(vector) > 1e-9 * self._largest():
             written = float(round_significant(abs(vector), DIGITS)) if size is None else size
@@ -224,7 +232,9 @@ class _Draft:
             # the force moved aside by h has the couple's moment about the mass centre
             shift = -1j * unit(force.vector) * couple.value / abs(force.vector)
             size = float(abs(force.vector))
-            self.reduced.append(Reduced(link, size, couple.value, abs(couple.value) / size, complex(force.at - shift)))
+            self.reduced.append(
+                Reduced(link, size, couple.value, abs(couple.value) / size, complex(force.at - shift))
+            )
 
     # ------------------------------------------------------------ moments
 
@@ -232,7 +242,9 @@ class _Draft:
         """Arm of a force about a joint as read off the scheme, and the sense of its moment."""
         moment = cross(acting.at - about, acting.vector)
         mm = self.pen.read(moment / abs(acting.vector) / self.mu_l)
-        return Arm(acting.key, joint, mm, float(round_significant(mm * self.mu_l, DIGITS + 2))), float(np.sign(moment))
+        return Arm(acting.key, joint, mm, float(round_significant(mm * self.mu_l, DIGITS + 2))), float(
+            np.sign(moment)
+        )
 
     def _moment_sum(self, links: Sequence[str], joint: str, about: complex, arms: list[Arm]) -> Expr:
         """Sum of moments of all loads and couples of `links` about a joint, with the arms as read, N m."""
@@ -267,7 +279,16 @@ class _Draft:
         self._pass_on(d, corners, X, mu)
         label = d.group.label
         return ForcePlan(
-            label, (d.a, d.b), mu, loads, couples, tuple(arms), tuple(moments), equation, tuple(strokes), tuple(readings)
+            label,
+            (d.a, d.b),
+            mu,
+            loads,
+            couples,
+            tuple(arms),
+            tuple(moments),
+            equation,
+            tuple(strokes),
+            tuple(readings),
         )
 
     def _scale(self, d: Dyad) -> float:
@@ -288,7 +309,9 @@ class _Draft:
 
     def _exact(self, pair: Pair) -> complex:
         """The analytical reaction, only to compare with and to choose a scale."""
-        return complex(np.broadcast_to(self.solved.statics.reactions[pair.key].force, self.solved.motion.shape)[self.k])
+        return complex(
+            np.broadcast_to(self.solved.statics.reactions[pair.key].force, self.solved.motion.shape)[self.k]
+        )
 
     def _laid_off(self, d: Dyad, mu: float) -> tuple[complex, complex, complex]:
         """P0, P1, P2: before the loads of b, between, and after the loads of a; mm."""
@@ -296,7 +319,12 @@ class _Draft:
         return 0j, P1, P1 + sum((self.pen.place(a.vector / mu) for a in self.acting[d.a]), 0j)
 
     def _lines(
-        self, d: Dyad, corners: tuple[complex, complex, complex], mu: float, arms: list[Arm], moments: list[Formula]
+        self,
+        d: Dyad,
+        corners: tuple[complex, complex, complex],
+        mu: float,
+        arms: list[Arm],
+        moments: list[Formula],
     ) -> tuple[list[tuple[complex, complex]], dict[str, complex]]:
         """The two lines that cross in X, and the tangential components laid off on the way, mm by key."""
         P0, P1, P2 = corners
@@ -305,10 +333,14 @@ class _Draft:
         components: dict[str, complex] = {}
         lines = []
 
-        def tangential(pair: Pair, link: str, links: Sequence[str], about: complex, joint: str, at: complex) -> complex:
+        def tangential(
+            pair: Pair, link: str, links: Sequence[str], about: complex, joint: str, at: complex
+        ) -> complex:
             """Component of an outer reaction across its arm, from the moments about a joint; mm."""
             total = self._moment_sum(links, joint, about, arms)
-            size = number(Symbol("l", joint + pair.name), float(round_significant(abs(at - about), DIGITS + 2)), "m")
+            size = number(
+                Symbol("l", joint + pair.name), float(round_significant(abs(at - about), DIGITS + 2)), "m"
+            )
             key = f"{reaction_key(pair.other(link), link)}_t"
             formula = hand(key, -total / size, 0.0)
             moments.append(formula)
@@ -350,7 +382,11 @@ class _Draft:
         return strokes
 
     def _reaction_strokes(
-        self, d: Dyad, corners: tuple[complex, complex, complex], X: complex, components: Mapping[str, complex]
+        self,
+        d: Dyad,
+        corners: tuple[complex, complex, complex],
+        X: complex,
+        components: Mapping[str, complex],
     ) -> list[ForceStroke]:
         P0, P1, P2 = corners
         on_a, on_b, inner = self._keys(d)
@@ -376,7 +412,9 @@ class _Draft:
         """Outer reactions on a and on b, and the inner one, of b on a."""
         return reaction_key(d.carrier_a, d.a), reaction_key(d.carrier_b, d.b), reaction_key(d.b, d.a)
 
-    def _readings(self, d: Dyad, corners: tuple[complex, complex, complex], X: complex, mu: float) -> list[Formula]:
+    def _readings(
+        self, d: Dyad, corners: tuple[complex, complex, complex], X: complex, mu: float
+    ) -> list[Formula]:
         """Reactions read off the plan, compared with the analytical ones."""
         P0, P1, P2 = corners
         formulas = []
@@ -435,7 +473,11 @@ class _Draft:
         O = self._joint(pair)
         formula = hand("M_bal", -self._moment_sum((link,), pair.name, O, arms), 0.0)
         sizes = [abs(a.vector) for a in self.acting[link]]
-        mu = float(self.scale) if isinstance(self.scale, int | float) else round_scale(max([*sizes, abs(self._exact(pair))]), PAPER)
+        mu = (
+            float(self.scale)
+            if isinstance(self.scale, int | float)
+            else round_scale(max([*sizes, abs(self._exact(pair))]), PAPER)
+        )
         key, tip, strokes = reaction_key(FRAME, link), 0j, []
         for acting in self.acting[link]:
             end = tip + self.pen.place(acting.vector / mu)
@@ -448,7 +490,9 @@ class _Draft:
         self.comparison.append(Comparison(key, abs(reading.written), abs(self._exact(pair)), mu * step))
         exact = float(self.solved.balancing[self.k])
         largest = max(sizes, default=0.0)
-        self.comparison.append(Comparison("M_bal", abs(formula.written), abs(exact), largest * self.mu_l * step))
+        self.comparison.append(
+            Comparison("M_bal", abs(formula.written), abs(exact), largest * self.mu_l * step)
+        )
         terms = [Term(symbol_of(a.key), 2) for a in self.acting[link]]
         equation = VectorEquation([[*terms, Term(symbol_of(key), 0)], []])
         loads, couples = {link: tuple(self.acting[link])}, {link: tuple(self.couples[link])}

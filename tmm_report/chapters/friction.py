@@ -86,7 +86,9 @@ def _losses(given: Friction, solved: Solved) -> Losses:
             size = np.abs(np.broadcast_to(reaction.force, solved.motion.shape))
             rate = np.abs(relative_rate(solved.motion, reaction.pair))
             arm = (rubbing.diameter or 0.0) / 2 if reaction.pair.kind == "R" else 1.0
-            losses.append(PairLoss(reaction.pair, rubbing, size, rate, rubbing.coefficient * size * arm * rate))
+            losses.append(
+                PairLoss(reaction.pair, rubbing, size, rate, rubbing.coefficient * size * arm * rate)
+            )
     order = [pair.key for pair in solved.motion.linkage.structure.pairs]
     losses.sort(key=lambda loss: order.index(loss.pair.key))
     omega = solved.motion.state.w[solved.motion.linkage.mechanism.driver.link]
@@ -103,4 +105,3 @@ def relative_rate(motion: Motion, pair: Pair) -> Array:
     place = s.world(slider, pair.at[slider])
     sliding = s.velocity(slider, place) - s.velocity(carrier, place)
     return np.broadcast_to(dot(sliding, s.u[carrier] * pair.along[carrier]), motion.shape)
-

@@ -16,7 +16,7 @@ from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.motion import Linkage, Motion
 from tmm_report.mechanics.planar import dot
 from tmm_report.mechanics.relations import named_values
-from tmm_report.problems import Message, N_, ProblemError, mistake
+from tmm_report.problems import N_, Message, ProblemError, mistake
 
 Array = Any
 
@@ -37,8 +37,10 @@ class Output:
         """Coordinate, velocity and acceleration, (..., P): m or rad. A rocker's angle is within ±π."""
         if self.kind == "rocker":
             sign = np.real(self.direction)
-            return np.angle(motion.turn(self.name)), motion.angular_velocity(self.name) * sign, (
-                motion.angular_acceleration(self.name) * sign
+            return (
+                np.angle(motion.turn(self.name)),
+                motion.angular_velocity(self.name) * sign,
+                (motion.angular_acceleration(self.name) * sign),
             )
         of = (motion.place, motion.velocity, motion.acceleration)
         return tuple(dot(rate(self.name), self.direction) for rate in of)  # type: ignore[return-value]
@@ -120,11 +122,18 @@ def _must_close(structure: Structure, motion: Motion, turned: Array) -> None:
         return
     state = motion.state
     group = next(
-        d.group for d in structure.linkage.dyads if not np.isfinite(np.broadcast_to(state.u[d.a], motion.shape)).all()
+        d.group
+        for d in structure.linkage.dyads
+        if not np.isfinite(np.broadcast_to(state.u[d.a], motion.shape)).all()
     )
     lost = np.degrees(turned[~motion.closes])
-    text = N_("group %(group)s cannot be assembled at %(count)d of %(total)d positions, e.g. at %(first).1f° from position 0")
-    right = Message(N_("check the lengths of links %(links)s and the places of their joints"), {"links": ", ".join(group.links)})
+    text = N_(
+        "group %(group)s cannot be assembled at %(count)d of %(total)d positions, e.g. at %(first).1f° from position 0"
+    )
+    right = Message(
+        N_("check the lengths of links %(links)s and the places of their joints"),
+        {"links": ", ".join(group.links)},
+    )
     values = {"group": group.label, "count": lost.size, "total": turned.size, "first": float(lost[0])}
     raise ProblemError([mistake(text, ("mechanism", "links", group.links[0]), right, **values)])
 
@@ -180,7 +189,9 @@ def _pointed(output: Output, diagram: Motion) -> Output:
         return output
     S = output.rates(diagram)[0]
     S = S - S[0]
-    return Output(output.kind, output.name, output.link, output.direction * (1 if S[np.nanargmax(np.abs(S))] >= 0 else -1))
+    # of equally far ends, the one to which the guide points, and not the one that rounding chooses
+    ahead = np.nanmax(S) >= -np.nanmin(S) * (1 - 1e-9)
+    return Output(output.kind, output.name, output.link, output.direction * (1 if ahead else -1))
 
 
 def _unwrapped(u: Array, reference: float) -> Array:

@@ -14,7 +14,8 @@ from tmm_report.chapters.kinematics import Kinematics
 from tmm_report.chapters.loads import ByAngle, ByDisplacement, ByPosition, Constant, Force, Law, Moment
 from tmm_report.mechanics import statics
 from tmm_report.mechanics.cycle import Cycle, Extreme
-from tmm_report.mechanics.motion import Motion, solve as solve_motion
+from tmm_report.mechanics.motion import Motion
+from tmm_report.mechanics.motion import solve as solve_motion
 from tmm_report.mechanics.planar import cross, dot
 from tmm_report.mechanics.statics import Load, Statics
 
@@ -61,7 +62,9 @@ class Solved:
     def disagreement(self, other: Array) -> Array:
         """Relative difference of another value of the balancing moment from that of the groups, (..., P)."""
         with np.errstate(invalid="ignore", divide="ignore"):
-            return np.where(self.scale > 0, np.abs(other - self.balancing) / self.scale, np.abs(other - self.balancing))
+            return np.where(
+                self.scale > 0, np.abs(other - self.balancing) / self.scale, np.abs(other - self.balancing)
+            )
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,7 +93,9 @@ class Kinetostatics:
         """Least and greatest balancing moment over the diagram positions, N m."""
         moment, turned = self.diagram.balancing, self.diagram.turned
         low, high = np.nanargmin(moment), np.nanargmax(moment)
-        return Extreme(float(moment[low]), float(turned[low])), Extreme(float(moment[high]), float(turned[high]))
+        return Extreme(float(moment[low]), float(turned[low])), Extreme(
+            float(moment[high]), float(turned[high])
+        )
 
 
 def solve(given: Loads, kinematics: Kinematics) -> Kinetostatics:
@@ -111,7 +116,15 @@ class _Solver:
         omega = motion.state.w[motion.linkage.mechanism.driver.link]
         scale = np.sum(np.abs(terms), axis=0) / abs(omega)
         power = (_kinetic_power(motion, turned) - external_power(self.given, motion, load)) / omega
-        return Solved(motion, turned, load, found, -np.sum(terms, axis=0) / omega, power, scale + np.abs(found.balancing))
+        return Solved(
+            motion,
+            turned,
+            load,
+            found,
+            -np.sum(terms, axis=0) / omega,
+            power,
+            scale + np.abs(found.balancing),
+        )
 
 
 def loading(given: Loads, kinematics: Kinematics, motion: Motion, turned: Array) -> Loading:
@@ -122,7 +135,11 @@ def loading(given: Loads, kinematics: Kinematics, motion: Motion, turned: Array)
     return Loading(
         gravity={link.name: link.mass * given.gravity * one for link in heavy},
         inertia={link.name: -link.mass * motion.acceleration(str(link.mass_centre)) for link in heavy},
-        couples={link.name: -link.inertia * motion.angular_acceleration(link.name) for link in links if np.any(link.inertia)},
+        couples={
+            link.name: -link.inertia * motion.angular_acceleration(link.name)
+            for link in links
+            if np.any(link.inertia)
+        },
         forces=tuple(_force(force, kinematics, motion, turned) for force in given.forces),
         moments=tuple(_moment(moment, kinematics, motion, turned) for moment in given.moments),
     )
@@ -173,7 +190,10 @@ def _indicated(law: ByDisplacement, cycle: Cycle, motion: Motion, at: str) -> Ar
     low, high = cycle.extremes(lambda m: dot(m.place(at), law.zero), lambda m: dot(m.velocity(at), law.zero))
     x = (high.value - dot(motion.place(at), law.zero)) / (high.value - low.value)
     forward, back = (np.interp(x, *np.array(curve).T) for curve in (law.forward, law.back))
-    return np.where(dot(motion.velocity(at), law.zero) <= 0, forward, back)
+    rate = dot(motion.velocity(at), law.zero)
+    # at the ends of the stroke the point stands still: the stroke that begins there holds, not the rounding's sign
+    still = np.abs(rate) <= 1e-9 * np.nanmax(np.abs(rate), initial=0.0)
+    return np.where(np.where(still, x < 0.5, rate <= 0), forward, back)
 
 
 def resultants(given: Loads, motion: Motion, load: Loading) -> dict[str, Load]:
@@ -249,12 +269,15 @@ def kinetic_energy(motion: Motion) -> Array:
 def _kinetic_power(motion: Motion, turned: Array) -> Array:
     """dT/dt by a difference of the kinetic energy: from velocities alone, so it checks every acceleration.
 
-    The step shrinks towards a singular position, where the motion changes over an angle of the order of its sine.
+    The step shrinks where the motion changes fast: towards a singular position, and where a link turns faster than
+    the driving link.
     """
     sines = list(motion.sines.values())
-    step = 0.02 * np.minimum.reduce([np.ones(motion.shape), *sines])
+    omega = motion.state.w[motion.linkage.mechanism.driver.link]
+    ratios = [np.abs(motion.angular_velocity(link) / omega) for link in motion.linkage.mechanism.moving]
+    step = 0.02 * np.minimum.reduce([np.ones(motion.shape), *sines]) / np.maximum.reduce(ratios)
     k = np.arange(1, len(DIFFERENCE) + 1).reshape(-1, *(1,) * len(motion.shape))
     phi = np.stack([motion.phi + k * step, motion.phi - k * step])
     energy = kinetic_energy(solve_motion(motion.linkage, phi))
     slope = np.tensordot(np.array(DIFFERENCE), energy[0] - energy[1], axes=1) / step
-    return slope * motion.state.w[motion.linkage.mechanism.driver.link]
+    return slope * omega

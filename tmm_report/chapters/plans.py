@@ -19,7 +19,7 @@ from tmm_report.chapters.drafting import Plan, Scales, acceleration_plan, veloci
 from tmm_report.chapters.given import Drawing, Readings
 from tmm_report.chapters.kinematics import Kinematics
 from tmm_report.chapters.scales import Pen, round_scale
-from tmm_report.problems import Message, N_, ProblemError, mistake
+from tmm_report.problems import N_, Message, ProblemError, mistake
 
 PAPER = 150.0  # mm: a round scale is chosen so that the longest vector is at most this
 PARALLEL = 1e-6  # sine of the crossing angle below which two lines of a plan cross nowhere
@@ -71,7 +71,9 @@ class Plans:
     @property
     def worst(self) -> float:
         """Largest |delta| of the program's own plans, %."""
-        return max((abs(c.delta) for d in self.drawn for c in d.comparison if c.delta is not None), default=0.0)
+        return max(
+            (abs(c.delta) for d in self.drawn for c in d.comparison if c.delta is not None), default=0.0
+        )
 
     @property
     def worst_reading(self) -> float:
@@ -113,7 +115,9 @@ def _draw(kinematics: Kinematics, k: int, scales: Scales, pen: Pen, readings: Ma
     found = {**velocity.values, **acceleration.values}
     per_mm = {**velocity.per_mm, **acceleration.per_mm}
     analytic = {key: float(np.abs(kinematics.values[key][k])) for key in found}
-    comparison = tuple(Comparison(key, found[key], analytic[key], per_mm[key] * pen.read_step) for key in found)
+    comparison = tuple(
+        Comparison(key, found[key], analytic[key], per_mm[key] * pen.read_step) for key in found
+    )
     _known_keys(k, readings, found)
     # a student's readings are by hand: what is below 1 mm of the plan is nothing
     own = tuple(Comparison(key, abs(value), analytic[key], per_mm[key]) for key, value in readings.items())
@@ -124,9 +128,12 @@ def _known_keys(position: int, readings: Mapping[str, float], known: Mapping[str
     problems = []
     for key in readings:
         if key not in known:
-            near = get_close_matches(key, known, n=1)
+            alike = [name for name in known if name.casefold() == key.casefold()]
+            near = alike or get_close_matches(key, known, n=1)
             right = Message(N_("did you mean %(near)s?"), {"near": near[0]}) if near else None
             right = right or Message(N_("known ones: %(keys)s"), {"keys": ", ".join(known)})
-            problems.append(mistake(N_("this plan has no value %(key)s"), ("readings", position, key), right, key=key))
+            problems.append(
+                mistake(N_("this plan has no value %(key)s"), ("readings", position, key), right, key=key)
+            )
     if problems:
         raise ProblemError(problems)

@@ -11,9 +11,8 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
+from itertools import pairwise
 from typing import Literal
-
-import numpy as np
 
 from tmm_report.figures.lettering import Parts, svg_parts, tex_parts, width, xml_text
 
@@ -123,7 +122,11 @@ class Arc:
         return replace(self, centre=self.centre + by)
 
     def svg(self) -> str:
-        r, large, sweep = _number(self.radius), int(abs(self.end - self.start) > math.pi), int(self.end < self.start)
+        r, large, sweep = (
+            _number(self.radius),
+            int(abs(self.end - self.start) > math.pi),
+            int(self.end < self.start),
+        )
         d = f"M{_svg_point(self.at(self.start))}A{r} {r} 0 {large} {sweep} {_svg_point(self.at(self.end))}"
         return f'<path d="{d}"{_svg_look(self.pen, "", 1.0)}/>'
 
@@ -143,7 +146,7 @@ class Arrow:
     head: float = HEAD
 
     def parts(self) -> tuple[Path, Path]:
-        """The shaft, which stops inside the head so that the tip stays sharp, and the head; its tip is `end`."""
+        """The shaft, which stops inside the head to keep the tip sharp, and the head; its tip is `end`."""
         along = self.end - self.start
         length = abs(along)
         head = min(self.head, length / 4)
@@ -171,7 +174,7 @@ class Arrow:
 
 @dataclass(frozen=True)
 class Text:
-    """Lettering at a place: its height's middle, and its left (-1), middle (0) or right end (1) by `align`."""
+    """Lettering at a place: its middle in height, its left (-1), middle (0) or right end (1) by `align`."""
 
     at: complex
     parts: Parts
@@ -208,7 +211,9 @@ class Text:
     def tikz(self) -> str:
         anchor = ("base west", "base", "base east")[self.align + 1]
         # a whole number of points, for the fonts of TeX come in these
-        look = rf"anchor={anchor},text={_tikz_colour(self.colour)},font=\drawingfont{{{self.size / 0.3515:.0f}}}"
+        look = (
+            rf"anchor={anchor},text={_tikz_colour(self.colour)},font=\drawingfont{{{self.size / 0.3515:.0f}}}"
+        )
         return rf"\node[{look}] at {_tikz_point(self.baseline)} {{{tex_parts(self.parts)}}};"
 
 
@@ -223,7 +228,9 @@ def polyline(points: Iterable[complex], pen: Pen = NORMAL) -> Path:
     return Path((tuple(points),), pen)
 
 
-def polygon(points: Iterable[complex], pen: Pen | None = NORMAL, fill: str = "", opacity: float = 1.0) -> Path:
+def polygon(
+    points: Iterable[complex], pen: Pen | None = NORMAL, fill: str = "", opacity: float = 1.0
+) -> Path:
     return Path((tuple(points),), pen, fill, True, opacity)
 
 
@@ -245,7 +252,7 @@ def hatching(start: complex, end: complex, side: complex, pen: Pen = THIN, step:
 
 @dataclass(frozen=True)
 class Tag:
-    """A text that seeks its place beside one of its `anchors`, best on the side `prefer` (unit complex or 0)."""
+    """A text that seeks its place beside one of its `anchors`, best on the side `prefer` (unit or 0)."""
 
     parts: Parts
     anchors: tuple[complex, ...]
@@ -283,11 +290,11 @@ class Drawing:
         """The drawing with each tag put where it covers least of the lines and of the tags before it."""
         return replace(self, items=self.items + tuple(_placed(tags, self.items)))
 
-    def noted(self, *notes: str) -> Drawing:
-        """The drawing with lines of plain text under its left end; empty ones are left out."""
+    def noted(self, *notes: str | Parts) -> Drawing:
+        """The drawing with lines of text under its left end; empty ones are left out."""
         left, bottom, _, _ = self.box
-        rows = [note for note in notes if note]
-        texts = [Text(complex(left + self.margin, bottom - (2 + 5 * i)), (row,)) for i, row in enumerate(rows)]
+        rows: list[Parts] = [(note,) if isinstance(note, str) else note for note in notes if note]
+        texts = [Text(complex(left + self.margin, bottom - (2 + 5 * i)), row) for i, row in enumerate(rows)]
         return replace(self, items=(*self.items, *texts))
 
 
@@ -306,77 +313,120 @@ def together(places: Mapping[str, complex], within: float = 0.5) -> list[tuple[l
 
 # --- placing of labels ---
 
-_EIGHT = np.exp(1j * np.pi * np.array([1, 3, 7, 5, 0, 4, 2, 6]) / 4)  # corners first, as a draughtsman would
-_RINGS = (1.0, 2.2)
+Segment = tuple[float, float, float, float]  # x, y of the start, x, y of the end
+
+_SIDES = tuple(cmath.rect(1, math.pi * k / 4) for k in (1, 3, 7, 5, 0, 4, 2, 6))  # corners first
+_RINGS = (1.0, 2.2)  # how many gaps away from the anchor
 
 
 def _placed(tags: Sequence[Tag], items: Sequence[Item]) -> list[Text]:
-    starts, ends = _segments(items)
-    middle = (starts + ends) / 2
-    reach = abs(ends - starts) / 2
-    taken = [item.box for item in items if isinstance(item, Text)]
-    texts = []
+    segments = [segment for item in items for segment in _segments(item)]
+    texts = [item for item in items if isinstance(item, Text)]
+    taken = [text.box for text in texts]
+    found = []
     for tag in tags:
-        wide = width(tag.parts, tag.size)
-        spread = max(abs(a - tag.anchors[0]) for a in tag.anchors) + wide + 4 * tag.gap + 2 * tag.size
-        near = abs(middle - tag.anchors[0]) - reach < spread
-        text = _best(tag, wide, starts[near], ends[near], taken)
+        text = _best(tag, segments, taken)
         taken.append(text.box)
-        texts.append(text)
-    return texts
+        found.append(text)
+    return found
 
 
-def _segments(items: Sequence[Item]) -> tuple[np.ndarray, np.ndarray]:
-    strokes = [stroke for item in items if not isinstance(item, Text) for stroke in item.outline()]
-    starts = [z for stroke in strokes for z in stroke[:-1]]
-    ends = [z for stroke in strokes for z in stroke[1:]]
-    return np.array(starts, complex), np.array(ends, complex)
+def _segments(item: Item) -> list[Segment]:
+    if isinstance(item, Text):
+        return []
+    strokes: Sequence[tuple[complex, ...]] = item.outline()
+    if isinstance(item, Circle) and item.radius < 2:
+        reach = item.radius * (1 + 1j)
+        strokes = [(item.centre - reach, item.centre + reach)]
+    return [(a.real, a.imag, b.real, b.imag) for stroke in strokes for a, b in pairwise(stroke)]
 
 
-def _best(tag: Tag, wide: float, starts: np.ndarray, ends: np.ndarray, taken: Sequence[Box]) -> Text:
-    """The candidate with the least cost: line length under it, area shared with other labels, wrong side."""
+def _best(tag: Tag, segments: Sequence[Segment], taken: Sequence[Box]) -> Text:
+    """The candidate that covers least; they come in the order of liking, so a clear one ends the search."""
     low, high = _heights(tag.parts)
-    half = complex(wide / 2, tag.size * (low + high) / 2)
-    anchors = np.repeat(np.array(tag.anchors), len(_EIGHT) * len(_RINGS))
-    sides = np.tile(_EIGHT, len(tag.anchors) * len(_RINGS))
-    rings = np.tile(np.repeat(_RINGS, len(_EIGHT)), len(tag.anchors))
-    # the nearest point of the label's box stands `gap` away from the anchor
-    off = np.sign(sides.real.round(3)) * half.real + 1j * np.sign(sides.imag.round(3)) * half.imag
-    centres = anchors + rings * tag.gap * sides + off
-    cost = _covered(centres, half + 0.2 + 0.2j, starts, ends) + 4 * _shared(centres, half, taken)
-    cost += 0.5 * abs(sides - tag.prefer) * (tag.prefer != 0) + 0.4 * (rings - 1) + 0.01 * np.arange(len(sides))
-    best = int(np.argmin(cost))
-    return _text_at(tag, complex(centres[best]), complex(off[best]), (high - low) / 2)
+    half = complex(width(tag.parts, tag.size) / 2, tag.size * (low + high) / 2)
+    near = _within(_around(tag, half), segments)
+    best_cost, best = math.inf, (0j, 0j)
+    for dislike, centre, off in _candidates(tag, half):
+        if dislike >= best_cost:
+            break
+        box = (
+            centre.real - half.real,
+            centre.imag - half.imag,
+            centre.real + half.real,
+            centre.imag + half.imag,
+        )
+        cost = dislike + _covered(box, near) + 4 * sum(_shared(box, other) for other in taken)
+        if cost < best_cost:
+            best_cost, best = cost, (centre, off)
+    return _text_at(tag, *best, (high - low) / 2)
+
+
+def _around(tag: Tag, half: complex) -> Box:
+    """The box that holds all the candidates."""
+    xs, ys = [a.real for a in tag.anchors], [a.imag for a in tag.anchors]
+    wide, tall = 2 * half.real + _RINGS[-1] * tag.gap, 2 * half.imag + _RINGS[-1] * tag.gap
+    return min(xs) - wide, min(ys) - tall, max(xs) + wide, max(ys) + tall
+
+
+def _within(box: Box, segments: Sequence[Segment]) -> list[Segment]:
+    x0, y0, x1, y1 = box
+    return [
+        s
+        for s in segments
+        if (s[0] > x0 or s[2] > x0)
+        and (s[0] < x1 or s[2] < x1)
+        and (s[1] > y0 or s[3] > y0)
+        and (s[1] < y1 or s[3] < y1)
+    ]
+
+
+def _candidates(tag: Tag, half: complex) -> list[tuple[float, complex, complex]]:
+    """(dislike, centre of the box, from the nearest point of the box to its centre), the best liked first."""
+    found = []
+    for later, anchor in enumerate(tag.anchors):
+        for rank, side in enumerate(_SIDES):
+            off = complex(_sign(side.real) * half.real, _sign(side.imag) * half.imag)
+            wrong = 0.5 * abs(side - tag.prefer) if tag.prefer else 0.0
+            for ring in _RINGS:
+                dislike = 0.05 * later + 0.01 * rank + wrong + 0.4 * (ring - 1)
+                found.append((dislike, anchor + ring * tag.gap * side + off, off))
+    return sorted(found, key=lambda candidate: candidate[0])
+
+
+def _sign(value: float) -> float:
+    return 0.0 if abs(value) < 1e-6 else math.copysign(1.0, value)
 
 
 def _text_at(tag: Tag, centre: complex, off: complex, lift: float) -> Text:
-    """A Text with the box around `centre`; it is aligned to its anchor's side, so a narrower font keeps the gap."""
+    """A Text with the box around `centre`, aligned to its anchor's side: a narrower font keeps the gap."""
     align: Literal[-1, 0, 1] = -1 if off.real > 0 else 1 if off.real < 0 else 0
-    at = complex(centre.real - abs(off.real) * -align, centre.imag - tag.size * (lift - 0.35))
+    at = complex(centre.real + abs(off.real) * align, centre.imag - tag.size * (lift - 0.35))
     return Text(at, tag.parts, tag.size, align, tag.colour)
 
 
-def _covered(centres: np.ndarray, half: complex, starts: np.ndarray, ends: np.ndarray) -> np.ndarray:
-    """Length of the segments inside each box, mm (K,): each segment clipped by the two pairs of sides."""
-    along = (ends - starts)[None, :]
-    start = starts[None, :] - centres[:, None]
-    low, high = np.zeros(start.shape), np.ones(start.shape)
-    for s, d, h in ((start.real, along.real, half.real), (start.imag, along.imag, half.imag)):
-        d = np.where(abs(d) < 1e-9, 1e-9, d)
-        t1, t2 = (-h - s) / d, (h - s) / d
-        low, high = np.maximum(low, np.minimum(t1, t2)), np.minimum(high, np.maximum(t1, t2))
-    return np.where(high > low, 0.3 + (high - low) * abs(along), 0).sum(axis=1)
+def _covered(box: Box, segments: Sequence[Segment]) -> float:
+    """Length of the segments inside the box, mm, and a little for each of them."""
+    total = 0.0
+    for ax, ay, bx, by in segments:
+        low, high = 0.0, 1.0
+        for start, along, least, most in ((ax, bx - ax, box[0], box[2]), (ay, by - ay, box[1], box[3])):
+            if abs(along) < 1e-9:
+                if not least < start < most:
+                    high = -1.0
+                continue
+            t1, t2 = (least - start) / along, (most - start) / along
+            low, high = max(low, min(t1, t2)), min(high, max(t1, t2))
+        if high > low:
+            total += 0.3 + (high - low) * math.hypot(bx - ax, by - ay)
+    return total
 
 
-def _shared(centres: np.ndarray, half: complex, taken: Sequence[Box]) -> np.ndarray:
-    """Area each box shares with the boxes already taken, mm² (K,)."""
-    if not taken:
-        return np.zeros(len(centres))
-    x0, y0, x1, y1 = np.array(taken).T
-    x, y = centres.real[:, None], centres.imag[:, None]
-    wide = np.minimum(x + half.real, x1) - np.maximum(x - half.real, x0)
-    tall = np.minimum(y + half.imag, y1) - np.maximum(y - half.imag, y0)
-    return (wide.clip(0) * tall.clip(0)).sum(axis=1)
+def _shared(box: Box, other: Box) -> float:
+    """Area two boxes share, mm²."""
+    wide = min(box[2], other[2]) - max(box[0], other[0])
+    tall = min(box[3], other[3]) - max(box[1], other[1])
+    return wide * tall if wide > 0 and tall > 0 else 0.0
 
 
 def _heights(parts: Parts) -> tuple[float, float]:
@@ -401,10 +451,13 @@ def svg(drawing: Drawing) -> str:
         f'<svg xmlns="http://www.w3.org/2000/svg" role="img" width="{wide}mm" height="{tall}mm"'
         f' viewBox="{_number(left)} {_number(-top)} {wide} {tall}">'
     )
-    style = f'<g fill="none" stroke-linecap="round" stroke-linejoin="round" font-family="{_FONTS}" font-size="{TEXT}">'
+    look = 'fill="none" stroke-linecap="round" stroke-linejoin="round"'
+    style = f'<g {look} font-family="{_FONTS}" font-size="{TEXT}">'
     body = "".join([item.svg() if not isinstance(item, Text) else "" for item in drawing.items])
     texts = "".join([item.svg() for item in drawing.items if isinstance(item, Text)])
-    return f'{head}<title>{xml_text(drawing.title)}</title>{style}{body}<g fill="#000000">{texts}</g></g></svg>'
+    return (
+        f'{head}<title>{xml_text(drawing.title)}</title>{style}{body}<g fill="#000000">{texts}</g></g></svg>'
+    )
 
 
 def _number(value: float) -> str:
@@ -432,13 +485,16 @@ def _svg_look(pen: Pen | None, fill: str, opacity: float) -> str:
 def tikz(drawing: Drawing) -> str:
     """The drawing as a `tikzpicture`; the document loads tikz, amsmath and fonts for its letters."""
     left, bottom, right, top = drawing.box
-    box = rf"\useasboundingbox {_tikz_point(complex(left, bottom))} rectangle {_tikz_point(complex(right, top))};"
+    corners = _tikz_point(complex(left, bottom)), _tikz_point(complex(right, top))
+    box = rf"\useasboundingbox {corners[0]} rectangle {corners[1]};"
     colours = [rf"\definecolor{{{_tikz_colour(name)}}}{{HTML}}{{{code}}}" for name, code in COLOURS.items()]
     font = r"\providecommand{\drawingfont}[1]{\fontsize{#1}{#1}\selectfont}"
     options = "x=1mm,y=1mm,line cap=round,line join=round,every node/.style={inner sep=0pt,outer sep=0pt}"
     lines = [item.tikz() for item in drawing.items if not isinstance(item, Text)]
     texts = [item.tikz() for item in drawing.items if isinstance(item, Text)]
-    return "\n".join([rf"\begin{{tikzpicture}}[{options}]", font, *colours, box, *lines, *texts, r"\end{tikzpicture}", ""])
+    return "\n".join(
+        [rf"\begin{{tikzpicture}}[{options}]", font, *colours, box, *lines, *texts, r"\end{tikzpicture}", ""]
+    )
 
 
 def _tikz_point(z: complex) -> str:

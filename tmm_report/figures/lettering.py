@@ -31,16 +31,21 @@ DROP, RAISE = 0.22, 0.36  # how far an index stands below and above, in sizes of
 
 
 def symbol(text: str, bar: bool = False) -> Symbol:
-    """A Symbol from its usual writing: "p", "v_BA", "R_12^t", "a_BA_n", "S2" (the digits become the index)."""
-    base, *indices = re.split(r"[_^]", text, maxsplit=2)
+    """A Symbol from its usual writing: "p", "v_BA", "R_12^t", "a_BA_n", "S2" (digits become the index)."""
+    if match := re.fullmatch(r"([^\d_^]+)(\d+)", text):
+        return Symbol(match[1], match[2], bar=bar)
+    return _marked(text, bar)
+
+
+def _marked(text: str, bar: bool) -> Symbol:
+    """A lower index after the first "_", an upper one after "^" or the second "_"."""
+    base, *rest = re.split(r"([_^])", text, maxsplit=2)
     if not base:
         return Symbol(text, bar=bar)
-    if not indices and (match := re.fullmatch(r"(\D+?)(\d+)", base)):
-        base, indices = match[1], [match[2]]
-    sub, sup = [*indices, "", ""][:2]
-    if "^" in text and "_" not in text:
-        sub, sup = sup, sub
-    return Symbol(base, sub, sup, bar=bar)
+    indices = {"_": "", "^": ""}
+    for mark, index in zip(rest[::2], rest[1::2], strict=True):
+        indices["^" if indices[mark] else mark] = index
+    return Symbol(base, indices["_"], indices["^"], bar=bar)
 
 
 def joined(symbols: Sequence[Part], between: str = ", ") -> Parts:
@@ -51,7 +56,7 @@ def joined(symbols: Sequence[Part], between: str = ", ") -> Parts:
     return tuple(parts)
 
 
-# Widths, in sizes, after DejaVu Serif, the widest of the fonts asked for: a label is never wider than estimated.
+# Widths, in sizes, after DejaVu Serif, the widest of the fonts: a label is never wider than estimated.
 _NARROW, _WIDE = frozenset("iljftrI1.,;:'|!()[] ·′"), frozenset("mwMWОЖШЩЮФМЫжшщюфмыω%@—=+−→")
 
 
@@ -63,11 +68,11 @@ def _char_width(char: str) -> float:
     return 0.76 if char.isupper() else 0.64
 
 
-@lru_cache(maxsize=4096)
 def _run_width(text: str) -> float:
     return sum(map(_char_width, text))
 
 
+@lru_cache(maxsize=4096)
 def width(parts: Parts, size: float) -> float:
     """Estimated width of a text `size` mm high, mm."""
     return size * sum(_run_width(part) if isinstance(part, str) else _symbol_width(part) for part in parts)
@@ -87,14 +92,17 @@ def xml_text(text: str) -> str:
     return escape(_NOT_XML.sub("\ufffd", text))
 
 
+@lru_cache(maxsize=4096)
 def svg_parts(parts: Parts, size: float) -> str:
-    """The inside of an SVG `text` element `size` mm high. tspans move by dy and move back after each index."""
+    """The inside of an SVG `text` element `size` mm high; tspans move by dy and back after each index."""
     if all(isinstance(part, str) for part in parts):
         return xml_text("".join(map(str, parts)))
     out, back, skip = [], 0.0, 0.0
     for part in parts:
         for text, mark, rise, dx, small in _runs(part):
-            out.append(_tspan(text, mark, size * (back - rise), size * (dx + skip), SMALL * size if small else size))
+            out.append(
+                _tspan(text, mark, size * (back - rise), size * (dx + skip), SMALL * size if small else size)
+            )
             back, skip = rise, 0.0
         skip = _ahead(part)
     return "".join(out)
@@ -146,11 +154,12 @@ def _tspan(text: str, mark: str, dy: float, dx: float, size: float) -> str:
 
 # --- TeX ---
 
+_GREEK_NAMES = """alpha beta gamma delta varepsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau
+upsilon varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega phi vartheta"""
 _GREEK = dict(
     zip(
         "αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΥΦΨΩϕϑ",
-        "alpha beta gamma delta varepsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon varphi "
-        "chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega phi vartheta".split(),
+        _GREEK_NAMES.split(),
         strict=True,
     )
 )
@@ -159,8 +168,20 @@ _TEX = {
     **{char: "\\" + char for char in "{}$&#_%"},
     **{"\\": r"\textbackslash{}", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", '"': "''", "`": "'"},
     **{"<": r"\ensuremath{<}", ">": r"\ensuremath{>}", "|": r"\ensuremath{|}", "−": r"\ensuremath{-}"},
-    **{"·": r"\ensuremath{\cdot}", "×": r"\ensuremath{\times}", "°": r"\ensuremath{{}^\circ}", "²": r"\ensuremath{{}^2}"},
-    **{"³": r"\ensuremath{{}^3}", "′": r"\ensuremath{{}'}", "—": "---", "–": "--", "№": r"\textnumero{}", "\xa0": "~"},
+    **{
+        "·": r"\ensuremath{\cdot}",
+        "×": r"\ensuremath{\times}",
+        "°": r"\ensuremath{{}^\circ}",
+        "²": r"\ensuremath{{}^2}",
+    },
+    **{
+        "³": r"\ensuremath{{}^3}",
+        "′": r"\ensuremath{{}'}",
+        "—": "---",
+        "–": "--",
+        "№": r"\textnumero{}",
+        "\xa0": "~",
+    },
     **{"→": r"\ensuremath{\to}", "µ": r"\ensuremath{\mu}"},
 }
 
@@ -188,7 +209,9 @@ def _tex_symbol(symbol: Symbol) -> str:
     base = _tex_math(symbol.base)
     base = base if symbol.italic else rf"\mathrm{{{base}}}"
     base = rf"\overline{{{base}}}" if symbol.bar else f"{{{base}}}"
-    indices = [f"{mark}{{{_tex_math(text)}}}" for mark, text in (("_", symbol.sub), ("^", symbol.sup)) if text]
+    indices = [
+        f"{mark}{{{_tex_math(text)}}}" for mark, text in (("_", symbol.sub), ("^", symbol.sup)) if text
+    ]
     return base + "".join(indices)
 
 
@@ -200,4 +223,4 @@ def _tex_math(text: str) -> str:
 def _tex_run(run: str) -> str:
     if run in _GREEK:
         return rf"\{_GREEK[run]}{{}}"
-    return run if run.isascii() and run.replace("'", "").isalnum() or run.strip("'") == "" else rf"\text{{{tex_text(run)}}}"
+    return run if re.fullmatch(r"[A-Za-z0-9']+", run) else rf"\text{{{tex_text(run)}}}"

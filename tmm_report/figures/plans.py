@@ -1,4 +1,4 @@
-"""Plans of velocities, accelerations and forces: vectors and vertices given in mm of paper, drawn as given."""
+"""Plans of velocities, accelerations and forces: vectors and vertices come in mm of paper, drawn as given."""
 
 from __future__ import annotations
 
@@ -6,10 +6,24 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from tmm_report.figures.drawing import DASHED, NORMAL, THICK, Arrow, Drawing, Item, Pen, Tag, dot, line, together
-from tmm_report.figures.lettering import Part, joined, symbol
+from tmm_report.figures.drawing import (
+    DASHED,
+    NORMAL,
+    THICK,
+    Arrow,
+    Drawing,
+    Item,
+    Pen,
+    Tag,
+    dot,
+    line,
+    together,
+)
+from tmm_report.figures.lettering import Part, Parts, joined, symbol
 
-Style = Literal["absolute", "relative", "component", "coriolis", "construction", "force", "inertia", "reaction"]
+Style = Literal[
+    "absolute", "relative", "component", "coriolis", "construction", "force", "inertia", "reaction"
+]
 
 PENS: Mapping[Style, Pen] = {
     "absolute": THICK,
@@ -36,11 +50,15 @@ class PlanVector:
 
 
 def plan(
-    vectors: Sequence[PlanVector], vertices: Mapping[str, complex], note: str = "", title: str = "", pole: str = ""
+    vectors: Sequence[PlanVector],
+    vertices: Mapping[str, complex],
+    note: str | Parts = "",
+    title: str = "",
+    pole: str = "",
 ) -> Drawing:
     """The plan drawn as given, mm; vectors of no length are left out.
 
-    `vertices` are lettered once, coinciding ones together ("b, p"), the one named `pole` marked by a larger dot;
+    `vertices` are lettered once, coinciding ones together ("b, p"); the one named `pole` gets a larger dot.
     `note`, the scale, goes under the drawing.
     """
     seen = [vector for vector in vectors if abs(vector.end - vector.start) > 1e-3]
@@ -67,13 +85,15 @@ def _vertex_tags(vertices: Mapping[str, complex]) -> list[Tag]:
     tags = []
     for names, place in together(vertices):
         out = place - middle
-        tags.append(Tag(joined([symbol(name) for name in names]), (place,), prefer=out / abs(out) if out else 0j))
+        tags.append(
+            Tag(joined([symbol(name) for name in names]), (place,), prefer=out / abs(out) if out else 0j)
+        )
     return tags
 
 
 def _vector_tag(vector: PlanVector, label: Part) -> Tag:
     along = vector.end - vector.start
-    anchors = tuple(vector.start + along * share for share in (0.5, 0.38, 0.62, 0.25, 0.75))
-    return Tag((label,), anchors, gap=0.7, prefer=1j * along / abs(along), size=2.8, colour=PENS[vector.style].colour)
-
-
+    anchors = tuple(vector.start + along * share for share in (0.42, 0.58, 0.25, 0.75))
+    return Tag(
+        (label,), anchors, gap=0.7, prefer=1j * along / abs(along), size=2.8, colour=PENS[vector.style].colour
+    )

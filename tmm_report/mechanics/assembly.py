@@ -11,10 +11,12 @@ from tmm_report.mechanics.mechanism import FRAME, Assembly, Mechanism
 from tmm_report.mechanics.motion import Linkage, drive
 from tmm_report.mechanics.planar import dot
 from tmm_report.mechanics.structure import KIND_NAMES, Structure, decompose
-from tmm_report.problems import Message, N_, Problem, ProblemError, mistake
+from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 
 PATH = ("mechanism", "assembly")
-CLEAR = 0.1  # a direction word must make at least this cosine with the guide, or it does not tell the sides apart
+CLEAR = (
+    0.1  # a direction word must make at least this cosine with the guide, or it does not tell the sides apart
+)
 
 
 def assemble(mechanism: Mechanism) -> Linkage:
@@ -31,14 +33,19 @@ def assemble(mechanism: Mechanism) -> Linkage:
 
 
 def _refuse_higher_classes(structure: Structure) -> None:
-    text = N_("links %(links)s form an Assur group of class %(cls)s: groups above class II are not solved yet")
+    text = N_(
+        "links %(links)s form an Assur group of class %(cls)s: groups above class II are not solved yet"
+    )
     higher = [group for group in structure.groups if group.group_class > 2]
     if higher:
         from tmm_report.mechanics.structure import ROMAN
 
         path = ("mechanism", "links")
         raise ProblemError(
-            [mistake(text, (*path, g.links[0]), links=", ".join(g.links), cls=ROMAN.get(g.group_class, "")) for g in higher]
+            [
+                mistake(text, (*path, g.links[0]), links=", ".join(g.links), cls=ROMAN.get(g.group_class, ""))
+                for g in higher
+            ]
         )
 
 
@@ -52,7 +59,9 @@ def _unmatched(mechanism: Mechanism, dyads: list[Dyad]) -> Iterator[Problem]:
     right = Message(N_("groups with two assemblies: %(keys)s"), {"keys": ", ".join(known) or "—"})
     for stated in mechanism.assembly:
         if not any(d.two_roots and stated.key in keys_of(d) for d in dyads):
-            yield mistake(N_("%(key)s names no group with two assemblies"), (*PATH, stated.key), right, key=stated.key)
+            yield mistake(
+                N_("%(key)s names no group with two assemblies"), (*PATH, stated.key), right, key=stated.key
+            )
 
 
 def _stated_sign(mechanism: Mechanism, d: Dyad, problems: list[Problem]) -> int | None:
@@ -94,17 +103,25 @@ def _unclear(d: Dyad, stated: Assembly) -> Problem:
 def how_to_state(d: Dyad) -> Message:
     """What a variant may write to choose a dyad's root."""
     if d.kind == 1:
-        text = N_('write "left of %(a)s-%(c)s" or "right of %(a)s-%(c)s": on which side of that line %(b)s lies')
+        text = N_(
+            'write "left of %(a)s-%(c)s" or "right of %(a)s-%(c)s": on which side of that line %(b)s lies'
+        )
         return Message(text, {"a": d.outer_a.name, "c": d.outer_b.name, "b": d.inner.name})
     if d.kind == 2:
-        text = N_('write "+" if %(b)s lies ahead of the perpendicular from %(a)s to guide %(g)s, along its direction, or "-"; on a fixed guide also left, right, up, down')
+        text = N_(
+            'write "+" if %(b)s lies ahead of the perpendicular from %(a)s to guide %(g)s, along its direction, or "-"; on a fixed guide also left, right, up, down'
+        )
         return Message(text, {"a": d.outer_a.name, "b": d.inner.name, "g": d.outer_b.name})
     text = N_('write "+" if %(c)s lies ahead of %(a)s along the direction of guide %(g)s, or "-"')
     return Message(text, {"a": d.outer_a.name, "c": d.outer_b.name, "g": d.inner.name})
 
 
 def _by_sketch(
-    mechanism: Mechanism, structure: Structure, dyads: list[Dyad], signs: list[int | None], problems: list[Problem]
+    mechanism: Mechanism,
+    structure: Structure,
+    dyads: list[Dyad],
+    signs: list[int | None],
+    problems: list[Problem],
 ) -> list[Dyad]:
     """Dyads with their roots; those not stated take the root nearer to the sketch."""
     angle = _sketch_angle(mechanism, structure)
@@ -128,7 +145,9 @@ def _not_stated(mechanism: Mechanism, d: Dyad, angle: float | None) -> Problem:
         text = N_("the sketch has no moving point of driving link %(link)s, so its position is not known")
         return mistake(text, ("mechanism", "sketch"), Message(N_("add one")), link=mechanism.driver.link)
     text = N_("group %(group)s can be assembled in two ways and the variant does not say which (key %(key)s)")
-    return mistake(text, PATH if mechanism.assembly else ("mechanism",), how_to_state(d), group=d.group.label, key=key)
+    return mistake(
+        text, PATH if mechanism.assembly else ("mechanism",), how_to_state(d), group=d.group.label, key=key
+    )
 
 
 def _sketch_angle(mechanism: Mechanism, structure: Structure) -> float | None:

@@ -12,7 +12,7 @@ import numpy as np
 from tmm_report.mechanics.mechanism import ZeroAngle
 from tmm_report.mechanics.motion import Linkage, Motion, solve
 from tmm_report.mechanics.planar import dot
-from tmm_report.problems import Message, N_, ProblemError, mistake
+from tmm_report.problems import N_, Message, ProblemError, mistake
 
 Array = Any
 Rate = Callable[[Motion], Array]
@@ -75,7 +75,8 @@ class Cycle:
         """
         grid, motion = self._search
         values = np.real(rate(motion))
-        turns = np.flatnonzero(np.sign(values[:-1]) * np.sign(values[1:]) < 0)
+        signs = np.where(values == 0, 1.0, np.sign(values))  # a root on the grid itself ends its bracket
+        turns = np.flatnonzero(signs[:-1] * signs[1:] < 0)
         if turns.size:
             size = np.nanmax(np.abs(values))
             brackets = grid[turns], grid[turns + 1], values[turns]
@@ -88,12 +89,21 @@ class Cycle:
             found = np.where(np.minimum(found, self.sweep - found) < 1e-9, 0.0, found)  # a turn is no turn
         return np.sort(found)
 
+    def swings(self, rate: Rate, size: Rate) -> Array:
+        """Roots of a rate that is more than rounding beside `size`; none of one that is zero all round."""
+        motion = self._search[1]
+        moves = np.nanmax(np.abs(rate(motion))) > 1e-9 * np.nanmax(np.abs(size(motion)))
+        return self.roots(rate) if moves else np.array([])
+
     def extremes(self, value: Rate, rate: Rate, noise: float = 1e-13) -> tuple[Extreme, Extreme]:
         """The least and the greatest `value` over the cycle; `rate` is its derivative by time or angle."""
         ends = np.array([0.0] if self.closed else [0.0, self.sweep])
         where = np.concatenate([self.roots(rate, noise), ends])
         values = np.real(value(self.motion(where)))
-        return tuple(Extreme(float(values[k]), float(where[k])) for k in (np.nanargmin(values), np.nanargmax(values)))
+        low, high = np.nanargmin(values), np.nanargmax(values)
+        return Extreme(float(values[low]), float(where[low])), Extreme(
+            float(values[high]), float(where[high])
+        )
 
     def slope(self, value: Rate, step: float = 1e-4) -> Rate:
         """Derivative of a quantity by the angle turned, by central difference: good for finding extremes of the
@@ -136,11 +146,11 @@ def cycle_of(linkage: Linkage) -> Cycle:
     start = Cycle(linkage, 0.0)
     if zero.point is not None:
         point, direction = zero.point, zero.direction
-        roots = start.roots(lambda motion: dot(motion.velocity(point), direction))
+        roots = start.swings(lambda m: dot(m.velocity(point), direction), lambda m: np.abs(m.velocity(point)))
         reached = dot(start.motion(roots).place(point), direction) if roots.size else np.array([])
     else:
         link = str(zero.link)
-        roots = start.roots(lambda motion: motion.angular_velocity(link))
+        roots = start.swings(lambda m: m.angular_velocity(link), lambda m: m.omega)
         reached = _rocker_angle(start, link, roots) * np.real(zero.direction) if roots.size else np.array([])
     if not roots.size:
         name = zero.point or zero.link

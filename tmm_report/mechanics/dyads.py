@@ -29,7 +29,7 @@ from typing import Any
 import numpy as np
 
 from tmm_report.mechanics.mechanism import FRAME, Mechanism
-from tmm_report.mechanics.planar import cross, resolve, sine
+from tmm_report.mechanics.planar import components, cross, dual, is_zero, resolve, sine
 from tmm_report.mechanics.structure import Group, Pair
 
 Array = Any
@@ -57,21 +57,20 @@ class State:
 
     def world(self, link: str, at: Array) -> Array:
         """World place of the point `at` of a link."""
-        o = self.o[link]
-        return self.r[link] if at is o else self.r[link] + self.u[link] * (at - o)
+        arm = at - self.o[link]
+        return self.r[link] if is_zero(arm) else self.r[link] + self.u[link] * arm
 
-    def velocity(self, link: str, point: Array) -> Array:
-        """Velocity of the point of a link that is now at the world place `point`, m/s."""
-        return self.v[link] + self.iw[link] * (point - self.r[link])
+    def velocity(self, link: str, arm: Array) -> Array:
+        """Velocity of the point of a link at `arm` from its reference point, world axes, m/s."""
+        return self.v[link] + self.iw[link] * arm
 
-    def acceleration(self, link: str, point: Array) -> Array:
-        return self.a[link] + self.ie[link] * (point - self.r[link])
+    def acceleration(self, link: str, arm: Array) -> Array:
+        return self.a[link] + self.ie[link] * arm
 
     def turn(self, link: str, w: Array, e: Array) -> None:
         """Set a link's angular velocity and acceleration."""
         self.w[link], self.e[link] = w, e
-        iw = 1j * w
-        self.iw[link], self.ie[link] = iw, iw * iw + 1j * e
+        self.iw[link], self.ie[link] = 1j * w, 1j * e - w * w
 
     def turn_with(self, link: str, carrier: str) -> None:
         """A link that slides on its carrier turns as the carrier does."""
@@ -105,6 +104,11 @@ class Dyad:
         return self.outer_b.other(self.b)
 
     @property
+    def references(self) -> tuple[Pair, Pair]:
+        """The joints that are the reference points of a and of b (see `State`)."""
+        return self.inner if self.kind == 4 else self.outer_a, self.outer_b if self.kind in (1, 3) else self.inner
+
+    @property
     def two_roots(self) -> bool:
         return self.kind <= 3
 
@@ -131,7 +135,10 @@ def dyad(mechanism: Mechanism, group: Group, sign: int = 1) -> Dyad:
 
 
 def place(s: State, d: Dyad) -> None:
-    """Add the poses of both links to the state. A position that cannot be assembled is nan."""
+    """Add the poses of both links to the state.
+
+    A position that cannot be assembled is nan; the caller holds back numpy's warnings of it.
+    """
     _PLACE[d.kind](s, d)
 
 
@@ -139,19 +146,16 @@ def _outer(s: State, pair: Pair, carrier: str) -> Array:
     return s.world(carrier, pair.at[carrier])
 
 
-def _refer(s: State, link: str, pair: Pair, r: Array, u: Array) -> None:
-    """Place a link by one of its joints."""
-    s.o[link], s.r[link], s.u[link] = pair.at[link], r, u
+def _refer(s: State, d: Dyad, r_a: Array, u_a: Array, r_b: Array, u_b: Array) -> None:
+    """Place both links by their reference points."""
+    pair_a, pair_b = d.references
+    s.o[d.a], s.r[d.a], s.u[d.a] = pair_a.at[d.a], r_a, u_a
+    s.o[d.b], s.r[d.b], s.u[d.b] = pair_b.at[d.b], r_b, u_b
 
 
 def _arm(link: str, start: Pair, end: Pair) -> Array:
     """From one joint of a link to another, in the link's axes."""
     return end.at[link] - start.at[link]
-
-
-def _root(x: Array) -> Array:
-    """Square root; nan, and no warning, where there is none."""
-    return np.sqrt(np.where(x >= 0, x, np.nan))
 
 
 def _place_rrr(s: State, d: Dyad) -> None:
@@ -162,15 +166,14 @@ def _place_rrr(s: State, d: Dyad) -> None:
     distance = np.abs(AC)
     pp = abs(p) ** 2
     x = (distance * distance + (pp - abs(q) ** 2)) / (2 * distance)
-    AB = AC * ((x + 1j * d.sign * _root(pp - x * x)) / distance)
-    _refer(s, d.a, d.outer_a, A, AB / p)
-    _refer(s, d.b, d.outer_b, C, (AB - AC) / q)
+    AB = AC * ((x + 1j * d.sign * np.sqrt(pp - x * x)) / distance)
+    _refer(s, d, A, AB / p, C, (AB - AC) / q)
 
 
 def _guide_line(s: State, d: Dyad, link: str, outer: Pair, carrier: str) -> tuple[Array, Array, Array]:
     """Direction t of an outer guide, the sliding link's u, and a point of the line on which its inner joint runs."""
     t = s.u[carrier] * outer.along[carrier]
-    u = t * np.conj(outer.along[link])
+    u = t * outer.along[link].conjugate()
     return t, u, _outer(s, outer, carrier) + u * _arm(link, outer, d.inner)
 
 
@@ -180,9 +183,8 @@ def _place_rrp(s: State, d: Dyad) -> None:
     t, u, G = _guide_line(s, d, d.b, d.outer_b, d.carrier_b)
     # in axes along the guide: B − A = x + ih, h the distance of A from the line, |x + ih| = |p|
     h = cross(t, G - A)
-    AB = t * (d.sign * _root(abs(p) ** 2 - h * h) + 1j * h)
-    _refer(s, d.a, d.outer_a, A, AB / p)
-    _refer(s, d.b, d.inner, A + AB, u)
+    AB = t * (d.sign * np.sqrt(abs(p) ** 2 - h * h) + 1j * h)
+    _refer(s, d, A, AB / p, A + AB, u)
 
 
 def _place_rpr(s: State, d: Dyad) -> None:
@@ -191,9 +193,8 @@ def _place_rpr(s: State, d: Dyad) -> None:
     # constant distance h of C from the parallel to the guide through A: the line lies the same way from both
     h = cross(along_a, _arm(d.a, d.outer_a, d.inner)) - cross(along_b, _arm(d.b, d.outer_b, d.inner))
     AC = C - A
-    t = AC / (d.sign * _root(AC.real**2 + AC.imag**2 - h * h) + 1j * h)
-    _refer(s, d.a, d.outer_a, A, t * np.conj(along_a))
-    _refer(s, d.b, d.outer_b, C, t * np.conj(along_b))
+    t = AC / (d.sign * np.sqrt(AC.real**2 + AC.imag**2 - h * h) + 1j * h)
+    _refer(s, d, A, t * along_a.conjugate(), C, t * along_b.conjugate())
 
 
 def _place_prp(s: State, d: Dyad) -> None:
@@ -201,20 +202,19 @@ def _place_prp(s: State, d: Dyad) -> None:
     t2, u2, G2 = _guide_line(s, d, d.b, d.outer_b, d.carrier_b)
     x, _ = resolve(G2 - G1, t1, -t2)
     B = G1 + x * t1
-    _refer(s, d.a, d.inner, B, u1)
-    _refer(s, d.b, d.inner, B, u2)
+    _refer(s, d, B, u1, B, u2)
 
 
 def _place_rpp(s: State, d: Dyad) -> None:
     A = _outer(s, d.outer_a, d.carrier_a)
     t2 = s.u[d.carrier_b] * d.outer_b.along[d.carrier_b]
-    u_b = t2 * np.conj(d.outer_b.along[d.b])
+    u_b = t2 * d.outer_b.along[d.b].conjugate()
     t1 = u_b * d.inner.along[d.b]
-    _refer(s, d.a, d.outer_a, A, t1 * np.conj(d.inner.along[d.a]))
+    u_a = t1 * d.inner.along[d.a].conjugate()
     # b slides on its outer guide until its inner guide line passes through that of a
     G = _outer(s, d.outer_b, d.carrier_b) + u_b * _arm(d.b, d.outer_b, d.inner)
-    x, _ = resolve(s.world(d.a, d.inner.at[d.a]) - G, t2, t1)
-    _refer(s, d.b, d.inner, G + x * t2, u_b)
+    x, _ = resolve(A + u_a * _arm(d.a, d.outer_a, d.inner) - G, t2, t1)
+    _refer(s, d, A, u_a, G + x * t2, u_b)
 
 
 _PLACE: dict[int, Callable[[State, Dyad], None]] = {
@@ -243,11 +243,12 @@ class Side:
     e: Array
     follows: str | None = None
 
-    def velocity(self, s: State) -> Array:
-        return 0.0 if self.carrier == FRAME else s.velocity(self.carrier, self.joint)
-
-    def acceleration(self, s: State) -> Array:
-        return 0.0 if self.carrier == FRAME else s.acceleration(self.carrier, self.joint)
+    def known(self, s: State) -> tuple[Array, Array]:
+        """Velocity and acceleration of the joint."""
+        if self.carrier == FRAME:
+            return 0.0, 0.0
+        arm = self.joint - s.r[self.carrier]
+        return s.velocity(self.carrier, arm), s.acceleration(self.carrier, arm)
 
     def curvature(self, s: State, rate: Array) -> Array:
         """The known part of the relative acceleration: normal, iω·(iω·AB), or Coriolis, 2iω·s'·t."""
@@ -258,22 +259,19 @@ class Side:
 
 def sides(s: State, d: Dyad) -> tuple[Side, Side]:
     """Both sides of the closure: left joint's motion + x·e_left = right joint's motion + y·e_right."""
+    A = s.r[d.a]  # its outer joint, but of kind 4 the inner one (see `place`)
     if d.kind == 4:
-        B = s.world(d.a, d.inner.at[d.a])
-        return _sliding(s, d.outer_a, B, d.carrier_a), _sliding(s, d.outer_b, B, d.carrier_b)
-    A = _outer(s, d.outer_a, d.carrier_a)
+        return _sliding(s, d.outer_a, A, d.carrier_a), _sliding(s, d.outer_b, A, d.carrier_b)
     if d.kind == 5:  # b slides on c by x, a on b by −y; all three turn alike
         t1 = s.u[d.b] * d.inner.along[d.b]
         return _sliding(s, d.outer_b, A, d.carrier_b), Side(A, d.carrier_a, -t1, d.carrier_b)
+    B = s.r[d.b]  # the inner joint of kind 2, the outer one of kinds 1 and 3
     if d.kind == 3:
-        C = _outer(s, d.outer_b, d.carrier_b)
-        return Side(A, d.carrier_a, 1j * (C - A)), Side(C, d.carrier_b, -s.u[d.a] * d.inner.along[d.a], d.a)
-    B = s.world(d.a, d.inner.at[d.a])
-    left = Side(A, d.carrier_a, 1j * (B - A))
+        return Side(A, d.carrier_a, 1j * (B - A)), Side(B, d.carrier_b, -s.u[d.a] * d.inner.along[d.a], d.a)
+    left = Side(A, d.carrier_a, s.u[d.a] * (1j * _arm(d.a, d.outer_a, d.inner)))
     if d.kind == 2:
         return left, _sliding(s, d.outer_b, B, d.carrier_b)
-    C = _outer(s, d.outer_b, d.carrier_b)
-    return left, Side(C, d.carrier_b, 1j * (B - C))
+    return left, Side(B, d.carrier_b, s.u[d.b] * (1j * _arm(d.b, d.outer_b, d.inner)))
 
 
 def _sliding(s: State, guide: Pair, joint: Array, carrier: str) -> Side:
@@ -305,17 +303,13 @@ class Closure:
 def close(s: State, d: Dyad) -> Closure:
     """Solve a placed dyad's velocities and accelerations."""
     left, right = sides(s, d)
-    e1, e2 = left.e, -right.e
-    inverse = 1.0 / cross(e1, e2)
-    v_left, v_right = left.velocity(s), right.velocity(s)
-    gap = v_right - v_left
-    x, y = cross(gap, e2) * inverse, cross(e1, gap) * inverse
+    basis = dual(left.e, -right.e)
+    (v_left, a_left), (v_right, a_right) = left.known(s), right.known(s)
+    x, y = components(v_right - v_left, *basis)
     if d.kind == 3:  # the guide turns with a, whose ω is x
         s.iw[d.a] = 1j * x
-    a_left, a_right = left.acceleration(s), right.acceleration(s)
     bend_left, bend_right = left.curvature(s, x), right.curvature(s, y)
-    gap = a_right + bend_right - (a_left + bend_left)
-    xx, yy = cross(gap, e2) * inverse, cross(e1, gap) * inverse
+    xx, yy = components(a_right + bend_right - (a_left + bend_left), *basis)
     return Closure(left, right, v_left, v_right, x, y, a_left, a_right, bend_left, bend_right, xx, yy)
 
 
@@ -323,8 +317,7 @@ def move(s: State, d: Dyad) -> None:
     """Add the rates of both links to the state."""
     c = close(s, d)
     _turn(s, d, c.x, c.y, c.xx, c.yy)
-    end = c.v_left + c.x * c.left.e, c.a_left + c.bend_left + c.xx * c.left.e
-    _carry(s, d, (c.v_left, c.a_left), (c.v_right, c.a_right), end)
+    _carry(s, d, c)
 
 
 def _turn(s: State, d: Dyad, x: Array, y: Array, xx: Array, yy: Array) -> None:
@@ -339,19 +332,22 @@ def _turn(s: State, d: Dyad, x: Array, y: Array, xx: Array, yy: Array) -> None:
         s.turn_with(d.b, d.a if d.kind == 3 else d.carrier_b)
 
 
-def _carry(s: State, d: Dyad, left: tuple, right: tuple, end: tuple) -> None:
-    """Motion of the links' reference points (see `place`): a joint of the frame side, or the equation's end."""
-    if d.kind == 4:
-        s.carry(d.a, *end)
-        s.carry(d.b, *end)
-    elif d.kind == 5:
-        A = s.r[d.a]
-        s.carry(d.a, *right)
-        arm = s.r[d.b] - A  # `end` moves the point of b that is at A
-        s.carry(d.b, end[0] + s.iw[d.b] * arm, end[1] + s.ie[d.b] * arm)
-    else:
+def _carry(s: State, d: Dyad, c: Closure) -> None:
+    """Motion of the links' reference points: joints of the known links, or the joint on the right side's guide."""
+    left, right = (c.v_left, c.a_left), (c.v_right, c.a_right)
+    if d.kind in (1, 3):
         s.carry(d.a, *left)
-        s.carry(d.b, *(end if d.kind == 2 else right))
+        s.carry(d.b, *right)
+    elif d.kind == 5:
+        s.carry(d.a, *right)
+        # the equation gives the point of b that is at A
+        v, a = c.v_left + c.x * c.left.e, c.a_left + c.bend_left + c.xx * c.left.e
+        arm = s.r[d.b] - s.r[d.a]
+        s.carry(d.b, v + s.iw[d.b] * arm, a + s.ie[d.b] * arm)
+    else:
+        end = c.v_right + c.y * c.right.e, c.a_right + c.bend_right + c.yy * c.right.e
+        s.carry(d.a, *(left if d.kind == 2 else end))
+        s.carry(d.b, *end)
 
 
 def singularity(s: State, d: Dyad) -> Array:

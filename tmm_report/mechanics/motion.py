@@ -14,6 +14,7 @@ import numpy as np
 
 from tmm_report.mechanics.dyads import Dyad, State, move, place, singularity
 from tmm_report.mechanics.mechanism import FRAME, Mechanism
+from tmm_report.mechanics.planar import is_zero
 from tmm_report.mechanics.structure import Structure
 
 Array = Any
@@ -37,13 +38,40 @@ class Linkage:
         links = self.mechanism.links
         return {p: next(n for n in order if p in links[n].points) for p in self.mechanism.point_names}
 
+    @cached_property
+    def arms(self) -> dict[str, tuple[str, Array]]:
+        """Point -> a link that has it, and the point's arm about that link's reference point, the link's axes.
+
+        Of links that share the point, one whose reference point it is (arm 0), else the one found first.
+        """
+        driver = self.mechanism.driver.link
+        origins: dict[str, Array] = {FRAME: 0j, driver: self.structure.driver_pair.at[driver]}
+        for d in self.dyads:
+            origins |= {link: pair.at[link] for link, pair in zip((d.a, d.b), d.references, strict=True)}
+        arms: dict[str, tuple[str, Array]] = {}
+        for link, origin in origins.items():
+            for point, at in self.mechanism.links[link].points.items():
+                if point not in arms or (is_zero(at - origin) and not is_zero(arms[point][1])):
+                    arms[point] = link, at - origin
+        return arms
+
+    @cached_property
+    def axes(self) -> tuple[int, ...]:
+        """Shape of the variants' axes: (V, 1) where numbers of the mechanism are arrays, else ()."""
+        m = self.mechanism
+        numbers = [m.driver.omega]
+        for link in m.links.values():
+            numbers += [*link.points.values(), link.mass, link.inertia]
+        for line in (*m.guides.values(), *m.slides):
+            numbers += [line.through, line.direction]
+        return np.broadcast_shapes(*(np.shape(x) for x in numbers))
+
 
 @dataclass(frozen=True, eq=False)
 class Motion:
     """Positions, velocities and accelerations of every link (`state`) and named point at driver angles `phi`.
 
-    `phi`: (..., P), rad, angle of the driving link's x axis. `sliding`: guide name -> sliding velocity and
-    acceleration in that prismatic pair, of its second unknown. SI.
+    `phi`: (..., P), rad, angle of the driving link's x axis; `omega`: rad/s; `shape`: that of all results. SI.
     """
 
     linkage: Linkage
@@ -51,74 +79,61 @@ class Motion:
     omega: Array
     state: State
     shape: tuple[int, ...]
+    _arms: dict[str, tuple[str, Array]] = field(default_factory=dict, repr=False)
 
     @cached_property
     def point_index(self) -> dict[str, int]:
         return {point: k for k, point in enumerate(self.linkage.carriers)}
 
     @cached_property
-    def _arms(self) -> tuple[Array, Array, Array]:
-        """Arms of all named points about their links' reference points, world axes, and those links' indices."""
-        s, links = self.state, self.linkage.mechanism.links
-        names = list(s.r)
-        index = np.array([names.index(link) for link in self.linkage.carriers.values()])
-        arms = [links[link].points[point] - s.o[link] for point, link in self.linkage.carriers.items()]
-        local = np.array(arms)
-        if local.ndim == 1:
-            local = local.reshape(-1, *(1,) * len(self.shape))
-        return index, self.stack(s.u)[index] * local, names
-
-    def stack(self, by_link: dict[str, Array]) -> Array:
-        """Values of all links as one array, (L, ..., P), in the order in which links were found."""
-        out = np.empty((len(by_link), *self.shape), dtype=complex)
-        for k, value in enumerate(by_link.values()):
-            out[k] = value
-        return out
-
-    @cached_property
     def places(self) -> Array:
         """World places of all named points, (N, ..., P), m; row `point_index[name]`."""
-        index, arms, _ = self._arms
-        return self.stack(self.state.r)[index] + arms
-
-    @cached_property
-    def velocities(self) -> Array:
-        index, arms, _ = self._arms
-        return self.stack(self.state.v)[index] + self.stack(self.state.iw)[index] * arms
-
-    @cached_property
-    def accelerations(self) -> Array:
-        index, arms, _ = self._arms
-        return self.stack(self.state.a)[index] + self.stack(self.state.ie)[index] * arms
+        return np.array([self.place(point) for point in self.point_index])
 
     def place(self, point: str) -> Array:
-        return self.places[self.point_index[point]]
+        """World place of a named point, (..., P), m."""
+        link, arm = self._arm(point)
+        r = self.state.r[link]
+        return self._whole(r if arm is None else r + arm)
 
     def velocity(self, point: str) -> Array:
-        return self.velocities[self.point_index[point]]
+        link, arm = self._arm(point)
+        return self._whole(self.state.v[link] if arm is None else self.state.velocity(link, arm))
 
     def acceleration(self, point: str) -> Array:
-        return self.accelerations[self.point_index[point]]
+        link, arm = self._arm(point)
+        return self._whole(self.state.a[link] if arm is None else self.state.acceleration(link, arm))
+
+    def _arm(self, point: str) -> tuple[str, Array | None]:
+        """The link that carries a point, and the point's arm in world axes; None at the reference point."""
+        if point not in self._arms:
+            link, arm = self.linkage.arms[point]
+            self._arms[point] = link, None if is_zero(arm) else self.state.u[link] * arm
+        return self._arms[point]
+
+    def _whole(self, x: Array) -> Array:
+        """A result in full shape: what does not depend on the position or the variant is one number inside."""
+        return x if np.shape(x) == self.shape else np.broadcast_to(x, self.shape)
 
     def turn(self, link: str) -> Array:
         """Direction of a link's x axis, unit complex, (..., P)."""
-        return np.broadcast_to(self.state.u[link], self.shape)
+        return self._whole(self.state.u[link])
 
     def angular_velocity(self, link: str) -> Array:
-        return np.broadcast_to(self.state.w[link], self.shape)
+        return self._whole(self.state.w[link])
 
     def angular_acceleration(self, link: str) -> Array:
-        return np.broadcast_to(self.state.e[link], self.shape)
+        return self._whole(self.state.e[link])
 
     @cached_property
     def closes(self) -> Array:
         """Where the mechanism can be assembled, (..., P) of bool."""
-        return np.isfinite(sum(np.broadcast_to(u, self.shape) for u in self.state.u.values()))
+        return self._whole(np.isfinite(sum(self.state.u.values()) + sum(self.state.r.values())))
 
     @cached_property
     def sines(self) -> dict[str, Array]:
         """Group label -> sine of the angle of its two unknown directions, (..., P): 0 is a singular position."""
-        return {d.group.label: np.broadcast_to(singularity(self.state, d), self.shape) for d in self.linkage.dyads}
+        return {d.group.label: self._whole(singularity(self.state, d)) for d in self.linkage.dyads}
 
 
 def drive(linkage: Linkage, phi: Array, omega: Array | None = None) -> State:
@@ -127,9 +142,9 @@ def drive(linkage: Linkage, phi: Array, omega: Array | None = None) -> State:
     link = mechanism.driver.link
     omega = mechanism.driver.omega if omega is None else omega
     s = State()
-    for name, o, r, u in ((FRAME, 0.0, 0.0, 1.0), (link, pair.at[link], pair.at[FRAME], np.exp(1j * phi))):
+    for name, o, r, u in ((FRAME, 0j, 0j, 1 + 0j), (link, pair.at[link], pair.at[FRAME], np.exp(1j * phi))):
         s.o[name], s.r[name], s.u[name] = o, r, u
-        s.carry(name, 0.0, 0.0)
+        s.carry(name, 0j, 0j)
         s.turn(name, omega if name == link else 0.0, 0.0)
     return s
 
@@ -145,13 +160,13 @@ def positions(linkage: Linkage, phi: Array) -> State:
 
 def solve(linkage: Linkage, phi: Array, omega: Array | None = None) -> Motion:
     """Motion at driver angles `phi`, (P,) or (..., P), rad. What does not close is nan in its position only."""
+    omega = linkage.mechanism.driver.omega if omega is None else omega
     with np.errstate(invalid="ignore", divide="ignore"):
         s = drive(linkage, phi, omega)
         for d in linkage.dyads:
             place(s, d)
             move(s, d)
-    shape = np.broadcast_shapes(*(np.shape(u) for u in s.u.values()))
-    omega = linkage.mechanism.driver.omega if omega is None else omega
+    shape = np.broadcast_shapes(linkage.axes, np.shape(phi), np.shape(omega))
     return Motion(linkage, phi, omega, s, shape)
 
 

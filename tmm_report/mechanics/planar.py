@@ -11,17 +11,31 @@ Array = Any  # ndarray or scalar that broadcasts
 
 def cross(a: Array, b: Array) -> Array:
     """a × b, the moment of b about the tail of a, + counter-clockwise."""
-    return a.real * b.imag - a.imag * b.real
+    return (a.conjugate() * b).imag
 
 
 def dot(a: Array, b: Array) -> Array:
-    return a.real * b.real + a.imag * b.imag
+    return (a.conjugate() * b).real
+
+
+def dual(e1: Array, e2: Array) -> tuple[Array, Array]:
+    """Vectors k1, k2 that resolve any d = x·e1 + y·e2: x = d × k1, y = d × k2 (Cramer).
+
+    Parallel e1, e2 give inf or nan.
+    """
+    area = cross(e1, e2)
+    return e2 / area, e1 / -area
+
+
+def components(d: Array, k1: Array, k2: Array) -> tuple[Array, Array]:
+    """d × k1, d × k2: the numbers x, y of d = x·e1 + y·e2 where k1, k2 are dual to e1, e2."""
+    mirrored = d.conjugate()
+    return (mirrored * k1).imag, (mirrored * k2).imag
 
 
 def resolve(d: Array, e1: Array, e2: Array) -> tuple[Array, Array]:
-    """The numbers x, y with x·e1 + y·e2 = d (Cramer). Parallel e1, e2 give inf or nan."""
-    inverse = 1.0 / cross(e1, e2)
-    return cross(d, e2) * inverse, cross(e1, d) * inverse
+    """The numbers x, y with x·e1 + y·e2 = d. Parallel e1, e2 give inf or nan."""
+    return components(d, *dual(e1, e2))
 
 
 def sine(e1: Array, e2: Array) -> Array:
@@ -32,3 +46,8 @@ def sine(e1: Array, e2: Array) -> Array:
 def unit(v: Array) -> Array:
     """v / |v|; nan where v = 0."""
     return v / np.abs(v)
+
+
+def is_zero(x: Array) -> bool:
+    """Whether a number, or all of an array, is 0. Cheap for a plain number, which most data are."""
+    return not x.any() if isinstance(x, np.ndarray) else x == 0

@@ -82,14 +82,18 @@ def relation(linkage: Linkage, d: Dyad) -> Relation:
         return Relation(d, left, Branch(known(b_joint, d.carrier_b), inner, d.b, (b_joint, inner)))
     if d.kind == 2:
         left = Branch(start_a, inner, d.a, (a_joint, inner))
-        return Relation(d, left, Branch(known(inner + d.carrier_b, d.carrier_b), inner, d.carrier_b, guide=b_joint))
+        return Relation(
+            d, left, Branch(known(inner + d.carrier_b, d.carrier_b), inner, d.carrier_b, guide=b_joint)
+        )
     if d.kind == 3:
         vertex = b_joint + d.a
         left = Branch(start_a, vertex, d.a, (a_joint, b_joint))
         return Relation(d, left, Branch(known(b_joint, d.carrier_b), vertex, d.a, guide=inner))
     if d.kind == 4:
         left = Branch(known(inner + d.carrier_a, d.carrier_a), inner, d.carrier_a, guide=a_joint)
-        return Relation(d, left, Branch(known(inner + d.carrier_b, d.carrier_b), inner, d.carrier_b, guide=b_joint))
+        return Relation(
+            d, left, Branch(known(inner + d.carrier_b, d.carrier_b), inner, d.carrier_b, guide=b_joint)
+        )
     vertex = a_joint + d.b
     left = Branch(known(a_joint + d.carrier_b, d.carrier_b), vertex, d.carrier_b, guide=b_joint)
     return Relation(d, left, Branch(start_a, vertex, d.carrier_b, guide=inner))
@@ -104,7 +108,12 @@ def moving_points(linkage: Linkage) -> list[str]:
     order = [linkage.mechanism.driver.link, *(link for d in linkage.dyads for link in (d.a, d.b))]
     fixed = linkage.mechanism.links[FRAME].points
     carriers = linkage.carriers
-    return [p for link in order for p in linkage.mechanism.links[link].points if carriers[p] == link and p not in fixed]
+    return [
+        p
+        for link in order
+        for p in linkage.mechanism.links[link].points
+        if carriers[p] == link and p not in fixed
+    ]
 
 
 def turning_links(linkage: Linkage) -> list[str]:

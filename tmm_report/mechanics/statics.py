@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 
 from tmm_report.mechanics.dyads import Dyad, State
-from tmm_report.mechanics.mechanism import FRAME
+from tmm_report.mechanics.mechanism import FRAME, Link
 from tmm_report.mechanics.motion import Motion
-from tmm_report.mechanics.planar import cross, dot
+from tmm_report.mechanics.planar import cross, dot, is_zero
 from tmm_report.mechanics.structure import Pair
 
 Array = Any
@@ -67,18 +67,18 @@ class Statics:
 
 def inertia_and_gravity(motion: Motion, gravity: complex) -> dict[str, Load]:
     """Gravity and d'Alembert's inertia force and couple of every moving link, about its reference point."""
-    mechanism = motion.linkage.mechanism
-    loads = {}
-    for name in mechanism.moving:
-        link = mechanism.links[name]
-        force: Array = 0.0
-        moment = -link.inertia * motion.state.e[name]
-        if link.mass_centre is not None and np.any(link.mass):
-            force = link.mass * (gravity - motion.acceleration(link.mass_centre))
-            if link.points[link.mass_centre] is not motion.state.o[name]:
-                moment = moment + cross(motion.place(link.mass_centre) - motion.state.r[name], force)
-        loads[name] = Load(force, moment)
-    return loads
+    links = motion.linkage.mechanism.links
+    return {name: _inertia_and_gravity(motion, links[name], gravity) for name in links if name != FRAME}
+
+
+def _inertia_and_gravity(motion: Motion, link: Link, gravity: complex) -> Load:
+    s = motion.state
+    moment = 0.0 if is_zero(link.inertia) else -link.inertia * s.e[link.name]
+    if link.mass_centre is None or is_zero(link.mass):
+        return Load(0j, moment)
+    force = link.mass * (gravity - motion.acceleration(link.mass_centre))
+    arm = link.points[link.mass_centre] - s.o[link.name]
+    return Load(force, moment if is_zero(arm) else moment + cross(s.u[link.name] * arm, force))
 
 
 def solve(motion: Motion, loads: Mapping[str, Load]) -> Statics:
@@ -88,7 +88,7 @@ def solve(motion: Motion, loads: Mapping[str, Load]) -> Statics:
     reactions: dict[str, Reaction] = {}
     with np.errstate(invalid="ignore", divide="ignore"):
         for d in reversed(linkage.dyads):
-            outer_a, outer_b, inner = _solve_dyad(motion, d, rest[d.a], rest[d.b])
+            outer_a, outer_b, inner = _solve_dyad(s, d, rest[d.a], rest[d.b])
             for reaction in (outer_a, outer_b):
                 _pass_on(s, rest, reaction)
             reactions |= {r.pair.key: r for r in (outer_a, outer_b, inner)}
@@ -101,27 +101,27 @@ def _pass_on(s: State, rest: dict[str, Load], reaction: Reaction) -> None:
     """A solved group loads the link it hangs on with its outer reaction, turned round."""
     carrier = reaction.pair.links[0]
     if carrier != FRAME:
-        load, arm = rest[carrier], reaction.at - s.r[carrier]
-        moment = load.moment - cross(arm, reaction.force) - reaction.moment
-        rest[carrier] = Load(load.force - reaction.force, moment)
+        load = rest[carrier]
+        moment = load.moment - cross(reaction.at - s.r[carrier], reaction.force)
+        rest[carrier] = Load(load.force - reaction.force, moment - reaction.moment)
 
 
-def _solve_dyad(motion: Motion, d: Dyad, load_a: Load, load_b: Load) -> tuple[Reaction, Reaction, Reaction]:
+def _solve_dyad(s: State, d: Dyad, load_a: Load, load_b: Load) -> tuple[Reaction, Reaction, Reaction]:
     """Outer reactions on a and on b, and the inner one, of a dyad under the loads of its links."""
-    s, total = motion.state, load_a.force + load_b.force
+    total = load_a.force + load_b.force
     at_a, at_b, at_i = (_acts_at(s, pair) for pair in (d.outer_a, d.outer_b, d.inner))
-    (f1, c1), (f2, c2) = _conditions(s, d, load_a, load_b, total)
+    (f1, c1), (f2, c2) = _conditions(s, d, load_a, load_b, total, at_i)
     on_a = (c2 * f1 - c1 * f2) / cross(f1, f2)
-    on_b, inner = -total - on_a, -load_a.force - on_a  # inner: of b on a
+    on_b, inner = -(total + on_a), -(load_a.force + on_a)  # inner: of b on a
     m_a: Array = 0.0
     m_b: Array = 0.0
     m_i: Array = 0.0
     if d.inner.kind == "P":  # link a about its outer joint
-        m_i = -load_a.moment - cross(at_i - at_a, inner)
+        m_i = -load_a.moment - _moment(inner, at_i, at_a)
     if d.outer_a.kind == "P":  # link a about its inner joint
-        m_a = -load_a.moment - cross(at_a - at_i, on_a)
+        m_a = -load_a.moment - _moment(on_a, at_a, at_i)
     if d.outer_b.kind == "P":
-        m_b = -_moment_about(s, d.b, load_b, at_i) - cross(at_b - at_i, on_b) + m_i
+        m_b = m_i - _moment_about(s, d.b, load_b, at_i) - _moment(on_b, at_b, at_i)
     flip = 1 if d.inner.links[1] == d.a else -1
     return (
         Reaction(d.outer_a, on_a, m_a, at_a, _guide(s, d.outer_a)),
@@ -130,22 +130,21 @@ def _solve_dyad(motion: Motion, d: Dyad, load_a: Load, load_b: Load) -> tuple[Re
     )
 
 
-def _conditions(s: State, d: Dyad, load_a: Load, load_b: Load, total: Array) -> tuple[tuple, tuple]:
+def _conditions(s: State, d: Dyad, load_a: Load, load_b: Load, total: Array, at_i: Array) -> tuple[tuple, tuple]:
     """Two conditions R_a × f = c on the outer reaction of link a, one a free motion of the dyad without it."""
-    A, B = s.r[d.a], None
-    if d.kind in (1, 2):  # link a turns about B
-        B = s.world(d.a, d.inner.at[d.a])
-        first = A - B, load_a.moment + cross(A - B, load_a.force)
+    if d.kind in (1, 2):  # link a turns about the inner joint B
+        arm = s.r[d.a] - at_i
+        first = arm, load_a.moment + cross(arm, load_a.force)
         if d.kind == 2:  # both slide along the guide of b
             return first, _no_force_along(_guide(s, d.outer_b), total)
-        C = s.r[d.b]  # link b turns about B: (C − B) × R_b with R_b = −F − R_a
-        return first, (C - B, cross(C - B, total) - _moment_about(s, d.b, load_b, B))
+        arm = s.r[d.b] - at_i  # link b turns about B: arm × (R_b + F_b) + M_b = 0, where R_b + F_b = −F_a − R_a
+        return first, (arm, cross(arm, load_a.force) - load_b.moment)
     if d.kind == 3:  # link a slides on b; both turn about C
-        C = s.r[d.b]
-        about_c = load_a.moment + cross(A - C, load_a.force) + load_b.moment
-        return (A - C, about_c), _no_force_along(_guide(s, d.inner), load_a.force)
+        arm = s.r[d.a] - s.r[d.b]
+        about_c = load_a.moment + cross(arm, load_a.force) + load_b.moment
+        return (arm, about_c), _no_force_along(_guide(s, d.inner), load_a.force)
     slides_a = _guide(s, d.outer_a if d.kind == 4 else d.inner)
-    own = 0.0 if d.kind == 4 else load_a.force
+    own = 0j if d.kind == 4 else load_a.force
     return _no_force_along(slides_a, own), _no_force_along(_guide(s, d.outer_b), total)
 
 
@@ -154,8 +153,14 @@ def _no_force_along(t: Array, load: Array) -> tuple[Array, Array]:
     return 1j * t, -dot(t, load)
 
 
+def _moment(force: Array, at: Array, about: Array) -> Array:
+    """Moment of a force that acts at one world place about another."""
+    return 0.0 if at is about else cross(at - about, force)
+
+
 def _moment_about(s: State, link: str, load: Load, point: Array) -> Array:
-    return load.moment if point is s.r[link] else load.moment + cross(s.r[link] - point, load.force)
+    """Moment of a link's load, which is reduced to its reference point, about a world place."""
+    return load.moment + _moment(load.force, s.r[link], point)
 
 
 def _acts_at(s: State, pair: Pair) -> Array:

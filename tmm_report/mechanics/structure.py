@@ -5,16 +5,22 @@ Source: Artobolevsky, Theory of mechanisms and machines, ch. 2-3; W = 3n - 2p5 (
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import combinations
 from typing import Literal
 
 from tmm_report.mechanics.mechanism import FRAME, Mechanism, Scalar
-from tmm_report.problems import Message, N_, ProblemError, mistake
+from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 
 # (inner pair, sorted outer pairs) -> kind of the dyad; a third sliding pair (PPP) would leave a free translation
-DYAD_KINDS: dict[tuple[str, str], int] = {("R", "RR"): 1, ("R", "PR"): 2, ("P", "RR"): 3, ("R", "PP"): 4, ("P", "PR"): 5}
+DYAD_KINDS: dict[tuple[str, str], int] = {
+    ("R", "RR"): 1,
+    ("R", "PR"): 2,
+    ("P", "RR"): 3,
+    ("R", "PP"): 4,
+    ("P", "PR"): 5,
+}
 KIND_NAMES = {1: "RRR", 2: "RRP", 3: "RPR", 4: "PRP", 5: "RPP"}
 ROMAN = {1: "I", 2: "II", 3: "III", 4: "IV", 5: "V", 6: "VI"}
 
@@ -35,7 +41,8 @@ class Pair:
     along: Mapping[str, Scalar] = field(default_factory=dict)
     slider: str | None = None
 
-    def other(self, link: str) -> str:
+    def other(self, link: str | None) -> str:
+        """The other link of the pair."""
         return self.links[1] if link == self.links[0] else self.links[0]
 
     @property
@@ -100,6 +107,8 @@ def decompose(mechanism: Mechanism) -> Structure:
     driver_pair = _driver_pair(mechanism)
     if (w := mobility(mechanism)) != 1:
         raise ProblemError([_wrong_mobility(mechanism, w)])
+    if (w := _freedom(mechanism, [FRAME], (mechanism.driver.link,))) != 1:  # held by more than its pivot
+        raise ProblemError([_redundant([mechanism.driver.link], [FRAME], w)])
     known = [FRAME, mechanism.driver.link]
     groups: list[Group] = []
     while rest := [name for name in mechanism.moving if name not in known]:
@@ -116,16 +125,26 @@ def _driver_pair(mechanism: Mechanism) -> Pair:
             return pair
     right = Message(N_("give it a point of the frame, or choose another driving link"))
     path = ("mechanism", "driver", "link")
-    raise ProblemError([mistake(N_("driving link %(link)s is not pivoted to the frame"), path, right, link=link)])
+    raise ProblemError(
+        [mistake(N_("driving link %(link)s is not pivoted to the frame"), path, right, link=link)]
+    )
 
 
-def _wrong_mobility(mechanism: Mechanism, w: int):
+def _wrong_mobility(mechanism: Mechanism, w: int) -> Problem:
     n, p = len(mechanism.moving), count_pairs(mechanism)
-    text = N_("mobility is W = 3·%(n)d − 2·%(p)d = %(w)d (n = %(n)d moving links, p5 = %(p)d lower pairs), it must be 1")
+    text = N_(
+        "mobility is W = 3·%(n)d − 2·%(p)d = %(w)d (n = %(n)d moving links, p5 = %(p)d lower pairs), it must be 1"
+    )
     if w > 1:
-        right = Message(N_("%(excess)d link end(s) too free: join them to another link, to a fixed point or to a guide"), {"excess": w - 1})
+        right = Message(
+            N_("%(excess)d link end(s) too free: join them to another link, to a fixed point or to a guide"),
+            {"excess": w - 1},
+        )
     else:
-        right = Message(N_("%(excess)d constraint(s) too many: a link or a pair is redundant, leave it out"), {"excess": 1 - w})
+        right = Message(
+            N_("%(excess)d constraint(s) too many: a link or a pair is redundant, leave it out"),
+            {"excess": 1 - w},
+        )
     return mistake(text, ("mechanism", "links"), right, n=n, p=p, w=w)
 
 
@@ -138,7 +157,7 @@ def _pairs_of(mechanism: Mechanism, known: list[str], group: list[str] | tuple[s
     for point in mechanism.point_names:
         here = mechanism.links_at(point)
         inside = [name for name in here if name in group]
-        base = next((name for name in known if name in here), inside[0] if inside else None)
+        base = next((name for name in (*known, *inside) if name in here), "")
         for name in inside:
             if name != base:
                 at = {link: mechanism.links[link].points[point] for link in (base, name)}
@@ -147,7 +166,9 @@ def _pairs_of(mechanism: Mechanism, known: list[str], group: list[str] | tuple[s
         guide = mechanism.guides[slide.guide]
         ends = (guide.link, slide.link)
         if all(link in known or link in group for link in ends) and any(link in group for link in ends):
-            links = ends if _rank(mechanism, known, ends[0]) <= _rank(mechanism, known, ends[1]) else ends[::-1]
+            links = (
+                ends if _rank(mechanism, known, ends[0]) <= _rank(mechanism, known, ends[1]) else ends[::-1]
+            )
             at = {guide.link: guide.through, slide.link: slide.through}
             along = {guide.link: guide.direction, slide.link: slide.direction}
             yield Pair("P", guide.name, links, at, along, slide.link)
@@ -168,15 +189,24 @@ def _next_group(mechanism: Mechanism, known: list[str], rest: list[str]) -> list
     for size in range(1, len(rest) + 1):
         for links in combinations(rest, size):
             freedom = _freedom(mechanism, known, links)
-            if freedom == 0:
+            if freedom == 0 and _joined(mechanism, known, links):
                 return list(links)
             if freedom < 0:
-                text = N_("links %(links)s have redundant constraints: alone with links %(known)s they have W = %(w)d")
-                right = Message(N_("leave out the redundant link or pair (another part of the mechanism is too free)"))
-                values = {"links": ", ".join(links), "known": ", ".join(known), "w": freedom}
-                raise ProblemError([mistake(text, ("mechanism", "links", links[0]), right, **values)])
+                raise ProblemError([_redundant(links, known, freedom)])
     text = N_("links %(links)s form no Assur group: nothing joins them to the driving link and the frame")
     raise ProblemError([mistake(text, ("mechanism", "links", rest[0]), links=", ".join(rest))])
+
+
+def _joined(mechanism: Mechanism, known: list[str], links: tuple[str, ...]) -> bool:
+    """Whether a pair joins `links` to known ones: a rigid truss that floats has freedom 0 by count too."""
+    return any(link in known for pair in _pairs_of(mechanism, known, links) for link in pair.links)
+
+
+def _redundant(links: Sequence[str], known: list[str], w: int) -> Problem:
+    text = N_("links %(links)s have redundant constraints: alone with links %(known)s they have W = %(w)d")
+    right = Message(N_("leave out the redundant link or pair (another part of the mechanism is too free)"))
+    values = {"links": ", ".join(links), "known": ", ".join(known), "w": w}
+    return mistake(text, ("mechanism", "links", links[0]), right, **values)
 
 
 def _group(mechanism: Mechanism, known: list[str], links: list[str]) -> Group:
@@ -185,7 +215,11 @@ def _group(mechanism: Mechanism, known: list[str], links: list[str]) -> Group:
     outer = tuple(pair for pair in pairs if pair not in inner)
     if len(links) != 2:
         return Group(tuple(links), inner, outer, _higher_class(links, inner), None)
-    kind = DYAD_KINDS.get((inner[0].kind, "".join(sorted(pair.kind for pair in outer)))) if len(inner) == 1 else None
+    kind = (
+        DYAD_KINDS.get((inner[0].kind, "".join(sorted(pair.kind for pair in outer))))
+        if len(inner) == 1
+        else None
+    )
     if kind is None:
         text = N_("links %(links)s form no dyad: with three sliding pairs a translation stays free")
         right = Message(N_("a dyad has at most two sliding pairs"))

@@ -18,6 +18,7 @@ from tmm_report.report.formats import Html, Tex
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template
 from tmm_report.report.pictures import Pictures
+from tmm_report.report.samples import Samples
 from tmm_report.report.tables import Tables
 from tmm_report.report.words import Words
 from tmm_report.resources import data_root
@@ -66,6 +67,7 @@ def _given(results: Any, page: Page) -> dict[str, Any]:
         "words": words,
         "tables": Tables(results, page, words),
         "pictures": Pictures(results, page),
+        "samples": Samples(results),
         **{name: getattr(page, name) for name in functions},
     }
 

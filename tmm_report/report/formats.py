@@ -24,6 +24,15 @@ class Mathematics(Protocol):
     def mathml(self, tr: Translator) -> str: ...
 
 
+PAGE = (165.0, 215.0)  # mm: the largest picture
+
+
+def percent(picture: Any) -> int:
+    """To how many per cent of its size a picture is reduced to fit the page; 100: not at all."""
+    wide, tall = picture.size
+    return min(100, int(100 * min(PAGE[0] / wide, PAGE[1] / tall)))
+
+
 @dataclass
 class Html:
     """One self-contained file: pictures stand in it as svg."""
@@ -38,6 +47,7 @@ class Html:
         return Markup(item.mathml(tr))
 
     def picture(self, picture: Any, anchor: str) -> Markup:
+        # the style sheet reduces what is larger than the page
         return Markup(svg(picture) if isinstance(picture, Drawing) else picture.svg)
 
 
@@ -58,11 +68,14 @@ class Tex:
         drawn = isinstance(picture, Drawing)
         name = f"figures/{anchor}.{'tex' if drawn else 'pdf'}"
         self.files[name] = tikz(picture).encode() if drawn else picture.pdf
-        return Markup(f"\\input{{{name}}}" if drawn else f"\\includegraphics{{{name}}}")
+        command = f"\\input{{{name}}}" if drawn else f"\\includegraphics{{{name}}}"
+        size = percent(picture) / 100
+        return Markup(f"\\scalebox{{{size}}}{{{command}}}" if size < 1 else command)
 
 
 Format = Html | Tex
 
+_LOWERED = dict(zip("₀₁₂₃₄₅₆₇₈₉", "0123456789", strict=True))
 _RAISED = dict(zip("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789", strict=True))
 _GREEK_MACRO = {letter: f"$\\{name}$" for name, letter in GREEK.items() if letter != "ο"}
 _TEX_SIGNS = {
@@ -72,7 +85,7 @@ _TEX_SIGNS = {
     "\n": " ", "\t": " ", "’": "'", "φ": "$\\varphi$", "ε": "$\\varepsilon$",
 }  # fmt: skip
 _SIGNS = _GREEK_MACRO | _TEX_SIGNS
-_KNOWN = re.compile("([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+|[" + re.escape("".join(_SIGNS)) + "])")
+_KNOWN = re.compile("([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+|[₀₁₂₃₄₅₆₇₈₉]+|[" + re.escape("".join(_SIGNS)) + "])")
 
 
 def tex_escape(text: str) -> str:
@@ -83,4 +96,5 @@ def tex_escape(text: str) -> str:
 def _tex_sign(run: str) -> str:
     if run in _SIGNS:
         return _SIGNS[run]
-    return "$^{" + "".join(_RAISED[sign] for sign in run) + "}$"
+    mark, digits = ("_", _LOWERED) if run[0] in _LOWERED else ("^", _RAISED)
+    return f"${mark}{{{''.join(digits[sign] for sign in run)}}}$"

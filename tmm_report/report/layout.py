@@ -14,10 +14,11 @@ WHOLE = 20  # rows: a longer table may be cut by the end of a page
 class Column(NamedTuple):
     head: Any
     cells: Sequence[str]
+    least: int = 6  # characters that the head needs
 
     @property
     def width(self) -> float:
-        return PADDING + CHAR * max(6, *(len(cell) for cell in self.cells))
+        return PADDING + CHAR * max(self.least, *(len(cell) for cell in self.cells))
 
 
 @dataclass(frozen=True)

@@ -48,6 +48,12 @@ class Numbering:
         self.sections.append(Section(place, title, level))
         return place
 
+    def unnumbered(self, title: str, label: str) -> Place:
+        """A chapter without a number, as conclusions and references are."""
+        place = self._keep(label, Place("", f"section-{label.rpartition(':')[2]}"))
+        self.sections.append(Section(place, title, 1))
+        return place
+
     def take(self, kind: str, label: str = "") -> Place:
         """The next number of a kind: "figure", "table", "formula"."""
         if kind != "formula":

@@ -18,7 +18,7 @@ from markupsafe import Markup
 from tmm_report.formula import Inline
 from tmm_report.i18n import Translator
 from tmm_report.quantity import column, number, unit_text
-from tmm_report.report.formats import Format
+from tmm_report.report.formats import Format, percent
 from tmm_report.report.numbering import Numbering
 from tmm_report.resources import data_root
 from tmm_report.symbols import Symbol, math_symbol
@@ -73,6 +73,9 @@ class Page:
             out += [self.text(text[end : match.start()]), self.text(values[match[1]] if match[1] else "%")]
             end = match.end()
         return Markup("").join([*out, self.text(text[end:])])
+
+    def percent(self, picture: Any) -> int:
+        return percent(picture)
 
     def math(self, item: Any, display: bool = False) -> Markup:
         return self.form.math(item, self.tr, display)

@@ -32,3 +32,8 @@ class Pictures:
     def force_plan(self, drawn: ForcePlan) -> Drawing:
         vectors = [PlanVector(s.start, s.end, symbol(s.key), STYLES[s.kind]) for s in drawn.strokes]
         return plan(vectors, {})
+
+    def one_position(self): return self.plan(self.r.plans.drawn[0].velocity)
+    groups=scheme=balancing=losses=one_position
+    def travel(self,t): return self.one_position()
+    def travel_scales(self,t): return 'x'

@@ -18,6 +18,7 @@ from tmm_report.mechanics.relations import turning_links
 from tmm_report.mechanics.structure import Pair
 from tmm_report.report.layout import Column, Table, numeric, worded
 from tmm_report.report.page import Page
+from tmm_report.report.samples import Power
 from tmm_report.report.words import Words
 from tmm_report.symbols import segment
 
@@ -38,7 +39,10 @@ class Tables:
         return self.page.listed([text, self.page.unit(unit)]) if unit else text
 
     def _positions(self, count: int) -> Column:
-        return Column(self.t("Position"), [str(k) for k in range(count)])
+        return self._first(self.t("Position"), [str(k) for k in range(count)])
+
+    def _first(self, head: Markup, cells: Sequence[str]) -> Column:
+        return Column(head, cells, least=len(head))
 
     def _signed(self, key: str, values: Array) -> Column:
         return Column(self._head(symbol_of(key), unit_of(key)), self.col(values))
@@ -68,16 +72,16 @@ class Tables:
     def fixed_points(self, caption: Any) -> Table:
         points = self.r.variant.mechanism.links[FRAME].points
         columns = [Column(self._head(axis, "m"), self.col([f(z) for z in points.values()])) for axis, f in (("x", np.real), ("y", np.imag))]
-        return numeric(caption, Column(self.t("Point"), list(points)), columns)
+        return numeric(caption, self._first(self.t("Point"), list(points)), columns)
 
     def masses(self, caption: Any) -> Table:
         links = [link for name, link in self.r.variant.mechanism.links.items() if name != FRAME and (link.mass or link.inertia)]
         columns = [
             Column(self._head("m", "kg"), [self.page.num(link.mass) for link in links]),
-            Column(self.t("Mass centre"), [link.mass_centre or "—" for link in links]),
+            Column(self.t("Mass centre"), [link.mass_centre or "—" for link in links], least=11),
             Column(self._head("J", "kg·m²"), [self.page.num(link.inertia) if link.inertia else "—" for link in links]),
         ]
-        return numeric(caption, Column(self.t("Link"), [link.name for link in links]), columns)
+        return numeric(caption, self._first(self.t("Link"), [link.name for link in links]), columns)
 
     def forces_given(self, caption: Any) -> Table:
         loads = self.r.variant.loads
@@ -178,7 +182,7 @@ class Tables:
         columns = [
             Column(self._head(symbol_of(key), unit_of(key)), [self.page.num(plan.values.get(key, np.nan)) for plan in plans]) for key in keys
         ]
-        return numeric(caption, Column(self.t("Position"), [str(plan.position) for plan in plans]), columns)
+        return numeric(caption, self._first(self.t("Position"), [str(plan.position) for plan in plans]), columns)
 
     def segments(self, caption: Any, kind: str) -> Table:
         plans = [drawn.velocity if kind == "v" else drawn.acceleration for drawn in self.r.plans.drawn]
@@ -186,7 +190,7 @@ class Tables:
         columns = [
             Column(self._head(segment(name), "mm"), [self.page.num(plan.segments.get(name, np.nan), 7) for plan in plans]) for name in names
         ]
-        return numeric(caption, Column(self.t("Position"), [str(plan.position) for plan in plans]), columns)
+        return numeric(caption, self._first(self.t("Position"), [str(plan.position) for plan in plans]), columns)
 
     def comparison(self, caption: Any, comparisons: Sequence[Comparison]) -> Table:
         rows = [
@@ -226,10 +230,16 @@ class Tables:
         heads = [self.t("from the force analysis"), self.t("from the lever"), self.t("from the power balance")]
         rows = (table.balancing, table.lever, table.power)
         columns = [
-            Column(self.page.listed([self._head("M_bal", "N·m"), head]), self.col(values)) for head, values in zip(heads, rows, strict=True)
+            Column(self.page.listed([self._head("M_bal", "N·m"), head]), self.col(values), least=20)
+            for head, values in zip(heads, rows, strict=True)
         ]
-        wide = [Column(c.head, [cell.center(14) for cell in c.cells]) for c in columns]
-        return numeric(caption, self._positions(len(self.r.kinematics.turned)), wide)
+        return numeric(caption, self._positions(len(self.r.kinematics.turned)), columns)
+
+    def powers(self, caption: Any, powers: Sequence[Power]) -> Table:
+        rows = [[self.page.listed(self.sym(symbol) for symbol in p.symbols), self.page.num(p.power, scale=max(1.0, abs(p.power)))] for p in powers]
+        total = sum(p.power for p in powers)
+        rows.append([self.t("Sum"), self.page.num(total)])
+        return worded(caption, [self.t("Loads"), self.page.listed([self.t("Power"), self.page.unit("W")])], rows, (1, 1))
 
     def arms(self, caption: Any, drawn: ForceDrawn) -> Table:
         arms = [arm for plan in drawn.plans for arm in plan.arms]

@@ -10,7 +10,10 @@ import numpy as np
 from markupsafe import Markup
 
 from tmm_report.formula import Expr, Formula, Var
-from tmm_report.mechanics.mechanism import FRAME, ZeroAngle
+from tmm_report.mechanics.cycle import Extreme
+from tmm_report.mechanics.dyads import Dyad
+from tmm_report.mechanics.mechanism import FRAME, Guide, ZeroAngle
+from tmm_report.mechanics.relations import Relation
 from tmm_report.mechanics.structure import ROMAN, Group, Pair
 from tmm_report.problems import N_
 from tmm_report.report.page import Page
@@ -32,6 +35,15 @@ PAIR_KINDS = {"R": N_("revolute"), "P": N_("prismatic")}
 ORDINALS = {1: N_("1st kind"), 2: N_("2nd kind"), 3: N_("3rd kind"), 4: N_("4th kind"), 5: N_("5th kind")}
 COMPASS = {1: N_("to the right"), -1: N_("to the left"), 1j: N_("upwards"), -1j: N_("downwards")}
 EXTREMES = {1: N_("rightmost"), -1: N_("leftmost"), 1j: N_("topmost"), -1j: N_("lowest")}
+
+# Dyad kind -> how its position is found.
+CLOSURES = {
+    1: N_("group %(group)s: point %(inner)s lies at the intersection of two circles, the one about %(a)s described by link %(one)s and the one about %(b)s described by link %(other)s"),
+    2: N_("group %(group)s: point %(inner)s lies at the intersection of the circle about %(a)s described by link %(one)s with the line of guide %(b)s"),
+    3: N_("group %(group)s: the direction of guide %(inner)s is found from the triangle with the vertices %(a)s and %(b)s, in which the distance of the guide from the joints is known"),
+    4: N_("group %(group)s: point %(inner)s lies at the intersection of the lines of guides %(a)s and %(b)s"),
+    5: N_("group %(group)s: the position of link %(other)s on guide %(b)s is found from the condition that guide %(inner)s passes at a known distance from point %(a)s"),
+}
 
 # Base of a symbol, and its upper index where that matters -> meaning; %(of)s is the lower index.
 MEANINGS = {
@@ -160,6 +172,56 @@ class Words:
             return t("the extreme %(sense)s position of link %(link)s", sense=sense, link=zero.link)
         word = next((w for unit, w in EXTREMES.items() if abs(zero.direction - unit) < 1e-9), N_("extreme"))
         return t("the %(which)s position of point %(point)s", which=t(word), point=zero.point)
+
+    # ------------------------------------------------------------ positions of the groups
+
+    def closures(self) -> list[Markup]:
+        """How the position of each group is found, in the order of assembly."""
+        return [self._closure(d) for d in self.results.structure.linkage.dyads]
+
+    def _closure(self, d: Dyad) -> Markup:
+        text = CLOSURES[d.kind]
+        a, b, inner = d.outer_a.name, d.outer_b.name, d.inner.name
+        return self.page.t(text, group=self.group(d.group), a=a, b=b, inner=inner, one=d.a, other=d.b)
+
+    def group_of(self, relation: Relation) -> str:
+        return self.group(relation.dyad.group)
+
+    def label(self, label: str) -> str:
+        """A group's label as the chapters write it, "II2(2,3)", with the order as an index."""
+        name, _, links = label.partition("(")
+        return f"{name.translate(SUBSCRIPT)}({links}"
+
+    def guides(self) -> list[Markup]:
+        """Sentences that describe the guides."""
+        return [self._guide(guide) for guide in self.mechanism.guides.values()]
+
+    def _guide(self, guide: Guide) -> Markup:
+        angle = self.page.num(np.degrees(np.angle(guide.direction)), 5, scale=180.0)
+        x, y = (self.page.num(part) for part in (guide.through.real, guide.through.imag))
+        if guide.link == FRAME:
+            text = N_("guide %(name)s is fixed, it passes through the point (%(x)s; %(y)s) m at an angle of %(angle)s° to the x axis")
+        else:
+            text = N_("guide %(name)s belongs to link %(link)s, in whose own axes it passes through the point (%(x)s; %(y)s) m at an angle of %(angle)s°")
+        return self.page.t(text, name=guide.name, link=guide.link, x=x, y=y, angle=angle)
+
+    @property
+    def heavy_links(self) -> list[str]:
+        return [name for name, link in self.mechanism.links.items() if name != FRAME and (link.mass or link.inertia)]
+
+    def has_output(self, kind: str) -> bool:
+        return any(travel.output.kind == kind for travel in self.results.kinematics.travels)
+
+    # ------------------------------------------------------------ numbers
+
+    def degrees(self, angle: float) -> str:
+        """An angle given in rad, in degrees, to a tenth."""
+        return self.page.num(np.degrees(angle), places=1)
+
+    @staticmethod
+    def largest(extremes: tuple[Extreme, Extreme]) -> Extreme:
+        """Of the least and the greatest value the one with the larger magnitude."""
+        return max(extremes, key=lambda extreme: abs(extreme.value))
 
     # ------------------------------------------------------------ symbols
 

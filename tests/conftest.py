@@ -1,0 +1,37 @@
+"""Ready variants for the tests: the argument `variant` or `results` runs a test once for every file in variants/."""
+
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from tmm_report import course
+from tmm_report.variant import load
+
+FILES = sorted(Path(__file__).parents[1].joinpath("variants").glob("*.yaml"))
+every_variant = pytest.fixture(params=[path.stem for path in FILES])
+
+
+@cache
+def read(name: str) -> course.Variant:
+    return load(next(path for path in FILES if path.stem == name))
+
+
+@cache
+def solved(name: str) -> course.Results:
+    return course.solve(read(name))
+
+
+@every_variant
+def variant(request) -> course.Variant:
+    return read(request.param)
+
+
+@every_variant
+def results(request) -> course.Results:
+    return solved(request.param)
+
+
+@pytest.fixture(scope="session")
+def compressor() -> course.Results:
+    return solved("compressor")

@@ -1,0 +1,37 @@
+"""Notes of ready variants, made once a test run, and the programs that look at them."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from tmm_report import load, render, solve
+from tmm_report.course import Results
+
+VARIANTS = Path(__file__).parent.parent / "variants"
+NAMES = sorted(path.stem for path in VARIANTS.glob("*.yaml"))
+
+
+@cache
+def results(name: str) -> Results:
+    return solve(load(VARIANTS / f"{name}.yaml"))
+
+
+@cache
+def note(name: str, fmt: str, language: str | None = None) -> dict[str, bytes]:
+    return render(results(name), fmt, language)
+
+
+def program(*names: str) -> str:
+    """Path of the first of these programs that is installed; without one the test is skipped, but never in CI."""
+    found = next((path for path in map(shutil.which, names) if path), None)
+    if found is None:
+        reason = f"none of {', '.join(names)} is installed"
+        if os.environ.get("CI"):
+            pytest.fail(reason)
+        pytest.skip(reason)
+    return found

@@ -1,0 +1,247 @@
+"""The command line as a user meets it: what it writes, prints and returns."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import jsonschema
+import pytest
+from notes import NAMES, VARIANTS
+from typer.testing import CliRunner
+
+from tmm_report import __version__
+from tmm_report.cli import app
+from tmm_report.yamlread import read
+
+COMPRESSOR = VARIANTS / "compressor.yaml"
+
+
+def run(*arguments: object, **env: str):
+    return CliRunner().invoke(app, [str(a) for a in arguments], env={"LANG": "C", "LC_ALL": "C", **env})
+
+
+def test_solve_writes_the_note_and_sums_up(tmp_path):
+    done = run("solve", COMPRESSOR, "-o", tmp_path / "out", "--format", "html,tex,json,csv", "--lang", "en")
+    assert done.exit_code == 0, done.output
+    written = {
+        path.relative_to(tmp_path / "out").as_posix()
+        for path in (tmp_path / "out").rglob("*")
+        if path.is_file()
+    }
+    assert {"note.html", "note.tex", "results.json", "tables/outputs_table.csv"} <= written
+    assert not [name for name in written if name.endswith(".part")]
+    assert "I(0,1) → II2(2,3) → II2(4,5)" in done.output
+    assert re.search(r"graph-analytical method: 0\.0\d+ %", done.output)
+    assert re.search(r"lever \d\.\de-1\d, power balance \d\.\de-1\d", done.output)
+    assert str(tmp_path / "out" / "note.html") in done.output
+
+
+def test_the_folder_is_named_after_the_variant(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert run("solve", COMPRESSOR, "--format", "json").exit_code == 0
+    assert (tmp_path / "compressor-note" / "results.json").is_file()
+
+
+def test_same_variant_same_bytes(tmp_path):
+    for folder in ("one", "two"):
+        command = [sys.executable, "-m", "tmm_report", "solve", str(COMPRESSOR), "-o", str(tmp_path / folder)]
+        subprocess.run([*command, "--format", "html,tex,json,csv"], check=True, capture_output=True)
+    files = sorted(
+        path.relative_to(tmp_path / "one") for path in (tmp_path / "one").rglob("*") if path.is_file()
+    )
+    assert len(files) > 10
+    assert [
+        f for f in files if (tmp_path / "one" / f).read_bytes() != (tmp_path / "two" / f).read_bytes()
+    ] == []
+
+
+def test_results_are_strict_json_with_units_and_meanings(tmp_path):
+    for name in NAMES:
+        assert (
+            run(
+                "solve", VARIANTS / f"{name}.yaml", "-o", tmp_path, "--format", "json", "--lang", "en"
+            ).exit_code
+            == 0
+        )
+
+        def refuse(constant: str):
+            raise AssertionError(constant)
+
+        document = json.loads((tmp_path / "results.json").read_text(encoding="utf-8"), parse_constant=refuse)
+        columns = [c for table in document["tables"].values() for c in table["columns"]]
+        assert all(c["meaning"] and set(c) == {"key", "unit", "meaning", "values"} for c in columns)
+        for table in document["tables"].values():
+            assert len({len(c["values"]) for c in table["columns"]}) == 1
+            assert len({c["key"] for c in table["columns"]}) == len(table["columns"])
+
+
+def test_csv_repeats_json(tmp_path):
+    run("solve", COMPRESSOR, "-o", tmp_path, "--format", "json,csv")
+    document = json.loads((tmp_path / "results.json").read_text(encoding="utf-8"))
+    text = (tmp_path / "tables" / "rates_table.csv").read_bytes().decode("utf-8-sig")
+    rows = list(csv.reader(io.StringIO(text), delimiter=";"))
+    columns = document["tables"]["rates_table"]["columns"]
+    assert rows[0][2] == "v_A, m/s" and len(rows) == 14
+    for i, column in enumerate(columns):
+        cells = [float(row[i].replace(",", ".")) for row in rows[1:]]
+        assert all(math.isclose(a, b, abs_tol=0) for a, b in zip(cells, column["values"], strict=True))
+
+
+def test_json_path_is_light():
+    code = (
+        "import sys; from tmm_report.cli import app\n"
+        f"app(['solve', {str(COMPRESSOR)!r}, '--format', 'json', '-o', sys.argv[1]], standalone_mode=False)\n"
+        "print(sorted({m.split('.')[0] for m in sys.modules} & {'matplotlib', 'scipy', 'jinja2', 'rich', 'PIL'}))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code, "unused-note"], capture_output=True, text=True, cwd=_temporary()
+    )
+    assert done.stdout.splitlines()[-1] == "[]", done.stdout + done.stderr
+
+
+def _temporary() -> str:
+    import tempfile
+
+    return tempfile.mkdtemp()
+
+
+MISTAKES = """\
+mechanism:
+  frame: {O: [0, 0]}
+  guides:
+    x: {through: Q}
+  links:
+    1: {points: {O: 0, A: 100 kg}}
+    2: {points: {A: 0, B: 300 mm}, mas: 1}
+    3: {points: [B], slides: x}
+  driver: {link: 1, speed: 1200 rpm, rotation: clockwise}
+  assembly: {B: right}
+loads:
+  forces:
+    - {at: Z, direction: left, constant: 5}
+"""
+
+
+def test_all_mistakes_at_once(tmp_path):
+    path = tmp_path / "bad.yaml"
+    path.write_text(MISTAKES, encoding="utf-8")
+    done = run("solve", path, "-o", tmp_path / "out")
+    lines = done.output.strip().splitlines()
+    assert done.exit_code == 2 and not (tmp_path / "out").exists()
+    places = [re.match(rf"{re.escape(str(path))}:(\d+):(\d+): (\S+):", line) for line in lines]
+    assert all(places) and [int(m[1]) for m in places] == [4, 6, 7, 13]  # type: ignore[index]
+    assert "did you mean mass?" in done.output and "kg" in lines[1] and "mm" in lines[1]
+
+
+@pytest.mark.parametrize(
+    "change, at, sentence",
+    [
+        ({"4: {points: {C: 0, D: 310 mm": "4: {points: {C: 0, D: 10 mm"}, "    4: {", "cannot be assembled"),
+        (
+            {"  assembly: {B: right, D: left}\n": "  assembly: {B: right}\n"},
+            "  assembly:",
+            "II2\\(4,5\\).*two ways",
+        ),
+        ({"    5: {points: [D], slides: x,": "    5: {points: [D],"}, "  links:", "W = .* = 3.*must be 1"),
+        ({"v_A: 12.566, v_B: 0,": "v_a: 12.566, v_B: 0,"}, "  6: {v_a", "v_a.*did you mean v_A"),
+    ],
+)
+def test_mistakes_found_in_solving_have_their_line(tmp_path, change, at, sentence):
+    text = COMPRESSOR.read_text(encoding="utf-8")
+    for old, new in change.items():
+        assert text.count(old) == 1
+        text = text.replace(old, new)
+    path = tmp_path / "changed.yaml"
+    path.write_text(text, encoding="utf-8")
+    done = run("solve", path, "-o", tmp_path / "out", "--lang", "en")
+    assert done.exit_code == 2 and not (tmp_path / "out").exists()
+    found = re.match(rf"{re.escape(str(path))}:(\d+):\d+: (.*)", done.output)
+    assert found, done.output
+    assert re.search(sentence, found[2]), done.output
+    line = next(i for i, row in enumerate(text.splitlines(), 1) if row.startswith(at))
+    assert int(found[1]) == line, done.output
+
+
+def test_missing_file_and_bad_options(tmp_path):
+    assert run("solve", tmp_path / "none.yaml").exit_code == 2
+    assert run("solve", tmp_path).exit_code == 2
+    done = run("solve", COMPRESSOR, "--format", "docx", "-o", tmp_path / "out")
+    assert done.exit_code == 2 and "html, tex, json, csv" in done.output
+    assert run("solve", COMPRESSOR, "--lang", "de").exit_code == 2
+    assert not (tmp_path / "out").exists()
+
+
+def test_output_that_cannot_be_written(tmp_path):
+    (tmp_path / "file").write_text("mine")
+    done = run("solve", COMPRESSOR, "-o", tmp_path / "file", "--format", "json")
+    assert done.exit_code == 2 and (tmp_path / "file").read_text() == "mine"
+    assert "Traceback" not in done.output
+
+
+def test_what_is_in_the_folder_stays(tmp_path):
+    (tmp_path / "mine.txt").write_text("mine")
+    run("solve", COMPRESSOR, "-o", tmp_path, "--format", "json")
+    run("solve", COMPRESSOR, "-o", tmp_path, "--format", "json")
+    assert (tmp_path / "mine.txt").read_text() == "mine"
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["mine.txt", "results.json"]
+
+
+def test_messages_in_the_users_language(tmp_path):
+    path = tmp_path / "bad.yaml"
+    path.write_text(MISTAKES, encoding="utf-8")
+    english, russian = run("solve", path), run("solve", path, LANG="ru_RU.UTF-8", LC_ALL="")
+    assert re.search("[а-я]{4}", russian.output) and not re.search("[а-я]{4}", english.output)
+    assert not re.search(r": [a-z]+ [a-z]+ [a-z]+", russian.output), russian.output
+
+
+def test_schema_accepts_the_variants_and_refuses_unknown_keys():
+    done = run("schema")
+    schema = json.loads(done.output)
+    jsonschema.Draft202012Validator.check_schema(schema)
+    validator = jsonschema.Draft202012Validator(schema)
+    for name in NAMES:
+        data = read(VARIANTS / f"{name}.yaml").data
+        assert list(validator.iter_errors(data)) == []
+        assert list(validator.iter_errors({**data, "surplus": 1}))
+
+
+@pytest.mark.parametrize("language", ["ru", "en"])
+def test_new_variant_solves(tmp_path, language):
+    path = tmp_path / "my.yaml"
+    assert run("new", path, "--lang", language).exit_code == 0
+    assert run("new", path).exit_code == 2  # never overwritten
+    done = run("solve", path, "-o", tmp_path / "out", "--format", "html,json")
+    assert done.exit_code == 0, done.output
+    assert f'lang="{language}"' in (tmp_path / "out" / "note.html").read_text(encoding="utf-8")
+
+
+def test_every_command_and_option_has_help():
+    assert run("--version").output.strip() == f"tmm-report {__version__}"
+    top = run("--help").output
+    for command in ("solve", "schema", "new"):
+        assert re.search(rf"{command}\s+\w+", top)
+        text = run(command, "--help").output
+        for option in re.findall(r"^\s+(--[\w-]+|-o)", text, re.M):
+            assert re.search(rf"{option}\b.*\s{{2,}}\S+", text), (command, option)
+
+
+def test_pdf_without_tex_says_what_to_install(tmp_path, monkeypatch):
+    monkeypatch.setenv("PATH", str(tmp_path))
+    done = run("solve", COMPRESSOR, "-o", tmp_path / "out", "--format", "html", "--pdf")
+    assert done.exit_code == 1 and "texlive-lang-cyrillic" in done.output and "MiKTeX" in done.output
+    assert (tmp_path / "out" / "note.html").is_file()
+
+
+def test_open_shows_the_note(tmp_path, monkeypatch):
+    shown = []
+    monkeypatch.setattr("webbrowser.open", shown.append)
+    assert run("solve", COMPRESSOR, "-o", tmp_path / "out", "--format", "json", "--open").exit_code == 0
+    assert shown == [(tmp_path / "out" / "note.html").resolve().as_uri()]
+    assert (Path(tmp_path) / "out" / "note.html").is_file()

@@ -1,0 +1,60 @@
+"""The LaTeX note as pdflatex sets it: no error, no missing glyph, no undefined reference, nothing too wide."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+
+import pytest
+from notes import NAMES, note, program
+
+from tmm_report.pdf import compile_pdf
+
+
+@pytest.fixture(scope="module", params=["compressor-ru", "compressor-en", "shaper-ru", "tangent-en"])
+def log(request, tmp_path_factory) -> str:
+    name, language = request.param.split("-")
+    latex = program("pdflatex")
+    folder = tmp_path_factory.mktemp("latex")
+    for file, content in note(name, "tex", language).items():
+        target = folder / file
+        target.parent.mkdir(exist_ok=True)
+        target.write_bytes(content)
+    command = [latex, "-no-shell-escape", "-interaction=nonstopmode", "note.tex"]
+    for _ in range(2):
+        subprocess.run(command, cwd=folder, capture_output=True, timeout=120)
+    assert (folder / "note.pdf").exists()
+    # the log breaks lines at 79 bytes
+    return re.sub(
+        r"(?<=[^\n]{79})\n", "", (folder / "note.log").read_text(encoding="utf-8", errors="replace")
+    )
+
+
+def test_no_errors(log):
+    assert not re.findall(r"^!.*|^.*:\d+: .*rror.*", log, re.M)
+
+
+def test_no_missing_glyphs(log):
+    assert not re.findall(r"Missing character.*|.*not loadable.*|.*undefined in font.*", log)
+
+
+def test_no_undefined_references(log):
+    assert not re.findall(r".*(?:undefined|multiply.defined|Rerun to get).*", log)
+
+
+def test_no_overfull_boxes(log):
+    wide = [float(points) for points in re.findall(r"Overfull \\[hv]box \(([\d.]+)pt too", log)]
+    assert not [points for points in wide if points > 5]
+
+
+def test_pdf_is_the_same_twice():
+    program("pdflatex")
+    files = note("compressor", "tex", "ru")
+    assert compile_pdf(files) == compile_pdf(files)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_figure_is_written_and_used(name):
+    files = note(name, "tex")
+    used = set(re.findall(r"figures/[\w.-]+", files["note.tex"].decode()))
+    assert used == {file for file in files if file.startswith("figures/")}

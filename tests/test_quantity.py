@@ -1,0 +1,123 @@
+import dataclasses
+import math
+from decimal import ROUND_HALF_UP, Decimal
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tmm_report.quantity import Quantity, column, number, q, quantities, round_significant, split, unit_text
+
+sizes = st.floats(1e-12, 1e12).flatmap(lambda size: st.sampled_from([size, -size]))
+
+
+@pytest.mark.parametrize(
+    ("x", "options", "text"),
+    [
+        (9.4245, {}, "9,4245"),
+        (9.4245, {"digits": 4}, "9,425"),
+        (2.675, {"digits": 3}, "2,68"),
+        (1.005, {"places": 2}, "1,01"),
+        (0.1 + 0.2, {}, "0,3"),
+        (0.3, {"keep_zeros": True}, "0,30000"),
+        (12, {}, "12"),
+        (12, {"keep_zeros": True, "digits": 2}, "12"),
+        (-41.8879, {"decimal": "."}, "−41.888"),
+        (9.99996, {}, "10"),
+        (999999.9, {}, "1·10⁶"),
+        (123456.0, {}, "123460"),
+        (0.0001, {}, "0,0001"),
+        (0.0135, {}, "0,0135"),
+        (-1.35e-5, {}, "−1,35·10⁻⁵"),
+        (2.5e7, {"digits": 2}, "2,5·10⁷"),
+        (1.8e-16, {}, "0"),
+        (-1.8e-16, {}, "0"),
+        (-0.0, {}, "0"),
+        (1e-12, {"scale": 0}, "1·10⁻¹²"),
+        (1e-6, {"scale": 2000}, "0"),
+        (-0.004, {"places": 2, "keep_zeros": True}, "0,00"),
+        (math.nan, {}, "—"),
+        (-math.inf, {}, "−∞"),
+    ],
+)
+def test_number(x, options, text):
+    assert number(x, **options) == text
+
+
+@given(sizes, st.integers(2, 9))
+def test_a_printed_number_is_the_value_to_its_digits(x, digits):
+    text = number(x, digits, scale=0)
+    mantissa, _, power = text.replace("−", "-").replace(",", ".").partition("·10")
+    exponent = int(power.translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")) or 0)
+    read = float(f"{mantissa}e{exponent}")
+    assert "e" not in text and text != "-0"
+    assert (
+        abs(read - x)
+        <= 0.5 * 10 ** (math.floor(math.log10(abs(x))) - digits + 1) * (1 + 1e-9) + abs(x) * 2e-12
+    )
+    assert read == round_significant(x, digits)
+
+
+@given(st.integers(1, 10**6), st.integers(-8, 8), st.integers(2, 6))
+def test_rounding_is_half_up_on_the_decimal_digits(whole, power, digits):
+    written = Decimal(whole).scaleb(power)
+    step = Decimal((0, (1,), written.adjusted() - digits + 1))
+    expected = float(written.quantize(step, ROUND_HALF_UP))
+    assert round_significant(float(written), digits) == expected
+    assert round_significant(np.array([float(written), -float(written)]), digits).tolist() == [
+        expected,
+        -expected,
+    ]
+
+
+def test_arrays_keep_what_is_not_a_size():
+    rounded = round_significant(np.array([[0.0, math.nan], [math.inf, 9.4245]]), 4)
+    np.testing.assert_array_equal(rounded, [[0.0, math.nan], [math.inf, 9.425]])
+
+
+def test_a_column_has_one_number_of_decimals():
+    assert column([0, 8.1227, -12.7774, 1e-15, math.nan, 0.00001]) == ["0", "8,123", "−12,777", "0", "—", "0"]
+    assert column([2105.48, 5.0], decimal=".") == ["2105.5", "5.0"]
+    assert column([9.99999, 1.0]) == ["10,000", "1,000"]
+    assert column([1e-5, 0]) == ["1·10⁻⁵", "0"]
+    assert column([]) == []
+
+
+def test_split_gives_parts_to_typeset():
+    assert split(-1.35e-5) == (True, "1.35", -5)
+
+
+@pytest.mark.parametrize(
+    ("unit", "ru", "en"),
+    [
+        ("m/s", "м/с", "m/s"),
+        ("kg*m^2", "кг·м²", "kg·m²"),
+        ("N·m", "Н·м", "N·m"),
+        ("rad/s²", "рад/с²", "rad/s²"),
+        ("(m/s)/mm", "(м/с)/мм", "(m/s)/mm"),
+        ("W", "Вт", "W"),
+        ("rpm", "об/мин", "rpm"),
+        ("deg", "°", "°"),
+        ("%", "%", "%"),
+        ("", "", ""),
+    ],
+)
+def test_units_are_printed_in_the_language(unit, ru, en):
+    assert (unit_text(unit, "ru"), unit_text(unit, "en")) == (ru, en)
+
+
+def test_a_result_carries_the_meaning_of_its_fields():
+    @dataclasses.dataclass(frozen=True)
+    class Found:
+        omega: float = dataclasses.field(metadata=q("omega_2", "rad/s", "angular velocity"))
+        status: int = 0
+
+    (name, found), *rest = quantities(Found(3.0)).items()
+    assert not rest and name == "omega" and isinstance(found, Quantity)
+    assert (found.symbol, found.value, found.unit, found.meaning) == (
+        "omega_2",
+        3.0,
+        "rad/s",
+        "angular velocity",
+    )
