@@ -175,7 +175,7 @@ def stack(size: int) -> Compressor:
 def main() -> None:
     print("medians, ms           by hand  kinematics  + forces   ratio  difference")
     compare("36 positions", Compressor(), rounds=3000)
-#    compare(f"{VARIANTS} x 36", stack(VARIANTS), rounds=30)
+    compare(f"{VARIANTS} x 36", stack(VARIANTS), rounds=30)
 
 
 if __name__ == "__main__":

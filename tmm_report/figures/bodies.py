@@ -21,6 +21,7 @@ PAST = 3.0  # how far a guide runs past the block at the end of its travel, mm
 NEAR = 0.2  # points closer than this are one point on paper, mm
 
 Bar = tuple[complex, complex]
+Weld = tuple[complex, complex, complex]
 
 
 def number(value: Any) -> complex:
@@ -74,7 +75,6 @@ class Motion:
             if name not in (guide.link, slide.link) or other not in known:
                 continue
             on_other, on_self = (guide, slide) if slide.link == name else (slide, guide)
-            shift = (known[other] * self.mu + self.axes[other] * number(on_other.through)) / self.mu
             shift = known[other] + self.axes[other] * number(on_other.through) / self.mu
             along = self.axes[other] * number(on_other.direction)
             lines.append((shift - self.axes[name] * number(on_self.through) / self.mu, along))
@@ -107,14 +107,13 @@ class Motion:
 
 @dataclass(frozen=True)
 class Body:
-    """A link in its own axes, mm: thick bars, the corners of a stiff plate, and its blocks as (centre, direction).
-
-    `welds`: corners where two bars are one piece: (place, a place on each bar). `rods`: slides drawn as a rod."""
+    """A link in its own axes, mm: thick bars, the corners of a stiff plate, its blocks as (centre, direction),
+    and the corners where two bars are one piece as (place, a place on each bar)."""
 
     bars: tuple[Bar, ...] = ()
     plate: tuple[complex, ...] = ()
     blocks: tuple[tuple[complex, complex], ...] = ()
-    welds: tuple[tuple[complex, complex, complex], ...] = ()
+    welds: tuple[Weld, ...] = ()
 
 
 def bodies(motion: Motion) -> dict[str, Body]:
@@ -149,7 +148,9 @@ def bushing(motion: Motion, slide: Slide) -> float:
 def _rod_side(motion: Motion, slide: Slide) -> int:
     """A rod runs to the side on which the link has its farthest point on it, else along the guide."""
     through, along = number(slide.through) / motion.mu, number(slide.direction)
-    offsets = [(motion.local(slide.link, p) - through) / along for p in motion.mechanism.links[slide.link].points]
+    offsets = [
+        (motion.local(slide.link, p) - through) / along for p in motion.mechanism.links[slide.link].points
+    ]
     far = max((z.real for z in offsets if abs(z.imag) < NEAR), key=abs, default=0.0)
     return -1 if far < -NEAR else 1
 
@@ -157,16 +158,14 @@ def _rod_side(motion: Motion, slide: Slide) -> int:
 def _body(motion: Motion, name: str) -> Body:
     slides = [slide for slide in motion.mechanism.slides if slide.link == name]
     rods = [_rod(motion, slide) for slide in slides if is_rod(motion, slide)]
-    blocks = [
-        (number(s.through) / motion.mu, number(s.direction)) for s in slides if not is_rod(motion, s)
-    ]
+    blocks = [(number(s.through) / motion.mu, number(s.direction)) for s in slides if not is_rod(motion, s)]
     rails = [rail for guide in motion.mechanism.guides.values() if (rail := _rail(motion, guide, name))]
     nodes = _nodes(motion, name) + [centre for centre, _ in blocks]
     bars, welds = _framework(rails + rods, nodes)
-    plate: tuple[complex, ...] = ()
-    if not bars:
-        hull = _hull(nodes)
-        bars, plate = ([(hull[0], hull[1])], ()) if len(hull) == 2 else ([], tuple(hull) if len(hull) > 2 else ())
+    hull = [] if bars else _hull(nodes)
+    if len(hull) == 2:
+        bars = [(hull[0], hull[1])]
+    plate = tuple(hull) if len(hull) > 2 else ()
     return Body(tuple(bars), plate, tuple(blocks), tuple(welds))
 
 
@@ -196,7 +195,7 @@ def _rod(motion: Motion, slide: Slide) -> Bar:
     return start, start + side * number(slide.direction) * length
 
 
-def _framework(bars: Sequence[Bar], nodes: Sequence[complex]) -> tuple[list[Bar], list[tuple[complex, complex, complex]]]:
+def _framework(bars: Sequence[Bar], nodes: Sequence[complex]) -> tuple[list[Bar], list[Weld]]:
     """Bars stretched to the nodes on their lines, tied to each other and to the nodes off them, with welds."""
     if not bars:
         return [], []
@@ -205,7 +204,9 @@ def _framework(bars: Sequence[Bar], nodes: Sequence[complex]) -> tuple[list[Bar]
     ties = [(_nearest(grown, node), node) for node in loose]
     ties += [(_nearest(grown[:1], bar[0]), bar[0]) for bar in grown[1:] if not _touch(grown[0], bar)]
     welds = [(foot, _far_end(_owner(grown, foot), foot), tip) for foot, tip in ties if abs(tip - foot) > NEAR]
-    welds += [(bar[0], _far_end(grown[0], bar[0]), bar[1]) for bar in grown[1:] if _off(grown[0], bar[0]) <= NEAR]
+    welds += [
+        (bar[0], _far_end(grown[0], bar[0]), bar[1]) for bar in grown[1:] if _off(grown[0], bar[0]) <= NEAR
+    ]
     return grown + [tie for tie in ties if abs(tie[1] - tie[0]) > NEAR], welds
 
 
@@ -249,7 +250,9 @@ def _touch(one: Bar, other: Bar) -> bool:
 
 def _hull(nodes: Sequence[complex]) -> list[complex]:
     """Corners of the convex hull, counter-clockwise; two for points of one line, one or none for fewer."""
-    points = sorted({complex(round(z.real, 4), round(z.imag, 4)) for z in nodes}, key=lambda z: (z.real, z.imag))
+    points = sorted(
+        {complex(round(z.real, 4), round(z.imag, 4)) for z in nodes}, key=lambda z: (z.real, z.imag)
+    )
     if len(points) < 3:
         return points
     lower, upper = _chain(points), _chain(points[::-1])
@@ -266,5 +269,5 @@ def _chain(points: Sequence[complex]) -> list[complex]:
 
 
 def _bend(a: complex, b: complex, c: complex) -> float:
-    """How far b stands to the right of the line from a to c, mm."""
-    return ((b - a) * (c - a).conjugate()).imag * -1 / max(abs(c - a), 1e-9) * -1 if a != c else 0.0
+    """How far b stands to the right of the line from a to c, mm: a convex corner of a counter-clockwise hull."""
+    return -((c - a).conjugate() * (b - a)).imag / abs(c - a)

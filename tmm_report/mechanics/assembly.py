@@ -109,7 +109,8 @@ def how_to_state(d: Dyad) -> Message:
         return Message(text, {"a": d.outer_a.name, "c": d.outer_b.name, "b": d.inner.name})
     if d.kind == 2:
         text = N_(
-            'write "+" if %(b)s lies ahead of the perpendicular from %(a)s to guide %(g)s, along its direction, or "-"; on a fixed guide also left, right, up, down'
+            'write "+" if %(b)s lies ahead of the perpendicular from %(a)s to guide %(g)s, along its direction, '
+            'or "-"; on a fixed guide also left, right, up, down'
         )
         return Message(text, {"a": d.outer_a.name, "b": d.inner.name, "g": d.outer_b.name})
     text = N_('write "+" if %(c)s lies ahead of %(a)s along the direction of guide %(g)s, or "-"')

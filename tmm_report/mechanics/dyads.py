@@ -24,11 +24,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from tmm_report.mechanics.mechanism import FRAME, Mechanism
+from tmm_report.mechanics.mechanism import FRAME, Mechanism, Scalar
 from tmm_report.mechanics.planar import components, cross, dual, is_zero, resolve, sine
 from tmm_report.mechanics.structure import Group, Pair
 
@@ -95,15 +96,24 @@ class Dyad:
     inner: Pair
     sign: int = 1
 
-    @property
+    @cached_property
     def carrier_a(self) -> str:
         return self.outer_a.other(self.a)
 
-    @property
+    @cached_property
     def carrier_b(self) -> str:
         return self.outer_b.other(self.b)
 
-    @property
+    @cached_property
+    def arm_a(self) -> Scalar:
+        """From the outer joint of link a to the inner one, in the link's axes, m."""
+        return self.inner.at[self.a] - self.outer_a.at[self.a]
+
+    @cached_property
+    def arm_b(self) -> Scalar:
+        return self.inner.at[self.b] - self.outer_b.at[self.b]
+
+    @cached_property
     def references(self) -> tuple[Pair, Pair]:
         """The joints that are the reference points of a and of b (see `State`)."""
         return self.inner if self.kind == 4 else self.outer_a, self.outer_b if self.kind in (1, 3) else self.inner
@@ -153,13 +163,8 @@ def _refer(s: State, d: Dyad, r_a: Array, u_a: Array, r_b: Array, u_b: Array) ->
     s.o[d.b], s.r[d.b], s.u[d.b] = pair_b.at[d.b], r_b, u_b
 
 
-def _arm(link: str, start: Pair, end: Pair) -> Array:
-    """From one joint of a link to another, in the link's axes."""
-    return end.at[link] - start.at[link]
-
-
 def _place_rrr(s: State, d: Dyad) -> None:
-    p, q = _arm(d.a, d.outer_a, d.inner), _arm(d.b, d.outer_b, d.inner)
+    p, q = d.arm_a, d.arm_b
     A, C = _outer(s, d.outer_a, d.carrier_a), _outer(s, d.outer_b, d.carrier_b)
     # B from A, in axes with x along A → C: the circles |p| and |q| meet at x = (|AC|² + |p|² − |q|²) / 2|AC|
     AC = C - A
@@ -170,36 +175,35 @@ def _place_rrr(s: State, d: Dyad) -> None:
     _refer(s, d, A, AB / p, C, (AB - AC) / q)
 
 
-def _guide_line(s: State, d: Dyad, link: str, outer: Pair, carrier: str) -> tuple[Array, Array, Array]:
-    """Direction t of an outer guide, the sliding link's u, and a point of the line on which its inner joint runs."""
+def _guide_line(s: State, outer: Pair, carrier: str, link: str, arm: Scalar) -> tuple[Array, Array, Array]:
+    """Direction t of an outer guide, the sliding link's u, and a point of the line on which the end of its arm runs."""
     t = s.u[carrier] * outer.along[carrier]
     u = t * outer.along[link].conjugate()
-    return t, u, _outer(s, outer, carrier) + u * _arm(link, outer, d.inner)
+    return t, u, _outer(s, outer, carrier) + u * arm
 
 
 def _place_rrp(s: State, d: Dyad) -> None:
-    p = _arm(d.a, d.outer_a, d.inner)
     A = _outer(s, d.outer_a, d.carrier_a)
-    t, u, G = _guide_line(s, d, d.b, d.outer_b, d.carrier_b)
+    t, u, G = _guide_line(s, d.outer_b, d.carrier_b, d.b, d.arm_b)
     # in axes along the guide: B − A = x + ih, h the distance of A from the line, |x + ih| = |p|
     h = cross(t, G - A)
-    AB = t * (d.sign * np.sqrt(abs(p) ** 2 - h * h) + 1j * h)
-    _refer(s, d, A, AB / p, A + AB, u)
+    AB = t * (d.sign * np.sqrt(abs(d.arm_a) ** 2 - h * h) + 1j * h)
+    _refer(s, d, A, AB / d.arm_a, A + AB, u)
 
 
 def _place_rpr(s: State, d: Dyad) -> None:
     A, C = _outer(s, d.outer_a, d.carrier_a), _outer(s, d.outer_b, d.carrier_b)
     along_a, along_b = d.inner.along[d.a], d.inner.along[d.b]
     # constant distance h of C from the parallel to the guide through A: the line lies the same way from both
-    h = cross(along_a, _arm(d.a, d.outer_a, d.inner)) - cross(along_b, _arm(d.b, d.outer_b, d.inner))
+    h = cross(along_a, d.arm_a) - cross(along_b, d.arm_b)
     AC = C - A
     t = AC / (d.sign * np.sqrt(AC.real**2 + AC.imag**2 - h * h) + 1j * h)
     _refer(s, d, A, t * along_a.conjugate(), C, t * along_b.conjugate())
 
 
 def _place_prp(s: State, d: Dyad) -> None:
-    t1, u1, G1 = _guide_line(s, d, d.a, d.outer_a, d.carrier_a)
-    t2, u2, G2 = _guide_line(s, d, d.b, d.outer_b, d.carrier_b)
+    t1, u1, G1 = _guide_line(s, d.outer_a, d.carrier_a, d.a, d.arm_a)
+    t2, u2, G2 = _guide_line(s, d.outer_b, d.carrier_b, d.b, d.arm_b)
     x, _ = resolve(G2 - G1, t1, -t2)
     B = G1 + x * t1
     _refer(s, d, B, u1, B, u2)
@@ -212,8 +216,8 @@ def _place_rpp(s: State, d: Dyad) -> None:
     t1 = u_b * d.inner.along[d.b]
     u_a = t1 * d.inner.along[d.a].conjugate()
     # b slides on its outer guide until its inner guide line passes through that of a
-    G = _outer(s, d.outer_b, d.carrier_b) + u_b * _arm(d.b, d.outer_b, d.inner)
-    x, _ = resolve(A + u_a * _arm(d.a, d.outer_a, d.inner) - G, t2, t1)
+    G = _outer(s, d.outer_b, d.carrier_b) + u_b * d.arm_b
+    x, _ = resolve(A + u_a * d.arm_a - G, t2, t1)
     _refer(s, d, A, u_a, G + x * t2, u_b)
 
 
@@ -253,7 +257,7 @@ class Side:
     def curvature(self, s: State, rate: Array) -> Array:
         """The known part of the relative acceleration: normal, iω·(iω·AB), or Coriolis, 2iω·s'·t."""
         if self.follows is None:
-            return (1j * rate * rate) * self.e
+            return (rate * rate) * (1j * self.e)
         return 0.0 if self.follows == FRAME else (2 * rate) * s.iw[self.follows] * self.e
 
 
@@ -268,10 +272,10 @@ def sides(s: State, d: Dyad) -> tuple[Side, Side]:
     B = s.r[d.b]  # the inner joint of kind 2, the outer one of kinds 1 and 3
     if d.kind == 3:
         return Side(A, d.carrier_a, 1j * (B - A)), Side(B, d.carrier_b, -s.u[d.a] * d.inner.along[d.a], d.a)
-    left = Side(A, d.carrier_a, s.u[d.a] * (1j * _arm(d.a, d.outer_a, d.inner)))
+    left = Side(A, d.carrier_a, s.u[d.a] * (1j * d.arm_a))
     if d.kind == 2:
         return left, _sliding(s, d.outer_b, B, d.carrier_b)
-    return left, Side(B, d.carrier_b, s.u[d.b] * (1j * _arm(d.b, d.outer_b, d.inner)))
+    return left, Side(B, d.carrier_b, s.u[d.b] * (1j * d.arm_b))
 
 
 def _sliding(s: State, guide: Pair, joint: Array, carrier: str) -> Side:
@@ -303,7 +307,7 @@ class Closure:
 def close(s: State, d: Dyad) -> Closure:
     """Solve a placed dyad's velocities and accelerations."""
     left, right = sides(s, d)
-    basis = dual(left.e, -right.e)
+    basis = dual(left.e, right.e)
     (v_left, a_left), (v_right, a_right) = left.known(s), right.known(s)
     x, y = components(v_right - v_left, *basis)
     if d.kind == 3:  # the guide turns with a, whose ω is x

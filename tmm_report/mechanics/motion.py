@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.mechanics.dyads import Dyad, State, move, place, singularity
+from tmm_report.mechanics.dyads import Dyad, State, dyad, move, place, singularity
 from tmm_report.mechanics.mechanism import FRAME, Mechanism
 from tmm_report.mechanics.planar import is_zero
 from tmm_report.mechanics.structure import Structure
@@ -172,6 +172,5 @@ def solve(linkage: Linkage, phi: Array, omega: Array | None = None) -> Motion:
 
 def linkage_of(structure: Structure, signs: Sequence[int]) -> Linkage:
     """A Linkage with the given roots, one a group."""
-    from tmm_report.mechanics.dyads import dyad
-
-    return Linkage(structure, tuple(dyad(structure.mechanism, g, s) for g, s in zip(structure.groups, signs, strict=True)))
+    groups = zip(structure.groups, signs, strict=True)
+    return Linkage(structure, tuple(dyad(structure.mechanism, group, sign) for group, sign in groups))

@@ -19,23 +19,23 @@ def dot(a: Array, b: Array) -> Array:
 
 
 def dual(e1: Array, e2: Array) -> tuple[Array, Array]:
-    """Vectors k1, k2 that resolve any d = x·e1 + y·e2: x = d × k1, y = d × k2 (Cramer).
+    """Vectors k1, k2 by which any d = x·e1 − y·e2 is resolved: x = d × k1, y = d × k2 (Cramer).
 
     Parallel e1, e2 give inf or nan.
     """
     area = cross(e1, e2)
-    return e2 / area, e1 / -area
+    return e2 / area, e1 / area
 
 
 def components(d: Array, k1: Array, k2: Array) -> tuple[Array, Array]:
-    """d × k1, d × k2: the numbers x, y of d = x·e1 + y·e2 where k1, k2 are dual to e1, e2."""
+    """d × k1 and d × k2."""
     mirrored = d.conjugate()
     return (mirrored * k1).imag, (mirrored * k2).imag
 
 
 def resolve(d: Array, e1: Array, e2: Array) -> tuple[Array, Array]:
     """The numbers x, y with x·e1 + y·e2 = d. Parallel e1, e2 give inf or nan."""
-    return components(d, *dual(e1, e2))
+    return components(d, *dual(e1, -e2))
 
 
 def sine(e1: Array, e2: Array) -> Array:

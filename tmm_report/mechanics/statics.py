@@ -102,8 +102,10 @@ def _pass_on(s: State, rest: dict[str, Load], reaction: Reaction) -> None:
     carrier = reaction.pair.links[0]
     if carrier != FRAME:
         load = rest[carrier]
-        moment = load.moment - cross(reaction.at - s.r[carrier], reaction.force)
-        rest[carrier] = Load(load.force - reaction.force, moment - reaction.moment)
+        moment = cross(reaction.at - s.r[carrier], reaction.force)
+        if reaction.pair.kind == "P":
+            moment = moment + reaction.moment
+        rest[carrier] = Load(load.force - reaction.force, load.moment - moment)
 
 
 def _solve_dyad(s: State, d: Dyad, load_a: Load, load_b: Load) -> tuple[Reaction, Reaction, Reaction]:
@@ -122,11 +124,12 @@ def _solve_dyad(s: State, d: Dyad, load_a: Load, load_b: Load) -> tuple[Reaction
         m_a = -load_a.moment - _moment(on_a, at_a, at_i)
     if d.outer_b.kind == "P":
         m_b = m_i - _moment_about(s, d.b, load_b, at_i) - _moment(on_b, at_b, at_i)
-    flip = 1 if d.inner.links[1] == d.a else -1
+    if d.inner.links[1] == d.b:
+        inner, m_i = -inner, -m_i
     return (
         Reaction(d.outer_a, on_a, m_a, at_a, _guide(s, d.outer_a)),
         Reaction(d.outer_b, on_b, m_b, at_b, _guide(s, d.outer_b)),
-        Reaction(d.inner, flip * inner, flip * m_i, at_i, _guide(s, d.inner)),
+        Reaction(d.inner, inner, m_i, at_i, _guide(s, d.inner)),
     )
 
 

@@ -66,7 +66,7 @@ def _given(results: Any, page: Page) -> dict[str, Any]:
         "page": page,
         "words": words,
         "tables": Tables(results, page, words),
-        "pictures": Pictures(results, page),
+        "pictures": Pictures(results, page, words),
         "samples": Samples(results),
         **{name: getattr(page, name) for name in functions},
     }

@@ -24,7 +24,7 @@ class Mathematics(Protocol):
     def mathml(self, tr: Translator) -> str: ...
 
 
-PAGE = (165.0, 215.0)  # mm: the largest picture
+PAGE = (165.0, 228.0)  # mm: the largest picture
 
 
 def percent(picture: Any) -> int:

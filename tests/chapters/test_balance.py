@@ -1,0 +1,130 @@
+"""Kinetostatics of every variant: two independent checks of the moment, reactions, travel; and what is refused."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tmm_report import course
+from tmm_report.mechanics.mechanism import FRAME
+from tmm_report.mechanics.planar import cross
+from tmm_report.problems import ProblemError
+
+
+def test_lever_and_power_balance(results):
+    """Zhukovsky's lever and the power balance against the groups, at the 12 and at the 36 positions."""
+    forces = results.kinetostatics
+    assert forces.diagram.balancing.shape == (37,)
+    for solved in (forces.table, forces.diagram):
+        assert np.isfinite(solved.balancing).all()
+        assert np.abs(solved.balancing).max() > 0
+        assert solved.disagreement(solved.lever).max() < 1e-10
+        assert solved.disagreement(solved.power).max() < 1e-10
+    assert forces.agrees
+
+
+def test_both_senses_of_rotation(variant):
+    """The driving link turned the other way: everything still balances and the travel is run back."""
+    mechanism = variant.mechanism
+    driver = replace(mechanism.driver, omega=-mechanism.driver.omega)
+    if driver.sweep < 6:  # a rocking driver starts from its other end
+        driver = replace(driver, zero=replace(driver.zero, angle=driver.zero.angle + np.sign(-driver.omega) * driver.sweep))
+    there = course.solve(replace(variant, readings={}))
+    back = course.solve(replace(variant, mechanism=replace(mechanism, driver=driver), readings={}))
+    assert max(back.kinetostatics.worst_lever, back.kinetostatics.worst_power) < 1e-10
+    for one, other in zip(there.kinematics.travels, back.kinematics.travels, strict=True):
+        assert other.stroke == pytest.approx(one.stroke, rel=1e-10)
+        assert other.time_ratio == pytest.approx(one.time_ratio, rel=1e-10)
+        if there.kinematics.cycle.closed:
+            np.testing.assert_allclose(other.S, one.S[::-1], atol=1e-10)
+            np.testing.assert_allclose(other.V, -one.V[::-1], atol=1e-9 * np.abs(one.V).max())
+            np.testing.assert_allclose(other.a, one.a[::-1], atol=1e-9 * np.abs(one.a).max())
+
+
+def test_reactions_of_the_frame_hold_all_loads(results):
+    """All loads, inertia among them, the balancing moment and the reactions of the frame are in equilibrium."""
+    for solved in (results.kinetostatics.table, results.kinetostatics.diagram):
+        motion, load, given = solved.motion, solved.loading, results.kinetostatics.given
+        links = motion.linkage.mechanism.links
+        acting = [(w, motion.place(links[n].mass_centre)) for n, w in load.gravity.items()]
+        acting += [(f, motion.place(links[n].mass_centre)) for n, f in load.inertia.items()]
+        acting += [(f, motion.place(one.at)) for one, f in zip(given.forces, load.forces, strict=True)]
+        reactions = [r for r in solved.statics.reactions.values() if FRAME in r.pair.links]
+        acting += [(r.force, r.at + 0j) for r in reactions]
+        couples = [*load.couples.values(), *load.moments, solved.balancing, *(r.moment for r in reactions)]
+        size = max(np.abs(f).max() for f, _ in acting)
+        assert np.abs(sum(f for f, _ in acting)).max() < 1e-12 * size
+        moment = sum(cross(at, f) for f, at in acting) + sum(couples)
+        assert np.abs(moment).max() < 1e-12 * size
+
+
+def test_travel_of_outputs(results):
+    """S is zero in position 0, V and a are its derivatives by signs and extremes hold all positions."""
+    for t in results.kinematics.travels:
+        assert t.S[0] == 0
+        low, high = t.near.value, t.far.value
+        assert t.stroke == pytest.approx(high - low)
+        assert t.stroke > 0
+        slack = 1e-9 * t.stroke
+        assert (t.diagram_S >= low - slack).all() and (t.diagram_S <= high + slack).all()
+        for values, (least, most) in ((t.diagram_V, t.V_extremes), (t.diagram_a, t.a_extremes)):
+            slack = 1e-9 * np.abs(values).max()
+            assert (values >= least.value - slack).all() and (values <= most.value + slack).all()
+        if results.kinematics.cycle.closed:
+            assert abs(t.diagram_V[:-1].mean()) < 0.02 * np.abs(t.diagram_V).max()  # it comes back
+            assert t.time_ratio >= 1
+
+
+def test_position_0_is_the_stated_extreme(results):
+    """Where the variant states an extreme for position 0, the point or rocker stands still there."""
+    zero = results.variant.mechanism.driver.zero
+    motion = results.kinematics.table
+    if getattr(zero, "point", None):
+        speed = np.abs(motion.velocity(zero.point))
+    elif getattr(zero, "link", None):
+        speed = np.abs(motion.angular_velocity(zero.link))
+    else:
+        return
+    assert speed[0] < 1e-12 * speed.max()
+
+
+def test_a_position_that_does_not_close_is_the_users_mistake(compressor):
+    variant = compressor.variant
+    links = dict(variant.mechanism.links)
+    links["4"] = replace(links["4"], points={**links["4"].points, "D": 0.08 + 0j})
+    short = replace(variant, mechanism=replace(variant.mechanism, links=links), readings={})
+    with pytest.raises(ProblemError) as caught:
+        course.solve(short)
+    (problem,) = caught.value.problems
+    text = problem.text()
+    assert problem.path == ("mechanism", "links", "4")
+    assert "group II2(4,5) cannot be assembled at " in text
+    assert "of 13 positions, e.g. at " in text
+    assert "° from position 0; check the lengths of links 4, 5" in text
+
+
+def test_group_that_never_closes(compressor):
+    variant = compressor.variant
+    links = dict(variant.mechanism.links)
+    links["4"] = replace(links["4"], points={**links["4"].points, "D": 0.001 + 0j})
+    with pytest.raises(ProblemError, match="cannot be assembled"):
+        course.solve(replace(variant, mechanism=replace(variant.mechanism, links=links), readings={}))
+
+
+def test_straight_yoke_displacement_has_one_sign():
+    """Both ends of the stroke equally far from position 0: the guide's direction tells which is positive."""
+    from tmm_report.chapters.given import Positions
+    from tmm_report.mechanics.mechanism import Driver, Guide, Link, Mechanism, Slide, ZeroAngle
+
+    for angle in np.linspace(-3, 3, 13):
+        u = np.exp(1j * angle)
+        links = {
+            "0": Link("0", {"O": 0j}), "1": Link("1", {"O": 0j, "A": 0.1 + 0j}), "2": Link("2", {"A": 0j}), "3": Link("3", {"E": 0j}),
+        }  # fmt: skip
+        guides = {"x": Guide("x", "0", 0j, u), "s": Guide("s", "3", 0j, 1j)}
+        driver = Driver("1", 1.0, ZeroAngle(np.pi / 2 + angle))
+        yoke = Mechanism(links, driver, guides, (Slide("2", "s"), Slide("3", "x")))
+        found = course.solve(course.Variant(yoke, positions=Positions(plans=())))
+        (travel,) = found.kinematics.travels
+        assert travel.S[3] == pytest.approx(-0.1)
+        assert travel.S[9] == pytest.approx(0.1)

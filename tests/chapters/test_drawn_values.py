@@ -1,0 +1,105 @@
+"""Plans are constructions: they agree with the analytical values within the drawing's accuracy, and no better."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tmm_report import course
+from tmm_report.chapters.plans import Comparison
+
+# How many reading steps a value may be off. At 0.01 mm the construction is exact and a value is read once, rounded
+# to half a step; the numbers written by hand (five digits) add up to a step more. At 0.1 and 0.5 mm every point of
+# the scheme and of the plan is placed to the accuracy too (up to 0.7 step each way): some six points in a row,
+# the last of them where two lines cross at an angle.
+STEPS = {1e-5: 2.0, 1e-4: 10.0, 5e-4: 10.0}
+FORCE_STEPS = {1e-5: 4.0, 1e-4: 6.0, 5e-4: 6.0}
+
+
+def drawn(variant, accuracy) -> course.Results:
+    """All table positions drawn, loads as they are."""
+    every = tuple(range(variant.positions.table))
+    positions = replace(variant.positions, plans=every, force_plan=every)
+    drawing = replace(variant.drawing, accuracy=accuracy)
+    return course.solve(replace(variant, positions=positions, drawing=drawing, readings={}))
+
+
+def plan_errors(found: course.Results) -> dict[tuple[int, str], float]:
+    """Error of every plan value in reading steps."""
+    return {
+        (d.position, c.key): abs(c.graph - c.analytic) / c.floor
+        for d in found.plans.drawn
+        for c in d.comparison
+        if c.floor
+    }
+
+
+def force_errors(found: course.Results) -> dict[tuple[int, str], float]:
+    """Error of every reaction in steps of the coarsest force plan it went through, of moments in their own."""
+    errors = {}
+    for d in found.force_plans.drawn:
+        coarsest = max(plan.scale for plan in d.plans) * found.plans.accuracy
+        for c in d.comparison:
+            step = c.floor if c.key == "M_bal" else coarsest
+            errors[d.position, c.key] = abs(c.graph - c.analytic) / step
+    return errors
+
+
+@pytest.mark.parametrize("accuracy", STEPS)
+def test_plans_agree_with_the_analytical_values(variant, accuracy):
+    found = drawn(variant, accuracy)
+    assert len(found.plans.drawn) == 12
+    assert len(found.force_plans.drawn) == 12
+    wrong = {key: x for key, x in plan_errors(found).items() if not x <= STEPS[accuracy]}
+    wrong |= {key: x for key, x in force_errors(found).items() if not x <= FORCE_STEPS[accuracy]}
+    assert not wrong
+
+
+def test_a_coarser_pencil_draws_worse(variant):
+    """Errors grow with the accuracy: at 0.5 mm this is a drawing, not the analytical values printed again."""
+
+    def size(accuracy):
+        found = drawn(variant, accuracy)
+        errors = [plan_errors(found), force_errors(found)]
+        return [float(np.mean(list(e.values()))) * accuracy for e in errors]
+
+    fine, middle, coarse = (np.array(size(accuracy)) for accuracy in STEPS)
+    assert (middle > 4 * fine).all()
+    assert (coarse > 2.5 * middle).all()
+
+
+def test_design_positions_are_within_the_limit(results):
+    assert results.plans.worst < 0.5
+    assert not results.plans.singular
+    assert results.plans.accuracy == pytest.approx(0.01)
+    assert results.force_plans.worst < 2.0
+
+
+def test_every_value_of_the_plans_is_compared(results):
+    """No velocity or acceleration of the mechanism is left out of the plans."""
+    for d in results.plans.drawn:
+        assert {c.key for c in d.comparison} >= set(results.kinematics.values)
+
+
+def test_every_reaction_is_compared(results):
+    for d in results.force_plans.drawn:
+        analytic = sorted(round(c.analytic, 6) for c in d.comparison if c.key.startswith("R_"))
+        forces = results.kinetostatics.table.statics.reactions.values()
+        exact = [abs(np.broadcast_to(r.force, (13,))[d.position]) for r in forces]
+        assert analytic == pytest.approx(sorted(exact), abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("graph", "analytic", "delta", "ok"),
+    [
+        (1.02, 0.98, 4.0, True), (0.98, 1.02, -4.0, True), (1.1, 0.9, 20.0, False), (1.0, 1.0, 0.0, True),
+        (0.0, 0.0, None, True),  # 0/0 is no error
+        (0.01, 0.0, None, True), (0.004, 0.01, None, True),  # nothing can be read below the floor
+        (0.02, 0.0, 200.0, False),  # read where there is nothing
+        (0.019, 0.01, 62.07, True),  # one step off near zero is as good as it gets
+    ],
+)  # fmt: skip
+def test_comparison(graph, analytic, delta, ok):
+    compared = Comparison("v_B", graph, analytic, floor=0.01)
+    assert compared.delta == (None if delta is None else pytest.approx(delta, abs=0.005))
+    assert compared.ok == ok

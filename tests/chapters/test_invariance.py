@@ -1,0 +1,162 @@
+"""Names and the place of the drawing on the sheet change no result; for every ready variant."""
+
+import cmath
+from dataclasses import replace
+
+import numpy as np
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from tmm_report import course
+from tmm_report.chapters.given import Drawing, Friction, Loads
+from tmm_report.chapters.loads import ByDisplacement
+from tmm_report.course import Results, Variant
+from tmm_report.mechanics.mechanism import FRAME, Assembly, ZeroAngle
+
+few = settings(max_examples=4, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+NAMES = [*"ABCDEFGHKLMNOPQRSTUVWXYZnkpπ", "S2", "A'", "Ж"]
+
+
+def numbers(found: Results) -> dict[str, np.ndarray]:
+    """What a note says, without names and directions: signed scalars and magnitudes of vectors."""
+    out = {}
+    for index, t in enumerate(found.kinematics.travels):
+        out |= {f"travel {index} {key}": np.asarray(getattr(t, key)) for key in ("S", "V", "a", "stroke", "diagram_S")}
+        out[f"travel {index} extremes"] = np.array([x.value for x in (t.near, t.far, *t.V_extremes, *t.a_extremes)])
+        out[f"travel {index} ratio"] = np.asarray(t.time_ratio or 0.0)
+    for index, value in enumerate(found.kinematics.diagram_values.values()):
+        out[f"rate {index}"] = np.abs(value) if np.iscomplexobj(value) else value
+    forces = found.kinetostatics
+    assert forces is not None and found.friction is not None
+    for solved in (forces.table, forces.diagram):
+        out[f"moment {len(solved.turned)}"] = solved.balancing
+        for index, reaction in enumerate(solved.statics.reactions.values()):
+            out[f"reaction {index} {len(solved.turned)}"] = np.abs(reaction.force)
+            out[f"couple {index} {len(solved.turned)}"] = np.asarray(reaction.moment)
+    out["friction"] = found.friction.diagram.total
+    out["efficiency"] = found.friction.diagram.efficiency
+    return out
+
+
+def drawn(found: Results) -> list[tuple[float, float]]:
+    """Values of all plans with the value of 1 reading step."""
+    assert found.force_plans is not None
+    pictures = (*found.plans.drawn, *found.force_plans.drawn)
+    return [(c.graph, c.floor) for picture in pictures for c in picture.comparison]
+
+
+def renamed(v: Variant, points: dict[str, str], links: dict[str, str], guides: dict[str, str]) -> Variant:
+    m = v.mechanism
+    joints = points | guides
+
+    def group(key: str) -> str:
+        return joints.get(key) or "-".join(links[part] for part in key.split("-"))
+
+    def choice(one):
+        return (one[0], points[one[1]], points[one[2]]) if isinstance(one, tuple) else one
+
+    zero = m.driver.zero
+    if not isinstance(zero, ZeroAngle):
+        zero = replace(zero, point=points.get(zero.point), link=links.get(zero.link))
+    mechanism = replace(
+        m,
+        links={
+            links[n]: replace(
+                link,
+                name=links[n],
+                points={points[p]: at for p, at in link.points.items()},
+                mass_centre=points.get(link.mass_centre),
+            )
+            for n, link in m.links.items()
+        },
+        driver=replace(m.driver, link=links[m.driver.link], zero=zero),
+        guides={guides[n]: replace(g, name=guides[n], link=links[g.link]) for n, g in m.guides.items()},
+        slides=tuple(replace(s, link=links[s.link], guide=guides[s.guide]) for s in m.slides),
+        assembly=tuple(Assembly(group(a.key), choice(a.choice)) for a in m.assembly),
+        sketch={points[p]: at for p, at in m.sketch.items()},
+    )
+    loads = Loads(
+        v.loads.gravity,
+        tuple(replace(f, at=points[f.at]) for f in v.loads.forces),
+        tuple(replace(x, on=links[x.on]) for x in v.loads.moments),
+    )
+    friction = Friction(v.friction.pivots, v.friction.guides, {joints[n]: r for n, r in v.friction.joints.items()})
+    scales = v.drawing.force
+    scales = {group(key): x for key, x in scales.items()} if isinstance(scales, dict) else scales
+    drawing = replace(v.drawing, force=scales)
+    return replace(v, mechanism=mechanism, loads=loads, friction=friction, drawing=drawing, readings={})
+
+
+def moved(v: Variant, angle: float, shift: complex) -> Variant:
+    """The whole drawing turned about the origin and shifted, with gravity, loads, guides, words and sketch."""
+    m, u = v.mechanism, cmath.rect(1.0, angle)
+    frame = m.links[FRAME]
+
+    def turned(direction):
+        return direction * u if isinstance(direction, complex) else direction
+
+    zero = m.driver.zero
+    if isinstance(zero, ZeroAngle):
+        zero = ZeroAngle(zero.angle + angle)
+    elif zero.point is not None:
+        zero = replace(zero, direction=zero.direction * u)
+    fixed = {n: g for n, g in m.guides.items() if g.link == FRAME}
+    mechanism = replace(
+        m,
+        links={**m.links, FRAME: replace(frame, points={p: at * u + shift for p, at in frame.points.items()})},
+        driver=replace(m.driver, zero=zero),
+        guides=m.guides
+        | {n: replace(g, through=g.through * u + shift, direction=g.direction * u) for n, g in fixed.items()},
+        assembly=tuple(Assembly(a.key, turned(a.choice)) for a in m.assembly),
+        sketch={p: at * u + shift for p, at in m.sketch.items()},
+    )
+    forces = []
+    for f in v.loads.forces:
+        law = replace(f.law, zero=f.law.zero * u) if isinstance(f.law, ByDisplacement) else f.law
+        forces.append(replace(f, direction=turned(f.direction), law=law))
+    loads = Loads(v.loads.gravity * u, tuple(forces), v.loads.moments)
+    return replace(v, mechanism=mechanism, loads=loads, readings={})
+
+
+def plain(v: Variant) -> Results:
+    """Solved with scales that do not depend on the size of the drawing on the sheet."""
+    found = course.solve(replace(v, readings={}))
+    scales = Drawing(v.drawing.accuracy, found.plans.length_scale, found.plans.velocity_scale,
+                     found.plans.acceleration_scale, v.drawing.force)  # fmt: skip
+    return course.solve(replace(v, readings={}, drawing=scales))
+
+
+def fresh(draw, old: list[str], pool: list[str]) -> dict[str, str]:
+    return dict(zip(old, draw(st.permutations(pool)), strict=False))
+
+
+@few
+@given(data=st.data())
+def test_names_change_no_result(variant, data):
+    m = variant.mechanism
+    points = fresh(data.draw, m.point_names, NAMES)
+    links = {FRAME: FRAME} | fresh(data.draw, m.moving, [str(n) for n in range(1, 16)])
+    guides = fresh(data.draw, list(m.guides), ["x", "v", "z1", "Q9"])
+    before, after = course.solve(replace(variant, readings={})), course.solve(renamed(variant, points, links, guides))
+    assert [g.kind for g in after.structure.groups] == [g.kind for g in before.structure.groups]
+    expected, found = numbers(before), numbers(after)
+    assert expected.keys() == found.keys()
+    for key, value in expected.items():
+        np.testing.assert_array_equal(found[key], value, err_msg=key)
+    assert drawn(after) == drawn(before)
+
+
+@few
+@given(angle=st.floats(-3, 3), x=st.floats(-0.3, 0.3), y=st.floats(-0.3, 0.3))
+def test_place_of_the_drawing_changes_no_result(variant, angle, x, y):
+    before = plain(variant)
+    scaled = replace(variant, drawing=before.variant.drawing)
+    after = course.solve(moved(scaled, angle, complex(x, y)))
+    expected, found = numbers(before), numbers(after)
+    assert expected.keys() == found.keys()
+    for key, value in expected.items():
+        size = np.abs(value).max() + 1e-9
+        np.testing.assert_allclose(found[key] / size, value / size, rtol=0, atol=1e-9, err_msg=key)
+    # by computer the plan is drawn exactly, so only the last digit read may differ
+    for (mine, floor), (other, _) in zip(drawn(after), drawn(before), strict=True):
+        assert abs(mine - other) <= 3 * floor + 1e-12
