@@ -106,7 +106,15 @@ def shaper(count: int = 12) -> Case:
     }
     guides = {"slot": Guide("slot", "3", 0, 1), "ram": Guide("ram", "0", 0.56j, 1)}
     slides = (Slide("2", "slot"), Slide("5", "ram"))
-    places = {"O": fixed(0.3j, count), "C": fixed(0, count), "A": a, "B": b, "D": c, "S3": 0.3 * t3, "S5": c + 0.08}
+    places = {
+        "O": fixed(0.3j, count),
+        "C": fixed(0, count),
+        "A": a,
+        "B": b,
+        "D": c,
+        "S3": 0.3 * t3,
+        "S5": c + 0.08,
+    }
     turns = {"1": t1, "2": t3, "3": t3, "4": t4, "5": fixed(1, count)}
     return Mechanism(links, Driver("1", -8.0), guides, slides), places, turns
 

@@ -20,6 +20,7 @@ Box = tuple[float, float, float, float]  # left, bottom, right, top
 
 TEXT = 3.2  # height of lettering, mm
 HEAD = 3.0  # length of an arrowhead, mm
+CLEAR = 0.2  # free space sought round lettering, mm
 
 COLOURS = {
     "black": "000000",
@@ -338,6 +339,11 @@ def _segments(item: Item) -> list[Segment]:
     if isinstance(item, Circle) and item.radius < 2:
         reach = item.radius * (1 + 1j)
         strokes = [(item.centre - reach, item.centre + reach)]
+    if isinstance(item, Path) and item.fill == "white":
+        strokes = [
+            *strokes,
+            *((corners[0], corners[len(corners) // 2]) for corners in item.strokes),
+        ]  # not inside
     return [(a.real, a.imag, b.real, b.imag) for stroke in strokes for a, b in pairwise(stroke)]
 
 
@@ -346,16 +352,12 @@ def _best(tag: Tag, segments: Sequence[Segment], taken: Sequence[Box]) -> Text:
     low, high = _heights(tag.parts)
     half = complex(width(tag.parts, tag.size) / 2, tag.size * (low + high) / 2)
     near = _within(_around(tag, half), segments)
+    wide, tall = half.real + CLEAR, half.imag + CLEAR
     best_cost, best = math.inf, (0j, 0j)
     for dislike, centre, off in _candidates(tag, half):
         if dislike >= best_cost:
             break
-        box = (
-            centre.real - half.real,
-            centre.imag - half.imag,
-            centre.real + half.real,
-            centre.imag + half.imag,
-        )
+        box = (centre.real - wide, centre.imag - tall, centre.real + wide, centre.imag + tall)
         cost = dislike + _covered(box, near) + 4 * sum(_shared(box, other) for other in taken)
         if cost < best_cost:
             best_cost, best = cost, (centre, off)
@@ -408,7 +410,7 @@ def _text_at(tag: Tag, centre: complex, off: complex, lift: float) -> Text:
 def _covered(box: Box, segments: Sequence[Segment]) -> float:
     """Length of the segments inside the box, mm, and a little for each of them."""
     total = 0.0
-    for ax, ay, bx, by in segments:
+    for ax, ay, bx, by in _within(box, segments):
         low, high = 0.0, 1.0
         for start, along, least, most in ((ax, bx - ax, box[0], box[2]), (ay, by - ay, box[1], box[3])):
             if abs(along) < 1e-9:

@@ -114,12 +114,12 @@ def _runs(part: Part) -> Iterator[tuple[str, str, float, float, bool]]:
         yield part, "", 0.0, 0.0, False
         return
     bar = ' text-decoration="overline"' if part.bar else ""
-    for text, slanted in _slants(part.base, part.italic):
-        yield text, slanted + bar, 0.0, 0.0, False
-    for text, slanted in _slants(part.sub, True):
+    slanted = ' font-style="italic"' if part.italic and not _CYRILLIC.search(part.base) else ""
+    yield part.base, slanted + bar, 0.0, 0.0, False
+    for text, slanted in _slants(part.sub):
         yield text, slanted, -DROP, 0.0, True
     shift = -_step_back(part)
-    for text, slanted in _slants(part.sup, True):
+    for text, slanted in _slants(part.sup):
         yield text, slanted, RAISE, shift, True
         shift = 0.0
 
@@ -137,14 +137,15 @@ def _ahead(part: Part) -> float:
     return max(0.0, _step_back(part) - SMALL * _run_width(part.sup)) if part.sup else 0.0
 
 
+_CYRILLIC = re.compile("[Ѐ-ӿ]")
 _LETTERS = re.compile(r"([A-Za-zΑ-Ωα-ωϕϑε]+)")
 
 
-def _slants(text: str, italic: bool) -> Iterator[tuple[str, str]]:
-    """Letters of symbols are italic; digits, signs and Cyrillic stand upright."""
+def _slants(text: str) -> Iterator[tuple[str, str]]:
+    """Letters of an index are italic; digits, signs and Cyrillic stand upright."""
     for run in _LETTERS.split(text):
         if run:
-            yield run, ' font-style="italic"' if italic and _LETTERS.fullmatch(run) else ""
+            yield run, ' font-style="italic"' if _LETTERS.fullmatch(run) else ""
 
 
 def _tspan(text: str, mark: str, dy: float, dx: float, size: float) -> str:
@@ -207,6 +208,7 @@ def tex_parts(parts: Parts) -> str:
 
 def _tex_symbol(symbol: Symbol) -> str:
     base = _tex_math(symbol.base)
+    base = rf"\mathit{{{base}}}" if symbol.base.isdigit() else base  # digits of math stand upright otherwise
     base = base if symbol.italic else rf"\mathrm{{{base}}}"
     base = rf"\overline{{{base}}}" if symbol.bar else f"{{{base}}}"
     indices = [

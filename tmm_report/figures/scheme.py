@@ -9,7 +9,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
 
@@ -32,13 +32,15 @@ from tmm_report.figures.drawing import (
     polyline,
     together,
 )
-from tmm_report.figures.lettering import Parts, Symbol, joined, symbol
+from tmm_report.figures.lettering import Symbol, joined, symbol
 from tmm_report.mechanics.mechanism import FRAME, Guide, Mechanism, Slide
 
 PAGE = (168.0, 228.0)  # what a drawing may fill of a sheet, mm
+GROUPS_PAGE = (168.0, 130.0)  # what the groups taken apart may fill
 FAINT = Pen(0.18, "grey")
 TRACE = Pen(0.22, "blue")
 SMALL = 2.5  # height of the numbers of positions, mm
+SEEN = 0.15  # the least angle that is marked, rad
 
 Arrays = Mapping[str, np.ndarray]
 Group = tuple[str, Sequence[str]]  # its name as it is printed, its links ("0" with the driving link)
@@ -56,10 +58,10 @@ def scheme(
     """One position. `zero`: unit direction from which the driver's angle is counted in its sense of rotation."""
 
     def draw(mu: float) -> Drawing:
-        view = View(Motion(mechanism, places, turns, mu), position)
-        return Drawing((*view.frame(), *view.links(), *view.driving(zero)), title).labelled(
-            view.point_tags() + view.number_tags() + view.driving_tags(zero)
-        )
+        view = _view(mechanism, places, turns, mu, position)
+        items = (*view.frame(), *view.links(), *view.rotation(), *view.angle(zero))
+        tags = view.point_tags() + view.number_tags() + view.rotation_tags() + view.angle_tags(zero)
+        return Drawing(items, title).labelled(tags)
 
     return draw(mu_l) if mu_l else draw(standard_scale(mechanism, places, turns))
 
@@ -80,11 +82,10 @@ def positions_scheme(
     beside the coupler points, mass centres for example.
     """
     mu = mu_l or standard_scale(mechanism, places, turns)
-    view = View(Motion(mechanism, places, turns, mu), position)
-    others = [View(view.motion, k) for k in range(view.motion.count) if k != position]
-    faint = [item for other in others for item in other.skeleton(FAINT)]
-    items = (*view.frame(), *faint, *_traces(view, paths or {}, traced), *_position_dots(view), *view.links())
-    return Drawing(items, title).labelled(view.point_tags() + view.number_tags() + _position_tags(view))
+    view = _view(mechanism, places, turns, mu, position)
+    items = (*_superposed(view, paths or {}, traced), *view.rotation())
+    tags = view.point_tags() + _position_tags(view) + view.number_tags() + view.rotation_tags()
+    return Drawing(items, title).labelled(tags)
 
 
 def groups_apart(
@@ -99,10 +100,10 @@ def groups_apart(
     """The driving link and the Assur groups side by side, each over its name, outer joints as free halves."""
 
     def draw(mu: float) -> Drawing:
-        view = View(Motion(mechanism, places, turns, mu), position)
+        view = _view(mechanism, places, turns, mu, position)
         return Drawing(_in_rows([_taken_off(view, name, links) for name, links in groups]), title)
 
-    return draw(mu_l) if mu_l else draw(_fitting(_span(places) / PAGE[0] / 2, draw))
+    return draw(mu_l) if mu_l else draw(_fitting(_span(places) / PAGE[0], draw, GROUPS_PAGE))
 
 
 # --- scales ---
@@ -110,14 +111,21 @@ def groups_apart(
 
 def standard_scale(mechanism: Mechanism, places: Arrays, turns: Arrays) -> float:
     """The finest of the scales 1, 2, 2.5, 4, 5 x 10^n m/mm at which all positions fit the page."""
-    return _fitting(_span(places) / PAGE[1], lambda mu: positions_scheme(mechanism, places, turns, mu))
+    page = (PAGE[0] - 2, PAGE[1] - 8)  # the rest is for lettering, left out here for speed
+
+    def draw(mu: float) -> Drawing:
+        view = _view(mechanism, places, turns, mu, 0)
+        return Drawing(tuple(_superposed(view, places, ())))
+
+    return _fitting(_span(places) / PAGE[1], draw, page)
 
 
-def _fitting(least: float, draw: Callable[[float], Drawing]) -> float:
+def _fitting(least: float, draw: Callable[[float], Drawing], page: tuple[float, float]) -> float:
+    """The least standard scale, m/mm, not under `least`, whose drawing fits the page."""
     power = math.floor(math.log10(least)) if least > 0 else -3
     scales = [digit * 10.0 ** (power + more) for more, digit in product(range(4), (1, 2, 2.5, 4, 5))]
     for mu in scales:
-        if mu >= least and all(size <= page for size, page in zip(draw(mu).size, PAGE, strict=True)):
+        if mu >= least and all(size <= room for size, room in zip(draw(mu).size, page, strict=True)):
             return float(f"{mu:.3g}")
     return float(f"{scales[-1]:.3g}")
 
@@ -138,6 +146,7 @@ class View:
 
     motion: Motion
     position: int
+    shapes: Mapping[str, Body]  # the same in all positions
 
     @property
     def mechanism(self) -> Mechanism:
@@ -145,8 +154,8 @@ class View:
 
     @cached_property
     def bodies(self) -> dict[str, Body]:
-        found = bodies(self.motion)
-        return {name: body for name, body in found.items() if cmath.isfinite(self.at(name, 0))}
+        """The links that assemble in this position."""
+        return {name: body for name, body in self.shapes.items() if cmath.isfinite(self.at(name, 0))}
 
     @cached_property
     def points(self) -> dict[str, complex]:
@@ -229,10 +238,9 @@ class View:
             point for point, links in self.joints.items() if names is None or len(set(links) & set(names)) > 1
         ]
         items += [item for point in joints for item in self._joint(point)]
-        centres = [self.mechanism.links[name].mass_centre for name in chosen]
-        return items + [
-            dot(self.points[c], 0.7) for c in centres if c and c in self.points and c not in self.joints
-        ]
+        centres = {self.mechanism.links[name].mass_centre for name in chosen}
+        single = [p for name in chosen for p in self.mechanism.links[name].points if p not in self.joints]
+        return items + [dot(self.points[p], 0.7 if p in centres else 0.5) for p in single if p in self.points]
 
     def skeleton(self, pen: Pen, names: Sequence[str] | None = None) -> list[Item]:
         """Bars, plates and stiff corners of the links, one pen for all."""
@@ -250,8 +258,13 @@ class View:
 
     def _joint(self, point: str) -> list[Item]:
         items = marks.joint(self.points[point])
+        if any(abs(self.at(name, z) - self.points[point]) < NEAR for name, z in self._block_centres()):
+            return items
         through = [u for name in self.joints[point] if name != FRAME and (u := self._passes(name, point))]
         return items + (marks.passing(self.points[point], through[0]) if len(through) == 1 else [])
+
+    def _block_centres(self) -> list[tuple[str, complex]]:
+        return [(name, centre) for name, body in self.bodies.items() for centre, _ in body.blocks]
 
     def _passes(self, name: str, point: str) -> complex:
         """Unit direction of a bar of the link that passes straight through the point; 0 where none does."""
@@ -274,33 +287,47 @@ class View:
     def _angle(self, zero: complex) -> tuple[float, float, float]:
         """Radius of the arc of the driver's angle, where it starts, and the signed angle, rad."""
         length, sense = self._crank()
-        angle = (sense * cmath.phase(self.turn(self.driver) / zero)) % (2 * math.pi)
+        angle = sense * cmath.phase(self.turn(self.driver) / zero)
+        if self.full_turn:
+            angle %= 2 * math.pi
         return min(max(0.45 * length, 5.0), 9.0), cmath.phase(zero), sense * angle
 
-    def driving(self, zero: complex) -> list[Item]:
-        """The arrow of rotation and the driver's angle from `zero`."""
-        radius, start, angle = self._angle(zero)
-        items = marks.turning(self.pivot, 1.6 * radius, *self._rotation())
-        if 0.15 < abs(angle) < 2 * math.pi - 0.15:
-            items += marks.turning(self.pivot, radius, start, angle)
-            items.append(line(self.pivot, self.pivot + (radius + 5) * zero, THIN))
-        return items
+    @property
+    def full_turn(self) -> bool:
+        return self.mechanism.driver.sweep >= 2 * math.pi - 1e-9
 
-    def _rotation(self) -> tuple[float, float]:
-        sense = self._crank()[1]
-        return cmath.phase(self.turn(self.driver)) + 0.3 * sense, 1.0 * sense
-
-    def driving_tags(self, zero: complex) -> list[Tag]:
+    def angle(self, zero: complex) -> list[Item]:
+        """The driver's angle from `zero`; one too small to be seen is left out."""
         radius, start, angle = self._angle(zero)
-        first, sweep = self._rotation()
-        outer = [cmath.rect(1.0, first + share * sweep) for share in (0.5, 0.3, 0.8)]
-        spots = tuple(self.pivot + 1.6 * radius * u for u in outer)
-        tags = [Tag((Symbol("ω", self.driver),), spots, prefer=outer[0], gap=0.8)]
-        if 0.15 < abs(angle) < 2 * math.pi - 0.15:
-            middle = [cmath.rect(1.0, start + share * angle) for share in (0.5, 0.35, 0.65, 0.2, 0.8)]
-            spots = tuple(self.pivot + radius * u for u in middle)
-            tags.append(Tag((Symbol("φ", self.driver),), spots, prefer=middle[0], gap=0.8))
-        return tags
+        if not SEEN < abs(angle) < 2 * math.pi - SEEN:
+            return []
+        side = line(self.pivot, self.pivot + (radius + 5) * zero, THIN)
+        return [side, *marks.turning(self.pivot, radius, start, angle)]
+
+    def angle_tags(self, zero: complex) -> list[Tag]:
+        radius, start, angle = self._angle(zero)
+        if not SEEN < abs(angle) < 2 * math.pi - SEEN:
+            return []
+        return [self._arc_tag("φ", radius, start, angle)]
+
+    def rotation(self) -> list[Item]:
+        """The arrow of the driver's rotation, ahead of the driver."""
+        return marks.turning(self.pivot, *self._rotation())
+
+    def rotation_tags(self) -> list[Tag]:
+        return [self._arc_tag("ω", *self._rotation())]
+
+    def _rotation(self) -> tuple[float, float, float]:
+        """Radius, start and sweep of the arrow of rotation, mm, rad."""
+        length, sense = self._crank()
+        radius = 1.6 * min(max(0.45 * length, 5.0), 9.0)
+        return radius, cmath.phase(self.turn(self.driver)) + 0.4 * sense, 1.0 * sense
+
+    def _arc_tag(self, letter: str, radius: float, start: float, sweep: float) -> Tag:
+        """A symbol of the driver outside an arc about its pivot."""
+        units = [cmath.rect(1.0, start + share * sweep) for share in (0.5, 0.35, 0.65, 0.2, 0.8)]
+        spots = tuple(self.pivot + radius * unit for unit in units)
+        return Tag((Symbol(letter, self.driver),), spots, prefer=units[0], gap=0.8)
 
     # lettering
 
@@ -330,7 +357,19 @@ class View:
         )
 
 
+def _view(mechanism: Mechanism, places: Arrays, turns: Arrays, mu: float, position: int) -> View:
+    motion = Motion(mechanism, places, turns, mu)
+    return View(motion, position, bodies(motion))
+
+
 # --- all positions ---
+
+
+def _superposed(view: View, paths: Arrays, traced: Sequence[str]) -> list[Item]:
+    """The view over all other positions drawn thin, with trajectories and the places of the joints."""
+    others = [replace(view, position=k) for k in range(view.motion.count) if k != view.position]
+    faint = [item for other in others for item in other.skeleton(FAINT)]
+    return [*view.frame(), *faint, *_traces(view, paths, traced), *_position_dots(view), *view.links()]
 
 
 def _grounded(view: View) -> set[str]:
@@ -359,14 +398,13 @@ def _coupler_points(view: View) -> list[str]:
 
 def _traces(view: View, paths: Arrays, traced: Sequence[str]) -> list[Item]:
     """Circles of the driver's joints, trajectories of rockers' joints, coupler points and points asked for."""
-    full = view.mechanism.driver.sweep >= 2 * math.pi - 1e-9
-    on_driver = [p for p in _numbered(view) if view.driver in view.joints[p]] if full else []
+    on_driver = [p for p in _numbered(view) if view.driver in view.joints[p]] if view.full_turn else []
     items: list[Item] = [Circle(view.pivot, abs(view.points[p] - view.pivot), FAINT) for p in on_driver]
     straight = {p for p in _numbered(view) if _sliding(view) & set(view.joints[p])}
     wanted = dict.fromkeys([*_numbered(view), *_coupler_points(view), *traced])
     for point in [p for p in wanted if p in paths and p not in straight and p not in on_driver]:
         pen = FAINT if point in _numbered(view) else TRACE
-        items.append(polyline(_smooth(np.asarray(paths[point]) / view.motion.mu, full), pen))
+        items.append(polyline(_smooth(np.asarray(paths[point]) / view.motion.mu, view.full_turn), pen))
     return items
 
 
@@ -400,8 +438,12 @@ def _position_tags(view: View) -> list[Tag]:
     tags = []
     for point in _numbered(view):
         for names, place in together(_position_places(view, point)):
-            parts: Parts = ("=".join(names),)
-            tags.append(Tag(parts, (place,), 0.9, _outside(view, point, place), SMALL, "blue"))
+            out = _outside(view, point, place)
+            rises = (
+                (0.0, BLOCK.imag, BLOCK.imag + SMALL) if _sliding(view) & set(view.joints[point]) else (0.0,)
+            )
+            tiers = tuple(place + rise * out for rise in rises)
+            tags.append(Tag(("=".join(names),), tiers, 0.9, out, SMALL, "blue"))
     return tags
 
 
@@ -433,10 +475,10 @@ def _taken_off(view: View, name: str, links: Sequence[str]) -> Drawing:
             view.points[p] for p, names in view.joints.items() if FRAME in names and set(own) & set(names)
         ]
         items = [*(item for z in fixed for item in marks.support(z)), *items]
-        items += view.driving(view.turn(view.driver))
+        items += view.rotation()
     shown = [p for p in view.points if set(view.mechanism.links_at(p)) & set(own)]
     tags = view.point_tags(shown) + view.number_tags(own)
-    tags += view.driving_tags(view.turn(view.driver)) if FRAME in links else []
+    tags += view.rotation_tags() if FRAME in links else []
     drawing = Drawing(tuple(items)).labelled(tags)
     left, bottom, right, _ = drawing.box
     return Drawing((*drawing.items, Text(complex((left + right) / 2, bottom - 4), (name,), align=0)))

@@ -62,8 +62,10 @@ class Linkage:
         numbers = [m.driver.omega]
         for link in m.links.values():
             numbers += [*link.points.values(), link.mass, link.inertia]
-        for line in (*m.guides.values(), *m.slides):
-            numbers += [line.through, line.direction]
+        for guide in m.guides.values():
+            numbers += [guide.through, guide.direction]
+        for slide in m.slides:
+            numbers += [slide.through, slide.direction]
         return np.broadcast_shapes(*(np.shape(x) for x in numbers))
 
 
@@ -89,6 +91,14 @@ class Motion:
     def places(self) -> Array:
         """World places of all named points, (N, ..., P), m; row `point_index[name]`."""
         return np.array([self.place(point) for point in self.point_index])
+
+    @cached_property
+    def velocities(self) -> Array:
+        return np.array([self.velocity(point) for point in self.point_index])
+
+    @cached_property
+    def accelerations(self) -> Array:
+        return np.array([self.acceleration(point) for point in self.point_index])
 
     def place(self, point: str) -> Array:
         """World place of a named point, (..., P), m."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field
 from typing import Any, Protocol
+from xml.etree.ElementTree import Element, fromstring
 
 from markupsafe import Markup
 
@@ -44,7 +45,9 @@ class Html:
         return Markup(xml_escape(text))
 
     def math(self, item: Mathematics, tr: Translator, display: bool = False) -> Markup:
-        return Markup(item.mathml(tr))
+        text = item.mathml(tr)
+        size = LINE / max(LINE, widest(text)) if display else 1.0
+        return Markup(text if size == 1 else f'<span style="font-size:{100 * size:.0f}%">{text}</span>')
 
     def picture(self, picture: Any, anchor: str) -> Markup:
         # the style sheet reduces what is larger than the page
@@ -62,7 +65,8 @@ class Tex:
         return Markup(tex_escape(text))
 
     def math(self, item: Mathematics, tr: Translator, display: bool = False) -> Markup:
-        return Markup(("$\\displaystyle " if display else "$") + item.latex(tr) + "$")
+        text = item.latex(tr)
+        return Markup("".join(f"\\NotePiece{{{piece}}}" for piece in pieces(text)) if display else f"${text}$")
 
     def picture(self, picture: Any, anchor: str) -> Markup:
         drawn = isinstance(picture, Drawing)
@@ -74,6 +78,45 @@ class Tex:
 
 
 Format = Html | Tex
+
+
+# --- lines of formulas ---
+
+LINE = 34.0  # em: what a line of formulas holds
+_LONG = 800  # characters of MathML below which no formula is too wide
+
+
+def widest(text: str) -> float:
+    """Estimated width of the widest of neighbouring `math` elements, em: each stays on one line."""
+    if len(text) < _LONG:
+        return 0.0
+    return max(map(_width, fromstring(f"<p>{text}</p>")), default=0.0)
+
+
+def _width(node: Element) -> float:
+    widths = [_width(child) for child in node]
+    if node.tag == "mfrac":
+        return max(widths)
+    if node.tag in ("msub", "msup", "msubsup"):
+        return widths[0] + 0.7 * max(widths[1:])
+    signs = len(node.text or "") * 0.47
+    return sum(widths) + signs + (0.5 if node.get("form") == "infix" else 0.0)
+
+
+def pieces(latex: str) -> list[str]:
+    """A formula cut before its relations and signs outside all braces and brackets: a line may break there."""
+    found, depth, start = [], 0, 0
+    for mark in _CUTS.finditer(latex):
+        if mark[0] == " ":
+            if depth == 0:
+                found.append(latex[start : mark.start()])
+                start = mark.end()
+        else:
+            depth += 1 if mark[0] in ("{", "\\left") else -1
+    return [*found, latex[start:]]
+
+
+_CUTS = re.compile(r"\\left(?![a-z])|\\right(?![a-z])|(?<!\\)[{}]| (?=[=+-])")
 
 _LOWERED = dict(zip("₀₁₂₃₄₅₆₇₈₉", "0123456789", strict=True))
 _RAISED = dict(zip("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789", strict=True))

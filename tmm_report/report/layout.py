@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -42,9 +43,18 @@ class Table:
 
 
 def worded(caption: Any, head: Sequence[Any], rows: Iterable[Sequence[Any]], shares: Sequence[float]) -> Table:
-    """A table with text in its cells; widths in proportion to `shares`."""
-    total = sum(shares)
-    return Table(caption, [Part(head, [list(row) for row in rows], [s / total for s in shares])], words=True)
+    """A table with text in its cells; widths in proportion to `shares`, but no word of the head is broken."""
+    least = [(PADDING + CHAR * _longest_word(str(cell))) / TEXT_WIDTH for cell in head]
+    wide = [max(0.0, share / sum(shares) - low) for share, low in zip(shares, least, strict=True)]
+    room = max(0.0, 1 - sum(least)) / (sum(wide) or 1.0)
+    whole = sum(least) + room * sum(wide)
+    parts = [(low + room * more) / whole for low, more in zip(least, wide, strict=True)]
+    return Table(caption, [Part(head, [list(row) for row in rows], parts)], words=True)
+
+
+def _longest_word(text: str) -> int:
+    """Letters of the longest word of a cell that may hold markup."""
+    return max((len(word) for word in re.findall(r"[^\W\d_]+(?![^<]*>)", text)), default=0)
 
 
 def numeric(caption: Any, first: Column, columns: Sequence[Column]) -> Table:

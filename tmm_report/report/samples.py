@@ -105,7 +105,7 @@ class Samples:
 
     def lever(self) -> Formula:
         """The balancing moment from the sum of powers, at the sample position."""
-        total = Var("Sigma^N", sum(p.power for p in self.powers()), "W")
+        total = Var("SigmaN", sum(p.power for p in self.powers()), "W")
         return Formula("M_bal", -total / Var(self._omega, self.r.kinematics.omega, "rad/s"), "N·m")
 
     def loss(self, loss: PairLoss) -> Formula:

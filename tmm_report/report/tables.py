@@ -71,7 +71,8 @@ class Tables:
 
     def fixed_points(self, caption: Any) -> Table:
         points = self.r.variant.mechanism.links[FRAME].points
-        columns = [Column(self._head(axis, "m"), self.col([f(z) for z in points.values()])) for axis, f in (("x", np.real), ("y", np.imag))]
+        rows = (("x", [z.real for z in points.values()]), ("y", [z.imag for z in points.values()]))
+        columns = [Column(self._head(axis, "m"), [self.page.num(x) for x in values]) for axis, values in rows]
         return numeric(caption, self._first(self.t("Point"), list(points)), columns)
 
     def masses(self, caption: Any) -> Table:
@@ -103,11 +104,11 @@ class Tables:
         count = self.r.variant.positions.table
         keys = load_keys([force.at for force in given.forces])
         columns = [
-            Column(self._head(symbol_of(key), "N"), self.col(np.abs(vector[:count])))
+            Column(self._head(symbol_of(key), "N"), [self.page.num(abs(x)) for x in vector[:count]])
             for key, vector in zip(keys, loading.forces, strict=True)
         ]
         columns += [
-            Column(self._head(Symbol("M", stated.on), "N·m"), self.col(np.abs(value[:count])))
+            Column(self._head(Symbol("M", stated.on), "N·m"), [self.page.num(abs(x)) for x in value[:count]])
             for stated, value in zip(given.moments, loading.moments, strict=True)
         ]
         return numeric(caption, self._positions(count), columns)

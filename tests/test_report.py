@@ -1,0 +1,210 @@
+"""The note: escaping, numbering, references, tables that fit, names of links, both languages."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from functools import cache
+from html import unescape
+
+import pytest
+from markupsafe import Markup
+from notes import NAMES, note, results
+
+from tmm_report.i18n import Translator
+from tmm_report.report import render
+from tmm_report.report.formats import Html, Tex, pieces, tex_escape, widest
+from tmm_report.report.layout import TEXT_WIDTH, Column, numeric, worded
+from tmm_report.report.numbering import Numbering
+from tmm_report.report.page import Page, environment
+from tmm_report.report.words import Words
+
+HOSTILE = "</p><script>alert(1)</script> \\input{/etc/passwd} {{ 7*7 }} {% raw %} 100% & $x^2$ #1 a_b ~ \"q\""
+
+
+@cache
+def html(name: str, language: str = "ru") -> str:
+    return note(name, "html", language)["note.html"].decode()
+
+
+@cache
+def tex(name: str, language: str = "ru") -> str:
+    return note(name, "tex", language)["note.tex"].decode()
+
+
+def page(form=Html, language="en") -> Page:
+    return Page(form(), Translator(language), Numbering())
+
+
+def prose(text: str) -> str:
+    """The words of an HTML note, without mathematics, drawings and style."""
+    text = re.sub(r"<style.*?</style>|<math.*?</math>|<svg.*?</svg>", " ", text, flags=re.S)
+    return unescape(re.sub(r"<[^>]+>", " ", text))
+
+
+# --- escaping ---
+
+
+@cache
+def hostile(fmt: str) -> str:
+    found = results("crank_rocker")
+    title = replace(found.variant.title, topic=HOSTILE, student=HOSTILE, city=HOSTILE)
+    return render(replace(found, variant=replace(found.variant, title=title)), fmt, Translator("ru"))[f"note.{fmt}"].decode()
+
+
+def test_user_text_stays_text_in_html():
+    text = hostile("html")
+    assert "<script" not in text and "&lt;script&gt;" in text
+    assert "{{ 7*7 }}" in text and "\\input{/etc/passwd}" in text
+
+
+def test_user_text_stays_text_in_latex():
+    text = hostile("tex")
+    escaped = "\\textbackslash{}input\\{/etc/passwd\\} \\{\\{ 7*7 \\}\\} \\{\\% raw \\%\\} 100\\% \\& \\$x\\textasciicircum{}2\\$ \\#1 a\\_b"
+    assert text.count(escaped) >= 3 and "\\input{/etc" not in text and "&lt;" not in text
+
+
+@pytest.mark.parametrize(("form", "shown"), [(Html, "a &amp; 5% <b>x</b>"), (Tex, "a \\& 5\\% <b>x</b>")])
+def test_message_is_escaped_and_only_markup_is_trusted(form, shown):
+    assert page(form).t("%(name)s & 5%% %(mark)s", name="a", mark=Markup("<b>x</b>")) == shown
+
+
+def test_value_with_a_percent_sign_is_not_a_format():
+    assert page().t("%(a)s", a="%(b)s") == "%(b)s"
+
+
+@pytest.mark.parametrize(("form", "shown"), [(Html, "a&amp;b"), (Tex, "a\\&b")])
+def test_literal_in_a_template_is_escaped_for_its_format(form, shown):
+    assert environment().from_string('{{ "a&b" }}').render(page=page(form)) == shown
+
+
+@pytest.mark.parametrize(
+    ("text", "shown"),
+    [("−5 м/с²", "$-$5 м/с$^{2}$"), ("1,5·10⁻⁵", "1,5$\\cdot$10$^{-5}$"), ("II₂", "II$_{2}$"), ("ω", "$\\omega$"), ("日", "?")],
+)  # fmt: skip
+def test_signs_that_latex_sets_in_math_mode(text, shown):
+    assert tex_escape(text) == shown
+
+
+# --- numbering ---
+
+
+def test_sections_and_formulas_are_numbered_by_chapter():
+    numbers = Numbering()
+    places = [numbers.section("A"), numbers.section("B", 2), numbers.take("formula"), numbers.section("C", 2)]
+    places += [numbers.section("D", 3), numbers.section("E"), numbers.take("formula"), numbers.section("F", 2)]
+    assert [place.number for place in places] == ["1", "1.1", "1.1", "1.2", "1.2.1", "2", "2.1", "2.1"]
+
+
+def test_forward_reference_is_known_in_the_second_pass():
+    first = Numbering()
+    assert first.place("fig:x").number == "?" and first.missing == {"fig:x"}
+    place = first.take("figure", "fig:x")
+    second = Numbering(known=first.places)
+    assert second.place("fig:x") == place and not second.missing
+
+
+def test_two_things_with_one_label_are_a_mistake():
+    numbers = Numbering()
+    numbers.take("figure", "x")
+    with pytest.raises(ValueError, match="labelled 'x'"):
+        numbers.take("table", "x")
+
+
+def test_symbol_is_explained_once():
+    numbers = Numbering()
+    items = [{"id": "a", "symbol": "a"}, {"id": "b", "symbol": "b"}, {"id": "a", "symbol": "a"}]
+    assert [item["id"] for item in numbers.fresh(items)] == ["a", "b"] and numbers.fresh(items) == []
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("kind", ["Рисунок", "Таблица"])
+def test_figures_and_tables_are_numbered_without_gaps(name, kind):
+    numbers = [int(n) for n in re.findall(rf"{kind} (\d+) –", html(name))]
+    assert numbers == list(range(1, len(numbers) + 1)) and len(numbers) > 7
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_reference_leads_somewhere(name):
+    text = html(name)
+    assert set(re.findall(r'href="#([^"]+)"', text)) <= set(re.findall(r'id="([^"]+)"', text))
+    text = tex(name)
+    anchors = set(re.findall(r"\\Note(?:Section|Subsection|Subsubsection|Formula)\{([^}]+)\}|\\hypertarget\{([^}]+)\}", text))
+    known = {anchor for pair in anchors for anchor in pair} | set(re.findall(r"\\begin\{NoteFigure\}\{([^}]+)\}", text))
+    assert set(re.findall(r"\\hyperlink\{((?:section|formula|table|figure)-[^}]+)\}", text)) <= known
+
+
+def test_both_formats_have_the_same_numbers():
+    numbers = re.findall(r"Рисунок (\d+)|Таблица (\d+)", html("shaper"))
+    assert numbers == re.findall(r"Рисунок (\d+)|Таблица (\d+)", tex("shaper"))
+    assert re.findall(r'class="number">\(([\d.]+)\)', html("shaper")) == re.findall(r"\\NoteFormula\{[^}]+\}\{([^}]+)\}", tex("shaper"))
+
+
+# --- tables and formulas that fit ---
+
+
+@pytest.mark.parametrize("count", [1, 7, 8, 13, 40])
+def test_wide_table_is_cut_and_loses_nothing(count):
+    columns = [Column(f"c{k}", ["−1234,5", "0"]) for k in range(count)]
+    parts = numeric("x", Column("n", ["0", "1"]), columns).parts
+    assert [head for part in parts for head in part.head if head != "n"] == [c.head for c in columns]
+    assert all(part.head[0] == "n" and sum(part.shares) <= 1 for part in parts)
+    assert all(share * TEXT_WIDTH > 2.15 * 7 for part in parts for share in part.shares[1:])
+
+
+def test_table_of_words_is_as_wide_as_the_page_and_breaks_no_head():
+    (part,) = worded("x", ["Обозначение", "b"], [["1", "2"]], (1, 20)).parts
+    assert sum(part.shares) == pytest.approx(1) and part.shares[0] * TEXT_WIDTH > 11 * 2
+
+
+def test_latex_formula_is_cut_only_outside_brackets():
+    assert pieces(r"a=\frac{b +c}{d} +e -\left(f =g\right) =\{ +h") == [
+        r"a=\frac{b +c}{d}", "+e", r"-\left(f =g\right)", r"=\{", "+h",
+    ]  # fmt: skip
+
+
+def test_width_of_a_formula_counts_a_fraction_once():
+    numerator, denominator = "<mn>" + "1" * 400 + "</mn>", "<mn>" + "1" * 300 + "</mn>"
+    assert widest(f"<math><mfrac>{numerator}{denominator}</mfrac></math>") == pytest.approx(400 * 0.47)
+
+
+# --- words ---
+
+LINKS = {
+    "compressor": ["crank", "connecting rod", "slider", "connecting rod", "slider"],
+    "crank_rocker": ["crank", "connecting rod", "rocker"],
+    "shaper": ["crank", "block of the slotted link", "slotted link", "connecting rod", "slider"],
+    "slider_crank_offset": ["crank", "connecting rod", "slider"],
+    "scotch_yoke": ["crank", "block of the slotted link", "translating slotted link"],
+}
+
+
+@pytest.mark.parametrize("name", LINKS)
+def test_links_are_named_by_their_motion(name):
+    words = Words(results(name), page())
+    assert [words.name(link) for link in results(name).variant.mechanism.moving] == LINKS[name]
+
+
+def test_conclusions_have_the_actual_figures():
+    text = prose(html("compressor"))
+    found = results("compressor")
+    low, high = found.kinetostatics.extremes
+    for value in (low.value, high.value):
+        assert page(language="ru").num(value) in text.split("Заключение")[-1]
+    assert "I(0,1) → II₂(2,3) → II₂(4,5)" in text.split("Заключение")[-1]
+
+
+OWN = {load.name for name in NAMES for load in (results(name).variant.loads.forces if results(name).variant.loads else ())}
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_russian_note_has_no_english_words(name):
+    text = prose(html(name))
+    for own in OWN:
+        text = text.replace(own, "")
+    assert set(re.findall(r"[A-Za-z]{4,}", text)) <= {"RRRR", "VIII"}
+
+
+@pytest.mark.parametrize("fmt", ["html", "tex"])
+def test_same_results_give_the_same_bytes(fmt):
+    assert render(results("shaper"), fmt, Translator("ru")) == render(results("shaper"), fmt, Translator("ru"))
