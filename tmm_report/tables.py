@@ -415,6 +415,8 @@ def _plain(column: Iterable[Any]) -> list[Any]:
 
 def _finite(x: float) -> float | None:
     """A number for JSON: null for nan and infinity, and no negative zero."""
+    if isinstance(x, int):
+        return x
     return x + 0.0 if math.isfinite(x) else None
 
 

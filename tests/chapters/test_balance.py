@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from tmm_report import course
-from tmm_report.mechanics.mechanism import FRAME
+from tmm_report.chapters.given import Positions
+from tmm_report.mechanics.mechanism import FRAME, Driver, Guide, Link, Mechanism, Slide, ZeroAngle
 from tmm_report.mechanics.planar import cross
 from tmm_report.problems import ProblemError
 
@@ -28,14 +29,15 @@ def test_both_senses_of_rotation(variant):
     mechanism = variant.mechanism
     driver = replace(mechanism.driver, omega=-mechanism.driver.omega)
     if driver.sweep < 6:  # a rocking driver starts from its other end
-        driver = replace(driver, zero=replace(driver.zero, angle=driver.zero.angle + np.sign(-driver.omega) * driver.sweep))
+        end = driver.zero.angle - np.sign(driver.omega) * driver.sweep
+        driver = replace(driver, zero=ZeroAngle(end))
     there = course.solve(replace(variant, readings={}))
     back = course.solve(replace(variant, mechanism=replace(mechanism, driver=driver), readings={}))
     assert max(back.kinetostatics.worst_lever, back.kinetostatics.worst_power) < 1e-10
     for one, other in zip(there.kinematics.travels, back.kinematics.travels, strict=True):
         assert other.stroke == pytest.approx(one.stroke, rel=1e-10)
-        assert other.time_ratio == pytest.approx(one.time_ratio, rel=1e-10)
         if there.kinematics.cycle.closed:
+            assert other.time_ratio == pytest.approx(one.time_ratio, rel=1e-10)
             np.testing.assert_allclose(other.S, one.S[::-1], atol=1e-10)
             np.testing.assert_allclose(other.V, -one.V[::-1], atol=1e-9 * np.abs(one.V).max())
             np.testing.assert_allclose(other.a, one.a[::-1], atol=1e-9 * np.abs(one.a).max())
@@ -91,7 +93,7 @@ def test_position_0_is_the_stated_extreme(results):
 def test_a_position_that_does_not_close_is_the_users_mistake(compressor):
     variant = compressor.variant
     links = dict(variant.mechanism.links)
-    links["4"] = replace(links["4"], points={**links["4"].points, "D": 0.08 + 0j})
+    links["4"] = replace(links["4"], points={**links["4"].points, "D": 0.05 + 0j})
     short = replace(variant, mechanism=replace(variant.mechanism, links=links), readings={})
     with pytest.raises(ProblemError) as caught:
         course.solve(short)
@@ -113,14 +115,14 @@ def test_group_that_never_closes(compressor):
 
 def test_straight_yoke_displacement_has_one_sign():
     """Both ends of the stroke equally far from position 0: the guide's direction tells which is positive."""
-    from tmm_report.chapters.given import Positions
-    from tmm_report.mechanics.mechanism import Driver, Guide, Link, Mechanism, Slide, ZeroAngle
-
     for angle in np.linspace(-3, 3, 13):
         u = np.exp(1j * angle)
         links = {
-            "0": Link("0", {"O": 0j}), "1": Link("1", {"O": 0j, "A": 0.1 + 0j}), "2": Link("2", {"A": 0j}), "3": Link("3", {"E": 0j}),
-        }  # fmt: skip
+            "0": Link("0", {"O": 0j}),
+            "1": Link("1", {"O": 0j, "A": 0.1 + 0j}),
+            "2": Link("2", {"A": 0j}),
+            "3": Link("3", {"E": 0j}),
+        }
         guides = {"x": Guide("x", "0", 0j, u), "s": Guide("s", "3", 0j, 1j)}
         driver = Driver("1", 1.0, ZeroAngle(np.pi / 2 + angle))
         yoke = Mechanism(links, driver, guides, (Slide("2", "s"), Slide("3", "x")))

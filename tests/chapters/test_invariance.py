@@ -4,7 +4,7 @@ import cmath
 from dataclasses import replace
 
 import numpy as np
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
 
 from tmm_report import course
@@ -13,26 +13,38 @@ from tmm_report.chapters.loads import ByDisplacement
 from tmm_report.course import Results, Variant
 from tmm_report.mechanics.mechanism import FRAME, Assembly, ZeroAngle
 
-few = settings(max_examples=4, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+few = settings(
+    max_examples=4,
+    deadline=None,
+    derandomize=True,
+    phases=[Phase.explicit, Phase.generate],  # a whole course project a try: nothing to gain from shrinking
+    suppress_health_check=[HealthCheck.function_scoped_fixture],
+)
 NAMES = [*"ABCDEFGHKLMNOPQRSTUVWXYZnkpπ", "S2", "A'", "Ж"]
 
 
 def numbers(found: Results) -> dict[str, np.ndarray]:
-    """What a note says, without names and directions: signed scalars and magnitudes of vectors."""
+    """What a note says, without names and directions: signed scalars and magnitudes of vectors.
+
+    The first word of a key is the kind of quantity: v, a, w, e, moment, reaction...
+    """
     out = {}
     for index, t in enumerate(found.kinematics.travels):
-        out |= {f"travel {index} {key}": np.asarray(getattr(t, key)) for key in ("S", "V", "a", "stroke", "diagram_S")}
-        out[f"travel {index} extremes"] = np.array([x.value for x in (t.near, t.far, *t.V_extremes, *t.a_extremes)])
-        out[f"travel {index} ratio"] = np.asarray(t.time_ratio or 0.0)
-    for index, value in enumerate(found.kinematics.diagram_values.values()):
-        out[f"rate {index}"] = np.abs(value) if np.iscomplexobj(value) else value
+        out |= {
+            f"travel-{key} {index}": np.asarray(getattr(t, key))
+            for key in ("S", "V", "a", "stroke", "diagram_S")
+        }
+        out[f"extremes {index}"] = np.array([x.value for x in (t.near, t.far, *t.V_extremes, *t.a_extremes)])
+        out[f"ratio {index}"] = np.asarray(t.time_ratio or 0.0)
+    for index, (key, value) in enumerate(found.kinematics.diagram_values.items()):
+        out[f"{key[0]} {index}"] = np.abs(value) if np.iscomplexobj(value) else value
     forces = found.kinetostatics
     assert forces is not None and found.friction is not None
     for solved in (forces.table, forces.diagram):
         out[f"moment {len(solved.turned)}"] = solved.balancing
         for index, reaction in enumerate(solved.statics.reactions.values()):
             out[f"reaction {index} {len(solved.turned)}"] = np.abs(reaction.force)
-            out[f"couple {index} {len(solved.turned)}"] = np.asarray(reaction.moment)
+            out[f"moment {index} {len(solved.turned)}"] = np.asarray(reaction.moment)
     out["friction"] = found.friction.diagram.total
     out["efficiency"] = found.friction.diagram.efficiency
     return out
@@ -80,7 +92,9 @@ def renamed(v: Variant, points: dict[str, str], links: dict[str, str], guides: d
         tuple(replace(f, at=points[f.at]) for f in v.loads.forces),
         tuple(replace(x, on=links[x.on]) for x in v.loads.moments),
     )
-    friction = Friction(v.friction.pivots, v.friction.guides, {joints[n]: r for n, r in v.friction.joints.items()})
+    friction = Friction(
+        v.friction.pivots, v.friction.guides, {joints[n]: r for n, r in v.friction.joints.items()}
+    )
     scales = v.drawing.force
     scales = {group(key): x for key, x in scales.items()} if isinstance(scales, dict) else scales
     drawing = replace(v.drawing, force=scales)
@@ -103,7 +117,10 @@ def moved(v: Variant, angle: float, shift: complex) -> Variant:
     fixed = {n: g for n, g in m.guides.items() if g.link == FRAME}
     mechanism = replace(
         m,
-        links={**m.links, FRAME: replace(frame, points={p: at * u + shift for p, at in frame.points.items()})},
+        links={
+            **m.links,
+            FRAME: replace(frame, points={p: at * u + shift for p, at in frame.points.items()}),
+        },
         driver=replace(m.driver, zero=zero),
         guides=m.guides
         | {n: replace(g, through=g.through * u + shift, direction=g.direction * u) for n, g in fixed.items()},
@@ -137,7 +154,10 @@ def test_names_change_no_result(variant, data):
     points = fresh(data.draw, m.point_names, NAMES)
     links = {FRAME: FRAME} | fresh(data.draw, m.moving, [str(n) for n in range(1, 16)])
     guides = fresh(data.draw, list(m.guides), ["x", "v", "z1", "Q9"])
-    before, after = course.solve(replace(variant, readings={})), course.solve(renamed(variant, points, links, guides))
+    before, after = (
+        course.solve(replace(variant, readings={})),
+        course.solve(renamed(variant, points, links, guides)),
+    )
     assert [g.kind for g in after.structure.groups] == [g.kind for g in before.structure.groups]
     expected, found = numbers(before), numbers(after)
     assert expected.keys() == found.keys()
@@ -154,8 +174,11 @@ def test_place_of_the_drawing_changes_no_result(variant, angle, x, y):
     after = course.solve(moved(scaled, angle, complex(x, y)))
     expected, found = numbers(before), numbers(after)
     assert expected.keys() == found.keys()
+    omega = abs(before.kinematics.omega)
     for key, value in expected.items():
-        size = np.abs(value).max() + 1e-9
+        alike = [np.abs(x).max() for other, x in expected.items() if other.split()[0] == key.split()[0]]
+        # what is zero is rounding beside the largest of its kind, or beside what the driving link has
+        size = max(*alike, {"w": omega, "e": omega**2}.get(key[0], 0.0)) or 1.0
         np.testing.assert_allclose(found[key] / size, value / size, rtol=0, atol=1e-9, err_msg=key)
     # by computer the plan is drawn exactly, so only the last digit read may differ
     for (mine, floor), (other, _) in zip(drawn(after), drawn(before), strict=True):

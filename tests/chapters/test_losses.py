@@ -85,7 +85,9 @@ def test_power_is_proportional_to_coefficient_and_diameter(compressor):
 
 def test_a_joints_own_friction_wins(compressor):
     own = Friction(Rubbing(0.1, 0.04), Rubbing(0.1), {"C": Rubbing(0.3, 0.06), "x": Rubbing(0.2)})
-    found = {loss.pair.name: loss.rubbing for loss in friction.solve(own, compressor.kinetostatics).table.pairs}
+    found = {
+        loss.pair.name: loss.rubbing for loss in friction.solve(own, compressor.kinetostatics).table.pairs
+    }
     assert found["C"] == Rubbing(0.3, 0.06)
     assert found["x"] == Rubbing(0.2)
     assert found["A"] == Rubbing(0.1, 0.04)

@@ -4,7 +4,6 @@
 aligned that need not be, so that a lost offset or angle shows.
 """
 
-import cmath
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -17,8 +16,9 @@ ONES = (1.0,) * 6
 OMEGA = 7.0
 
 
-def turned(angle: float) -> complex:
-    return cmath.rect(1.0, angle)
+def turned(angle):
+    """Unit vector at an angle, or at an array of them."""
+    return np.exp(1j * angle)
 
 
 def mechanism(links: Sequence[Link], guides: Sequence[Guide] = (), slides: Sequence[Slide] = ()) -> Mechanism:
@@ -143,9 +143,7 @@ KINDS = {
     "compound": [1, 1, 2, 3, 4, 5],
 }  # fmt: skip
 # every scheme in both roots of its last dyad with two roots
-ROOTED = [
-    (name, sign) for name, kinds in KINDS.items() for sign in ((1, -1) if min(kinds) <= 3 else (1,))
-]
+ROOTED = [(name, sign) for name, kinds in KINDS.items() for sign in ((1, -1) if min(kinds) <= 3 else (1,))]
 
 
 def linkage(scheme: Mechanism, sign: int = 1) -> motion.Linkage:

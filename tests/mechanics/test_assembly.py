@@ -48,7 +48,9 @@ def test_sketch_finds_the_root_it_was_drawn_in(name, sign):
     lk = linkage(SCHEMES[name](), sign)
     found = solve(lk, np.array([0.8]))
     random = np.random.default_rng(3)
-    sketch = {p: complex(found.place(p)[0]) + complex(*random.normal(size=2)) * 2e-3 for p in found.point_index}
+    sketch = {
+        p: complex(found.place(p)[0]) + complex(*random.normal(size=2)) * 2e-3 for p in found.point_index
+    }
     assert signs(name, sketch=sketch) == [d.sign if d.two_roots else 1 for d in lk.dyads]
 
 

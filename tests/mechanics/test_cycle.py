@@ -17,7 +17,12 @@ R, L, E = 0.06, 0.22, 0.02
 
 def offset_crank(zero=None, omega=5.0, sweep=2 * math.pi, offset=E):
     scheme = mechanism(
-        [Link("0", {"O": 0j}), Link("1", {"O": 0j, "A": R + 0j}), Link("2", {"A": 0j, "B": L + 0j}), Link("3", {"B": 0j})],
+        [
+            Link("0", {"O": 0j}),
+            Link("1", {"O": 0j, "A": R + 0j}),
+            Link("2", {"A": 0j, "B": L + 0j}),
+            Link("3", {"B": 0j}),
+        ],
         [Guide("x", "0", offset * 1j, 1 + 0j)],
         [Slide("3", "x")],
     )
@@ -105,7 +110,9 @@ def test_roots_on_the_grid_of_the_search(shift):
     step = 2 * math.pi / 720
     start = math.asin(0.0) - 100 * step - shift * step
     cycle = offset_crank(ZeroAngle(start), offset=0.0)
-    assert cycle.roots(speed) == pytest.approx([(100 + shift) * step, math.pi + (100 + shift) * step], abs=1e-12)
+    assert cycle.roots(speed) == pytest.approx(
+        [(100 + shift) * step, math.pi + (100 + shift) * step], abs=1e-12
+    )
 
 
 def test_range_with_a_root_in_the_middle():

@@ -58,7 +58,9 @@ def rate_errors(lk: motion.Linkage, h: float, omega: float = OMEGA) -> tuple[flo
     turns, spins = [], []
     for n in lk.mechanism.moving:
         turning = by_time(lambda m, n=n: m.turn(n))
-        turns.append((found.angular_velocity(n), np.imag(np.conj(found.turn(n)) * turning)))  # ω = Im(ū du/dt)
+        turns.append(
+            (found.angular_velocity(n), np.imag(np.conj(found.turn(n)) * turning))
+        )  # ω = Im(ū du/dt)
         spins.append((found.angular_acceleration(n), by_time(lambda m, n=n: m.angular_velocity(n))))
     return max(places, worst(turns)), max(rates, worst(spins))
 

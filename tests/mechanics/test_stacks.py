@@ -24,7 +24,9 @@ def test_stack_equals_loop_of_singles(name, sign):
     for row, factors in enumerate(variants):
         alone = motion.solve(linkage(SCHEMES[name](list(factors)), sign), turn())
         for values in ("places", "velocities", "accelerations"):
-            np.testing.assert_allclose(getattr(together, values)[:, row], getattr(alone, values), rtol=1e-12, atol=1e-13)
+            np.testing.assert_allclose(
+                getattr(together, values)[:, row], getattr(alone, values), rtol=1e-12, atol=1e-13
+            )
         expected = pushed(alone)
         np.testing.assert_allclose(forces.balancing[row], expected.balancing, rtol=1e-11, atol=1e-11)
         for key, reaction in expected.reactions.items():
@@ -35,7 +37,13 @@ def test_stack_equals_loop_of_singles(name, sign):
 def scaled(scheme: Mechanism, factor: float) -> Mechanism:
     """Every length times `factor`; moments of inertia by its square."""
     links = {
-        n: Link(n, {p: at * factor for p, at in link.points.items()}, link.mass, link.mass_centre, link.inertia * factor**2)
+        n: Link(
+            n,
+            {p: at * factor for p, at in link.points.items()},
+            link.mass,
+            link.mass_centre,
+            link.inertia * factor**2,
+        )
         for n, link in scheme.links.items()
     }
     guides = {n: Guide(n, g.link, g.through * factor, g.direction) for n, g in scheme.guides.items()}
@@ -52,10 +60,14 @@ def test_scale_does_not_matter(name, sign, factor):
     for values in ("places", "velocities", "accelerations"):
         expected = getattr(usual, values)
         size = np.abs(expected).max()
-        np.testing.assert_allclose(getattr(other, values) / factor / size, expected / size, rtol=0, atol=1e-12)
+        np.testing.assert_allclose(
+            getattr(other, values) / factor / size, expected / size, rtol=0, atol=1e-12
+        )
     forces = [statics.solve(m, statics.inertia_and_gravity(m, 0j)) for m in (usual, other)]
     size = np.abs(forces[0].balancing).max()
-    np.testing.assert_allclose(forces[1].balancing / factor**2 / size, forces[0].balancing / size, rtol=0, atol=1e-11)
+    np.testing.assert_allclose(
+        forces[1].balancing / factor**2 / size, forces[0].balancing / size, rtol=0, atol=1e-11
+    )
 
 
 def test_speed_may_differ_between_variants():

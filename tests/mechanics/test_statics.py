@@ -53,7 +53,9 @@ def newton_euler(found, loads, k):
     act(scheme.driver.link, column, 0j, 1.0)
     assert column + 1 == size  # W = 1: as many unknowns as equations
     for name, load in loads.items():
-        force, moment, r = (np.broadcast_to(x, found.shape)[k] for x in (load.force, load.moment, found.state.r[name]))
+        force, moment, r = (
+            np.broadcast_to(x, found.shape)[k] for x in (load.force, load.moment, found.state.r[name])
+        )
         right[row[name] : row[name] + 3] = -force.real, -force.imag, -(moment + cross(r, force))
     solution = np.linalg.solve(matrix, right)
     return columns, solution

@@ -10,7 +10,10 @@ from tmm_report.problems import ProblemError
 
 def links(**points: str) -> list[Link]:
     """Links by the letters of their points, l2="AB"; places do not matter for the structure."""
-    return [Link(name[1:], {p: complex(k, ord(p)) for k, p in enumerate(letters)}) for name, letters in points.items()]
+    return [
+        Link(name[1:], {p: complex(k, ord(p)) for k, p in enumerate(letters)})
+        for name, letters in points.items()
+    ]
 
 
 def refusal(scheme: Mechanism, solve=structure.decompose) -> str:

@@ -275,7 +275,7 @@ def _kinetic_power(motion: Motion, turned: Array) -> Array:
     sines = list(motion.sines.values())
     omega = motion.state.w[motion.linkage.mechanism.driver.link]
     ratios = [np.abs(motion.angular_velocity(link) / omega) for link in motion.linkage.mechanism.moving]
-    step = 0.02 * np.minimum.reduce([np.ones(motion.shape), *sines]) / np.maximum.reduce(ratios)
+    step = 0.007 * np.minimum.reduce([np.ones(motion.shape), *sines]) / np.maximum.reduce(ratios)
     k = np.arange(1, len(DIFFERENCE) + 1).reshape(-1, *(1,) * len(motion.shape))
     phi = np.stack([motion.phi + k * step, motion.phi - k * step])
     energy = kinetic_energy(solve_motion(motion.linkage, phi))

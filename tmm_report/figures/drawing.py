@@ -314,7 +314,7 @@ def together(places: Mapping[str, complex], within: float = 0.5) -> list[tuple[l
 
 # --- placing of labels ---
 
-Segment = tuple[float, float, float, float]  # x, y of the start, x, y of the end
+Segment = tuple[float, float, float, float, float]  # x, y of the start, x, y of the end, weight
 
 _SIDES = tuple(cmath.rect(1, math.pi * k / 4) for k in (1, 3, 7, 5, 0, 4, 2, 6))  # corners first
 _RINGS = (1.0, 2.2)  # how many gaps away from the anchor
@@ -333,18 +333,17 @@ def _placed(tags: Sequence[Tag], items: Sequence[Item]) -> list[Text]:
 
 
 def _segments(item: Item) -> list[Segment]:
+    """Lines that lettering should keep off: a thick one more than a thin one, the inside of a white block too."""
     if isinstance(item, Text):
         return []
-    strokes: Sequence[tuple[complex, ...]] = item.outline()
+    strokes: list[tuple[complex, ...]] = item.outline()
+    weight = item.pen.width / NORMAL.width if item.pen else 1.0
     if isinstance(item, Circle) and item.radius < 2:
         reach = item.radius * (1 + 1j)
         strokes = [(item.centre - reach, item.centre + reach)]
     if isinstance(item, Path) and item.fill == "white":
-        strokes = [
-            *strokes,
-            *((corners[0], corners[len(corners) // 2]) for corners in item.strokes),
-        ]  # not inside
-    return [(a.real, a.imag, b.real, b.imag) for stroke in strokes for a, b in pairwise(stroke)]
+        strokes += [pair for corners in item.strokes for pair in zip(corners, corners[2:], strict=False)]
+    return [(a.real, a.imag, b.real, b.imag, weight) for stroke in strokes for a, b in pairwise(stroke)]
 
 
 def _best(tag: Tag, segments: Sequence[Segment], taken: Sequence[Box]) -> Text:
@@ -408,9 +407,9 @@ def _text_at(tag: Tag, centre: complex, off: complex, lift: float) -> Text:
 
 
 def _covered(box: Box, segments: Sequence[Segment]) -> float:
-    """Length of the segments inside the box, mm, and a little for each of them."""
+    """Weighted length of the segments inside the box, mm, and a little for each of them."""
     total = 0.0
-    for ax, ay, bx, by in _within(box, segments):
+    for ax, ay, bx, by, weight in _within(box, segments):
         low, high = 0.0, 1.0
         for start, along, least, most in ((ax, bx - ax, box[0], box[2]), (ay, by - ay, box[1], box[3])):
             if abs(along) < 1e-9:
@@ -420,7 +419,7 @@ def _covered(box: Box, segments: Sequence[Segment]) -> float:
             t1, t2 = (least - start) / along, (most - start) / along
             low, high = max(low, min(t1, t2)), min(high, max(t1, t2))
         if high > low:
-            total += 0.3 + (high - low) * math.hypot(bx - ax, by - ay)
+            total += weight * (0.3 + (high - low) * math.hypot(bx - ax, by - ay))
     return total
 
 

@@ -14,6 +14,7 @@ from typing import Any, Literal
 from markupsafe import Markup
 
 from tmm_report.i18n import Translator
+from tmm_report.report.force_tables import ForceTables
 from tmm_report.report.formats import Html, Tex
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template
@@ -23,7 +24,7 @@ from tmm_report.report.tables import Tables
 from tmm_report.report.words import Words
 from tmm_report.resources import data_root
 
-FORMATS = {"html": Html, "tex": Tex}
+FORMATS: dict[str, type[Html] | type[Tex]] = {"html": Html, "tex": Tex}
 
 
 def chapters(results: Any) -> list[str]:
@@ -38,26 +39,27 @@ def chapters(results: Any) -> list[str]:
 
 def render(results: Any, fmt: Literal["html", "tex"], tr: Translator) -> dict[str, bytes]:
     """File name -> content: "note.html" alone, or "note.tex" with the figures it reads."""
-    numbering = Numbering()
-    note, files = _pass(results, fmt, tr, numbering)
-    if numbering.missing:
-        numbering = Numbering(known=numbering.places)
-        note, files = _pass(results, fmt, tr, numbering)
-    if numbering.missing:
-        raise ValueError(f"the templates refer to what is not in the note: {sorted(numbering.missing)}")
-    return {f"note.{fmt}": note.encode(), **files}
+    form, pictures = FORMATS[fmt](), Pictures(results, tr)
+    page = Page(form, tr, Numbering())
+    note = _pass(results, page, pictures)
+    if page.numbering.missing:
+        page = Page(form, tr, Numbering(known=page.numbering.places))
+        note = _pass(results, page, pictures)
+    if page.numbering.missing:
+        raise ValueError(f"the templates refer to what is not in the note: {sorted(page.numbering.missing)}")
+    return {f"note.{fmt}": note.encode(), **form.files}
 
 
-def _pass(results: Any, fmt: str, tr: Translator, numbering: Numbering) -> tuple[str, dict[str, bytes]]:
-    form = FORMATS[fmt]()
-    given = _given(results, Page(form, tr, numbering))
+def _pass(results: Any, page: Page, pictures: Pictures) -> str:
+    """The note with the numbers that are known by now."""
+    given, fmt = _given(results, page, pictures), page.form.name
     given["m"] = template(f"macros.{fmt}.j2").make_module(given)
     body = [Markup(template(f"chapters/{name}.j2").render(given)) for name in chapters(results)]
     title = Markup(template("chapters/title.j2").render(given))
-    return template(f"report.{fmt}.j2").render(given, title=title, body=body, **_own_files(fmt)), form.files
+    return template(f"report.{fmt}.j2").render(given, title=title, body=body, **_own_files(fmt))
 
 
-def _given(results: Any, page: Page) -> dict[str, Any]:
+def _given(results: Any, page: Page, pictures: Pictures) -> dict[str, Any]:
     """What every template sees beside the macros `m`."""
     words = Words(results, page)
     functions = ("t", "math", "sym", "value", "num", "col", "unit", "listed")
@@ -66,7 +68,8 @@ def _given(results: Any, page: Page) -> dict[str, Any]:
         "page": page,
         "words": words,
         "tables": Tables(results, page, words),
-        "pictures": Pictures(results, page, words),
+        "forces": ForceTables(results, page, words),
+        "pictures": pictures,
         "samples": Samples(results),
         **{name: getattr(page, name) for name in functions},
     }
@@ -78,4 +81,7 @@ def _own_files(fmt: str) -> dict[str, Markup]:
         return {}
     root = data_root() / "templates"
     font = (root / "fonts" / "STIXTwoMath-subset.woff2").read_bytes()
-    return {"style": Markup((root / "style.css").read_text("utf-8")), "font": Markup(b64encode(font).decode())}
+    return {
+        "style": Markup((root / "style.css").read_text("utf-8")),
+        "font": Markup(b64encode(font).decode()),
+    }

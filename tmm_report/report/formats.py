@@ -7,12 +7,13 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import Protocol
 from xml.etree.ElementTree import Element, fromstring
 
 from markupsafe import Markup
 
 from tmm_report.figures.drawing import Drawing, svg, tikz
+from tmm_report.figures.graphs import Graph
 from tmm_report.i18n import Translator
 from tmm_report.symbols import GREEK, latex_escape, xml_escape
 
@@ -25,21 +26,25 @@ class Mathematics(Protocol):
     def mathml(self, tr: Translator) -> str: ...
 
 
+MM_PER_INCH = 25.4
 PAGE = (165.0, 228.0)  # mm: the largest picture
 
 
-def percent(picture: Any) -> int:
+def percent(picture: Drawing | Graph) -> int:
     """To how many per cent of its size a picture is reduced to fit the page; 100: not at all."""
-    wide, tall = picture.size
+    wide, tall = (
+        picture.size if isinstance(picture, Drawing) else picture.figure.get_size_inches() * MM_PER_INCH
+    )
     return min(100, int(100 * min(PAGE[0] / wide, PAGE[1] / tall)))
 
 
 @dataclass
 class Html:
-    """One self-contained file: pictures stand in it as svg."""
+    """One self-contained file: pictures stand in it as svg. `made`: pictures by anchor, kept between passes."""
 
     name = "html"
     files: dict[str, bytes] = field(default_factory=dict)
+    made: dict[str, Markup] = field(default_factory=dict)
 
     def escape(self, text: str) -> Markup:
         return Markup(xml_escape(text))
@@ -49,9 +54,11 @@ class Html:
         size = LINE / max(LINE, widest(text)) if display else 1.0
         return Markup(text if size == 1 else f'<span style="font-size:{100 * size:.0f}%">{text}</span>')
 
-    def picture(self, picture: Any, anchor: str) -> Markup:
-        # the style sheet reduces what is larger than the page
-        return Markup(svg(picture) if isinstance(picture, Drawing) else picture.svg)
+    def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
+        if anchor not in self.made:
+            # the style sheet reduces what is larger than the page
+            self.made[anchor] = Markup(svg(picture) if isinstance(picture, Drawing) else picture.svg())
+        return self.made[anchor]
 
 
 @dataclass
@@ -66,13 +73,16 @@ class Tex:
 
     def math(self, item: Mathematics, tr: Translator, display: bool = False) -> Markup:
         text = item.latex(tr)
-        return Markup("".join(f"\\NotePiece{{{piece}}}" for piece in pieces(text)) if display else f"${text}$")
+        return Markup(
+            "".join(f"\\NotePiece{{{piece}}}" for piece in pieces(text)) if display else f"${text}$"
+        )
 
-    def picture(self, picture: Any, anchor: str) -> Markup:
+    def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
         drawn = isinstance(picture, Drawing)
         name = f"figures/{anchor}.{'tex' if drawn else 'pdf'}"
-        self.files[name] = tikz(picture).encode() if drawn else picture.pdf
-        command = f"\\input{{{name}}}" if drawn else f"\\includegraphics{{{name}}}"
+        if name not in self.files:  # kept between passes
+            self.files[name] = tikz(picture).encode() if isinstance(picture, Drawing) else picture.pdf()
+        command = f"\\{'input' if drawn else 'includegraphics'}{{{name}}}"
         size = percent(picture) / 100
         return Markup(f"\\scalebox{{{size}}}{{{command}}}" if size < 1 else command)
 

@@ -8,7 +8,10 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 TEXT_WIDTH = 165.0  # mm, of A4 between margins of 30 and 15 mm
-CHAR, PADDING = 2.15, 2.6  # mm: a digit of a table's font, in the widest of the fonts asked for; both cell margins
+CHAR, PADDING = (
+    2.15,
+    2.6,
+)  # mm: a digit of a table's font, in the widest of the fonts asked for; both cell margins
 WHOLE = 20  # rows: a longer table may be cut by the end of a page
 
 
@@ -42,7 +45,9 @@ class Table:
     words: bool = False  # of text: as wide as the page
 
 
-def worded(caption: Any, head: Sequence[Any], rows: Iterable[Sequence[Any]], shares: Sequence[float]) -> Table:
+def worded(
+    caption: Any, head: Sequence[Any], rows: Iterable[Sequence[Any]], shares: Sequence[float]
+) -> Table:
     """A table with text in its cells; widths in proportion to `shares`, but no word of the head is broken."""
     least = [(PADDING + CHAR * _longest_word(str(cell))) / TEXT_WIDTH for cell in head]
     wide = [max(0.0, share / sum(shares) - low) for share, low in zip(shares, least, strict=True)]

@@ -15,6 +15,8 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template, pas
 from jinja2.runtime import Context, Undefined
 from markupsafe import Markup
 
+from tmm_report.figures.drawing import Drawing
+from tmm_report.figures.graphs import Graph
 from tmm_report.formula import Inline
 from tmm_report.i18n import Translator
 from tmm_report.quantity import column, number, unit_text
@@ -74,7 +76,7 @@ class Page:
             end = match.end()
         return Markup("").join([*out, self.text(text[end:])])
 
-    def percent(self, picture: Any) -> int:
+    def percent(self, picture: Drawing | Graph) -> int:
         return percent(picture)
 
     def math(self, item: Any, display: bool = False) -> Markup:
@@ -87,6 +89,10 @@ class Page:
     def value(self, key: str | Symbol, value: float, unit: str = "", digits: int = 5) -> Markup:
         """symbol = value unit; a value of unit "deg" is given in rad."""
         return self.math(Inline(key, float(value), unit, digits))
+
+    def values(self, items: Iterable[tuple[str, float, str]], digits: int = 4) -> Markup:
+        """Several `value`s: (symbol, value, unit), ..."""
+        return self.listed(self.value(key, value, unit, digits) for key, value, unit in items)
 
     def num(self, x: float, digits: int = 5, places: int | None = None, scale: float = 1.0) -> str:
         return number(float(x), digits, self.tr.decimal, places, scale)

@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
-from functools import cached_property
+import math
+from collections.abc import Callable, Sequence
+from functools import cached_property, wraps
 from typing import Any
 
 import numpy as np
 
 from tmm_report.chapters.drafting import Plan
 from tmm_report.chapters.force_plans import ForcePlan
+from tmm_report.chapters.kinematics import Travel
 from tmm_report.figures.drawing import Drawing
+from tmm_report.figures.graphs import LEFT, RIGHT, WIDTH, Curve, Graph, graph
 from tmm_report.figures.lettering import symbol
 from tmm_report.figures.plans import PlanVector, Style, plan
 from tmm_report.figures.scheme import Arrays, groups_apart, positions_scheme, scheme, standard_scale
+from tmm_report.i18n import Translator
+from tmm_report.mechanics.cycle import Extreme
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.motion import Motion
-from tmm_report.report.formats import percent
-from tmm_report.report.page import Page
-from tmm_report.report.words import Words
+from tmm_report.quantity import unit_text
+from tmm_report.report.formats import MM_PER_INCH, percent
 
 STYLES: dict[str, Style] = {
     "absolute": "absolute", "relative": "relative", "bend": "component", "rate": "component",
@@ -25,26 +30,51 @@ STYLES: dict[str, Style] = {
 }  # fmt: skip
 
 
+Scale = tuple[str, float, str]  # symbol, value of 1 mm, its unit
+
+
+def once(draw: Callable[..., Any]) -> Callable[..., Any]:
+    """A picture is drawn once for all passes over the templates."""
+
+    @wraps(draw)
+    def drawn(self: Pictures, *args: Any) -> Any:
+        key = (draw.__name__, *args)
+        if key not in self.drawn:
+            self.drawn[key] = draw(self, *args)
+        return self.drawn[key]
+
+    return drawn
+
+
 class Pictures:
-    def __init__(self, results: Any, page: Page, words: Words):
-        self.r, self.page, self.words = results, page, words
+    def __init__(self, results: Any, tr: Translator):
+        self.r, self.tr = results, tr
         self.mechanism = results.variant.mechanism
+        self.drawn: dict[Any, Any] = {}
 
     # ------------------------------------------------------------ schemes
 
+    @once
     def one_position(self, position: int) -> Drawing:
         places, turns = self._whole
         return scheme(self.mechanism, places, turns, self.scheme_scale, position, self._zero)
 
+    @once
     def all_positions(self, position: int) -> Drawing:
         places, turns = self._distinct
-        return positions_scheme(self.mechanism, places, turns, self.scheme_scale, position % self._count, self._paths)
+        return positions_scheme(
+            self.mechanism, places, turns, self.scheme_scale, position % self._count, self._paths
+        )
 
+    @once
     def groups(self, position: int) -> Drawing:
         places, turns = self._whole
         linkage = self.r.structure.linkage.structure
         driver = self.mechanism.driver.link
-        groups = [(f"I(0,{driver})", (FRAME, driver)), *((group.label, group.links) for group in linkage.groups)]
+        groups = [
+            (f"I(0,{driver})", (FRAME, driver)),
+            *((group.label, group.links) for group in linkage.groups),
+        ]
         return groups_apart(self.mechanism, places, turns, groups, position)
 
     @cached_property
@@ -62,8 +92,8 @@ class Pictures:
     @cached_property
     def _distinct(self) -> tuple[Arrays, Arrays]:
         """Without the last position of a full turn, which is the first."""
-        places, turns = self._whole
-        return tuple({k: x[: self._count] for k, x in arrays.items()} for arrays in (places, turns))
+        places, turns = ({k: x[: self._count] for k, x in arrays.items()} for arrays in self._whole)
+        return places, turns
 
     @property
     def _count(self) -> int:
@@ -77,8 +107,8 @@ class Pictures:
     def _seen(self, motion: Motion) -> tuple[Arrays, Arrays]:
         places = {point: motion.place(point) for point in self.mechanism.point_names}
         turns = {link: motion.turn(link) for link in self.mechanism.moving}
-        shape = motion.shape
-        return tuple({k: np.broadcast_to(x, shape) for k, x in arrays.items()} for arrays in (places, turns))
+        places, turns = ({k: np.broadcast_to(x, motion.shape) for k, x in a.items()} for a in (places, turns))
+        return places, turns
 
     @property
     def _zero(self) -> complex:
@@ -86,6 +116,7 @@ class Pictures:
 
     # ------------------------------------------------------------ plans
 
+    @once
     def plan(self, drawn: Plan) -> Drawing:
         """A plan of velocities or accelerations, at its scale."""
         vectors = [
@@ -94,11 +125,79 @@ class Pictures:
         ]
         return plan(vectors, drawn.vertices, pole=drawn.pole)
 
+    @once
     def force_plan(self, drawn: ForcePlan) -> Drawing:
         vectors = [PlanVector(s.start, s.end, symbol(s.key), STYLES[s.kind]) for s in drawn.strokes]
         return plan(vectors, {})
 
-    def balancing(self): return self.plan(self.r.plans.drawn[0].velocity)
-    losses=balancing
-    def travel(self,t): return self.balancing()
-    def travel_scales(self,t): return 'x'
+    # ------------------------------------------------------------ graphs
+
+    @once
+    def travel(self, travel: Travel) -> Graph:
+        """Displacement, velocity and acceleration of an output over the angle of turn."""
+        rocker = travel.output.kind == "rocker"
+        names = (
+            (("ψ", "deg"), ("ω", "rad/s"), ("ε", "rad/s²"))
+            if rocker
+            else (("S", "m"), ("V", "m/s"), ("a", "m/s²"))
+        )
+        factors = (np.degrees(1) if rocker else 1.0, 1.0, 1.0)
+        values = (travel.diagram_S, travel.diagram_V, travel.diagram_a)
+        peaks = ((travel.near, travel.far), travel.V_extremes, travel.a_extremes)
+        curves = [
+            Curve(x * factor, panel=k, extremes=_points(ends, factor))
+            for k, (x, factor, ends) in enumerate(zip(values, factors, peaks, strict=True))
+        ]
+        return self._graph(curves, [self._label(*name) for name in names])
+
+    def travel_scales(self, travel: Travel) -> list[Scale]:
+        if travel.output.kind == "rocker":
+            axes = (("mu_psi", "°/mm"), ("mu_omega", "(rad/s)/mm"), ("mu_epsilon", "(rad/s²)/mm"))
+        else:
+            axes = (("mu_S", "m/mm"), ("mu_V", "(m/s)/mm"), ("mu_a", "(m/s²)/mm"))
+        return self._scales(self.travel(travel), axes)
+
+    def balancing_scales(self) -> list[Scale]:
+        return self._scales(self.balancing(), [("mu_M", "N·m/mm")])
+
+    def _scales(self, drawn: Graph, names: Sequence[tuple[str, str]]) -> list[Scale]:
+        """What 1 mm along the axis of the angle and along the axis of each panel stands for."""
+        across = np.degrees(self.r.kinematics.cycle.sweep) / (WIDTH - LEFT - RIGHT)
+        tall = drawn.figure.get_size_inches()[1] * MM_PER_INCH
+        scales = [("mu_phi", float(across), "°/mm")]
+        for (name, unit), axes in zip(names, drawn.figure.axes, strict=False):
+            low, high = axes.get_ylim()
+            scales.append((name, (high - low) / (axes.get_position().height * tall), unit))
+        return scales
+
+    @once
+    def balancing(self) -> Graph:
+        found = self.r.kinetostatics
+        label = self._label("M" + self.tr.pgettext("index", "bal"), "N·m")
+        return self._graph([Curve(found.diagram.balancing, extremes=_points(found.extremes))], [label])
+
+    @once
+    def losses(self) -> Graph:
+        losses = self.r.friction.diagram
+        curves = [Curve(losses.total, panel=0), Curve(losses.efficiency, panel=1)]
+        return self._graph(curves, [self._label("P" + self.tr.pgettext("index", "fr"), "W"), "η"], join=False)
+
+    def _label(self, name: str, unit: str) -> str:
+        return f"{name}, {unit_text(unit, self.tr.language)}"
+
+    def _graph(self, curves: Sequence[Curve], labels: Sequence[str], join: bool = True) -> Graph:
+        kinematics = self.r.kinematics
+        return graph(
+            curves,
+            np.degrees(kinematics.diagram_turned),
+            self._label("φ", "deg"),
+            labels,
+            positions=kinematics.positions.table if kinematics.cycle.closed else 0,
+            comma=self.tr.decimal == ",",
+            join=join,
+        )
+
+
+def _points(extremes: Sequence[Extreme], factor: float = 1.0) -> list[tuple[float, float]]:
+    """Extremes as points of a graph: angle of turn, degrees, and value."""
+    return [(math.degrees(extreme.turned), float(extreme.value * factor)) for extreme in extremes]

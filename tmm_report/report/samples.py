@@ -48,7 +48,9 @@ def _definition(result: str, expression: Callable[..., Expr], *keys: str) -> Def
 
 WEIGHT = _definition("G", lambda m, g: m * g, "m", "g")
 REDUCED_ARM = _definition("h", lambda M, F: M / F, "M_I", "F_I")
-DIFFERENCE = _definition("delta", lambda g, a: (g - a) / (Number(0.5) * (g + a)) * Number(100), "x_gr", "x_an")
+DIFFERENCE = _definition(
+    "delta", lambda g, a: (g - a) / (Number(0.5) * (g + a)) * Number(100), "x_gr", "x_an"
+)
 POWER_BALANCE = _definition("M_bal", lambda dT, dt, N, w: (dT / dt - N) / w, "dT", "dt", "N", "omega_1")
 
 
@@ -88,7 +90,9 @@ class Samples:
             return None
         length, scale = abs(points[pin] - points[pair.name]), self.r.plans.length_scale
         ends = pair.name + pin
-        return Formula("mu_l", Var(Symbol("l", ends), length, "m") / Var(segment(ends), length / scale, "mm"), "m/mm")
+        return Formula(
+            "mu_l", Var(Symbol("l", ends), length, "m") / Var(segment(ends), length / scale, "mm"), "m/mm"
+        )
 
     # ------------------------------------------------------------ forces
 
@@ -97,7 +101,9 @@ class Samples:
         found, k = self.r.kinetostatics, self.position
         given, loading = found.given, found.table.loading
         terms = lever_terms(given, found.table.motion, loading)[:, k]
-        names = [(Symbol("F", f"I{link}"), Symbol("G", link)) for link in loading.inertia]
+        names: list[tuple[Symbol, ...]] = [
+            (Symbol("F", f"I{link}"), Symbol("G", link)) for link in loading.inertia
+        ]
         names += [(symbol_of(key),) for key in load_keys([force.at for force in given.forces])]
         names += [(Symbol("M", f"I{link}"),) for link in loading.couples]
         names += [(Symbol("M", moment.on),) for moment in given.moments]
@@ -116,14 +122,18 @@ class Samples:
         name = Symbol("P", f"fr{pair.name}")
         relative = ",".join(pair.links)
         if pair.kind == "P":
-            return Formula(name, friction * force * Var(Symbol("v", relative), float(loss.rate[k]), "m/s"), "W")
+            return Formula(
+                name, friction * force * Var(Symbol("v", relative), float(loss.rate[k]), "m/s"), "W"
+            )
         arm = Var("d", loss.rubbing.diameter or 0.0, "m") / 2
-        return Formula(name, friction * force * arm * Var(Symbol("omega", relative), float(loss.rate[k]), "rad/s"), "W")
+        return Formula(
+            name, friction * force * arm * Var(Symbol("omega", relative), float(loss.rate[k]), "rad/s"), "W"
+        )
 
     def driving_power(self) -> Formula:
-        k, table = self.position, self.r.friction.table
-        moment: Expr = abs(Var("M_bal", float(self.r.kinetostatics.table.balancing[k]), "N·m"))
-        return Formula("P_1", moment * Var(self._omega, abs(self.r.kinematics.omega)), "W", scale=float(table.driving.max()))
+        moment: Expr = abs(Var("M_bal", float(self.r.kinetostatics.table.balancing[self.position]), "N·m"))
+        power = moment * Var(self._omega, abs(self.r.kinematics.omega), "rad/s")
+        return Formula("P_1", power, "W", scale=float(self.r.friction.table.driving.max()))
 
     def efficiency(self) -> Formula:
         k, table = self.position, self.r.friction.table

@@ -1,4 +1,4 @@
-"""Tables of the chapters: what stands in their columns, as text."""
+"""Tables of the initial data, structure, kinematics and plans: what stands in their columns, as text."""
 
 from __future__ import annotations
 
@@ -8,48 +8,18 @@ from typing import Any
 import numpy as np
 from markupsafe import Markup
 
-from tmm_report.chapters.force_plans import ForceDrawn, load_keys, reaction_key
+from tmm_report.chapters.force_plans import load_keys
 from tmm_report.chapters.kinematics import Travel
-from tmm_report.chapters.plans import Comparison, Drawn
 from tmm_report.chapters.written import symbol_of, unit_of
-from tmm_report.formula import Symbol
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.relations import turning_links
 from tmm_report.mechanics.structure import Pair
+from tmm_report.report.columns import Columns
 from tmm_report.report.layout import Column, Table, numeric, worded
-from tmm_report.report.page import Page
-from tmm_report.report.samples import Power
-from tmm_report.report.words import Words
-from tmm_report.symbols import segment
-
-Array = Any
+from tmm_report.symbols import Symbol, segment
 
 
-class Tables:
-    """The tables of the chapters, from the results."""
-
-    def __init__(self, results: Any, page: Page, words: Words):
-        self.r, self.page, self.words = results, page, words
-        self.t, self.sym, self.col = page.t, page.sym, page.col
-
-    # ------------------------------------------------------------ parts of a table
-
-    def _head(self, symbol: Symbol | str, unit: str = "") -> Markup:
-        text = self.sym(symbol)
-        return self.page.listed([text, self.page.unit(unit)]) if unit else text
-
-    def _positions(self, count: int) -> Column:
-        return self._first(self.t("Position"), [str(k) for k in range(count)])
-
-    def _first(self, head: Markup, cells: Sequence[str]) -> Column:
-        return Column(head, cells, least=len(head))
-
-    def _signed(self, key: str, values: Array) -> Column:
-        return Column(self._head(symbol_of(key), unit_of(key)), self.col(values))
-
-    def _angles(self, turned: Array) -> Column:
-        return Column(self._head("phi", "deg"), self.col(np.degrees(turned)))
-
+class Tables(Columns):
     # ------------------------------------------------------------ initial data and structure
 
     def links_given(self, caption: Any) -> Table:
@@ -76,11 +46,14 @@ class Tables:
         return numeric(caption, self._first(self.t("Point"), list(points)), columns)
 
     def masses(self, caption: Any) -> Table:
-        links = [link for name, link in self.r.variant.mechanism.links.items() if name != FRAME and (link.mass or link.inertia)]
+        links = [self.r.variant.mechanism.links[name] for name in self.words.heavy_links]
         columns = [
             Column(self._head("m", "kg"), [self.page.num(link.mass) for link in links]),
             Column(self.t("Mass centre"), [link.mass_centre or "—" for link in links], least=11),
-            Column(self._head("J", "kg·m²"), [self.page.num(link.inertia) if link.inertia else "—" for link in links]),
+            Column(
+                self._head("J", "kg·m²"),
+                [self.page.num(link.inertia) if link.inertia else "—" for link in links],
+            ),
         ]
         return numeric(caption, self._first(self.t("Link"), [link.name for link in links]), columns)
 
@@ -88,11 +61,21 @@ class Tables:
         loads = self.r.variant.loads
         keys = load_keys([force.at for force in loads.forces])
         rows = [
-            [self.sym(symbol_of(key)), force.name, self.t("point %(point)s", point=force.at), self.words.direction(force.direction)]
+            [
+                self.sym(symbol_of(key)),
+                force.name,
+                self.t("point %(point)s", point=force.at),
+                self.words.direction(force.direction),
+            ]
             for key, force in zip(keys, loads.forces, strict=True)
         ]
         rows += [
-            [self.sym(Symbol("M", moment.on)), moment.name, self.t("link %(link)s", link=moment.on), self.words.turning(moment.direction)]
+            [
+                self.sym(Symbol("M", moment.on)),
+                moment.name,
+                self.t("link %(link)s", link=moment.on),
+                self.words.turning(moment.direction),
+            ]
             for moment in loads.moments
         ]
         heads = [self.t("Symbol"), self.t("Load"), self.t("Applied to"), self.t("Direction")]
@@ -123,7 +106,14 @@ class Tables:
             [str(k), f"{pair.links[0]}–{pair.links[1]}", pair.name, self.words.pair_kind(pair), "V", "1"]
             for k, pair in enumerate(self.r.structure.pairs, 1)
         ]
-        heads = [self.t("No."), self.t("Links"), self.t("Point, guide"), self.t("Kind"), self.t("Class"), self.t("Mobility")]
+        heads = [
+            self.t("No."),
+            self.t("Links"),
+            self.t("Point, guide"),
+            self.t("Kind"),
+            self.t("Class"),
+            self.t("Mobility"),
+        ]
         return worded(caption, heads, rows, (1, 2, 2, 4, 1.4, 2))
 
     def groups(self, caption: Any) -> Table:
@@ -135,7 +125,15 @@ class Tables:
             ]
             for group in reversed(self.r.structure.groups)
         ]  # fmt: skip
-        heads = [self.t("Group"), self.t("Links"), self.t("Class"), self.t("Order"), self.t("Kind"), self.t("Inner pairs"), self.t("Outer pairs")]
+        heads = [
+            self.t("Group"),
+            self.t("Links"),
+            self.t("Class"),
+            self.t("Order"),
+            self.t("Kind"),
+            self.t("Inner pairs"),
+            self.t("Outer pairs"),
+        ]
         return worded(caption, heads, rows, (2.4, 1.4, 1.4, 1.6, 3, 3, 3))
 
     # ------------------------------------------------------------ kinematics
@@ -146,7 +144,9 @@ class Tables:
         for travel in self.r.kinematics.travels:
             symbols, units = travel_symbols(travel)
             factors = (np.degrees(1), 1, 1) if travel.output.kind == "rocker" else (1, 1, 1)
-            for symbol, unit, values, factor in zip(symbols, units, (travel.S, travel.V, travel.a), factors, strict=True):
+            for symbol, unit, values, factor in zip(
+                symbols, units, (travel.S, travel.V, travel.a), factors, strict=True
+            ):
                 columns.append(Column(self._head(symbol, unit), self.col(values * factor)))
         return numeric(caption, self._positions(len(self.r.kinematics.turned)), columns)
 
@@ -154,19 +154,38 @@ class Tables:
         symbols, units = travel_symbols(travel)
         pairs = ((travel.near, travel.far), travel.V_extremes, travel.a_extremes)
         rows = []
-        for symbol, unit, (low, high), factor in zip(symbols, units, pairs, (np.degrees(1), 1, 1), strict=True):
+        for symbol, unit, (low, high), factor in zip(
+            symbols, units, pairs, (np.degrees(1), 1, 1), strict=True
+        ):
             factor = factor if travel.output.kind == "rocker" else 1
             size = max(abs(low.value), abs(high.value))
-            texts = [[self.page.num(e.value * factor, scale=max(1.0, size)), self.page.num(np.degrees(e.turned), places=2)] for e in (low, high)]
+            texts = [
+                [
+                    self.page.num(e.value * factor, scale=max(1.0, size)),
+                    self.page.num(np.degrees(e.turned), places=2),
+                ]
+                for e in (low, high)
+            ]
             rows.append([self._head(symbol, unit), *texts[0], *texts[1]])
-        heads = [self.t("Quantity"), self.t("Least value"), self.t("at the angle of turn, °"), self.t("Greatest value"), self.t("at the angle of turn, °")]
+        heads = [
+            self.t("Quantity"),
+            self.t("Least value"),
+            self.t("at the angle of turn, °"),
+            self.t("Greatest value"),
+            self.t("at the angle of turn, °"),
+        ]
         return worded(caption, heads, rows, (2.2, 2, 2, 2, 2))
 
     def angular(self, caption: Any) -> Table:
         """Angular velocities and accelerations of the driven links at the table positions."""
         values = self.r.kinematics.values
         driver = self.r.variant.mechanism.driver.link
-        keys = [f"{letter}_{link}" for link in turning_links(self.r.structure.linkage) if link != driver for letter in "we"]
+        keys = [
+            f"{letter}_{link}"
+            for link in turning_links(self.r.structure.linkage)
+            if link != driver
+            for letter in "we"
+        ]
         columns = [self._signed(key, values[key]) for key in keys]
         return numeric(caption, self._positions(len(self.r.kinematics.turned)), columns)
 
@@ -181,126 +200,48 @@ class Tables:
         plans = [drawn.velocity if kind == "v" else drawn.acceleration for drawn in self.r.plans.drawn]
         keys = list(dict.fromkeys(key for plan in plans for key in plan.values))
         columns = [
-            Column(self._head(symbol_of(key), unit_of(key)), [self.page.num(plan.values.get(key, np.nan)) for plan in plans]) for key in keys
+            Column(
+                self._head(symbol_of(key), unit_of(key)),
+                [self.page.num(plan.values.get(key, np.nan)) for plan in plans],
+            )
+            for key in keys
         ]
-        return numeric(caption, self._first(self.t("Position"), [str(plan.position) for plan in plans]), columns)
+        return numeric(
+            caption, self._first(self.t("Position"), [str(plan.position) for plan in plans]), columns
+        )
 
     def segments(self, caption: Any, kind: str) -> Table:
         plans = [drawn.velocity if kind == "v" else drawn.acceleration for drawn in self.r.plans.drawn]
         names = list(dict.fromkeys(name for plan in plans for name in plan.segments))
         columns = [
-            Column(self._head(segment(name), "mm"), [self.page.num(plan.segments.get(name, np.nan), 7) for plan in plans]) for name in names
+            Column(
+                self._head(segment(name), "mm"),
+                [self.page.num(plan.segments.get(name, np.nan), 7) for plan in plans],
+            )
+            for name in names
         ]
-        return numeric(caption, self._first(self.t("Position"), [str(plan.position) for plan in plans]), columns)
-
-    def comparison(self, caption: Any, comparisons: Sequence[Comparison]) -> Table:
-        rows = [
-            [
-                self._head(symbol_of(c.key), unit_of(c.key)), self.page.num(c.graph), self.page.num(c.analytic),
-                self.page.num(c.delta, places=2) if c.delta is not None else "≈ 0",
-            ]
-            for c in comparisons
-        ]  # fmt: skip
-        heads = [self.t("Quantity"), self.t("Graph-analytical method"), self.t("Analytical method"), self.t("Difference, %%")]
-        return worded(caption, heads, rows, (3, 3, 3, 2))
-
-    # ------------------------------------------------------------ forces
-
-    def inertia(self, caption: Any) -> Table:
-        """Inertia forces and couples, magnitudes, at the table positions."""
-        loading = self.r.kinetostatics.table.loading
-        columns = [Column(self._head(Symbol("F", f"I{link}"), "N"), self.col(np.abs(f))) for link, f in loading.inertia.items()]
-        columns += [Column(self._head(Symbol("M", f"I{link}"), "N·m"), self.col(m)) for link, m in loading.couples.items()]
-        return numeric(caption, self._positions(len(self.r.kinematics.turned)), columns)
-
-    def weights(self, caption: Any) -> Table:
-        gravity = self.r.kinetostatics.table.loading.gravity
-        columns = [Column(self._head(Symbol("G", link), "N"), [self.page.num(abs(w[0]))]) for link, w in gravity.items()]
-        return numeric(caption, columns[0], columns[1:])
-
-    def reactions(self, caption: Any) -> Table:
-        columns = []
-        for reaction in self.r.kinetostatics.table.statics.reactions.values():
-            size = np.abs(np.broadcast_to(reaction.force, self.r.kinematics.turned.shape))
-            columns.append(Column(self._head(symbol_of(reaction_key(*reaction.pair.links)), "N"), self.col(size)))
-        return numeric(caption, self._positions(len(self.r.kinematics.turned)), columns)
-
-    def balancing(self, caption: Any) -> Table:
-        """The balancing moment by groups, by the lever and by power."""
-        table = self.r.kinetostatics.table
-        heads = [self.t("from the force analysis"), self.t("from the lever"), self.t("from the power balance")]
-        rows = (table.balancing, table.lever, table.power)
-        columns = [
-            Column(self.page.listed([self._head("M_bal", "N·m"), head]), self.col(values), least=20)
-            for head, values in zip(heads, rows, strict=True)
-        ]
-        return numeric(caption, self._positions(len(self.r.kinematics.turned)), columns)
-
-    def powers(self, caption: Any, powers: Sequence[Power]) -> Table:
-        rows = [[self.page.listed(self.sym(symbol) for symbol in p.symbols), self.page.num(p.power, scale=max(1.0, abs(p.power)))] for p in powers]
-        total = sum(p.power for p in powers)
-        rows.append([self.t("Sum"), self.page.num(total)])
-        return worded(caption, [self.t("Loads"), self.page.listed([self.t("Power"), self.page.unit("W")])], rows, (1, 1))
-
-    def arms(self, caption: Any, drawn: ForceDrawn) -> Table:
-        arms = [arm for plan in drawn.plans for arm in plan.arms]
-        rows = [
-            [self.sym(symbol_of(arm.key)), arm.about, self.page.num(arm.millimetres, 7), self.page.num(arm.metres)] for arm in arms
-        ]
-        heads = [self.t("Force"), self.t("About point"), self.t("Arm on the scheme, mm"), self.t("Arm, m")]
-        return worded(caption, heads, rows, (2, 2, 3, 3))
-
-    def reduced(self, caption: Any, drawn: ForceDrawn) -> Table:
-        rows = [
-            [
-                one.link, self.page.num(one.force), self.page.num(one.couple), self.page.num(one.arm),
-                f"{self.page.num(one.centre.real, 4)}; {self.page.num(one.centre.imag, 4)}",
-            ]
-            for one in drawn.reduced
-        ]  # fmt: skip
-        heads = [
-            self.t("Link"), self._head("F_I", "N"), self._head("M_I", "N·m"), self._head("h", "m"),
-            self.page.listed([self.t("Swing centre K: x; y"), self.page.unit("m")]),
-        ]  # fmt: skip
-        return worded(caption, heads, rows, (1, 2, 2, 2, 3))
-
-    # ------------------------------------------------------------ friction
-
-    def losses(self, caption: Any) -> Table:
-        """Power lost in each pair, in all of them, and the efficiency."""
-        losses = self.r.friction.table
-        columns = [Column(self._head(Symbol("P", f"fr{loss.pair.name}"), "W"), self.col(loss.power)) for loss in losses.pairs]
-        columns.append(Column(self._head("P_fr", "W"), self.col(losses.total)))
-        columns.append(Column(self._head("P_1", "W"), self.col(losses.driving)))
-        columns.append(Column(self._head("eta"), self.col(losses.efficiency, 4)))
-        return numeric(caption, self._positions(len(self.r.kinematics.turned)), columns)
-
-    def friction_given(self, caption: Any) -> Table:
-        rows = [
-            [
-                f"{loss.pair.links[0]}–{loss.pair.links[1]}", loss.pair.name, self.words.pair_kind(loss.pair),
-                self.page.num(loss.rubbing.coefficient), self.page.num(loss.rubbing.diameter) if loss.rubbing.diameter else "—",
-            ]
-            for loss in self.r.friction.table.pairs
-        ]  # fmt: skip
-        heads = [
-            self.t("Links"), self.t("Point, guide"), self.t("Kind"), self.t("Friction coefficient"),
-            self.page.listed([self.t("Journal diameter"), self.page.unit("m")]),
-        ]  # fmt: skip
-        return worded(caption, heads, rows, (2, 2, 4, 3, 3))
+        return numeric(
+            caption, self._first(self.t("Position"), [str(plan.position) for plan in plans]), columns
+        )
 
 
 def travel_symbols(travel: Travel) -> tuple[tuple[Symbol, ...], tuple[str, ...]]:
     """Symbols and units of an output's displacement, velocity and acceleration."""
     name = travel.output.name
     if travel.output.kind == "rocker":
-        return (Symbol("psi", name), Symbol("omega", name), Symbol("epsilon", name)), ("deg", "rad/s", "rad/s²")
+        return (Symbol("psi", name), Symbol("omega", name), Symbol("epsilon", name)), (
+            "deg",
+            "rad/s",
+            "rad/s²",
+        )
     return (Symbol("S", name), Symbol("V", name), Symbol("a", name)), ("m", "m/s", "m/s²")
 
 
 def _in_line(points: Sequence[complex]) -> bool:
     arms = np.array(points[1:]) - points[0]
-    return bool(np.all(np.abs((arms * np.conj(arms[0])).imag) <= 1e-9 * np.abs(arms[0]) * np.max(np.abs(arms))))
+    return bool(
+        np.all(np.abs((arms * np.conj(arms[0])).imag) <= 1e-9 * np.abs(arms[0]) * np.max(np.abs(arms)))
+    )
 
 
 def _pair_list(pairs: Sequence[Pair]) -> str:

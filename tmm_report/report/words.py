@@ -38,11 +38,23 @@ EXTREMES = {1: N_("rightmost"), -1: N_("leftmost"), 1j: N_("topmost"), -1j: N_("
 
 # Dyad kind -> how its position is found.
 CLOSURES = {
-    1: N_("group %(group)s: point %(inner)s lies at the intersection of two circles, the one about %(a)s described by link %(one)s and the one about %(b)s described by link %(other)s"),
-    2: N_("group %(group)s: point %(inner)s lies at the intersection of the circle about %(a)s described by link %(one)s with the line of guide %(b)s"),
-    3: N_("group %(group)s: the direction of guide %(inner)s is found from the triangle with the vertices %(a)s and %(b)s, in which the distance of the guide from the joints is known"),
+    1: N_(
+        "group %(group)s: point %(inner)s lies at the intersection of two circles, the one about %(a)s "
+        "described by link %(one)s and the one about %(b)s described by link %(other)s"
+    ),
+    2: N_(
+        "group %(group)s: point %(inner)s lies at the intersection of the circle about %(a)s described "
+        "by link %(one)s with the line of guide %(b)s"
+    ),
+    3: N_(
+        "group %(group)s: the direction of guide %(inner)s is found from the triangle with the vertices "
+        "%(a)s and %(b)s, in which the distance of the guide from the joints is known"
+    ),
     4: N_("group %(group)s: point %(inner)s lies at the intersection of the lines of guides %(a)s and %(b)s"),
-    5: N_("group %(group)s: the position of link %(other)s on guide %(b)s is found from the condition that guide %(inner)s passes at a known distance from point %(a)s"),
+    5: N_(
+        "group %(group)s: the position of link %(other)s on guide %(b)s is found from the condition that"
+        " guide %(inner)s passes at a known distance from point %(a)s"
+    ),
 }
 
 # Base of a symbol, and its upper index where that matters -> meaning; %(of)s is the lower index.
@@ -106,7 +118,9 @@ class Words:
             return LinkName(name if turning == ROCKING or slides else N_("driven crank"), turning)
         if slides:
             return LinkName(N_("block of the slotted link"), self._free_motion(link))
-        return LinkName(N_("slotted connecting rod") if carries else N_("connecting rod"), self._free_motion(link))
+        return LinkName(
+            N_("slotted connecting rod") if carries else N_("connecting rod"), self._free_motion(link)
+        )
 
     def _free_motion(self, link: str) -> str:
         rate = self.results.kinematics.diagram.angular_velocity(link)
@@ -147,18 +161,26 @@ class Words:
     def direction(self, direction: complex | str) -> Markup:
         """Of a force: fixed, or along its point's motion."""
         if isinstance(direction, str):
-            along = direction == "along"
-            return self.page.t("along the motion of the point") if along else self.page.t("against the motion of the point")
+            words = {
+                "along": N_("along the motion of the point"),
+                "against": N_("against the motion of the point"),
+            }
+            return self.page.t(words[direction])
         for unit, word in COMPASS.items():
             if abs(direction - unit) < 1e-9:
                 return self.page.t(word)
-        return self.page.t("at %(angle)s° to the x axis", angle=self.page.num(np.degrees(np.angle(direction)), 4))
+        return self.page.t(
+            "at %(angle)s° to the x axis", angle=self.page.num(np.degrees(np.angle(direction)), 4)
+        )
 
     def turning(self, direction: int | str) -> Markup:
         """Of a moment: a sense, or along its link's rotation."""
         if isinstance(direction, str):
-            along = direction == "along"
-            return self.page.t("along the rotation of the link") if along else self.page.t("against the rotation of the link")
+            words = {
+                "along": N_("along the rotation of the link"),
+                "against": N_("against the rotation of the link"),
+            }
+            return self.page.t(words[direction])
         return self.page.t("counter-clockwise") if direction > 0 else self.page.t("clockwise")
 
     def zero(self) -> Markup:
@@ -166,7 +188,8 @@ class Words:
         t, zero = self.page.t, self.mechanism.driver.zero
         if isinstance(zero, ZeroAngle):
             angle = self.page.num(np.degrees(zero.angle), 5)
-            return t("the position in which link %(link)s makes an angle of %(angle)s° with the x axis", link=self.mechanism.driver.link, angle=angle)
+            text = N_("the position in which link %(link)s makes an angle of %(angle)s° with the x axis")
+            return t(text, link=self.mechanism.driver.link, angle=angle)
         if zero.point is None:
             sense = self.turning(1 if np.real(zero.direction) > 0 else -1)
             return t("the extreme %(sense)s position of link %(link)s", sense=sense, link=zero.link)
@@ -200,14 +223,24 @@ class Words:
         angle = self.page.num(np.degrees(np.angle(guide.direction)), 5, scale=180.0)
         x, y = (self.page.num(part) for part in (guide.through.real, guide.through.imag))
         if guide.link == FRAME:
-            text = N_("guide %(name)s is fixed, it passes through the point (%(x)s; %(y)s) m at an angle of %(angle)s° to the x axis")
+            text = N_(
+                "guide %(name)s is fixed, it passes through the point (%(x)s; %(y)s) m at an angle of "
+                "%(angle)s° to the x axis"
+            )
         else:
-            text = N_("guide %(name)s belongs to link %(link)s, in whose own axes it passes through the point (%(x)s; %(y)s) m at an angle of %(angle)s°")
+            text = N_(
+                "guide %(name)s belongs to link %(link)s, in whose own axes it passes through the "
+                "point (%(x)s; %(y)s) m at an angle of %(angle)s°"
+            )
         return self.page.t(text, name=guide.name, link=guide.link, x=x, y=y, angle=angle)
 
     @property
     def heavy_links(self) -> list[str]:
-        return [name for name, link in self.mechanism.links.items() if name != FRAME and (link.mass or link.inertia)]
+        return [
+            name
+            for name, link in self.mechanism.links.items()
+            if name != FRAME and (link.mass or link.inertia)
+        ]
 
     def has_output(self, kind: str) -> bool:
         return any(travel.output.kind == kind for travel in self.results.kinematics.travels)
@@ -237,10 +270,15 @@ class Words:
             return None
         message, unit = found
         one, other = self._two(symbol.sub)
-        of = self.page.sym(Symbol(*_force(symbol.sub))) if symbol.base in "hL" else symbol.sub.removeprefix("I")
+        of = (
+            self.page.sym(Symbol(*_force(symbol.sub)))
+            if symbol.base in "hL"
+            else symbol.sub.removeprefix("I")
+        )
         meaning = self.page.t(message, of=of, one=one, other=other)
         # segments differ only by their ends, which name themselves
-        return {"symbol": symbol, "id": "segment" if symbol.kind == "segment" else symbol, "meaning": meaning, "unit": unit}
+        same = "segment" if symbol.kind == "segment" else symbol
+        return {"symbol": symbol, "id": same, "meaning": meaning, "unit": unit}
 
     def _two(self, sub: str) -> tuple[str, str]:
         """The two points or links that an index names: "BA" -> B, A; "B2B4" -> B2, B4; "12,3" -> 12, 3."""
