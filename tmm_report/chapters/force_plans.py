@@ -16,7 +16,7 @@ import numpy as np
 
 from tmm_report.chapters.given import Drawing
 from tmm_report.chapters.kinetostatics import Kinetostatics, Solved, loaded_link
-from tmm_report.chapters.plans import PAPER, PARALLEL, Comparison, Plans
+from tmm_report.chapters.plans import PAPER, Comparison, Plans
 from tmm_report.chapters.scales import Pen, round_scale
 from tmm_report.chapters.written import DIGITS, hand, number, symbol_of
 from tmm_report.formula import Expr, Formula, Number, Symbol, Term, VectorEquation
@@ -129,8 +129,7 @@ class ForcePlans:
 
 
 def solve(drawing: Drawing, positions: Sequence[int], found: Kinetostatics, plans: Plans) -> ForcePlans:
-    sines = found.kinematics.table.sines.values()
-    regular = [k for k in positions if min((s[k] for s in sines), default=1.0) > PARALLEL]
+    regular = [k for k in positions if k not in found.kinematics.singular]
     pen = Pen(drawing.accuracy)
     drawn = tuple(_Draft(found, k, plans.length_scale, drawing.force, pen).drawn() for k in regular)
     return ForcePlans(drawn, tuple(k for k in positions if k not in regular))
@@ -216,7 +215,7 @@ class _Draft:
             self.acting[link].append(Acting(key, kind, complex(unit(vector) * written), at))
 
     def _couple(self, link: str, key: str, value: float, size: float | None = None) -> None:
-        if abs(value) > 1e-9 * float(self.solved.scale.max()):
+        if abs(value) > 1e-9 * float(np.nanmax(self.solved.scale)):
             written = float(round_significant(abs(value), DIGITS)) if size is None else size
             self.couples[link].append(Couple(key, float(np.copysign(written, value))))
 

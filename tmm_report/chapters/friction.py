@@ -60,12 +60,12 @@ class FrictionFound:
     @cached_property
     def mean_power(self) -> float:
         """Mean friction power over the cycle, W (the last diagram position of a full turn repeats the first)."""
-        return float(np.mean(self.diagram.total[:-1]))
+        return float(np.nanmean(self.diagram.total[:-1]))
 
     @cached_property
     def mean_efficiency(self) -> float:
         """Efficiency over the cycle: mean driving power to the sum of the means."""
-        driving = float(np.mean(self.diagram.driving[:-1]))
+        driving = float(np.nanmean(self.diagram.driving[:-1]))
         return driving / (driving + self.mean_power) if driving > 0 else float("nan")
 
 

@@ -19,6 +19,7 @@ from tmm_report.mechanics.relations import named_values
 from tmm_report.problems import N_, Message, ProblemError, mistake
 
 Array = Any
+SINGULAR = 1e-6  # sine of a group below which velocities have lost half of their digits and lines cross nowhere
 
 
 @dataclass(frozen=True)
@@ -87,6 +88,7 @@ class Kinematics:
     diagram_turned: Array
     diagram: Motion
     travels: tuple[Travel, ...]
+    singular: tuple[int, ...]  # table positions without velocities: a group there is in a singular position
 
     @cached_property
     def values(self) -> Mapping[str, Array]:
@@ -113,8 +115,24 @@ def solve(positions: Positions, structure: Structure) -> Kinematics:
     diagram = cycle.motion(np.where(cycle.closed & (diagram_turned >= cycle.sweep), 0.0, diagram_turned))
     _must_close(structure, table, turned)
     _must_close(structure, diagram, diagram_turned)
+    singular = tuple(int(k) for k in np.flatnonzero(_leave_out_singular(table)))
+    _leave_out_singular(diagram)
     travels = tuple(_travel(cycle, output, table, diagram) for output in outputs(structure.linkage))
-    return Kinematics(structure.linkage, cycle, positions, turned, table, diagram_turned, diagram, travels)
+    return Kinematics(structure.linkage, cycle, positions, turned, table, diagram_turned, diagram, travels, singular)
+
+
+def _leave_out_singular(motion: Motion) -> Array:
+    """Where a group is singular its rates are not defined, nor those of the groups after it: nan, never a number
+    made of rounding errors. Returns the mask of such positions, (P,)."""
+    state = motion.state
+    lost = np.zeros(motion.shape, dtype=bool)
+    for d in motion.linkage.dyads:
+        lost = lost | (motion.sines[d.group.label] <= SINGULAR)
+        if lost.any():
+            for rates in (state.v, state.w, state.a, state.e, state.iw, state.ie):
+                for link in (d.a, d.b):
+                    rates[link] = np.where(lost, np.nan, rates[link])
+    return lost
 
 
 def _must_close(structure: Structure, motion: Motion, turned: Array) -> None:

@@ -100,8 +100,10 @@ class Kinetostatics:
 
 def solve(given: Loads, kinematics: Kinematics) -> Kinetostatics:
     solver = _Solver(given, kinematics)
-    table = solver.at(kinematics.table, kinematics.turned)
-    return Kinetostatics(given, kinematics, table, solver.at(kinematics.diagram, kinematics.diagram_turned))
+    with np.errstate(invalid="ignore", divide="ignore"):  # singular positions are nan
+        table = solver.at(kinematics.table, kinematics.turned)
+        diagram = solver.at(kinematics.diagram, kinematics.diagram_turned)
+    return Kinetostatics(given, kinematics, table, diagram)
 
 
 @dataclass(frozen=True, eq=False)
@@ -114,17 +116,12 @@ class _Solver:
         found = statics.solve(motion, resultants(self.given, motion, load))
         terms = lever_terms(self.given, motion, load)
         omega = motion.state.w[motion.linkage.mechanism.driver.link]
-        scale = np.sum(np.abs(terms), axis=0) / abs(omega)
+        scale = np.sum(np.abs(terms), axis=0) / abs(omega) + np.abs(found.balancing)
+        # where all terms are next to nothing, their rounding errors are judged by the rest of the cycle
+        scale = np.maximum(scale, 1e-3 * np.nanmax(scale))
         power = (_kinetic_power(motion, turned) - external_power(self.given, motion, load)) / omega
-        return Solved(
-            motion,
-            turned,
-            load,
-            found,
-            -np.sum(terms, axis=0) / omega,
-            power,
-            scale + np.abs(found.balancing),
-        )
+        lever = -np.sum(terms, axis=0) / omega
+        return Solved(motion, turned, load, found, lever, power, scale)
 
 
 def loading(given: Loads, kinematics: Kinematics, motion: Motion, turned: Array) -> Loading:

@@ -22,7 +22,6 @@ from tmm_report.chapters.scales import Pen, round_scale
 from tmm_report.problems import N_, Message, ProblemError, mistake
 
 PAPER = 150.0  # mm: a round scale is chosen so that the longest vector is at most this
-PARALLEL = 1e-6  # sine of the crossing angle below which two lines of a plan cross nowhere
 LIMIT = 5.0  # %, allowed difference of the graph-analytical method
 
 
@@ -83,8 +82,7 @@ class Plans:
 def solve(drawing: Drawing, plans: Sequence[int], readings: Readings, kinematics: Kinematics) -> Plans:
     """Construct the plans of the table positions `plans`. Raises ProblemError for unknown keys of readings."""
     wanted = sorted({*plans, *readings})
-    motion = kinematics.table
-    regular = [k for k in wanted if min((s[k] for s in motion.sines.values()), default=1.0) > PARALLEL]
+    regular = [k for k in wanted if k not in kinematics.singular]
     pen = Pen(drawing.accuracy)
     scales = _scales(drawing, kinematics, regular)
     drawn = tuple(_draw(kinematics, k, scales, pen, readings.get(k, {})) for k in regular)

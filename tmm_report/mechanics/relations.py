@@ -157,4 +157,6 @@ def _branch_values(motion: Motion, r: Relation) -> dict[str, Array]:
         if branch.has_bend:
             out[branch.a_key("n" if branch.turns else "k")] = bend
         out[branch.a_key("t" if branch.turns else "r")] = xx * e
-    return {key: np.broadcast_to(value, motion.shape) for key, value in out.items()}
+    # a position whose rates are left out as singular has none here either
+    known = np.isfinite(np.broadcast_to(motion.state.w[r.dyad.a], motion.shape))
+    return {key: np.where(known, value, np.nan) for key, value in out.items()}
