@@ -131,7 +131,8 @@ def named(found: motion.Motion, forces: statics.Statics) -> dict[str, Array]:
         values[point] = found.place(point)
         values[f"v_{point}"], values[f"a_{point}"] = found.velocity(point), found.acceleration(point)
     for link in ("2", "4"):
-        values[f"w_{link}"], values[f"e_{link}"] = found.angular_velocity(link), found.angular_acceleration(link)
+        values[f"w_{link}"] = found.angular_velocity(link)
+        values[f"e_{link}"] = found.angular_acceleration(link)
     return values | {key: reaction.force for key, reaction in forces.reactions.items()}
 
 

@@ -151,7 +151,7 @@ def test_every_reference_leads_somewhere(name):
     known = {anchor for pair in anchors for anchor in pair} | set(
         re.findall(r"\\begin\{NoteFigure\}\{([^}]+)\}", text)
     )
-    assert set(re.findall(r"\\hyperlink\{((?:section|formula|table|figure)-[^}]+)\}", text)) <= known
+    assert set(re.findall(r"\\hyperlink\{((?:section|formula|table|figure)[\d.-][^}]*)\}", text)) <= known
 
 
 def test_both_formats_have_the_same_numbers():
@@ -228,6 +228,22 @@ def test_russian_note_has_no_english_words(name):
     for own in own_words(name):
         text = text.replace(own, "")
     assert set(re.findall(r"[A-Za-z]{4,}", text)) <= {"RRRR", "VIII"}
+
+
+LESS = {
+    "no friction": {"friction": None},
+    "no forces": {"kinetostatics": None, "force_plans": None, "friction": None},
+    "no plans": {"plans": replace(results("shaper").plans, drawn=(), singular=(0, 6))},
+    "no force plans": {"force_plans": replace(results("shaper").force_plans, drawn=())},
+}
+
+
+@pytest.mark.parametrize("fmt", ["html", "tex"])
+@pytest.mark.parametrize("less", LESS)
+def test_what_was_not_solved_is_left_out(less, fmt):
+    whole = len(re.findall(r"Таблица \d+ ", note("shaper", fmt, "ru")[f"note.{fmt}"].decode()))
+    text = render(replace(results("shaper"), **LESS[less]), fmt, Translator("ru"))[f"note.{fmt}"].decode()
+    assert "Заключение" in text and len(re.findall(r"Таблица \d+ ", text)) < whole
 
 
 @pytest.mark.parametrize("fmt", ["html", "tex"])

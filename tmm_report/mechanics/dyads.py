@@ -116,7 +116,9 @@ class Dyad:
     @cached_property
     def references(self) -> tuple[Pair, Pair]:
         """The joints that are the reference points of a and of b (see `State`)."""
-        return self.inner if self.kind == 4 else self.outer_a, self.outer_b if self.kind in (1, 3) else self.inner
+        of_a = self.inner if self.kind == 4 else self.outer_a
+        of_b = self.outer_b if self.kind in (1, 3) else self.inner
+        return of_a, of_b
 
     @property
     def two_roots(self) -> bool:

@@ -39,8 +39,9 @@ class Reaction:
     def offset(self) -> Array:
         """How far along the guide from `at` the normal force alone would act, m; nan where there is no force."""
         normal = cross(self.along, self.force)
+        some = np.abs(normal) > 1e-9 * np.max(np.abs(normal), initial=0.0)
         with np.errstate(invalid="ignore", divide="ignore"):
-            return np.where(np.abs(normal) > 1e-9 * np.max(np.abs(normal), initial=0.0), self.moment / normal, np.nan)
+            return np.where(some, self.moment / normal, np.nan)
 
 
 @dataclass(frozen=True, eq=False)
@@ -133,14 +134,17 @@ def _solve_dyad(s: State, d: Dyad, load_a: Load, load_b: Load) -> tuple[Reaction
     )
 
 
-def _conditions(s: State, d: Dyad, load_a: Load, load_b: Load, total: Array, at_i: Array) -> tuple[tuple, tuple]:
+def _conditions(
+    s: State, d: Dyad, load_a: Load, load_b: Load, total: Array, at_i: Array
+) -> tuple[tuple, tuple]:
     """Two conditions R_a × f = c on the outer reaction of link a, one a free motion of the dyad without it."""
     if d.kind in (1, 2):  # link a turns about the inner joint B
         arm = s.r[d.a] - at_i
         first = arm, load_a.moment + cross(arm, load_a.force)
         if d.kind == 2:  # both slide along the guide of b
             return first, _no_force_along(_guide(s, d.outer_b), total)
-        arm = s.r[d.b] - at_i  # link b turns about B: arm × (R_b + F_b) + M_b = 0, where R_b + F_b = −F_a − R_a
+        # link b turns about B: arm × (R_b + F_b) + M_b = 0, where R_b + F_b = −F_a − R_a
+        arm = s.r[d.b] - at_i
         return first, (arm, cross(arm, load_a.force) - load_b.moment)
     if d.kind == 3:  # link a slides on b; both turn about C
         arm = s.r[d.a] - s.r[d.b]

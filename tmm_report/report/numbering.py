@@ -44,7 +44,7 @@ class Numbering:
         """The next section of a level: 1, 2, ...; 2.1, 2.2, ..."""
         above = self.sections[-1].place.number.split(".")[: level - 1] if level > 1 else []
         number = ".".join([*above, str(self._next(("section", *above)))])
-        place = self._keep(label, Place(number, f"section-{number}"))
+        place = self._keep(label, Place(number, f"section{number}"))
         self.sections.append(Section(place, title, level))
         return place
 
@@ -61,7 +61,7 @@ class Numbering:
         else:
             chapter = self.sections[-1].place.number.split(".")[0] if self.sections else "0"
             number = f"{chapter}.{self._next((kind, chapter))}"
-        return self._keep(label, Place(number, f"{kind}-{number}"))
+        return self._keep(label, Place(number, f"{kind}{number}"))
 
     def place(self, label: str) -> Place:
         """The place of a label, also of one that comes later; in the first pass an unknown one is noted."""

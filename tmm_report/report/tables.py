@@ -170,9 +170,9 @@ class Tables(Columns):
         heads = [
             self.t("Quantity"),
             self.t("Least value"),
-            self.t("at the angle of turn, °"),
+            self.t("at the angle of turn,\N{NO-BREAK SPACE}°"),
             self.t("Greatest value"),
-            self.t("at the angle of turn, °"),
+            self.t("at the angle of turn,\N{NO-BREAK SPACE}°"),
         ]
         return worded(caption, heads, rows, (2.2, 2, 2, 2, 2))
 

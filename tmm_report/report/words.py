@@ -202,6 +202,11 @@ class Words:
         """How the position of each group is found, in the order of assembly."""
         return [self._closure(d) for d in self.results.structure.linkage.dyads]
 
+    @property
+    def has_assemblies(self) -> bool:
+        """Whether a group has two assemblies: not where guides alone fix it."""
+        return any(d.kind <= 3 for d in self.results.structure.linkage.dyads)
+
     def _closure(self, d: Dyad) -> Markup:
         text = CLOSURES[d.kind]
         a, b, inner = d.outer_a.name, d.outer_b.name, d.inner.name
