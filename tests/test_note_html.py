@@ -28,6 +28,7 @@ window.addEventListener("load", () => document.fonts.ready.then(() => {
     maths: all("math").map(box), figures: all("figure svg").map(box), tables: all("table").map(box),
     images: all("img").length, broken: broken.map(a => a.hash), fonts: [...document.fonts].map(f => f.status),
     page: document.documentElement.scrollWidth, shown: document.documentElement.clientWidth,
+    asked: performance.getEntriesByType("resource").map(e => e.name.slice(0, 200)),
     errors: all("merror, parsererror").length, lang: document.documentElement.lang,
     overlong: all("math").filter(m => m.getBoundingClientRect().right > m.closest("section, main, body").getBoundingClientRect().right + 1).length,
   }) + "EBORP";
@@ -53,45 +54,41 @@ def chromium(folder: Path, page: Path, *options: str) -> subprocess.CompletedPro
 
 @pytest.fixture(scope="module", params=["compressor-ru", "compressor-en", "shaper-ru"])
 def seen(request, tmp_path_factory):
-    """A note opened in the browser at A4's text width: its measures, the console and the requests it made."""
+    """A note opened in the browser at A4's text width: its measures and the console."""
     name, language = request.param.split("-")
     folder = tmp_path_factory.mktemp("browser")
     text = note(name, "html", language)["note.html"].decode()
     page = folder / "note.html"
-    page.write_text(text.replace("</body>", PROBE), encoding="utf-8")
-    log = folder / "net.json"
-    done = chromium(
-        folder,
-        page,
-        "--dump-dom",
-        "--window-size=1000,1200",
-        "--virtual-time-budget=20000",
-        f"--log-net-log={log}",
-    )
+    # the note forbids itself every script, the probe's too; its copy may run one
+    probed = text.replace("Content-Security-Policy", "x-policy").replace("</body>", PROBE)
+    page.write_text(probed, encoding="utf-8")
+    done = chromium(folder, page, "--dump-dom", "--window-size=1000,1200", "--virtual-time-budget=20000")
     measured = re.search(r"PROBE(.*?)EBORP", done.stdout.split('id="probe"')[-1], re.S)
     assert measured, done.stderr[-2000:]
-    return text, json.loads(html.unescape(measured[1])), done.stderr, log.read_text(encoding="utf-8")
+    return text, json.loads(html.unescape(measured[1])), done.stderr
 
 
 def test_console_has_no_errors(seen):
-    _, _, console, _ = seen
+    _, _, console = seen
     assert not re.findall(r".*CONSOLE.*", console)
 
 
 def test_nothing_is_fetched(seen):
-    text, page, _, requests = seen
-    assert not re.findall(r'"url":"(?:https?|ftp|ws)[^"]*"', requests)
+    text, page, _ = seen
+    assert [name for name in page["asked"] if not name.startswith("data:")] == []
+    assert re.search(r"Content-Security-Policy[^>]*default-src 'none'", text)
     assert not re.search(r"(?:src|href)\s*=\s*[\"'](?!#|data:)", text)
     assert not re.search(r"url\((?!['\"]?(?:data:|#))|@import", text)
     assert page["images"] == 0
 
 
 def test_formulas_and_figures_are_there(seen):
-    text, page, _, _ = seen
+    text, page, _ = seen
     assert len(page["maths"]) == len(re.findall(r"<math[ >]", text)) > 100
     assert all(width > 1 and height > 5 for width, height in page["maths"])
     assert len(page["figures"]) == len(re.findall(r"<figure[ >]", text)) >= 8
-    assert all(width > 30 * MM and height > 10 * MM for width, height in page["figures"])
+    # at a dead point all vectors of a plan lie on one line
+    assert all(max(box) > 30 * MM and min(box) > 2 * MM for box in page["figures"])
     assert page["errors"] == 0 and page["fonts"] and set(page["fonts"]) == {"loaded"}
 
 
@@ -100,13 +97,13 @@ def test_links_lead_somewhere(seen):
 
 
 def test_page_does_not_scroll_sideways(seen):
-    _, page, _, _ = seen
+    _, page, _ = seen
     assert page["page"] <= page["shown"] and page["overlong"] == 0
 
 
 def test_tables_and_figures_fit_a_printed_page(seen):
     """Nothing that must stay whole is larger than the text area of A4."""
-    _, page, _, _ = seen
+    _, page, _ = seen
     assert all(width <= 185 * MM and height <= 257 * MM for width, height in page["tables"])
     assert all(width <= 185 * MM and height <= 250 * MM for width, height in page["figures"])
 

@@ -62,7 +62,7 @@ def _pass(results: Any, page: Page, pictures: Pictures) -> str:
 def _given(results: Any, page: Page, pictures: Pictures) -> dict[str, Any]:
     """What every template sees beside the macros `m`."""
     words = Words(results, page)
-    functions = ("t", "math", "sym", "value", "num", "col", "unit", "listed")
+    functions = ("t", "math", "sym", "value", "num", "unit", "listed")
     return {
         "r": results,
         "page": page,

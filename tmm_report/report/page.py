@@ -65,10 +65,6 @@ class Page:
         """A message translated and escaped, with values put in for %(name)s; of these, too, only Markup is trusted."""
         return self._filled(self.tr.gettext(message), values)
 
-    def count(self, one: str, many: str, n: int, **values: Any) -> Markup:
-        """`t` of a message that depends on a number."""
-        return self._filled(self.tr.ngettext(one, many, n), {"n": n, **values})
-
     def _filled(self, text: str, values: dict[str, Any]) -> Markup:
         out, end = [], 0
         for match in _VALUE.finditer(text):
