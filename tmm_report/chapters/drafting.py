@@ -322,6 +322,8 @@ class _Draft:
         start = self._letter(branch.start) if branch.start else self.pole
         key = branch.v_key if self.kind == "v" else branch.a_key("t" if branch.turns else "r")
         if self.kind == "a" and branch.has_bend:
+            if branch.start is not None:  # the whole relative acceleration: points of the link lie along it
+                self._stroke(line.z_start, z, f"a_{branch.pair}", "relative")
             start = next(
                 name
                 for name, place in reversed(self.vertices.items())

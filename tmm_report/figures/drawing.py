@@ -444,15 +444,20 @@ _ROUND = tuple(cmath.rect(1, math.pi * i / 8) for i in range(17))
 _FONTS = "'STIX Two Text','Times New Roman','Liberation Serif','DejaVu Serif',serif"
 
 
-def svg(drawing: Drawing) -> str:
-    """The drawing as one `svg` element of its size in mm; no ids, no scripts, nothing fetched."""
+def svg(drawing: Drawing, turned: bool = False) -> str:
+    """The drawing as one `svg` element of its size in mm; no ids, no scripts, nothing fetched.
+
+    `turned`: by 90° counter-clockwise, as a wide sheet lies in a tall page.
+    """
     left, bottom, right, top = drawing.box
     wide, tall = _number(right - left), _number(top - bottom)
+    corner = (-top, -right) if turned else (left, -top)
+    size = (tall, wide) if turned else (wide, tall)
     head = (
-        f'<svg xmlns="http://www.w3.org/2000/svg" role="img" width="{wide}mm" height="{tall}mm"'
-        f' viewBox="{_number(left)} {_number(-top)} {wide} {tall}">'
+        f'<svg xmlns="http://www.w3.org/2000/svg" role="img" width="{size[0]}mm" height="{size[1]}mm"'
+        f' viewBox="{_number(corner[0])} {_number(corner[1])} {size[0]} {size[1]}">'
     )
-    look = 'fill="none" stroke-linecap="round" stroke-linejoin="round"'
+    look = 'fill="none" stroke-linecap="round" stroke-linejoin="round"' + (' transform="rotate(-90)"' if turned else "")
     style = f'<g {look} font-family="{_FONTS}" font-size="{TEXT}">'
     body = "".join([item.svg() if not isinstance(item, Text) else "" for item in drawing.items])
     texts = "".join([item.svg() for item in drawing.items if isinstance(item, Text)])

@@ -32,10 +32,25 @@ PAGE = (165.0, 228.0)  # mm: the largest picture
 
 def percent(picture: Drawing | Graph) -> int:
     """To how many per cent of its size a picture is reduced to fit the page; 100: not at all."""
-    wide, tall = (
-        picture.size if isinstance(picture, Drawing) else picture.figure.get_size_inches() * MM_PER_INCH
-    )
+    wide, tall = _size(picture)
+    if turned(picture):
+        wide, tall = tall, wide
     return min(100, int(100 * min(PAGE[0] / wide, PAGE[1] / tall)))
+
+
+def turned(picture: Drawing | Graph) -> bool:
+    """Whether a drawing too wide for the page stands on its side in it, so that it keeps its scale or more of it."""
+    wide, tall = _size(picture)
+    upright, aside = min(PAGE[0] / wide, PAGE[1] / tall), min(PAGE[0] / tall, PAGE[1] / wide)
+    return isinstance(picture, Drawing) and upright < 1 and aside > upright
+
+
+def _size(picture: Drawing | Graph) -> tuple[float, float]:
+    """Width and height, mm."""
+    if isinstance(picture, Drawing):
+        return picture.size
+    wide, tall = picture.figure.get_size_inches() * MM_PER_INCH
+    return float(wide), float(tall)
 
 
 @dataclass
@@ -57,7 +72,8 @@ class Html:
     def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
         if anchor not in self.made:
             # the style sheet reduces what is larger than the page
-            self.made[anchor] = Markup(svg(picture) if isinstance(picture, Drawing) else picture.svg())
+            drawn = svg(picture, turned(picture)) if isinstance(picture, Drawing) else picture.svg()
+            self.made[anchor] = Markup(drawn)
         return self.made[anchor]
 
 
@@ -83,6 +99,7 @@ class Tex:
         if name not in self.files:  # kept between passes
             self.files[name] = tikz(picture).encode() if isinstance(picture, Drawing) else picture.pdf()
         command = f"\\{'input' if drawn else 'includegraphics'}{{{name}}}"
+        command = f"\\rotatebox{{90}}{{{command}}}" if turned(picture) else command
         size = percent(picture) / 100
         return Markup(f"\\scalebox{{{size}}}{{{command}}}" if size < 1 else command)
 

@@ -198,7 +198,7 @@ class Tables(Columns):
     def plan_values(self, caption: Any, kind: str) -> Table:
         """Values read off all plans of a kind, "v" or "a": one row a position."""
         plans = [drawn.velocity if kind == "v" else drawn.acceleration for drawn in self.r.plans.drawn]
-        keys = list(dict.fromkeys(key for plan in plans for key in plan.values))
+        keys = list(dict.fromkeys(key for plan in plans for key in plan.values if plan.per_mm[key]))
         columns = [
             Column(
                 self._head(symbol_of(key), unit_of(key)),
