@@ -22,6 +22,7 @@ PROBE = """
 <pre id="probe"></pre><script>
 window.addEventListener("load", () => document.fonts.ready.then(() => {
   const box = e => { const r = e.getBoundingClientRect(); return [r.width, r.height]; };
+  const right = e => e.getBoundingClientRect().right;
   const all = s => [...document.querySelectorAll(s)];
   const broken = all('a[href^="#"]').filter(a => !document.getElementById(decodeURIComponent(a.hash.slice(1))));
   document.getElementById("probe").textContent = "PROBE" + JSON.stringify({
@@ -30,7 +31,7 @@ window.addEventListener("load", () => document.fonts.ready.then(() => {
     page: document.documentElement.scrollWidth, shown: document.documentElement.clientWidth,
     asked: performance.getEntriesByType("resource").map(e => e.name.slice(0, 200)),
     errors: all("merror, parsererror").length, lang: document.documentElement.lang,
-    overlong: all("math").filter(m => m.getBoundingClientRect().right > m.closest("section, main, body").getBoundingClientRect().right + 1).length,
+    overlong: all("math").filter(m => right(m) > right(m.closest("section, main, body")) + 1).length,
   }) + "EBORP";
 }));
 </script></body>

@@ -1,4 +1,3 @@
-# ruff: noqa: E501  (tables of cases: one case, one line)
 """Numbers with units, as students write them."""
 
 import math

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from tmm_report.chapters.force_plans import load_keys, reaction_key
-from tmm_report.chapters.kinematics import Travel
+from tmm_report.chapters.kinematics import Travel, digits_left
 from tmm_report.chapters.kinetostatics import Solved
 from tmm_report.chapters.written import unit_of
 from tmm_report.course import Results
@@ -27,7 +27,6 @@ from tmm_report.problems import N_, Message
 
 Array = Any
 FORMAT = 1
-DIGITS = 15.95  # decimal digits of a double; a position of sine s keeps DIGITS + log10(s) of them
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,9 +140,8 @@ def _places(motion: Motion) -> Iterator[Column]:
         yield Column(
             f"sin_{label}", "", Message(N_("sine of group %(group)s: 0 in a singular position"), of), sine
         )
-        digits = np.floor(DIGITS + np.log10(np.maximum(sine, 1e-300)))
         text = Message(N_("decimal digits that remain in group %(group)s"), of)
-        yield Column(f"digits_{label}", "", text, np.maximum(digits, 0.0))
+        yield Column(f"digits_{label}", "", text, digits_left(sine))
 
 
 def _rates(motion: Motion) -> Iterator[Column]:

@@ -13,7 +13,7 @@ from typing import Literal
 import numpy as np
 
 from tmm_report.chapters.scales import Pen
-from tmm_report.chapters.written import DIGITS, hand, length_of, number
+from tmm_report.chapters.written import DIGITS, hand, laid_off, length_of, number
 from tmm_report.chapters.written import symbol_of as _sign
 from tmm_report.formula import Expr, Formula, Symbol, Term, Var, VectorEquation
 from tmm_report.mechanics.dyads import Dyad, Side, sides
@@ -22,7 +22,6 @@ from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.planar import resolve, unit
 from tmm_report.mechanics.relations import Branch, Relation, relations, turning_links
 from tmm_report.quantity import round_significant
-from tmm_report.symbols import segment
 
 Role = Literal[
     "absolute", "relative", "bend", "rate"
@@ -119,6 +118,7 @@ class _Line:
     arm: complex  # world, m; the guide's direction where the branch slides
     z_start: complex
     z_bend: complex
+    letter: str  # lettering of the vertex at z_bend
 
     @property
     def direction(self) -> complex:
@@ -239,7 +239,7 @@ class _Draft:
         value = self._write(f"{self.kind}_{pin}", size)
         self.reference = value.written
         name = self.pole + self._letter(pin)
-        laid = Formula(segment(name), size / self.mu, "mm", hand=True)
+        laid = laid_off(name, size / self.mu)
         self.segments[name] = laid.written
         return value, laid
 
@@ -274,16 +274,18 @@ class _Draft:
             z = self._vertex(branch.start, self.pen.place(z))
             self._stroke(0j, z, f"{self.kind}_{branch.start}", "absolute")
         formulas = [self._coincident(branch.start)] if branch.start is not None and not known else []
+        letter = self._letter(branch.start) if branch.start else self.pole
         if self.kind == "v" or not branch.has_bend:
-            return _Line(branch, side.carrier, start, arm, z, z), formulas
-        z_bend, bend = self._bend(branch, arm, z)
-        return _Line(branch, side.carrier, start, arm, z, z_bend), formulas + bend
+            return _Line(branch, side.carrier, start, arm, z, z, letter), formulas
+        letter, bend = self._bend(branch, arm, z, letter)
+        return _Line(branch, side.carrier, start, arm, z, self.vertices[letter], letter), formulas + bend
 
     def _coincident(self, point: str) -> Formula:
         return self._read(f"{self.kind}_{point}", self.pole, self._letter(point))
 
-    def _bend(self, branch: Branch, arm: complex, z: complex) -> tuple[complex, list[Formula]]:
-        """The normal (towards the start) or Coriolis part (sliding velocity turned by 90° with the guide)."""
+    def _bend(self, branch: Branch, arm: complex, z: complex, start: str) -> tuple[str, list[Formula]]:
+        """The normal (towards the start) or Coriolis part (sliding velocity turned by 90° with the guide), laid off
+        from the vertex `start` at `z`; the lettering of its end."""
         assert self.velocity is not None
         v = self.velocity
         sliding = v.vector(branch.v_key) * v.scale
@@ -296,14 +298,15 @@ class _Draft:
             vector = 2j * omega * sliding
             w = number(Symbol("omega", branch.link), v.values[f"w_{branch.link}"], "rad/s")
             key, size = branch.a_key("k"), 2 * w * speed
-        letter = ("n" if branch.turns else "k") + str(1 + sum(s.role == "bend" for s in self.strokes))
+        number_ = 1 + sum(s.role == "bend" for s in self.strokes)
+        letter = self._letter(f"{'n' if branch.turns else 'k'}{number_}")
         z_bend = self.vertices[letter] = self.pen.place(z + vector / self.scale)
         self._stroke(z, z_bend, key, "bend")
         value = self._write(key, size)
-        name = (self._letter(branch.start) if branch.start else self.pole) + letter
-        laid = Formula(segment(name), number(_sign(key), value.written) / self.mu, "mm", hand=True)
+        name = start + letter
+        laid = laid_off(name, number(_sign(key), value.written) / self.mu)
         self.segments[name] = self.pen.read(z_bend - z)
-        return z_bend, [value, laid]
+        return letter, [value, laid]
 
     def _length(self, branch: Branch, arm: complex) -> Var:
         """The length of a turning branch's arm: of a rod it is given, between a pivot and a slider it is read."""
@@ -319,21 +322,13 @@ class _Draft:
     def _close(self, line: _Line, z: complex) -> list[Formula]:
         """Draw a branch's unknown vector to the vertex and read it off."""
         branch, end = line.branch, self._letter(line.branch.end)
-        start = self._letter(branch.start) if branch.start else self.pole
         key = branch.v_key if self.kind == "v" else branch.a_key("t" if branch.turns else "r")
-        if self.kind == "a" and branch.has_bend:
-            if branch.start is not None:  # the whole relative acceleration: points of the link lie along it
-                self._stroke(line.z_start, z, f"a_{branch.pair}", "relative")
-            start = next(
-                name
-                for name, place in reversed(self.vertices.items())
-                if place == line.z_bend and name[0] in "nk"
-            )
-        absolute = start == self.pole
-        self._stroke(
-            line.z_bend, z, key, "absolute" if absolute else ("relative" if self.kind == "v" else "rate")
-        )
-        return [self._read(key, start, end)] if key not in self.values else []
+        if self.kind == "a" and branch.has_bend and branch.start is not None:
+            # the whole relative acceleration: other points of the link lie along it
+            self._stroke(line.z_start, z, f"a_{branch.pair}", "relative")
+        role: Role = "relative" if self.kind == "v" else "rate"
+        self._stroke(line.z_bend, z, key, "absolute" if line.letter == self.pole else role)
+        return [self._read(key, line.letter, end)] if key not in self.values else []
 
     def _angular(self, line: _Line) -> list[Formula]:
         """Angular velocity or acceleration of a turning branch's link."""
@@ -393,7 +388,7 @@ class _Draft:
             number(Symbol("l", start + to), float(np.abs(points[to] - points[start])), "m")
             for to in (point, end)
         )
-        return Formula(segment(first + self._letter(point)), whole * part / rod, "mm", hand=True)
+        return laid_off(first + self._letter(point), whole * part / rod)
 
     def _point(self, point: str, link: str) -> Formula:
         place = self._world(self.motion.place(point)[0])

@@ -19,7 +19,14 @@ from tmm_report.mechanics.relations import named_values
 from tmm_report.problems import N_, Message, ProblemError, mistake
 
 Array = Any
-SINGULAR = 1e-6  # sine of a group below which velocities have lost half of their digits and lines cross nowhere
+SINGULAR = (
+    1e-6  # sine of a group below which velocities have lost half of their digits and lines cross nowhere
+)
+
+
+def digits_left(sine: Array) -> Array:
+    """Decimal digits of a double that remain where a group's sine is this: dividing by it costs -log10 of them."""
+    return np.maximum(np.floor(15.95 + np.log10(np.maximum(sine, 1e-300))), 0.0)
 
 
 @dataclass(frozen=True)
@@ -99,6 +106,12 @@ class Kinematics:
     def diagram_values(self) -> Mapping[str, Array]:
         return named_values(self.diagram)
 
+    @cached_property
+    def digits(self) -> int:
+        """Decimal digits that remain at the worst solved position of the table and diagram."""
+        sines = [s[s > SINGULAR] for m in (self.table, self.diagram) for s in m.sines.values()]
+        return int(digits_left(min((s.min(initial=1.0) for s in sines), default=1.0)))
+
     @property
     def omega(self) -> float:
         """Angular velocity of the driving link, rad/s, + counter-clockwise."""
@@ -118,7 +131,9 @@ def solve(positions: Positions, structure: Structure) -> Kinematics:
     singular = tuple(int(k) for k in np.flatnonzero(_leave_out_singular(table)))
     _leave_out_singular(diagram)
     travels = tuple(_travel(cycle, output, table, diagram) for output in outputs(structure.linkage))
-    return Kinematics(structure.linkage, cycle, positions, turned, table, diagram_turned, diagram, travels, singular)
+    return Kinematics(
+        structure.linkage, cycle, positions, turned, table, diagram_turned, diagram, travels, singular
+    )
 
 
 def _leave_out_singular(motion: Motion) -> Array:

@@ -115,7 +115,9 @@ def _draw(kinematics: Kinematics, k: int, scales: Scales, pen: Pen, readings: Ma
     analytic = {key: float(np.abs(kinematics.values[key][k])) for key in found}
     # the driving link's own rates are given, not read off
     read = [key for key in found if per_mm[key] > 0]
-    comparison = tuple(Comparison(key, found[key], analytic[key], per_mm[key] * pen.read_step) for key in read)
+    comparison = tuple(
+        Comparison(key, found[key], analytic[key], per_mm[key] * pen.read_step) for key in read
+    )
     _known_keys(k, readings, found)
     # a student's readings are by hand: what is below 1 mm of the plan is nothing
     own = tuple(Comparison(key, abs(value), analytic[key], per_mm[key]) for key, value in readings.items())

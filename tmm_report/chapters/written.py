@@ -21,7 +21,7 @@ def symbol_of(key: str) -> Symbol:
 
 
 def unit_of(key: str) -> str:
-    return UNITS[key[0]]
+    return UNITS[key.removeprefix("Σ")[0]]
 
 
 def decimals(size: float, digits: int = DIGITS) -> int:
@@ -37,6 +37,13 @@ def hand(key: str, expression: Expr, reference: float) -> Formula:
     most = max(PLACES, decimals(abs(reference)))
     digits = DIGITS - max(0, decimals(size) - most) if size > 0 else DIGITS
     return Formula(symbol_of(key), expression, unit_of(key), digits=max(1, digits), hand=True)
+
+
+def laid_off(ends: str, expression: Expr) -> Formula:
+    """The length of a segment to be laid off, mm, by hand: no finer than a hundredth."""
+    trial = Formula(segment(ends), expression, "mm", hand=True)
+    digits = DIGITS - max(0, decimals(abs(trial.written)) - 2)
+    return Formula(segment(ends), expression, "mm", digits=max(1, digits), hand=True)
 
 
 def number(symbol: Symbol | str, value: float, unit: str = "") -> Var:

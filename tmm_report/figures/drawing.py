@@ -457,7 +457,9 @@ def svg(drawing: Drawing, turned: bool = False) -> str:
         f'<svg xmlns="http://www.w3.org/2000/svg" role="img" width="{size[0]}mm" height="{size[1]}mm"'
         f' viewBox="{_number(corner[0])} {_number(corner[1])} {size[0]} {size[1]}">'
     )
-    look = 'fill="none" stroke-linecap="round" stroke-linejoin="round"' + (' transform="rotate(-90)"' if turned else "")
+    look = 'fill="none" stroke-linecap="round" stroke-linejoin="round"' + (
+        ' transform="rotate(-90)"' if turned else ""
+    )
     style = f'<g {look} font-family="{_FONTS}" font-size="{TEXT}">'
     body = "".join([item.svg() if not isinstance(item, Text) else "" for item in drawing.items])
     texts = "".join([item.svg() for item in drawing.items if isinstance(item, Text)])

@@ -31,17 +31,13 @@ class Branch:
     start: str | None
     end: str
     link: str
+    pair: str  # subscript of the relative vector: BA is of B about A; a fixed start keeps its joint's name
     arm: tuple[str, str] | None = None
     guide: str | None = None
 
     @property
     def turns(self) -> bool:
         return self.arm is not None
-
-    @property
-    def pair(self) -> str:
-        """Subscript of the relative vector: BA is of B about A; a fixed start keeps its joint's name."""
-        return self.end + (self.start or (self.arm[0] if self.arm else ""))
 
     @property
     def v_key(self) -> str:
@@ -72,31 +68,37 @@ class Relation:
 def relation(linkage: Linkage, d: Dyad) -> Relation:
     """Name the vector equation of a dyad."""
 
+    named = set(linkage.mechanism.point_names)
+
+    def join(first: str, second: str) -> str:
+        """Both names in one index, told apart by a comma where they would make another point's name."""
+        return f"{first},{second}" if first + second in named else first + second
+
     def known(point: str, carrier: str) -> str | None:
         return None if carrier == FRAME else point
 
-    a_joint, b_joint, inner = d.outer_a.name, d.outer_b.name, d.inner.name
-    start_a = known(a_joint, d.carrier_a)
+    def turning(carrier: str, start: str, end: str, link: str, arm: tuple[str, str]) -> Branch:
+        return Branch(known(start, carrier), end, link, join(end, start), arm)
+
+    def sliding(carrier: str, start: str, end: str, link: str, guide: str) -> Branch:
+        moving = known(start, carrier)
+        return Branch(moving, end, link, join(end, moving) if moving else end, guide=guide)
+
+    a, b, inner = d.outer_a.name, d.outer_b.name, d.inner.name
+    ca, cb = d.carrier_a, d.carrier_b
     if d.kind == 1:
-        left = Branch(start_a, inner, d.a, (a_joint, inner))
-        return Relation(d, left, Branch(known(b_joint, d.carrier_b), inner, d.b, (b_joint, inner)))
+        return Relation(d, turning(ca, a, inner, d.a, (a, inner)), turning(cb, b, inner, d.b, (b, inner)))
     if d.kind == 2:
-        left = Branch(start_a, inner, d.a, (a_joint, inner))
-        return Relation(
-            d, left, Branch(known(inner + d.carrier_b, d.carrier_b), inner, d.carrier_b, guide=b_joint)
-        )
+        right = sliding(cb, join(inner, cb), inner, cb, b)
+        return Relation(d, turning(ca, a, inner, d.a, (a, inner)), right)
     if d.kind == 3:
-        vertex = b_joint + d.a
-        left = Branch(start_a, vertex, d.a, (a_joint, b_joint))
-        return Relation(d, left, Branch(known(b_joint, d.carrier_b), vertex, d.a, guide=inner))
+        vertex = join(b, d.a)
+        return Relation(d, turning(ca, a, vertex, d.a, (a, b)), sliding(cb, b, vertex, d.a, inner))
     if d.kind == 4:
-        left = Branch(known(inner + d.carrier_a, d.carrier_a), inner, d.carrier_a, guide=a_joint)
-        return Relation(
-            d, left, Branch(known(inner + d.carrier_b, d.carrier_b), inner, d.carrier_b, guide=b_joint)
-        )
-    vertex = a_joint + d.b
-    left = Branch(known(a_joint + d.carrier_b, d.carrier_b), vertex, d.carrier_b, guide=b_joint)
-    return Relation(d, left, Branch(start_a, vertex, d.carrier_b, guide=inner))
+        left = sliding(ca, join(inner, ca), inner, ca, a)
+        return Relation(d, left, sliding(cb, join(inner, cb), inner, cb, b))
+    vertex = join(a, d.b)
+    return Relation(d, sliding(cb, join(a, cb), vertex, cb, b), sliding(ca, a, vertex, cb, inner))
 
 
 def relations(linkage: Linkage) -> list[Relation]:

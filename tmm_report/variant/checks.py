@@ -132,7 +132,9 @@ def _geometry(link: m.LinkModel, path: Path) -> Found:
     *first, second = list(link.points.items())[:2]
     if first and isinstance(second[1], float) and second[1] < 0 and first[0][1] == 0:
         yield mistake(
-            N_("negative length"), (*path, "points", second[0]), Message(N_("a length is positive; a point behind the first one is given as [x, y]"))
+            N_("negative length"),
+            (*path, "points", second[0]),
+            Message(N_("a length is positive; a point behind the first one is given as [x, y]")),
         )
     placed: dict[str, complex] = {}
     for name, place in link.points.items():
