@@ -1,12 +1,19 @@
 """Ready variants for the tests: the argument `variant` or `results` runs a test once for every file in variants/."""
 
+import os
 from functools import cache
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
 
 from tmm_report import course
 from tmm_report.variant import load
+
+# in CI the same examples at every run; elsewhere new ones, so that something new is found now and then
+settings.register_profile("ci", derandomize=True, deadline=None)
+settings.register_profile("dev", deadline=None)
+settings.load_profile("ci" if os.environ.get("CI") else "dev")
 
 FILES = sorted(Path(__file__).parents[1].joinpath("variants").glob("*.yaml"))
 every_variant = pytest.fixture(params=[path.stem for path in FILES])

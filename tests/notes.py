@@ -8,22 +8,17 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from conftest import FILES, solved
 
-from tmm_report import load, render, solve
-from tmm_report.course import Results
+from tmm_report import render
 
 VARIANTS = Path(__file__).parent.parent / "variants"
-NAMES = sorted(path.stem for path in VARIANTS.glob("*.yaml"))
-
-
-@cache
-def results(name: str) -> Results:
-    return solve(load(VARIANTS / f"{name}.yaml"))
+NAMES = sorted(path.stem for path in FILES)
 
 
 @cache
 def note(name: str, fmt: str, language: str | None = None) -> dict[str, bytes]:
-    return render(results(name), fmt, language)
+    return render(solved(name), fmt, language)
 
 
 def program(*names: str) -> str:

@@ -58,3 +58,11 @@ def test_every_figure_is_written_and_used(name):
     files = note(name, "tex")
     used = set(re.findall(r"figures/[\w.-]+", files["note.tex"].decode()))
     assert used == {file for file in files if file.startswith("figures/")}
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_sign_can_be_set(name):
+    """A letter that pdflatex has no glyph for is printed as a question mark; the notes ask no questions."""
+    for language in ("ru", "en"):
+        files = note(name, "tex", language)
+        assert [file for file, text in files.items() if file.endswith(".tex") and b"?" in text] == []

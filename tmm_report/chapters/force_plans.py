@@ -341,7 +341,7 @@ class _Draft:
                 Symbol("l", joint + pair.name), float(round_significant(abs(at - about), DIGITS + 2)), "m"
             )
             key = f"{reaction_key(pair.other(link), link)}_t"
-            sum_of_moments = hand(f"ΣM_{joint}", total, 0.0)
+            sum_of_moments = hand(f"SigmaM_{joint}", total, 0.0)
             moment = number(sum_of_moments.result, sum_of_moments.written, "N·m")
             formula = hand(key, -moment / size, 0.0)
             moments.extend((sum_of_moments, formula))

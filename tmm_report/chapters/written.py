@@ -21,7 +21,7 @@ def symbol_of(key: str) -> Symbol:
 
 
 def unit_of(key: str) -> str:
-    return UNITS[key.removeprefix("Σ")[0]]
+    return UNITS[key.removeprefix("Sigma")[0]]
 
 
 def decimals(size: float, digits: int = DIGITS) -> int:

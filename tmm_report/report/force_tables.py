@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from tmm_report.chapters.force_plans import ForceDrawn, reaction_key
 from tmm_report.chapters.written import symbol_of
+from tmm_report.mechanics.statics import Reaction
 from tmm_report.report.columns import Columns
 from tmm_report.report.layout import Column, Table, numeric, worded
 from tmm_report.report.samples import Power
@@ -44,6 +46,43 @@ class ForceTables(Columns):
             columns.append(
                 Column(self._head(symbol_of(reaction_key(*reaction.pair.links)), "N"), self.col(size))
             )
+        return numeric(caption, self._positions(len(self.r.kinematics.turned)), columns)
+
+    def directions(self, caption: Any) -> Table:
+        """Angles of the reactions with the x axis, degrees; none where there is no force."""
+        columns = []
+        for reaction in self.r.kinetostatics.table.statics.reactions.values():
+            force = np.broadcast_to(reaction.force, self.r.kinematics.turned.shape)
+            angle = np.degrees(np.angle(force)) % 360
+            none = np.abs(force) <= 1e-9 * np.nanmax(np.abs(force))
+            key = reaction_key(*reaction.pair.links).replace("R", "alpha", 1)
+            columns.append(Column(self._head(symbol_of(key), "deg"), self.col(np.where(none, np.nan, angle))))
+        return numeric(caption, self._positions(len(self.r.kinematics.turned)), columns)
+
+    def _in_guides(self) -> list[tuple[Reaction, Any]]:
+        """Reactions of the guides with their moments at the table positions, N m."""
+        shape = self.r.kinematics.turned.shape
+        reactions = self.r.kinetostatics.table.statics.reactions.values()
+        return [(r, np.broadcast_to(r.moment, shape)) for r in reactions if r.pair.kind == "P"]
+
+    @property
+    def guides(self) -> bool:
+        return bool(self._in_guides())
+
+    @property
+    def central(self) -> bool:
+        """Whether the reactions of all guides pass through the points of their sliders."""
+        largest = float(np.nanmax(self.r.kinetostatics.table.scale))
+        return all(np.nanmax(np.abs(moment)) <= 1e-9 * largest for _, moment in self._in_guides())
+
+    def guide_points(self, caption: Any) -> Table:
+        """Moments of the reactions in guides, and where along the guide the force alone would act."""
+        columns = []
+        for reaction, moment in self._in_guides():
+            index = reaction_key(*reaction.pair.links)[2:]
+            offset = np.broadcast_to(replace(reaction, moment=moment).offset, moment.shape)
+            columns.append(Column(self._head(Symbol("M", index), "N·m"), self.col(moment)))
+            columns.append(Column(self._head(Symbol("x", index), "m"), self.col(offset)))
         return numeric(caption, self._positions(len(self.r.kinematics.turned)), columns)
 
     def balancing(self, caption: Any) -> Table:

@@ -75,7 +75,7 @@ MEANINGS = {
     ("F", ""): (N_("inertia force of link %(of)s"), "N"),
     ("M", ""): (N_("inertia couple of link %(of)s"), "N·m"),
     ("M", "stated"): (N_("moment applied to link %(of)s"), "N·m"),
-    ("ΣM", ""): (N_("sum of the moments of the loads about point %(of)s"), "N·m"),
+    ("SigmaM", ""): (N_("sum of the moments of the loads about point %(of)s"), "N·m"),
     ("M", "bal"): (N_("balancing moment on the driving link"), "N·m"),
     ("P", ""): (N_("load applied at point %(of)s"), "N"),
     ("h", ""): (N_("arm of force %(of)s"), "m"),
