@@ -8,8 +8,9 @@ from functools import cache
 from html import unescape
 
 import pytest
+from conftest import solved as results
 from markupsafe import Markup
-from notes import NAMES, note, results
+from notes import NAMES, note
 
 from tmm_report.i18n import Translator
 from tmm_report.report import render
