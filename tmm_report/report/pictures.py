@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from tmm_report.chapters.drafting import Plan
-from tmm_report.chapters.force_plans import ForcePlan
+from tmm_report.chapters.force_plans import ForcePlan, load_keys
 from tmm_report.chapters.kinematics import Travel
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.graphs import LEFT, RIGHT, WIDTH, Curve, Graph, graph
@@ -29,6 +29,8 @@ STYLES: dict[str, Style] = {
     "gravity": "force", "load": "force", "inertia": "inertia", "reaction": "reaction", "component": "component",
 }  # fmt: skip
 
+
+LEVER = 90.0  # mm: the longest vector of a lever
 
 Scale = tuple[str, float, str]  # symbol, value of 1 mm, its unit
 
@@ -129,6 +131,36 @@ class Pictures:
     def force_plan(self, drawn: ForcePlan) -> Drawing:
         vectors = [PlanVector(s.start, s.end, symbol(s.key), STYLES[s.kind]) for s in drawn.strokes]
         return plan(vectors, {})
+
+    @once
+    def lever(self, position: int) -> Drawing | None:
+        """Zhukovsky's lever: the plan of velocities turned by 90° with the loads on its points; None where no plan
+        of velocities is drawn. It stands upright on the page; lengths of the forces only hint at their sizes."""
+        drawn = next((d.velocity for d in self.r.plans.drawn if d.position == position), None)
+        if drawn is None:
+            return None
+        loads = [load for load in self._loads_at(position) if abs(load[2]) > 0]
+        largest = max((abs(force) for _, _, force in loads), default=1.0)
+        turn = 1j * min(1.0, LEVER / max(map(abs, drawn.vertices.values())))
+        vectors = [PlanVector(turn * s.start, turn * s.end) for s in drawn.strokes]
+        for key, point, force in loads:
+            fixed = point in self.mechanism.links[FRAME].points
+            z = 0j if fixed else turn * drawn.vector(f"v_{point}")
+            arrow = force / abs(force) * (10 + 20 * abs(force) / largest)
+            style: Style = "inertia" if key.startswith("F_I") else "force"
+            vectors.append(PlanVector(z, z + arrow, symbol(key), style))
+        return plan(vectors, {name: turn * z for name, z in drawn.vertices.items()}, pole=drawn.pole)
+
+    def _loads_at(self, position: int) -> list[tuple[str, str, complex]]:
+        """Forces at a table position: symbol, point, complex N; inertia forces among them."""
+        found = self.r.kinetostatics
+        load, stated = found.table.loading, found.given.forces
+        centre = {link: str(self.mechanism.links[link].mass_centre) for link in load.gravity}
+        rows = [(f"G_{link}", centre[link], force) for link, force in load.gravity.items()]
+        rows += [(f"F_I{link}", centre[link], force) for link, force in load.inertia.items()]
+        keys = load_keys([force.at for force in stated])
+        rows += [(key, f.at, force) for key, f, force in zip(keys, stated, load.forces, strict=True)]
+        return [(key, point, complex(force[position])) for key, point, force in rows]
 
     # ------------------------------------------------------------ graphs
 
