@@ -15,10 +15,9 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.force_plans import load_keys, reaction_key
 from tmm_report.chapters.kinematics import Travel, digits_left
 from tmm_report.chapters.kinetostatics import Solved
-from tmm_report.chapters.written import unit_of
+from tmm_report.chapters.written import load_keys, reaction_key, unit_of
 from tmm_report.course import Results
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.motion import Linkage, Motion

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from tmm_report.formula import Expr, Formula, Symbol, Var
 from tmm_report.symbols import segment
@@ -54,3 +55,15 @@ def number(symbol: Symbol | str, value: float, unit: str = "") -> Var:
 def length_of(ends: str, millimetres: float) -> Var:
     """A segment of a drawing, mm, as read."""
     return Var(segment(ends), millimetres, "mm", digits=DIGITS + 2)
+
+
+def reaction_key(by: str, on: str) -> str:
+    """ "R_12": force of link 1 on link 2; longer names are told apart by a comma."""
+    return f"R_{by}{on}" if len(by) == len(on) == 1 else f"R_{by},{on}"
+
+
+def load_keys(points: Sequence[str]) -> list[str]:
+    """Symbols of stated forces: P_B; several at one point are numbered, P_B1, P_B2."""
+    return [
+        f"P_{p}" if points.count(p) == 1 else f"P_{p},{1 + points[:k].count(p)}" for k, p in enumerate(points)
+    ]

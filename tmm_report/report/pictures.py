@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 
 from tmm_report.chapters.drafting import Plan
-from tmm_report.chapters.force_plans import ForcePlan, load_keys
+from tmm_report.chapters.force_drafting import ForcePlan
 from tmm_report.chapters.kinematics import Travel
+from tmm_report.chapters.written import load_keys
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.graphs import LEFT, RIGHT, WIDTH, Curve, Graph, graph
 from tmm_report.figures.lettering import symbol

@@ -8,9 +8,8 @@ from typing import Any
 import numpy as np
 from markupsafe import Markup
 
-from tmm_report.chapters.force_plans import load_keys
 from tmm_report.chapters.kinematics import Travel
-from tmm_report.chapters.written import symbol_of, unit_of
+from tmm_report.chapters.written import load_keys, symbol_of, unit_of
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.relations import turning_links
 from tmm_report.mechanics.structure import Pair
