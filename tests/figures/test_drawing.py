@@ -145,3 +145,13 @@ def test_labels_keep_off_lines_and_off_each_other():
 
 def test_coinciding_places_go_together():
     assert together({"b": 0j, "a": 5j, "p": 0.1}) == [(["b", "p"], 0j), (["a"], 5j)]
+
+
+def test_a_drawing_far_from_the_origin_is_moved_to_it():
+    far = Drawing((line(5e6 + 0j, 5e6 + 30 + 40j),))
+    for text in (svg(far), tikz(far)):
+        numbers = [
+            abs(float(x))
+            for x in re.findall(r"-?\d+\.?\d*", re.sub(r"#\w+|\{HTML\}\{\w+\}|http\S+", "", text))
+        ]
+        assert max(numbers) < 200

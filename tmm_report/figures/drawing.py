@@ -444,11 +444,22 @@ _ROUND = tuple(cmath.rect(1, math.pi * i / 8) for i in range(17))
 _FONTS = "'STIX Two Text','Times New Roman','Liberation Serif','DejaVu Serif',serif"
 
 
+FAR = 1000.0  # mm: TeX knows no length over 5.7 m, and a browser counts in single precision
+
+
+def _near_origin(drawing: Drawing) -> Drawing:
+    """A drawing of a mechanism that stands far from its axes' origin, moved to it."""
+    left, bottom, right, top = drawing.box
+    far = max(abs(left), abs(bottom), abs(right), abs(top)) > FAR
+    return drawing.moved(-complex(left, bottom)) if far else drawing
+
+
 def svg(drawing: Drawing, turned: bool = False) -> str:
     """The drawing as one `svg` element of its size in mm; no ids, no scripts, nothing fetched.
 
     `turned`: by 90° counter-clockwise, as a wide sheet lies in a tall page.
     """
+    drawing = _near_origin(drawing)
     left, bottom, right, top = drawing.box
     wide, tall = _number(right - left), _number(top - bottom)
     corner = (-top, -right) if turned else (left, -top)
@@ -492,6 +503,7 @@ def _svg_look(pen: Pen | None, fill: str, opacity: float) -> str:
 
 def tikz(drawing: Drawing) -> str:
     """The drawing as a `tikzpicture`; the document loads tikz, amsmath and fonts for its letters."""
+    drawing = _near_origin(drawing)
     left, bottom, right, top = drawing.box
     corners = _tikz_point(complex(left, bottom)), _tikz_point(complex(right, top))
     box = rf"\useasboundingbox {corners[0]} rectangle {corners[1]};"
