@@ -1,4 +1,3 @@
-import dataclasses
 import math
 from decimal import ROUND_HALF_UP, Decimal
 
@@ -7,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tmm_report.quantity import Quantity, column, number, q, quantities, round_significant, split, unit_text
+from tmm_report.quantity import column, number, round_significant, split, unit_text
 
 sizes = st.floats(1e-12, 1e12).flatmap(lambda size: st.sampled_from([size, -size]))
 
@@ -105,19 +104,3 @@ def test_split_gives_parts_to_typeset():
 )
 def test_units_are_printed_in_the_language(unit, ru, en):
     assert (unit_text(unit, "ru"), unit_text(unit, "en")) == (ru, en)
-
-
-def test_a_result_carries_the_meaning_of_its_fields():
-    @dataclasses.dataclass(frozen=True)
-    class Found:
-        omega: float = dataclasses.field(metadata=q("omega_2", "rad/s", "angular velocity"))
-        status: int = 0
-
-    (name, found), *rest = quantities(Found(3.0)).items()
-    assert not rest and name == "omega" and isinstance(found, Quantity)
-    assert (found.symbol, found.value, found.unit, found.meaning) == (
-        "omega_2",
-        3.0,
-        "rad/s",
-        "angular velocity",
-    )

@@ -329,10 +329,6 @@ def tan(argument: Operand) -> Expr:
     return Function(NP_("function", "tan"), expr(argument), np.tan)
 
 
-def atan(argument: Operand) -> Expr:
-    return Function(NP_("function", "arctan"), expr(argument), np.arctan)
-
-
 def arccos(argument: Operand) -> Expr:
     return Function("arccos", expr(argument), np.arccos)
 

@@ -1,4 +1,4 @@
-"""Number -> text in one place, and what a number means: its symbol, unit and name.
+"""Number -> text in one place, and the names of units.
 
 Rounding is what a person does with the number in view: half up on its decimal digits. A float that stands for
 2.675 is a little less than 2.675, so sizes are raised by a relative 1e-12 before they are rounded.
@@ -8,8 +8,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, fields, replace
+from collections.abc import Iterable
 from functools import lru_cache
 from typing import Any, NamedTuple
 
@@ -103,30 +102,6 @@ def column(values: Iterable[float], digits: int = 5, decimal: str = ",") -> list
 def _cell(value: float, places: int, decimal: str, scale: float) -> str:
     text = number(value, decimal=decimal, places=places, scale=scale, keep_zeros=True)
     return text if text.strip("0" + decimal) else "0"
-
-
-@dataclass(frozen=True, eq=False)
-class Quantity:
-    """A value (number or array, SI), its symbol's key ("v_BA"), unit ("m/s") and meaning (a message id)."""
-
-    symbol: str
-    value: Any
-    unit: str
-    meaning: str
-
-
-def q(symbol: str, unit: str, meaning: str) -> dict[str, Quantity]:
-    """Metadata of a result's field: `v: Array = field(metadata=q("v_B", "m/s", N_("velocity of B")))`."""
-    return {"quantity": Quantity(symbol, None, unit, meaning)}
-
-
-def quantities(result: Any) -> Mapping[str, Quantity]:
-    """Field name -> Quantity with its value, for every field of a dataclass that carries `q` metadata."""
-    return {
-        item.name: replace(item.metadata["quantity"], value=getattr(result, item.name))
-        for item in fields(result)
-        if "quantity" in item.metadata
-    }
 
 
 UNITS = (

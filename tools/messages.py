@@ -1,8 +1,7 @@
 """Refresh the translations: `python tools/messages.py` after any change of a text (needs babel).
 
-Collects the message ids of the program and the templates, takes their translations from the language's .po
-and from templates/locale/parts/*.<language>.po (the newer word, may be deleted afterwards), writes .po and
-.mo, and lists what is still untranslated (exit code 1).
+Collects the message ids of the program and the templates, takes their translations from the language's .po, writes
+.po and .mo, and lists what is still untranslated (exit code 1).
 """
 
 from __future__ import annotations
@@ -44,10 +43,10 @@ def po_file(language: str) -> Path:
     return LOCALE / language / "LC_MESSAGES" / "tmm_report.po"
 
 
-def known(language: str) -> list[Catalog]:
-    """Catalogues that hold translations, the strongest first."""
-    files = [*sorted((LOCALE / "parts").glob(f"*.{language}.po")), po_file(language)]
-    return [read_po(file.open("rb"), locale=language) for file in files if file.exists()]
+def known(language: str) -> Catalog:
+    """The translations there are."""
+    with po_file(language).open("rb") as file:
+        return read_po(file, locale=language)
 
 
 def merged(language: str) -> Catalog:
@@ -65,12 +64,13 @@ def merged(language: str) -> Catalog:
         revision_date=UNDATED,
         fuzzy=False,
     )
-    sources = known(language)
+    translated = known(language)
     for file, message, context in extracted():
         catalogue.add(message, locations=[(file, 0)], context=context)
     for entry in messages(catalogue):
-        found = (source.get(entry.id, entry.context) for source in sources)
-        entry.string = next((other.string for other in found if other and _filled(other)), entry.string)
+        found = translated.get(entry.id, entry.context)
+        if found and _filled(found):
+            entry.string = found.string
     return catalogue
 
 
