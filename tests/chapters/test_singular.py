@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from tmm_report import render, solve
+from tmm_report.problems import ProblemError
 from tmm_report.variant import loads
 
 PARALLELOGRAM = """\
@@ -90,3 +91,21 @@ mechanism:
     )
     error = np.abs(found.values["v_B"].real - expected) / np.abs(expected).max()
     assert error.max() < 10.0 ** (1 - digits)
+
+
+def test_parallel_guides_do_not_meet():
+    """A tangent mechanism at a right angle: the slot never crosses the guide, and that is said."""
+    text = """\
+mechanism:
+  frame: {O: [0, 0], Q: [400 mm, 0]}
+  guides: {slot: {through: O, link: 1}, y: {through: Q, angle: 90 deg}}
+  links:
+    1: {points: {O: 0}}
+    2: {points: [A], slides: slot}
+    3: {points: [A], slides: y}
+  driver: {link: 1, speed: 1, rotation: counter-clockwise, zero: {angle: 30 deg}, range: 120 deg}
+"""
+    with pytest.raises(
+        ProblemError, match=r"II2\(2,3\) cannot be assembled at 1 of 13 positions, e.g. at 60.0°"
+    ):
+        solve(loads(text))

@@ -154,11 +154,8 @@ def _must_close(structure: Structure, motion: Motion, turned: Array) -> None:
     if motion.closes.all():
         return
     state = motion.state
-    group = next(
-        d.group
-        for d in structure.linkage.dyads
-        if not np.isfinite(np.broadcast_to(state.u[d.a], motion.shape)).all()
-    )
+    poses = {d.group: state.u[d.a] + state.r[d.a] + state.r[d.b] for d in structure.linkage.dyads}
+    group = next(g for g, pose in poses.items() if not np.isfinite(np.broadcast_to(pose, motion.shape)).all())
     lost = np.degrees(turned[~motion.closes])
     text = N_(
         "group %(group)s cannot be assembled at %(count)d of %(total)d positions, e.g. at %(first).1f° from position 0"

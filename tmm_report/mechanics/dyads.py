@@ -34,6 +34,7 @@ from tmm_report.mechanics.planar import components, cross, dual, is_zero, resolv
 from tmm_report.mechanics.structure import Group, Pair
 
 Array = Any
+PARALLEL = 1e-12  # sine of two guides whose crossing would be made of rounding errors
 
 
 @dataclass(eq=False)
@@ -206,8 +207,7 @@ def _place_rpr(s: State, d: Dyad) -> None:
 def _place_prp(s: State, d: Dyad) -> None:
     t1, u1, G1 = _guide_line(s, d.outer_a, d.carrier_a, d.a, d.arm_a)
     t2, u2, G2 = _guide_line(s, d.outer_b, d.carrier_b, d.b, d.arm_b)
-    x, _ = resolve(G2 - G1, t1, -t2)
-    B = G1 + x * t1
+    B = G1 + _along(G2 - G1, t1, -t2) * t1
     _refer(s, d, B, u1, B, u2)
 
 
@@ -219,8 +219,13 @@ def _place_rpp(s: State, d: Dyad) -> None:
     u_a = t1 * d.inner.along[d.a].conjugate()
     # b slides on its outer guide until its inner guide line passes through that of a
     G = _outer(s, d.outer_b, d.carrier_b) + u_b * d.arm_b
-    x, _ = resolve(A + u_a * d.arm_a - G, t2, t1)
-    _refer(s, d, A, u_a, G + x * t2, u_b)
+    _refer(s, d, A, u_a, G + _along(A + u_a * d.arm_a - G, t2, t1) * t2, u_b)
+
+
+def _along(gap: Array, t1: Array, t2: Array) -> Array:
+    """x of gap = x·t1 + y·t2, t1 and t2 unit: nan where they are parallel and their lines never meet."""
+    x, _ = resolve(gap, t1, t2)
+    return np.where(np.abs(cross(t1, t2)) > PARALLEL, x, np.nan)
 
 
 _PLACE: dict[int, Callable[[State, Dyad], None]] = {
