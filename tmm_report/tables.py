@@ -21,7 +21,7 @@ from tmm_report.chapters.written import load_keys, reaction_key, unit_of
 from tmm_report.course import Results
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.motion import Linkage, Motion
-from tmm_report.mechanics.relations import moving_points, named_values, relations, turning_links
+from tmm_report.mechanics.relations import moving_points, relations, turning_links
 from tmm_report.problems import N_, Message
 
 Array = Any
@@ -59,13 +59,16 @@ class Value:
 def tables(results: Results) -> list[Table]:
     """All tables of a variant's results."""
     k = results.kinematics
-    sets = (("table", k.table, k.turned), ("diagram", k.diagram, k.diagram_turned))
+    sets = (
+        ("table", k.table, k.turned, k.values),
+        ("diagram", k.diagram, k.diagram_turned, k.diagram_values),
+    )
     found = []
-    for name, motion, turned in sets:
+    for name, motion, turned, rates in sets:
         where = _where(turned)
         found.append(Table(f"outputs_{name}", OUTPUTS, (*where, *_outputs(k.travels, name))))
         found.append(Table(f"positions_{name}", PLACES, (*where, *_places(motion))))
-        found.append(Table(f"rates_{name}", RATES, (*where, *_rates(motion))))
+        found.append(Table(f"rates_{name}", RATES, (*where, *_rates(k.linkage, rates))))
     found += [_comparison(f"comparison_{d.position}", COMPARISON, d.comparison) for d in results.plans.drawn]
     found += [
         _comparison(f"readings_{d.position}", READINGS, d.readings) for d in results.plans.drawn if d.readings
@@ -143,9 +146,9 @@ def _places(motion: Motion) -> Iterator[Column]:
         yield Column(f"digits_{label}", "", text, digits_left(sine))
 
 
-def _rates(motion: Motion) -> Iterator[Column]:
-    meaning = meanings(motion.linkage)
-    for key, values in named_values(motion).items():
+def _rates(linkage: Linkage, rates: Mapping[str, Array]) -> Iterator[Column]:
+    meaning = meanings(linkage)
+    for key, values in rates.items():
         if np.iscomplexobj(values):
             yield from _vector(key, unit_of(key), meaning[key], values)
         else:

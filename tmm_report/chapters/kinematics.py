@@ -11,7 +11,7 @@ import numpy as np
 
 from tmm_report.chapters.given import Positions
 from tmm_report.chapters.structure import Structure
-from tmm_report.mechanics.cycle import Cycle, Extreme, cycle_of
+from tmm_report.mechanics.cycle import Cycle, Extreme, cycle_of, least_and_greatest
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.motion import Linkage, Motion
 from tmm_report.mechanics.planar import dot
@@ -236,5 +236,4 @@ def _rocker_extremes(cycle: Cycle, output: Output, reference: float) -> tuple[Ex
     fine = np.linspace(0, cycle.sweep, 361)
     where = np.sort(np.concatenate([fine, roots]))
     angle = _unwrapped(cycle.motion(where).turn(output.name), reference)
-    low, high = np.nanargmin(angle), np.nanargmax(angle)
-    return Extreme(float(angle[low]), float(where[low])), Extreme(float(angle[high]), float(where[high]))
+    return least_and_greatest(angle, where)

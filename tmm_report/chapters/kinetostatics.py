@@ -13,7 +13,8 @@ from tmm_report.chapters.given import Loads
 from tmm_report.chapters.kinematics import Kinematics
 from tmm_report.chapters.loads import ByAngle, ByDisplacement, ByPosition, Constant, Force, Law, Moment
 from tmm_report.mechanics import statics
-from tmm_report.mechanics.cycle import Cycle, Extreme
+from tmm_report.mechanics.cycle import Cycle, Extreme, least_and_greatest
+from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.motion import solve as solve_motion
 from tmm_report.mechanics.planar import cross, dot
@@ -91,11 +92,7 @@ class Kinetostatics:
     @cached_property
     def extremes(self) -> tuple[Extreme, Extreme]:
         """Least and greatest balancing moment over the diagram positions, N m."""
-        moment, turned = self.diagram.balancing, self.diagram.turned
-        low, high = np.nanargmin(moment), np.nanargmax(moment)
-        return Extreme(float(moment[low]), float(turned[low])), Extreme(
-            float(moment[high]), float(turned[high])
-        )
+        return least_and_greatest(self.diagram.balancing, self.diagram.turned)
 
 
 def solve(given: Loads, kinematics: Kinematics) -> Kinetostatics:
@@ -119,14 +116,14 @@ class _Solver:
         scale = np.sum(np.abs(terms), axis=0) / abs(omega) + np.abs(found.balancing)
         # where all terms are next to nothing, their rounding errors are judged by the rest of the cycle
         scale = np.maximum(scale, 1e-3 * np.nanmax(scale))
-        power = (_kinetic_power(motion, turned) - external_power(self.given, motion, load)) / omega
+        power = (_kinetic_power(motion) - external_power(self.given, motion, load)) / omega
         lever = -np.sum(terms, axis=0) / omega
         return Solved(motion, turned, load, found, lever, power, scale)
 
 
 def loading(given: Loads, kinematics: Kinematics, motion: Motion, turned: Array) -> Loading:
     """Evaluate every load at the positions of `motion`, angles `turned` from position 0, rad."""
-    links = [link for name, link in motion.linkage.mechanism.links.items() if name != "0"]
+    links = [link for name, link in motion.linkage.mechanism.links.items() if name != FRAME]
     heavy = [link for link in links if link.mass_centre is not None and np.any(link.mass)]
     one = np.ones(motion.shape)
     return Loading(
@@ -217,7 +214,7 @@ def resultants(given: Loads, motion: Motion, load: Loading) -> dict[str, Load]:
 def loaded_link(motion: Motion, point: str) -> str:
     """The link on which a force at a shared point acts: a slider rather than a rod, else the link found first."""
     mechanism = motion.linkage.mechanism
-    links = [name for name in mechanism.links_at(point) if name != "0"]
+    links = [name for name in mechanism.links_at(point) if name != FRAME]
     sliding = [slide.link for slide in mechanism.slides]
     return next((name for name in links if name in sliding), links[0])
 
@@ -255,7 +252,7 @@ def kinetic_energy(motion: Motion) -> Array:
     """Kinetic energy of all links, J, (..., P)."""
     energy = np.zeros(motion.shape)
     for name, link in motion.linkage.mechanism.links.items():
-        if name != "0":
+        if name != FRAME:
             if link.mass_centre is not None:
                 v = motion.velocity(link.mass_centre)
                 energy = energy + link.mass * dot(v, v) / 2
@@ -263,7 +260,7 @@ def kinetic_energy(motion: Motion) -> Array:
     return energy
 
 
-def _kinetic_power(motion: Motion, turned: Array) -> Array:
+def _kinetic_power(motion: Motion) -> Array:
     """dT/dt by a difference of the kinetic energy: from velocities alone, so it checks every acceleration.
 
     The step shrinks where the motion changes fast: towards a singular position, and where a link turns faster than

@@ -29,6 +29,12 @@ class Extreme:
     turned: float
 
 
+def least_and_greatest(values: Array, turned: Array) -> tuple[Extreme, Extreme]:
+    """Extremes among values (P,) at angles `turned`, rad; nan is passed over."""
+    low, high = np.nanargmin(values), np.nanargmax(values)
+    return Extreme(float(values[low]), float(turned[low])), Extreme(float(values[high]), float(turned[high]))
+
+
 @dataclass(frozen=True, eq=False)
 class Cycle:
     """Position 0 and the sweep of the driving link: positions are numbered in the sense of rotation."""
@@ -100,10 +106,7 @@ class Cycle:
         ends = np.array([0.0] if self.closed else [0.0, self.sweep])
         where = np.concatenate([self.roots(rate, noise), ends])
         values = np.real(value(self.motion(where)))
-        low, high = np.nanargmin(values), np.nanargmax(values)
-        return Extreme(float(values[low]), float(where[low])), Extreme(
-            float(values[high]), float(where[high])
-        )
+        return least_and_greatest(values, where)
 
     def slope(self, value: Rate, step: float = 1e-4) -> Rate:
         """Derivative of a quantity by the angle turned, by central difference: good for finding extremes of the
