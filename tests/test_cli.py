@@ -169,6 +169,15 @@ def test_mistakes_found_in_solving_have_their_line(tmp_path, change, at, sentenc
     assert int(found[1]) == line, done.output
 
 
+def test_a_broken_driver_does_not_hide_a_missing_link(tmp_path):
+    path = tmp_path / "bad.yaml"
+    text = MISTAKES.replace("{link: 1, speed: 1200 rpm,", "{link: 9, period: -1 s,")
+    path.write_text(text, encoding="utf-8")
+    output = run("solve", path).output
+    assert "mechanism.driver.link: there is no link 9" in output
+    assert "mechanism.driver.period: -1 s is negative" in output
+
+
 def test_missing_file_and_bad_options(tmp_path):
     assert run("solve", tmp_path / "none.yaml").exit_code == 2
     assert run("solve", tmp_path).exit_code == 2

@@ -63,7 +63,7 @@ def check(model: m.VariantModel, data: Any, broken: Iterable[Path]) -> list[Prob
         *_links(mechanism, known),
         *_guides(mechanism, known),
         *_slides(mechanism, known),
-        *_driver(mechanism, known),
+        *_driver(mechanism, data, set(broken), known),
         *_assembly(mechanism, known),
         *_loads(model, known),
         *_friction(model, known),
@@ -183,17 +183,24 @@ def _slides(mechanism: m.MechanismModel, known: Names) -> Found:
                 yield from _not_on(slide.at, name, (*path, "at"), known)
 
 
-def _driver(mechanism: m.MechanismModel, known: Names) -> Found:
+def _driving_link(link: str, known: Names) -> Found:
+    path = (*_MECHANISM, "driver", "link")
+    yield from _no_link(link, path, known)
+    fixed = known.points[FRAME]
+    if link == FRAME:
+        yield mistake(N_("the frame cannot drive"), path)
+    elif not set(known.points.get(link, fixed)) & set(fixed) and fixed:
+        right = Message(N_("one of its points must be of the frame: %(words)s"), {"words": ", ".join(fixed)})
+        yield mistake(N_("the driving link %(name)s has no fixed point"), path, right, name=link)
+
+
+def _driver(mechanism: m.MechanismModel, data: Any, broken: set[Path], known: Names) -> Found:
+    # the link is looked at as written: another mistake in the block must not hide a missing link
+    written = _mapping(_mapping(_mapping(data).get("mechanism")).get("driver"))
+    if written.get("link") is not None and (*_MECHANISM, "driver", "link") not in broken:
+        yield from _driving_link(str(written["link"]), known)
     if (driver := mechanism.driver) is None:
         return
-    path = (*_MECHANISM, "driver", "link")
-    yield from _no_link(driver.link, path, known)
-    fixed = known.points[FRAME]
-    if driver.link == FRAME:
-        yield mistake(N_("the frame cannot drive"), path)
-    elif not set(known.points.get(driver.link, fixed)) & set(fixed) and fixed:
-        right = Message(N_("one of its points must be of the frame: %(words)s"), {"words": ", ".join(fixed)})
-        yield mistake(N_("the driving link %(name)s has no fixed point"), path, right, name=driver.link)
     if driver.zero and driver.zero.point is not None:
         yield from _no_point(driver.zero.point, (*_MECHANISM, "driver", "zero", "point"), known)
     if driver.zero and driver.zero.link is not None:
