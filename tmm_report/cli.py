@@ -13,7 +13,7 @@ import unicodedata
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, NoReturn
 
 import typer
 
@@ -152,14 +152,17 @@ def _summary(results: Any, folder: Path, names: list[str], say: Callable[[str], 
     if plans.singular:
         text = say(N_("no plans at singular positions: %s"))
         typer.echo(text % ", ".join(map(str, plans.singular)))
-    bad = False
+    bad = results.partial
+    for gap in results.kinematics.gaps:
+        text = say(N_("error: %s")) if bad else "%s"
+        typer.echo(_clean(text % gap.text.render(say)), err=bad)
     if forces is not None:
         text = say(
             N_("checks of the balancing moment, relative disagreement: lever %.1e, power balance %.1e")
         )
         typer.echo(text % (forces.worst_lever, forces.worst_power))
-        bad = not forces.agrees
-    if bad:
+    if forces is not None and not forces.agrees:
+        bad = True
         typer.echo(say(N_("error: the checks of the balancing moment disagree by more than 1e-9")), err=True)
     shown = [name for name in names if "/" not in name]
     for part in sorted({name.split("/")[0] for name in names if "/" in name}):
@@ -197,6 +200,111 @@ def new(
     typer.echo(say(N_("written: %s")) % _clean(str(file)))
 
 
+@app.command()
+def gallery(
+    folder: Annotated[
+        Path | None, typer.Argument(help="A folder with variants; by default the ready ones.")
+    ] = None,
+    output: Annotated[
+        Path, typer.Option("-o", "--output", help="Folder for the page and its pictures.")
+    ] = Path("gallery"),
+    lang: Language = None,
+) -> None:
+    """Solve every variant of a folder and write a page with their schemes and main numbers."""
+    from tmm_report.gallery import make, variants
+    from tmm_report.i18n import Translator
+
+    say = _translate(lang)
+    try:
+        files = variants(folder)
+    except OSError as error:
+        _fail(f"{folder}: {error.strerror}")
+    if not files:
+        _fail(say(N_("%s holds no variants: no files *.yaml")) % folder)
+    with _progress(say(N_("solving"))) as stage:
+        try:
+            tr = Translator(lang or _language())
+            page, failed = make(files, output, tr, lambda name: stage(say(N_("solving %s")) % name))
+        except OSError as error:
+            _fail(say(N_("cannot write into %s: %s")) % (output, error.strerror))
+    for entry in failed:
+        for problem in entry.problems:
+            typer.echo(_clean(problem.text(say)), err=True)
+    typer.echo(say(N_("written: %s")) % _clean(str(page)))
+    if failed:
+        raise typer.Exit(1)
+
+
+@app.command()
+def assemblies(
+    variant: VariantFile,
+    angle: Annotated[
+        str | None,
+        typer.Option(
+            "--angle",
+            help="Angle of the driving link, such as '30 deg'; by default that of the sketch or of position 0.",
+            show_default=False,
+        ),
+    ] = None,
+    output: Annotated[Path | None, typer.Option("-o", "--output", help="Folder for the page.")] = None,
+    lang: Language = None,
+) -> None:
+    """List and draw every way in which the mechanism can be put together, each with its sketch for the variant."""
+    say = _translate(lang)
+    folder = output or Path(f"{variant.stem}-assemblies")
+    with _progress(say(N_("looking for assemblies"))), _mistakes(lambda text: say(text)):
+        from tmm_report import load
+        from tmm_report.assemblies_page import degrees, find, page
+        from tmm_report.i18n import Translator
+        from tmm_report.output import write
+
+        phi = _angle(angle, say) if angle is not None else None
+        loaded = load(variant)
+        tr = Translator(lang or loaded.language, loaded.decimal_sign if lang is None else None)
+        say = tr.gettext
+        found = find(loaded, phi)
+        files = page(found, tr) if found.ways else {}
+        try:
+            write(folder, files)
+        except OSError as error:
+            _fail(say(N_("cannot write into %s: %s")) % (folder, error.strerror))
+    typer.echo(found.structure.formula)
+    if not found.ways:
+        text = N_(
+            "error: at %s the mechanism cannot be assembled; choose another --angle or check the lengths"
+        )
+        typer.echo(say(text) % degrees(found, tr), err=True)
+        raise typer.Exit(1)
+    _list_ways(found, tr)
+    typer.echo(say(N_("written: %s")) % _clean(", ".join(str(folder / name) for name in files)))
+
+
+def _angle(text: str, say: Callable[[str], str]) -> float:
+    """The value of --angle, rad."""
+    from tmm_report.units import WrongValue, parse
+
+    try:
+        return parse(text, "angle")
+    except WrongValue as error:
+        parts = [part.render(say) for part in (error.wrong, error.right) if part is not None]
+        _fail("--angle: " + "; ".join(parts))
+
+
+def _list_ways(found: Any, tr: Any) -> None:
+    """Print the ways, each with the line that chooses it, indented as it stands in a variant."""
+    from tmm_report.assemblies_page import heading, remarks
+
+    say = tr.gettext
+    typer.echo(heading(found, tr).render(say))
+    for number, sketch in enumerate(found.sketches, 1):
+        mark = f" ({say(N_('stated by the variant'))})" if number == found.stated else ""
+        typer.echo(f"{number}{mark}\n  {sketch}")
+    for remark in remarks(found):
+        typer.echo(remark.render(say))
+    for problem in found.unsaid:
+        typer.echo(_clean(say(N_("The variant states none of them: %s")) % problem.text(say)))
+
+
 # ---------------------------------------------------------------- talking to the user
 
 
@@ -223,7 +331,7 @@ def _clean(text: str, keep: str = "") -> str:
     )
 
 
-def _fail(text: str) -> None:
+def _fail(text: str) -> NoReturn:
     typer.echo(_clean(text, keep="\n"), err=True)
     raise typer.Exit(2)
 

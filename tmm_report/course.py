@@ -20,6 +20,7 @@ class Variant:
     language: Literal["ru", "en"] = "ru"
     decimal_sign: Literal["comma", "point"] = "comma"
     positions: Positions = field(default_factory=Positions)
+    allow_partial: bool = False  # a mechanism that exists over part of the cycle only is meant so
     drawing: Drawing = field(default_factory=Drawing)
     readings: Readings = field(default_factory=dict)
     loads: Loads | None = None
@@ -40,6 +41,11 @@ class Results:
     kinetostatics: kinetostatics.Kinetostatics | None
     force_plans: force_plans.ForcePlans | None
     friction: friction.FrictionFound | None
+
+    @property
+    def partial(self) -> bool:
+        """Whether the mechanism does not close over part of the cycle and the variant does not say that it is meant so."""
+        return bool(self.kinematics.gaps) and not self.variant.allow_partial
 
 
 def solve(variant: Variant) -> Results:

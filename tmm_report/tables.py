@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.kinematics import Travel, digits_left
+from tmm_report.chapters.kinematics import Kinematics, Travel, digits_left
 from tmm_report.chapters.kinetostatics import Solved
 from tmm_report.chapters.written import load_keys, reaction_key, unit_of
 from tmm_report.course import Results
@@ -69,6 +69,7 @@ def tables(results: Results) -> list[Table]:
         found.append(Table(f"outputs_{name}", OUTPUTS, (*where, *_outputs(k.travels, name))))
         found.append(Table(f"positions_{name}", PLACES, (*where, *_places(motion))))
         found.append(Table(f"rates_{name}", RATES, (*where, *_rates(k.linkage, rates))))
+    found.append(Table("special", SPECIAL, _special(k)))
     found += [_comparison(f"comparison_{d.position}", COMPARISON, d.comparison) for d in results.plans.drawn]
     found += [
         _comparison(f"readings_{d.position}", READINGS, d.readings) for d in results.plans.drawn if d.readings
@@ -78,6 +79,8 @@ def tables(results: Results) -> list[Table]:
 
 OUTPUTS = Message(N_("displacement, velocity and acceleration of the output links"))
 PLACES = Message(N_("places of points, angles of links, nearness of singular positions"))
+CLOSENESS = N_("closeness of group %(group)s to a singular position, 1 … 0 (of a dyad, a sine)")
+SPECIAL = Message(N_("positions nearest to singular ones, singular positions, dead points"))
 RATES = Message(N_("velocities, accelerations and angular rates"))
 COMPARISON = Message(N_("graph-analytical method against the analytical one"))
 READINGS = Message(N_("the student's own readings against the analytical method"))
@@ -140,7 +143,7 @@ def _places(motion: Motion) -> Iterator[Column]:
     for label, sine in motion.sines.items():
         of = {"group": label}
         yield Column(
-            f"sin_{label}", "", Message(N_("sine of group %(group)s: 0 in a singular position"), of), sine
+            f"sin_{label}", "", Message(CLOSENESS, of), sine
         )
         text = Message(N_("decimal digits that remain in group %(group)s"), of)
         yield Column(f"digits_{label}", "", text, digits_left(sine))
@@ -162,7 +165,7 @@ def meanings(linkage: Linkage) -> dict[str, Message]:
         texts[f"v_{point}"] = Message(N_("velocity of point %(name)s"), {"name": point})
         texts[f"a_{point}"] = Message(N_("acceleration of point %(name)s"), {"name": point})
     for r in relations(linkage):
-        for branch in (r.left, r.right):
+        for branch in r.branches:
             for point in (p for p in (branch.start, branch.end) if p is not None):
                 texts.setdefault(f"v_{point}", Message(N_("velocity of point %(name)s"), {"name": point}))
                 texts.setdefault(f"a_{point}", Message(N_("acceleration of point %(name)s"), {"name": point}))
@@ -186,6 +189,26 @@ def meanings(linkage: Linkage) -> dict[str, Message]:
         texts[f"w_{link}"] = Message(N_("angular velocity of link %(name)s"), {"name": link})
         texts[f"e_{link}"] = Message(N_("angular acceleration of link %(name)s"), {"name": link})
     return texts
+
+
+def _special(k: Kinematics) -> tuple[Column, ...]:
+    """Exact angles of turn at which something is singular: one row each."""
+    rows: list[tuple[str, str, float, float]] = []
+    for c in k.closest:
+        rows.append(("closest", c.group, c.closeness.turned, c.closeness.value))
+        for kind in ("changes", "limits", "parallel"):
+            rows += [(SPECIAL_KINDS[kind], c.group, turned, 0.0) for turned in getattr(c, kind)]
+    rows += [("dead", dead.output, turned, math.nan) for dead in k.dead for turned in dead.turned]
+    kind, of, turned, closeness = ([row[i] for row in rows] for i in range(4))
+    return (
+        Column("kind", "", Message(N_("closest, change, limit, parallel (guides) or dead (point)")), kind),
+        Column("of", "", Message(N_("the group, or the output link")), of),
+        Column("phi", "deg", Message(N_("angle turned by the driving link from position 0")), np.degrees(turned)),
+        Column("closeness", "", Message(N_("closeness to a singular position, 1 … 0")), closeness),
+    )
+
+
+SPECIAL_KINDS = {"changes": "change", "limits": "limit", "parallel": "parallel"}
 
 
 def _comparison(

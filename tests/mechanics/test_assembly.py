@@ -18,7 +18,7 @@ def stated(name, *assembly, sketch=None):
 
 
 def signs(name, *assembly, sketch=None):
-    return [d.sign for d in assemble(stated(name, *assembly, sketch=sketch)).dyads]
+    return [d.sign for d in assemble(stated(name, *assembly, sketch=sketch)).groups]
 
 
 def mistakes(name, *assembly, sketch=None):
@@ -51,7 +51,7 @@ def test_sketch_finds_the_root_it_was_drawn_in(name, sign):
     sketch = {
         p: complex(found.place(p)[0]) + complex(*random.normal(size=2)) * 2e-3 for p in found.point_index
     }
-    assert signs(name, sketch=sketch) == [d.sign if d.two_roots else 1 for d in lk.dyads]
+    assert signs(name, sketch=sketch) == [d.sign if d.two_roots else 1 for d in lk.groups]
 
 
 def test_words_win_over_the_sketch():
@@ -110,5 +110,5 @@ def test_sketch_that_does_not_tell():
 
 
 def test_keys_name_joint_or_links():
-    (d,) = linkage(SCHEMES["four_bar"]()).dyads
+    (d,) = linkage(SCHEMES["four_bar"]()).groups
     assert keys_of(d) == ["B", "2-3", "3-2"]

@@ -101,7 +101,7 @@ def test_signs_mean_what_the_table_says(name, sign):
     lk = linkage(SCHEMES[name](), sign)
     found = motion.solve(lk, turn())
     s = found.state
-    for d in lk.dyads:
+    for d in lk.groups:
         A = s.world(d.carrier_a, d.outer_a.at[d.carrier_a])
         C = s.world(d.carrier_b, d.outer_b.at[d.carrier_b])
         if d.kind == 1:

@@ -26,7 +26,8 @@ class ForcePlans:
 
 
 def solve(drawing: Drawing, positions: Sequence[int], found: Kinetostatics, plans: Plans) -> ForcePlans:
-    regular = [k for k in positions if k not in found.kinematics.singular]
+    lost = (*found.kinematics.singular, *found.kinematics.missing)
+    regular = [k for k in positions if k not in lost]
     pen = Pen(drawing.accuracy)
     drawn = tuple(draw(found, k, plans.length_scale, drawing.force, pen) for k in regular)
     return ForcePlans(drawn, tuple(k for k in positions if k not in regular))

@@ -10,18 +10,17 @@ from typing import Any, Literal
 import numpy as np
 
 from tmm_report.chapters.given import Positions
+from tmm_report.chapters.limits import Closest, Dead, Gap, closest, dead, gaps
 from tmm_report.chapters.structure import Structure
 from tmm_report.mechanics.cycle import Cycle, Extreme, cycle_of, least_and_greatest
 from tmm_report.mechanics.mechanism import FRAME
-from tmm_report.mechanics.motion import Linkage, Motion
+from tmm_report.mechanics.motion import SINGULAR, Linkage, Motion
 from tmm_report.mechanics.planar import dot
 from tmm_report.mechanics.relations import named_values
+from tmm_report.mechanics.singular import settle
 from tmm_report.problems import N_, Message, ProblemError, mistake
 
 Array = Any
-SINGULAR = (
-    1e-6  # sine of a group below which velocities have lost half of their digits and lines cross nowhere
-)
 
 
 def digits_left(sine: Array) -> Array:
@@ -95,7 +94,9 @@ class Kinematics:
     diagram_turned: Array
     diagram: Motion
     travels: tuple[Travel, ...]
-    singular: tuple[int, ...]  # table positions without velocities: a group there is in a singular position
+    singular: tuple[int, ...]  # table positions in which a group is singular: no plan can be drawn
+    undefined: tuple[int, ...]  # those of them without velocities
+    missing: tuple[int, ...]  # table positions in which the mechanism cannot be assembled
 
     @cached_property
     def values(self) -> Mapping[str, Array]:
@@ -112,6 +113,22 @@ class Kinematics:
         sines = [s[s > SINGULAR] for m in (self.table, self.diagram) for s in m.sines.values()]
         return int(digits_left(min((s.min(initial=1.0) for s in sines), default=1.0)))
 
+    @cached_property
+    def gaps(self) -> tuple[Gap, ...]:
+        """Groups that cannot be assembled over part of the cycle, with causes and cures."""
+        return gaps(self.cycle)
+
+    @cached_property
+    def closest(self) -> tuple[Closest, ...]:
+        """How near each group comes to a singular position, and its singular positions."""
+        return closest(self.cycle)
+
+    @cached_property
+    def dead(self) -> tuple[Dead, ...]:
+        """Dead points of every output, were it to drive."""
+        outputs = (travel.output for travel in self.travels)
+        return tuple(dead(self.cycle, output.name, output.velocity) for output in outputs)
+
     @property
     def omega(self) -> float:
         """Angular velocity of the driving link, rad/s, + counter-clockwise."""
@@ -119,53 +136,41 @@ class Kinematics:
 
 
 def solve(positions: Positions, structure: Structure) -> Kinematics:
-    """Raises ProblemError where a table or diagram position cannot be assembled."""
+    """Positions that cannot be assembled are nan. Raises ProblemError where none can."""
     cycle = cycle_of(structure.linkage)
     turned = np.arange(positions.table + 1) * (cycle.sweep / positions.table)
     diagram_turned = np.arange(positions.diagram + 1) * (cycle.sweep / positions.diagram)
     # position N of a full turn is position 0: solved as such, so that both print the same digits
     table = cycle.motion(np.where(cycle.closed & (turned >= cycle.sweep), 0.0, turned))
     diagram = cycle.motion(np.where(cycle.closed & (diagram_turned >= cycle.sweep), 0.0, diagram_turned))
-    _must_close(structure, table, turned)
-    _must_close(structure, diagram, diagram_turned)
-    singular = tuple(int(k) for k in np.flatnonzero(_leave_out_singular(table)))
-    _leave_out_singular(diagram)
-    travels = tuple(_travel(cycle, output, table, diagram) for output in outputs(structure.linkage))
+    _must_close(cycle, table, diagram)
+    undefined = settle(table)
+    settle(diagram)
+    flat = np.logical_or.reduce([undefined, *(sine <= SINGULAR for sine in table.sines.values())])
+    travels = tuple(_travel(cycle, output, table, diagram) for output in outputs(cycle.linkage))
     return Kinematics(
-        structure.linkage, cycle, positions, turned, table, diagram_turned, diagram, travels, singular
-    )
+        cycle.linkage, cycle, positions, turned, table, diagram_turned, diagram, travels,
+        _numbers(flat & table.closes), _numbers(undefined & table.closes), _numbers(~table.closes),
+    )  # fmt: skip
 
 
-def _leave_out_singular(motion: Motion) -> Array:
-    """Where a group is singular its rates are not defined, nor those of the groups after it: nan, never a number
-    made of rounding errors. Returns the mask of such positions, (P,)."""
-    state = motion.state
-    lost = np.zeros(motion.shape, dtype=bool)
-    for d in motion.linkage.dyads:
-        lost = lost | (motion.sines[d.group.label] <= SINGULAR)
-        if lost.any():
-            for rates in (state.v, state.w, state.a, state.e, state.iw, state.ie):
-                for link in (d.a, d.b):
-                    rates[link] = np.where(lost, np.nan, rates[link])
-    return lost
+def _numbers(mask: Array) -> tuple[int, ...]:
+    return tuple(int(k) for k in np.flatnonzero(mask))
 
 
-def _must_close(structure: Structure, motion: Motion, turned: Array) -> None:
-    if motion.closes.all():
+def _must_close(cycle: Cycle, table: Motion, diagram: Motion) -> None:
+    if table.closes.any() and diagram.closes.any():
         return
-    state = motion.state
-    poses = {d.group: state.u[d.a] + state.r[d.a] + state.r[d.b] for d in structure.linkage.dyads}
-    group = next(g for g, pose in poses.items() if not np.isfinite(np.broadcast_to(pose, motion.shape)).all())
-    lost = np.degrees(turned[~motion.closes])
-    text = N_(
-        "group %(group)s cannot be assembled at %(count)d of %(total)d positions, e.g. at %(first).1f° from position 0"
-    )
+    causes = gaps(cycle)
+    if causes:
+        raise ProblemError([causes[0].problem])
+    group = cycle.linkage.groups[-1].group
+    text = N_("group %(group)s cannot be assembled at any position")
     right = Message(
         N_("check the lengths of links %(links)s and the places of their joints"),
         {"links": ", ".join(group.links)},
     )
-    values = {"group": group.label, "count": lost.size, "total": turned.size, "first": float(lost[0])}
-    raise ProblemError([mistake(text, ("mechanism", "links", group.links[0]), right, **values)])
+    raise ProblemError([mistake(text, ("mechanism", "links", group.links[0]), right, group=group.label)])
 
 
 def outputs(linkage: Linkage) -> list[Output]:
@@ -192,7 +197,7 @@ def _traced_point(linkage: Linkage, link: str) -> str | None:
 
 def _travel(cycle: Cycle, output: Output, table: Motion, diagram: Motion) -> Travel:
     output = _pointed(output, diagram)
-    start = output.rates(table)[0][0]
+    start = _first(output.rates(table)[0])
     S, V, a = output.rates(table)
     dS, dV, da = output.rates(diagram)
     if output.kind == "rocker":  # the angle from position 0, without jumps of a turn
@@ -218,16 +223,23 @@ def _pointed(output: Output, diagram: Motion) -> Output:
     if output.kind == "rocker":
         return output
     S = output.rates(diagram)[0]
-    S = S - S[0]
+    S = S - _first(S)
     # of equally far ends, the one to which the guide points, and not the one that rounding chooses
     ahead = np.nanmax(S) >= -np.nanmin(S) * (1 - 1e-9)
     return Output(output.kind, output.name, output.link, output.direction * (1 if ahead else -1))
 
 
+def _first(values: Array) -> Any:
+    """The value at the first position that exists: position 0, where the mechanism closes there."""
+    return values[np.argmax(np.isfinite(values))]
+
+
 def _unwrapped(u: Array, reference: float) -> Array:
-    """Angle from the first position, rad, continuous along the positions."""
-    angle = np.unwrap(np.angle(u * np.exp(-1j * reference)))
-    return angle - angle[0]
+    """Angle from the first position, rad, continuous along the positions that exist."""
+    angle = np.angle(u * np.exp(-1j * reference))
+    exists = np.isfinite(angle)
+    angle[exists] = np.unwrap(angle[exists])
+    return angle - _first(angle)
 
 
 def _rocker_extremes(cycle: Cycle, output: Output, reference: float) -> tuple[Extreme, Extreme]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -16,16 +16,16 @@ from tmm_report.mechanics import statics
 from tmm_report.mechanics.cycle import Cycle, Extreme, least_and_greatest
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.motion import Motion
+from tmm_report.mechanics.motion import SINGULAR
 from tmm_report.mechanics.motion import solve as solve_motion
 from tmm_report.mechanics.planar import cross, dot
+from tmm_report.mechanics.roots import DIFFERENCE
 from tmm_report.mechanics.statics import Load, Statics
+from tmm_report.problems import N_, Message, ProblemError, mistake
 
 Array = Any
 
 TOLERANCE = 1e-9  # relative disagreement of the checks above which something is wrong
-
-# central difference of eighth order: f' ≈ Σ c_k (f(x + kh) − f(x − kh)) / h
-DIFFERENCE = (4 / 5, -1 / 5, 4 / 105, -1 / 280)
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,12 +113,14 @@ class _Solver:
         found = statics.solve(motion, resultants(self.given, motion, load))
         terms = lever_terms(self.given, motion, load)
         omega = motion.state.w[motion.linkage.mechanism.driver.link]
-        scale = np.sum(np.abs(terms), axis=0) / abs(omega) + np.abs(found.balancing)
-        # where all terms are next to nothing, their rounding errors are judged by the rest of the cycle
-        scale = np.maximum(scale, 1e-3 * np.nanmax(scale))
         power = (_kinetic_power(motion) - external_power(self.given, motion, load)) / omega
         lever = -np.sum(terms, axis=0) / omega
-        return Solved(motion, turned, load, found, lever, power, scale)
+        # at a change point reactions are nothing, but the powers have a limit, and so has the moment
+        balancing = np.where(np.isfinite(found.balancing), found.balancing, lever)
+        scale = np.sum(np.abs(terms), axis=0) / abs(omega) + np.abs(balancing)
+        # where all terms are next to nothing, their rounding errors are judged by the rest of the cycle
+        scale = np.maximum(scale, 1e-3 * np.nanmax(scale))
+        return Solved(motion, turned, load, replace(found, balancing=balancing), lever, power, scale)
 
 
 def loading(given: Loads, kinematics: Kinematics, motion: Motion, turned: Array) -> Loading:
@@ -180,8 +182,15 @@ def _interpolate(cycle: Cycle, turned: Array, angles: Array, values: Array) -> A
 
 
 def _indicated(law: ByDisplacement, cycle: Cycle, motion: Motion, at: str) -> Array:
-    """An indicator diagram read at the point's displacement and direction of motion."""
+    """An indicator diagram read at the point's displacement and direction of motion.
+
+    Raises ProblemError for a point that has no stroke in the direction from which the diagram counts.
+    """
     low, high = cycle.extremes(lambda m: dot(m.place(at), law.zero), lambda m: dot(m.velocity(at), law.zero))
+    if not high.value - low.value > 1e-9 * np.nanmax(np.abs(motion.place(at) - np.nanmean(motion.place(at)))):
+        text = N_("by_displacement: point %(name)s does not move in the direction of zero")
+        right = Message(N_("name a point that moves there, or give the load by angle"))
+        raise ProblemError([mistake(text, ("loads", "forces"), right, name=at)])
     x = (high.value - dot(motion.place(at), law.zero)) / (high.value - low.value)
     forward, back = (np.interp(x, *np.array(curve).T) for curve in (law.forward, law.back))
     rate = dot(motion.velocity(at), law.zero)
@@ -266,10 +275,17 @@ def _kinetic_power(motion: Motion) -> Array:
     The step shrinks where the motion changes fast: towards a singular position, and where a link turns faster than
     the driving link.
     """
-    sines = list(motion.sines.values())
     omega = motion.state.w[motion.linkage.mechanism.driver.link]
     ratios = [np.abs(motion.angular_velocity(link) / omega) for link in motion.linkage.mechanism.moving]
-    step = 0.007 * np.minimum.reduce([np.ones(motion.shape), *sines]) / np.maximum.reduce(ratios)
+    shrinks = np.ones(motion.shape)
+    step = np.full(motion.shape, 0.007)
+    for group in motion.linkage.groups:
+        sine = np.maximum(motion.sines[group.group.label], SINGULAR)
+        for change in group.changes:  # there the motion is smooth, but near positions differ by rounding errors
+            beside = np.abs(np.angle(np.exp(1j * (motion.phi - change)))) < 0.15
+            step, sine = np.where(beside, 0.03, step), np.where(beside, 1.0, sine)
+        shrinks = np.minimum(shrinks, sine)
+    step = step * shrinks / np.maximum.reduce(ratios)
     k = np.arange(1, len(DIFFERENCE) + 1).reshape(-1, *(1,) * len(motion.shape))
     phi = np.stack([motion.phi + k * step, motion.phi - k * step])
     energy = kinetic_energy(solve_motion(motion.linkage, phi))

@@ -82,7 +82,7 @@ class Plans:
 def solve(drawing: Drawing, plans: Sequence[int], readings: Readings, kinematics: Kinematics) -> Plans:
     """Construct the plans of the table positions `plans`. Raises ProblemError for unknown keys of readings."""
     wanted = sorted({*plans, *readings})
-    regular = [k for k in wanted if k not in kinematics.singular]
+    regular = [k for k in wanted if k not in (*kinematics.singular, *kinematics.missing)]
     pen = Pen(drawing.accuracy)
     scales = _scales(drawing, kinematics, regular)
     drawn = tuple(_draw(kinematics, k, scales, pen, readings.get(k, {})) for k in regular)
@@ -98,7 +98,7 @@ def _scales(drawing: Drawing, kinematics: Kinematics, positions: list[int]) -> S
         return float(np.nanmax(rows)) if positions else 0.0
 
     places = kinematics.diagram.places
-    size = max(np.ptp(places.real), np.ptp(places.imag))
+    size = max(np.nanmax(part) - np.nanmin(part) for part in (places.real, places.imag))
     return Scales(
         drawing.length or round_scale(float(size), PAPER),
         drawing.velocity or round_scale(longest("v"), PAPER),

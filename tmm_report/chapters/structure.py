@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 from tmm_report.mechanics.assembly import assemble
 from tmm_report.mechanics.mechanism import Mechanism
 from tmm_report.mechanics.motion import Linkage
-from tmm_report.mechanics.structure import Group, Pair, mobility
+from tmm_report.mechanics.structure import Alternative, Group, Pair, alternatives, mobility
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,9 +25,14 @@ class Structure:
     formula: str
     mechanism_class: int
 
+    @cached_property
+    def alternatives(self) -> list[Alternative]:
+        """What the groups would be if another link drove."""
+        return alternatives(self.linkage.mechanism)
+
 
 def solve(mechanism: Mechanism) -> Structure:
-    """Raises ProblemError where the mechanism has W ≠ 1, a group above class II, or an unstated assembly."""
+    """Raises ProblemError where the mechanism has W ≠ 1 or an unstated assembly."""
     linkage = assemble(mechanism)
     structure = linkage.structure
     return Structure(

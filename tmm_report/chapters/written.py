@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 
-from tmm_report.formula import Expr, Formula, Symbol, Var
-from tmm_report.symbols import segment
+from tmm_report.formula import ATOM, POWER, Expr, Formula, Page, Piece, Symbol, Var
+from tmm_report.i18n import Translator
+from tmm_report.symbols import Latex, MathML, notation, segment
 
 DIGITS = 5  # significant digits that a hand calculation carries
 PLACES = 3  # decimals are not carried beyond these, unless the largest value of the kind needs more
@@ -67,3 +69,28 @@ def load_keys(points: Sequence[str]) -> list[str]:
     return [
         f"P_{p}" if points.count(p) == 1 else f"P_{p},{1 + points[:k].count(p)}" for k, p in enumerate(points)
     ]
+
+
+@dataclass(frozen=True, eq=False)
+class Unknown(Var):
+    """An unknown of an equation: a symbol among the numbers."""
+
+    def piece(self, page: Page) -> Piece:
+        return Piece(page.notation.symbol(self.sign), POWER if self.sign.sup else ATOM)
+
+
+@dataclass(frozen=True, eq=False)
+class Equation:
+    """expression = 0, its numbers put in and its unknowns as symbols."""
+
+    expression: Expr
+
+    def latex(self, tr: Translator) -> str:
+        return self._print(notation("latex", tr))
+
+    def mathml(self, tr: Translator) -> str:
+        return self._print(notation("mathml", tr))
+
+    def _print(self, form: Latex | MathML) -> str:
+        pieces = list(self.expression.terms(Page(form, numbers=True)))
+        return form.formula([*pieces, form.operator("=") + form.number(0, 1)])

@@ -1,18 +1,24 @@
-"""Which root each dyad takes: stated in words or signs, or by a rough sketch; never guessed."""
+"""Which assembly each group takes: stated in words or signs, or by a rough sketch; never guessed."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
-from tmm_report.mechanics.dyads import Dyad, State, dyad, place
-from tmm_report.mechanics.mechanism import FRAME, Assembly, Mechanism
-from tmm_report.mechanics.motion import Linkage, drive
+from tmm_report.mechanics.assemblies import assemblies
+from tmm_report.mechanics.dyads import Dyad, State, dyad, place, reach
+from tmm_report.mechanics.higher import HigherGroup
+from tmm_report.mechanics.loops import Loops
+from tmm_report.mechanics.mechanism import FRAME, Assembly, Mechanism, pick
+from tmm_report.mechanics.motion import Linkage, drive, known_motion, positions
 from tmm_report.mechanics.planar import dot
-from tmm_report.mechanics.structure import KIND_NAMES, Structure, decompose
+from tmm_report.mechanics.structure import KIND_NAMES, ROMAN, Group, Structure, decompose
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 
+Array = Any
 PATH = ("mechanism", "assembly")
 CLEAR = (
     0.1  # a direction word must make at least this cosine with the guide, or it does not tell the sides apart
@@ -20,33 +26,29 @@ CLEAR = (
 
 
 def assemble(mechanism: Mechanism) -> Linkage:
-    """Decompose a mechanism and choose the root of every dyad. Raises ProblemError with all mistakes."""
+    """Decompose a mechanism and choose the assembly of every group. Raises ProblemError with all mistakes."""
     structure = decompose(mechanism)
-    _refuse_higher_classes(structure)
-    dyads = [dyad(mechanism, group) for group in structure.groups]
-    problems = list(_unmatched(mechanism, dyads))
-    signs = [_stated_sign(mechanism, d, problems) for d in dyads]
-    dyads = _by_sketch(mechanism, structure, dyads, signs, problems)
+    dyads = {g: dyad(mechanism, g) for g in structure.groups if g.kind is not None}
+    problems = list(_unmatched(mechanism, list(dyads.values())))
+    signs = {g: _stated_sign(mechanism, d, problems) for g, d in dyads.items()}
+    linkage = _by_sketch(structure, dyads, signs, problems)
     if problems:
         raise ProblemError(problems)
-    return Linkage(structure, tuple(dyads))
+    return _measured(linkage)
 
 
-def _refuse_higher_classes(structure: Structure) -> None:
-    text = N_(
-        "links %(links)s form an Assur group of class %(cls)s: groups above class II are not solved yet"
-    )
-    higher = [group for group in structure.groups if group.group_class > 2]
-    if higher:
-        from tmm_report.mechanics.structure import ROMAN
-
-        path = ("mechanism", "links")
-        raise ProblemError(
-            [
-                mistake(text, (*path, g.links[0]), links=", ".join(g.links), cls=ROMAN.get(g.group_class, ""))
-                for g in higher
-            ]
-        )
+def _measured(linkage: Linkage) -> Linkage:
+    """Dyads of kind 3 with their greatest distance over the cycle, by which they are near a singular position."""
+    if all(group.group.kind != 3 for group in linkage.groups):
+        return linkage
+    s = positions(linkage, np.linspace(0, 2 * np.pi, 72, endpoint=False))
+    groups = []
+    for group in linkage.groups:
+        if isinstance(group, Dyad) and group.kind == 3:
+            size = np.fmax.reduce(np.atleast_1d(reach(s, group)), axis=-1, keepdims=bool(linkage.axes))
+            group = replace(group, size=size if np.all(size > 0) else None)
+        groups.append(group)
+    return replace(linkage, groups=tuple(groups))
 
 
 def keys_of(d: Dyad) -> list[str]:
@@ -118,26 +120,123 @@ def how_to_state(d: Dyad) -> Message:
 
 
 def _by_sketch(
-    mechanism: Mechanism,
     structure: Structure,
-    dyads: list[Dyad],
-    signs: list[int | None],
+    dyads: Mapping[Group, Dyad],
+    signs: Mapping[Group, int | None],
     problems: list[Problem],
-) -> list[Dyad]:
-    """Dyads with their roots; those not stated take the root nearer to the sketch."""
-    angle = _sketch_angle(mechanism, structure)
-    state = drive(Linkage(structure, ()), np.array([angle or 0.0]))
-    chosen = []
-    for d, sign in zip(dyads, signs, strict=True):
-        if sign is None and angle is not None:
-            sign = _nearer(mechanism, state, d)
-        if sign is None:
-            problems.append(_not_stated(mechanism, d, angle))
-        d = dyad(mechanism, d.group, sign or 1)
+) -> Linkage:
+    """The linkage, its groups in the assemblies stated; those not stated take the one nearest to the sketch."""
+    mechanism = structure.mechanism
+    angle = sketch_angle(mechanism, structure)
+    linkage = Linkage(structure, ())
+    state = drive(linkage, np.array([angle or 0.0]))
+    for group in structure.groups:
+        chosen: Dyad | HigherGroup | None
+        if group in dyads:
+            chosen = _dyad_by_sketch(mechanism, state, dyads[group], signs[group], angle, problems)
+        else:
+            chosen = _higher_by_sketch(linkage, state, group, angle, problems)
+            if chosen is None:
+                return linkage
         with np.errstate(invalid="ignore", divide="ignore"):
-            place(state, d)
-        chosen.append(d)
-    return chosen
+            if isinstance(chosen, Dyad):
+                chosen.place(state)
+            elif not linkage.axes:
+                chosen.loops.place(state, chosen.start[0][1][None])
+        linkage = replace(linkage, groups=(*linkage.groups, chosen))
+    return linkage
+
+
+def _dyad_by_sketch(
+    mechanism: Mechanism, state: State, d: Dyad, sign: int | None, angle: float | None, problems: list[Problem]
+) -> Dyad:
+    if sign is not None:
+        return dyad(mechanism, d.group, sign)
+    sign = _nearer(mechanism, state, d) if angle is not None else None
+    if sign is None:
+        problems.append(_not_stated(mechanism, d, angle))
+    return replace(dyad(mechanism, d.group, sign or 1), told_at=angle)
+
+
+# ---------------------------------------------------------------- groups above class II
+
+
+def _higher_by_sketch(
+    before: Linkage, state: State, group: Group, angle: float | None, problems: list[Problem]
+) -> HigherGroup | None:
+    """The assembly of a higher group nearest to the sketch, followed from there."""
+    mechanism = before.mechanism
+    loops = Loops(group)
+    if before.axes:  # each variant has its own
+        singles = [assemble(pick(mechanism, v)) for v in range(before.axes[0])]
+        found = [single.groups[len(before.groups)] for single in singles]
+        parts = [(g.start[0], g.known[0]) for g in found if isinstance(g, HigherGroup)]
+        return HigherGroup(group, loops, tuple(p[0] for p in parts), tuple(p[1] for p in parts))
+    wanted = [p for link in group.links for p in mechanism.links[link].points if p in mechanism.sketch]
+    if angle is None or not wanted:
+        problems.append(_needs_sketch(group, mechanism))
+        return None
+    ways = assemblies(loops, state)
+    if not len(ways):
+        problems.append(_cannot_be_assembled(group, angle))
+        return None
+    misses = np.array([_miss(mechanism, state, group, loops, q) for q in ways])
+    first, *others = np.argsort(misses)
+    if others and np.isclose(misses[first], misses[others[0]], rtol=1e-6):
+        problems.append(_unclear_sketch(group))
+    return HigherGroup(group, loops, ((angle, ways[first]),), (known_motion(before),))
+
+
+def _miss(mechanism: Mechanism, state: State, group: Group, loops: Loops, q: Array) -> float:
+    """Sum of squared distances of a group's points from their sketched places, m²."""
+    trial = placed(state, loops, q)
+    return _distance(mechanism, trial, group.links)
+
+
+def placed(state: State, loops: Loops, q: Array) -> State:
+    """A copy of the state, in one position, with the group's links in one of its assemblies."""
+    trial = replace(state, o={**state.o}, r={**state.r}, u={**state.u})
+    loops.place(trial, q[None])
+    return trial
+
+
+def _distance(mechanism: Mechanism, state: State, links: Sequence[str]) -> float:
+    return sum(
+        abs(np.ravel(state.world(link, at))[0] - mechanism.sketch[point]) ** 2
+        for link in links
+        for point, at in mechanism.links[link].points.items()
+        if point in mechanism.sketch
+    )
+
+
+def _needs_sketch(group: Group, mechanism: Mechanism) -> Problem:
+    text = N_(
+        "group %(group)s of class %(cls)s can be assembled in several ways, and only a sketch says in which (key sketch)"
+    )
+    points = [p for link in group.links for p in mechanism.links[link].points if len(mechanism.links_at(p)) > 1]
+    right = Message(
+        N_(
+            "write rough places of its points (%(points)s) and of the driving link's in some one position; "
+            "tmm-report assemblies lists all that exist"
+        ),
+        {"points": ", ".join(dict.fromkeys(points))},
+    )
+    path = ("mechanism", "sketch") if mechanism.sketch else ("mechanism",)
+    return mistake(text, path, right, group=group.label, cls=ROMAN.get(group.group_class, str(group.group_class)))
+
+
+def _cannot_be_assembled(group: Group, angle: float) -> Problem:
+    text = N_(
+        "group %(group)s cannot be assembled in the position of the sketch (driving link at %(angle).1f°)"
+    )
+    right = Message(N_("check the lengths of links %(links)s and the places of their joints, or sketch another position"), {"links": ", ".join(group.links)})
+    return mistake(text, ("mechanism", "sketch"), right, group=group.label, angle=float(np.degrees(angle)))
+
+
+def _unclear_sketch(group: Group) -> Problem:
+    text = N_("the sketch lies equally near to two assemblies of group %(group)s")
+    right = Message(N_("add more points to it, or draw it more exactly"))
+    return mistake(text, ("mechanism", "sketch"), right, group=group.label)
 
 
 def _not_stated(mechanism: Mechanism, d: Dyad, angle: float | None) -> Problem:
@@ -151,7 +250,7 @@ def _not_stated(mechanism: Mechanism, d: Dyad, angle: float | None) -> Problem:
     )
 
 
-def _sketch_angle(mechanism: Mechanism, structure: Structure) -> float | None:
+def sketch_angle(mechanism: Mechanism, structure: Structure) -> float | None:
     """Angle of the driving link in the sketch, rad."""
     pair = structure.driver_pair
     for point, at in mechanism.links[mechanism.driver.link].points.items():
@@ -165,15 +264,72 @@ def _nearer(mechanism: Mechanism, state: State, d: Dyad) -> int | None:
     """The root whose points lie nearer to their sketched places; None where the sketch does not tell."""
     misses = {}
     for sign in (1, -1):
-        trial = State(*({**part} for part in (state.o, state.r, state.u)))
+        trial = replace(state, o={**state.o}, r={**state.r}, u={**state.u})
         with np.errstate(invalid="ignore", divide="ignore"):
             place(trial, dyad(mechanism, d.group, sign))
-        misses[sign] = sum(
-            abs(np.ravel(trial.world(link, at))[0] - mechanism.sketch[point]) ** 2
-            for link in (d.a, d.b)
-            for point, at in mechanism.links[link].points.items()
-            if point in mechanism.sketch
-        )
+        misses[sign] = _distance(mechanism, trial, d.links)
     if not np.isfinite(misses[1] + misses[-1]) or np.isclose(misses[1], misses[-1], rtol=1e-6):
         return None
     return 1 if misses[1] < misses[-1] else -1
+
+
+# ---------------------------------------------------------------- all assemblies
+
+
+@dataclass(frozen=True, eq=False)
+class Way:
+    """A way in which a mechanism can be put together: places of the points, m, and unit directions of the links."""
+
+    places: Mapping[str, complex]
+    turns: Mapping[str, complex]
+
+    @property
+    def closes(self) -> bool:
+        return bool(np.isfinite([*self.places.values(), *self.turns.values()]).all())
+
+
+def ways(mechanism: Mechanism, phi: float) -> Iterator[Way]:
+    """Every way in which the whole mechanism can be put together with its driving link at `phi`, rad, one by one.
+
+    The places of each are a sketch by which the variant can ask for it. Raises ProblemError, as `decompose` does.
+    """
+    structure = decompose(mechanism)
+    start = drive(Linkage(structure, ()), np.array([phi]))
+    return (_way(mechanism, state) for state in _states(mechanism, start, structure.groups))
+
+
+def stated_way(mechanism: Mechanism, phi: float) -> Way:
+    """The way that the variant states, nan where it does not close at `phi`, rad. Raises ProblemError, as `assemble`."""
+    return _way(mechanism, positions(assemble(mechanism), np.array([phi])))
+
+
+def _states(mechanism: Mechanism, state: State, groups: Sequence[Group]) -> Iterator[State]:
+    """One after another, and not all at once: their number doubles with every dyad."""
+    if not groups:
+        yield state
+        return
+    for way in _ways_of(mechanism, state, groups[0]):
+        yield from _states(mechanism, way, groups[1:])
+
+
+def _ways_of(mechanism: Mechanism, state: State, group: Group) -> Iterator[State]:
+    if group.kind is None:
+        loops = Loops(group)
+        for q in assemblies(loops, state):
+            yield placed(state, loops, q)
+        return
+    for sign in (1, -1) if dyad(mechanism, group).two_roots else (1,):
+        trial = replace(state, o={**state.o}, r={**state.r}, u={**state.u})
+        with np.errstate(invalid="ignore", divide="ignore"):
+            place(trial, dyad(mechanism, group, sign))
+        if all(np.isfinite(trial.r[link] + trial.u[link]).all() for link in group.links):
+            yield trial
+
+
+def _way(mechanism: Mechanism, state: State) -> Way:
+    places = {
+        point: complex(np.ravel(state.world(link, at))[0])
+        for link, body in mechanism.links.items()
+        for point, at in body.points.items()
+    }
+    return Way(places, {link: complex(np.ravel(state.u[link])[0]) for link in mechanism.moving})

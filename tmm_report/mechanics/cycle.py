@@ -9,9 +9,11 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.mechanics.mechanism import ZeroAngle
+from tmm_report.mechanics.mechanism import ZeroAngle, ZeroExtreme
 from tmm_report.mechanics.motion import Linkage, Motion, solve
 from tmm_report.mechanics.planar import dot
+from tmm_report.mechanics.roots import bracketed
+from tmm_report.mechanics.singular import Critical, criticals, settle
 from tmm_report.problems import N_, Message, ProblemError, mistake
 
 Array = Any
@@ -30,7 +32,9 @@ class Extreme:
 
 
 def least_and_greatest(values: Array, turned: Array) -> tuple[Extreme, Extreme]:
-    """Extremes among values (P,) at angles `turned`, rad; nan is passed over."""
+    """Extremes among values (P,) at angles `turned`, rad; nan is passed over; of nothing but nan, nan."""
+    if not np.isfinite(values).any():
+        return Extreme(np.nan, np.nan), Extreme(np.nan, np.nan)
     low, high = np.nanargmin(values), np.nanargmax(values)
     return Extreme(float(values[low]), float(turned[low])), Extreme(float(values[high]), float(turned[high]))
 
@@ -41,6 +45,7 @@ class Cycle:
 
     linkage: Linkage
     zero: float  # angle of the driving link in position 0, rad
+    critical: tuple[Critical, ...] = ()  # singular positions of the groups, by the driver's angle
 
     @property
     def sense(self) -> int:
@@ -63,8 +68,11 @@ class Cycle:
         return self.zero + self.sense * turned
 
     def motion(self, turned: Array) -> Motion:
-        """Motion at angles turned from position 0, rad."""
-        return solve(self.linkage, self.phi(np.asarray(turned, dtype=float)))
+        """Motion at angles turned from position 0, rad; in change points its limit."""
+        motion = solve(self.linkage, self.phi(np.asarray(turned, dtype=float)))
+        if any(group.changes for group in self.linkage.groups):
+            settle(motion)
+        return motion
 
     @cached_property
     def _search(self) -> tuple[Array, Motion]:
@@ -86,7 +94,7 @@ class Cycle:
         if turns.size:
             size = np.nanmax(np.abs(values))
             brackets = grid[turns], grid[turns + 1], values[turns]
-            found, left = _bisect(lambda x: np.real(rate(self.motion(x))), *brackets, noise=noise * size)
+            found, left = bracketed(lambda x: np.real(rate(self.motion(x))), *brackets, noise=noise * size)
             found = found[np.abs(left) <= 1e-6 * size]  # a pole changes sign too
         else:
             found = np.array([])
@@ -103,10 +111,18 @@ class Cycle:
 
     def extremes(self, value: Rate, rate: Rate, noise: float = 1e-13) -> tuple[Extreme, Extreme]:
         """The least and the greatest `value` over the cycle; `rate` is its derivative by time or angle."""
-        ends = np.array([0.0] if self.closed else [0.0, self.sweep])
-        where = np.concatenate([self.roots(rate, noise), ends])
+        ends = [0.0] if self.closed else [0.0, self.sweep]
+        where = np.concatenate([self.roots(rate, noise), ends, self._limits])
         values = np.real(value(self.motion(where)))
         return least_and_greatest(values, where)
+
+    @cached_property
+    def _limits(self) -> Array:
+        """Angles turned just within the limits of assembly, where something may be extreme without standing still, rad."""
+        limits = np.array([x for critical in self.critical for x in critical.limits])
+        turned = self.sense * (limits[:, None] - self.zero) + np.array([-1e-9, 1e-9])
+        turned = np.mod(turned.ravel(), FULL_TURN)
+        return turned[turned <= self.sweep]
 
     def slope(self, value: Rate, step: float = 1e-4) -> Rate:
         """Derivative of a quantity by the angle turned, by central difference: good for finding extremes of the
@@ -120,32 +136,24 @@ class Cycle:
         return rate
 
 
-def _bisect(
-    f: Callable[[Array], Array], low: Array, high: Array, f_low: Array, noise: float
-) -> tuple[Array, Array]:
-    """Roots in many brackets at once, and f there: regula falsi with Illinois' halving of a stale end.
-
-    Stops where |f| is within `noise`, its rounding error, or the bracket is a few bits wide.
-    """
-    f_high, x, fx = f(high), low, f_low
-    for _ in range(60):
-        with np.errstate(invalid="ignore", divide="ignore"):
-            step = (low * f_high - high * f_low) / (f_high - f_low)
-        x = np.where((step > low) & (step < high), step, (low + high) / 2)
-        fx = f(x)
-        if np.all((np.abs(fx) <= noise) | (high - low < 1e-15)):
-            break
-        left = np.sign(fx) == np.sign(f_low)
-        low, f_low = np.where(left, x, low), np.where(left, fx, f_low / 2)
-        high, f_high = np.where(left, high, x), np.where(left, f_high / 2, fx)
-    return x, fx
-
-
 def cycle_of(linkage: Linkage) -> Cycle:
-    """The cycle with position 0 as the variant states it. Raises ProblemError if that position does not exist."""
+    """The cycle with position 0 as the variant states it, its linkage going smoothly through change points.
+
+    Raises ProblemError if position 0 does not exist.
+    """
     zero = linkage.mechanism.driver.zero
     if isinstance(zero, ZeroAngle):
-        return Cycle(linkage, zero.angle)
+        smooth, critical = criticals(linkage, zero.angle)
+        return Cycle(smooth, zero.angle, critical)
+    smooth, critical = criticals(linkage, 0.0)
+    angle = _extreme_angle(smooth, zero)
+    if any(c.changes for c in critical):  # stated assemblies hold at position 0
+        smooth, critical = criticals(linkage, angle)
+    return Cycle(smooth, angle, critical)
+
+
+def _extreme_angle(linkage: Linkage, zero: ZeroExtreme) -> float:
+    """Driver angle of the extreme position that is to be position 0, rad."""
     start = Cycle(linkage, 0.0)
     if zero.point is not None:
         point, direction = zero.point, zero.direction
@@ -160,7 +168,7 @@ def cycle_of(linkage: Linkage) -> Cycle:
         text = N_("%(name)s has no extreme position: it never stops within the cycle")
         right = Message(N_("state position 0 by an angle, or by another point"))
         raise ProblemError([mistake(text, ("mechanism", "driver", "zero"), right, name=name)])
-    return Cycle(linkage, float(start.phi(roots[np.argmax(reached)])))
+    return float(start.phi(roots[np.argmax(reached)]))
 
 
 def _rocker_angle(cycle: Cycle, link: str, turned: Array) -> Array:

@@ -34,6 +34,7 @@ from tmm_report.mechanics.planar import components, cross, dual, is_zero, resolv
 from tmm_report.mechanics.structure import Group, Pair
 
 Array = Any
+ROUNDING = 1e-12  # square of a sine that cannot be told from 0
 PARALLEL = 1e-12  # sine of two guides whose crossing would be made of rounding errors
 
 
@@ -56,6 +57,7 @@ class State:
     e: dict[str, Array] = field(default_factory=dict)
     iw: dict[str, Array] = field(default_factory=dict)
     ie: dict[str, Array] = field(default_factory=dict)
+    phi: Array = 0.0  # angle of the driving link's x axis, rad
 
     def world(self, link: str, at: Array) -> Array:
         """World place of the point `at` of a link."""
@@ -86,7 +88,11 @@ class State:
 
 @dataclass(frozen=True, eq=False)
 class Dyad:
-    """A dyad with its links in the order of the table above and its root."""
+    """A dyad with its links in the order of the table above and its root.
+
+    `sign` is stated for the driver angle `told_at`, rad. At the driver angles `changes` the two roots meet, and there the
+    motion goes smoothly on to the other sign. `size`: greatest distance A-C of kind 3 over the cycle, m.
+    """
 
     group: Group
     kind: int
@@ -96,6 +102,10 @@ class Dyad:
     outer_b: Pair
     inner: Pair
     sign: int = 1
+    changes: tuple[float, ...] = ()
+    told_at: float | None = None
+    sense: int = 1  # of the driving link's rotation
+    size: Scalar = None
 
     @cached_property
     def carrier_a(self) -> str:
@@ -114,12 +124,40 @@ class Dyad:
     def arm_b(self) -> Scalar:
         return self.inner.at[self.b] - self.outer_b.at[self.b]
 
+    @property
+    def links(self) -> tuple[str, str]:
+        return self.a, self.b
+
     @cached_property
-    def references(self) -> tuple[Pair, Pair]:
+    def references(self) -> dict[str, Pair]:
         """The joints that are the reference points of a and of b (see `State`)."""
         of_a = self.inner if self.kind == 4 else self.outer_a
         of_b = self.outer_b if self.kind in (1, 3) else self.inner
-        return of_a, of_b
+        return {self.a: of_a, self.b: of_b}
+
+    def root(self, phi: Array) -> Array:
+        """The sign at driver angles `phi`, rad."""
+        if not self.changes:
+            return self.sign
+        passed = np.searchsorted(self._changes_after, np.mod(phi - (self.told_at or 0.0), 2 * np.pi))
+        return np.where(passed % 2 == 0, self.sign, -self.sign)
+
+    @cached_property
+    def _changes_after(self) -> Array:
+        """Change points as angles from `told_at`, ascending; one at `told_at` itself comes before what is told."""
+        after = np.mod(np.array(self.changes) - (self.told_at or 0.0), 2 * np.pi)
+        at_once = np.minimum(after, 2 * np.pi - after) < 1e-9
+        return np.sort(np.where(at_once, 2 * np.pi if self.sense > 0 else 0.0, after))
+
+    def place(self, s: State) -> None:
+        place(s, self)
+
+    def move(self, s: State) -> None:
+        move(s, self)
+
+    def closeness(self, s: State) -> Array:
+        """How far from a singular position, 1 … 0, (..., P)."""
+        return singularity(s, self)
 
     @property
     def two_roots(self) -> bool:
@@ -161,9 +199,8 @@ def _outer(s: State, pair: Pair, carrier: str) -> Array:
 
 def _refer(s: State, d: Dyad, r_a: Array, u_a: Array, r_b: Array, u_b: Array) -> None:
     """Place both links by their reference points."""
-    pair_a, pair_b = d.references
-    s.o[d.a], s.r[d.a], s.u[d.a] = pair_a.at[d.a], r_a, u_a
-    s.o[d.b], s.r[d.b], s.u[d.b] = pair_b.at[d.b], r_b, u_b
+    s.o[d.a], s.r[d.a], s.u[d.a] = d.references[d.a].at[d.a], r_a, u_a
+    s.o[d.b], s.r[d.b], s.u[d.b] = d.references[d.b].at[d.b], r_b, u_b
 
 
 def _place_rrr(s: State, d: Dyad) -> None:
@@ -174,7 +211,7 @@ def _place_rrr(s: State, d: Dyad) -> None:
     distance = np.abs(AC)
     pp = abs(p) ** 2
     x = (distance * distance + (pp - abs(q) ** 2)) / (2 * distance)
-    AB = AC * ((x + 1j * d.sign * np.sqrt(pp - x * x)) / distance)
+    AB = AC * ((x + 1j * _signed_root(s, d, pp - x * x, pp)) / distance)
     _refer(s, d, A, AB / p, C, (AB - AC) / q)
 
 
@@ -190,17 +227,30 @@ def _place_rrp(s: State, d: Dyad) -> None:
     t, u, G = _guide_line(s, d.outer_b, d.carrier_b, d.b, d.arm_b)
     # in axes along the guide: B − A = x + ih, h the distance of A from the line, |x + ih| = |p|
     h = cross(t, G - A)
-    AB = t * (d.sign * np.sqrt(abs(d.arm_a) ** 2 - h * h) + 1j * h)
+    pp = abs(d.arm_a) ** 2
+    AB = t * (_signed_root(s, d, pp - h * h, pp) + 1j * h)
     _refer(s, d, A, AB / d.arm_a, A + AB, u)
+
+
+def _offset(d: Dyad) -> Scalar:
+    """Constant distance h of C from the parallel to the guide through A: the line lies the same way from both, m."""
+    return cross(d.inner.along[d.a], d.arm_a) - cross(d.inner.along[d.b], d.arm_b)
+
+
+def _signed_root(s: State, d: Dyad, square: Array, scale: Array) -> Array:
+    """±√square by the dyad's sign; nan where it is negative, but at a change point rounding may make it so."""
+    if d.changes:
+        square = np.where((square < 0) & (square > -ROUNDING * scale), 0.0, square)
+    return d.root(s.phi) * np.sqrt(square)
 
 
 def _place_rpr(s: State, d: Dyad) -> None:
     A, C = _outer(s, d.outer_a, d.carrier_a), _outer(s, d.outer_b, d.carrier_b)
     along_a, along_b = d.inner.along[d.a], d.inner.along[d.b]
-    # constant distance h of C from the parallel to the guide through A: the line lies the same way from both
-    h = cross(along_a, d.arm_a) - cross(along_b, d.arm_b)
+    h = _offset(d)
     AC = C - A
-    t = AC / (d.sign * np.sqrt(AC.real**2 + AC.imag**2 - h * h) + 1j * h)
+    distance2 = AC.real**2 + AC.imag**2
+    t = AC / (_signed_root(s, d, distance2 - h * h, distance2) + 1j * h)
     _refer(s, d, A, t * along_a.conjugate(), C, t * along_b.conjugate())
 
 
@@ -362,6 +412,45 @@ def _carry(s: State, d: Dyad, c: Closure) -> None:
 
 
 def singularity(s: State, d: Dyad) -> Array:
-    """Sine of the angle between the two unknown directions: 0 in a singular position of the dyad, (..., P)."""
+    """Sine of the angle between the two unknown directions: 0 in a singular position of the dyad, (..., P).
+
+    Of kind 3, where the guide of a link that A and C come near to loses its direction too: how long the guide is between
+    A and C, over its greatest distance `size`.
+    """
+    if d.kind == 3 and d.size is not None:
+        return np.sqrt(np.maximum(margin(s, d), 0.0))
     left, right = sides(s, d)
     return sine(left.e, right.e)
+
+
+def margin(s: State, d: Dyad) -> Array:
+    """Square of the sine, negative where the dyad cannot be assembled: smooth through the limit, (..., P).
+
+    Needs the poses of the known links only. Kinds 4 and 5 can always be assembled but where their guides are parallel.
+    """
+    if d.kind > 3:
+        second = s.u[d.carrier_b] * d.outer_b.along[d.carrier_b]
+        if d.kind == 4:
+            first = s.u[d.carrier_a] * d.outer_a.along[d.carrier_a]
+        else:
+            first = second * d.outer_b.along[d.b].conjugate() * d.inner.along[d.b]
+        return cross(first, second) ** 2
+    A = _outer(s, d.outer_a, d.carrier_a)
+    if d.kind == 2:
+        t, _, G = _guide_line(s, d.outer_b, d.carrier_b, d.b, d.arm_b)
+        return 1 - (cross(t, G - A) / abs(d.arm_a)) ** 2
+    AC = _outer(s, d.outer_b, d.carrier_b) - A
+    distance2 = AC.real**2 + AC.imag**2
+    if d.kind == 3:
+        return (distance2 - _offset(d) ** 2) / (distance2 if d.size is None else d.size**2)
+    p, q = abs(d.arm_a), abs(d.arm_b)
+    return 1 - ((p * p + q * q - distance2) / (2 * p * q)) ** 2
+
+
+def reach(s: State, d: Dyad) -> Array:
+    """What must fit into a dyad's lengths, (..., P), m: |AC| of kinds 1 and 3, distance of A from the guide of kind 2."""
+    A = _outer(s, d.outer_a, d.carrier_a)
+    if d.kind == 2:
+        t, _, G = _guide_line(s, d.outer_b, d.carrier_b, d.b, d.arm_b)
+        return np.abs(cross(t, G - A))
+    return np.abs(_outer(s, d.outer_b, d.carrier_b) - A)

@@ -8,7 +8,7 @@ then one Mechanism stands for V variants of the same scheme and everything solve
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
 import numpy as np
@@ -115,3 +115,26 @@ class Mechanism:
     @property
     def point_names(self) -> list[str]:
         return list(dict.fromkeys(point for link in self.links.values() for point in link.points))
+
+
+def pick(mechanism: Mechanism, v: int) -> Mechanism:
+    """One variant, by number, of a mechanism whose numbers are arrays (V, 1)."""
+
+    def one(x: Any) -> Any:
+        return x[v, 0].item() if isinstance(x, np.ndarray) and x.ndim == 2 else x
+
+    links = {
+        name: replace(
+            link,
+            points={point: one(at) for point, at in link.points.items()},
+            mass=one(link.mass),
+            inertia=one(link.inertia),
+        )
+        for name, link in mechanism.links.items()
+    }
+    guides = {
+        name: replace(g, through=one(g.through), direction=one(g.direction)) for name, g in mechanism.guides.items()
+    }
+    slides = [replace(s, through=one(s.through), direction=one(s.direction)) for s in mechanism.slides]
+    driver = replace(mechanism.driver, omega=one(mechanism.driver.omega))
+    return replace(mechanism, links=links, guides=guides, slides=slides, driver=driver)

@@ -1,4 +1,4 @@
-"""Motion of a whole mechanism: the driving link, then its dyads in the order of assembly.
+"""Motion of a whole mechanism: the driving link, then its groups in the order of assembly.
 
 Arrays are (..., P): variants, then positions of the driving link.
 """
@@ -12,20 +12,22 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.mechanics.dyads import Dyad, State, dyad, move, place, singularity
+from tmm_report.mechanics.dyads import Dyad, State, dyad
+from tmm_report.mechanics.higher import HigherGroup, Known
 from tmm_report.mechanics.mechanism import FRAME, Mechanism
 from tmm_report.mechanics.planar import is_zero
 from tmm_report.mechanics.structure import Structure
 
 Array = Any
+SINGULAR = 1e-6  # closeness of a group below which velocities have lost half of their digits and lines cross nowhere
 
 
 @dataclass(frozen=True, eq=False)
 class Linkage:
-    """A mechanism ready to be solved: its structure, and its dyads with their roots."""
+    """A mechanism ready to be solved: its structure, and its groups with the assemblies they are in."""
 
     structure: Structure
-    dyads: tuple[Dyad, ...]
+    groups: tuple[Dyad | HigherGroup, ...]
 
     @property
     def mechanism(self) -> Mechanism:
@@ -34,7 +36,7 @@ class Linkage:
     @cached_property
     def carriers(self) -> dict[str, str]:
         """Point -> the link whose motion gives the point's: of those that share it, the one found first."""
-        order = [FRAME, self.mechanism.driver.link, *(link for d in self.dyads for link in (d.a, d.b))]
+        order = [FRAME, self.mechanism.driver.link, *(link for g in self.groups for link in g.links)]
         links = self.mechanism.links
         return {p: next(n for n in order if p in links[n].points) for p in self.mechanism.point_names}
 
@@ -46,8 +48,8 @@ class Linkage:
         """
         driver = self.mechanism.driver.link
         origins: dict[str, Array] = {FRAME: 0j, driver: self.structure.driver_pair.at[driver]}
-        for d in self.dyads:
-            origins |= {link: pair.at[link] for link, pair in zip((d.a, d.b), d.references, strict=True)}
+        for group in self.groups:
+            origins |= {link: pair.at[link] for link, pair in group.references.items()}
         arms: dict[str, tuple[str, Array]] = {}
         for link, origin in origins.items():
             for point, at in self.mechanism.links[link].points.items():
@@ -142,8 +144,9 @@ class Motion:
 
     @cached_property
     def sines(self) -> dict[str, Array]:
-        """Group label -> sine of the angle of its two unknown directions, (..., P): 0 is a singular position."""
-        return {d.group.label: self._whole(singularity(self.state, d)) for d in self.linkage.dyads}
+        """Group label -> how far it is from a singular position, 1 … 0, (..., P): of a dyad the sine of the angle of its
+        two unknown directions, of a higher group the smallest singular value of its scaled Jacobian."""
+        return {g.group.label: self._whole(g.closeness(self.state)) for g in self.linkage.groups}
 
 
 def drive(linkage: Linkage, phi: Array, omega: Array | None = None) -> State:
@@ -151,7 +154,7 @@ def drive(linkage: Linkage, phi: Array, omega: Array | None = None) -> State:
     mechanism, pair = linkage.mechanism, linkage.structure.driver_pair
     link = mechanism.driver.link
     omega = mechanism.driver.omega if omega is None else omega
-    s = State()
+    s = State(phi=phi)
     for name, o, r, u in ((FRAME, 0j, 0j, 1 + 0j), (link, pair.at[link], pair.at[FRAME], np.exp(1j * phi))):
         s.o[name], s.r[name], s.u[name] = o, r, u
         s.carry(name, 0j, 0j)
@@ -163,8 +166,8 @@ def positions(linkage: Linkage, phi: Array) -> State:
     """Poses only, no rates: what root finding and sketches need."""
     with np.errstate(invalid="ignore", divide="ignore"):
         s = drive(linkage, phi)
-        for d in linkage.dyads:
-            place(s, d)
+        for group in linkage.groups:
+            group.place(s)
     return s
 
 
@@ -173,11 +176,16 @@ def solve(linkage: Linkage, phi: Array, omega: Array | None = None) -> Motion:
     omega = linkage.mechanism.driver.omega if omega is None else omega
     with np.errstate(invalid="ignore", divide="ignore"):
         s = drive(linkage, phi, omega)
-        for d in linkage.dyads:
-            place(s, d)
-            move(s, d)
+        for group in linkage.groups:
+            group.place(s)
+            group.move(s)
     shape = np.broadcast_shapes(linkage.axes, np.shape(phi), np.shape(omega))
     return Motion(linkage, phi, omega, s, shape)
+
+
+def known_motion(before: Linkage) -> Known:
+    """Motion of the driving link and the groups before another, rates by the driver's angle."""
+    return lambda phi: solve(before, phi, 1.0).state
 
 
 def linkage_of(structure: Structure, signs: Sequence[int]) -> Linkage:

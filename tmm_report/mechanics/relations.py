@@ -1,8 +1,9 @@
-"""The vector equations of the dyads by name: which point about which, along which direction.
+"""The vector equations of the groups by name: which point about which, along which direction.
 
 A dyad's closure has two sides that end in the same point, the vertex: v_B = v_A + v_BA = v_C + v_BC. A point of a
 guide that just coincides with joint B is named B with the number of its link, "B4". Keys are those of the
 readings and of results.json: "v_B", "v_BA", "a_BA_n", "a_BA_t", "a_B2B4_k", "a_B2B4_r", "w_2", "e_2".
+A group above class II has as many branches as lead over its links from one joint to the next; they are solved together.
 """
 
 from __future__ import annotations
@@ -14,7 +15,9 @@ import numpy as np
 
 from tmm_report.mechanics.dyads import Dyad, close
 from tmm_report.mechanics.mechanism import FRAME
+from tmm_report.mechanics.higher import HigherGroup
 from tmm_report.mechanics.motion import Linkage, Motion
+from tmm_report.mechanics.structure import Pair
 
 Array = Any
 Part = Literal["n", "t", "k", "r"]  # normal and tangential; Coriolis and relative
@@ -61,29 +64,53 @@ class Relation:
     right: Branch
 
     @property
+    def branches(self) -> tuple[Branch, Branch]:
+        return self.left, self.right
+
+    @property
     def vertex(self) -> str:
         return self.left.end
 
 
+@dataclass(frozen=True)
+class System:
+    """All branches of a group above class II; their vector equations are solved together."""
+
+    group: HigherGroup
+    branches: tuple[Branch, ...]
+
+    @property
+    def vertices(self) -> list[str]:
+        """Points whose motion the equations give, in the order in which they are reached."""
+        return list(dict.fromkeys(branch.end for branch in self.branches))
+
+
+class _Names:
+    """Names of relative vectors and of coinciding points in one mechanism."""
+
+    def __init__(self, linkage: Linkage):
+        self.named = set(linkage.mechanism.point_names)
+
+    def join(self, first: str, second: str) -> str:
+        """Both names in one index, told apart by a comma where they would make another point's name."""
+        return f"{first},{second}" if first + second in self.named else first + second
+
+    def turning(self, carrier: str, start: str, end: str, link: str, arm: tuple[str, str]) -> Branch:
+        return Branch(_known(start, carrier), end, link, self.join(end, start), arm)
+
+    def sliding(self, carrier: str, start: str, end: str, link: str, guide: str) -> Branch:
+        moving = _known(start, carrier)
+        return Branch(moving, end, link, self.join(end, moving) if moving else end, guide=guide)
+
+
+def _known(point: str, carrier: str) -> str | None:
+    return None if carrier == FRAME else point
+
+
 def relation(linkage: Linkage, d: Dyad) -> Relation:
     """Name the vector equation of a dyad."""
-
-    named = set(linkage.mechanism.point_names)
-
-    def join(first: str, second: str) -> str:
-        """Both names in one index, told apart by a comma where they would make another point's name."""
-        return f"{first},{second}" if first + second in named else first + second
-
-    def known(point: str, carrier: str) -> str | None:
-        return None if carrier == FRAME else point
-
-    def turning(carrier: str, start: str, end: str, link: str, arm: tuple[str, str]) -> Branch:
-        return Branch(known(start, carrier), end, link, join(end, start), arm)
-
-    def sliding(carrier: str, start: str, end: str, link: str, guide: str) -> Branch:
-        moving = known(start, carrier)
-        return Branch(moving, end, link, join(end, moving) if moving else end, guide=guide)
-
+    names = _Names(linkage)
+    join, turning, sliding = names.join, names.turning, names.sliding
     a, b, inner = d.outer_a.name, d.outer_b.name, d.inner.name
     ca, cb = d.carrier_a, d.carrier_b
     if d.kind == 1:
@@ -101,13 +128,53 @@ def relation(linkage: Linkage, d: Dyad) -> Relation:
     return Relation(d, sliding(cb, join(a, cb), vertex, cb, b), sliding(ca, a, vertex, cb, inner))
 
 
-def relations(linkage: Linkage) -> list[Relation]:
-    return [relation(linkage, d) for d in linkage.dyads]
+def system(linkage: Linkage, group: HigherGroup) -> System:
+    """Name the vector equations of a group above class II: each of its links from the pivot through which it is found
+    (or, where a guide carries it, from the first of its pivots) to its other pivots, and every guide."""
+    names = _Names(linkage)
+    pairs = (*group.group.outer, *group.group.inner)
+    pivots = {link: [p.name for p in pairs if p.kind == "R" and link in p.links] for link in group.links}
+    bases = {link: _base(group, link, pivots[link]) for link in group.links}
+    fixed = set(linkage.mechanism.links[FRAME].points)
+
+    def turning(link: str, end: str, to: str) -> Branch:
+        base = bases[link]
+        return names.turning(FRAME if base in fixed else link, base, end, link, (base, to))
+
+    branches = [turning(link, to, to) for link in group.links for to in dict.fromkeys(pivots[link]) if to != bases[link]]
+    for pair in pairs:
+        if pair.kind == "P" and (point := _slider_point(pair, pivots, bases)):
+            carrier, slider = pair.other(pair.slider), str(pair.slider)
+            if slider not in group.links:  # the guide is in the group, what slides on it is known
+                slider, carrier = carrier, slider
+            coinciding = names.join(point, carrier)
+            if carrier in group.links and bases[carrier]:
+                branches.append(turning(carrier, coinciding, point))
+            branches.append(names.sliding(carrier, coinciding, point, carrier, pair.name))
+    return System(group, tuple(branches))
+
+
+def _base(group: HigherGroup, link: str, pivots: list[str]) -> str:
+    reference = group.references[link]
+    return reference.name if reference.kind == "R" else next(iter(pivots), "")
+
+
+def _slider_point(pair: Pair, pivots: dict[str, list[str]], bases: dict[str, str]) -> str:
+    """The pivot of the sliding link by which its motion along a guide is told; of a guide on a known slider, that of
+    the guide's link."""
+    for link in (str(pair.slider), pair.other(pair.slider)):
+        if pivots.get(link):
+            return pivots[link][0]
+    return ""
+
+
+def relations(linkage: Linkage) -> list[Relation | System]:
+    return [relation(linkage, g) if isinstance(g, Dyad) else system(linkage, g) for g in linkage.groups]
 
 
 def moving_points(linkage: Linkage) -> list[str]:
     """Named points that move, in the order in which their links are found."""
-    order = [linkage.mechanism.driver.link, *(link for d in linkage.dyads for link in (d.a, d.b))]
+    order = [linkage.mechanism.driver.link, *(link for g in linkage.groups for link in g.links)]
     fixed = linkage.mechanism.links[FRAME].points
     carriers = linkage.carriers
     return [
@@ -118,12 +185,27 @@ def moving_points(linkage: Linkage) -> list[str]:
     ]
 
 
+def turns_with(group: Dyad | HigherGroup) -> dict[str, str | None]:
+    """Link of a group -> the link found before it that turns alike, None where its rotation is found with the group."""
+    if isinstance(group, Dyad):
+        a = None if group.kind <= 3 else group.carrier_a if group.kind == 4 else group.carrier_b
+        b = None if group.kind == 1 else group.a if group.kind == 3 else group.carrier_b
+        return {group.a: a, group.b: b}
+    first: dict[int | str, str] = {}
+    found: dict[str, str | None] = {}
+    for link in group.links:
+        root = group.loops.directions[link].root
+        found[link] = root if isinstance(root, str) else first.get(root)
+        first.setdefault(root, link)
+    return found
+
+
 def turning_links(linkage: Linkage) -> list[str]:
     """Links that can turn, the driving link first; a slider on a fixed guide cannot."""
     turning = {FRAME: False, linkage.mechanism.driver.link: True}
-    for d in linkage.dyads:
-        turning[d.a] = d.kind <= 3 or turning[d.carrier_a if d.kind == 4 else d.carrier_b]
-        turning[d.b] = d.kind == 1 or turning[d.a if d.kind == 3 else d.carrier_b]
+    for group in linkage.groups:
+        for link, source in turns_with(group).items():
+            turning[link] = source is None or turning[source]
     return [link for link, turns in turning.items() if turns]
 
 
@@ -136,7 +218,7 @@ def named_values(motion: Motion) -> dict[str, Array]:
     for point in moving_points(motion.linkage):
         values[f"v_{point}"], values[f"a_{point}"] = motion.velocity(point), motion.acceleration(point)
     for r in relations(motion.linkage):
-        values |= _branch_values(motion, r)
+        values |= _branch_values(motion, r) if isinstance(r, Relation) else _system_values(motion, r)
     for link in turning_links(motion.linkage):
         values[f"w_{link}"] = motion.angular_velocity(link)
         values[f"e_{link}"] = motion.angular_acceleration(link)
@@ -162,3 +244,42 @@ def _branch_values(motion: Motion, r: Relation) -> dict[str, Array]:
     # a position whose rates are left out as singular has none here either
     known = np.isfinite(np.broadcast_to(motion.state.w[r.dyad.a], motion.shape))
     return {key: np.where(known, value, np.nan) for key, value in out.items()}
+
+
+def _system_values(motion: Motion, system: System) -> dict[str, Array]:
+    """Values of the branches of a group above class II."""
+    out: dict[str, Array] = {}
+    for branch in system.branches:
+        out |= _turning_values(motion, branch) if branch.turns else _sliding_values(motion, branch)
+    return out
+
+
+def _turning_values(motion: Motion, branch: Branch) -> dict[str, Array]:
+    s = motion.state
+    start, to = (motion.place(point) for point in branch.arm or ())
+    arm = to - start
+    normal, tangential = -(s.w[branch.link] ** 2) * arm, 1j * s.e[branch.link] * arm
+    out = {}
+    if branch.end != (branch.arm or ("", ""))[1]:  # the point of the link that coincides with the joint
+        reach = to - s.r[branch.link]
+        out[f"v_{branch.end}"] = s.velocity(branch.link, reach)
+        out[f"a_{branch.end}"] = s.acceleration(branch.link, reach)
+    out[branch.v_key] = s.iw[branch.link] * arm
+    return out | {branch.a_key("n"): normal, branch.a_key("t"): tangential}
+
+
+def _sliding_values(motion: Motion, branch: Branch) -> dict[str, Array]:
+    s, carrier = motion.state, branch.link
+    v, a = motion.velocity(branch.end), motion.acceleration(branch.end)
+    if branch.start is None:
+        return {}
+    reach = motion.place(branch.end) - s.r[carrier]
+    v_start, a_start = s.velocity(carrier, reach), s.acceleration(carrier, reach)
+    coriolis = 2 * s.iw[carrier] * (v - v_start)
+    return {
+        f"v_{branch.start}": v_start,
+        f"a_{branch.start}": a_start,
+        branch.v_key: v - v_start,
+        branch.a_key("k"): coriolis,
+        branch.a_key("r"): a - a_start - coriolis,
+    }

@@ -7,14 +7,16 @@ Source: Artobolevsky, Theory of mechanisms and machines, ch. 13; Levitsky, ch. 7
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from tmm_report.mechanics.dyads import Dyad, State
+from tmm_report.mechanics.higher import HigherGroup
+from tmm_report.mechanics.loops import solve_each
 from tmm_report.mechanics.mechanism import FRAME, Link
-from tmm_report.mechanics.motion import Motion
+from tmm_report.mechanics.motion import SINGULAR, Motion
 from tmm_report.mechanics.planar import cross, dot, is_zero
 from tmm_report.mechanics.structure import Pair
 
@@ -88,14 +90,32 @@ def solve(motion: Motion, loads: Mapping[str, Load]) -> Statics:
     rest = dict(loads)
     reactions: dict[str, Reaction] = {}
     with np.errstate(invalid="ignore", divide="ignore"):
-        for d in reversed(linkage.dyads):
-            outer_a, outer_b, inner = _solve_dyad(s, d, rest[d.a], rest[d.b])
-            for reaction in (outer_a, outer_b):
+        for group in reversed(linkage.groups):
+            outer, inner = _solve_group(s, group, rest)
+            if (lost := motion.sines[group.group.label] <= SINGULAR).any():
+                outer, inner = ([_undefined(r, lost) for r in part] for part in (outer, inner))
+            for reaction in outer:
                 _pass_on(s, rest, reaction)
-            reactions |= {r.pair.key: r for r in (outer_a, outer_b, inner)}
+            reactions |= {r.pair.key: r for r in (*outer, *inner)}
     driver, pair = rest[linkage.mechanism.driver.link], linkage.structure.driver_pair
     reactions[pair.key] = Reaction(pair, -driver.force, 0.0, s.r[linkage.mechanism.driver.link])
     return Statics(reactions, -driver.moment)
+
+
+def _solve_group(
+    s: State, group: Dyad | HigherGroup, loads: Mapping[str, Load]
+) -> tuple[list[Reaction], list[Reaction]]:
+    """Outer and inner reactions of a group under the loads of its links."""
+    if isinstance(group, Dyad):
+        outer_a, outer_b, inner = _solve_dyad(s, group, loads[group.a], loads[group.b])
+        return [outer_a, outer_b], [inner]
+    return _solve_higher(s, group, loads)
+
+
+def _undefined(reaction: Reaction, lost: Array) -> Reaction:
+    """In a singular position a reaction grows without bound: nan, never a number made of rounding errors."""
+    moment = reaction.moment if is_zero(reaction.moment) else np.where(lost, np.nan, reaction.moment)
+    return replace(reaction, force=np.where(lost, np.nan, reaction.force), moment=moment)
 
 
 def _pass_on(s: State, rest: dict[str, Load], reaction: Reaction) -> None:
@@ -132,6 +152,47 @@ def _solve_dyad(s: State, d: Dyad, load_a: Load, load_b: Load) -> tuple[Reaction
         Reaction(d.outer_b, on_b, m_b, at_b, _guide(s, d.outer_b)),
         Reaction(d.inner, inner, m_i, at_i, _guide(s, d.inner)),
     )
+
+
+def _solve_higher(
+    s: State, group: HigherGroup, loads: Mapping[str, Load]
+) -> tuple[list[Reaction], list[Reaction]]:
+    """Outer and inner reactions of a group of any class: its 3k equations of equilibrium, moments over `size`.
+
+    Unknown of a pivot is the force of its first link on the second, of a guide the normal force and the moment.
+    """
+    pairs = (*group.group.outer, *group.group.inner)
+    row = {link: 3 * k for k, link in enumerate(group.links)}
+    size = group.loops.size
+    shape = np.broadcast_shapes(*(np.shape(s.r[link]) for link in row), *(np.shape(loads[x].force) for x in row))
+    A, b = np.zeros((*shape, 3 * len(row), 2 * len(pairs))), np.zeros((*shape, 3 * len(row)))
+    for link, k in row.items():
+        load = loads[link]
+        b[..., k], b[..., k + 1], b[..., k + 2] = -load.force.real, -load.force.imag, -load.moment / size
+    for column, pair in zip(range(0, 2 * len(pairs), 2), pairs, strict=True):
+        at, t = _acts_at(s, pair), _guide(s, pair)
+        vectors = (1 + 0j, 1j) if t is None else (1j * t,)
+        for sign, link in zip((-1, 1), pair.links, strict=True):
+            if link not in row:
+                continue
+            k = row[link]
+            for c, e in enumerate(vectors):
+                A[..., k, column + c], A[..., k + 1, column + c] = sign * np.real(e), sign * np.imag(e)
+                A[..., k + 2, column + c] = sign * cross(at - s.r[link], e) / size
+            if t is not None:
+                A[..., k + 2, column + 1] = sign
+    x = solve_each(A, b)
+    found = [_reaction(s, pair, x[..., 2 * n], x[..., 2 * n + 1], size) for n, pair in enumerate(pairs)]
+    outer = len(group.group.outer)
+    return found[:outer], found[outer:]
+
+
+def _reaction(s: State, pair: Pair, first: Array, second: Array, size: float) -> Reaction:
+    """The reaction in a pair from the two unknowns of `_solve_higher`."""
+    t = _guide(s, pair)
+    if t is None:
+        return Reaction(pair, first + 1j * second, 0.0, _acts_at(s, pair))
+    return Reaction(pair, first * 1j * t, second * size, _acts_at(s, pair), t)
 
 
 def _conditions(

@@ -6,7 +6,7 @@ Source: Artobolevsky, Theory of mechanisms and machines, ch. 2-3; W = 3n - 2p5 (
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import combinations
 from typing import Literal
 
@@ -102,9 +102,12 @@ def mobility(mechanism: Mechanism) -> int:
     return 3 * len(mechanism.moving) - 2 * count_pairs(mechanism)
 
 
-def decompose(mechanism: Mechanism) -> Structure:
-    """Find the Assur groups. Raises ProblemError for W ≠ 1, redundant constraints and loose links."""
-    driver_pair = _driver_pair(mechanism)
+def decompose(mechanism: Mechanism, sliding: bool = False) -> Structure:
+    """Find the Assur groups. Raises ProblemError for W ≠ 1, redundant constraints and loose links.
+
+    `sliding`: the driving link may also slide on the frame; its groups are found, but such a drive is not solved.
+    """
+    driver_pair = _driver_pair(mechanism, "RP" if sliding else "R")
     if (w := mobility(mechanism)) != 1:
         raise ProblemError([_wrong_mobility(mechanism, w)])
     if (w := _freedom(mechanism, [FRAME], (mechanism.driver.link,))) != 1:  # held by more than its pivot
@@ -118,10 +121,47 @@ def decompose(mechanism: Mechanism) -> Structure:
     return Structure(mechanism, driver_pair, tuple(groups))
 
 
-def _driver_pair(mechanism: Mechanism) -> Pair:
+@dataclass(frozen=True, eq=False)
+class Alternative:
+    """Another choice of driving link: what the groups become, or why it cannot drive."""
+
+    link: str
+    structure: Structure | None
+    reason: Message | None = None
+
+    @property
+    def taken_apart(self) -> bool:
+        """Whether the mechanism has only dyads then."""
+        return self.structure is not None and self.structure.mechanism_class <= 2
+
+
+def alternatives(mechanism: Mechanism) -> list[Alternative]:
+    """Every other link that is joined to the frame as the driving link: pivoted links, then sliders.
+
+    A group of higher class may fall apart into dyads when another link drives; the mechanism's class changes with it.
+    """
+    found: list[Alternative] = []
+    for kind in "RP":
+        for link in mechanism.moving:
+            if link == mechanism.driver.link or link in [a.link for a in found]:
+                continue
+            if any(pair.kind == kind for pair in _pairs_of(mechanism, [FRAME], [link])):
+                found.append(_alternative(mechanism, link))
+    return found
+
+
+def _alternative(mechanism: Mechanism, link: str) -> Alternative:
+    try:
+        driven = replace(mechanism, driver=replace(mechanism.driver, link=link))
+        return Alternative(link, decompose(driven, sliding=True))
+    except ProblemError as error:
+        return Alternative(link, None, error.problems[0].wrong)
+
+
+def _driver_pair(mechanism: Mechanism, kinds: str) -> Pair:
     link = mechanism.driver.link
     for pair in _pairs_of(mechanism, [FRAME], [link]):
-        if pair.kind == "R":
+        if pair.kind in kinds:
             return pair
     right = Message(N_("give it a point of the frame, or choose another driving link"))
     path = ("mechanism", "driver", "link")

@@ -20,6 +20,7 @@ from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template
 from tmm_report.report.pictures import Pictures
 from tmm_report.report.samples import Samples
+from tmm_report.report.special_tables import SpecialTables
 from tmm_report.report.tables import Tables
 from tmm_report.report.words import Words
 from tmm_report.resources import data_root
@@ -69,6 +70,7 @@ def _given(results: Any, page: Page, pictures: Pictures) -> dict[str, Any]:
         "words": words,
         "tables": Tables(results, page, words),
         "forces": ForceTables(results, page, words),
+        "special": SpecialTables(results, page, words),
         "pictures": pictures,
         "samples": Samples(results),
         **{name: getattr(page, name) for name in functions},

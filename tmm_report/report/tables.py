@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from markupsafe import Markup
 
+from tmm_report.chapters.drafting import Projections
 from tmm_report.chapters.kinematics import Travel
 from tmm_report.chapters.written import load_keys, symbol_of, unit_of
 from tmm_report.mechanics.mechanism import FRAME
@@ -208,6 +209,17 @@ class Tables(Columns):
         return numeric(
             caption, self._first(self.t("Position"), [str(plan.position) for plan in plans]), columns
         )
+
+    def projections(self, caption: Any, found: Projections) -> Table:
+        """Coefficients of a group's unknown rates, right sides, and the solution in the last row."""
+        rows = [
+            [f"{point}, {axis}", *(self.page.num(x) for x in coefficients), self.page.num(right)]
+            for point, axis, coefficients, right in found.rows
+        ]
+        rows.append([self.t("Solution"), *(self.page.num(x) for x in found.solution), ""])
+        heads = [self._head(symbol_of(key), unit_of(key)) for key in found.unknown]
+        heads = [self.t("Contour, axis"), *heads, self.t("Right side")]
+        return worded(caption, heads, rows, [1.0] * len(heads))
 
     def segments(self, caption: Any, kind: str) -> Table:
         plans = [drawn.velocity if kind == "v" else drawn.acceleration for drawn in self.r.plans.drawn]

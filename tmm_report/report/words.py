@@ -9,12 +9,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from markupsafe import Markup
 
+from tmm_report.chapters.written import Equation, Unknown, reaction_key, symbol_of
 from tmm_report.formula import Expr, Formula, Var
 from tmm_report.mechanics.cycle import Extreme
 from tmm_report.mechanics.dyads import Dyad
+from tmm_report.mechanics.higher import HigherGroup
 from tmm_report.mechanics.mechanism import FRAME, Guide, ZeroAngle
-from tmm_report.mechanics.relations import Relation
-from tmm_report.mechanics.structure import ROMAN, Group, Pair
+from tmm_report.mechanics.structure import ROMAN, Group, Pair, Structure
 from tmm_report.problems import N_
 from tmm_report.report.page import Page
 from tmm_report.symbols import Symbol, math_symbol
@@ -56,6 +57,12 @@ CLOSURES = {
         " guide %(inner)s passes at a known distance from point %(a)s"
     ),
 }
+# The same of a group above class II.
+HIGHER_CLOSURE = N_(
+    "group %(group)s: the equations of its closed vector contours, %(n)s in projections on the axes, are solved "
+    "together by Newton's method; the group is followed from the assembly of the sketch by steps so short that by the "
+    "Newton–Kantorovich condition only one solution lies near, so it cannot pass into another assembly"
+)
 
 # Base of a symbol, and its upper index where that matters -> meaning; %(of)s is the lower index.
 MEANINGS = {
@@ -76,11 +83,14 @@ MEANINGS = {
     ("M", ""): (N_("inertia couple of link %(of)s"), "N·m"),
     ("M", "stated"): (N_("moment applied to link %(of)s"), "N·m"),
     ("SigmaM", ""): (N_("sum of the moments of the loads about point %(of)s"), "N·m"),
+    ("M", "guide"): (N_("moment of the reaction of link %(one)s on link %(other)s in their guide"), "N·m"),
     ("M", "bal"): (N_("balancing moment on the driving link"), "N·m"),
     ("P", ""): (N_("load applied at point %(of)s"), "N"),
     ("h", ""): (N_("arm of force %(of)s"), "m"),
     ("L", ""): (N_("length of the vector of reaction %(of)s in the plan"), "mm"),
     ("R", ""): (N_("reaction of link %(one)s on link %(other)s"), "N"),
+    ("R", "x"): (N_("projection of the reaction of link %(one)s on link %(other)s on the x axis"), "N"),
+    ("R", "y"): (N_("projection of the reaction of link %(one)s on link %(other)s on the y axis"), "N"),
     ("R", "t"): (N_("tangential component of the reaction of link %(one)s on link %(other)s"), "N"),
     ("mu", "l"): (N_("scale of lengths"), "m/mm"),
     ("mu", "v"): (N_("scale of the velocity plan"), "(m/s)/mm"),
@@ -112,6 +122,8 @@ class Words:
             return LinkName(N_("crank") if turning == ROTATION else N_("driving rocker"), turning)
         if FRAME in slides:
             return LinkName(N_("translating slotted link") if carries else N_("slider"), TRANSLATION)
+        if self._is_ternary(link) and not pivoted:
+            return LinkName(N_("ternary link"), self._free_motion(link))
         if pivoted and carries:
             return LinkName(N_("slotted link"), turning)
         if pivoted:
@@ -122,6 +134,11 @@ class Words:
         return LinkName(
             N_("slotted connecting rod") if carries else N_("connecting rod"), self._free_motion(link)
         )
+
+    def _is_ternary(self, link: str) -> bool:
+        """Whether the link is one of those with three or more pairs in a group above class II."""
+        higher = any(link in g.links and g.group_class > 2 for g in self.results.structure.groups)
+        return higher and sum(link in pair.links for pair in self.pairs) > 2
 
     def _free_motion(self, link: str) -> str:
         rate = self.results.kinematics.diagram.angular_velocity(link)
@@ -154,8 +171,12 @@ class Words:
         return f"{ROMAN[group.group_class]}{str(group.order).translate(SUBSCRIPT)}({','.join(group.links)})"
 
     def structural_formula(self) -> str:
-        groups = [self.group(group) for group in self.results.structure.groups]
-        return " → ".join([f"I(0,{self.mechanism.driver.link})", *groups])
+        return self.formula(self.results.structure.linkage.structure)
+
+    def formula(self, structure: Structure) -> str:
+        """The structural formula of a decomposition: I(0,1) → II₂(2,3)."""
+        groups = [self.group(group) for group in structure.groups]
+        return " → ".join([f"I(0,{structure.mechanism.driver.link})", *groups])
 
     # ------------------------------------------------------------ directions and position 0
 
@@ -201,20 +222,23 @@ class Words:
 
     def closures(self) -> list[Markup]:
         """How the position of each group is found, in the order of assembly."""
-        return [self._closure(d) for d in self.results.structure.linkage.dyads]
+        return [self._closure(d) for d in self.results.structure.linkage.groups]
 
     @property
     def has_assemblies(self) -> bool:
-        """Whether a group has two assemblies: not where guides alone fix it."""
-        return any(d.kind <= 3 for d in self.results.structure.linkage.dyads)
+        """Whether a group has several assemblies: not where guides alone fix it."""
+        return any(isinstance(d, HigherGroup) or d.kind <= 3 for d in self.results.structure.linkage.groups)
 
-    def _closure(self, d: Dyad) -> Markup:
+    def _closure(self, d: Dyad | HigherGroup) -> Markup:
+        if isinstance(d, HigherGroup):
+            return self.page.t(HIGHER_CLOSURE, group=self.group(d.group), n=len(d.links))
         text = CLOSURES[d.kind]
         a, b, inner = d.outer_a.name, d.outer_b.name, d.inner.name
         return self.page.t(text, group=self.group(d.group), a=a, b=b, inner=inner, one=d.a, other=d.b)
 
-    def group_of(self, relation: Relation) -> str:
-        return self.group(relation.dyad.group)
+    def guided(self, links: Sequence[str]) -> bool:
+        """Whether a guide joins one of the links."""
+        return any(pair.kind == "P" and set(pair.links) & set(links) for pair in self.pairs)
 
     def label(self, label: str) -> str:
         """A group's label as the chapters write it, "II2(2,3)", with the order as an index."""
@@ -264,9 +288,12 @@ class Words:
 
     # ------------------------------------------------------------ symbols
 
-    def of(self, *formulas: Formula) -> list[dict[str, Any]]:
+    def symbols(self, keys: Sequence[str]) -> Markup:
+        return self.page.listed(self.page.sym(symbol_of(key)) for key in keys)
+
+    def of(self, *formulas: Formula | Equation) -> list[dict[str, Any]]:
         """Items of a "where" list: every symbol of the formulas in their order, with its meaning and unit."""
-        symbols = [s for f in formulas for s in (_symbol(f.result), *_symbols(f.expression))]
+        symbols = [s for f in formulas for s in _symbols_of(f)]
         items = [self._item(symbol) for symbol in symbols]
         return [item for item in items if item is not None]
 
@@ -303,10 +330,15 @@ class Words:
         if base == "mu":
             return base, sub
         if base == "M":
-            return base, "bal" if sub == "bal" else "" if sub.startswith("I") else "stated"
+            return base, self._moment_of(sub)
         if base == "v":
             return base, "" if self._named(sub, {*self.mechanism.point_names}) else "relative"
         return base, symbol.sup
+
+    def _moment_of(self, sub: str) -> str:
+        if sub in [reaction_key(*pair.links)[2:] for pair in self.pairs if pair.kind == "P"]:
+            return "guide"
+        return "bal" if sub == "bal" else "" if sub.startswith("I") else "stated"
 
     def _named(self, half: str, known: set[str]) -> bool:
         return half in known or any(half == point + link for point in known for link in self.mechanism.links)
@@ -316,15 +348,23 @@ def _symbol(key: Symbol | str) -> Symbol:
     return math_symbol(key) if isinstance(key, str) else key
 
 
-def _symbols(node: Expr) -> Iterator[Symbol]:
-    """Symbols of a formula's right side in their order."""
+def _symbols_of(formula: Formula | Equation) -> Iterator[Symbol]:
+    """Symbols of a formula in their order; of an equation its unknowns, its numbers having none."""
+    if isinstance(formula, Formula):
+        yield _symbol(formula.result)
+    for var in _variables(formula.expression):
+        if isinstance(formula, Formula) or isinstance(var, Unknown):
+            yield var.sign
+
+
+def _variables(node: Expr) -> Iterator[Var]:
     if isinstance(node, Var):
-        yield node.sign
+        yield node
         return
     for item in fields(node):
         child = getattr(node, item.name)
         if isinstance(child, Expr):
-            yield from _symbols(child)
+            yield from _variables(child)
 
 
 def _force(sub: str) -> tuple[str, str]:

@@ -46,6 +46,7 @@ def variant(model: m.VariantModel, places: Mapping[Any, Any], file: str) -> cour
         language=model.language,
         decimal_sign=model.decimal_sign or follows,  # type: ignore[arg-type]
         positions=positions(model.positions),
+        allow_partial=model.allow_partial,
         drawing=drawing(model.drawing),
         readings={int(position): symbols for position, symbols in model.readings.items()},
         loads=loads(model.loads) if model.loads else None,

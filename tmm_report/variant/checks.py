@@ -229,12 +229,20 @@ def _loads(model: m.VariantModel, known: Names) -> Found:
     loads = model.loads or m.LoadsModel()
     for index, force in enumerate(loads.forces):
         if force:
-            yield from _no_point(force.at, ("loads", "forces", index, "at"), known)
+            yield from _loaded(force.at, ("loads", "forces", index, "at"), known)
             yield from _one_each(force, ("loads", "forces", index), model.positions.table)
     for index, moment in enumerate(loads.moments):
         if moment:
             yield from _no_link(moment.on, ("loads", "moments", index, "on"), known)
             yield from _one_each(moment, ("loads", "moments", index), model.positions.table)
+
+
+def _loaded(name: str, path: Path, known: Names) -> Found:
+    yield from _no_point(name, path, known)
+    moving = [point for link, points in known.points.items() if link != FRAME for point in points]
+    if name in known.all_points and name not in moving:
+        text = N_("the point %(name)s is on the frame only: a force there loads no moving link")
+        yield mistake(text, path, near(name, moving), name=name)
 
 
 def _one_each(load: Any, path: Path, count: int) -> Found:

@@ -27,6 +27,7 @@ from tmm_report.variant.values import (
     Direction,
     Distance,
     FixedDirection,
+    Flag,
     ForceValue,
     GroupName,
     Inertia,
@@ -370,6 +371,9 @@ class VariantModel(Model):
         default=None, description="left out, it follows the language"
     )
     mechanism: MechanismModel = Field(default_factory=MechanismModel)
+    allow_partial: Flag = Field(
+        default=False, description="true: a mechanism that exists over part of the cycle only is meant so"
+    )
     loads: LoadsModel | None = None
     friction: FrictionModel | None = None
     positions: PositionsModel = Field(default_factory=PositionsModel)

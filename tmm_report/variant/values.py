@@ -24,6 +24,10 @@ NAME = r"[0-9A-Za-z\u0400-\u0481\u048a-\u052f][0-9A-Za-z\u0400-\u0481\u048a-\u05
 SIDES = {"right": 1 + 0j, "up": 1j, "left": -1 + 0j, "down": -1j}
 SCALAR, LIST, MAP = "<scalar>", "<list>", "<map>"
 
+# What is larger is a slip of the pen, and overflows when it is squared or swallows the rest of the mechanism; SI.
+_LARGEST = {"length": (1e6, "−10⁶ … 10⁶ m")}
+_LARGEST_OTHER = (1e12, "−10¹² … 10¹²")
+
 _BIDI = set(map(chr, [*range(0x202A, 0x202F), *range(0x2066, 0x206A), 0x200E, 0x200F, 0x61C]))
 
 
@@ -37,8 +41,10 @@ def unit_vector(angle: float) -> complex:
 
 def _quantity(value: object, dimension: str, low: float, high: float, limits: str) -> float:
     number = units.parse(value, dimension)
-    if low <= number <= high * (1 + 1e-12):
+    largest, range_ = _LARGEST.get(dimension, _LARGEST_OTHER)
+    if low <= number <= high * (1 + 1e-12) and abs(number) <= largest:
         return number
+    limits = range_ if abs(number) > largest else limits
     name = Message(DIMENSIONS[dimension].name)
     if limits:
         text = N_("%(value)s is out of range: %(name)s from %(limits)s is expected")
@@ -86,6 +92,13 @@ def _whole(value: object, low: int, high: int) -> int:
 def whole(low: int, high: int) -> Reads:
     """A whole number in a range."""
     return Reads(partial(_whole, low=low, high=high), {"type": "integer", "minimum": low, "maximum": high})
+
+
+def _flag(value: object) -> bool:
+    if not isinstance(value, bool):
+        wrong = Message(N_("%(value)s is neither true nor false"), {"value": _quoted(value)})
+        raise WrongValue(wrong, Message(N_("write true or false")))
+    return value
 
 
 def _quoted(value: object) -> str:
@@ -156,9 +169,12 @@ def by_shape(right: str) -> Discriminator:
 
 
 def _ascending(pairs: Any) -> Any:
-    if any(a[0] >= b[0] for a, b in pairwise(pairs)):
+    """Pairs in ascending order; two with the same first number are a jump just after it."""
+    firsts = [pair[0] for pair in pairs]
+    if any(a > b for a, b in pairwise(firsts)) or any(a == b for a, b in zip(firsts, firsts[2:], strict=False)):
         raise WrongValue(Message(N_("the first numbers of the pairs must ascend")))
-    return pairs
+    jumps = [False, *(a == b for a, b in pairwise(firsts))]
+    return [(math.nextafter(x, math.inf) if jump else x, y) for (x, y), jump in zip(pairs, jumps, strict=True)]
 
 
 _NAME = {"type": ["string", "integer"], "pattern": f"^{NAME}$", "examples": ["A"]}
@@ -172,6 +188,8 @@ ReadingKey = Annotated[str, Field(max_length=40)]
 PositionKey = Annotated[str, Field(pattern=r"^[0-9]{1,3}$")]
 Text = Annotated[str, Reads(_free_text, {"type": ["string", "number", "boolean", "null"], "maxLength": 200})]
 Label = Annotated[str, Reads(_free_text, {"type": ["string", "number"], "maxLength": 200})]
+
+Flag = Annotated[bool, Reads(_flag, {"type": "boolean"})]
 
 Length = Annotated[float, quantity("length")]
 Positive = Annotated[float, quantity("length", 1e-9)]

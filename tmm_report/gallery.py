@@ -1,0 +1,168 @@
+"""The gallery: a page with the scheme and the main numbers of every variant of a folder, as Markdown and SVG.
+
+page, failed = make(variants(), Path("docs/gallery"), Translator("en"))
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from urllib.parse import quote
+
+import numpy as np
+from markupsafe import Markup
+
+from tmm_report import load, solve
+from tmm_report.course import Results
+from tmm_report.figures.drawing import Drawing, polygon, svg
+from tmm_report.i18n import Translator
+from tmm_report.mechanics.cycle import Extreme
+from tmm_report.mechanics.structure import ROMAN
+from tmm_report.output import write
+from tmm_report.problems import Problem, ProblemError
+from tmm_report.report.formats import Html
+from tmm_report.report.numbering import Numbering
+from tmm_report.report.page import Page, template
+from tmm_report.report.pictures import Pictures
+from tmm_report.report.samples import Samples
+from tmm_report.resources import data_root
+
+PAGE = "README.md"  # shown by sites that show a folder
+
+
+@dataclass(frozen=True, eq=False)
+class Entry:
+    """One variant of the gallery: what was found, or the mistakes that stop it."""
+
+    file: Path
+    results: Results | None = None
+    problems: tuple[Problem, ...] = ()
+
+    @property
+    def name(self) -> str:
+        return self.file.stem
+
+    @property
+    def picture(self) -> str:
+        return f"{self.name}.svg"
+
+    @property
+    def topic(self) -> str:
+        stated = self.results.variant.title.topic if self.results is not None else ""
+        return " ".join(stated.split()) or self.name
+
+    @property
+    def mistake(self) -> Problem:
+        """The first mistake, by its place in the file."""
+        return replace(self.problems[0], file="")
+
+    @property
+    def anchor(self) -> str:
+        """Where the entry's heading is, as sites that show Markdown make it."""
+        return re.sub(r"[^\w -]", "", self.name.lower()).replace(" ", "-")
+
+    @property
+    def class_(self) -> str:
+        return ROMAN[self.results.structure.mechanism_class] if self.results is not None else ""
+
+    @cached_property
+    def balancing(self) -> Extreme | None:
+        """The balancing moment that is greatest by magnitude, N m."""
+        found = self.results.kinetostatics if self.results is not None else None
+        return max(found.extremes, key=lambda extreme: abs(extreme.value)) if found is not None else None
+
+    @cached_property
+    def worst(self) -> float | None:
+        """The power of ten under which all checks of the balancing moment disagree, relative; 0: they agree exactly.
+
+        Rounding errors differ from machine to machine, their order of magnitude hardly.
+        """
+        found = self.results.kinetostatics if self.results is not None else None
+        if found is None:
+            return None
+        worst = max(found.worst_lever, found.worst_power)
+        return 10.0 ** math.ceil(math.log10(worst)) if worst > 0 else 0.0
+
+    @cached_property
+    def sines(self) -> list[tuple[str, float]]:
+        """Groups and the least of each one's sine at the positions of the table and the diagram."""
+        assert self.results is not None
+        motions = (self.results.kinematics.table, self.results.kinematics.diagram)
+        labels = [group.label for group in self.results.structure.groups]
+        return [(label, float(min(np.nanmin(m.sines[label]) for m in motions))) for label in labels]
+
+
+class Markdown(Html):
+    """Text of a Markdown page: what could be markup there, or HTML, stands as it is written."""
+
+    def escape(self, text: str) -> Markup:
+        return super().escape(re.sub(r"[\\`*\[\]#|~$]|(?<!\w)_|_(?!\w)", r"\\\g<0>", text))
+
+
+def variants(folder: Path | None = None) -> list[Path]:
+    """The variants of a folder, by name; by default the ready ones. Raises OSError."""
+    folder = data_root() / "variants" if folder is None else folder
+    return sorted(file for file in folder.iterdir() if file.suffix == ".yaml")
+
+
+def make(
+    files: Sequence[Path], folder: Path, tr: Translator, stage: Callable[[str], None] = lambda name: None
+) -> tuple[Path, list[Entry]]:
+    """Write the gallery of the files into a folder: its page, and the entries that could not be solved.
+
+    `stage` is told each file's name as its turn comes. Raises OSError where the folder cannot be written.
+    """
+    entries: list[Entry] = []
+    pictures: dict[str, bytes] = {}
+    for file in files:
+        stage(file.name)
+        entries.append(entry(file))
+        pictures |= picture(entries[-1], tr)
+    write(folder, {PAGE: page(entries, folder, tr), **pictures})
+    return folder / PAGE, [one for one in entries if one.results is None]
+
+
+def entry(file: Path) -> Entry:
+    """Solve one file."""
+    try:
+        return Entry(file, solve(load(file)))
+    except ProblemError as error:
+        return Entry(file, problems=tuple(error.problems))
+
+
+def picture(entry: Entry, tr: Translator) -> dict[str, bytes]:
+    """The scheme as the note draws it, on white, by its name; nothing for what is not solved."""
+    if entry.results is None:
+        return {}
+    position = Samples(entry.results).position
+    drawn = replace(Pictures(entry.results, tr).one_position(position), title=entry.topic)
+    return {entry.picture: (svg(_on_white(drawn)) + "\n").encode()}
+
+
+def _on_white(drawing: Drawing) -> Drawing:
+    """Black lines must be seen on a dark page too."""
+    left, bottom, right, top = drawing.box
+    corners = [complex(left, bottom), complex(right, bottom), complex(right, top), complex(left, top)]
+    return replace(drawing, items=(polygon(corners, None, "white"), *drawing.items), margin=0.0)
+
+
+def page(entries: Sequence[Entry], folder: Path, tr: Translator) -> bytes:
+    """The page that stands in `folder`."""
+    form = Page(Markdown(), tr, Numbering())
+    given = {"page": form, "t": form.t, "num": form.num, "unit": form.unit, "pi": math.pi, "folder": folder}
+    text = template("gallery.md.j2").render(given, entries=entries, link=lambda file: _link(file, folder))
+    return (text.strip() + "\n").encode()
+
+
+def _link(file: Path, folder: Path) -> Markup:
+    """The way from the folder to a file as an address."""
+    try:
+        way = os.path.relpath(file.resolve(), folder.resolve())
+    except ValueError:  # on another drive of Windows
+        return Markup(file.resolve().as_uri())
+    return Markup(quote(Path(way).as_posix()))

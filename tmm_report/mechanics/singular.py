@@ -1,0 +1,237 @@
+"""Singular positions of every group over the cycle, found as exact driver angles and told apart.
+
+limit      the links stretch to their utmost and beyond it the group cannot be assembled: its margin, the square of the
+           sine of its transmission angle, passes through zero
+change     two assemblies meet and both go on: the margin touches zero (parallelogram, rod equal to crank)
+parallel   two guides become parallel and their crossing runs away
+
+A change point is passed straight on: of the two continuations the smooth one keeps the motion's velocities finite.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from tmm_report.mechanics.dyads import ROUNDING, Dyad, State, margin, reach
+from tmm_report.mechanics.higher import HigherGroup
+from tmm_report.mechanics.motion import SINGULAR, Linkage, Motion, drive, known_motion, positions, solve
+from tmm_report.mechanics.roots import MIDDLE, bracketed, slope
+
+Array = Any
+
+SEARCH = 720  # brackets of the search over a turn
+STEP = 0.007  # rad, of the differences by which minima are found
+FULL_TURN = 2 * np.pi
+SOON = 0.05  # a margin that nowhere falls below this has no zero between the brackets
+LIMIT_STEP = 0.03  # rad, of the values beside a change point from which those in it are found
+BESIDE = 1e-3  # closeness below which a position beside a change point is taken from its neighbours too
+
+
+@dataclass(frozen=True, eq=False)
+class Critical:
+    """Singular positions of one group over a full turn: driver angles, rad, ascending.
+
+    `gaps`: intervals in which the group cannot be assembled though those before it can; the second end may exceed a turn.
+    `reach`: of a dyad of kind 1–3, least and greatest distance that its lengths must bridge (see `dyads.reach`), m.
+    """
+
+    group: Dyad | HigherGroup
+    changes: tuple[float, ...] = ()
+    limits: tuple[float, ...] = ()
+    parallel: tuple[float, ...] = ()
+    gaps: tuple[tuple[float, float], ...] = ()
+    reach: tuple[float, float] | None = None
+
+
+def criticals(linkage: Linkage, told_at: float) -> tuple[Linkage, tuple[Critical, ...]]:
+    """Singular positions of all groups, and the linkage that passes smoothly through its change points.
+
+    The stated assemblies hold at driver angle `told_at`, rad (just after it, if it is a change point), or where the
+    sketch was made. Of many variants at once, (V, 1), nothing is looked for.
+    """
+    if linkage.axes:
+        return linkage, ()
+    grid = (np.arange(SEARCH + 1) - 0.5) * (FULL_TURN / SEARCH)
+    sense = 1 if float(linkage.mechanism.driver.omega) > 0 else -1
+    found: list[Critical] = []
+    edges: list[float] = []  # of the intervals in which the groups before do not exist
+    before = replace(linkage, groups=())
+    with np.errstate(invalid="ignore", divide="ignore"):
+        s = drive(linkage, grid)
+        for group in linkage.groups:
+            critical = _of_dyad(before, group, grid, s, edges) if isinstance(group, Dyad) else None
+            if critical is None:
+                altered = any(g.changes for g in before.groups)
+                critical = _of_higher(replace(group, known=(known_motion(before),)) if altered else group)
+            elif critical.changes:
+                at = told_at if group.told_at is None else group.told_at
+                group = replace(group, changes=_passed(critical.changes, at, sense), told_at=at, sense=sense)
+                critical = replace(critical, group=group)
+            critical.group.place(s)
+            found.append(critical)
+            edges += [np.mod(end, FULL_TURN) for gap in critical.gaps for end in gap]
+            before = replace(before, groups=(*before.groups, critical.group))
+    return before, tuple(found)
+
+
+def _passed(changes: tuple[float, ...], told_at: float, sense: int) -> tuple[float, ...]:
+    """The change points that are passed smoothly: all, but of an odd number the last before the turn is over is not, or
+    the next turn would begin in the other assembly."""
+    if len(changes) % 2 == 0:
+        return changes
+    after = np.mod(sense * (np.array(changes) - told_at), FULL_TURN)
+    after = np.where(after < 1e-9, FULL_TURN, after)
+    return tuple(np.delete(changes, np.argmax(after)).tolist())
+
+
+def _of_dyad(before: Linkage, d: Dyad, grid: Array, s: State, edges: list[float]) -> Critical:
+    def of(phi: Array) -> Array:
+        return margin(positions(before, phi), d)
+
+    values = np.broadcast_to(margin(s, d), grid.shape)
+    low = _minima(of, grid, values)
+    at_low = of(low) if low.size else low
+    touching = np.abs(at_low) <= ROUNDING
+    zeros = tuple(np.sort(np.mod(low[touching], FULL_TURN)).tolist())
+    if d.kind > 3:
+        return Critical(d, parallel=zeros)
+    # a dip below zero between two grid points has both its ends there
+    dips = low[(at_low < 0) & ~touching]
+    where = np.sort(np.concatenate([grid, dips]))
+    limits = _crossings(of, where, of(where)) if dips.size else _crossings(of, grid, values)
+    gaps = _gaps(of, np.array([*limits, *edges]))
+    span = _reach(before, d, grid, s) if gaps else None
+    return Critical(d, changes=zeros, limits=tuple(limits.tolist()), gaps=gaps, reach=span)
+
+
+def _minima(of: Callable[[Array], Array], grid: Array, values: Array) -> Array:
+    """Where the margin is least beside its neighbours and near zero."""
+    middle, left, right = values[1:-1], values[:-2], values[2:]
+    near = np.flatnonzero((middle <= left) & (middle < right) & (np.abs(middle) < SOON)) + 1
+    if not near.size:
+        return np.array([])
+
+    def rate(phi: Array) -> Array:
+        return slope(of, phi, STEP)
+
+    low, high = grid[near - 1], grid[near + 1]
+    first, last = rate(low), rate(high)
+    inside = (first < 0) & (last > 0)
+    found = bracketed(rate, low[inside], high[inside], first[inside], noise=1e-15)[0]
+    return found
+
+
+def _crossings(of: Callable[[Array], Array], grid: Array, values: Array) -> Array:
+    """Where the margin passes through zero, rad within a turn."""
+    signs = np.where(values == 0, 1.0, np.sign(values))
+    at = np.flatnonzero(signs[:-1] * signs[1:] < 0)
+    # touching zero, rounding may look like two crossings
+    at = at[(np.abs(values[at]) > ROUNDING) | (np.abs(values[at + 1]) > ROUNDING)]
+    if not at.size:
+        return np.array([])
+    found, _ = bracketed(of, grid[at], grid[at + 1], values[at], noise=0.0)
+    return np.sort(np.mod(found, FULL_TURN))
+
+
+def _gaps(of: Callable[[Array], Array], edges: Array) -> tuple[tuple[float, float], ...]:
+    """Intervals with a negative margin, between the angles at which it, or a group before, begins and ends to exist."""
+    start = np.unique(edges) if edges.size else np.array([0.0])
+    end = np.append(start[1:], start[0] + FULL_TURN)
+    negative = of((start + end) / 2) < -ROUNDING
+    return tuple((float(a), float(b)) for a, b, lost in zip(start, end, negative, strict=True) if lost)
+
+
+def _reach(before: Linkage, d: Dyad, grid: Array, s: State) -> tuple[float, float]:
+    """Exact least and greatest distance over the turn that a dyad's lengths must bridge, m."""
+
+    def of(phi: Array) -> Array:
+        return np.broadcast_to(reach(positions(before, phi), d) ** 2, np.shape(phi))
+
+    values = np.broadcast_to(reach(s, d) ** 2, grid.shape)
+    rates = slope(of, grid, STEP)
+    at = np.flatnonzero(rates[:-1] * rates[1:] < 0)
+    extremes = values
+    if at.size:
+        found, _ = bracketed(lambda x: slope(of, x, STEP), grid[at], grid[at + 1], rates[at], noise=0.0)
+        extremes = np.concatenate([values, of(found)])
+    return float(np.sqrt(np.nanmin(extremes))), float(np.sqrt(np.nanmax(extremes)))
+
+
+def _of_higher(group: HigherGroup) -> Critical:
+    branch = group.branches[0]
+    changes = tuple(sorted(float(np.mod(x, FULL_TURN)) for x in branch.changes))
+    if branch.ends is None:
+        return Critical(group, changes=changes)
+    first, last = (float(np.mod(x, FULL_TURN)) for x in branch.ends)
+    gap = (last, first if first > last else first + FULL_TURN)
+    return Critical(group, changes=changes, limits=tuple(sorted((first, last))), gaps=(gap,))
+
+
+# ---------------------------------------------------------------- values in a change point
+
+
+def settle(motion: Motion) -> Array:
+    """Replace the motion at change points by its limit, and where there is none by nan; the mask of the latter, (..., P).
+
+    The limit is taken from four positions on either side (eighth order), all of which are regular. Where the two sides
+    do not agree, or one of them does not exist, velocities are not defined: nan, never a number made of rounding errors.
+    """
+    s, linkage = motion.state, motion.linkage
+    lost = np.zeros(motion.shape, dtype=bool)
+    for group in linkage.groups:
+        sine = motion.sines[group.group.label]
+        # a change point in which a link has no length to be placed by has no sine either
+        near = (sine <= BESIDE) | ~np.isfinite(sine) if group.changes else sine <= SINGULAR
+        if near.any():
+            lost = lost | (near & ~_take_limits(motion, near))
+        if lost.any():
+            for rates in (s.v, s.w, s.a, s.e, s.iw, s.ie):
+                for link in group.links:
+                    rates[link] = np.where(lost, np.nan, rates[link])
+    return lost
+
+
+def _take_limits(motion: Motion, near: Array) -> Array:
+    """Put the limits of poses and rates into the state at the positions `near`; where they exist, (..., P)."""
+    exists = np.zeros(motion.shape, dtype=bool)
+    if motion.linkage.axes:
+        return exists
+    s, phi = motion.state, np.broadcast_to(motion.phi, motion.shape)[near]
+    wide, narrow = (_limits(motion, phi, LIMIT_STEP / n) for n in (1, 2))
+    good = np.ones(phi.shape, dtype=bool)
+    omega = float(np.max(np.abs(motion.omega)))
+    scales = dict.fromkeys(("r", "u", "v", "a"), 1e-300) | {"w": omega, "e": omega**2}
+    for (name, _), values in wide.items():
+        scales[name] = float(np.nanmax(np.abs(values), initial=scales[name]))
+    for key, values in wide.items():
+        with np.errstate(invalid="ignore"):
+            good &= np.abs(values - narrow[key]) <= 1e-6 * scales[key[0]]
+    exists[near] = good
+    for (name, link), values in wide.items():
+        part = getattr(s, name)
+        whole = np.array(np.broadcast_to(part[link], motion.shape), dtype=values.dtype)
+        whole[exists] = values[good]
+        part[link] = whole
+    for link in {link for _, link in wide}:
+        with np.errstate(invalid="ignore"):  # of positions that cannot be assembled
+            s.u[link] = s.u[link] / np.abs(s.u[link])
+        s.turn(link, s.w[link], s.e[link])
+    return exists
+
+
+def _limits(motion: Motion, phi: Array, step: float) -> dict[tuple[str, str], Array]:
+    """Poses and rates of the groups' links at `phi`, (N,), each from its values at four positions on either side."""
+    k = np.arange(1, len(MIDDLE) + 1)[:, None] * step
+    beside = solve(motion.linkage, np.stack([phi + k, phi - k]), motion.omega).state
+    shape = (2, len(MIDDLE), len(phi))
+    links = [link for group in motion.linkage.groups for link in group.links]
+    found = {}
+    for name in ("r", "u", "v", "w", "a", "e"):
+        for link in links:
+            values = np.broadcast_to(getattr(beside, name)[link], shape)
+            found[name, link] = np.tensordot(MIDDLE, values[0] + values[1], axes=1)
+    return found

@@ -1,0 +1,143 @@
+"""Rewrite the regression set: `python tools/golden.py [variant ...]` after a change that is meant to change numbers.
+
+tests/golden/<variant>.json holds the key numbers of each ready variant, by rows. A file is rewritten only where a
+row differs by more than the tolerance, and every such number is printed; files of variants that are gone are removed.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import sys
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from tmm_report import load, solve
+from tmm_report.course import Results
+from tmm_report.tables import tables, values
+
+ROOT = Path(__file__).resolve().parent.parent
+GOLDEN = ROOT / "tests" / "golden"
+TOLERANCE = 1e-9  # of the largest number of a row
+DIGITS = 13  # written; the rest is rounding errors, which differ from machine to machine
+
+Row = str | list[float | None]
+
+
+def key_numbers(results: Results) -> dict[str, Row]:
+    """Rows of key numbers: SI, degrees for angles of position 0; None for what does not exist."""
+    return {"structure": results.structure.formula, **_single(results), **_series(results)}
+
+
+def _single(results: Results) -> dict[str, Row]:
+    """Single numbers; the least and the greatest of a quantity make one row, so that they share their scale."""
+    rows: dict[str, list[float | None]] = {}
+    scales = _scales(results)
+    for value in values(results):
+        # how well the drawings and the checks agree is rounding: their limits are tested elsewhere
+        if not value.key.startswith("delta") and not value.key.endswith("disagreement"):
+            key = value.key.removesuffix("_min").removesuffix("_max")
+            rows.setdefault(key, []).append(_kept(value.value, scales.get(key, 0.0)))
+    return dict(rows)
+
+
+def _scales(results: Results) -> dict[str, float]:
+    """What a motion with the output's stroke has for velocity and acceleration: beside it, rounding errors are 0."""
+    omega = abs(results.kinematics.omega)
+    return {
+        f"{letter}_{travel.output.name}": travel.stroke * omega**power
+        for travel in results.kinematics.travels
+        for power, letter in enumerate("SVA")
+    }
+
+
+def _series(results: Results) -> dict[str, Row]:
+    """The balancing moment and the efficiency at the table positions; the greatest reactions of the cycle."""
+    columns = {table.name: {c.key: c.values for c in table.columns} for table in tables(results)}
+    rows: dict[str, Row] = {}
+    for table, key in (("balancing_table", "M_bal"), ("friction_table", "P_fr"), ("friction_table", "eta")):
+        if table in columns:
+            rows[f"{key} at the positions"] = [_kept(x) for x in columns[table][key]]
+    for key, sizes in columns.get("reactions_diagram", {}).items():
+        if key.startswith("R_") and key[-2:] not in ("_x", "_y"):
+            rows[f"{key} at most"] = [_kept(float(np.nanmax(sizes)))]
+    return rows
+
+
+def _kept(x: float, scale: float = 0.0) -> float | None:
+    """A number as it is written: rounded, rounding errors beside the scale made 0, None for nan."""
+    if abs(x) <= TOLERANCE * scale:
+        return 0.0
+    return float(f"{x:.{DIGITS - 1}e}") + 0.0 if math.isfinite(x) else None
+
+
+def differences(old: Mapping[str, Row], new: Mapping[str, Row]) -> list[str]:
+    """Every row that came, went or changed its length, and every number that is off, in words."""
+    found = [f"{key}: is no more, was {old[key]}" for key in old if key not in new]
+    for key, row in new.items():
+        was = old.get(key)
+        if was is None:
+            found.append(f"{key}: is new, {row}")
+        elif isinstance(row, str) or isinstance(was, str) or len(row) != len(was):
+            found += [f"{key}: is {row}, was {was}"] if row != was else []
+        else:
+            found += list(_wrong(key, was, row))
+    return found
+
+
+def _wrong(key: str, was: list[float | None], row: list[float | None]) -> Iterator[str]:
+    scale = max((abs(x) for x in (*was, *row) if x is not None), default=0.0)
+    for i, (old, new) in enumerate(zip(was, row, strict=True)):
+        if old is None or new is None:
+            if old is not new:
+                yield f"{key}[{i}]: is {new}, was {old}"
+        elif abs(new - old) > TOLERANCE * scale:
+            yield f"{key}[{i}]: is {new!r}, was {old!r}: off by {abs(new - old) / scale:.1e} of the row's largest"
+
+
+def read(name: str) -> dict[str, Row]:
+    """The golden rows of a variant; none where it has no file."""
+    file = GOLDEN / f"{name}.json"
+    return json.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
+
+
+def write(name: str, rows: Mapping[str, Row]) -> None:
+    """One row a line, so that a change shows in its own line."""
+    lines = [f"{_json(key)}: {_json(row)}" for key, row in rows.items()]
+    GOLDEN.mkdir(exist_ok=True)
+    text = "{\n" + ",\n".join(lines) + "\n}\n"
+    (GOLDEN / f"{name}.json").write_text(text, encoding="utf-8", newline="\n")
+
+
+def _json(value: Any) -> str:
+    return json.dumps(value, ensure_ascii=False, allow_nan=False)
+
+
+def refresh(file: Path) -> list[str]:
+    """Compare one variant with its golden file and rewrite that where they differ: what changed."""
+    rows = key_numbers(solve(load(file)))
+    old = read(file.stem)
+    changed = differences(old, rows)
+    if changed:
+        write(file.stem, rows)
+    return changed if old else [f"new: {len(rows)} rows"]
+
+
+def main(names: list[str]) -> int:
+    files = sorted((ROOT / "variants").glob("*.yaml"))
+    for file in files:
+        if not names or file.stem in names:
+            for line in refresh(file):
+                print(f"{file.stem}: {line}")
+    for stale in sorted(GOLDEN.glob("*.json")):
+        if stale.stem not in {file.stem for file in files}:
+            stale.unlink()
+            print(f"{stale.stem}: removed, there is no such variant")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
