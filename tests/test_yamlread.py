@@ -1,4 +1,3 @@
-# ruff: noqa: E501  (tables of cases: one case, one line)
 """Untrusted YAML: places, scalars, budgets, and the attacks a default loader falls to."""
 
 import os

@@ -142,9 +142,7 @@ def _places(motion: Motion) -> Iterator[Column]:
         yield Column(f"phi_{link}", "deg", text, np.degrees(np.angle(motion.turn(link))))
     for label, sine in motion.sines.items():
         of = {"group": label}
-        yield Column(
-            f"sin_{label}", "", Message(CLOSENESS, of), sine
-        )
+        yield Column(f"sin_{label}", "", Message(CLOSENESS, of), sine)
         text = Message(N_("decimal digits that remain in group %(group)s"), of)
         yield Column(f"digits_{label}", "", text, digits_left(sine))
 
@@ -199,11 +197,13 @@ def _special(k: Kinematics) -> tuple[Column, ...]:
         for kind in ("changes", "limits", "parallel"):
             rows += [(SPECIAL_KINDS[kind], c.group, turned, 0.0) for turned in getattr(c, kind)]
     rows += [("dead", dead.output, turned, math.nan) for dead in k.dead for turned in dead.turned]
-    kind, of, turned, closeness = ([row[i] for row in rows] for i in range(4))
+    kinds, of, turned, closeness = ([row[i] for row in rows] for i in range(4))
     return (
-        Column("kind", "", Message(N_("closest, change, limit, parallel (guides) or dead (point)")), kind),
+        Column("kind", "", Message(N_("closest, change, limit, parallel (guides) or dead (point)")), kinds),
         Column("of", "", Message(N_("the group, or the output link")), of),
-        Column("phi", "deg", Message(N_("angle turned by the driving link from position 0")), np.degrees(turned)),
+        Column(
+            "phi", "deg", Message(N_("angle turned by the driving link from position 0")), np.degrees(turned)
+        ),
         Column("closeness", "", Message(N_("closeness to a singular position, 1 … 0")), closeness),
     )
 

@@ -15,7 +15,7 @@ from tmm_report.problems import ProblemError
 def test_lever_and_power_balance(results):
     """Zhukovsky's lever and the power balance against the groups, at the 12 and at the 36 positions."""
     forces = results.kinetostatics
-    assert forces.diagram.balancing.shape == (37,)
+    assert len(forces.diagram.balancing) == len(forces.kinematics.diagram_turned)
     for solved in (forces.table, forces.diagram):
         assert np.isfinite(solved.balancing).all()
         assert np.abs(solved.balancing).max() > 0
@@ -37,10 +37,15 @@ def test_both_senses_of_rotation(variant):
     for one, other in zip(there.kinematics.travels, back.kinematics.travels, strict=True):
         assert other.stroke == pytest.approx(one.stroke, rel=1e-10)
         if there.kinematics.cycle.closed:
-            assert other.time_ratio == pytest.approx(one.time_ratio, rel=1e-10)
-            np.testing.assert_allclose(other.S, one.S[::-1], atol=1e-10)
+            assert (other.time_ratio is None) == (one.time_ratio is None)
+            assert other.time_ratio == pytest.approx(one.time_ratio or 0, rel=1e-10) or one.time_ratio is None
+            np.testing.assert_allclose(other.S, one.S[::-1] - one.S[-1], atol=1e-9)
             np.testing.assert_allclose(other.V, -one.V[::-1], atol=1e-9 * np.abs(one.V).max())
-            np.testing.assert_allclose(other.a, one.a[::-1], atol=1e-9 * np.abs(one.a).max())
+            np.testing.assert_allclose(
+                other.a,
+                one.a[::-1],
+                atol=1e-9 * max(np.abs(one.a).max(), one.stroke * there.kinematics.omega**2),
+            )
 
 
 def test_reactions_of_the_frame_hold_all_loads(results):
@@ -70,11 +75,13 @@ def test_travel_of_outputs(results):
         slack = 1e-9 * t.stroke
         assert (t.diagram_S >= low - slack).all() and (t.diagram_S <= high + slack).all()
         for values, (least, most) in ((t.diagram_V, t.V_extremes), (t.diagram_a, t.a_extremes)):
-            slack = 1e-9 * np.abs(values).max()
+            slack = 1e-9 * max(np.abs(values).max(), t.stroke * results.kinematics.omega**2)
             assert (values >= least.value - slack).all() and (values <= most.value + slack).all()
         if results.kinematics.cycle.closed:
-            assert abs(t.diagram_V[:-1].mean()) < 0.02 * np.abs(t.diagram_V).max()  # it comes back
-            assert t.time_ratio >= 1
+            turns = abs(t.S[-1]) > 1e-6 * t.stroke  # a driven crank does not come back
+            assert (t.time_ratio is None) == turns
+            assert turns or abs(t.diagram_V[:-1].mean()) < 0.02 * np.abs(t.diagram_V).max()
+            assert turns or t.time_ratio >= 1
 
 
 def test_position_0_is_the_stated_extreme(results):
@@ -90,27 +97,33 @@ def test_position_0_is_the_stated_extreme(results):
     assert speed[0] < 1e-12 * speed.max()
 
 
-def test_a_position_that_does_not_close_is_the_users_mistake(compressor):
+def shortened(compressor, length):
     variant = compressor.variant
     links = dict(variant.mechanism.links)
-    links["4"] = replace(links["4"], points={**links["4"].points, "D": 0.05 + 0j})
-    short = replace(variant, mechanism=replace(variant.mechanism, links=links), readings={})
-    with pytest.raises(ProblemError) as caught:
-        course.solve(short)
-    (problem,) = caught.value.problems
-    text = problem.text()
-    assert problem.path == ("mechanism", "links", "4")
-    assert "group II2(4,5) cannot be assembled at " in text
-    assert "of 13 positions, e.g. at " in text
-    assert "° from position 0; check the lengths of links 4, 5" in text
+    links["4"] = replace(links["4"], points={**links["4"].points, "D": length + 0j})
+    return replace(variant, mechanism=replace(variant.mechanism, links=links), readings={})
+
+
+def test_positions_that_do_not_close_are_left_out_and_named(compressor):
+    found = course.solve(shortened(compressor, 0.05))
+    assert found.partial
+    assert not replace(found, variant=replace(found.variant, allow_partial=True)).partial
+    (gap,) = found.kinematics.gaps
+    text = str(gap.text)
+    assert gap.group == "II2(4,5)" and "rod CD = 50 mm cannot reach guide x for " in text
+    assert "the rod needs at least " in text
+    missing = found.kinematics.missing
+    assert missing and np.isnan(found.kinematics.table.place("D")[list(missing)]).all()
+    others = [k for k in range(13) if k not in missing]
+    assert np.isfinite(found.kinematics.table.place("D")[others]).all()
+    assert found.kinetostatics.agrees
 
 
 def test_group_that_never_closes(compressor):
-    variant = compressor.variant
-    links = dict(variant.mechanism.links)
-    links["4"] = replace(links["4"], points={**links["4"].points, "D": 0.001 + 0j})
-    with pytest.raises(ProblemError, match="cannot be assembled"):
-        course.solve(replace(variant, mechanism=replace(variant.mechanism, links=links), readings={}))
+    with pytest.raises(ProblemError, match="rod AB = 300 mm cannot reach guide x at any position"):
+        links = shortened(compressor, 0.001)
+        guide = replace(links.mechanism.guides["x"], through=10j)
+        course.solve(replace(links, mechanism=replace(links.mechanism, guides={"x": guide})))
 
 
 def test_straight_yoke_displacement_has_one_sign():

@@ -88,7 +88,7 @@ def test_at_the_ends_of_the_stroke_the_stroke_that_begins_holds(results):
 def test_along_and_against_the_motion(results):
     kinematics = results.kinematics
     point = next(p for p in kinematics.table.point_index if np.abs(kinematics.table.velocity(p)).max() > 0)
-    link = kinematics.linkage.groups[0].a
+    link = kinematics.linkage.groups[0].links[0]
     given = Loads(
         0j,
         (Force("", point, "along", Constant(2.0)), Force("", point, "against", Constant(5.0))),

@@ -32,7 +32,9 @@ class Drawn:
     lines: Sequence[complex]
     crank: complex = 0.05 + 0.02j
 
-    def mechanism(self, turn: complex = 1.0, scale: float = 1.0, names: Mapping[str, str] | None = None) -> Mechanism:
+    def mechanism(
+        self, turn: complex = 1.0, scale: float = 1.0, names: Mapping[str, str] | None = None
+    ) -> Mechanism:
         """The mechanism turned, scaled and with its links and points named otherwise."""
         called = names or {}
         pairs = TOPOLOGIES[self.name]

@@ -92,7 +92,9 @@ def test_reactions_agree_with_one_system_for_all_links(scheme, seed):
         assert abs(exact[-1] - ours.balancing[position]) < 1e-9 * size
         for key, reaction in ours.reactions.items():
             first, second = exact[columns[key] : columns[key] + 2]
-            force, moment = (np.broadcast_to(x, found.shape)[position] for x in (reaction.force, reaction.moment))
+            force, moment = (
+                np.broadcast_to(x, found.shape)[position] for x in (reaction.force, reaction.moment)
+            )
             if reaction.pair.kind == "R":
                 assert abs(force - (first + 1j * second)) < 1e-9 * size
             else:
@@ -138,7 +140,9 @@ def test_stack_equals_loop_of_singles(name):
     for row, single in enumerate(singles):
         alone = motion.solve(assemble(dataclasses.replace(single, sketch=singles[0].sketch)), PHI)
         for values in ("places", "velocities", "accelerations"):
-            np.testing.assert_allclose(getattr(found, values)[:, row], getattr(alone, values), rtol=0, atol=1e-10)
+            np.testing.assert_allclose(
+                getattr(found, values)[:, row], getattr(alone, values), rtol=0, atol=1e-10
+            )
         expected = statics.solve(alone, statics.inertia_and_gravity(alone, -9.81j))
         np.testing.assert_allclose(forces.balancing[row], expected.balancing, rtol=1e-8, atol=1e-8)
 
@@ -174,7 +178,7 @@ def test_count_of_assemblies_by_scanning_one_leg(seed):
     hangs as a four-bar's rod on it and the second leg, and the third leg must fit."""
     scheme = drawn("III3", seed)
     p1, p4, p5, b, c, d = scheme.places
-    leg = p1 + (b - p1) * np.exp(1j * np.linspace(0, 2 * np.pi, 200_001))
+    leg = p1 + (b - p1) * np.exp(1j * np.linspace(0.1, 0.1 + 2 * np.pi, 200_001))
     count = 0
     for sign in (1, -1):
         gap = p4 - leg

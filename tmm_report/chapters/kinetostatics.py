@@ -15,8 +15,7 @@ from tmm_report.chapters.loads import ByAngle, ByDisplacement, ByPosition, Const
 from tmm_report.mechanics import statics
 from tmm_report.mechanics.cycle import Cycle, Extreme, least_and_greatest
 from tmm_report.mechanics.mechanism import FRAME
-from tmm_report.mechanics.motion import Motion
-from tmm_report.mechanics.motion import SINGULAR
+from tmm_report.mechanics.motion import SINGULAR, Motion
 from tmm_report.mechanics.motion import solve as solve_motion
 from tmm_report.mechanics.planar import cross, dot
 from tmm_report.mechanics.roots import DIFFERENCE
@@ -281,7 +280,9 @@ def _kinetic_power(motion: Motion) -> Array:
     step = np.full(motion.shape, 0.007)
     for group in motion.linkage.groups:
         sine = np.maximum(motion.sines[group.group.label], SINGULAR)
-        for change in group.changes:  # there the motion is smooth, but near positions differ by rounding errors
+        for (
+            change
+        ) in group.changes:  # there the motion is smooth, but near positions differ by rounding errors
             beside = np.abs(np.angle(np.exp(1j * (motion.phi - change)))) < 0.15
             step, sine = np.where(beside, 0.03, step), np.where(beside, 1.0, sine)
         shrinks = np.minimum(shrinks, sine)

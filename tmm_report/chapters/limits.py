@@ -116,7 +116,9 @@ def _in_line(motion: Motion, k: int) -> tuple[str, str] | None:
     mechanism, pair = motion.linkage.mechanism, motion.linkage.structure.driver_pair
     driver = mechanism.driver.link
     for link in mechanism.moving:
-        pins = [p for p in mechanism.links[link].points if p in mechanism.links[driver].points and link != driver]
+        pins = [
+            p for p in mechanism.links[link].points if p in mechanism.links[driver].points and link != driver
+        ]
         ends = [p for p in mechanism.links[link].points if p not in pins and len(mechanism.links_at(p)) > 1]
         if pins and ends:
             O, A, B = (motion.place(p)[k] for p in (pair.name, pins[0], ends[0]))
@@ -157,7 +159,9 @@ def _cause(critical: Critical) -> tuple[Message, Message]:
     if not isinstance(d, Dyad):
         why = Message(N_("group %(group)s cannot be assembled"), {"group": d.group.label})
         links = {"links": ", ".join(d.links)}
-        return why, Message(N_("between its limit positions the lengths of links %(links)s do not suffice"), links)
+        return why, Message(
+            N_("between its limit positions the lengths of links %(links)s do not suffice"), links
+        )
     low, high = critical.reach or (0.0, 0.0)
     return {1: _two_rods, 2: _rod_to_guide, 3: _guide_past_joint}[d.kind](d, low, high)
 
@@ -190,7 +194,9 @@ def _two_rods(d: Dyad, low: float, high: float) -> tuple[Message, Message]:
     elif near:
         text = N_("joints %(a)s and %(c)s come as near as %(near)s: the links may differ by at most %(near)s")
     else:
-        text = N_("joints %(a)s and %(c)s go as far as %(far)s apart: together the links need at least %(far)s")
+        text = N_(
+            "joints %(a)s and %(c)s go as far as %(far)s apart: together the links need at least %(far)s"
+        )
     return why, Message(text, values)
 
 

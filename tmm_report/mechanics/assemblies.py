@@ -43,7 +43,14 @@ def _distinct(q: Array, angles: int) -> Array:
     """Roots each once, in ascending order of their first direction."""
     kept: list[Array] = []
     for root in q[np.lexsort(np.round(q.T[::-1], 9))]:
-        gaps = [np.abs(np.concatenate([np.exp(1j * root[:angles]) - np.exp(1j * r[:angles]), root[angles:] - r[angles:]])) for r in kept]
+        gaps = [
+            np.abs(
+                np.concatenate(
+                    [np.exp(1j * root[:angles]) - np.exp(1j * r[:angles]), root[angles:] - r[angles:]]
+                )
+            )
+            for r in kept
+        ]
         if all(gap.max() > 1e-7 for gap in gaps):
             kept.append(root)
     return np.array(kept).reshape(len(kept), q.shape[-1])
@@ -122,7 +129,9 @@ class _Bilinear:
         """q of the end points that are finite and real, (N, k), to a few digits."""
         size = self.N.shape[1]
         x, y = z[:, :size] @ self.N.T, z[:, size:] @ self.N.conj().T
-        finite = (np.abs(x[:, -1]) > 1e-8 * np.abs(x).max(axis=1)) & (np.abs(y[:, -1]) > 1e-8 * np.abs(y).max(axis=1))
+        finite = (np.abs(x[:, -1]) > 1e-8 * np.abs(x).max(axis=1)) & (
+            np.abs(y[:, -1]) > 1e-8 * np.abs(y).max(axis=1)
+        )
         x, y = x[finite] / x[finite][:, -1:], y[finite] / y[finite][:, -1:]
         scale = np.maximum(np.abs(x).max(axis=1), 1.0)
         real = np.abs(x - y.conj()).max(axis=1) <= REAL * scale

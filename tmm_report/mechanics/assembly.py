@@ -45,7 +45,7 @@ def _measured(linkage: Linkage) -> Linkage:
     groups = []
     for group in linkage.groups:
         if isinstance(group, Dyad) and group.kind == 3:
-            size = np.fmax.reduce(np.atleast_1d(reach(s, group)), axis=-1, keepdims=bool(linkage.axes))
+            size = np.nanmax(np.atleast_1d(reach(s, group)), axis=-1, keepdims=bool(linkage.axes))
             group = replace(group, size=size if np.all(size > 0) else None)
         groups.append(group)
     return replace(linkage, groups=tuple(groups))
@@ -148,7 +148,12 @@ def _by_sketch(
 
 
 def _dyad_by_sketch(
-    mechanism: Mechanism, state: State, d: Dyad, sign: int | None, angle: float | None, problems: list[Problem]
+    mechanism: Mechanism,
+    state: State,
+    d: Dyad,
+    sign: int | None,
+    angle: float | None,
+    problems: list[Problem],
 ) -> Dyad:
     if sign is not None:
         return dyad(mechanism, d.group, sign)
@@ -170,8 +175,9 @@ def _higher_by_sketch(
     if before.axes:  # each variant has its own
         singles = [assemble(pick(mechanism, v)) for v in range(before.axes[0])]
         found = [single.groups[len(before.groups)] for single in singles]
-        parts = [(g.start[0], g.known[0]) for g in found if isinstance(g, HigherGroup)]
-        return HigherGroup(group, loops, tuple(p[0] for p in parts), tuple(p[1] for p in parts))
+        parts = [(g.start[0], g.known[0], g.loops) for g in found if isinstance(g, HigherGroup)]
+        start, known, own = zip(*parts, strict=True)
+        return HigherGroup(group, loops, start, known, own)
     wanted = [p for link in group.links for p in mechanism.links[link].points if p in mechanism.sketch]
     if angle is None or not wanted:
         problems.append(_needs_sketch(group, mechanism))
@@ -182,7 +188,7 @@ def _higher_by_sketch(
         return None
     misses = np.array([_miss(mechanism, state, group, loops, q) for q in ways])
     first, *others = np.argsort(misses)
-    if others and np.isclose(misses[first], misses[others[0]], rtol=1e-6):
+    if others and np.isclose(misses[first], misses[others[0]], rtol=1e-6, atol=0):
         problems.append(_unclear_sketch(group))
     return HigherGroup(group, loops, ((angle, ways[first]),), (known_motion(before),))
 
@@ -213,7 +219,9 @@ def _needs_sketch(group: Group, mechanism: Mechanism) -> Problem:
     text = N_(
         "group %(group)s of class %(cls)s can be assembled in several ways, and only a sketch says in which (key sketch)"
     )
-    points = [p for link in group.links for p in mechanism.links[link].points if len(mechanism.links_at(p)) > 1]
+    points = [
+        p for link in group.links for p in mechanism.links[link].points if len(mechanism.links_at(p)) > 1
+    ]
     right = Message(
         N_(
             "write rough places of its points (%(points)s) and of the driving link's in some one position; "
@@ -222,14 +230,19 @@ def _needs_sketch(group: Group, mechanism: Mechanism) -> Problem:
         {"points": ", ".join(dict.fromkeys(points))},
     )
     path = ("mechanism", "sketch") if mechanism.sketch else ("mechanism",)
-    return mistake(text, path, right, group=group.label, cls=ROMAN.get(group.group_class, str(group.group_class)))
+    return mistake(
+        text, path, right, group=group.label, cls=ROMAN.get(group.group_class, str(group.group_class))
+    )
 
 
 def _cannot_be_assembled(group: Group, angle: float) -> Problem:
     text = N_(
         "group %(group)s cannot be assembled in the position of the sketch (driving link at %(angle).1f°)"
     )
-    right = Message(N_("check the lengths of links %(links)s and the places of their joints, or sketch another position"), {"links": ", ".join(group.links)})
+    right = Message(
+        N_("check the lengths of links %(links)s and the places of their joints, or sketch another position"),
+        {"links": ", ".join(group.links)},
+    )
     return mistake(text, ("mechanism", "sketch"), right, group=group.label, angle=float(np.degrees(angle)))
 
 
@@ -268,7 +281,7 @@ def _nearer(mechanism: Mechanism, state: State, d: Dyad) -> int | None:
         with np.errstate(invalid="ignore", divide="ignore"):
             place(trial, dyad(mechanism, d.group, sign))
         misses[sign] = _distance(mechanism, trial, d.links)
-    if not np.isfinite(misses[1] + misses[-1]) or np.isclose(misses[1], misses[-1], rtol=1e-6):
+    if not np.isfinite(misses[1] + misses[-1]) or np.isclose(misses[1], misses[-1], rtol=1e-6, atol=0):
         return None
     return 1 if misses[1] < misses[-1] else -1
 

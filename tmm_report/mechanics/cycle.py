@@ -155,6 +155,8 @@ def cycle_of(linkage: Linkage) -> Cycle:
 def _extreme_angle(linkage: Linkage, zero: ZeroExtreme) -> float:
     """Driver angle of the extreme position that is to be position 0, rad."""
     start = Cycle(linkage, 0.0)
+    if not start._search[1].closes.any():
+        return 0.0  # that no position exists is said later, with the reason
     if zero.point is not None:
         point, direction = zero.point, zero.direction
         roots = start.swings(lambda m: dot(m.velocity(point), direction), lambda m: np.abs(m.velocity(point)))

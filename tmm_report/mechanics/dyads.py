@@ -174,7 +174,7 @@ def dyad(mechanism: Mechanism, group: Group, sign: int = 1) -> Dyad:
     first, second = group.links
     of = {link: next(pair for pair in group.outer if link in pair.links) for link in group.links}
     inner = group.inner[0]
-    if group.kind in (2, 5):
+    if group.kind in (2, 5):  # noqa: SIM108
         swap = of[first].kind == "P"
     else:  # RPR: the carrier of the guide first; RRR, PRP: as described
         swap = inner.kind == "P" and mechanism.guides[inner.name].link == second
@@ -430,7 +430,7 @@ def margin(s: State, d: Dyad) -> Array:
     """
     if d.kind > 3:
         second = s.u[d.carrier_b] * d.outer_b.along[d.carrier_b]
-        if d.kind == 4:
+        if d.kind == 4:  # noqa: SIM108
             first = s.u[d.carrier_a] * d.outer_a.along[d.carrier_a]
         else:
             first = second * d.outer_b.along[d.b].conjugate() * d.inner.along[d.b]

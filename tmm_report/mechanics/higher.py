@@ -24,7 +24,9 @@ from tmm_report.mechanics.loops import Loops, newton, solve_each
 from tmm_report.mechanics.structure import Group, Pair
 
 Array = Any
-Known = Callable[[Array], State]  # driver angles (P,) -> the links before the group, rates by the driver's angle
+Known = Callable[
+    [Array], State
+]  # driver angles (P,) -> the links before the group, rates by the driver's angle
 
 STEP = 0.1  # longest step of the driving link, rad: what the cubic between two nodes can bridge
 NEAR = 2e-3  # rad; a step this short means that a singular position is ahead
@@ -93,13 +95,15 @@ class Branch:
 class HigherGroup:
     """A group of class III, IV or above in the assembly `start`: (driver angle, rad; q there).
 
-    `known`: motion of the links before it; one such function a variant.
+    `known`: motion of the links before it; one such function a variant. `own`: of several variants at once, the loops of
+    each alone.
     """
 
     group: Group
     loops: Loops
     start: tuple[tuple[float, Array], ...]
     known: tuple[Known, ...]
+    own: tuple[Loops, ...] = ()
 
     @property
     def links(self) -> tuple[str, ...]:
@@ -112,8 +116,8 @@ class HigherGroup:
     @cached_property
     def branches(self) -> tuple[Branch, ...]:
         """The branch of every variant."""
-        starts = zip(self.known, self.start, strict=True)
-        return tuple(follow(self.loops, known, *start) for known, start in starts)
+        each = zip(self.own or (self.loops,), self.known, self.start, strict=True)
+        return tuple(follow(loops, known, *start) for loops, known, start in each)
 
     @property
     def changes(self) -> tuple[float, ...]:
@@ -167,7 +171,12 @@ def follow(loops: Loops, known: Known, phi: float, q: Array) -> Branch:
     start = follower.node(phi, q)
     up, high = follower.run(start, +1)
     if abs(up[-1].phi - phi) > FULL_TURN - 1e-9:
-        gap = np.concatenate([np.exp(1j * up[-1].q[: loops.angles]) - np.exp(1j * q[: loops.angles]), (up[-1].q - q)[loops.angles :]])
+        gap = np.concatenate(
+            [
+                np.exp(1j * up[-1].q[: loops.angles]) - np.exp(1j * q[: loops.angles]),
+                (up[-1].q - q)[loops.angles :],
+            ]
+        )
         return _branch(up, (None, None), follower.changes, bool(np.abs(gap).max() < 1e-6))
     down, low = follower.run(start, -1)
     return _branch([*reversed(down[1:]), *up], (low, high), follower.changes, True)
@@ -176,8 +185,8 @@ def follow(loops: Loops, known: Known, phi: float, q: Array) -> Branch:
 def _branch(
     nodes: list[_Node], limits: tuple[Limit | None, Limit | None], changes: list[float], returns: bool
 ) -> Branch:
-    columns = (np.array([getattr(node, name) for node in nodes]) for name in ("phi", "q", "slope"))
-    return Branch(*columns, limits, tuple(sorted(changes)), returns)
+    phi, q, slope = (np.array([getattr(node, name) for node in nodes]) for name in ("phi", "q", "slope"))
+    return Branch(phi, q, slope, limits, tuple(sorted(changes)), returns)
 
 
 class _Follower:
@@ -303,7 +312,11 @@ class _Follower:
                 continue
             over = self.node(node.phi + step, q, s)
             turned = np.abs(over.slope - node.slope - step * node.bend).max()
-            if over.sign == -node.sign and turned < 100 * gap**2 * (1 + np.abs(node.bend).max()) and over.sine > node.sine / 3:
+            if (
+                over.sign == -node.sign
+                and turned < 100 * gap**2 * (1 + np.abs(node.bend).max())
+                and over.sine > node.sine / 3
+            ):
                 share = node.sine / (node.sine + over.sine)
                 self.changes.append(node.phi + share * step)
                 return over

@@ -69,7 +69,9 @@ class Loops:
         self.group = group
         self.sliding = tuple(pair for pair in (*group.outer, *group.inner) if pair.kind == "P")
         self.directions = _directions(group)
-        self.angles = 1 + max((d.root for d in self.directions.values() if isinstance(d.root, int)), default=-1)
+        self.angles = 1 + max(
+            (d.root for d in self.directions.values() if isinstance(d.root, int)), default=-1
+        )
         self.guides = tuple(self._guide(pair) for pair in self.sliding)
         self.origins: dict[str, Scalar] = {}
         self.places: dict[str, Form] = {}
@@ -131,7 +133,10 @@ class Loops:
     @cached_property
     def units(self) -> Array:
         """Coefficients of U, (rows, angles) or (rows, angles, V, 1), m."""
-        rows = [[sum((arm for c, arm in form.units if c == n), 0j) for n in range(self.angles)] for form in self._rows]
+        rows = [
+            [sum((arm for c, arm in form.units if c == n), 0j) for n in range(self.angles)]
+            for form in self._rows
+        ]
         shape = np.broadcast_shapes(*(np.shape(x) for row in rows for x in row))
         rows = [[np.broadcast_to(x, shape) for x in row] for row in rows]
         return np.array(rows, dtype=complex).reshape(len(self._rows), self.angles, *shape)
@@ -260,10 +265,12 @@ class Loops:
 
     def known_rate(self, s: State, q: Array) -> Array:
         """First derivative of the contours by time with q kept, (..., P, k)."""
-        _, T, W = self.vectors(s, q)
+        _, _, W = self.vectors(s, q)
         shape = q.shape[:-1]
         moving = self._turning(s, W, order=1)
-        rate = self._known(s, self._contours, shape, 1) + np.tensordot(self.slides[self._contours], moving, axes=1)
+        rate = self._known(s, self._contours, shape, 1) + np.tensordot(
+            self.slides[self._contours], moving, axes=1
+        )
         return self._real(rate)
 
     def bend(self, s: State, q: Array, rate: Array) -> Array:
@@ -284,7 +291,10 @@ class Loops:
         w, e = (np.moveaxis(x[..., : self.angles], -1, 0) for x in (rate, zero))
         v, a = (self.size * np.moveaxis(x[..., self.angles :], -1, 0) for x in (rate, zero))
         iw, ie = 1j * w, 1j * e - w * w
-        turn = [(iw[g.root], ie[g.root]) if isinstance(g.root, int) else (s.iw[g.root], s.ie[g.root]) for g in self.guides]
+        turn = [
+            (iw[g.root], ie[g.root]) if isinstance(g.root, int) else (s.iw[g.root], s.ie[g.root])
+            for g in self.guides
+        ]
         first = np.array([np.broadcast_to(x, W.shape[1:]) for x, _ in turn]).reshape(W.shape)
         bent = np.array([np.broadcast_to(x, W.shape[1:]) for _, x in turn]).reshape(W.shape)
         return ie * U, a * T + 2 * v * first * T + bent * W
@@ -325,7 +335,9 @@ def _directions(group: Group) -> dict[str, Direction]:
     sliding = [pair for pair in (*group.outer, *group.inner) if pair.kind == "P"]
 
     def spread() -> None:
-        while pair := next((p for p in sliding if any(end in found or end not in group.links for end in p.links)), None):
+        while pair := next(
+            (p for p in sliding if any(end in found or end not in group.links for end in p.links)), None
+        ):
             sliding.remove(pair)
             known = next(end for end in pair.links if end in found or end not in group.links)
             other = pair.other(known)

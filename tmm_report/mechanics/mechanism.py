@@ -133,7 +133,8 @@ def pick(mechanism: Mechanism, v: int) -> Mechanism:
         for name, link in mechanism.links.items()
     }
     guides = {
-        name: replace(g, through=one(g.through), direction=one(g.direction)) for name, g in mechanism.guides.items()
+        name: replace(g, through=one(g.through), direction=one(g.direction))
+        for name, g in mechanism.guides.items()
     }
     slides = [replace(s, through=one(s.through), direction=one(s.direction)) for s in mechanism.slides]
     driver = replace(mechanism.driver, omega=one(mechanism.driver.omega))

@@ -19,7 +19,9 @@ from tmm_report.mechanics.planar import is_zero
 from tmm_report.mechanics.structure import Structure
 
 Array = Any
-SINGULAR = 1e-6  # closeness of a group below which velocities have lost half of their digits and lines cross nowhere
+SINGULAR = (
+    1e-6  # closeness of a group below which velocities have lost half of their digits and lines cross nowhere
+)
 
 
 @dataclass(frozen=True, eq=False)

@@ -24,7 +24,7 @@ def dual(e1: Array, e2: Array) -> tuple[Array, Array]:
     Parallel e1, e2 give inf or nan.
     """
     area = cross(e1, e2)
-    return e2 / area, e1 / area
+    return np.divide(e2, area), np.divide(e1, area)
 
 
 def components(d: Array, k1: Array, k2: Array) -> tuple[Array, Array]:

@@ -14,9 +14,9 @@ from typing import Any, Literal
 import numpy as np
 
 from tmm_report.mechanics.dyads import Dyad, close
-from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.higher import HigherGroup
-from tmm_report.mechanics.motion import Linkage, Motion
+from tmm_report.mechanics.mechanism import FRAME
+from tmm_report.mechanics.motion import SINGULAR, Linkage, Motion
 from tmm_report.mechanics.structure import Pair
 
 Array = Any
@@ -141,7 +141,12 @@ def system(linkage: Linkage, group: HigherGroup) -> System:
         base = bases[link]
         return names.turning(FRAME if base in fixed else link, base, end, link, (base, to))
 
-    branches = [turning(link, to, to) for link in group.links for to in dict.fromkeys(pivots[link]) if to != bases[link]]
+    branches = [
+        turning(link, to, to)
+        for link in group.links
+        for to in dict.fromkeys(pivots[link])
+        if to != bases[link]
+    ]
     for pair in pairs:
         if pair.kind == "P" and (point := _slider_point(pair, pivots, bases)):
             carrier, slider = pair.other(pair.slider), str(pair.slider)
@@ -218,7 +223,11 @@ def named_values(motion: Motion) -> dict[str, Array]:
     for point in moving_points(motion.linkage):
         values[f"v_{point}"], values[f"a_{point}"] = motion.velocity(point), motion.acceleration(point)
     for r in relations(motion.linkage):
-        values |= _branch_values(motion, r) if isinstance(r, Relation) else _system_values(motion, r)
+        if isinstance(r, System) or (r.dyad.changes and r.dyad.kind <= 2):
+            # in change points the vector equation itself says nothing: the values are those of the links' motion
+            values |= _motion_values(motion, r)
+        else:
+            values |= _branch_values(motion, r)
     for link in turning_links(motion.linkage):
         values[f"w_{link}"] = motion.angular_velocity(link)
         values[f"e_{link}"] = motion.angular_acceleration(link)
@@ -243,13 +252,15 @@ def _branch_values(motion: Motion, r: Relation) -> dict[str, Array]:
         out[branch.a_key("t" if branch.turns else "r")] = xx * e
     # a position whose rates are left out as singular has none here either
     known = np.isfinite(np.broadcast_to(motion.state.w[r.dyad.a], motion.shape))
+    if r.dyad.changes:
+        known = known & (motion.sines[r.dyad.group.label] > SINGULAR)
     return {key: np.where(known, value, np.nan) for key, value in out.items()}
 
 
-def _system_values(motion: Motion, system: System) -> dict[str, Array]:
-    """Values of the branches of a group above class II."""
+def _motion_values(motion: Motion, r: Relation | System) -> dict[str, Array]:
+    """Values of the branches from the motion of their links."""
     out: dict[str, Array] = {}
-    for branch in system.branches:
+    for branch in r.branches:
         out |= _turning_values(motion, branch) if branch.turns else _sliding_values(motion, branch)
     return out
 

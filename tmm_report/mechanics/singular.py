@@ -63,14 +63,17 @@ def criticals(linkage: Linkage, told_at: float) -> tuple[Linkage, tuple[Critical
     with np.errstate(invalid="ignore", divide="ignore"):
         s = drive(linkage, grid)
         for group in linkage.groups:
-            critical = _of_dyad(before, group, grid, s, edges) if isinstance(group, Dyad) else None
-            if critical is None:
+            if isinstance(group, Dyad):
+                critical = _of_dyad(before, group, grid, s, edges)
+                if critical.changes:
+                    at = told_at if group.told_at is None else group.told_at
+                    passed = _passed(critical.changes, at, sense)
+                    critical = replace(
+                        critical, group=replace(group, changes=passed, told_at=at, sense=sense)
+                    )
+            else:
                 altered = any(g.changes for g in before.groups)
                 critical = _of_higher(replace(group, known=(known_motion(before),)) if altered else group)
-            elif critical.changes:
-                at = told_at if group.told_at is None else group.told_at
-                group = replace(group, changes=_passed(critical.changes, at, sense), told_at=at, sense=sense)
-                critical = replace(critical, group=group)
             critical.group.place(s)
             found.append(critical)
             edges += [np.mod(end, FULL_TURN) for gap in critical.gaps for end in gap]
@@ -141,7 +144,7 @@ def _gaps(of: Callable[[Array], Array], edges: Array) -> tuple[tuple[float, floa
     """Intervals with a negative margin, between the angles at which it, or a group before, begins and ends to exist."""
     start = np.unique(edges) if edges.size else np.array([0.0])
     end = np.append(start[1:], start[0] + FULL_TURN)
-    negative = of((start + end) / 2) < -ROUNDING
+    negative = np.broadcast_to(of((start + end) / 2), start.shape) < -ROUNDING
     return tuple((float(a), float(b)) for a, b, lost in zip(start, end, negative, strict=True) if lost)
 
 

@@ -164,7 +164,9 @@ def _solve_higher(
     pairs = (*group.group.outer, *group.group.inner)
     row = {link: 3 * k for k, link in enumerate(group.links)}
     size = group.loops.size
-    shape = np.broadcast_shapes(*(np.shape(s.r[link]) for link in row), *(np.shape(loads[x].force) for x in row))
+    shape = np.broadcast_shapes(
+        *(np.shape(s.r[link]) for link in row), *(np.shape(loads[x].force) for x in row)
+    )
     A, b = np.zeros((*shape, 3 * len(row), 2 * len(pairs))), np.zeros((*shape, 3 * len(row)))
     for link, k in row.items():
         load = loads[link]

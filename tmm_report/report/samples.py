@@ -61,10 +61,13 @@ class Samples:
 
     @property
     def position(self) -> int:
-        """The sample position: that of the force plan, where there is one."""
-        drawn = self.r.force_plans.drawn if self.r.force_plans is not None else ()
-        plans = self.r.plans.drawn
-        return drawn[0].position if drawn else plans[0].position if plans else 0
+        """The sample position: that of the force plan, else of the plans, else the first that is regular."""
+        force_plans = self.r.force_plans.drawn if self.r.force_plans is not None else ()
+        if drawn := force_plans or self.r.plans.drawn:
+            return drawn[0].position
+        found = self.r.kinematics
+        lost = (*found.singular, *found.missing)
+        return next((k for k in range(len(found.turned)) if k not in lost), 0)
 
     def speed(self) -> Formula:
         """Revolutions a minute from the angular velocity."""

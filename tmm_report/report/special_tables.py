@@ -33,7 +33,9 @@ class SpecialTables(Columns):
         rows = [
             [
                 self.words.label(c.group),
-                self.t("sine of the transmission angle") if c.is_dyad else self.t("least singular value of the scaled Jacobian"),
+                self.t("sine of the transmission angle")
+                if c.is_dyad
+                else self.t("least singular value of the scaled Jacobian"),
                 self.page.num(c.closeness.value, 4, scale=1.0),
                 self.words.degrees(c.closeness.turned),
                 str(int(digits_left(c.closeness.value))),
@@ -55,7 +57,11 @@ class SpecialTables(Columns):
         for dead in self.r.kinematics.dead:
             lines = dict(zip(dead.turned, dead.in_line, strict=True))
             for turned, pair in lines.items():
-                words = self.t("links %(one)s and %(other)s in one line", one=pair[0], other=pair[1]) if pair else "—"
+                words = (
+                    self.t("links %(one)s and %(other)s in one line", one=pair[0], other=pair[1])
+                    if pair
+                    else "—"
+                )
                 rows.append([dead.output, self._exact(turned), words])
         heads = [self.t("Output link"), self.t("Angle of turn, °"), self.t("Position of the links")]
         return worded(caption, heads, rows, (2, 2, 6))

@@ -203,6 +203,7 @@ class Tables(Columns):
             Column(
                 self._head(symbol_of(key), unit_of(key)),
                 [self.page.num(plan.values.get(key, np.nan)) for plan in plans],
+                least=9,
             )
             for key in keys
         ]

@@ -171,10 +171,14 @@ def by_shape(right: str) -> Discriminator:
 def _ascending(pairs: Any) -> Any:
     """Pairs in ascending order; two with the same first number are a jump just after it."""
     firsts = [pair[0] for pair in pairs]
-    if any(a > b for a, b in pairwise(firsts)) or any(a == b for a, b in zip(firsts, firsts[2:], strict=False)):
+    if any(a > b for a, b in pairwise(firsts)) or any(
+        a == b for a, b in zip(firsts, firsts[2:], strict=False)
+    ):
         raise WrongValue(Message(N_("the first numbers of the pairs must ascend")))
     jumps = [False, *(a == b for a, b in pairwise(firsts))]
-    return [(math.nextafter(x, math.inf) if jump else x, y) for (x, y), jump in zip(pairs, jumps, strict=True)]
+    return [
+        (math.nextafter(x, math.inf) if jump else x, y) for (x, y), jump in zip(pairs, jumps, strict=True)
+    ]
 
 
 _NAME = {"type": ["string", "integer"], "pattern": f"^{NAME}$", "examples": ["A"]}

@@ -233,12 +233,11 @@ def _place_links(sheet: Sheet, system: System, lines: list[Line]) -> None:
             z = sheet.vertices[sheet.letter(line.branch.end)]
             sheet.images[line.branch.link] = Image(line.z_start, line.place, (z - line.z_start) / line.arm)
     for link in system.group.links:
-        if link not in sheet.images:
-            joint = next(p.name for p in _pairs(system) if p.kind == "R" and link in p.links)
-            fixed = joint in sheet.linkage.mechanism.links[FRAME].points
-            z = 0j if fixed else sheet.vertices[sheet.letter(joint)]
+        point = next((p for p in sheet.linkage.mechanism.links[link].points if sheet.has(p)), None)
+        if link not in sheet.images and point is not None:
+            z = sheet.vertices[sheet.letter(point)]
             turn = sheet.images[sheet.alike[link]].turn
-            sheet.images[link] = Image(z, sheet.place(joint), turn)
+            sheet.images[link] = Image(z, sheet.place(point), turn)
 
 
 def _equations(sheet: Sheet, system: System, found: list[str]) -> list[VectorEquation]:
