@@ -67,7 +67,12 @@ def test_keys_are_text_and_letters_composed():
         ("x: 1\na: *b", 2, 4, "anchors (&) and aliases (*) are not allowed"),
         ("&a {self: *a}", 1, 1, "anchors (&) and aliases (*) are not allowed"),
         ("a: {b: 1}\nc:\n  <<: {d: 2}", 3, 3, "merge keys (<<) are not allowed"),
-        ("a: !!python/object/apply:os.system ['true']", 1, 4, "the tag tag:yaml.org,2002:python/object/apply:o… is not allowed"),
+        (
+            "a: !!python/object/apply:os.system ['true']",
+            1,
+            4,
+            "the tag tag:yaml.org,2002:python/object/apply:o… is not allowed",
+        ),
         ("a: !!float abc", 1, 4, "the tag tag:yaml.org,2002:float is not allowed"),
         ("a: " + "1" * 100_000, 1, 4, f"the number {'1' * 39}… is too long"),
         ("a: b\n? [c]\n: d", 2, 3, "a key must be a single word"),
@@ -117,7 +122,8 @@ def test_empty(text):
 
 
 HOSTILE = {
-    "brackets": "'[' * 25_000", "all brackets": "'[' * 250_000", "dashes": "'- ' * 100_000", "braces": "'{a: ' * 60_000",
+    "brackets": "'[' * 25_000", "all brackets": "'[' * 250_000", "dashes": "'- ' * 100_000",
+    "braces": "'{a: ' * 60_000",
     "questions": "'? ' * 100_000", "items": "'[' + 'a,' * 120_000", "hex": "'a: 0x' + 'f' * 100_000",
     "sexagesimal": "'a: 1' + ':59' * 60_000", "indents": "''.join(' ' * i + 'a:\\n' for i in range(700))",
     "brackets in lines": "'[\\n' * 100_000", "quotes": "'a: \"' + '\\\\n' * 100_000", "huge": "'a' * 10_000_000",

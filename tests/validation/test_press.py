@@ -1,7 +1,8 @@
 """The published crank press with twin rods (a diploma thesis): its printed digits out of the general class IV solver
 and, separately, out of the closed forms of its parallelogram.
 
-ERRATUM: the thesis prints R01y = 39.34692 N at 90°, with the crank's own inertia force of the wrong sign; it is 38.69092.
+ERRATUM: the thesis prints R01y = 39.34692 N at 90°, with the crank's own inertia force of the wrong sign;
+it is 38.69092.
 """
 
 from dataclasses import replace

@@ -4,7 +4,8 @@ With the conjugate vectors as unknowns of their own, y = x̄, the contours are l
 bilinear: U·Ū = 1 for every direction, w·T̄ = w̄·T for every displacement w = s·T along a guide. k such equations in
 k/2 + k/2 unknowns have C(k, k/2) roots: 2 of a dyad, 6 of a group of four links, 20 of six. All are found by
 continuation from a product of linear forms with as many known roots; in projective coordinates no path runs away.
-Source: Morgan, Sommese, A homotopy for solving general polynomial systems that respects m-homogeneous structures (1987).
+Source: Morgan, Sommese, A homotopy for solving general polynomial systems that respects m-homogeneous structures
+(1987).
 """
 
 from __future__ import annotations

@@ -217,7 +217,8 @@ def _distance(mechanism: Mechanism, state: State, links: Sequence[str]) -> float
 
 def _needs_sketch(group: Group, mechanism: Mechanism) -> Problem:
     text = N_(
-        "group %(group)s of class %(cls)s can be assembled in several ways, and only a sketch says in which (key sketch)"
+        "group %(group)s of class %(cls)s can be assembled in several ways, and only a sketch says in which "
+        "(key sketch)"
     )
     points = [
         p for link in group.links for p in mechanism.links[link].points if len(mechanism.links_at(p)) > 1
@@ -312,7 +313,7 @@ def ways(mechanism: Mechanism, phi: float) -> Iterator[Way]:
 
 
 def stated_way(mechanism: Mechanism, phi: float) -> Way:
-    """The way that the variant states, nan where it does not close at `phi`, rad. Raises ProblemError, as `assemble`."""
+    """The stated way, nan where it does not close at `phi`, rad. Raises ProblemError, as `assemble`."""
     return _way(mechanism, positions(assemble(mechanism), np.array([phi])))
 
 

@@ -118,7 +118,7 @@ class Cycle:
 
     @cached_property
     def _limits(self) -> Array:
-        """Angles turned just within the limits of assembly, where something may be extreme without standing still, rad."""
+        """Angles turned just within the limits of assembly, rad: something may be extreme there and not stand still."""
         limits = np.array([x for critical in self.critical for x in critical.limits])
         turned = self.sense * (limits[:, None] - self.zero) + np.array([-1e-9, 1e-9])
         turned = np.mod(turned.ravel(), FULL_TURN)

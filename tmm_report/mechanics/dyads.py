@@ -90,8 +90,8 @@ class State:
 class Dyad:
     """A dyad with its links in the order of the table above and its root.
 
-    `sign` is stated for the driver angle `told_at`, rad. At the driver angles `changes` the two roots meet, and there the
-    motion goes smoothly on to the other sign. `size`: greatest distance A-C of kind 3 over the cycle, m.
+    `sign` is stated for the driver angle `told_at`, rad. At the driver angles `changes` the two roots meet, and there
+    the motion goes smoothly on to the other sign. `size`: greatest distance A-C of kind 3 over the cycle, m.
     """
 
     group: Group
@@ -174,7 +174,7 @@ def dyad(mechanism: Mechanism, group: Group, sign: int = 1) -> Dyad:
     first, second = group.links
     of = {link: next(pair for pair in group.outer if link in pair.links) for link in group.links}
     inner = group.inner[0]
-    if group.kind in (2, 5):  # noqa: SIM108
+    if group.kind in (2, 5):
         swap = of[first].kind == "P"
     else:  # RPR: the carrier of the guide first; RRR, PRP: as described
         swap = inner.kind == "P" and mechanism.guides[inner.name].link == second
@@ -414,8 +414,8 @@ def _carry(s: State, d: Dyad, c: Closure) -> None:
 def singularity(s: State, d: Dyad) -> Array:
     """Sine of the angle between the two unknown directions: 0 in a singular position of the dyad, (..., P).
 
-    Of kind 3, where the guide of a link that A and C come near to loses its direction too: how long the guide is between
-    A and C, over its greatest distance `size`.
+    Of kind 3, where the guide of a link that A and C come near to loses its direction too: how long the guide is
+    between A and C, over its greatest distance `size`.
     """
     if d.kind == 3 and d.size is not None:
         return np.sqrt(np.maximum(margin(s, d), 0.0))
@@ -430,7 +430,7 @@ def margin(s: State, d: Dyad) -> Array:
     """
     if d.kind > 3:
         second = s.u[d.carrier_b] * d.outer_b.along[d.carrier_b]
-        if d.kind == 4:  # noqa: SIM108
+        if d.kind == 4:
             first = s.u[d.carrier_a] * d.outer_a.along[d.carrier_a]
         else:
             first = second * d.outer_b.along[d.b].conjugate() * d.inner.along[d.b]
@@ -448,7 +448,7 @@ def margin(s: State, d: Dyad) -> Array:
 
 
 def reach(s: State, d: Dyad) -> Array:
-    """What must fit into a dyad's lengths, (..., P), m: |AC| of kinds 1 and 3, distance of A from the guide of kind 2."""
+    """What a dyad's lengths must bridge, (..., P), m: |AC| of kinds 1 and 3, of kind 2 A's distance from the guide."""
     A = _outer(s, d.outer_a, d.carrier_a)
     if d.kind == 2:
         t, _, G = _guide_line(s, d.outer_b, d.carrier_b, d.b, d.arm_b)

@@ -6,8 +6,8 @@ Newton–Kantorovich theorem just one root lies near the prediction, on the bran
     h = β·K·η ≤ 1/2,   β = ‖J⁻¹‖,  K bounds the second derivatives of the contours,  η the first Newton step
 
 The branch ends where J becomes singular and the links stretch to their limit; where two branches cross (a change
-point), it goes straight on. Any position is then solved from the nearest node in two or three Newton steps, all at once.
-Source: Ortega, Rheinboldt, Iterative solution of nonlinear equations in several variables, 12.6 (Kantorovich).
+point), it goes straight on. Any position is then solved from the nearest node in two or three Newton steps, all at
+once. Source: Ortega, Rheinboldt, Iterative solution of nonlinear equations in several variables, 12.6 (Kantorovich).
 """
 
 from __future__ import annotations
@@ -95,8 +95,8 @@ class Branch:
 class HigherGroup:
     """A group of class III, IV or above in the assembly `start`: (driver angle, rad; q there).
 
-    `known`: motion of the links before it; one such function a variant. `own`: of several variants at once, the loops of
-    each alone.
+    `known`: motion of the links before it; one such function a variant. `own`: of several variants at once, the loops
+    of each alone.
     """
 
     group: Group

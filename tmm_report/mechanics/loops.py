@@ -37,8 +37,8 @@ class Direction:
 
 @dataclass(frozen=True, eq=False)
 class Form:
-    """A vector linear in the unknown vectors: Σ points of known links + Σ vectors fixed to known links + Σ units[c]·U_c +
-    Σ slides[p]·s_p·T_p."""
+    """A vector linear in the unknown vectors: Σ points of known links + Σ vectors fixed to known links + Σ
+    units[c]·U_c + Σ slides[p]·s_p·T_p."""
 
     points: tuple[tuple[int, str, Scalar], ...] = ()  # ±1, known link, place in its axes
     vectors: tuple[tuple[str, Scalar], ...] = ()

@@ -146,8 +146,8 @@ class Motion:
 
     @cached_property
     def sines(self) -> dict[str, Array]:
-        """Group label -> how far it is from a singular position, 1 … 0, (..., P): of a dyad the sine of the angle of its
-        two unknown directions, of a higher group the smallest singular value of its scaled Jacobian."""
+        """Group label -> how far it is from a singular position, 1 … 0, (..., P): of a dyad the sine of the angle of
+        its two unknown directions, of a higher group the smallest singular value of its scaled Jacobian."""
         return {g.group.label: self._whole(g.closeness(self.state)) for g in self.linkage.groups}
 
 

@@ -35,8 +35,9 @@ BESIDE = 1e-3  # closeness below which a position beside a change point is taken
 class Critical:
     """Singular positions of one group over a full turn: driver angles, rad, ascending.
 
-    `gaps`: intervals in which the group cannot be assembled though those before it can; the second end may exceed a turn.
-    `reach`: of a dyad of kind 1–3, least and greatest distance that its lengths must bridge (see `dyads.reach`), m.
+    `gaps`: intervals in which the group cannot be assembled though those before it can; the second end may exceed a
+    turn. `reach`: of a dyad of kind 1–3, least and greatest distance that its lengths must bridge (see
+    `dyads.reach`), m.
     """
 
     group: Dyad | HigherGroup
@@ -178,10 +179,11 @@ def _of_higher(group: HigherGroup) -> Critical:
 
 
 def settle(motion: Motion) -> Array:
-    """Replace the motion at change points by its limit, and where there is none by nan; the mask of the latter, (..., P).
+    """Replace the motion at change points by its limit, where there is none by nan; the mask of the latter, (..., P).
 
     The limit is taken from four positions on either side (eighth order), all of which are regular. Where the two sides
-    do not agree, or one of them does not exist, velocities are not defined: nan, never a number made of rounding errors.
+    do not agree, or one of them does not exist, velocities are not defined: nan, never a number made of
+    rounding errors.
     """
     s, linkage = motion.state, motion.linkage
     lost = np.zeros(motion.shape, dtype=bool)

@@ -76,19 +76,22 @@ class SpecialTables(Columns):
         links = ", ".join(c.links)
         if c.changes:
             text = N_(
-                "at the angle of turn φ = %(angles)s group %(group)s (links %(links)s) passes a change point: its two assemblies "
-                "meet and two continuations exist; the stated assembly is kept and the motion goes on smoothly. Velocities and "
-                "accelerations there are the limits of those beside it; reactions grow without bound and are left out"
+                "at the angle of turn φ = %(angles)s group %(group)s (links %(links)s) passes a change point: "
+                "its two assemblies meet and two continuations exist; the stated assembly is kept and the motion "
+                "goes on smoothly. Velocities and accelerations there are the limits of those beside it; reactions "
+                "grow without bound and are left out"
             )
             yield self.t(text, group=group, links=links, angles=self._angles(c.changes))
         if c.parallel:
             text = N_(
-                "at the angle of turn φ = %(angles)s the guides of group %(group)s (links %(links)s) are parallel and its links run away"
+                "at the angle of turn φ = %(angles)s the guides of group %(group)s (links %(links)s) are parallel "
+                "and its links run away"
             )
             yield self.t(text, group=group, links=links, angles=self._angles(c.parallel))
         if c.limits:
             text = N_(
-                "at the angle of turn φ = %(angles)s group %(group)s (links %(links)s) is at the limit of its assembly; velocities there are not bounded"
+                "at the angle of turn φ = %(angles)s group %(group)s (links %(links)s) is at the limit of its "
+                "assembly; velocities there are not bounded"
             )
             yield self.t(text, group=group, links=links, angles=self._angles(c.limits))
 
