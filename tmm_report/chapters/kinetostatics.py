@@ -117,8 +117,9 @@ class _Solver:
         # at a change point reactions are nothing, but the powers have a limit, and so has the moment
         balancing = np.where(np.isfinite(found.balancing), found.balancing, lever)
         scale = np.sum(np.abs(terms), axis=0) / abs(omega) + np.abs(balancing)
-        # where all terms are next to nothing, their rounding errors are judged by the rest of the cycle
-        scale = np.maximum(scale, 1e-3 * np.nanmax(scale))
+        # where all terms are next to nothing, rounding errors are judged by the rest of the cycle and by the energy
+        # of the links, J = N m for a radian
+        scale = np.maximum(scale, 1e-3 * np.nanmax([scale, kinetic_energy(motion)]))
         return Solved(motion, turned, load, replace(found, balancing=balancing), lever, power, scale)
 
 

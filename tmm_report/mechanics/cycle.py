@@ -92,7 +92,7 @@ class Cycle:
         signs = np.where(values == 0, 1.0, np.sign(values))  # a root on the grid itself ends its bracket
         turns = np.flatnonzero(signs[:-1] * signs[1:] < 0)
         if turns.size:
-            size = np.nanmax(np.abs(values))
+            size = np.nanmax(np.abs(values), initial=0.0)
             brackets = grid[turns], grid[turns + 1], values[turns]
             found, left = bracketed(lambda x: np.real(rate(self.motion(x))), *brackets, noise=noise * size)
             found = found[np.abs(left) <= 1e-6 * size]  # a pole changes sign too
@@ -106,7 +106,9 @@ class Cycle:
     def swings(self, rate: Rate, size: Rate) -> Array:
         """Roots of a rate that is more than rounding beside `size`; none of one that is zero all round."""
         motion = self._search[1]
-        moves = np.nanmax(np.abs(rate(motion))) > 1e-9 * np.nanmax(np.abs(size(motion)))
+        moves = np.nanmax(np.abs(rate(motion)), initial=0.0) > 1e-9 * np.nanmax(
+            np.abs(size(motion)), initial=0.0
+        )
         return self.roots(rate) if moves else np.array([])
 
     def extremes(self, value: Rate, rate: Rate, noise: float = 1e-13) -> tuple[Extreme, Extreme]:

@@ -222,7 +222,7 @@ def _take_limits(motion: Motion, near: Array) -> Array:
         whole[exists] = values[good]
         part[link] = whole
     for link in {link for _, link in wide}:
-        with np.errstate(invalid="ignore"):  # of positions that cannot be assembled
+        with np.errstate(invalid="ignore", divide="ignore"):  # of positions that cannot be assembled
             s.u[link] = s.u[link] / np.abs(s.u[link])
         s.turn(link, s.w[link], s.e[link])
     return exists
