@@ -8,12 +8,12 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from conftest import FILES, solved
+from conftest import ALL_FILES, solved
 
 from tmm_report import render
 
 VARIANTS = Path(__file__).parent.parent / "variants"
-NAMES = sorted(path.stem for path in FILES)
+NAMES = sorted(path.stem for path in ALL_FILES)
 
 
 @cache

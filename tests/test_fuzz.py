@@ -100,6 +100,13 @@ def test_one_mistake_in_every_variant(kind):
     assert outcomes
 
 
+@pytest.mark.parametrize("kind", range(len(KINDS)), ids=lambda kind: KINDS[kind].__name__)
+def test_every_kind_of_mistake_is_refused_somewhere(kind):
+    """The first that is refused ends the search: a kind that is never refused breaks nothing and tests nothing."""
+    every = (changed(description(n), changes) for n in NAMES for _, changes in KINDS[kind](description(n)))
+    assert any(isinstance(outcome(data), list) for data in every), "no such mistake is ever refused"
+
+
 @st.composite
 def piles(draw: st.DrawFn) -> Data:
     """A variant with one to four mistakes."""

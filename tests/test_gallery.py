@@ -9,7 +9,7 @@ from urllib.parse import unquote
 from xml.etree import ElementTree
 
 import pytest
-from conftest import FILES
+from conftest import ALL_FILES
 from notes import NAMES, VARIANTS
 from typer.testing import CliRunner
 
@@ -17,6 +17,9 @@ from tmm_report.cli import app
 from tmm_report.gallery import Markdown, variants
 
 COMMITTED = Path(__file__).parents[1] / "docs" / "gallery"
+DRAWN = [
+    file for file in ALL_FILES if re.search("^(mechanism|eccentric):", file.read_text(encoding="utf-8"), re.M)
+]
 HEADING = re.compile(r"^## (.+)$", re.M)
 
 
@@ -43,18 +46,17 @@ def test_the_committed_gallery_shows_the_ready_variants():
     page = (COMMITTED / "README.md").read_text(encoding="utf-8")
     built = "python -m tmm_report gallery --lang en -o docs/gallery"
     assert HEADING.findall(page) == NAMES, built
-    assert {file.name for file in COMMITTED.iterdir()} == {"README.md", *(f"{name}.svg" for name in NAMES)}, (
-        built
-    )
-    assert "Not solved" not in page
-    assert variants() == FILES
+    pictures = {f"{file.stem}.svg" for file in DRAWN}
+    assert {file.name for file in COMMITTED.iterdir()} == {"README.md", *pictures}, built
+    assert "Not solved" not in page and "Cannot be assembled" not in page
+    assert variants() == ALL_FILES
 
 
 def test_every_link_of_the_committed_page_leads_somewhere():
     page = (COMMITTED / "README.md").read_text(encoding="utf-8")
     headings = {f"#{name}" for name in HEADING.findall(page)}
     links = re.findall(r"\]\(([^)]+)\)", page)
-    assert len(links) == 3 * len(NAMES)
+    assert len(links) == 2 * len(ALL_FILES) + len(DRAWN)  # of the table and of the file, and the picture
     lost = [link for link in links if link not in headings and not (COMMITTED / unquote(link)).is_file()]
     assert lost == []
 
@@ -73,6 +75,33 @@ def test_a_bad_variant_has_its_reason_and_the_others_go_on(folder, tmp_path):
     }
     assert "(../my%20variants/tangent.yaml)" in page
     assert f"{folder / 'unsaid.yaml'}:" in done.output and "a_bad.yaml:" in done.output
+
+
+SHORT_ROD = """\
+mechanism:
+  frame: {O: [0, 0]}
+  guides: {x: {through: O}}
+  links:
+    1: {points: {O: 0, A: 100 mm}}
+    2: {points: {A: 0, B: 50 mm}}
+    3: {points: [B], slides: x, mass: 1 kg}
+  driver: {link: 1, speed: 60 rpm}
+  assembly: {B: right}
+loads: {gravity: 0}
+"""
+
+
+@pytest.mark.parametrize(("meant", "code"), [("", 1), ("allow_partial: true\n", 0)])
+def test_a_mechanism_that_closes_over_part_of_the_cycle_shows_its_gaps(tmp_path, meant, code):
+    (tmp_path / "short.yaml").write_text(SHORT_ROD + meant, encoding="utf-8")
+    done = run(tmp_path, "-o", tmp_path / "out", "--lang", "en")
+    page = (tmp_path / "out" / "README.md").read_text(encoding="utf-8")
+    where = "rod AB = 50 mm cannot reach guide x for 30.00° < φ < 150.00°, 210.00° < φ < 330.00°"
+    assert f"- Cannot be assembled over part of the cycle: {where.replace('<', '&lt;')}" in page
+    assert "I(0,1) → II2(2,3)" in page and "Stroke" not in page and "balancing moment" not in page
+    assert (tmp_path / "out" / "short.svg").is_file()
+    assert done.exit_code == code, done.output
+    assert (f"short.yaml: mechanism.links.2: {where}" in done.output) == bool(code)
 
 
 def test_the_main_numbers_of_an_entry(folder, tmp_path):

@@ -7,10 +7,10 @@ import runpy
 from pathlib import Path
 
 import pytest
-from conftest import FILES, solved
+from conftest import ALL_FILES, solved
 
 TOOL = runpy.run_path(str(Path(__file__).parents[1] / "tools" / "golden.py"))
-NAMES = [file.stem for file in FILES]
+NAMES = [file.stem for file in ALL_FILES]
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -31,7 +31,7 @@ def test_golden_files_hold_the_numbers_that_matter(name):
     if found.kinetostatics is not None:
         assert len(rows["M_bal at the positions"]) == found.variant.positions.table + 1
         assert sum(key.endswith("at most") for key in rows) == len(found.structure.pairs)
-    for travel in found.kinematics.travels:
+    for travel in found.kinematics.travels if found.has_mechanism else ():
         assert {f"{letter}_{travel.output.name}" for letter in "HSVA"} <= set(rows)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
+from dataclasses import astuple, replace
 from functools import cache
 from html import unescape
 
@@ -136,7 +136,8 @@ def test_symbol_is_explained_once():
 @pytest.mark.parametrize("kind", ["Рисунок", "Таблица"])
 def test_figures_and_tables_are_numbered_without_gaps(name, kind):
     numbers = [int(n) for n in re.findall(rf"{kind} (\d+) –", html(name))]
-    assert numbers == list(range(1, len(numbers) + 1)) and len(numbers) > 7
+    assert numbers == list(range(1, len(numbers) + 1))
+    assert len(numbers) > (7 if results(name).has_mechanism else 0)
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -218,16 +219,18 @@ def test_conclusions_have_the_actual_figures():
 
 
 def own_words(name: str) -> list[str]:
-    """Names that the variant's author gave to the loads."""
-    loads = results(name).variant.loads
-    return [load.name for load in (*loads.forces, *loads.moments)] if loads else []
+    """Texts of the variant's author: the title page and the names of the loads, the longest first."""
+    variant = results(name).variant
+    loads = (*variant.loads.forces, *variant.loads.moments) if variant.loads else ()
+    own = {*astuple(variant.title), *(load.name for load in loads)}
+    return sorted(own - {""}, key=len, reverse=True)
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_russian_note_has_no_english_words(name):
     text = prose(html(name))
     for own in own_words(name):
-        text = text.replace(own, "")
+        text = text.replace(own, " ")
     assert set(re.findall(r"[A-Za-z]{4,}", text)) <= {"RRRR", "VIII"}
 
 

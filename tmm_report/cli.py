@@ -143,6 +143,19 @@ def _add_pdf(
 
 def _summary(results: Any, folder: Path, names: list[str], say: Callable[[str], str]) -> bool:
     """Print what was found and written; whether a check failed."""
+    bad = _lever_summary(results, say) if results.has_mechanism else False
+    for found in (results.drive, results.eccentric):
+        for message in found.summary() if found is not None else ():
+            typer.echo(_clean(message.render(say)))
+    shown = [name for name in names if "/" not in name]
+    for part in sorted({name.split("/")[0] for name in names if "/" in name}):
+        shown.append(part + "/")
+    typer.echo(say(N_("written: %s")) % ", ".join(_clean(str(folder / name)) for name in shown))
+    return bad
+
+
+def _lever_summary(results: Any, say: Callable[[str], str]) -> bool:
+    """Print what was found of the lever mechanism; whether a check failed."""
     plans, forces = results.plans, results.kinetostatics
     typer.echo(f"{results.structure.formula}")
     worst = max(plans.worst, results.force_plans.worst if results.force_plans else 0.0)
@@ -164,10 +177,6 @@ def _summary(results: Any, folder: Path, names: list[str], say: Callable[[str], 
     if forces is not None and not forces.agrees:
         bad = True
         typer.echo(say(N_("error: the checks of the balancing moment disagree by more than 1e-9")), err=True)
-    shown = [name for name in names if "/" not in name]
-    for part in sorted({name.split("/")[0] for name in names if "/" in name}):
-        shown.append(part + "/")
-    typer.echo(say(N_("written: %s")) % ", ".join(_clean(str(folder / name)) for name in shown))
     return bad
 
 

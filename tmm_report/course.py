@@ -3,19 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import Literal
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any, Literal
 
 from tmm_report.chapters import force_plans, friction, kinematics, kinetostatics, plans, structure
 from tmm_report.chapters.given import Drawing, Friction, Loads, Positions, Readings, Title
 from tmm_report.mechanics.mechanism import Mechanism
 
+if TYPE_CHECKING:  # the gear chapters are loaded only for a variant that has gears
+    from tmm_report.chapters import drive, eccentric
+
 
 @dataclass(frozen=True, eq=False)
 class Variant:
-    """Everything a variant states, checked, in SI. A chapter whose block is None is not solved."""
+    """Everything a variant states, checked, in SI. A chapter whose block is None is not solved.
 
-    mechanism: Mechanism
+    A variant has a lever mechanism, a gear drive, an eccentric epicyclic mechanism, or several of them.
+    """
+
+    mechanism: Mechanism = None  # type: ignore[assignment]  # None, and the lever's chapters are not asked for it
     title: Title = field(default_factory=Title)
     language: Literal["ru", "en"] = "ru"
     decimal_sign: Literal["comma", "point"] = "comma"
@@ -25,6 +31,8 @@ class Variant:
     readings: Readings = field(default_factory=dict)
     loads: Loads | None = None
     friction: Friction | None = None
+    drive: drive.Given | None = None
+    eccentric: eccentric.Given | None = None
     places: Mapping[tuple[str | int, ...], tuple[int, int]] = field(default_factory=dict, repr=False)
     """Where each key of the file stands: path -> (line, column), for mistakes found only in solving."""
     file: str = ""
@@ -32,24 +40,40 @@ class Variant:
 
 @dataclass(frozen=True, eq=False)
 class Results:
-    """Everything found, in the order of the note. A chapter that the variant does not ask for is None."""
+    """Everything found, in the order of the note. A chapter that the variant does not ask for is None.
+
+    Structure, kinematics and plans are those of the lever mechanism: None where `has_mechanism` is False.
+    """
 
     variant: Variant
-    structure: structure.Structure
-    kinematics: kinematics.Kinematics
-    plans: plans.Plans
-    kinetostatics: kinetostatics.Kinetostatics | None
-    force_plans: force_plans.ForcePlans | None
-    friction: friction.FrictionFound | None
+    structure: structure.Structure = None  # type: ignore[assignment]
+    kinematics: kinematics.Kinematics = None  # type: ignore[assignment]
+    plans: plans.Plans = None  # type: ignore[assignment]
+    kinetostatics: kinetostatics.Kinetostatics | None = None
+    force_plans: force_plans.ForcePlans | None = None
+    friction: friction.FrictionFound | None = None
+    drive: drive.Found | None = None
+    eccentric: eccentric.Found | None = None
+
+    @property
+    def has_mechanism(self) -> bool:
+        """Whether there is a lever mechanism."""
+        return self.structure is not None
 
     @property
     def partial(self) -> bool:
-        """Whether the mechanism does not close over part of the cycle and the variant does not say that it is meant so."""
-        return bool(self.kinematics.gaps) and not self.variant.allow_partial
+        """Whether the mechanism closes over part of the cycle only and the variant does not mean it so."""
+        return self.has_mechanism and bool(self.kinematics.gaps) and not self.variant.allow_partial
 
 
 def solve(variant: Variant) -> Results:
     """Solve a variant chapter by chapter. Raises ProblemError with what cannot be solved and why."""
+    lever = _lever(variant) if variant.mechanism is not None else Results(variant)
+    return replace(lever, **_gears(variant))
+
+
+def _lever(variant: Variant) -> Results:
+    """The chapters of the lever mechanism."""
     drawing, positions = variant.drawing, variant.positions
     found_structure = structure.solve(variant.mechanism)
     found_kinematics = kinematics.solve(positions, found_structure)
@@ -69,3 +93,17 @@ def solve(variant: Variant) -> Results:
         found_force_plans,
         found_friction,
     )
+
+
+def _gears(variant: Variant) -> dict[str, Any]:
+    """The chapters of gears that are asked for."""
+    found: dict[str, Any] = {}
+    if variant.drive is not None:
+        from tmm_report.chapters import drive
+
+        found["drive"] = drive.solve(variant.drive)
+    if variant.eccentric is not None:
+        from tmm_report.chapters import eccentric
+
+        found["eccentric"] = eccentric.solve(variant.eccentric)
+    return found

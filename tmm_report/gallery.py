@@ -14,17 +14,17 @@ from functools import cached_property
 from pathlib import Path
 from urllib.parse import quote
 
-import numpy as np
 from markupsafe import Markup
 
 from tmm_report import load, solve
 from tmm_report.course import Results
 from tmm_report.figures.drawing import Drawing, polygon, svg
+from tmm_report.figures.eccentric import assembled
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.cycle import Extreme
 from tmm_report.mechanics.structure import ROMAN
 from tmm_report.output import write
-from tmm_report.problems import Problem, ProblemError
+from tmm_report.problems import Message, Problem, ProblemError
 from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template
@@ -37,7 +37,10 @@ PAGE = "README.md"  # shown by sites that show a folder
 
 @dataclass(frozen=True, eq=False)
 class Entry:
-    """One variant of the gallery: what was found, or the mistakes that stop it."""
+    """One variant of the gallery: what was found, and what is wrong with it.
+
+    `problems`: the mistakes that stop it, or where it cannot be assembled though it is meant to go all round.
+    """
 
     file: Path
     results: Results | None = None
@@ -67,8 +70,29 @@ class Entry:
         return re.sub(r"[^\w -]", "", self.name.lower()).replace(" ", "-")
 
     @property
+    def lever(self) -> Results | None:
+        """What was found, if there is a lever mechanism in it."""
+        return self.results if self.results is not None and self.results.has_mechanism else None
+
+    @property
+    def drawn(self) -> bool:
+        """Whether it has a picture: a lever mechanism or an eccentric one has."""
+        return self.results is not None and (self.lever is not None or self.results.eccentric is not None)
+
+    @property
     def class_(self) -> str:
-        return ROMAN[self.results.structure.mechanism_class] if self.results is not None else ""
+        return ROMAN[self.lever.structure.mechanism_class] if self.lever is not None else ""
+
+    @property
+    def gaps(self) -> list[Message]:
+        """Over which part of the cycle it cannot be assembled, and what would cure it."""
+        return [gap.text for gap in self.lever.kinematics.gaps] if self.lever is not None else []
+
+    @property
+    def gears(self) -> list[Message]:
+        """What was found of its gears."""
+        chapters = (self.results.drive, self.results.eccentric) if self.results is not None else ()
+        return [message for found in chapters if found is not None for message in found.summary()]
 
     @cached_property
     def balancing(self) -> Extreme | None:
@@ -88,14 +112,6 @@ class Entry:
         worst = max(found.worst_lever, found.worst_power)
         return 10.0 ** math.ceil(math.log10(worst)) if worst > 0 else 0.0
 
-    @cached_property
-    def sines(self) -> list[tuple[str, float]]:
-        """Groups and the least of each one's sine at the positions of the table and the diagram."""
-        assert self.results is not None
-        motions = (self.results.kinematics.table, self.results.kinematics.diagram)
-        labels = [group.label for group in self.results.structure.groups]
-        return [(label, float(min(np.nanmin(m.sines[label]) for m in motions))) for label in labels]
-
 
 class Markdown(Html):
     """Text of a Markdown page: what could be markup there, or HTML, stands as it is written."""
@@ -113,7 +129,7 @@ def variants(folder: Path | None = None) -> list[Path]:
 def make(
     files: Sequence[Path], folder: Path, tr: Translator, stage: Callable[[str], None] = lambda name: None
 ) -> tuple[Path, list[Entry]]:
-    """Write the gallery of the files into a folder: its page, and the entries that could not be solved.
+    """Write the gallery of the files into a folder: its page, and the entries with something wrong in them.
 
     `stage` is told each file's name as its turn comes. Raises OSError where the folder cannot be written.
     """
@@ -124,24 +140,35 @@ def make(
         entries.append(entry(file))
         pictures |= picture(entries[-1], tr)
     write(folder, {PAGE: page(entries, folder, tr), **pictures})
-    return folder / PAGE, [one for one in entries if one.results is None]
+    return folder / PAGE, [one for one in entries if one.problems]
 
 
 def entry(file: Path) -> Entry:
     """Solve one file."""
     try:
-        return Entry(file, solve(load(file)))
+        results = solve(load(file))
     except ProblemError as error:
         return Entry(file, problems=tuple(error.problems))
+    gaps = results.kinematics.gaps if results.partial else ()
+    path = ("mechanism", "links")
+    return Entry(
+        file, results, tuple(Problem(gap.text, path=(*path, gap.links[0]), file=str(file)) for gap in gaps)
+    )
 
 
 def picture(entry: Entry, tr: Translator) -> dict[str, bytes]:
-    """The scheme as the note draws it, on white, by its name; nothing for what is not solved."""
-    if entry.results is None:
+    """The scheme as the note draws it, on white, by its name; nothing for what has none."""
+    if not entry.drawn:
         return {}
-    position = Samples(entry.results).position
-    drawn = replace(Pictures(entry.results, tr).one_position(position), title=entry.topic)
+    drawn = replace(_drawing(entry, tr), title=entry.topic)
     return {entry.picture: (svg(_on_white(drawn)) + "\n").encode()}
+
+
+def _drawing(entry: Entry, tr: Translator) -> Drawing:
+    if entry.lever is not None:
+        return Pictures(entry.lever, tr).one_position(Samples(entry.lever).position)
+    assert entry.results is not None and entry.results.eccentric is not None
+    return assembled(entry.results.eccentric, Page(Html(), tr, Numbering()).num)
 
 
 def _on_white(drawing: Drawing) -> Drawing:

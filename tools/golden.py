@@ -22,6 +22,7 @@ from tmm_report.tables import tables, values
 ROOT = Path(__file__).resolve().parent.parent
 GOLDEN = ROOT / "tests" / "golden"
 TOLERANCE = 1e-9  # of the largest number of a row
+ROUNDING = ("disagreement", "overlap", "clearance")
 DIGITS = 13  # written; the rest is rounding errors, which differ from machine to machine
 
 Row = str | list[float | None]
@@ -29,7 +30,8 @@ Row = str | list[float | None]
 
 def key_numbers(results: Results) -> dict[str, Row]:
     """Rows of key numbers: SI, degrees for angles of position 0; None for what does not exist."""
-    return {"structure": results.structure.formula, **_single(results), **_series(results)}
+    structure = {"structure": results.structure.formula} if results.has_mechanism else {}
+    return {**structure, **_single(results), **_series(results)}
 
 
 def _single(results: Results) -> dict[str, Row]:
@@ -38,7 +40,7 @@ def _single(results: Results) -> dict[str, Row]:
     scales = _scales(results)
     for value in values(results):
         # how well the drawings and the checks agree is rounding: their limits are tested elsewhere
-        if not value.key.startswith("delta") and not value.key.endswith("disagreement"):
+        if not value.key.startswith("delta") and not value.key.endswith(ROUNDING):
             key = value.key.removesuffix("_min").removesuffix("_max")
             rows.setdefault(key, []).append(_kept(value.value, scales.get(key, 0.0)))
     return dict(rows)
@@ -46,6 +48,8 @@ def _single(results: Results) -> dict[str, Row]:
 
 def _scales(results: Results) -> dict[str, float]:
     """What a motion with the output's stroke has for velocity and acceleration: beside it, rounding errors are 0."""
+    if not results.has_mechanism:
+        return {}
     omega = abs(results.kinematics.omega)
     return {
         f"{letter}_{travel.output.name}": travel.stroke * omega**power

@@ -49,6 +49,31 @@ def test_extremes_given_are_marked_in_place_of_the_sampled_ones():
     assert "−1.2345" not in text
 
 
+def test_noise_is_drawn_as_zero_and_has_no_extremes():
+    noise = 1e-9 * np.sin(40 * X)
+    whole, alone = Curve(np.cos(np.radians(X)) * 50 + 50 + noise / 1e3), Curve(noise, panel=1, scale=150.0)
+    marked = Curve(whole.values, extremes=[(180.0, -8e-15), (0.0, 100.0)])
+    assert whole.settled().values.min() == 0 < 1 < whole.settled().values.max()
+    assert marked.settled().extremes == [(180.0, 0.0), (0.0, 100.0)]
+    assert not alone.settled().values.any() and alone.settled().extremes == ()
+    assert "e−" not in graph([whole, alone], X, "x", ["y", "z"]).svg()
+
+
+def test_a_constant_has_no_extremes_and_a_small_curve_of_its_own_keeps_them():
+    steady = Curve(12.57 + 1e-12 * np.sin(X), extremes=[(30.0, 12.57), (90.0, 12.57)])
+    assert steady.settled().extremes == () and steady.settled().values == pytest.approx(12.57)
+    assert Curve(1e-12 * np.sin(X)).settled().extremes is None
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_value_is_not_written_across_the_line_of_zero(sign):
+    values = sign * (6 + 94 * np.sin(np.radians(X) / 2))
+    axes = graph([Curve(values)], X, "x", ["y"]).figure.axes[0]
+    zero = axes.transData.transform((0, 0))[1]
+    boxes = [text.get_window_extent() for text in axes.texts]
+    assert len(boxes) == 2 and not any(box.y0 < zero < box.y1 for box in boxes)
+
+
 def test_curves_differ_without_colour():
     figure = drawn().figure
     looks = [

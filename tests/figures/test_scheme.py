@@ -6,12 +6,22 @@ from itertools import combinations
 
 import numpy as np
 import pytest
-from mechanisms import CASES, compressor, offset_slider, rotated, scotch_yoke
+from mechanisms import CASES, compressor, four_bar, offset_slider, rotated, scotch_yoke
 
 from tmm_report.figures.bodies import Motion, bodies
 from tmm_report.figures.drawing import Circle, Path, Text, svg, tikz
 from tmm_report.figures.marks import JOINT
-from tmm_report.figures.scheme import GROUPS_PAGE, groups_apart, positions_scheme, scheme, standard_scale
+from tmm_report.figures.scheme import (
+    AWAY,
+    GROUPS_PAGE,
+    LEADER,
+    SMALL,
+    groups_apart,
+    positions_scheme,
+    scheme,
+    standard_scale,
+)
+from tmm_report.mechanics.mechanism import Link
 
 GROUPS = [("I (0,1)", ("0", "1")), ("II (2,3)", ("2", "3"))]
 
@@ -82,6 +92,55 @@ def test_a_point_within_a_straight_link_bends_nothing():
         and len(body.bars) == 1
         and abs(body.bars[0][1] - body.bars[0][0]) == pytest.approx(60)
     )
+
+
+def throws():
+    """The compressor with a second throw of its crank, at a right angle, and a point of the frame below."""
+    mechanism, places, turns = compressor()
+    crank = replace(mechanism.links["1"], points={"O": 0, "A": 0.1, "E": 0.07j})
+    more = {
+        "0": replace(mechanism.links["0"], points={"O": 0, "W": -0.2j}),
+        "1": crank,
+        "6": Link("6", {"E": 0, "F": 0.05}),
+    }
+    places |= {"E": 0.07j * turns["1"], "F": 0.07j * turns["1"] + 0.05, "W": np.full(12, -0.2j)}
+    return replace(mechanism, links=mechanism.links | more), places, turns | {"6": np.ones(12)}
+
+
+def test_a_crank_of_two_throws_is_two_bars_and_one_of_them_is_numbered():
+    body = bodies(Motion(*throws(), 0.005))["1"]
+    assert body.plate == () and len(body.bars) == 2 and len(body.welds) == 1
+    assert sorted(abs(b - a) for a, b in body.bars) == pytest.approx([14, 20])
+    numbers = [i for i in positions_scheme(*throws(), 0.005).items if isinstance(i, Text) and i.size == SMALL]
+    assert sum(i.parts == ("9",) for i in numbers) == 1
+
+
+def test_a_point_that_is_no_joint_is_marked_where_it_is_fixed():
+    mechanism, places, turns = throws()
+    crosses = [i.strokes[0] for i in scheme(mechanism, places, turns, 0.005).items if isinstance(i, Path)]
+    middles = [(stroke[0] + stroke[1]) / 2 for stroke in crosses if len(stroke) == 2]
+    assert sum(abs(z + 40j) < 1e-9 for z in middles) == 2
+
+
+@pytest.mark.parametrize("gap", [12.0, 7.5])
+def test_blocks_near_each_other_are_shorter(gap):
+    mechanism, places, turns = compressor()
+    places["B"] = places["B"] - (places["B"][3] - places["D"][3] - gap * 0.005)
+    items = [i for i in scheme(mechanism, places, turns, 0.005, 3).items if isinstance(i, Path)]
+    blocks = [np.real(i.strokes[0]) for i in items if i.fill == "white" and len(i.strokes[0]) == 4]
+    assert [np.ptp(block) for block in blocks] == pytest.approx([min(9.0, 0.9 * gap)] * 2)
+
+
+def test_numbers_far_from_their_places_are_led_to_them():
+    mechanism, places, turns = four_bar()
+    small = positions_scheme(mechanism, places, turns, 0.006)
+    leaders = [i.strokes[0] for i in small.items if isinstance(i, Path) and i.pen == LEADER]
+    texts = [i.box for i in small.items if isinstance(i, Text) and i.size == SMALL]
+    dots = np.array([z for p in "AB" for z in places[p] / 0.006])
+    for start, end in leaders:
+        assert abs(dots - start).min() < 1e-9 and abs(end - start) > AWAY
+        assert any(x0 <= end.real <= x1 and y0 <= end.imag <= y1 for x0, y0, x1, y1 in texts)
+    assert leaders and crowded(small) <= 1
 
 
 def test_a_ternary_link_is_a_plate():

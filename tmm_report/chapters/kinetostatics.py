@@ -119,7 +119,7 @@ class _Solver:
         scale = np.sum(np.abs(terms), axis=0) / abs(omega) + np.abs(balancing)
         # where all terms are next to nothing, rounding errors are judged by the rest of the cycle and by the energy
         # of the links, J = N m for a radian
-        scale = np.maximum(scale, 1e-3 * np.nanmax([scale, kinetic_energy(motion)]))
+        scale = np.maximum(scale, max(1e-3 * np.nanmax(scale), np.nanmax(kinetic_energy(motion))))
         return Solved(motion, turned, load, replace(found, balancing=balancing), lever, power, scale)
 
 

@@ -6,10 +6,12 @@ would hide another one, or the link itself carries a guide (a yoke), the link is
 
 from __future__ import annotations
 
+import cmath
 import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -163,10 +165,25 @@ def _body(motion: Motion, name: str) -> Body:
     nodes = _nodes(motion, name) + [centre for centre, _ in blocks]
     bars, welds = _framework(rails + rods, nodes)
     hull = [] if bars else _hull(nodes)
+    if len(hull) > 2 and (pivot := _pivot(motion, name)) is not None:
+        bars, welds, hull = *_spokes(pivot, nodes), []
     if len(hull) == 2:
         bars = [(hull[0], hull[1])]
     plate = tuple(hull) if len(hull) > 2 else ()
     return Body(tuple(bars), plate, tuple(blocks), tuple(welds))
+
+
+def _pivot(motion: Motion, name: str) -> complex | None:
+    """Where the driver turns about the frame, in its own axes, mm; None for any other link."""
+    mechanism = motion.mechanism
+    fixed = [p for p in mechanism.links[name].points if p in mechanism.links[FRAME].points]
+    return motion.local(name, fixed[0]) if name == mechanism.driver.link and fixed else None
+
+
+def _spokes(pivot: complex, nodes: Sequence[complex]) -> tuple[list[Bar], list[Weld]]:
+    """A crank of several throws: a bar from its pivot to each, one piece with the next."""
+    throws = sorted((z for z in nodes if abs(z - pivot) > NEAR), key=lambda z: cmath.phase(z - pivot))
+    return [(pivot, z) for z in throws], [(pivot, one, other) for one, other in pairwise(throws)]
 
 
 def _nodes(motion: Motion, name: str) -> list[complex]:

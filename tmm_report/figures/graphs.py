@@ -9,12 +9,14 @@ from __future__ import annotations
 import io
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from hashlib import sha256
 from itertools import cycle
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+from tmm_report.quantity import ZERO
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -25,6 +27,7 @@ WIDTH = 165.0  # mm
 PANEL = 48.0  # height of a panel, mm
 LEFT, RIGHT, ABOVE, BELOW = 20.0, 4.0, 6.0, 12.0  # margins for the figures and labels, mm
 MM = 1 / 25.4  # inches
+OFF, TALL = 5.0, 9.0  # of a value written by an extreme: how far it stands off, its height, points
 
 # told apart without colour: by dashes and by markers
 LOOKS: tuple[dict[str, Any], ...] = (
@@ -51,12 +54,24 @@ SETTINGS: dict[Any, Any] = {
 class Curve:
     """One curve: `values` (P,) in the unit of its panel's label; `name` goes into the legend where there is one.
 
-    `extremes`: the points to mark as (x, value); None: the greatest and the least of `values`."""
+    `extremes`: the points to mark as (x, value); None: the greatest and the least of `values`.
+    `scale`: the natural size of the quantity, beside which a curve that is nothing but rounding is seen to be one.
+    """
 
     values: np.ndarray
     name: str = ""
     panel: int = 0
     extremes: Sequence[tuple[float, float]] | None = None
+    scale: float = 0.0
+
+    def settled(self) -> Curve:
+        """The curve without the noise of computation: what is noise is 0, a constant has no extremes."""
+        noise = ZERO * max(self.scale, np.nanmax(np.abs(self.values), initial=0.0))
+        values = np.where(np.abs(self.values) <= noise, 0.0, self.values)
+        if not np.nanmax(values, initial=-np.inf) - np.nanmin(values, initial=np.inf) > noise:
+            return replace(self, values=values, extremes=())
+        ends = self.extremes and [(at, value if abs(value) > noise else 0.0) for at, value in self.extremes]
+        return replace(self, values=values, extremes=ends)
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,6 +120,7 @@ def graph(
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
+    curves = [curve.settled() for curve in curves]
     with rc_context(SETTINGS):
         figure = Figure(figsize=(WIDTH * MM, _height(len(ylabels)) * MM))
         FigureCanvasAgg(figure)
@@ -144,12 +160,16 @@ def _panel(axes: Axes, curves: Sequence[Curve], x: np.ndarray, label: str, comma
     lines = []
     for curve, look in zip(curves, cycle(LOOKS), strict=False):
         lines += axes.plot(x, curve.values, markevery=max(1, len(x) // 12), **look)
-        _mark_extremes(axes, curve, x, look["color"], comma)
+        axes.plot(*_apart(_extremes(curve, x)), "o", mfc="white", mec=look["color"], ms=5, ls="none")
     axes.set_ylabel(label, parse_math=False)
     axes.yaxis.set_label_coords(-(LEFT - 4) / (WIDTH - LEFT - RIGHT), 0.5)
     axes.axhline(0, color="black", linewidth=0.6)
     axes.grid(True, color="#D0D0D0", linewidth=0.4)
     axes.margins(y=0.16)
+    if not any(np.nan_to_num(curve.values).any() for curve in curves):
+        axes.set_ylim(-1, 1)  # left to itself, the axis of a line of zeros is ruled in rounding errors
+    for curve, look in zip(curves, cycle(LOOKS), strict=False):
+        _write_extremes(axes, curve, x, look["color"], comma)
     axes.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 2.5, 4, 5, 10]))
     axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: _figure(value, comma)))
     if any(curve.name for curve in curves):
@@ -172,20 +192,22 @@ def _extremes(curve: Curve, x: np.ndarray) -> list[tuple[float, float]]:
     return [(float(x[k]), float(curve.values[k])) for k in picks]
 
 
-def _mark_extremes(axes: Axes, curve: Curve, x: np.ndarray, colour: str, comma: bool) -> None:
-    """A ring at each extreme, its value over a greatest and under a least."""
+def _apart(points: Sequence[tuple[float, float]]) -> tuple[list[float], list[float]]:
+    return [at for at, _ in points], [value for _, value in points]
+
+
+def _write_extremes(axes: Axes, curve: Curve, x: np.ndarray, colour: str, comma: bool) -> None:
+    """The value over a greatest and under a least; the limits of the axes are set before."""
     points = _extremes(curve, x)
-    axes.plot(
-        *zip(*points, strict=True) if points else ((), ()), "o", mfc="white", mec=colour, ms=5, ls="none"
-    )
     middle = float(np.nanmean(curve.values)) if points else 0.0
     for at, value in points:
-        up = value >= middle
-        side = int(at < x[0] + 10) - int(at > x[-1] - 10)  # at an edge of the panel, inwards
+        text, up = _figure(value, comma), value >= middle
+        reach = 0.0065 * len(text) * (x[-1] - x[0])  # half of its width
+        side = int(at - x[0] < reach) - int(x[-1] - at < reach)  # at an edge of the panel, inwards
         axes.annotate(
-            _figure(value, comma),
+            text,
             (at, value),
-            xytext=(4 * side, 5 if up else -5),
+            xytext=(4 * side, _off(axes, value, up) * (1 if up else -1)),
             textcoords="offset points",
             ha=("center", "left", "right")[side],
             va="bottom" if up else "top",
@@ -194,6 +216,13 @@ def _mark_extremes(axes: Axes, curve: Curve, x: np.ndarray, colour: str, comma: 
             parse_math=False,
             bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.4},
         )
+
+
+def _off(axes: Axes, value: float, up: bool) -> float:
+    """How far from its extreme a value is written, points: beyond the line of zero rather than across it."""
+    low, high = axes.get_ylim()
+    zero = abs(value) / (high - low) * axes.bbox.height * 72 / axes.figure.dpi
+    return zero + 2 if up == (value < 0) and OFF - 2 < zero < OFF + TALL else OFF
 
 
 def _figure(value: float, comma: bool) -> str:

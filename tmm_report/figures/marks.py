@@ -39,6 +39,11 @@ def half_joint(at: complex, out: complex) -> list[Item]:
     return [Circle(at, 1.25 * JOINT, None, "white"), Arc(at, 1.25 * JOINT, start, start + math.pi, Pen(0.5))]
 
 
+def place(at: complex) -> list[Item]:
+    """A point of the frame that is no joint: a guide goes through it."""
+    return [line(at - arm, at + arm, THIN) for arm in (0.8 + 0.8j, 0.8 - 0.8j)]
+
+
 def support(at: complex) -> list[Item]:
     """A fixed pivot: a triangle on hatched ground."""
     left, right = at - SUPPORT, at + SUPPORT.conjugate()
@@ -50,8 +55,9 @@ def ground(start: complex, end: complex, side: complex) -> list[Item]:
     return [hatching(start, end, side), line(start, end, NORMAL)]
 
 
-def block(at: complex, along: complex) -> list[Item]:
-    half, up = BLOCK.real * along, 1j * BLOCK.imag * along
+def block(at: complex, along: complex, size: complex = BLOCK) -> list[Item]:
+    """A slider of half length and half height `size`, mm."""
+    half, up = size.real * along, 1j * size.imag * along
     return [polygon((at - half - up, at + half - up, at + half + up, at - half + up), NORMAL, "white")]
 
 

@@ -11,7 +11,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import product
+from itertools import combinations, product
 
 import numpy as np
 
@@ -41,6 +41,8 @@ FAINT = Pen(0.18, "grey")
 TRACE = Pen(0.22, "blue")
 SMALL = 2.5  # height of the numbers of positions, mm
 SEEN = 0.15  # the least angle that is marked, rad
+LEADER = Pen(0.1, "blue")
+AWAY = 2.6  # a number farther than this from its place is led to it by a line, mm
 
 Arrays = Mapping[str, np.ndarray]
 Group = tuple[str, Sequence[str]]  # its name as it is printed, its links ("0" with the driving link)
@@ -59,7 +61,7 @@ def scheme(
 
     def draw(mu: float) -> Drawing:
         view = _view(mechanism, places, turns, mu, position)
-        items = (*view.frame(), *view.links(), *view.rotation(), *view.angle(zero))
+        items = (*view.plates(), *view.frame(), *view.links(), *view.rotation(), *view.angle(zero))
         tags = view.point_tags() + view.number_tags() + view.rotation_tags() + view.angle_tags(zero)
         return Drawing(items, title).labelled(tags)
 
@@ -84,8 +86,10 @@ def positions_scheme(
     mu = mu_l or standard_scale(mechanism, places, turns)
     view = _view(mechanism, places, turns, mu, position)
     items = (*_superposed(view, paths or {}, traced), *view.rotation())
-    tags = view.point_tags() + _position_tags(view) + view.number_tags() + view.rotation_tags()
-    return Drawing(items, title).labelled(tags)
+    drawing = Drawing(items, title).labelled(view.point_tags())
+    for point in _labelled(view):
+        drawing = _with_numbers(drawing, _position_tags(view, point))
+    return drawing.labelled(view.number_tags() + view.rotation_tags())
 
 
 def groups_apart(
@@ -198,7 +202,8 @@ class View:
                 items += self._fixed_slide(slide, guide)
         for point, names in self.joints.items():
             items += marks.support(self.points[point]) if FRAME in names else []
-        return items
+        guiding = [p for p in self.points if self._fixed(p) and p not in self.joints]
+        return items + [item for p in guiding for item in marks.place(self.points[p])]
 
     def _fixed_slide(self, slide: Slide, guide: Guide) -> list[Item]:
         along = number(guide.direction)
@@ -233,7 +238,7 @@ class View:
         items = self.skeleton(THICK, chosen)
         for name in chosen:
             for centre, along in self.bodies[name].blocks:
-                items += marks.block(self.at(name, centre), self.turn(name) * along)
+                items += marks.block(self.at(name, centre), self.turn(name) * along, self.block)
         joints = [
             point for point, links in self.joints.items() if names is None or len(set(links) & set(names)) > 1
         ]
@@ -242,14 +247,27 @@ class View:
         single = [p for name in chosen for p in self.mechanism.links[name].points if p not in self.joints]
         return items + [dot(self.points[p], 0.7 if p in centres else 0.5) for p in single if p in self.points]
 
+    @cached_property
+    def block(self) -> complex:
+        """Half length and half height of the blocks, mm: shorter where two of them stand near each other."""
+        centres = [self.at(name, place) for name, place in self._block_centres()]
+        gaps = [gap for a, b in combinations(centres, 2) if (gap := abs(a - b)) > NEAR]
+        room = max(0.5 * BLOCK.real, 0.45 * min(gaps, default=math.inf))
+        return complex(min(BLOCK.real, room), BLOCK.imag)
+
+    def plates(self, names: Sequence[str] | None = None) -> list[Item]:
+        """The fill of stiff plates, to lie under everything else."""
+        chosen = self.bodies if names is None else [name for name in names if name in self.bodies]
+        corners = [[self.at(name, z) for z in self.bodies[name].plate] for name in chosen]
+        return [polygon(plate, None, "pale", 0.6) for plate in corners if plate]
+
     def skeleton(self, pen: Pen, names: Sequence[str] | None = None) -> list[Item]:
-        """Bars, plates and stiff corners of the links, one pen for all."""
+        """Bars, outlines of plates and stiff corners of the links, one pen for all."""
         items: list[Item] = []
         for name in self.bodies if names is None else names:
             body = self.bodies[name]
             if body.plate:
-                fill = "pale" if pen is THICK else ""
-                items.append(polygon([self.at(name, z) for z in body.plate], pen, fill, 0.6))
+                items.append(polygon([self.at(name, z) for z in body.plate], pen))
             items += [line(self.at(name, a), self.at(name, b), pen) for a, b in body.bars]
             if pen is THICK:
                 welds = [tuple(self.at(name, z) for z in weld) for weld in body.welds]
@@ -321,6 +339,7 @@ class View:
         """Radius, start and sweep of the arrow of rotation, mm, rad."""
         length, sense = self._crank()
         radius = 1.6 * min(max(0.45 * length, 5.0), 9.0)
+        radius = radius if radius < 0.8 * length else length + 6  # beyond the numbers round a short crank
         return radius, cmath.phase(self.turn(self.driver)) + 0.4 * sense, 1.0 * sense
 
     def _arc_tag(self, letter: str, radius: float, start: float, sweep: float) -> Tag:
@@ -335,9 +354,13 @@ class View:
         wanted = {p: z for p, z in self.points.items() if names is None or p in names}
         groups = together(wanted)
         return [
-            Tag(joined([symbol(p) for p in group]), (place,), gap=marks.JOINT + 0.7)
+            Tag(joined([symbol(p) for p in group]), (place,), gap=self._room(group) + 0.7)
             for group, place in groups
         ]
+
+    def _room(self, points: Sequence[str]) -> float:
+        """Radius of the mark of points that coincide, mm."""
+        return marks.JOINT if any(p in self.joints for p in points) else 0.5
 
     def number_tags(self, names: Sequence[str] | None = None) -> list[Tag]:
         chosen = [name for name in self.bodies if names is None or name in names]
@@ -351,7 +374,7 @@ class View:
         if body.bars:
             a, b = max(body.bars, key=lambda bar: abs(bar[1] - bar[0]))
             return tuple(self.at(name, a + share * (b - a)) for share in (0.5, 0.4, 0.6, 0.3, 0.7))
-        corners = [BLOCK, BLOCK.conjugate(), -BLOCK, -BLOCK.conjugate()]
+        corners = [self.block, self.block.conjugate(), -self.block, -self.block.conjugate()]
         return tuple(
             self.at(name, centre + corner * along) for centre, along in body.blocks for corner in corners
         )
@@ -369,7 +392,8 @@ def _superposed(view: View, paths: Arrays, traced: Sequence[str]) -> list[Item]:
     """The view over all other positions drawn thin, with trajectories and the places of the joints."""
     others = [replace(view, position=k) for k in range(view.motion.count) if k != view.position]
     faint = [item for other in others for item in other.skeleton(FAINT)]
-    return [*view.frame(), *faint, *_traces(view, paths, traced), *_position_dots(view), *view.links()]
+    under = [*view.plates(), *view.frame(), *faint]
+    return [*under, *_traces(view, paths, traced), *_position_dots(view), *view.links()]
 
 
 def _grounded(view: View) -> set[str]:
@@ -384,7 +408,7 @@ def _sliding(view: View) -> set[str]:
 
 
 def _numbered(view: View) -> list[str]:
-    """Joints of grounded links, whose places are numbered."""
+    """Joints of grounded links, whose places are marked."""
     grounded = _grounded(view)
     return [p for p, links in view.joints.items() if FRAME not in links and grounded & set(links)]
 
@@ -433,18 +457,36 @@ def _position_dots(view: View) -> list[Item]:
     return [dot(z, 0.4) for p in points for z in _position_places(view, p).values()]
 
 
-def _position_tags(view: View) -> list[Tag]:
-    """Numbers by the joints, coinciding ones together (1=11): outside a circle, over a straight guide."""
+def _labelled(view: View) -> list[str]:
+    """Joints whose places are numbered: of the driver's one is enough, the farthest from its pivot."""
+    marked = _numbered(view)
+    cranks = [p for p in marked if view.driver in view.joints[p]]
+    farthest = max(cranks, key=lambda p: round(abs(view.points[p] - view.pivot), 3), default="")
+    return [p for p in marked if p not in cranks or p == farthest]
+
+
+def _position_tags(view: View, point: str) -> list[tuple[complex, Tag]]:
+    """Numbers by the places of a joint, coinciding ones together (1=11): outside a circle, over a straight guide."""
     tags = []
-    for point in _numbered(view):
-        for names, place in together(_position_places(view, point)):
-            out = _outside(view, point, place)
-            rises = (
-                (0.0, BLOCK.imag, BLOCK.imag + SMALL) if _sliding(view) & set(view.joints[point]) else (0.0,)
-            )
-            tiers = tuple(place + rise * out for rise in rises)
-            tags.append(Tag(("=".join(names),), tiers, 0.9, out, SMALL, "blue"))
+    first = view.block.imag if _sliding(view) & set(view.joints[point]) else 0.0
+    for names, place in together(_position_places(view, point)):
+        out = _outside(view, point, place)
+        hidden = first and abs(place - view.points[point]) < view.block.real  # under the block
+        rises = (first if hidden else 0.0, *(first + SMALL * tier for tier in range(5)))
+        tiers = tuple(place + rise * out for rise in rises) if out else (place,)
+        tags.append((place, Tag(("=".join(names),), tiers, 0.9, out, SMALL, "blue")))
     return tags
+
+
+def _with_numbers(drawing: Drawing, tags: Sequence[tuple[complex, Tag]]) -> Drawing:
+    """The drawing with numbers of positions; those put far from their places are led to them by lines."""
+    numbered = drawing.labelled([tag for _, tag in tags])
+    leaders = []
+    for (place, _), text in zip(tags, numbered.items[len(drawing.items) :], strict=True):
+        x0, y0, x1, y1 = text.box if isinstance(text, Text) else numbered.box
+        end = complex(min(max(place.real, x0), x1), min(max(place.imag, y0), y1))
+        leaders += [line(place, end, LEADER)] if abs(end - place) > AWAY else []
+    return replace(numbered, items=(*leaders, *numbered.items))
 
 
 def _outside(view: View, point: str, place: complex) -> complex:
@@ -468,7 +510,7 @@ def _share(view: View, one: str, other: str) -> bool:
 def _taken_off(view: View, name: str, links: Sequence[str]) -> Drawing:
     """One group with its free half-joints, lettered, its name in the middle under it."""
     own = [link for link in links if link in view.bodies]
-    items = [*_free_guides(view, links), *view.links(links)]
+    items = [*view.plates(own), *_free_guides(view, links), *view.links(links)]
     items += [item for point in view.joints for item in _free_joint(view, point, links)]
     if FRAME in links:
         fixed = [

@@ -9,11 +9,13 @@ template refers to something that comes later.
 from __future__ import annotations
 
 from base64 import b64encode
-from typing import Any, Literal
+from collections.abc import Mapping
+from typing import Any, Literal, NamedTuple
 
 from markupsafe import Markup
 
 from tmm_report.i18n import Translator
+from tmm_report.report import gears
 from tmm_report.report.force_tables import ForceTables
 from tmm_report.report.formats import Html, Tex
 from tmm_report.report.numbering import Numbering
@@ -28,19 +30,31 @@ from tmm_report.resources import data_root
 FORMATS: dict[str, type[Html] | type[Tex]] = {"html": Html, "tex": Tex}
 
 
-def chapters(results: Any) -> list[str]:
-    """Names of the templates of the chapters that were solved, in the order of the note."""
-    names = ["given", "structure", "kinematics", "plans"]
-    if results.kinetostatics is not None:
-        names.append("kinetostatics")
-    if results.friction is not None:
-        names.append("friction")
-    return [*names, "conclusions", "references"]
+class Chapter(NamedTuple):
+    """A template and what it sees beside what every template sees."""
+
+    template: str
+    given: Mapping[str, Any] = {}
+
+
+def chapters(results: Any, page: Page) -> list[Chapter]:
+    """The chapters that were solved, in the order of the note."""
+    found = []
+    if results.has_mechanism:
+        found += [Chapter(name) for name in ("given", "structure", "kinematics", "plans")]
+        found += [Chapter(name) for name in ("kinetostatics", "friction") if getattr(results, name)]
+    views = gears.chapters(results, page)
+    found += [Chapter(name, {"view": view}) for name, view in views]
+    return [
+        *found,
+        Chapter("conclusions", {"gear_conclusions": gears.conclusions(views)}),
+        Chapter("references"),
+    ]
 
 
 def render(results: Any, fmt: Literal["html", "tex"], tr: Translator) -> dict[str, bytes]:
     """File name -> content: "note.html" alone, or "note.tex" with the figures it reads."""
-    form, pictures = FORMATS[fmt](), Pictures(results, tr)
+    form, pictures = FORMATS[fmt](), Pictures(results, tr) if results.has_mechanism else None
     page = Page(form, tr, Numbering())
     note = _pass(results, page, pictures)
     if page.numbering.missing:
@@ -51,29 +65,35 @@ def render(results: Any, fmt: Literal["html", "tex"], tr: Translator) -> dict[st
     return {f"note.{fmt}": note.encode(), **form.files}
 
 
-def _pass(results: Any, page: Page, pictures: Pictures) -> str:
+def _pass(results: Any, page: Page, pictures: Pictures | None) -> str:
     """The note with the numbers that are known by now."""
     given, fmt = _given(results, page, pictures), page.form.name
     given["m"] = template(f"macros.{fmt}.j2").make_module(given)
-    body = [Markup(template(f"chapters/{name}.j2").render(given)) for name in chapters(results)]
+    body = [
+        Markup(template(f"chapters/{chapter.template}.j2").render(given, **chapter.given))
+        for chapter in chapters(results, page)
+    ]
     title = Markup(template("chapters/title.j2").render(given))
     return template(f"report.{fmt}.j2").render(given, title=title, body=body, **_own_files(fmt))
 
 
-def _given(results: Any, page: Page, pictures: Pictures) -> dict[str, Any]:
+def _given(results: Any, page: Page, pictures: Pictures | None) -> dict[str, Any]:
     """What every template sees beside the macros `m`."""
-    words = Words(results, page)
     functions = ("t", "math", "sym", "value", "num", "unit", "listed")
+    lever = _lever(results, page, pictures) if pictures is not None else {}
+    return {"r": results, "page": page, **lever, **{name: getattr(page, name) for name in functions}}
+
+
+def _lever(results: Any, page: Page, pictures: Pictures) -> dict[str, Any]:
+    """What the templates of the lever mechanism's chapters see."""
+    words = Words(results, page)
     return {
-        "r": results,
-        "page": page,
         "words": words,
         "tables": Tables(results, page, words),
         "forces": ForceTables(results, page, words),
         "special": SpecialTables(results, page, words),
         "pictures": pictures,
         "samples": Samples(results),
-        **{name: getattr(page, name) for name in functions},
     }
 
 

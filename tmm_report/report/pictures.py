@@ -177,11 +177,19 @@ class Pictures:
         factors = (np.degrees(1) if rocker else 1.0, 1.0, 1.0)
         values = (travel.diagram_S, travel.diagram_V, travel.diagram_a)
         peaks = ((travel.near, travel.far), travel.V_extremes, travel.a_extremes)
+        sizes = np.abs(self.r.kinematics.omega) ** np.arange(3) * (1.0 if rocker else self._reach)
         curves = [
-            Curve(x * factor, panel=k, extremes=_points(ends, factor))
-            for k, (x, factor, ends) in enumerate(zip(values, factors, peaks, strict=True))
+            Curve(x * factor, panel=k, extremes=_points(ends, factor), scale=size * factor)
+            for k, (x, factor, ends, size) in enumerate(zip(values, factors, peaks, sizes, strict=True))
         ]
         return self._graph(curves, [self._label(*name) for name in names])
+
+    @cached_property
+    def _reach(self) -> float:
+        """Speed of the fastest point over that of the driver's turning, m: the size of what moves."""
+        motion = self.r.kinematics.table
+        speeds = [np.nanmax(np.abs(motion.velocity(p)), initial=0.0) for p in self.mechanism.point_names]
+        return float(max(speeds) / abs(self.r.kinematics.omega))
 
     def travel_scales(self, travel: Travel) -> list[Scale]:
         if travel.output.kind == "rocker":
@@ -207,7 +215,9 @@ class Pictures:
     def balancing(self) -> Graph:
         found = self.r.kinetostatics
         label = self._label("M" + self.tr.pgettext("index", "bal"), "N·m")
-        return self._graph([Curve(found.diagram.balancing, extremes=_points(found.extremes))], [label])
+        size = float(np.nanmax(found.diagram.scale, initial=0.0))
+        curve = Curve(found.diagram.balancing, extremes=_points(found.extremes), scale=size)
+        return self._graph([curve], [label])
 
     @once
     def losses(self) -> Graph:

@@ -1,16 +1,9 @@
-"""Results as tables of named columns: the one source of results.json and of the CSV files.
-
-Every column carries its key, unit and meaning; docs/results.md describes the format.
-"""
+"""Tables and values of the lever mechanism's chapters."""
 
 from __future__ import annotations
 
-import csv
-import io
-import json
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -19,45 +12,16 @@ from tmm_report.chapters.kinematics import Kinematics, Travel, digits_left
 from tmm_report.chapters.kinetostatics import Solved
 from tmm_report.chapters.written import load_keys, reaction_key, unit_of
 from tmm_report.course import Results
-from tmm_report.i18n import Translator
 from tmm_report.mechanics.motion import Linkage, Motion
 from tmm_report.mechanics.relations import moving_points, relations, turning_links
 from tmm_report.problems import N_, Message
+from tmm_report.tables.model import Column, Table, Value
 
 Array = Any
-FORMAT = 1
-
-
-@dataclass(frozen=True, eq=False)
-class Column:
-    """One column: a key, a unit ("" for pure numbers and text), what it means, and its values."""
-
-    key: str
-    unit: str
-    meaning: Message
-    values: Any  # (P,) numbers, or a list of texts
-
-
-@dataclass(frozen=True, eq=False)
-class Table:
-    name: str
-    meaning: Message
-    columns: tuple[Column, ...]
-
-
-@dataclass(frozen=True)
-class Value:
-    """A single number; `at`: the angle turned from position 0 at which it holds, rad."""
-
-    key: str
-    value: float
-    unit: str
-    meaning: Message
-    at: float | None = None
 
 
 def tables(results: Results) -> list[Table]:
-    """All tables of a variant's results."""
+    """All tables of the lever mechanism."""
     k = results.kinematics
     sets = (
         ("table", k.table, k.turned, k.values),
@@ -319,7 +283,7 @@ def _friction_tables(results: Results) -> Iterator[Table]:
 
 
 def values(results: Results) -> list[Value]:
-    """The single numbers of a variant's results."""
+    """The single numbers of the lever mechanism."""
     s, k, p = results.structure, results.kinematics, results.plans
     found = [
         Value("n", s.moving_links, "", Message(N_("number of moving links"))),
@@ -386,87 +350,3 @@ def _force_values(results: Results) -> Iterator[Value]:
         yield Value(
             "eta_mean", results.friction.mean_efficiency, "", Message(N_("efficiency over the cycle"))
         )
-
-
-# ---------------------------------------------------------------- files
-
-
-def as_json(results: Results, tr: Translator) -> bytes:
-    """results.json: every number with its key, unit and meaning; missing numbers are null."""
-
-    def column(c: Column) -> dict[str, Any]:
-        return {
-            "key": c.key,
-            "unit": c.unit,
-            "meaning": c.meaning.render(tr.gettext),
-            "values": _plain(c.values),
-        }
-
-    def value(v: Value) -> dict[str, Any]:
-        at = {} if v.at is None else {"at_deg": _finite(math.degrees(v.at))}
-        return {
-            "key": v.key,
-            "value": _finite(v.value),
-            "unit": v.unit,
-            "meaning": v.meaning.render(tr.gettext),
-            **at,
-        }
-
-    document = {
-        "format": FORMAT,
-        "title": _title(results),
-        "structure": {
-            "formula": results.structure.formula,
-            "groups": [g.label for g in results.structure.groups],
-        },
-        "values": [value(v) for v in values(results)],
-        "tables": {
-            t.name: {"meaning": t.meaning.render(tr.gettext), "columns": [column(c) for c in t.columns]}
-            for t in tables(results)
-        },
-    }
-    return (json.dumps(document, ensure_ascii=False, allow_nan=False, indent=1) + "\n").encode()
-
-
-def _title(results: Results) -> Mapping[str, str]:
-    return {name: text for name, text in vars(results.variant.title).items() if text}
-
-
-def _plain(column: Iterable[Any]) -> list[Any]:
-    return [x if isinstance(x, str | int) else _finite(float(x)) for x in column]
-
-
-def _finite(x: float) -> float | None:
-    """A number for JSON: null for nan and infinity, and no negative zero."""
-    if isinstance(x, int):
-        return x
-    return x + 0.0 if math.isfinite(x) else None
-
-
-def as_csv(results: Results, tr: Translator) -> dict[str, bytes]:
-    """File name -> CSV of each table. With a decimal comma cells are parted by semicolons, as spreadsheets expect."""
-    return {f"{table.name}.csv": _csv(table, tr) for table in tables(results)}
-
-
-def _csv(table: Table, tr: Translator) -> bytes:
-    out = io.StringIO()
-    writer = csv.writer(out, delimiter=";" if tr.decimal == "," else ",", lineterminator="\r\n")
-    writer.writerow([_text_cell(f"{c.key}, {c.unit}" if c.unit else c.key) for c in table.columns])
-    for row in zip(*(c.values for c in table.columns), strict=True):
-        writer.writerow([_cell(x, tr.decimal) for x in row])
-    return ("\ufeff" + out.getvalue()).encode()  # the mark tells spreadsheets that the text is UTF-8
-
-
-def _cell(x: Any, decimal: str) -> str:
-    if isinstance(x, str):
-        return _text_cell(x)
-    return str(x) if isinstance(x, int) else _number_cell(float(x), decimal)
-
-
-def _text_cell(text: str) -> str:
-    """Text that a spreadsheet must not take for a formula gets an apostrophe in front."""
-    return "'" + text if text[:1] in tuple("=+-@\t\r") else text
-
-
-def _number_cell(x: float, decimal: str) -> str:
-    return repr(x + 0.0).replace(".", decimal) if math.isfinite(x) else ""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from copy import deepcopy
+from dataclasses import replace
 from typing import Any
 
 from pydantic import ValidationError
@@ -12,7 +13,7 @@ from tmm_report import course, yamlread
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.resources import data_root
 from tmm_report.variant import build, checks, errors
-from tmm_report.variant.models import VariantModel
+from tmm_report.variant.models import LeverModel
 from tmm_report.yamlread import Document, Path, file_label, located
 
 __all__ = ["load", "loads", "locate", "new", "schema"]
@@ -41,6 +42,7 @@ def locate(problem: Problem, variant: course.Variant) -> Problem:
 def schema() -> dict[str, Any]:
     """The JSON Schema (draft 2020-12) of the format, for editors."""
     from tmm_report.variant.editor import schema_of  # only `tmm-report schema` needs it
+    from tmm_report.variant.whole import VariantModel
 
     return schema_of(VariantModel)
 
@@ -66,7 +68,12 @@ def _variant(document: Document, file: str, soft: list[Problem]) -> course.Varia
     if problems or model is None:
         found = [located(problem, document.places, file) for problem in problems]
         raise ProblemError(sorted(found, key=lambda problem: (problem.line or 0, problem.column or 0)))
-    return build.variant(model, document.places, file)
+    made = build.variant(model, document.places, file, checks.has_mechanism(document.data))
+    if type(model) is LeverModel:
+        return made
+    from tmm_report.variant.whole import gears_of
+
+    return replace(made, **gears_of(model))
 
 
 def _raw_title(document: Document) -> dict[str, Any]:
@@ -95,16 +102,16 @@ def _without_empty(value: Any, path: Path) -> tuple[Any, list[Problem]]:
     return (kept if isinstance(value, dict) else [kept.get(index) for index, _ in items]), problems
 
 
-def _validated(data: dict[str, Any]) -> tuple[VariantModel | None, list[Problem]]:
+def _validated(data: dict[str, Any]) -> tuple[LeverModel | None, list[Problem]]:
     """The model of what is right in itself, and the mistakes of what is not.
 
     What is wrong is taken out and the rest validated again: a part that cannot do without it goes with it.
     """
     problems: list[Problem] = []
-    rest = data
+    rest, model = data, _model_of(data)
     for attempt in range(yamlread.DEPTH + 2):
         try:
-            return VariantModel.model_validate(rest), problems
+            return model.model_validate(rest), problems
         except ValidationError as error:
             found = errors.problems(error, rest)
         if attempt == 0:
@@ -112,6 +119,15 @@ def _validated(data: dict[str, Any]) -> tuple[VariantModel | None, list[Problem]
         for path in dict.fromkeys(problem.path for problem in found):
             _prune(rest, path)
     return None, problems
+
+
+def _model_of(data: dict[str, Any]) -> type[LeverModel]:
+    """The lever's part of the format where the file has nothing else: the gears' part takes time to load."""
+    if set(data) <= set(LeverModel.model_fields):
+        return LeverModel
+    from tmm_report.variant.whole import VariantModel
+
+    return VariantModel
 
 
 def _prune(data: dict[str, Any], path: Path) -> None:

@@ -37,11 +37,11 @@ from tmm_report.variant.values import SIDES, unit_vector
 _TURNS = {"counter-clockwise": 1, "clockwise": -1, "along motion": "along", "against motion": "against"}
 
 
-def variant(model: m.VariantModel, places: Mapping[Any, Any], file: str) -> course.Variant:
-    """Every block of the variant, in SI."""
+def variant(model: m.LeverModel, places: Mapping[Any, Any], file: str, lever: bool = True) -> course.Variant:
+    """Every block of the variant, in SI; `lever`: whether it has a lever mechanism."""
     follows = "comma" if model.language == "ru" else "point"
     return course.Variant(
-        mechanism=mechanism(model.mechanism),
+        mechanism=mechanism(model.mechanism) if lever else None,  # type: ignore[arg-type]
         title=given.Title(**model.title.model_dump()),
         language=model.language,
         decimal_sign=model.decimal_sign or follows,  # type: ignore[arg-type]

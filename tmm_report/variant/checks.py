@@ -20,6 +20,7 @@ from tmm_report.yamlread import Path
 
 Found = Iterator[Problem]
 _MECHANISM: Path = ("mechanism",)
+GEARS = ("drive", "eccentric")
 _PARTS = {
     "frame": "{O: [0, 0]}",
     "links": "{1: {points: {O: 0, A: 100 mm}}}",
@@ -47,6 +48,16 @@ def names(data: Any) -> Names:
     return Names({FRAME: _names(parts.get("frame")), **points}, list(_mapping(parts.get("guides"))))
 
 
+def _without_mechanism(data: Any) -> Found:
+    """Blocks that speak of a mechanism where there is none."""
+    for block in ("loads", "friction", "readings"):
+        if block in data:
+            right = Message(N_("describe the mechanism in the block mechanism, or take this block out"))
+            yield mistake(
+                N_("there is no lever mechanism that %(block)s could belong to"), (block,), right, block=block
+            )
+
+
 def _mapping(value: Any) -> dict[str, Any]:
     return value if isinstance(value, dict) else {}
 
@@ -55,8 +66,15 @@ def _names(value: Any) -> list[str]:
     return [str(name) for name in value] if isinstance(value, dict | list) else []
 
 
-def check(model: m.VariantModel, data: Any, broken: Iterable[Path]) -> list[Problem]:
+def has_mechanism(data: Any) -> bool:
+    """Whether the file states a lever mechanism, or should: gears alone are a variant too."""
+    return "mechanism" in data or not any(block in data for block in GEARS)
+
+
+def check(model: m.LeverModel, data: Any, broken: Iterable[Path]) -> list[Problem]:
     """All cross mistakes of the parts that are right in themselves; `broken`: paths of those that are not."""
+    if not has_mechanism(data):
+        return list(_without_mechanism(data))
     known, mechanism = names(data), model.mechanism
     found = [
         *_complete(mechanism, data, set(broken)),
@@ -225,7 +243,7 @@ def _assembly(mechanism: m.MechanismModel, known: Names) -> Found:
 # --- loads, friction, positions
 
 
-def _loads(model: m.VariantModel, known: Names) -> Found:
+def _loads(model: m.LeverModel, known: Names) -> Found:
     loads = model.loads or m.LoadsModel()
     for index, force in enumerate(loads.forces):
         if force:
@@ -253,7 +271,7 @@ def _one_each(load: Any, path: Path, count: int) -> Found:
         yield mistake(text, (*path, "by_position"), right, found=len(values), count=count)
 
 
-def _friction(model: m.VariantModel, known: Names) -> Found:
+def _friction(model: m.LeverModel, known: Names) -> Found:
     joints = [*known.all_points, *known.guides]
     for name in model.friction.joints if model.friction else ():
         if name not in joints:
@@ -261,7 +279,7 @@ def _friction(model: m.VariantModel, known: Names) -> Found:
             yield mistake(text, ("friction", "joints", name), near(name, joints), name=name)
 
 
-def _positions(model: m.VariantModel) -> Found:
+def _positions(model: m.LeverModel) -> Found:
     table = model.positions.table
     text = N_("there is no position %(position)s: the table has positions 0 to %(last)s")
     for key in ("plans", "force_plan"):

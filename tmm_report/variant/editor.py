@@ -8,7 +8,7 @@ from pydantic import BaseModel
 from pydantic.json_schema import GenerateJsonSchema
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
-_REQUIRED = {"VariantModel": ["mechanism"], "MechanismModel": ["frame", "links", "driver"]}
+_REQUIRED = {"MechanismModel": ["frame", "links", "driver"]}
 
 
 class _Schema(GenerateJsonSchema):

@@ -11,7 +11,6 @@ from pydantic import BaseModel, ValidationError
 
 from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.units import WrongValue
-from tmm_report.variant.models import VariantModel
 from tmm_report.yamlread import Path, shown
 
 _TEXTS = {
@@ -95,6 +94,8 @@ def data_path(loc: Sequence[str | int], data: Any, missing: bool = False) -> Pat
 
 def _fields(path: Path) -> dict[str, Any]:
     """Names (as written in the file) -> fields that the models allow at the path."""
+    from tmm_report.variant.whole import VariantModel  # every key of the format, gears with it
+
     models = [VariantModel]
     for part in path:
         fields = [field for model in models for name, field in _named(model) if name == part]

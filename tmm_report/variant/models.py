@@ -362,8 +362,8 @@ class TitleModel(Model):
     year: Text = ""
 
 
-class VariantModel(Model):
-    """A variant of a course project: one mechanism and all that is given about it."""
+class LeverModel(Model):
+    """A variant without gears: one lever mechanism and all that is given about it."""
 
     title: TitleModel = Field(default_factory=TitleModel)
     language: Literal["ru", "en"] = Field(default="ru", description="of the note")

@@ -1,0 +1,134 @@
+"""The chapter of the eccentric mechanism: what is chosen, what is refused and with which sentence."""
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from tmm_report.chapters import eccentric
+from tmm_report.mechanics.spur import Rack
+from tmm_report.problems import ProblemError
+
+BASE = {"module": 0.002, "ratio": Fraction(4), "eccentricity": 0.018}
+
+
+def solved(**changes):
+    return eccentric.solve(eccentric.Given(**{**BASE, **changes}))
+
+
+def test_eccentricity_from_teeth():
+    found = solved(ratio=None, eccentricity=None, teeth=(34, 60, 136))
+    assert found.e == pytest.approx(0.018) and found.t == 10 and found.ratio == -4
+
+
+def test_teeth_of_sun_and_ring_with_the_eccentricity():
+    assert solved(ratio=None, teeth=(26, 104)).largest == 48
+
+
+def test_teeth_beyond_the_family_are_taken():
+    """A ring of 216 teeth and a sun of 14, undercut: both are what the teacher chose."""
+    assert solved(ratio=None, eccentricity=None, teeth=(54, 90, 216)).t == 0
+    small = solved(ratio=None, eccentricity=None, teeth=(14, 40, 76))
+    assert ("undercut", "1") in {(c.key, c.wheel) for c in small.failed}
+
+
+def test_a_wider_clearance_takes_a_larger_set():
+    assert solved(clearance=0.001).t == 12
+    assert solved(clearance=0.003).t == 10
+
+
+def test_fractional_ratio():
+    found = solved(ratio=Fraction(7, 2))
+    assert found.ring / found.sun == 3.5
+    assert found.proof.overlap.max() == 0
+
+
+def test_odd_eccentricity_leaves_no_middle_satellite():
+    found = solved(eccentricity=0.017)
+    assert {s.kind for s in found.satellites} == {"largest", "smallest"}
+    assert not found.failed
+
+
+def test_backlash_lets_other_satellites_in():
+    """With 0.4 mm of backlash a residue of 0.068 of a pitch is taken up; without it only exact ones stand."""
+    exact, loose = solved(t=13), solved(t=13, backlash=4e-4)
+    assert all(s.residue == 0 for s in exact.satellites)
+    assert len(loose.satellites) > len(exact.satellites)
+    assert loose.proof.overlap.max() == 0
+    assert all(s.wheel[0] == "6" or s.kind for s in loose.satellites)
+
+
+def test_speeds_satisfy_willis():
+    found = solved(t=10, speed=60.0)
+    for stopped, driven in (("H", "1"), ("3", "1"), ("1", "3")):
+        speed = found.speeds(stopped, driven)
+        assert speed[stopped] == 0 and speed[driven] == 60
+        carrier = speed["H"]
+        assert (speed["1"] - carrier) == pytest.approx(found.ratio * (speed["3"] - carrier))
+        for s in found.satellites:
+            assert (speed[s.wheel] - carrier) * s.teeth == pytest.approx(-(speed["1"] - carrier) * found.sun)
+
+
+def test_condition_margins_are_those_of_the_places():
+    found = solved(t=10, clearance=0.001)
+    margin = {c.wheel: c.margin for c in found.conditions if c.key == "neighbourhood"}
+    centre = {s.wheel: s for s in found.satellites}
+    for (one, other), value in ((("2", "4"), margin["2–4"]), (("4", "5"), margin["4–5"])):
+        a, b = centre[one], centre[other]
+        free = abs(a.centre - b.centre) - 0.001 * (a.teeth + b.teeth) - 0.004 - 0.001
+        assert value == pytest.approx(free, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("changes", "wrong", "right"),
+    [
+        ({"eccentricity": 0.0173}, "not a whole number of half modules", "17 mm or 18 mm"),
+        ({"eccentricity": 0.0004}, "not a whole number of half modules", "1 mm or 2 mm"),
+        ({"ratio": None}, "the ratio of ring and sun is not stated", "ratio: 4"),
+        ({"eccentricity": None}, "the eccentricity is not stated", "18 mm"),
+        ({"ratio": Fraction(4, 5)}, "no room between sun and ring", "above 1"),
+        ({"ratio": Fraction(3), "eccentricity": 0.017}, "no whole numbers of teeth", "16 mm or 18 mm"),
+        ({"t": 40}, "no usable set at t = 40", "t from 2 to 18"),
+        ({"eccentricity": 0.4}, "no set with a ring of at most 200 teeth", "ring_up_to"),
+        ({"ratio": None, "teeth": (34, 60, 30)}, "cannot go round the sun", "[34, 60, 136]"),
+        (
+            {"ratio": None, "teeth": (34, 51, 136)},
+            "no room for the smallest or no eccentricity",
+            "from 52 to 96",
+        ),
+        ({"ratio": None, "teeth": (34, 61, 136)}, "the teeth give the eccentricity 20 mm", "leave one"),
+        ({"ratio": Fraction(5), "teeth": (34, 60, 136)}, "the teeth give the ratio 4", "leave one"),
+        (
+            {"ratio": None, "eccentricity": None, "teeth": (34, 136)},
+            "do not give the eccentricity",
+            "[34, 60, 136]",
+        ),
+        ({"ratio": None, "teeth": (34, 135)}, "half a tooth", "17 mm or 19 mm"),
+        ({"clearance": 0.5}, "no set of the family holds two satellites", "smaller clearance"),
+        ({"rack": Rack(ha=2.0, c=0.5)}, "come to a point", "less than 2.157"),
+        ({"backlash": 0.002}, "backlash", "up to 0.4 mm"),
+    ],
+)
+def test_mistakes_say_what_would_work(changes, wrong, right):
+    with pytest.raises(ProblemError) as caught:
+        solved(**changes)
+    (problem,) = caught.value.problems
+    assert wrong in str(problem.wrong) and right in str(problem.right)
+    assert problem.path[0] == "eccentric" and len(problem.path) == 2
+
+
+def test_what_would_work_works():
+    """The eccentricities proposed for a ratio without whole teeth have solutions."""
+    for e in (0.016, 0.018):
+        assert solved(ratio=Fraction(3), eccentricity=e).sun > 0
+
+
+def test_arrays_are_judged_as_singles():
+    """A row of the family judged alone is the same row."""
+    found = solved()
+    family = found.judged.family
+    for row in (0, 7, len(family.t) - 1):
+        one = type(family)(*(part[row : row + 1] for part in family))
+        alone = eccentric.judge(found.given, found.ratio_of_teeth, found.E, one)
+        for name in ("phi1", "belt", "gap", "closed", "root", "tips", "fit"):
+            np.testing.assert_array_equal(getattr(alone, name)[0], getattr(found.judged, name)[row])

@@ -1,0 +1,112 @@
+"""Drawings of a spur pair: what must be seen is there, at its length in millimetres of paper."""
+
+import xml.etree.ElementTree as ET
+
+import numpy as np
+import pytest
+
+from tmm_report.chapters import blocking, spur
+from tmm_report.chapters.mesh_drafting import Mesh
+from tmm_report.figures.blocking import Plane, contour
+from tmm_report.figures.drawing import THICK, Arc, Path, Text, svg, tikz
+from tmm_report.figures.gearing import ACTIVE, CONTACT, TEETH, mesh_drawing
+from tmm_report.figures.zones import WIDE, pairs_at, zones
+from tmm_report.quantity import number
+
+GIVEN = {
+    "external": spur.Given(-2, 0.006, 0.130, wheels=("4", "5")),
+    "ring": spur.Given(3, 0.004, None, (20, 60), shift=(0.4, 1.0)),
+    "ring drives": spur.Given(1 / 3, 0.004, None, (60, 20), shift=(1.0, 0.4)),
+    "few teeth": spur.Given(-3, 0.01, None, (8, 24), shift=(0.5, 0.2)),
+    "many teeth": spur.Given(-1.5, 0.003, None, (80, 120)),
+}
+
+
+def num(value):
+    return number(value, 4)
+
+
+@pytest.fixture(scope="module", params=GIVEN)
+def found(request):
+    return spur.solve(GIVEN[request.param])
+
+
+@pytest.fixture(scope="module")
+def mesh(found):
+    return Mesh(found.pair, found.points)
+
+
+@pytest.fixture(scope="module")
+def drawing(mesh, found):
+    return mesh_drawing(mesh, found.given.wheels, num, "Gear pair")
+
+
+def texts(drawing):
+    return [
+        "".join(p if isinstance(p, str) else p.base + p.sub for p in i.parts)
+        for i in drawing.items
+        if isinstance(i, Text)
+    ]
+
+
+def strokes(drawing, pen):
+    return [np.array(i.strokes[0]) for i in drawing.items if isinstance(i, Path) and i.pen == pen]
+
+
+def test_three_teeth_of_each_wheel_with_their_working_flanks(drawing, mesh):
+    assert len(strokes(drawing, TEETH)) == 2
+    for i in (0, 1):
+        flanks = strokes(drawing, ACTIVE[i])
+        assert len(flanks) == 3
+        angles = np.unwrap([np.angle(f[0] - mesh.centre(i)) for f in flanks])
+        assert np.abs(np.diff(angles)) == pytest.approx(mesh.wheels[i].pitch_angle)
+
+
+def test_every_circle_has_its_radius_on_paper_and_its_label(drawing, mesh, found):
+    radii = [(item.centre, item.radius) for item in drawing.items if isinstance(item, Arc)]
+    for i, name in enumerate(found.given.wheels):
+        for key in ("d_a", "d_w", "d_b", "d_f"):
+            radius = mesh.radius(getattr(found.pair, key), i)
+            assert any(abs(c - mesh.centre(i)) < 1e-9 and abs(r - radius) < 1e-9 for c, r in radii), key
+            value = num(float(getattr(found.pair, key)[i]) * 500)
+            assert f"r{key[2:]}{name} = {value}" in texts(drawing)
+
+
+def test_the_active_part_is_as_long_as_it_is(drawing, mesh):
+    (line,) = strokes(drawing, CONTACT)
+    assert abs(line[1] - line[0]) == pytest.approx(abs(mesh.length(mesh.pair.active)))
+
+
+def test_points_of_the_line_of_action_are_lettered(drawing):
+    assert {"N1", "N2", "A", "B", "C", "D", "P"} <= set(texts(drawing))
+
+
+def test_the_drawing_fits_the_page_and_both_formats(drawing):
+    assert drawing.size[0] < 168 and drawing.size[1] < 228
+    ET.fromstring(svg(drawing))
+    assert tikz(drawing).count("\n") > 40
+
+
+def test_zones_add_up_to_the_active_part(mesh):
+    drawing = zones(mesh, num, str)
+    assert num(1e3 * abs(float(mesh.pair.active))) in texts(drawing)
+    ET.fromstring(svg(drawing))
+
+
+@pytest.mark.parametrize("ratio", [0.8, 1.0, 1.3432, 1.94, 2.6])
+def test_pairs_in_mesh_are_the_contact_ratio_on_the_average(ratio):
+    pitch = WIDE / ratio
+    at = np.linspace(0, pitch, 40001)[:-1] + 1e-9
+    assert pairs_at(at, pitch).mean() == pytest.approx(ratio, abs=1e-3)
+
+
+def test_the_contour_is_drawn_where_it_is(found):
+    seen = blocking.solve(found)
+    plane = Plane(seen.window)
+    drawing = contour(seen, found.given.wheels, num)
+    borders = strokes(drawing, THICK)
+    assert len(borders) == len(seen.region)
+    for border, piece in zip(borders, seen.region, strict=True):
+        assert np.abs(border - plane.at(piece)).max() < 1e-12
+    assert "K" in texts(drawing) and ("L" in texts(drawing)) == (not seen.feasible)
+    ET.fromstring(svg(drawing))
