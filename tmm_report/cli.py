@@ -66,6 +66,10 @@ def solve(
         str, typer.Option("--format", help="Any of html,tex,json,csv, joined by commas.")
     ] = "html,tex",
     lang: Language = None,
+    all_: Annotated[
+        bool,
+        typer.Option("--all", help="Also list all combinations of teeth of planetary stages, with the reasons."),
+    ] = False,
     pdf: Annotated[
         bool, typer.Option("--pdf", help="Also compile note.tex to note.pdf with pdflatex.")
     ] = False,
@@ -78,7 +82,7 @@ def solve(
     with _progress(say(N_("solving"))) as stage, _mistakes(lambda text: say(text)):
         from tmm_report import load
         from tmm_report import solve as solve_variant
-        from tmm_report.output import render, write
+        from tmm_report.output import combinations, render, write
 
         loaded = load(variant)
         say = _translate(lang or loaded.language)
@@ -87,6 +91,8 @@ def solve(
         for fmt in wanted:
             stage(say(N_("writing %s")) % fmt)
             files |= render(results, fmt, lang)
+        if all_:
+            files |= combinations(results, lang)
         failed = _add_pdf(results, lang, files, stage, say) if pdf else None
         try:
             write(folder, files)

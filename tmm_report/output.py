@@ -40,6 +40,21 @@ def render(results: Results, fmt: str, language: str | None = None) -> dict[str,
     return make_note(results, "html" if fmt == "html" else "tex", tr)
 
 
+def combinations(results: Results, language: str | None = None) -> dict[str, bytes]:
+    """Of every planetary stage, all the combinations of teeth that were judged and why most were rejected, as text."""
+    if results.drive is None:
+        return {}
+    from tmm_report.chapters import planetary
+    from tmm_report.tables.planetary import candidates, listing
+
+    say, files = translator(results, language).gettext, {}
+    for number, stage in enumerate(results.drive.stages, 1):
+        if isinstance(stage, planetary.Found):
+            text = "\n".join(listing(candidates(stage.given), say)) + "\n"
+            files[f"tables/stage{number}_combinations.txt"] = text.encode()
+    return files
+
+
 def write(folder: Path, files: Mapping[str, bytes]) -> list[Path]:
     """Write files into a folder, each whole or not at all; other files there are left alone.
 

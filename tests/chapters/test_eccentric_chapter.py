@@ -104,7 +104,7 @@ def test_condition_margins_are_those_of_the_places():
             "[34, 60, 136]",
         ),
         ({"ratio": None, "teeth": (34, 135)}, "half a tooth", "17 mm or 19 mm"),
-        ({"clearance": 0.5}, "no set of the family holds two satellites", "smaller clearance"),
+        ({"clearance": 0.5}, "leave a clearance of 500 mm", "a clearance under 309.1 mm"),
         ({"rack": Rack(ha=2.0, c=0.5)}, "come to a point", "less than 2.157"),
         ({"backlash": 0.002}, "backlash", "up to 0.4 mm"),
     ],
@@ -121,6 +121,12 @@ def test_what_would_work_works():
     """The eccentricities proposed for a ratio without whole teeth have solutions."""
     for e in (0.016, 0.018):
         assert solved(ratio=Fraction(3), eccentricity=e).sun > 0
+    with pytest.raises(ProblemError, match="136 mm, or ring_up_to: 552"):
+        solved(eccentricity=0.4)
+    assert solved(eccentricity=0.4, most_ring=552).ring == 552
+    with pytest.raises(ProblemError, match="a clearance under"):
+        solved(clearance=0.5)
+    assert len(solved(clearance=0.309).satellites) == 2
 
 
 def test_arrays_are_judged_as_singles():

@@ -139,7 +139,8 @@ def test_largest_set_is_the_largest(sun, smallest, E, clearance, allowed):
     all_ = ecc.candidates(sun, sun + 2 * smallest + E, E)
     gap = ecc.gaps(np.array(sun), all_.z, all_.phi1, M, 1.0)
     mask = np.array([bool(allowed >> i & 1) for i in range(len(all_.z))])
-    found = ecc.largest_set(gap, mask, clearance)
+    order = np.flatnonzero(mask)
+    found = [int(order[i]) for i in ecc.largest_set(gap[np.ix_(order, order)], clearance)]
     size, widest = most_by_trial(gap, mask, clearance)
     assert len(found) == size and mask[found].all()
     if size > 1:
@@ -222,6 +223,8 @@ def test_a_small_residue_is_taken_up_by_backlash():
     part = abs(ecc.candidates(34, 136, 18).residue[11])
     needed = part * np.pi * M * np.cos(RACK.alpha)
     assert proof(made_of(34, 136, 18, (0, 11), 1.02 * needed), 6).overlap.max() == 0
+    # the turn of the ring is the same, whichever satellite it is found by
+    assert proof(made_of(34, 136, 18, (11, 0), 1.02 * needed), 6).overlap.max() == 0
     assert proof(made_of(34, 136, 18, (0, 11), 0.95 * needed), 6).overlap.max() > 0
 
 

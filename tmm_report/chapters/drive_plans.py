@@ -27,6 +27,7 @@ TALL, WIDE, LONG = (
     90.0,
     155.0,
 )  # mm: the scheme's height, the largest velocity, the plan of angular velocities
+POLE = 60.0  # mm: the largest pole distance
 LETTERS = "ABCDEFGKLMNQRSTUVWXYZ"  # names of points; H is a carrier, O an axis, P the pole
 SAME = 1e-9  # m: points nearer than this are one
 
@@ -286,12 +287,11 @@ def _at(ends: tuple[complex, complex], y: float) -> complex:
 def _chosen(
     scales: Scales, tall: float, velocities: Iterable[float], speeds: Iterable[float]
 ) -> dict[str, float]:
-    """The stated scales, or round ones that fit the paper."""
-    return {
-        "length": scales.length or round_scale(tall, TALL),
-        "velocity": scales.velocity or round_scale(_span(velocities), WIDE),
-        "angular": scales.angular or round_scale(_span(speeds), LONG),
-    }
+    """The stated scales, or round ones that fit the paper, the pole distance too."""
+    length = scales.length or round_scale(tall, TALL)
+    velocity = scales.velocity or round_scale(_span(velocities), WIDE)
+    angular = max(round_scale(_span(speeds), LONG), round_scale(velocity / length, POLE))
+    return {"length": length, "velocity": velocity, "angular": scales.angular or angular}
 
 
 def _span(values: Iterable[float]) -> float:

@@ -281,12 +281,18 @@ def _chosen(given: Given, judged: Judged, u: Fraction, E: int, solution: ecc.Sol
         t = (solution.first - given.teeth[0]) // solution.b1
     if t is None:
         if judged.held.max() < 2:
-            raise mistakes.nothing_fits(given, E, _smaller(given, u, E))
+            raise mistakes.nothing_fits(given, E, _widest(judged), _smaller(given, u, E))
         return judged.best
     row = judged.row(t)
     if row is None:
         raise mistakes.not_in_family(t, judged.family.t)
     return row
+
+
+def _widest(judged: Judged) -> float:
+    """The widest free distance between two satellites of a set that may stand in it by themselves, m."""
+    both = judged.allowed[:, :, None] & judged.allowed[:, None, :] & ~np.eye(len(ecc.KINDS), dtype=bool)
+    return float(np.max(judged.gap, initial=-np.inf, where=both))
 
 
 def _smaller(given: Given, u: Fraction, E: int) -> int | None:
@@ -314,8 +320,9 @@ def _satellites(given: Given, judged: Judged, row: int, E: int) -> tuple[Satelli
         wanted = {*given.satellites, *(["middle'"] if "middle" in given.satellites else [])}
         picked = [i for i, kind in enumerate(kinds) if kind in wanted]
     else:
-        gap = ecc.gaps(np.array(sun), all_.z, all_.phi1, given.module, given.rack.ha)
-        picked = ecc.largest_set(gap, _allowed(given, all_, ring), given.clearance)
+        alone = np.flatnonzero(_allowed(given, all_, ring))
+        gap = ecc.gaps(np.array(sun), all_.z[alone], all_.phi1[alone], given.module, given.rack.ha)
+        picked = [int(alone[i]) for i in ecc.largest_set(gap, given.clearance)]
     return tuple(_named(all_, picked, kinds, sun, ring, given.module))
 
 

@@ -154,14 +154,25 @@ def no_solution(u: Fraction, E: int, module: float) -> ProblemError:
 
 def no_sets(given: Given, u: Fraction, E: int, least: int, most: int) -> ProblemError:
     """No member of the family lies between the least sun and the largest ring."""
-    room = math.floor(most * (1 - 1 / u)) - 2 * FEWEST
     values = {"e": _mm(E * given.module / 2), "most": most}
     wrong = N_("at the eccentricity %(e)s mm no set with a ring of at most %(most)s teeth has room")
-    right: Any = Message(
-        N_("an eccentricity under %(e)s mm, or a larger ring_up_to (at least %(ring)s)"),
-        {"e": _mm(max(1, min(room, E)) * given.module / 2), "ring": _ring_needed(u, E, least)},
-    )
+    ring = _ring_needed(u, E, least)
+    smaller = next((n for n in range(E - 1, 0, -1) if _has_room(u, n, least, most)), None)
+    if smaller is None:
+        right = Message(N_("a larger ring_up_to (at least %(ring)s) would work"), {"ring": ring})
+    else:
+        works = {"e": _mm(smaller * given.module / 2), "ring": ring}
+        right = Message(N_("an eccentricity of %(e)s mm, or ring_up_to: %(ring)s would work"), works)
     return ProblemError([Problem(Message(wrong, values), right, _at("eccentricity"))])
+
+
+def _has_room(u: Fraction, E: int, least: int, most: int) -> bool:
+    """Whether some set has whole teeth, and enough of them on the smallest satellite."""
+    solution = ecc.general_solution(ecc.equation(u, E))
+    if solution is None:
+        return False
+    t = ecc.range_of(solution, u, least, most)
+    return bool((solution.second + solution.a1 * t - E >= FEWEST).any())
 
 
 def _ring_needed(u: Fraction, E: int, least: int) -> int:
@@ -179,15 +190,16 @@ def not_in_family(t: int, known: Any) -> ProblemError:
     return ProblemError([mistake(wrong, _at("t"), Message(N_("t from %(low)s to %(high)s"), values), t=t)])
 
 
-def nothing_fits(given: Given, E: int, works: int | None) -> ProblemError:
-    """Not even two satellites go together in any set."""
+def nothing_fits(given: Given, E: int, widest: float, works: int | None) -> ProblemError:
+    """Not even two satellites go together in any set; `widest`: what two of them leave between them, m."""
+    values = {"e": _mm(E * given.module / 2), "delta": _mm(given.clearance)}
+    if widest > 0:
+        wrong = N_("no two satellites of a set leave a clearance of %(delta)s mm")
+        right = Message(N_("a clearance under %(most)s mm would work"), {"most": f"{1e3 * widest:.4g}"})
+        return ProblemError([Problem(Message(wrong, values), right, _at("clearance"))])
     wrong = N_("at the eccentricity %(e)s mm no set of the family holds two satellites")
-    right = (
-        Message(
-            N_("an eccentricity of %(e)s mm would work, or a smaller clearance"),
-            {"e": _mm(works * given.module / 2)},
-        )
-        if works
-        else Message(N_("a smaller clearance or a ratio nearer to 4 would work"))
-    )
-    return ProblemError([mistake(wrong, _at("eccentricity"), right, e=_mm(E * given.module / 2))])
+    right = Message(N_("a larger ratio would work"))
+    if works:
+        text = N_("an eccentricity of %(e)s mm would work")
+        right = Message(text, {"e": _mm(works * given.module / 2)})
+    return ProblemError([Problem(Message(wrong, values), right, _at("eccentricity"))])

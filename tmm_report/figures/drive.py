@@ -31,6 +31,8 @@ def velocities(stages: Sequence[Any], plans: Plans, speed: Mapping[str, float], 
     zero = right + GAP - min(0.0, *plans.velocity.values())
     if zero + max(0.0, *plans.velocity.values()) > PAGE:  # the scheme stands in a figure of its own
         sketch, zero = Sketch(plans, speed), left - min(0.0, *plans.velocity.values())
+        heights = [y / plans.length_scale for y in (*plans.axes.values(), *(spot.y for spot in plans.spots))]
+        bottom, top = min(heights) - AXIS_ARROW, max(heights) + AXIS_ARROW
     linear = _Linear(stages, plans, zero, (bottom, top))
     guides = linear.guides() if sketch.items else []
     items, tags = [*guides, *sketch.items, *linear.items()], [*sketch.tags, *linear.tags()]

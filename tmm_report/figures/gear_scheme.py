@@ -206,7 +206,7 @@ class _Planetary:
         """Where the shaft goes: in at the left, out at the right; a second input as a hollow one about another."""
         if name in (self.stage.input, self.stage.output):
             return -1 if name == self.stage.input else 1
-        if name in self.stage.fixed:
+        if name in self.stage.fixed or self.by_name[name].kind == "wheel":  # a sun is closed in by the others
             return 0
         if (
             name != self.carrier.name
@@ -233,13 +233,14 @@ class _Planetary:
 
     def _draw_sun(self, one: _Central) -> None:
         sketch, half = self.sketch, self.sketch.radius(one.member) - CLEAR
+        held = one.member.name in self.stage.fixed
         for side in (self.up, -self.up):
-            if one.way or side == self.up:
+            if not held or side == self.up:
                 sketch.rim(one.web, self.y + side * half)
             sketch.web(one.web, self._inner(one, side), self.y + side * half)
-        if not one.way:
+        if held:
             self._ground(one.web, self.y - self.up * half, -self.up)
-        at = complex(one.web - RIM, self.y + self.up * (half if one.way else half / 2))
+        at = complex(one.web - RIM, self.y + self.up * (half / 2 if held else half))
         sketch.name(one.member.name, at, complex(-1, -self.up))
 
     def _draw_ring(self, one: _Central) -> None:
@@ -282,8 +283,9 @@ class _Planetary:
         sketch.name(member.name, complex(x, self.pin + self.up * half / 2), complex(-1, 0))
 
     def _draw_second(self, one: _Central) -> None:
-        """The speed of the second input, written at the end of its sleeve."""
-        place = complex(one.web + one.way * SLEEVE, self.y - self.up * HOLLOW)
+        """The speed of the second input, at the end of its sleeve; of a sun, at its free half."""
+        off = HOLLOW if one.way else self.sketch.radius(one.member)
+        place = complex(one.web + one.way * SLEEVE, self.y - self.up * off)
         omega = symbol(f"ω_{one.member.name}")
         self.sketch.tags.append(Tag((omega,), (place,), prefer=complex(one.way, -self.up)))
 

@@ -249,19 +249,17 @@ def candidates(sun: int, ring: int, E: int) -> Candidates:
     )
 
 
-def largest_set(gap: Array, allowed: Array, clearance: float) -> list[int]:
+def largest_set(gap: Array, clearance: float) -> list[int]:
     """Indices of the most satellites that fit, and of such sets the one with the widest least gap.
 
-    `gap` (N, N): free distances, m; `allowed` (N,). Satellites come in the order of their angle, and each fills the
-    room between sun and ring, so only neighbours can collide: the longest closed path over pairs that fit.
+    `gap` (N, N): free distances, m. Satellites come in the order of their angle, and each fills the room between sun
+    and ring, so only neighbours can collide: the longest closed path over pairs that fit.
     """
-    order = np.flatnonzero(allowed)
-    free = gap[np.ix_(order, order)]
-    free = np.where(free > clearance, free, -np.inf)
+    free = np.where(gap > clearance, gap, -np.inf)
     best: tuple[int, float, list[int]] = (0, -np.inf, [])
-    for start in range(len(order)):
+    for start in range(len(free)):
         best = max(best, _longest_from(free, start), key=lambda found: found[:2])
-    return [int(order[i]) for i in best[2]]
+    return best[2]
 
 
 def _longest_from(free: Array, start: int) -> tuple[int, float, list[int]]:

@@ -223,7 +223,7 @@ class SpurFormulas:
         return Formula("y", (self.a_w - self.mm("a", self.pair.a)) / self.m)
 
     def shortening(self) -> Formula:
-        return Formula(Symbol("Δy"), Var(self.sum, float(self.pair.x_sum)) - Var("y", float(self.pair.y)))
+        return Formula(Symbol("Deltay"), Var(self.sum, float(self.pair.x_sum)) - Var("y", float(self.pair.y)))
 
     @property
     def loose(self) -> bool:
