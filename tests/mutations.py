@@ -95,7 +95,7 @@ def doubled_links(data: Data) -> Found:
     for link in _links(data):
         copy = deepcopy(data["mechanism"]["links"][link])
         yield f"{link} twice", (((*LINKS, "99"), deepcopy(copy)),)
-        if isinstance(copy["points"], dict):
+        if copy["points"] and isinstance(copy["points"], dict):
             first = next(iter(copy["points"]))
             copy["points"] = {name if name == first else f"{name}9": x for name, x in copy["points"].items()}
             copy.pop("mass_centre", None)

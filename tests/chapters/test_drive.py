@@ -98,6 +98,21 @@ def test_the_diagrams_agree_with_calculation_to_the_reading(found):
         assert abs(row.graph - row.analytic) <= 0.5001 * row.floor, row.key
 
 
+def test_segments_and_velocities_have_the_sense_of_the_rotation(found):
+    """Signed: to the right where a member turns as the input shaft does."""
+    plans = found.plans
+    for line in plans.lines:
+        assert line.s * plans.angular_scale == pytest.approx(
+            found.speed[line.members[0]], abs=0.0051 * plans.angular_scale
+        )
+    for spot in plans.spots:
+        wheel = found.train.by_name[spot.members[0]]
+        if not wheel.carried_by:
+            v = found.speed[wheel.name] * (spot.y - plans.axes[wheel.name])
+            drawn = plans.velocity[spot.name] * plans.velocity_scale
+            assert drawn == pytest.approx(v, abs=0.0051 * plans.velocity_scale)
+
+
 def test_the_graphical_ratio(found):
     names = found.input, found.output
     reading = 0.005 / min(abs(found.plans.segment(name)) for name in names)
@@ -162,6 +177,17 @@ def test_a_second_input_adds_its_share(rpm):
     both, alone = solve(stage, PAIR), solve(PLANETARY, PAIR)
     share = np.pi * rpm / 30 * (5.6 / 6.6) / -2
     assert both.speed["5"] == pytest.approx(alone.speed["5"] + share, rel=1e-9, abs=1e-9)
+
+
+def test_two_inputs_may_hold_the_output():
+    """ω_H = (ω1 + 5.6 ω3)/6.6 = 0."""
+    stage = SECOND | {"second": {"member": "ring", "speed": f"{-3000 / 5.6} rpm"}}
+    found = solve(stage, PAIR)
+    assert found.speed["H"] == found.speed["5"] == 0.0 and math.isinf(found.ratio)
+    assert (
+        found.geared == pytest.approx(-13.2)
+        and not DriveView(found, Page(Html(), Translator("ru"), Numbering()), "drive").runs
+    )
 
 
 def test_wheels_are_numbered_through_the_drive():

@@ -89,7 +89,7 @@ def test_condition_margins_are_those_of_the_places():
         ({"ratio": Fraction(4, 5)}, "no room between sun and ring", "above 1"),
         ({"ratio": Fraction(3), "eccentricity": 0.017}, "no whole numbers of teeth", "16 mm or 18 mm"),
         ({"t": 40}, "no usable set at t = 40", "t from 2 to 18"),
-        ({"eccentricity": 0.4}, "no set with a ring of at most 200 teeth", "ring_up_to"),
+        ({"eccentricity": 0.4}, "at most 200 teeth holds two satellites", "ring_up_to"),
         ({"ratio": None, "teeth": (34, 60, 30)}, "cannot go round the sun", "[34, 60, 136]"),
         (
             {"ratio": None, "teeth": (34, 51, 136)},
@@ -104,7 +104,7 @@ def test_condition_margins_are_those_of_the_places():
             "[34, 60, 136]",
         ),
         ({"ratio": None, "teeth": (34, 135)}, "half a tooth", "17 mm or 19 mm"),
-        ({"clearance": 0.5}, "leave a clearance of 500 mm", "a clearance under 309.1 mm"),
+        ({"clearance": 0.5}, "leave a clearance of 500 mm", "a clearance under 96 mm"),
         ({"rack": Rack(ha=2.0, c=0.5)}, "come to a point", "less than 2.157"),
         ({"backlash": 0.002}, "backlash", "up to 0.4 mm"),
     ],
@@ -121,12 +121,17 @@ def test_what_would_work_works():
     """The eccentricities proposed for a ratio without whole teeth have solutions."""
     for e in (0.016, 0.018):
         assert solved(ratio=Fraction(3), eccentricity=e).sun > 0
-    with pytest.raises(ProblemError, match="136 mm, or ring_up_to: 552"):
+    assert len(solved(clearance=0.0959).satellites) == 2
+
+
+def test_proposed_eccentricity_and_ring_work():
+    with pytest.raises(ProblemError) as caught:
         solved(eccentricity=0.4)
-    assert solved(eccentricity=0.4, most_ring=552).ring == 552
-    with pytest.raises(ProblemError, match="a clearance under"):
-        solved(clearance=0.5)
-    assert len(solved(clearance=0.309).satellites) == 2
+    proposed = caught.value.problems[0].right.values
+    assert len(solved(eccentricity=float(proposed["e"]) / 1e3).satellites) >= 2
+    assert len(solved(eccentricity=0.4, most_ring=proposed["ring"]).satellites) >= 2
+    with pytest.raises(ProblemError):
+        solved(eccentricity=0.4, most_ring=proposed["ring"] - 1)
 
 
 def test_arrays_are_judged_as_singles():

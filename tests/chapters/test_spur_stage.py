@@ -167,6 +167,17 @@ MISTAKES = [
         ("shift",),
         "a lesser shift of the ring",
     ),
+    (
+        {
+            "ratio": -0.24,
+            "teeth": (25, 6),
+            "centre_distance": None,
+            "shift": (2.96, 1.53),
+            "rack": Rack(math.radians(10), 1.5, 0.1),
+        },
+        ("shift",),
+        "shifts between −0.5 and 1.5",
+    ),
     ({"ratio": 2.0, "teeth": (20, 40), "centre_distance": 0.05}, ("centre_distance",), "more than 56.39 mm"),
 ]
 

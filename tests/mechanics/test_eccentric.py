@@ -189,7 +189,7 @@ def made_of(sun, outer, E, picked, backlash=0.0):
     all_ = ecc.candidates(sun, outer, E)
     centres = ecc.centres(sun, all_.z, all_.phi1, M)
     places = [
-        Place(str(i), int(all_.z[i]), complex(centres[i]), all_.phi1[i], all_.phi3[i], all_.residue[i])
+        Place(f"P{i}", int(all_.z[i]), complex(centres[i]), all_.phi1[i], all_.phi3[i], all_.residue[i])
         for i in picked
     ]
     return assemble(sun, outer, E * M / 2, places, Cut(M, RACK, backlash))

@@ -46,7 +46,7 @@ def rack_tooth(x):
     rho = RACK.fillet
     deep = RACK.ha + RACK.c - rho - x
     wide = math.pi / 4 - (deep + x) * math.tan(RACK.alpha) - rho / math.cos(RACK.alpha)
-    theta = np.linspace(0, math.pi / 2 - RACK.alpha, 200)
+    theta = np.linspace(0, math.pi / 2 - RACK.alpha, 40)
     corner = -deep + 1j * wide + rho * (-np.cos(theta) + 1j * np.sin(theta))
     top = corner[-1] + 2.5 * (1 + 1j * math.tan(RACK.alpha))
     upper = np.append(corner, top)
@@ -63,12 +63,12 @@ def test_the_rack_cuts_the_outline_and_no_more(z, x):
     space = wheel.outline[: len(wheel.outline) // (2 * z)] * np.exp(
         1j * math.pi / z
     )  # of the space on the +x axis
-    space = space[np.abs(space) < wheel.tip - 1e-6]
-    roll = np.linspace(-4, 4, 4001)
+    space = space[np.abs(space) < wheel.tip - 1e-6][::2]
+    roll = np.linspace(-8, 8, 3201)
     seen = space[:, None] * np.exp(1j * roll / r) - r - 1j * roll  # in the axes of the rack
     start, end = cutter, np.roll(cutter, -1)
     nearest = np.full(len(space), np.inf)
-    for k in range(len(cutter) - 1):
+    for k in range(len(cutter)):
         along = (end[k] - start[k]) / abs(end[k] - start[k])
         part = np.clip(((seen - start[k]) * along.conj()).real, 0, abs(end[k] - start[k]))
         nearest = np.minimum(nearest, np.abs(seen - start[k] - part * along).min(axis=1))

@@ -161,10 +161,16 @@ def solve(given: Given) -> Found:
     stages = _stages(given)
     train = joined(stages)
     known = _known_speeds(given.speed, stages)
-    speed = {name: float(value) for name, value in speeds(train, known, ("drive",)).items()}
+    speed = _cleaned(speeds(train, known, ("drive",)))
     return Found(
         given, stages, train, speed, _loads(given, stages, train, speed), _plans(given, stages, train, speed)
     )
+
+
+def _cleaned(speed: Mapping[str, Any]) -> dict[str, float]:
+    """Speeds as numbers; what is rounding beside the largest is 0, for a member that stands still."""
+    noise = 1e-12 * max(abs(float(value)) for value in speed.values())
+    return {name: float(value) if abs(value) > noise else 0.0 for name, value in speed.items()}
 
 
 def _stages(given: Given) -> tuple[Any, ...]:

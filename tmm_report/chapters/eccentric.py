@@ -21,6 +21,7 @@ from tmm_report.mechanics import eccentric as ecc
 from tmm_report.mechanics import eccentric_teeth as toothed
 from tmm_report.mechanics.spur import Rack
 from tmm_report.mechanics.trains import Member, Mesh, Train, speeds
+from tmm_report.problems import ProblemError
 from tmm_report.problems import N_, Message
 
 Array = Any
@@ -28,6 +29,7 @@ Array = Any
 SUN, RING, CARRIER = "1", "3", "H"
 WHEELS = dict(zip(ecc.KINDS, ("2", "4", "5", "4'"), strict=True))
 COMMON_RING = 200  # teeth: larger rings are not looked at unless the ratio asks for them
+LARGEST_RING = 2000  # teeth: none is looked for beyond
 TURNS = np.array([1, 1, 1, -1])  # the second middle satellite stands below the axis
 
 
@@ -230,7 +232,7 @@ def solve(given: Given) -> Found:
     solution = ecc.general_solution(equation)
     if solution is None:
         raise mistakes.no_solution(u, E, given.module)
-    judged = judge(given, u, E, _members(given, solution, u, E))
+    judged = judge(given, u, E, _members(given, solution, u, E, _most_ring(given, u)))
     row = _chosen(given, judged, u, E, solution)
     return Found(given, u, E, equation, solution, judged, row, _satellites(given, judged, row, E))
 
@@ -245,17 +247,19 @@ def sizes(given: Given) -> tuple[Fraction, int]:
     return Fraction(ring, sun), E
 
 
-def _members(given: Given, solution: ecc.Solution, u: Fraction, E: int) -> ecc.Family:
-    """The sets from the largest ring looked at down to the smallest sun without undercut."""
+def _members(given: Given, solution: ecc.Solution, u: Fraction, E: int, most: int) -> ecc.Family:
+    """The sets from the largest ring looked at down to the smallest sun without undercut, where there is room."""
     least = ecc.least_teeth(given.rack)
-    most = given.most_ring or max(COMMON_RING, math.ceil(2 * least * u))
     if given.teeth is not None:
         least, most = min(least, given.teeth[0]), max(most, given.teeth[-1])
     found = ecc.family(solution, u, E, ecc.range_of(solution, u, least, most))
     room = found.satellites[:, ecc.KINDS.index("smallest")] >= mistakes.FEWEST
-    if not room.any():
-        raise mistakes.no_sets(given, u, E, least, most)
     return ecc.Family(*(part[room] for part in found))
+
+
+def _most_ring(given: Given, u: Fraction) -> int:
+    """The largest ring looked at."""
+    return given.most_ring or max(COMMON_RING, math.ceil(2 * ecc.least_teeth(given.rack) * u))
 
 
 def judge(given: Given, u: Fraction, E: int, family: ecc.Family) -> Judged:
@@ -276,36 +280,36 @@ def judge(given: Given, u: Fraction, E: int, family: ecc.Family) -> Judged:
 
 def _chosen(given: Given, judged: Judged, u: Fraction, E: int, solution: ecc.Solution) -> int:
     """The set asked for by its teeth or its t; else the best of the family."""
+    if not len(judged.family.t) or (given.t is None and given.teeth is None and judged.held.max() < 2):
+        raise _hopeless(given, judged, u, E)
     t = given.t
     if given.teeth is not None:
         t = (solution.first - given.teeth[0]) // solution.b1
-    if t is None:
-        if judged.held.max() < 2:
-            raise mistakes.nothing_fits(given, E, _widest(judged), _smaller(given, u, E))
-        return judged.best
-    row = judged.row(t)
+    row = judged.best if t is None else judged.row(t)
     if row is None:
-        raise mistakes.not_in_family(t, judged.family.t)
+        raise mistakes.not_in_family(t or 0, judged.family.t)
     return row
 
 
-def _widest(judged: Judged) -> float:
-    """The widest free distance between two satellites of a set that may stand in it by themselves, m."""
+def _hopeless(given: Given, judged: Judged, u: Fraction, E: int) -> ProblemError:
+    """No set holds two satellites: what data near these would do is tried out."""
     both = judged.allowed[:, :, None] & judged.allowed[:, None, :] & ~np.eye(len(ecc.KINDS), dtype=bool)
-    return float(np.max(judged.gap, initial=-np.inf, where=both))
+    widest = float(np.max(judged.gap, initial=-np.inf, where=both))
+    if 0 < widest <= given.clearance:
+        return mistakes.too_wide(given, widest)
+    most = _most_ring(given, u)
+    smaller = next((n for n in range(E - 1, 0, -1) if len(_good_rings(given, u, n, most))), None)
+    rings = _good_rings(given, u, E, LARGEST_RING)
+    return mistakes.nothing_fits(given, E, most, smaller, int(rings[-1]) if len(rings) else None)
 
 
-def _smaller(given: Given, u: Fraction, E: int) -> int | None:
-    """The largest 2e/m under E at which some set holds two satellites."""
-    for smaller in range(E - 1, 0, -1):
-        solution = ecc.general_solution(ecc.equation(u, smaller))
-        if solution is not None:
-            members = ecc.family(
-                solution, u, smaller, ecc.range_of(solution, u, ecc.least_teeth(given.rack), COMMON_RING)
-            )
-            if len(members.t) and judge(given, u, smaller, members).held.max() >= 2:
-                return smaller
-    return None
+def _good_rings(given: Given, u: Fraction, E: int, most: int) -> Array:
+    """The rings, descending, of the sets that hold two satellites."""
+    solution = ecc.general_solution(ecc.equation(u, E))
+    if solution is None:
+        return np.array([])
+    judged = judge(given, u, E, _members(given, solution, u, E, most))
+    return judged.family.ring[judged.held >= 2]
 
 
 # ---------------------------------------------------------------- the satellites of the chosen set

@@ -152,54 +152,30 @@ def no_solution(u: Fraction, E: int, module: float) -> ProblemError:
     return ProblemError([Problem(wrong, right, _at("eccentricity"))])
 
 
-def no_sets(given: Given, u: Fraction, E: int, least: int, most: int) -> ProblemError:
-    """No member of the family lies between the least sun and the largest ring."""
-    values = {"e": _mm(E * given.module / 2), "most": most}
-    wrong = N_("at the eccentricity %(e)s mm no set with a ring of at most %(most)s teeth has room")
-    ring = _ring_needed(u, E, least)
-    smaller = next((n for n in range(E - 1, 0, -1) if _has_room(u, n, least, most)), None)
-    if smaller is None:
-        right = Message(N_("a larger ring_up_to (at least %(ring)s) would work"), {"ring": ring})
-    else:
-        works = {"e": _mm(smaller * given.module / 2), "ring": ring}
-        right = Message(N_("an eccentricity of %(e)s mm, or ring_up_to: %(ring)s would work"), works)
-    return ProblemError([Problem(Message(wrong, values), right, _at("eccentricity"))])
-
-
-def _has_room(u: Fraction, E: int, least: int, most: int) -> bool:
-    """Whether some set has whole teeth, and enough of them on the smallest satellite."""
-    solution = ecc.general_solution(ecc.equation(u, E))
-    if solution is None:
-        return False
-    t = ecc.range_of(solution, u, least, most)
-    return bool((solution.second + solution.a1 * t - E >= FEWEST).any())
-
-
-def _ring_needed(u: Fraction, E: int, least: int) -> int:
-    """The ring of the smallest set whose sun and smallest satellite have enough teeth."""
-    sun = max(Fraction(least), (2 * FEWEST + E) / (u - 1))
-    solution = ecc.general_solution(ecc.equation(u, E))
-    assert solution is not None  # a family without solutions has been reported
-    t = math.floor((solution.first - sun) / solution.b1)
-    return int((solution.first - solution.b1 * t) * u)
-
-
 def not_in_family(t: int, known: Any) -> ProblemError:
     wrong = N_("the family has no usable set at t = %(t)s")
     values = {"low": int(known[0]), "high": int(known[-1])}
     return ProblemError([mistake(wrong, _at("t"), Message(N_("t from %(low)s to %(high)s"), values), t=t)])
 
 
-def nothing_fits(given: Given, E: int, widest: float, works: int | None) -> ProblemError:
-    """Not even two satellites go together in any set; `widest`: what two of them leave between them, m."""
-    values = {"e": _mm(E * given.module / 2), "delta": _mm(given.clearance)}
-    if widest > 0:
-        wrong = N_("no two satellites of a set leave a clearance of %(delta)s mm")
-        right = Message(N_("a clearance under %(most)s mm would work"), {"most": f"{1e3 * widest:.4g}"})
-        return ProblemError([Problem(Message(wrong, values), right, _at("clearance"))])
-    wrong = N_("at the eccentricity %(e)s mm no set of the family holds two satellites")
-    right = Message(N_("a larger ratio would work"))
-    if works:
+def too_wide(given: Given, widest: float) -> ProblemError:
+    """The clearance is more than any two satellites leave, `widest`, m."""
+    wrong = N_("no two satellites of a set leave a clearance of %(delta)s mm")
+    right = Message(N_("a clearance under %(most)s mm would work"), {"most": f"{1e3 * widest:.4g}"})
+    return ProblemError([mistake(wrong, _at("clearance"), right, delta=_mm(given.clearance))])
+
+
+def nothing_fits(given: Given, E: int, most: int, smaller: int | None, ring: int | None) -> ProblemError:
+    """No set holds two satellites. `smaller`: 2e/m with which one does; `ring`: the least ring that helps."""
+    values = {"e": _mm((smaller or 0) * given.module / 2), "ring": ring}
+    text = N_("an eccentricity of %(e)s mm, or ring_up_to: %(ring)s would work")
+    if ring is None:
         text = N_("an eccentricity of %(e)s mm would work")
-        right = Message(text, {"e": _mm(works * given.module / 2)})
-    return ProblemError([Problem(Message(wrong, values), right, _at("eccentricity"))])
+    elif smaller is None:
+        text = N_("ring_up_to: %(ring)s would work")
+    right = Message(text, values) if smaller or ring else Message(N_("a larger ratio would work"))
+    wrong = N_(
+        "at the eccentricity %(e)s mm no set with a ring of at most %(most)s teeth holds two satellites"
+    )
+    shown = {"e": _mm(E * given.module / 2), "most": most}
+    return ProblemError([mistake(wrong, _at("eccentricity"), right, **shown)])

@@ -207,7 +207,9 @@ def _travel(cycle: Cycle, output: Output, table: Motion, diagram: Motion) -> Tra
     else:
         S, dS = S - start, dS - start
         near, far = cycle.extremes(lambda m: output.rates(m)[0] - start, output.velocity)
-    back = (far.turned - near.turned) % cycle.sweep if cycle.closed else None
+    # of one stroke there and one back, over a whole turn, only
+    strokes = cycle.closed and bool(np.all(table.closes)) and len(cycle.roots(output.velocity)) == 2
+    back = (far.turned - near.turned) % cycle.sweep if strokes else None
     ratio = max(back, cycle.sweep - back) / min(back, cycle.sweep - back) if back else None
     return Travel(
         output=output, S=S, V=V, a=a, diagram_S=dS, diagram_V=dV, diagram_a=da,

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tmm_report.mechanics import shifts, spur, teeth
+from tmm_report.mechanics.involute import inverse
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 
 if TYPE_CHECKING:
@@ -119,12 +120,22 @@ def _uncut(given: Given, pair: spur.Pair) -> Iterator[Problem]:
                 "with the shift %(x)s the spaces of ring %(wheel)s come to a point above their root circle"
             )
             yield mistake(wrong, ("shift",), right, x=_text(x), wheel=wheel)
-        elif pair.signs[i] > 0 and involute_start(pair, i) is None:
+        elif pair.signs[i] > 0 and (start := involute_start(pair, i)) is None:
             right = Message(
                 N_("a shift of %(least)s or more"), {"least": f"{math.ceil(1e3 * pair.x_min[i]) / 1e3:g}"}
             )
             wrong = N_("with the shift %(x)s wheel %(wheel)s is undercut up to its tip circle")
             yield mistake(wrong, ("shift",), right, x=_text(x), wheel=wheel)
+        elif pair.signs[i] > 0 and start >= _top(pair, i):
+            right = Message(N_("shifts between −0.5 and 1.5, or shift: rule"))
+            wrong = N_("with the shift %(x)s no involute is left on the teeth of wheel %(wheel)s")
+            yield mistake(wrong, ("shift",), right, x=_text(x), wheel=wheel)
+
+
+def _top(pair: spur.Pair, i: int) -> float:
+    """Radius of curvature where a tooth ends, m: at the tip circle or where it comes to a point below it."""
+    point = inverse(max(float(pair.s_b[i] / pair.d_b[i]), 0.0))
+    return min(float(pair.rho_a[i]), float(pair.d_b[i] / 2 * np.tan(point)))
 
 
 def root_space(pair: spur.Pair, ring: int) -> float:
@@ -165,14 +176,17 @@ def _apart(given: Given, pair: spur.Pair) -> Problem:
 
 
 def _overlapping(given: Given, pair: spur.Pair) -> Problem:
-    needed = spur.shift_sum(pair.z1, pair.z2, pair.m, pair.rack, pair.beta, pair.a_w, pair.internal)
-    free = spur.meshed(pair.z1, pair.z2, pair.m, pair.rack, pair.beta, pair.x1, pair.x2, pair.internal)
-    values = {"sum": _text(float(needed)), "distance": _mm(float(free.a_w), up=not pair.internal)}
-    right = Message(N_("x1 + x2 = %(sum)s, or a centre distance of %(distance)s mm"), values)
-    if pair.internal:
-        right = Message(
-            N_("a difference of the shifts of %(sum)s, or a centre distance of %(distance)s mm"), values
-        )
+    settings = (pair.z1, pair.z2, pair.m, pair.rack, pair.beta)
+    needed = float(spur.shift_sum(*settings, pair.a_w, pair.internal))
+    free = float(spur.meshed(*settings, pair.x1, pair.x2, pair.internal).a_w)
+    text = (
+        N_("a difference of the shifts of %(sum)s, or a centre distance of %(distance)s mm")
+        if pair.internal
+        else N_("x1 + x2 = %(sum)s, or a centre distance of %(distance)s mm")
+    )
+    if not math.isfinite(free):  # no distance is free of backlash with such shifts
+        text, free = N_("the shifts must make up %(sum)s: shift: rule does it"), 0.0
+    right = Message(text, {"sum": _text(needed), "distance": _mm(free, up=not pair.internal)})
     wrong = N_("with the shifts %(x1)s and %(x2)s the teeth overlap by %(overlap)s mm on the working circles")
     overlap = {
         "overlap": _mm(-float(pair.backlash)),

@@ -26,13 +26,13 @@ from tmm_report.figures.drawing import (
     polygon,
     polyline,
 )
-from tmm_report.figures.lettering import Parts, Symbol
+from tmm_report.figures.lettering import Parts, Symbol, width
 from tmm_report.mechanics.blocking import Line, Window
 
 Array = Any
 Num = Callable[[float], str]
 
-FIELD = (125.0, 150.0)  # mm: largest width and height of the plane
+FIELD = (125.0, 125.0)  # mm: largest width and height of the plane
 STEPS = (0.05, 0.1, 0.2, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0)
 TICKS = 12  # at most along an axis
 SHORT = 0.04  # of the plane's width: a shorter piece of a line is not drawn
@@ -135,11 +135,15 @@ def _ticks(low: float, high: float) -> list[float]:
 
 def _tag(drawn: Line, piece: Array, corner: complex, names: tuple[str, str], num: Num) -> Tag:
     """A label that seeks its place along the line, away from the frame where it can."""
-    within = (np.abs(piece.real / corner.real - 0.45) < 0.4) & (np.abs(piece.imag / corner.imag - 0.5) < 0.46)
+    wide, tall = width(_label(drawn, names, num), SMALL) + 3, 6.0
+    within = (piece.real > 3) & (piece.real < corner.real - wide)
+    within &= (piece.imag > tall) & (piece.imag < corner.imag - tall)
+    inwards = 0j if within.any() else complex(corner / 2 - piece.mean())
     piece = piece[within] if within.any() else piece
     shares = (0.5, 0.3, 0.7, 0.15, 0.85, 0.4, 0.6, 0.05, 0.95)
     anchors = tuple(complex(piece[int(share * (len(piece) - 1))]) for share in shares)
-    return Tag(_label(drawn, names, num), anchors, gap=0.6, size=SMALL, colour=PENS[drawn.kind].colour)
+    prefer = inwards and 3 * inwards / abs(inwards)  # a line in a corner of the frame is lettered inside it
+    return Tag(_label(drawn, names, num), anchors, 0.6, prefer, SMALL, PENS[drawn.kind].colour)
 
 
 def _label(drawn: Line, names: tuple[str, str], num: Num) -> Parts:

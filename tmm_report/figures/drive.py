@@ -6,12 +6,12 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from tmm_report.chapters.drive_plans import Line, Plans
-from tmm_report.figures.drawing import AXIS, NORMAL, THIN, Arrow, Drawing, Item, Tag, dot, line
+from tmm_report.figures.drawing import AXIS, NORMAL, THIN, Arrow, Drawing, Item, Pen, Tag, dot, line
 from tmm_report.figures.gear_scheme import Sketch, scheme
 from tmm_report.figures.lettering import Parts, joined, symbol
 
-AXIS_ARROW = 5.0  # mm
-GAP = 9.0  # mm: between the scheme and the diagram, and above the plan of angular velocities
+AXIS_ARROW = 3.0  # mm
+GAP = 8.0  # mm: between the scheme and the diagram, and above the plan of angular velocities
 PAGE = 162.0  # mm: the widest drawing that is not reduced, less the lettering at its end
 COLOURED = ("blue", "red", "green", "black")
 
@@ -45,8 +45,8 @@ def _names(line_: Line) -> Parts:
     return joined([symbol(name) for name in line_.members])
 
 
-def _pen(index: int) -> Any:
-    return type(NORMAL)(0.4, COLOURED[index % len(COLOURED)])
+def _pen(index: int) -> Pen:
+    return Pen(0.4, COLOURED[index % len(COLOURED)])
 
 
 class _Linear:

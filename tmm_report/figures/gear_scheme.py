@@ -34,7 +34,7 @@ SLEEVE = 4.0  # of a hollow shaft
 
 @dataclass
 class Sketch:
-    """What is drawn so far; `x`: the place on the shaft that is reached, `shafts`: (from x, to x, y) still to draw."""
+    """What is drawn so far; `x`: how far along the shafts the drawing has come."""
 
     plans: Plans
     speed: Mapping[str, float]

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from tmm_report.chapters.mesh_drafting import Mesh
+from tmm_report.figures.dimensions import arc_span, span, spread
 from tmm_report.figures.drawing import (
     AXIS,
     DASHED,
@@ -22,7 +23,6 @@ from tmm_report.figures.drawing import (
     Arc,
     Drawing,
     Item,
-    Path,
     Pen,
     Tag,
     Text,
@@ -46,7 +46,6 @@ LETTER = 4.3  # mm between the lines of a column of labels
 EDGE = 1.0  # how far circles run past the teeth, mm
 INTO = (9.0, 17.0, 25.0)  # under the root circle: angle of a tooth, of contact, arrow of rotation, mm
 ROUND = 6.0  # radius of an arrow round a centre, mm
-HEAD = 2.2  # arrowheads of dimensions, mm
 FAR = 95.0  # a centre farther than this from the pitch point is not drawn, mm
 
 
@@ -146,25 +145,11 @@ def _circles(sheet: Sheet, i: int) -> None:
 def _column(sheet: Sheet, rows: Sequence[tuple[complex, Parts]], side: int) -> None:
     """Labels beside the ends of circles, spread so far that none covers another, each with its leader."""
     rows = sorted(rows, key=lambda row: row[0].imag)
-    heights = _spread([end.imag for end, _ in rows])
+    heights = spread([end.imag for end, _ in rows], LETTER)
     edge = side * (sheet.half_width + 3.5)
     for (end, parts), y in zip(rows, heights, strict=True):
         sheet.items.append(polyline((end, complex(edge, y)), THIN))
         sheet.items.append(Text(complex(edge + side, y), parts, SMALL, 1 if side < 0 else -1))
-
-
-def _spread(heights: Sequence[float]) -> list[float]:
-    """Ascending heights moved apart to LETTER, their middle kept."""
-    out: list[list[float]] = []  # clusters of wanted heights
-    for y in heights:
-        out.append([y])
-        while len(out) > 1 and _bottom(out[-1]) - _bottom(out[-2]) < LETTER * len(out[-2]):
-            out[-2:] = [out[-2] + out[-1]]
-    return [_bottom(cluster) + LETTER * k for cluster in out for k in range(len(cluster))]
-
-
-def _bottom(cluster: Sequence[float]) -> float:
-    return sum(cluster) / len(cluster) - LETTER * (len(cluster) - 1) / 2
 
 
 # --- teeth ---
@@ -223,18 +208,8 @@ def _angle(sheet: Sheet, i: int, low: float, high: float, into: float, label: tu
 
 
 def _arc_arrows(sheet: Sheet, i: int, radius: float, low: float, high: float) -> None:
-    """An arc with an arrowhead at either end; arrows from outside where it is too short for them."""
-    centre, turn = sheet.mesh.centre(i), cmath.phase(sheet.up(i))
-    sheet.items.append(Arc(centre, radius, turn + low, turn + high, THIN))
-    inwards = 1 if abs(high - low) * radius > 3 * HEAD else -1
-    for angle, sign in ((low, 1), (high, -1)):
-        tip = sheet.at(i, radius, angle)
-        back = sheet.at(i, radius, angle + inwards * sign * HEAD / radius) - tip
-        sheet.items.append(_head(tip, back))
-
-
-def _head(tip: complex, back: complex) -> Path:
-    return polygon((tip, tip + back + 0.17j * back, tip + back - 0.17j * back), None, "black")
+    turn = cmath.phase(sheet.up(i))
+    sheet.items += arc_span(sheet.mesh.centre(i), radius, turn + low, turn + high)
 
 
 # --- dimensions ---
@@ -247,7 +222,7 @@ def _dimensions(sheet: Sheet, i: int) -> None:
     free = 1 if i == mesh.small else -1  # the side opposite to the labels of the circles
     edge = 0.97 * _towards_side(sheet, i, max(tip, root), free)
     into = -sheet.outer(i) * sheet.up(i)
-    _span(sheet, sheet.at(i, tip, edge), sheet.at(i, root, edge))
+    sheet.items += span(sheet.at(i, tip, edge), sheet.at(i, root, edge))
     sheet.tag("h", name, sheet.at(i, root, edge), into - free / 2, sheet.num(float(pair.height[i]) * 1e3))
     _thickness(sheet, i, -free)
     flanks = sorted(sheet.angle(i, mesh.on_working_circle(i, tooth=k)) for k in (0, 1))
@@ -265,18 +240,6 @@ def _towards_side(sheet: Sheet, i: int, radius: float, side: int) -> float:
     """Angle of the end of a circle on the right (+1) or left (−1) of the sheet, rad."""
     half = sheet.side(i, radius)
     return max((half, -half), key=lambda angle: side * sheet.at(i, radius, angle).real)
-
-
-def _span(sheet: Sheet, one: complex, other: complex) -> None:
-    """A straight dimension, its arrowheads outside where it is too short for them."""
-    unit = (other - one) / abs(other - one)
-    inwards = 1 if abs(other - one) > 3 * HEAD else -1
-    tails = 0 if inwards > 0 else 2.5 * HEAD
-    sheet.items += [
-        line(one - tails * unit, other + tails * unit, THIN),
-        _head(one, inwards * HEAD * unit),
-        _head(other, -inwards * HEAD * unit),
-    ]
 
 
 def _thickness(sheet: Sheet, i: int, side: int) -> None:
@@ -334,7 +297,7 @@ def _clearance(sheet: Sheet) -> None:
     tip = mesh.centre(i) + mesh.radius(pair.d_a, i) * sheet.up(i)
     root = mesh.centre(1 - i) + mesh.radius(pair.d_f, 1 - i) * sheet.up(1 - i)
     if float(pair.clearance[i]) > 0:
-        _span(sheet, tip, root)
+        sheet.items += span(tip, root)
         sheet.tag("c", "", (tip + root) / 2, 1 + 0j, sheet.num(float(pair.clearance[i]) * 1e3))
 
 
@@ -364,9 +327,6 @@ def _pressure_angle(sheet: Sheet) -> None:
         vertex, radius = 0j, max(0.92 * abs(foot), 0.6 * sheet.half_width)
         start = math.pi - alpha if foot.real < 0 else -alpha
         sheet.items.append(line(0, math.copysign(radius + 3, foot.real), THIN))
-    sheet.items.append(Arc(vertex, radius, start, start + alpha, THIN))
-    for angle, sign in ((start, 1), (start + alpha, -1)):
-        tip = vertex + cmath.rect(radius, angle)
-        sheet.items.append(_head(tip, vertex + cmath.rect(radius, angle + sign * HEAD / radius) - tip))
+    sheet.items += arc_span(vertex, radius, start, start + alpha)
     middle = vertex + cmath.rect(radius, start + alpha / 2)
     sheet.tag("α", "w", middle, (middle - vertex) / radius, f"{sheet.num(math.degrees(alpha))}°")

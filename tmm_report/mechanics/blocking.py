@@ -7,7 +7,7 @@ Source: Bolotovsky, Involute gears: a reference book, part 1 (contours for pairs
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property, partial
 from typing import Any, NamedTuple
@@ -16,6 +16,7 @@ import numpy as np
 
 from tmm_report.mechanics import spur
 from tmm_report.mechanics.isolines import isolines
+from tmm_report.mechanics.roots import bracketed
 from tmm_report.mechanics.spur import Pair, Rack
 
 Array = Any
@@ -24,6 +25,7 @@ Window = tuple[complex, complex]  # lower left and upper right corner
 SMALLEST, LARGEST = 2.0, 64.0  # half the side of the square in which the region is sought
 COARSE, FINE = 81, 101  # points along the sides of the grids
 AROUND = 0.3  # free room left round the region
+DIFFERENCE_STEP = 1e-4  # of shifts: error about its fourth power
 ROUNDING = 1e-9  # what a margin may lack by rounding
 
 
@@ -106,28 +108,67 @@ class Blocking:
     def _margins(self, x: Array) -> Array:
         """(limits, ...)."""
         pair = self.pair(x)
-        return np.array([limit.margin(pair) + 0 * np.real(x) for limit in self.limits])
+        with _unknown():
+            return np.array([limit.margin(pair) + 0 * np.real(x) for limit in self.limits])
 
     def lacks(self, x: complex) -> tuple[Lack, ...]:
         """The limits that a point breaks."""
         pair = self.pair(x)
-        found = [Lack(limit, float(limit.value(pair)), -float(limit.margin(pair))) for limit in self.limits]
+        with _unknown():
+            found = [
+                Lack(limit, float(limit.value(pair)), -float(limit.margin(pair))) for limit in self.limits
+            ]
         return tuple(lack for lack in found if not lack.lack <= ROUNDING)
 
     def nearest(self, x: complex) -> complex | None:
-        """The feasible point nearest to x, to 1e-9; None where no point is feasible. Every round halves the net."""
-        grid, good = self._coarse
+        """The feasible point nearest to x, to 1e-9; None where no point is feasible."""
         if self.margin(x) >= -ROUNDING:
             return x
-        if not good.any():
+        found = [point for piece in self.region(self.window(x)) for point in self._nearest_on(piece, x)]
+        return min(found, key=lambda point: abs(point - x), default=None)
+
+    def _nearest_on(self, piece: Array, x: complex) -> Iterator[complex]:
+        """The nearest vertex of a closed piece of the boundary, and what is nearer on the two sides that meet there."""
+        ring = piece[:-1]
+        real = np.abs(self.margin(ring)) < ROUNDING  # not a side of the window
+        if not real.any():
+            return
+        k = int(np.argmin(np.where(real, np.abs(ring - x), np.inf)))
+        yield complex(ring[k])
+        for other in (k - 1, (k + 1) % len(ring)):
+            foot = self._foot(x, complex(ring[k]), complex(ring[other])) if real[other] else None
+            if foot is not None:
+                yield foot
+
+    def _foot(self, x: complex, a: complex, b: complex) -> complex | None:
+        """Where a perpendicular from x meets the boundary between its neighbouring points a and b."""
+        limit = int(np.argmin(np.abs(self._margins(np.array([a, b]))).sum(axis=1)))
+
+        def slope(part: Array) -> Array:  # of the distance along the boundary
+            points = self._projected(a + part * (b - a), limit)
+            along = 1j * self._gradient(points, limit)
+            return ((points - x) * along.conj()).real / np.abs(along)
+
+        ends = np.array([0.0]), np.array([1.0])
+        starts = slope(ends[0])
+        if starts[0] * slope(ends[1])[0] > 0:
             return None
-        centre = _closest(grid[good], x)
-        reach = 2 * float(abs(grid[0, 1] - grid[0, 0]))
-        while reach > 1e-10:
-            net = centre + _grid((-reach * (1 + 1j), reach * (1 + 1j)), 17)
-            centre = _closest(np.append(net[self.margin(net) >= 0], centre), x)
-            reach /= 2
-        return centre
+        part, _ = bracketed(slope, *ends, starts, 1e-13)
+        return complex(self._projected(a + part * (b - a), limit)[0])
+
+    def _projected(self, points: Array, limit: int) -> Array:
+        """Points moved onto the line of a limit along its gradient, by Newton's method."""
+        for _ in range(5):
+            slope = self._gradient(points, limit)
+            points = points - self._margins(points)[limit] * slope / np.abs(slope) ** 2
+        return points
+
+    def _gradient(self, points: Array, limit: int) -> Array:
+        """Gradient of a margin, as a complex number, by central differences of fourth order."""
+        steps = DIFFERENCE_STEP * np.array([2, 1, -1, -2])
+        weights = np.array([-1, 8, -8, 1]) / (12 * DIFFERENCE_STEP)
+        x1, x2 = (self._margins(points[:, None] + unit * steps)[limit] @ weights for unit in (1, 1j))
+        return x1 + 1j * x2
 
     def nearest_at_distance(self, x: complex) -> complex | None:
         """The feasible point nearest to x among those of the same centre distance; None where there is none."""
@@ -180,9 +221,9 @@ class Blocking:
         )
 
     def _margin_within(self, window: Window, x: Array) -> Array:
-        low, high = window
-        within = (x.real >= low.real) & (x.real <= high.real) & (x.imag >= low.imag) & (x.imag <= high.imag)
-        return np.where(within, self.margin(x), -1.0)
+        """The margin, or the distance from the nearest side of the window where that is less."""
+        low, high = window[0] - x, x - window[1]
+        return np.minimum(self.margin(x), -np.max([low.real, low.imag, high.real, high.imag], axis=0))
 
     def _with_corners(self, chain: Array) -> Array:
         """The chain with the points put in where one limit takes over from another."""
@@ -197,32 +238,32 @@ class Blocking:
 
     def _corner(self, a: complex, b: complex, which: list[int]) -> complex | None:
         """Where the margins of two limits are both 0, by Newton's method; None where that is not between a and b."""
-        x, step = (a + b) / 2, 1e-6
-        for _ in range(12):
-            at = x + step * np.array([0, 1, -1, 1j, -1j])
-            g = self._margins(at)[which]
-            slopes = np.stack([g[:, 1] - g[:, 2], g[:, 3] - g[:, 4]], axis=1) / (2 * step)
-            if not np.isfinite(g).all() or abs(np.linalg.det(slopes)) < 1e-12:
+        x = np.array([(a + b) / 2])
+        for _ in range(8):
+            g = self._margins(x)[which, 0]
+            one, other = (complex(self._gradient(x, limit)[0]) for limit in which)
+            turn = (one.conjugate() * other).imag
+            if not np.isfinite(g).all() or not abs(turn) > 1e-9:
                 return None
-            move = np.linalg.solve(slopes, g[:, 0])
-            x -= complex(*move)
-            if abs(complex(*move)) < 1e-12:
-                break
-        return x if abs(x - (a + b) / 2) < 2 * abs(b - a) else None
+            x = x - 1j * (g[1] * one - g[0] * other) / turn
+        off = np.abs(self._margins(x)[which, 0]).max()
+        return complex(x[0]) if off < ROUNDING and abs(x[0] - (a + b) / 2) < 2 * abs(b - a) else None
 
     def lines(self, window: Window, x: complex) -> tuple[Line, ...]:
         """All lines of the contour; that of constant centre distance goes through `x`."""
         grid = _grid(window, FINE)
         pair, drawn = self.pair(grid), []
         for quality, levels in self._qualities(x):
-            values = quality.value(pair)
+            with _unknown():
+                values = quality.value(pair)
             for c in levels:
                 pieces = isolines(partial(self._above, quality.value, c), grid, values - c)
                 drawn.append(Line(quality.kind, quality.wheel, c, pieces))
         return tuple(line for line in drawn if line.pieces)
 
     def _above(self, value: Callable[[Pair], Array], level: float, x: Array) -> Array:
-        return value(self.pair(x)) - level
+        with _unknown():
+            return value(self.pair(x)) - level
 
     def _qualities(self, x: complex) -> list[tuple[Limit, list[float]]]:
         """Every quality with the levels at which its lines are drawn."""
@@ -231,6 +272,11 @@ class Blocking:
         x_sum = x.imag - x.real if self.internal else x.real + x.imag
         rows.append((Limit("sliding", 0, 0.0, _sliding), [0.0]))
         return [*rows, (Limit("distance", 0, x_sum, lambda pair: pair.x_sum), [x_sum])]
+
+
+def _unknown() -> np.errstate:
+    """Far from the region a pair has no radii or no angles; there its qualities are nan."""
+    return np.errstate(divide="ignore", invalid="ignore")
 
 
 def _shift(i: int) -> Callable[[Pair], Array]:

@@ -66,10 +66,10 @@ def area(polygon: Array) -> float:
 
 def _nested(one: Array, other: Array, opening: bool) -> float:
     """Area shared where the boundaries do not cross."""
-    within = bool(inside(one[:1], other)[0])
-    if opening:
-        return 0.0 if within else area(one)
-    return area(one) if within else area(other) if inside(other[:1], one)[0] else 0.0
+    if inside(one[:1], other)[0]:
+        return 0.0 if opening else area(one)
+    around = area(other) if inside(other[:1], one)[0] else 0.0
+    return area(one) - around if opening else around
 
 
 def _runs(polygon: Array, at: Array, other: Array, wanted: bool) -> Iterator[Array]:

@@ -123,6 +123,7 @@ def external(
     top = min(tip or r + m * (rack.ha + x), base / math.cos(float(inverse(base_angle))))
     if base * math.hypot(1, rise) >= top:
         raise ValueError(f"a wheel of {z} teeth with the shift {x:g} m is undercut up to its tip circle")
+    root = r - fillet.deep - fillet.rho
     fine, rise_top = tolerance or FINE * m, math.sqrt((top / base) ** 2 - 1)
     half = np.concatenate(
         [
@@ -130,11 +131,10 @@ def external(
             _sampled(lambda u: involute(base, base_angle, u), rise_top, rise, fine),
             # moved into the metal by `fine`, for it is hollow and its chords would leave the metal
             _sampled(replace(fillet, rho=fillet.rho + fine), theta, 0.0, fine)[1:],
-            _arc(r - fillet.deep - fillet.rho, math.pi / z - fillet.wide / r, math.pi / z, fine)[1:],
+            _arc(root - fine, math.pi / z - fillet.wide / r, math.pi / z, fine)[1:],
         ]
     )
     outline = _all_round(half, z)
-    root = r - fillet.deep - fillet.rho
     return Wheel(z, outline, base, top, root, base * math.hypot(1, rise), base_angle)
 
 

@@ -257,7 +257,7 @@ def _loads(model: m.LeverModel, known: Names) -> Found:
 
 def _loaded(name: str, path: Path, known: Names) -> Found:
     yield from _no_point(name, path, known)
-    moving = [point for link, points in known.points.items() if link != FRAME for point in points]
+    moving = list(dict.fromkeys(p for link, points in known.points.items() if link != FRAME for p in points))
     if name in known.all_points and name not in moving:
         text = N_("the point %(name)s is on the frame only: a force there loads no moving link")
         yield mistake(text, path, near(name, moving), name=name)

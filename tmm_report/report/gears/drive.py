@@ -74,6 +74,11 @@ class DriveView(DriveFormulas):
         return float(sum(self.found.loads.loss))
 
     @property
+    def runs(self) -> bool:
+        """Whether the output turns: two inputs may hold it."""
+        return bool(self.found.speed[self.found.output])
+
+    @property
     def readable(self) -> bool:
         """Whether the output's segment is long enough for a ratio."""
         return bool(self.plans.segment(self.found.output))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Any
 
 from tmm_report.chapters.drive import Found
@@ -146,7 +147,8 @@ class DriveFormulas:
     def laid_segment(self) -> Formula:
         name, spot = self.found.input, self.first
         v = Var(Symbol("v", spot.name), self.found.speed[name] * (spot.y - self.plans.axes[name]), "m/s")
-        return Formula(segment(f"{spot.name}{spot.name.lower()}"), v / self.mu_v, "mm")
+        size = abs(v) if v.number < 0 else v
+        return Formula(segment(f"{spot.name}{spot.name.lower()}"), size / self.mu_v, "mm")
 
     @property
     def mu_v(self) -> Var:
@@ -163,15 +165,23 @@ class DriveFormulas:
     def pole(self) -> Formula:
         return Formula("h", self.mu_v / (self.mu_l * self.mu_omega), "mm")
 
+    def _at_work(self, sup: str = "") -> Symbol:
+        """u of the input and the output; i of a differential, whose u is that with the second input at rest."""
+        symbol = self.ratio_symbol(self.found.input, self.found.output, sup)
+        return replace(symbol, base="i") if self.found.differential else symbol
+
+    def work_ratio(self) -> Formula:
+        return Formula(self._at_work(), self.omega(self.found.input) / self.omega(self.found.output))
+
     def graph_ratio(self) -> Formula:
-        symbol = self.ratio_symbol(self.found.input, self.found.output, "gr")
-        return Formula(symbol, self.s(self.found.input) / self.s(self.found.output), digits=6)
+        read = self.s(self.found.input) / self.s(self.found.output)
+        return Formula(self._at_work("gr"), read, digits=6)
 
     def graph_error(self) -> Formula:
         """(g − a)/(½ (g + a)), %, of the ratio at work."""
-        names = self.found.input, self.found.output
-        g = Var(self.ratio_symbol(*names, "gr"), self.plans.ratio(*names), digits=6)
-        a = Var(self.ratio_symbol(*names), self.found.ratio, digits=6)
+        read = self.plans.ratio(self.found.input, self.found.output)
+        g = Var(self._at_work("gr"), read, digits=6)
+        a = Var(self._at_work(), self.found.ratio, digits=6)
         return Formula("delta", (g - a) / (Number(0.5) * (g + a)) * Number(100), "%", digits=3)
 
     # ------------------------------------------------------------ efficiency

@@ -133,7 +133,10 @@ class TeethView:
     def difference(self) -> Formula:
         """By how many per cent it differs from the computed one."""
         ratio = self._reading("ratio")
-        drawn, computed = Var("epsilon_gr", ratio.drawn, digits=5), Var("epsilon_alpha", ratio.computed, digits=5)
+        drawn, computed = (
+            Var("epsilon_gr", ratio.drawn, digits=5),
+            Var("epsilon_alpha", ratio.computed, digits=5),
+        )
         return Formula("delta", abs(drawn - computed) / computed * Number(100), "%", digits=2)
 
     def _reading(self, key: str) -> Reading:
