@@ -5,7 +5,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from tmm_report.chapters import eccentric
+from tmm_report.chapters import eccentric, eccentric_family
 from tmm_report.mechanics.spur import Rack
 from tmm_report.problems import ProblemError
 
@@ -107,6 +107,12 @@ def test_condition_margins_are_those_of_the_places():
         ({"clearance": 0.5}, "leave a clearance of 500 mm", "a clearance under 96 mm"),
         ({"rack": Rack(ha=2.0, c=0.5)}, "come to a point", "less than 2.157"),
         ({"backlash": 0.002}, "backlash", "up to 0.4 mm"),
+        (
+            {"eccentricity": 0.017, "satellites": ("middle",)},
+            "no satellite of this kind",
+            "largest, smallest",
+        ),
+        ({"ratio": None, "eccentricity": None, "teeth": (6, 20, 36)}, "the ring cuts into", "[18, 50, 108]"),
     ],
 )
 def test_mistakes_say_what_would_work(changes, wrong, right):
@@ -140,6 +146,6 @@ def test_arrays_are_judged_as_singles():
     family = found.judged.family
     for row in (0, 7, len(family.t) - 1):
         one = type(family)(*(part[row : row + 1] for part in family))
-        alone = eccentric.judge(found.given, found.ratio_of_teeth, found.E, one)
+        alone = eccentric_family.judge(found.given, found.ratio_of_teeth, found.E, one)
         for name in ("phi1", "belt", "gap", "closed", "root", "tips", "fit"):
             np.testing.assert_array_equal(getattr(alone, name)[0], getattr(found.judged, name)[row])

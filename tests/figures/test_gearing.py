@@ -8,6 +8,7 @@ import pytest
 from tmm_report.chapters import blocking, spur
 from tmm_report.chapters.mesh_drafting import Mesh
 from tmm_report.figures.blocking import Plane, contour
+from tmm_report.figures.dimensions import span, spread
 from tmm_report.figures.drawing import THICK, Arc, Path, Text, svg, tikz
 from tmm_report.figures.gearing import ACTIVE, CONTACT, TEETH, mesh_drawing
 from tmm_report.figures.zones import WIDE, pairs_at, zones
@@ -110,3 +111,21 @@ def test_the_contour_is_drawn_where_it_is(found):
         assert np.abs(border - plane.at(piece)).max() < 1e-12
     assert "K" in texts(drawing) and ("L" in texts(drawing)) == (not seen.feasible)
     ET.fromstring(svg(drawing))
+
+
+def test_labels_of_a_column_keep_their_distance_and_their_middle():
+    wanted = [0.0, 1.0, 2.0, 30.0, 31.0]
+    placed = spread(wanted, 4.0)
+    assert np.diff(placed).min() >= 4 - 1e-12
+    assert np.mean(placed[:3]) == pytest.approx(1) and np.mean(placed[3:]) == pytest.approx(30.5)
+    assert spread([0.0, 10.0], 4.0) == [0.0, 10.0]
+
+
+def test_a_short_dimension_has_its_arrowheads_outside():
+    def tips(length):
+        return [item.strokes[0] for item in span(0, length) if item.closed]
+
+    (_, low, _), (_, high, _) = tips(20.0)
+    assert low.real > 0 and high.real < 20
+    (_, low, _), (_, high, _) = tips(2.0)
+    assert low.real < 0 and high.real > 2

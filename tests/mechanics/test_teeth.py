@@ -183,3 +183,11 @@ def test_a_rack_with_a_narrow_tooth_gets_a_smaller_rounding():
     assert teeth.fillet_radius(RACK) == pytest.approx(0.38, abs=1e-4)
     assert teeth.fillet_radius(rack) < rack.fillet
     assert teeth.external(20, 1.0, 0.0, rack).root > 0
+
+
+def test_a_ring_whose_spaces_are_narrow_is_rounded_off_before_its_root_circle():
+    wheel = teeth.ring(38, 1.0, 1.5, RACK)
+    assert wheel.junction < wheel.root < 38 / 2 + 1.25 + 1.5
+    assert np.abs(wheel.outline).max() == pytest.approx(wheel.root, abs=2 * teeth.FINE)
+    angles = np.angle(wheel.outline[: len(wheel.outline) // 38] * np.exp(-1j * math.pi / 38))
+    assert (np.diff(angles) > -1e-9).all()  # the fillets of one space do not cross

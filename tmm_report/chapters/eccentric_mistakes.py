@@ -11,7 +11,7 @@ from tmm_report.mechanics import eccentric as ecc
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 
 if TYPE_CHECKING:
-    from tmm_report.chapters.eccentric import Given
+    from tmm_report.chapters.eccentric_family import Given
 
 PATH = ("eccentric",)
 FEWEST = 6  # teeth
@@ -179,3 +179,18 @@ def nothing_fits(given: Given, E: int, most: int, smaller: int | None, ring: int
     )
     shown = {"e": _mm(E * given.module / 2), "most": most}
     return ProblemError([mistake(wrong, _at("eccentricity"), right, **shown)])
+
+
+def no_satellite(given: Given, family: ecc.Family, sound: int | None, kinds: set[str]) -> ProblemError:
+    """The set has none of the satellites asked for, or none that keeps the conditions; `sound`: a set that has some."""
+    if given.satellites is not None:
+        known = ", ".join(kind for kind in ("largest", "middle", "smallest") if kind in kinds)
+        wrong = N_("the set has no satellite of this kind with a whole number of teeth")
+        right = Message(N_("one of: %(words)s"), {"words": known})
+        return ProblemError([mistake(wrong, _at("satellites"), right)])
+    right = Message(N_("more teeth on the sun would work"))
+    if sound is not None:
+        teeth = [int(z[sound]) for z in (family.sun, family.satellites[:, 0], family.ring)]
+        right = Message(N_("the teeth %(teeth)s would work"), {"teeth": str(teeth)})
+    wrong = N_("in this set the ring cuts into the teeth of every satellite, or all of them are undercut")
+    return ProblemError([mistake(wrong, _at("teeth" if given.teeth else "t"), right)])

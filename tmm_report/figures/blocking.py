@@ -136,7 +136,7 @@ def _ticks(low: float, high: float) -> list[float]:
 def _tag(drawn: Line, piece: Array, corner: complex, names: tuple[str, str], num: Num) -> Tag:
     """A label that seeks its place along the line, away from the frame where it can."""
     wide, tall = width(_label(drawn, names, num), SMALL) + 3, 6.0
-    within = (piece.real > 3) & (piece.real < corner.real - wide)
+    within = (piece.real > wide) & (piece.real < corner.real - wide)
     within &= (piece.imag > tall) & (piece.imag < corner.imag - tall)
     inwards = 0j if within.any() else complex(corner / 2 - piece.mean())
     piece = piece[within] if within.any() else piece

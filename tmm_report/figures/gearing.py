@@ -324,7 +324,7 @@ def _pressure_angle(sheet: Sheet) -> None:
     vertex, start, radius = centre, math.pi / 2 - alpha, max(0.4 * body, ROUND + 3)
     if abs(centre) > FAR:
         foot = max(mesh.points["N1"], mesh.points["N2"], key=abs)
-        vertex, radius = 0j, max(0.92 * abs(foot), 0.6 * sheet.half_width)
+        vertex, radius = 0j, max(0.78 * abs(foot), 0.6 * sheet.half_width)
         start = math.pi - alpha if foot.real < 0 else -alpha
         sheet.items.append(line(0, math.copysign(radius + 3, foot.real), THIN))
     sheet.items += arc_span(vertex, radius, start, start + alpha)

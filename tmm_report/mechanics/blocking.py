@@ -142,25 +142,28 @@ class Blocking:
 
     def _foot(self, x: complex, a: complex, b: complex) -> complex | None:
         """Where a perpendicular from x meets the boundary between its neighbouring points a and b."""
-        limit = int(np.argmin(np.abs(self._margins(np.array([a, b]))).sum(axis=1)))
+        limit = int(np.nanargmin(np.abs(self._margins(np.array([a, b]))).sum(axis=1)))
 
         def slope(part: Array) -> Array:  # of the distance along the boundary
             points = self._projected(a + part * (b - a), limit)
             along = 1j * self._gradient(points, limit)
-            return ((points - x) * along.conj()).real / np.abs(along)
+            with _unknown():
+                return ((points - x) * along.conj()).real / np.abs(along)
 
         ends = np.array([0.0]), np.array([1.0])
         starts = slope(ends[0])
-        if starts[0] * slope(ends[1])[0] > 0:
+        if not starts[0] * slope(ends[1])[0] <= 0:
             return None
         part, _ = bracketed(slope, *ends, starts, 1e-13)
-        return complex(self._projected(a + part * (b - a), limit)[0])
+        foot = complex(self._projected(a + part * (b - a), limit)[0])
+        return foot if self.margin(foot) >= -ROUNDING else None
 
     def _projected(self, points: Array, limit: int) -> Array:
         """Points moved onto the line of a limit along its gradient, by Newton's method."""
         for _ in range(5):
             slope = self._gradient(points, limit)
-            points = points - self._margins(points)[limit] * slope / np.abs(slope) ** 2
+            with _unknown():
+                points = points - self._margins(points)[limit] * slope / np.abs(slope) ** 2
         return points
 
     def _gradient(self, points: Array, limit: int) -> Array:

@@ -62,7 +62,7 @@ class Assembly:
 
 class Proof(NamedTuple):
     """Polygons of teeth over a full pitch: `meshes` (names of both wheels), `turn` of the sun (P,), rad; `overlap`
-    (meshes, P), m², and `clearance` (meshes, P), m, negative where they overlap."""
+    (meshes, P), m², and `clearance` (meshes, P), m, nan where they overlap."""
 
     meshes: tuple[tuple[str, str], ...]
     turn: Array
@@ -135,12 +135,13 @@ def proof(made: Assembly, count: int = COUNT) -> Proof:
         list(zip(outlines[one], outlines[other], [other == made.ring.name] * count, strict=True))
         for one, other in names
     ]
-    return Proof(
-        tuple(names),
-        turns,
-        np.array([[overlap(*pair) for pair in row] for row in pairs]),
-        np.array([[clearance(*pair) for pair in row] for row in pairs]),
-    )
+    shared = np.array([[overlap(*pair) for pair in row] for row in pairs])
+    # teeth that overlap have no clearance, and the depth of thousands of crossings takes long
+    free = [
+        [clearance(*pair) if area == 0 else np.nan for pair, area in zip(row, areas, strict=True)]
+        for row, areas in zip(pairs, shared, strict=True)
+    ]
+    return Proof(tuple(names), turns, shared, np.array(free))
 
 
 def _crowded(bodies: Sequence[Body]) -> list[tuple[str, str]]:

@@ -191,7 +191,7 @@ def ring(
     root = root or r + m * (rack.ha + rack.c + x)
     fine = tolerance or FINE * m
     rack_end = r * math.sin(rack.alpha) + m * (rack.ha + x) / math.sin(rack.alpha)
-    rho, rise = _ring_fillet(base, base_angle, root, m * fillet_radius(rack), rack_end)
+    rho, rise, root = _ring_fillet(base, base_angle, root, m * fillet_radius(rack), rack_end)
     centre = base_angle - rise + math.atan(rise - rho / base)
     corner = (root - rho) * np.exp(1j * centre)
     rise_tip = math.sqrt(max(0.0, (tip / base) ** 2 - 1))
@@ -212,29 +212,29 @@ def ring(
 
 def _ring_fillet(
     base: float, base_angle: float, root: float, wanted: float, rack_end: float
-) -> tuple[float, float]:
-    """Radius of the fillet of a ring, m, and tan of the pressure angle where it begins.
+) -> tuple[float, float, float]:
+    """Radius of the fillet of a ring, m, tan of the pressure angle where it begins, and the root radius.
 
-    It leaves the involute that a rack would cut, to the radius of curvature `rack_end`, but is a quarter of
-    `wanted` at least.
+    It leaves the involute that a rack would cut, to the radius of curvature `rack_end`, but is a quarter of `wanted` at
+    least. A space too narrow for that is rounded off before it comes to the root circle.
     """
 
-    def rise(rho: Array) -> Array:
+    def rise(rho: Array, root: Array) -> Array:
         return (np.sqrt((root - rho) ** 2 - base**2) + rho) / base
 
-    def middle(rho: Array) -> Array:  # angle of the fillet's centre from the middle of the space
-        return base_angle - rise(rho) + np.arctan(rise(rho) - rho / base)
+    def middle(rho: Array, root: Array) -> Array:  # angle of the fillet's centre from the middle of the space
+        return base_angle - rise(rho, root) + np.arctan(rise(rho, root) - rho / base)
 
-    if not middle(0.0) > 0:
-        raise ValueError("the spaces of the ring come to a point below its root circle")
-    rho = min(wanted, 0.99 * (root - base))
-    least = rho / 4
-    if rise(rho) * base < rack_end:
-        rho = (
-            _root(lambda x: rise(x) * base - rack_end, least, rho) if rise(least) * base > rack_end else least
-        )
-    rho = rho if middle(rho) >= 0 else _root(middle, 0.0, rho)
-    return rho, float(rise(rho))
+    wanted = min(wanted, 0.99 * (root - base))
+    least = rho = wanted / 4
+    if middle(least, root) < 0:
+        root = _root(lambda r: middle(least, r), base + least, root)
+    elif rise(least, root) * base > rack_end:
+        rho = wanted
+        if rise(rho, root) * base < rack_end:
+            rho = _root(lambda x: rise(x, root) * base - rack_end, least, rho)
+        rho = rho if middle(rho, root) >= 0 else _root(lambda x: middle(x, root), least, rho)
+    return rho, float(rise(rho, root)), root
 
 
 # --- sampling ---

@@ -141,8 +141,9 @@ class SpurView(SpurFormulas):
             ]
             for c in self.found.conditions
         ]
-        heads = ["Condition", "Quantity", "Value", "Limit", "In hand", "Verdict"]
-        return worded(caption, [self.t(head) for head in heads], rows, (4.6, 2, 2, 2.5, 2, 2))
+        t = self.t
+        heads = [t("Condition"), t("Quantity"), t("Value"), t("Limit"), t("In hand"), t("Verdict")]
+        return worded(caption, heads, rows, (4, 2, 2, 3, 2, 2.4))
 
     def _verdict(self, c: Condition) -> Markup:
         if c.met:
