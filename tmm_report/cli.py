@@ -68,7 +68,9 @@ def solve(
     lang: Language = None,
     all_: Annotated[
         bool,
-        typer.Option("--all", help="Also list all combinations of teeth of planetary stages, with the reasons."),
+        typer.Option(
+            "--all", help="Also list all combinations of teeth of planetary stages, with the reasons."
+        ),
     ] = False,
     pdf: Annotated[
         bool, typer.Option("--pdf", help="Also compile note.tex to note.pdf with pdflatex.")

@@ -126,7 +126,7 @@ def _uncut(given: Given, pair: spur.Pair) -> Iterator[Problem]:
             )
             wrong = N_("with the shift %(x)s wheel %(wheel)s is undercut up to its tip circle")
             yield mistake(wrong, ("shift",), right, x=_text(x), wheel=wheel)
-        elif pair.signs[i] > 0 and start >= _top(pair, i):
+        elif pair.signs[i] > 0 and start is not None and start >= _top(pair, i):
             right = Message(N_("shifts between −0.5 and 1.5, or shift: rule"))
             wrong = N_("with the shift %(x)s no involute is left on the teeth of wheel %(wheel)s")
             yield mistake(wrong, ("shift",), right, x=_text(x), wheel=wheel)

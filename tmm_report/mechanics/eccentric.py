@@ -25,7 +25,6 @@ from tmm_report.mechanics.spur import Pair, Rack
 Array = Any
 
 KINDS = ("largest", "middle", "smallest", "middle'")  # the four places whose assembly is exact, by φ1
-PAIRS = tuple((i, j) for i in range(4) for j in range(i + 1, 4))
 EXACT = 1e-9  # pitches: a residue that is the rounding of a whole number
 
 
@@ -113,11 +112,6 @@ def range_of(solution: Solution, u: Fraction, least_sun: int, most_ring: int) ->
     most_sun = most_ring / u
     low, high = (Fraction(solution.first - z) / solution.b1 for z in (most_sun, least_sun))
     return np.arange(math.ceil(low), math.floor(high) + 1)
-
-
-def ring_of(sun: Array, largest: Array, E: int) -> Array:
-    """z3 = 2 z2 + z1 − E."""
-    return 2 * largest + sun - E
 
 
 # --- places ---
