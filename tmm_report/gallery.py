@@ -19,6 +19,7 @@ from markupsafe import Markup
 from tmm_report import load, solve
 from tmm_report.course import Results
 from tmm_report.figures.drawing import Drawing, polygon, svg
+from tmm_report.figures.drive import kinematic_scheme
 from tmm_report.figures.eccentric import assembled
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.cycle import Extreme
@@ -73,11 +74,6 @@ class Entry:
     def lever(self) -> Results | None:
         """What was found, if there is a lever mechanism in it."""
         return self.results if self.results is not None and self.results.has_mechanism else None
-
-    @property
-    def drawn(self) -> bool:
-        """Whether it has a picture: a lever mechanism or an eccentric one has."""
-        return self.results is not None and (self.lever is not None or self.results.eccentric is not None)
 
     @property
     def class_(self) -> str:
@@ -157,8 +153,8 @@ def entry(file: Path) -> Entry:
 
 
 def picture(entry: Entry, tr: Translator) -> dict[str, bytes]:
-    """The scheme as the note draws it, on white, by its name; nothing for what has none."""
-    if not entry.drawn:
+    """The scheme as the note draws it, on white, by its name; nothing for what is not solved."""
+    if entry.results is None:
         return {}
     drawn = replace(_drawing(entry, tr), title=entry.topic)
     return {entry.picture: (svg(_on_white(drawn)) + "\n").encode()}
@@ -167,7 +163,11 @@ def picture(entry: Entry, tr: Translator) -> dict[str, bytes]:
 def _drawing(entry: Entry, tr: Translator) -> Drawing:
     if entry.lever is not None:
         return Pictures(entry.lever, tr).one_position(Samples(entry.lever).position)
-    assert entry.results is not None and entry.results.eccentric is not None
+    assert entry.results is not None
+    if entry.results.drive is not None:
+        found = entry.results.drive
+        return kinematic_scheme(found.stages, found.plans, found.speed, entry.topic)
+    assert entry.results.eccentric is not None
     return assembled(entry.results.eccentric, Page(Html(), tr, Numbering()).num)
 
 
