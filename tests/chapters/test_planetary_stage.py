@@ -14,7 +14,9 @@ from tmm_report.figures.drawing import svg
 from tmm_report.figures.planetary import front, scale
 from tmm_report.i18n import Translator
 from tmm_report.mechanics import trains
+from tmm_report.mechanics.planetary import EXTERNAL
 from tmm_report.mechanics.planetary_search import Reason
+from tmm_report.mechanics.teeth import external, over_pitch, ring
 from tmm_report.problems import ProblemError
 from tmm_report.report.formats import Html
 from tmm_report.report.gears.planetary import PlanetaryView
@@ -232,7 +234,7 @@ def test_the_picture_is_true_to_scale(found):
     drawing, mm = front(found, "stage"), 1 / scale(found)
     circles = {round(item.radius, 6) for item in drawing.items if hasattr(item, "radius")}
     wheels = (0, 1, 3) if found.scheme.single else (0, 1, 2, 3)
-    for values in (found.sizes.tip, found.sizes.working):
+    for values in (found.sizes.trimmed, found.sizes.working):
         for wheel in wheels:
             assert round(float(values[wheel]) / 2 * mm, 6) in circles
     assert max(drawing.size) < 150
@@ -269,3 +271,18 @@ def test_another_choice_of_satellites_only_changes_what_depends_on_them():
     few = solve(stage)
     for reason in (Reason.RATIO, Reason.COAXIALITY, Reason.UNDERCUT, Reason.INTERFERENCE):
         assert more.candidates.count(reason) == few.candidates.count(reason)
+
+
+@pytest.mark.parametrize("name", ["teeth", "external-internal", "internal-internal"])
+def test_drawn_teeth_of_ring_and_satellite_do_not_overlap(name):
+    """Of full height the tips of the ring would cut into the satellites' fillets; as trimmed they do not."""
+    found = solved(name)
+    sizes, task = found.sizes, found.given.task
+    for row, wheel, crown in ((0, 0, 1), (1, 3, 2)):
+        if task.scheme.rows[row] == EXTERNAL:
+            continue
+        m, x = task.modules[row], sizes.shifts
+        satellite = external(found.teeth[crown], m, float(x[crown]), task.rack)
+        outer = ring(found.teeth[wheel], m, float(x[wheel]), task.rack, tip=float(sizes.trimmed[wheel]) / 2)
+        overlaps, _ = over_pitch(satellite, outer, float(sizes.centre_distance), 8)
+        assert overlaps.max() < 1e-12

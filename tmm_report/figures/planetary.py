@@ -82,13 +82,13 @@ class _Front:
         yield from self._gap()
 
     def _wheel(self, centre: complex, wheel: int) -> Iterator[Item]:
-        yield Circle(centre, self.radius("tip", wheel), NORMAL)
+        yield Circle(centre, self.radius("trimmed", wheel), NORMAL)
         yield Circle(centre, self.radius("working", wheel), AXIS)
 
     def _ring(self, row: int, wheel: int) -> Iterator[Item]:
         rim = self.radius("root", wheel) + RIM * self.found.given.task.modules[row] * self.mm
         yield Circle(0j, rim, THICK)
-        yield Circle(0j, self.radius("tip", wheel), NORMAL)
+        yield Circle(0j, self.radius("trimmed", wheel), NORMAL)
         yield Circle(0j, self.radius("working", wheel), AXIS)
         if self._held(wheel):
             yield _hatched(rim)
@@ -124,7 +124,7 @@ class _Front:
     def tags(self) -> Iterator[Tag]:
         given, found = self.found.given, self.found
         for name, wheel in ((given.names[0], 0), (given.names[-2], 3)):
-            edge = self.radius("tip", wheel)
+            edge = self.radius("trimmed", wheel)
             yield Tag((name,), tuple(cmath.rect(edge, math.radians(a)) for a in (20, 160, 200, 340)))
         for name, crown in zip(given.crowns, self.crowns, strict=False):
             edge, centre = self.radius("tip", crown), self.centres[0]

@@ -126,7 +126,8 @@ class Sizes:
     """Sizes of a stage, m: rows (2, ...), wheels (4, ...) in the order z1, z2, z2', z3.
 
     `pitch_distances`: m (z1 ± z2)/2 of each row; `centre_distance` (...): the larger of them, to which the other
-    row is opened by profile shift. `shift_sums`: x1 + x2, or x_ring − x_satellite, of each row.
+    row is opened by profile shift. `shift_sums`: x1 + x2, or x_ring − x_satellite, of each row. `tip`: tip diameters of
+    full height; `trimmed`: those of rings cut down where they would touch the fillets of the satellites.
     """
 
     pitch_distances: Array
@@ -139,6 +140,7 @@ class Sizes:
     working: Array
     tip: Array
     root: Array
+    trimmed: Array
 
     def at(self, chosen: Array) -> Sizes:
         """The sizes of some of the stages, by index or mask of the last axis."""
@@ -166,7 +168,8 @@ def sizes(scheme: Scheme, modules: tuple[float, float], rack: Rack, z: Array) ->
     """All sizes for teeth (4, ...) whose sums are positive.
 
     The row of the smaller pitch centre distance is shifted; an external mesh halves the sum of its coefficients,
-    in an internal one the ring takes the difference.
+    in an internal one the ring takes the difference. The rack cuts the involute of a satellite down to the radius of
+    curvature ρ_l = r sin α − (ha* − x) m/sin α, and no tip of a ring may go deeper (Litvin, Gear geometry, ch. 11).
     """
     z = np.asarray(z)
     module = np.array(modules).reshape(2, *[1] * (z.ndim - 1))
@@ -188,7 +191,15 @@ def sizes(scheme: Scheme, modules: tuple[float, float], rack: Rack, z: Array) ->
     tip = pitch + 2 * of * (out * rack.ha + shifts - cut)
     root = pitch - 2 * of * (out * (rack.ha + rack.c) - shifts)
     base = pitch * np.cos(rack.alpha)
-    return Sizes(distances, distance, angles, shift_sums, shifts, pitch, base, pitch * stretch, tip, root)
+    trimmed = tip.copy()
+    for row, ring, satellite in ((0, 0, 1), (1, 3, 2)):
+        if scheme.rows[row] == INTERNAL:
+            left = of[satellite] * (rack.ha - shifts[satellite]) / np.sin(rack.alpha)
+            start = np.maximum(pitch[satellite] / 2 * np.sin(rack.alpha) - left, 0.0)
+            touching = distance * np.sin(angles[row]) + start
+            trimmed[ring] = np.maximum(tip[ring], 2 * np.hypot(base[ring] / 2, touching))
+    working = pitch * stretch
+    return Sizes(distances, distance, angles, shift_sums, shifts, pitch, base, working, tip, root, trimmed)
 
 
 def _shifts(scheme: Scheme, sums: Array) -> Array:
@@ -267,7 +278,7 @@ def contact_ratio(scheme: Scheme, found: Sizes, z: Array, row: int) -> Array:
     """Contact ratio of a row, (...): its tips over its operating angle, the ring's counted off."""
     central, satellite = (0, 1) if row == 0 else (3, 2)
     with np.errstate(invalid="ignore"):  # tips inside the base circle: nan
-        beyond = np.sqrt(found.tip**2 - found.base**2) / found.base - np.tan(found.angles[row])
+        beyond = np.sqrt(found.trimmed**2 - found.base**2) / found.base - np.tan(found.angles[row])
     path = z[satellite] * beyond[satellite] + scheme.rows[row] * z[central] * beyond[central]
     return path / (2 * np.pi)
 

@@ -26,7 +26,7 @@ DIAMETERS = (
     ("d_b", N_("base diameter"), "base"),
     ("d_w", N_("working diameter"), "working"),
     ("d_f", N_("root diameter"), "root"),
-    ("d_a", N_("tip diameter"), "tip"),
+    ("d_a", N_("tip diameter"), "trimmed"),
 )
 
 

@@ -35,7 +35,7 @@ SIZES = (
     (N_("pitch diameter"), "d", "", "pitch"),
     (N_("working diameter"), "d", "w", "working"),
     (N_("base diameter"), "d", "b", "base"),
-    (N_("tip diameter"), "d", "a", "tip"),
+    (N_("tip diameter"), "d", "a", "trimmed"),
     (N_("root diameter"), "d", "f", "root"),
 )
 

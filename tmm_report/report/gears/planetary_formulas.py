@@ -189,6 +189,30 @@ class PlanetaryFormulas:
         alpha_w = Var("alpha_w", float(self.sizes.angles[row]), "deg")
         return Relation(sqrt(tip**2 - base**2) / 2, ">", self.a_w * sin(alpha_w), "mm")
 
+    def involute_start(self, row: int) -> Formula:
+        """Radius of curvature of the satellite's flank where the rack's fillet begins."""
+        crown, rack = row + 1, self.task.rack
+        ha, alpha = Var(Symbol("h", "a", "*"), rack.ha), Var("alpha", rack.alpha, "deg")
+        shift = float(self.sizes.shifts[crown])
+        height: Expr = ha - Var(Symbol("x", self.wheels[crown]), shift) if shift else ha
+        m = self.m(row)
+        return Formula(self._start(row), m * self.z(crown) / 2 * sin(alpha) - m * height / sin(alpha), "mm")
+
+    def _start(self, row: int) -> Symbol:
+        return Symbol("rho", "l" + self.wheels[row + 1])
+
+    def trimmed(self, row: int) -> Formula | None:
+        """The ring's tip diameter where full height would touch the satellite's fillets; else None."""
+        wheel = 0 if row == 0 else 3
+        full, cut = self.sizes.tip[wheel], self.sizes.trimmed[wheel]
+        if cut <= full * (1 + 1e-12):
+            return None
+        base, alpha_w = self.of("d", "b", wheel, "base"), Var("alpha_w", float(self.sizes.angles[row]), "deg")
+        start = self.involute_start(row)
+        touching = self.a_w * sin(alpha_w) + Var(self._start(row), float(start.value), "mm")
+        symbol = Symbol("d", "a" + self.wheels[wheel], "′")
+        return Formula(symbol, 2 * sqrt((base / 2) ** 2 + touching**2), "mm")
+
     def neighbourhood(self) -> Relation:
         crown = 1 if self.sizes.tip[1] >= self.sizes.tip[2] else 2
         return Relation(2 * self.a_w * sin(HALF_TURN / self.k), ">", self.of("d", "a", crown, "tip"), "mm")
