@@ -1,4 +1,4 @@
-"""Groups of class III and IV: following a group over the turn, then 36 and 3600 positions, against a mechanism of dyads.
+"""Groups of class III and IV: following a group over the turn, then 36 and 3600 positions; a mechanism of dyads beside.
 
     python benchmarks/higher.py
 
