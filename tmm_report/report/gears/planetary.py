@@ -222,19 +222,18 @@ class PlanetaryView(PlanetaryFormulas):
     # ------------------------------------------------------------ motion
 
     def motions(self, caption: Any) -> Table:
-        """Speeds of all members to the input's, ratio and efficiency, whichever member is held."""
+        """Speeds of all members to the input's, ratio and efficiency, whichever is held; the third is the output."""
         rows = [self._motion(motion) for motion in self.found.motions]
         names = (self.one, self.crowns[0], self.three, self.carrier)
         heads = [
             self.t("Held"),
             self.t("Input"),
-            self.t("Output"),
             *(self._relative(name) for name in names),
             self.page.sym("u"),
             self.page.sym("eta"),
             self.t("Power flow"),
         ]
-        return worded(caption, heads, rows, (0.8, 0.8, 0.8, 1.5, 1.5, 1.5, 1.6, 1.5, 1.2, 1.3))
+        return worded(caption, heads, rows, (0.8, 0.8, 1.4, 1.4, 1.4, 1.4, 1.4, 1.2, 1.2))
 
     def _relative(self, name: str) -> Markup:
         return self.page.listed([self.page.sym(Symbol("omega", name)), self.page.sym(INPUT)], "/")
@@ -244,9 +243,9 @@ class PlanetaryView(PlanetaryFormulas):
         speeds = (motion.speed["wheel1"], motion.satellite, motion.speed["wheel3"], motion.speed["carrier"])
         way = (self.one, self.three) if motion.exponent > 0 else (self.three, self.one)
         return [
-            *(name(member) for member in (motion.held, motion.input, motion.output)),
-            *(self.num(speed, places=4) for speed in speeds),
-            self.num(motion.ratio),
+            *(name(member) for member in (motion.held, motion.input)),
+            *(self.num(speed, 4) for speed in speeds),
+            self.num(motion.ratio, 4),
             self.t("locks") if motion.locks else self.num(motion.efficiency, places=4),
             "→".join(way),
         ]
