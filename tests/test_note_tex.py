@@ -11,7 +11,10 @@ from notes import NAMES, note, program
 from tmm_report.pdf import compile_pdf
 
 
-@pytest.fixture(scope="module", params=["compressor-ru", "compressor-en", "shaper-ru", "tangent-en", "hoist_drive-ru", "eccentric-en"])
+NOTES = ["compressor-ru", "compressor-en", "shaper-ru", "tangent-en", "hoist_drive-ru", "eccentric-en"]
+
+
+@pytest.fixture(scope="module", params=NOTES)
 def log(request, tmp_path_factory) -> str:
     name, language = request.param.split("-")
     latex = program("pdflatex")
