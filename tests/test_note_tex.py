@@ -10,7 +10,6 @@ from notes import NAMES, note, program
 
 from tmm_report.pdf import compile_pdf
 
-
 NOTES = ["compressor-ru", "compressor-en", "shaper-ru", "tangent-en", "hoist_drive-ru", "eccentric-en"]
 
 
