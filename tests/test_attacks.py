@@ -42,13 +42,20 @@ PAYLOADS = {
 
 @pytest.fixture(scope="module")
 def hostile():
-    """The compressor with every payload in a field of the title or in the name of a load."""
+    """The compressor and an eccentric mechanism with every payload in each text of theirs: title, loads, stages."""
     variant = load(VARIANTS / "compressor.yaml")
     everything = " ¶ ".join(PAYLOADS.values())
     title = Title(**dict.fromkeys(vars(Title()), everything))
     assert variant.loads is not None
     forces = tuple(replace(force, name=everything) for force in variant.loads.forces)
-    return solve(replace(variant, title=title, loads=replace(variant.loads, forces=forces)))
+    assert variant.drive is not None
+    planetary, spur = variant.drive.stages
+    drive = replace(
+        variant.drive, stages=(replace(planetary, title=everything), replace(spur, name=everything))
+    )
+    eccentric = replace(load(VARIANTS / "eccentric.yaml").eccentric, name=everything)
+    loads = replace(variant.loads, forces=forces)
+    return solve(replace(variant, title=title, loads=loads, drive=drive, eccentric=eccentric))
 
 
 def test_html_shows_it_as_text(hostile):
