@@ -39,7 +39,7 @@ schemes = st.builds(
 )
 
 
-@settings(max_examples=25)
+@settings(max_examples=15)
 @given(schemes)
 def test_joints_meet_all_round(scheme):
     made = scheme.mechanism()
@@ -60,7 +60,7 @@ def test_joints_meet_all_round(scheme):
         assert np.abs(t - s.u[slide.link] * slide.direction).max() < 1e-13
 
 
-@settings(max_examples=15)
+@settings(max_examples=8)
 @given(schemes)
 def test_velocities_and_accelerations_are_derivatives(scheme):
     try:
