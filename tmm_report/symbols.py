@@ -97,6 +97,11 @@ def math_symbol(key: str) -> Symbol:
     return Symbol(base, sub or "", sup or "", bool(bar))
 
 
+def both(one: str, other: str) -> str:
+    """Two names as one index, as in u_15; longer ones are parted by a comma."""
+    return one + other if len(one) == len(other) == 1 else f"{one},{other}"
+
+
 def segment(ends: str) -> Symbol:
     """The length of a plan's segment in mm, named by its ends: "pb", "πb", "ps2"."""
     return Symbol(ends, kind="segment")

@@ -195,6 +195,13 @@ def test_wheels_are_numbered_through_the_drive():
     assert names == ["1", "2", "3", "4", "4'", "5", "H1", "6", "7", "8", "H2"]
 
 
+@pytest.mark.parametrize("torque", ["0 N*m", "-5 N*m"])
+def test_the_input_drives(torque):
+    """Without torque there is no power and so no efficiency."""
+    with pytest.raises(ValueError, match="torque"):
+        DriveModel.model_validate({"speed": "1500 rpm", "torque": torque, "stages": [PAIR]})
+
+
 def test_the_whole_deviation_is_judged():
     assert solve(PLANETARY, PAIR).within
     assert not solve(PLANETARY, PAIR, tolerance="0.5 %").within

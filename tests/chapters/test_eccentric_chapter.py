@@ -4,10 +4,19 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from pydantic import ValidationError
 
 from tmm_report.chapters import eccentric, eccentric_family
+from tmm_report.course import Results, Variant
+from tmm_report.i18n import Translator
 from tmm_report.mechanics.spur import Rack
 from tmm_report.problems import ProblemError
+from tmm_report.report import render
+from tmm_report.report.formats import Html
+from tmm_report.report.gears.eccentric import EccentricView
+from tmm_report.report.numbering import Numbering
+from tmm_report.report.page import Page
+from tmm_report.variant.gears.eccentric import EccentricModel
 
 BASE = {"module": 0.002, "ratio": Fraction(4), "eccentricity": 0.018}
 
@@ -47,6 +56,45 @@ def test_odd_eccentricity_leaves_no_middle_satellite():
     found = solved(eccentricity=0.017)
     assert {s.kind for s in found.satellites} == {"largest", "smallest"}
     assert not found.failed
+
+
+def test_nothing_is_said_of_middle_satellites_of_half_a_tooth():
+    """Neither that they do not assemble nor how far they are from their neighbours."""
+    odd, even = (solved(eccentricity=e) for e in (0.017, 0.018))
+    assert _view(odd).sets("residue") is None and _view(even).sets("residue") is not None
+    for found, whole in ((odd, False), (even, True)):
+        (part,) = _view(found).family().parts
+        assert all((row[7] != "—") == whole for row in part.rows)
+        assert ("in closed form" in _chapter(found)) == whole
+
+
+def test_the_close_view_promises_neighbours_only_where_it_shows_them():
+    for e, shown in ((0.017, False), (0.018, True)):
+        found = solved(eccentricity=e)
+        assert ("narrowest place between neighbours in" in _chapter(found)) == shown
+        assert ("Meshes and neighbours, scale" in _chapter(found)) == shown
+
+
+@pytest.mark.parametrize("ratio", ["4/0", 3.14159])
+def test_a_ratio_is_one_of_whole_numbers_of_teeth(ratio):
+    with pytest.raises(ValidationError, match="no ratio of whole numbers"):
+        EccentricModel.model_validate({"ratio": ratio, "eccentricity": "18 mm", "module": "2 mm"})
+
+
+def test_a_coefficient_of_one_is_not_written():
+    """(1 − 3/2)·2 = −1: −z1 + 4 z2 − 36 = 0, not −1z1."""
+    view = _view(solved(ratio=Fraction(3, 2)))
+    assert "<mn>1</mn></mrow><msub>" not in str(view.page.math(view.whole()))
+
+
+def _view(found):
+    return EccentricView(found, Page(Html(), Translator("en"), Numbering()), "eccentric")
+
+
+def _chapter(found):
+    """The chapter's text in a note of its own."""
+    results = Results(Variant(language="en"), eccentric=found)
+    return render(results, "html", Translator("en"))["note.html"].decode()
 
 
 def test_backlash_lets_other_satellites_in():

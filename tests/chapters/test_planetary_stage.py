@@ -16,6 +16,7 @@ from tmm_report.i18n import Translator
 from tmm_report.mechanics import trains
 from tmm_report.mechanics.planetary import EXTERNAL
 from tmm_report.mechanics.planetary_search import Reason
+from tmm_report.mechanics.spur import Rack
 from tmm_report.mechanics.teeth import external, over_pitch, ring
 from tmm_report.problems import ProblemError
 from tmm_report.report.formats import Html
@@ -136,6 +137,15 @@ def test_all_conditions_that_fail_are_told_at_once():
         solve(given(**{**SINGLE, "teeth": [15, 30, 75], "satellites": 4, "ratio": 9}))
     texts = [problem.text() for problem in error.value.problems]
     assert len(texts) == 4  # ratio 6, undercut, no room, 90/4
+
+
+def test_every_mistake_of_given_teeth_says_what_would_work():
+    """Also where no teeth at all give the ratio, so that there is no example of teeth."""
+    block = {**TWO, "scheme": "external-external", "input": "carrier", "output": "wheel1", "ratio": -10000}
+    teeth = {"teeth": [40, 39, 40, 41], "coaxiality": "shift", "external_teeth": [30, 50]}
+    with pytest.raises(ProblemError) as error:
+        solve(given(**block, **teeth))
+    assert all(problem.right is not None for problem in error.value.problems)
 
 
 @pytest.mark.parametrize(
@@ -263,6 +273,13 @@ def test_tables_have_columns_of_one_length(found):
         assert len({len(column.values) for column in table.columns}) == 1
     numbers = {value.key: value.value for value in tables.values(found, "stage1")}
     assert numbers["stage1_u"] == found.ratio and numbers["stage1_gap"] > 0
+
+
+def test_a_rack_whose_teeth_come_to_a_point_is_refused():
+    stage = given(**SINGLE)
+    with pytest.raises(ProblemError) as caught:
+        solve(replace(stage, task=replace(stage.task, rack=Rack(np.radians(35), 2.0))))
+    assert [problem.path for problem in caught.value.problems] == [("rack",)]
 
 
 def test_another_choice_of_satellites_only_changes_what_depends_on_them():

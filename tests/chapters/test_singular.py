@@ -212,3 +212,25 @@ mechanism:
     k = solve(loads(text)).kinematics
     assert k.missing == (6,)
     assert k.closest[0].parallel == pytest.approx((np.pi / 3,), abs=1e-9)
+
+
+def test_a_lone_change_point_exists_but_has_no_velocities():
+    """rod = crank + offset: at 270° the rod is just long enough, and the slider turns back with a jump of velocity."""
+    text = (
+        slider(0.1, 0.12)
+        .replace("through: O}", "through: Q}")
+        .replace("O: [0, 0]}", "O: [0, 0], Q: [0, 0.02]}")
+    )
+    results = solve(loads(text))
+    k = results.kinematics
+    assert k.missing == () and k.undefined == (9,)
+    np.testing.assert_allclose(k.closest[0].corners, [3 * np.pi / 2], atol=1e-7)
+    note = render(results, "html")["note.html"].decode()
+    assert "is kept in the stated one" in note and "passes a change point" not in note
+
+
+def test_a_slider_at_rest_has_no_dead_points():
+    """Rod equal to crank from 90° on: the slider stays in the crank's pivot all round."""
+    text = slider(0.1, 0.1).replace("counter-clockwise}", "counter-clockwise, zero: {angle: 90 deg}}")
+    (dead,) = solve(loads(text)).kinematics.dead
+    assert dead.turned == ()

@@ -191,6 +191,13 @@ def test_mistakes_say_what_would_work(changes, path, right):
     assert right in problem.text()
 
 
+def test_a_sum_of_shifts_that_is_rounding_is_written_as_zero():
+    """At the distance of unshifted wheels the shifts must make up 0, found as −8·10⁻¹⁶."""
+    with pytest.raises(ProblemError) as caught:
+        spur.solve(replace(GUIDE, teeth=(14, 28), centre_distance=0.126, shift=(0.5, 0.5)))
+    assert "x1 + x2 = 0, or" in caught.value.problems[0].text()
+
+
 def test_what_the_messages_offer_works():
     for changes in (
         {"teeth": (14, 28), "centre_distance": 0.13589},
@@ -277,3 +284,11 @@ def test_tables(given_):
     numbers = {value.key: value.value for value in values(found, "stage1")}
     assert numbers["stage1_eps"] == pytest.approx(float(found.pair.eps))
     assert all(math.isfinite(number) for number in numbers.values())
+    readings, contour = (
+        {column.key: list(column.values) for column in table.columns}
+        for table in tables(found, "stage1")
+        if table.name in ("stage1_readings", "stage1_contour")
+    )
+    assert readings["key"][:2] == ["N1N2", "AB"] and max(readings["delta"]) < 5
+    assert contour["step"][0] == 0 and not contour["step"][2] < contour["step"][1] - 1e-9  # nan: none
+    assert contour[f"x_{given_.wheels[0]}"][0] == float(found.pair.x1)

@@ -11,8 +11,13 @@ from tmm_report.figures.blocking import Plane, contour
 from tmm_report.figures.dimensions import span, spread
 from tmm_report.figures.drawing import THICK, Arc, Path, Text, svg, tikz
 from tmm_report.figures.gearing import ACTIVE, CONTACT, TEETH, mesh_drawing
-from tmm_report.figures.zones import WIDE, pairs_at, zones
+from tmm_report.figures.zones import BEYOND, WIDE, pairs_at, zones
+from tmm_report.i18n import Translator
 from tmm_report.quantity import number
+from tmm_report.report.formats import Html
+from tmm_report.report.gears.teeth import TeethView
+from tmm_report.report.numbering import Numbering
+from tmm_report.report.page import Page
 
 GIVEN = {
     "external": spur.Given(-2, 0.006, 0.130, wheels=("4", "5")),
@@ -43,11 +48,17 @@ def drawing(mesh, found):
 
 
 def texts(drawing):
-    return [
-        "".join(p if isinstance(p, str) else p.base + p.sub for p in i.parts)
-        for i in drawing.items
-        if isinstance(i, Text)
-    ]
+    return [texts_of(item) for item in drawing.items if isinstance(item, Text)]
+
+
+def texts_of(item):
+    return "".join(p if isinstance(p, str) else p.base + p.sub for p in item.parts)
+
+
+def upright(drawing, x):
+    """The upright straight lines of a drawing at x."""
+    lines = [stroke for item in drawing.items if isinstance(item, Path) for stroke in item.strokes]
+    return [line for line in lines if len(line) == 2 and all(abs(z.real - x) < 1e-9 for z in line)]
 
 
 def strokes(drawing, pen):
@@ -94,6 +105,26 @@ def test_zones_add_up_to_the_active_part(mesh):
     ET.fromstring(svg(drawing))
 
 
+@pytest.mark.parametrize("distance, letters", [(0.1303, "ACPDB"), (0.1365, "APB"), (0.14, "AB")])
+def test_zones_letter_what_lies_on_the_active_part(distance, letters):
+    """Shifted far apart the wheels have a contact ratio under 1, and then no pitch point on AB."""
+    found = spur.solve(spur.Given(-2, 0.006, distance, (14, 28)))
+    drawing = zones(Mesh(found.pair, found.points), num, str)
+    left, _, right, _ = drawing.box
+    assert right - left < WIDE + 2 * BEYOND + 5
+    assert {text for text in texts(drawing) if text in "ACPDB"} == set(letters)
+
+
+def test_the_line_of_the_pitch_point_does_not_cross_out_a_dimension(mesh):
+    """Only the ends of zones are drawn down to the dimensions."""
+    drawing = zones(mesh, num, str)
+    (middle,) = [i.at.real for i in drawing.items if isinstance(i, Text) and texts_of(i) == "P"]
+    lows = [min(z.imag for z in stroke) for stroke in upright(drawing, middle)]
+    labels = [i for i in drawing.items if isinstance(i, Text) and texts_of(i)[0].isdigit()]
+    top = max(text.at.imag for text in labels) + 1.4
+    assert lows and min(lows) >= top
+
+
 @pytest.mark.parametrize("ratio", [0.8, 1.0, 1.3432, 1.94, 2.6])
 def test_pairs_in_mesh_are_the_contact_ratio_on_the_average(ratio):
     pitch = WIDE / ratio
@@ -111,6 +142,15 @@ def test_the_contour_is_drawn_where_it_is(found):
         assert np.abs(border - plane.at(piece)).max() < 1e-12
     assert "K" in texts(drawing) and ("L" in texts(drawing)) == (not seen.feasible)
     ET.fromstring(svg(drawing))
+
+
+def test_tips_that_cannot_pass_each_other_are_said_so_without_a_number():
+    """A ring of 41 teeth has no room for the tips of a pinion of 40: an overlap of ∞° says nothing."""
+    found = spur.solve(spur.Given(1.025, 0.005, None, (40, 41)))
+    view = TeethView(found, Page(Html(), Translator("en"), Numbering()), "pair")
+    told = [str(lack) for lack in view.lacks()]
+    assert "the tips of the ring and the pinion cannot pass each other" in told
+    assert not any("∞" in text or "inf" in text for text in told)
 
 
 def test_labels_of_a_column_keep_their_distance_and_their_middle():

@@ -112,3 +112,20 @@ def test_sketch_that_does_not_tell():
 def test_keys_name_joint_or_links():
     (d,) = linkage(SCHEMES["four_bar"]()).groups
     assert keys_of(d) == ["B", "2-3", "3-2"]
+
+
+def test_a_guide_is_no_key_of_a_variant():
+    (problem,) = mistakes("slotted_link")
+    assert "(key 3-2)" in problem.text()
+
+
+def test_sketch_in_which_a_dyad_does_not_close():
+    """The crank pin alone is sketched where the rod cannot reach."""
+    mechanism = SCHEMES["slider_crank"]()
+    rod = mechanism.links["2"]
+    short = dataclasses.replace(rod, points={name: at * 1e-3 for name, at in rod.points.items()})
+    links = {**mechanism.links, "2": short}
+    sketch = {"A": 1j}
+    with pytest.raises(ProblemError) as caught:
+        assemble(dataclasses.replace(mechanism, links=links, assembly=(), sketch=sketch))
+    assert any("cannot be assembled in the position of the sketch" in p.text() for p in caught.value.problems)

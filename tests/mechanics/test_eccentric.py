@@ -14,6 +14,7 @@ from tmm_report.mechanics.eccentric_teeth import Cut, Place, assemble, proof
 from tmm_report.mechanics.polygons import overlap
 from tmm_report.mechanics.spur import Rack
 from tmm_report.mechanics.teeth import external, over_pitch, ring
+from tmm_report.mechanics.wheels import least_teeth
 
 RACK, M = Rack(), 0.002
 ratios = st.builds(Fraction, st.integers(5, 60), st.integers(1, 8)).filter(lambda u: 1.2 < u < 12)
@@ -164,7 +165,7 @@ def test_subsets_of_a_batch_are_those_of_singles(batch, clearance):
 
 
 def test_least_teeth_is_the_courses():
-    assert ecc.least_teeth(RACK) == 17
+    assert least_teeth(RACK) == 17
 
 
 def test_tips_of_the_ring_are_cut_for_the_fillets():

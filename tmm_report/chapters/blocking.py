@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any
 
 from tmm_report.chapters import spur
@@ -14,20 +14,40 @@ Array = Any
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """Found by `solve`; points are x1 + i x2. `chosen`: the shifts taken; `region`: pieces of the boundary (N,).
-
-    `lacks`: the limits the chosen point breaks; `nearest`: the feasible point nearest to it, and `nearest_at_distance`:
-    that of the same centre distance; None where there is none.
-    """
+    """Found by `solve`, what is asked for; points are x1 + i x2. `chosen`: the shifts taken."""
 
     blocking: Blocking
     chosen: complex
-    window: Window
-    region: tuple[Array, ...]
-    lines: tuple[Line, ...]
-    lacks: tuple[Lack, ...]
-    nearest: complex | None
-    nearest_at_distance: complex | None
+
+    @cached_property
+    def window(self) -> Window:
+        """The part of the plane that is drawn."""
+        return self.blocking.window(self.chosen)
+
+    @cached_property
+    def region(self) -> tuple[Array, ...]:
+        """Pieces of the boundary of the feasible region in the window, (N,) each."""
+        return self.blocking.region(self.window)
+
+    @cached_property
+    def lines(self) -> tuple[Line, ...]:
+        """The limits and the lines of equal quality in the window."""
+        return self.blocking.lines(self.window, self.chosen)
+
+    @cached_property
+    def lacks(self) -> tuple[Lack, ...]:
+        """The limits that the chosen point breaks."""
+        return self.blocking.lacks(self.chosen)
+
+    @cached_property
+    def nearest(self) -> complex | None:
+        """The feasible point nearest to the chosen one; None where there is none."""
+        return self.blocking.nearest(self.chosen)
+
+    @cached_property
+    def nearest_at_distance(self) -> complex | None:
+        """The same among the points of the same centre distance."""
+        return self.blocking.nearest_at_distance(self.chosen)
 
     @property
     def feasible(self) -> bool:
@@ -36,20 +56,9 @@ class Found:
 
 @lru_cache(maxsize=16)
 def solve(found: spur.Found) -> Found:
-    """The contour with the limits by which the stage itself is judged."""
+    """The contour with the limits by which the stage itself is judged; kept for all who ask for it."""
     pair, z = found.pair, found.teeth.z
     blocking = Blocking(
         z[0], z[1], pair.m, pair.rack, pair.beta, bool(pair.internal), spur.POINTING, spur.CONTACT
     )
-    chosen = complex(float(pair.x1), float(pair.x2))
-    window = blocking.window(chosen)
-    return Found(
-        blocking,
-        chosen,
-        window,
-        blocking.region(window),
-        blocking.lines(window, chosen),
-        blocking.lacks(chosen),
-        blocking.nearest(chosen),
-        blocking.nearest_at_distance(chosen),
-    )
+    return Found(blocking, complex(float(pair.x1), float(pair.x2)))

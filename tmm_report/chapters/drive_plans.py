@@ -22,11 +22,8 @@ from tmm_report.chapters.plans import Comparison
 from tmm_report.chapters.scales import Pen, round_scale, rounded
 from tmm_report.mechanics.trains import FRAME, Member, Mesh, Train
 
-TALL, WIDE, LONG = (
-    150.0,
-    90.0,
-    155.0,
-)  # mm: the scheme's height, the largest velocity, the plan of angular velocities
+# mm: the scheme's height, the largest velocity, the plan of angular velocities
+TALL, WIDE, LONG = 150.0, 90.0, 155.0
 POLE = 60.0  # mm: the largest pole distance
 LETTERS = "ABCDEFGKLMNQRSTUVWXYZ"  # names of points; H is a carrier, O an axis, P the pole
 SAME = 1e-9  # m: points nearer than this are one

@@ -20,6 +20,7 @@ from tmm_report.chapters.spur import Condition
 from tmm_report.mechanics import eccentric as ecc
 from tmm_report.mechanics import eccentric_teeth as toothed
 from tmm_report.mechanics.trains import Member, Mesh, Train, speeds
+from tmm_report.mechanics.wheels import least_teeth
 from tmm_report.problems import N_, Message
 
 Array = Any
@@ -179,15 +180,13 @@ def _satellites(given: Given, judged: Judged, row: int, E: int) -> tuple[Satelli
         gap = ecc.gaps(np.array(sun), all_.z[alone], all_.phi1[alone], given.module, given.rack.ha)
         picked = [int(alone[i]) for i in ecc.largest_set(gap, given.clearance)]
     if not picked:
-        raise mistakes.no_satellite(
-            given, judged.family, judged.sound(ecc.least_teeth(given.rack)), set(kinds)
-        )
+        raise mistakes.no_satellite(given, judged.family, judged.sound(least_teeth(given.rack)), set(kinds))
     return tuple(_named(all_, picked, kinds, sun, ring, given.module))
 
 
 def _allowed(given: Given, all_: ecc.Candidates, ring: int) -> Array:
     m, rack = given.module, given.rack
-    fine = (all_.z >= ecc.least_teeth(rack)) & (np.abs(all_.residue) <= given.slack)
+    fine = (all_.z >= least_teeth(rack)) & (np.abs(all_.residue) <= given.slack)
     return (
         fine & (ecc.root_in_hand(ring, all_.z, m, rack) >= 0) & (ecc.tips_in_hand(ring, all_.z, m, rack) >= 0)
     )
@@ -233,7 +232,7 @@ def _conditions(found: Found) -> Iterator[Condition]:
     apart = float(ecc.tips_apart(found.sun, found.ring, found.e, m, rack.ha))
     yield Condition("tips", f"{SUN}–{RING}", apart, 0.0, "mm")
     for wheel, z in {SUN: found.sun, **{s.wheel: s.teeth for s in found.satellites}}.items():
-        yield Condition("undercut", wheel, z, ecc.least_teeth(rack))
+        yield Condition("undercut", wheel, z, least_teeth(rack))
     for s in found.satellites:
         yield Condition("root", s.wheel, float(ecc.root_in_hand(found.ring, s.teeth, m, rack)), 0.0, "mm")
         yield Condition("fouling", s.wheel, float(ecc.tips_in_hand(found.ring, s.teeth, m, rack)), 0.0, "mm")

@@ -13,6 +13,7 @@ from tmm_report.chapters import eccentric_mistakes as mistakes
 from tmm_report.chapters.spur import STANDARD
 from tmm_report.mechanics import eccentric as ecc
 from tmm_report.mechanics.spur import Rack
+from tmm_report.mechanics.wheels import least_teeth
 from tmm_report.problems import ProblemError
 
 Array = Any
@@ -108,7 +109,7 @@ def sizes(given: Given) -> tuple[Fraction, int]:
 
 def members(given: Given, solution: ecc.Solution, u: Fraction, E: int, most: int) -> ecc.Family:
     """The sets from the largest ring looked at down to the smallest sun without undercut, where there is room."""
-    least = ecc.least_teeth(given.rack)
+    least = least_teeth(given.rack)
     if given.teeth is not None:
         least, most = min(least, given.teeth[0]), max(most, given.teeth[-1])
     found = ecc.family(solution, u, E, ecc.range_of(solution, u, least, most))
@@ -118,7 +119,7 @@ def members(given: Given, solution: ecc.Solution, u: Fraction, E: int, most: int
 
 def most_ring(given: Given, u: Fraction) -> int:
     """The largest ring looked at."""
-    return given.most_ring or max(COMMON_RING, math.ceil(2 * ecc.least_teeth(given.rack) * u))
+    return given.most_ring or max(COMMON_RING, math.ceil(2 * least_teeth(given.rack) * u))
 
 
 def judge(given: Given, u: Fraction, E: int, family: ecc.Family) -> Judged:
@@ -130,7 +131,7 @@ def judge(given: Given, u: Fraction, E: int, family: ecc.Family) -> Judged:
     residue = ecc.residue(belt)
     gap = ecc.gaps(family.sun, z, TURNS * phi1, m, rack.ha)
     root, tips = ecc.root_in_hand(ring, z, m, rack), ecc.tips_in_hand(ring, z, m, rack)
-    allowed = (z == np.round(z)) & (z >= ecc.least_teeth(rack)) & (np.abs(residue) <= given.slack)
+    allowed = (z == np.round(z)) & (z >= least_teeth(rack)) & (np.abs(residue) <= given.slack)
     allowed &= (root >= 0) & (tips >= 0)
     closed = ecc.closed_gap(family.sun, family.ring, E * m / 2, m, rack.ha)
     fit = ecc.subsets(gap, allowed, given.clearance)
@@ -157,9 +158,8 @@ def _hopeless(given: Given, judged: Judged, u: Fraction, E: int) -> ProblemError
     if 0 < widest <= given.clearance:
         return mistakes.too_wide(given, widest)
     most = most_ring(given, u)
-    nearest = range(
-        min(E, most) - 1, 0, -1
-    )  # an eccentricity of E halves of a module needs a ring over E teeth
+    # an eccentricity of E halves of a module needs a ring over E teeth
+    nearest = range(min(E, most) - 1, 0, -1)
     smaller = next((n for n in nearest if len(_good_rings(given, u, n, most))), None)
     rings = _good_rings(given, u, E, LARGEST_RING)
     return mistakes.nothing_fits(given, E, most, smaller, int(rings[-1]) if len(rings) else None)

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
+from tmm_report.chapters.rack_mistakes import of_rack
 from tmm_report.mechanics import eccentric as ecc
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 
@@ -78,14 +79,7 @@ def _eccentricity(given: Given) -> Iterator[Problem]:
 
 def _cut(given: Given) -> Iterator[Problem]:
     """The rack and the backlash."""
-    rack = given.rack
-    most = math.pi / 4 / math.tan(rack.alpha)
-    if rack.ha <= 0:
-        right = Message(N_("the height of the teeth ha* must be greater than zero, usually 1"))
-        yield mistake(N_("ha* = %(ha)s leaves no teeth"), _at("rack"), right, ha=f"{rack.ha:.5g}")
-    elif rack.ha + rack.c >= most:
-        right = Message(N_("ha* + c* must be less than %(most)s at this angle"), {"most": f"{most:.5g}"})
-        yield mistake(N_("the teeth of the rack come to a point below their height"), _at("rack"), right)
+    yield from of_rack(given.rack, _at("rack"))
     if given.backlash > PLAY * given.module:
         right = Message(N_("a backlash up to %(most)s mm"), {"most": _mm(PLAY * given.module)})
         wrong = N_("a backlash of %(backlash)s mm leaves too little of the teeth")

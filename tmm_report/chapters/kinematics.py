@@ -58,6 +58,10 @@ class Output:
     def acceleration(self, motion: Motion) -> Array:
         return self.rates(motion)[2]
 
+    def size(self, motion: Motion) -> Array:
+        """A speed of the mechanism beside which the output's is more than rounding: m/s or rad/s."""
+        return motion.velocities if self.kind == "slider" else motion.omega
+
 
 @dataclass(frozen=True, eq=False)
 class Travel:
@@ -127,7 +131,7 @@ class Kinematics:
     def dead(self) -> tuple[Dead, ...]:
         """Dead points of every output, were it to drive."""
         outputs = (travel.output for travel in self.travels)
-        return tuple(dead(self.cycle, output.name, output.velocity) for output in outputs)
+        return tuple(dead(self.cycle, output.name, output.velocity, output.size) for output in outputs)
 
     @property
     def omega(self) -> float:

@@ -50,7 +50,10 @@ class Gap:
 
 @dataclass(frozen=True, eq=False)
 class Closest:
-    """How near a group comes to a singular position: `closeness` 1 … 0 and where; its exact singular positions."""
+    """How near a group comes to a singular position: `closeness` 1 … 0 and where; its exact singular positions.
+
+    `corners`: those of the change points that are not passed smoothly.
+    """
 
     group: str
     links: tuple[str, ...]
@@ -59,6 +62,7 @@ class Closest:
     changes: tuple[float, ...]
     limits: tuple[float, ...]
     parallel: tuple[float, ...]
+    corners: tuple[float, ...]
 
 
 @dataclass(frozen=True)
@@ -79,7 +83,7 @@ def gaps(cycle: Cycle) -> tuple[Gap, ...]:
     """Every group that cannot be assembled over part of the cycle."""
     found = []
     for critical in cycle.critical:
-        intervals = tuple(_turned_intervals(cycle, critical))
+        intervals = tuple(sorted(_turned_intervals(cycle, critical)))
         if intervals:
             why, cure = _cause(critical)
             found.append(Gap(critical.group.group.label, critical.group.links, intervals, why, cure))
@@ -99,13 +103,15 @@ def closest(cycle: Cycle) -> tuple[Closest, ...]:
         zeros = [_turned(cycle, part) for part in (critical.changes, critical.limits, critical.parallel)]
         if any(zeros):
             at = Extreme(0.0, min(x for part in zeros for x in part))
+        corner = group.corner if isinstance(group, Dyad) else None
+        zeros.append(() if corner is None else _turned(cycle, (corner,)))
         found.append(Closest(label, group.links, isinstance(group, Dyad), at, *zeros))
     return tuple(found)
 
 
-def dead(cycle: Cycle, name: str, velocity: Rate) -> Dead:
-    """Dead points of an output with this velocity, exactly."""
-    turned = cycle.roots(velocity)
+def dead(cycle: Cycle, name: str, velocity: Rate, size: Rate) -> Dead:
+    """Dead points of an output with this velocity, exactly; none of one that stands still beside `size` all round."""
+    turned = cycle.swings(velocity, size)
     motion = cycle.motion(turned)
     lines = [_in_line(motion, k) for k in range(len(turned))]
     return Dead(name, tuple(turned.tolist()), tuple(lines))

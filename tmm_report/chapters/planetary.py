@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.planetary_limits import check_teeth, no_solution
+from tmm_report.chapters.planetary_limits import check, check_teeth, no_solution
 from tmm_report.mechanics import planetary as p
 from tmm_report.mechanics import trains
 from tmm_report.mechanics.planetary_search import Candidates, Task, ranked, search
@@ -241,7 +241,8 @@ class Found:
 
 
 def solve(given: Given) -> Found:
-    """Raises ProblemError where no teeth give the ratio, or those given fail a condition."""
+    """Raises ProblemError where no teeth give the ratio, or those given fail a condition, or the rack cuts none."""
+    check(given.task)
     found = all_candidates(given)
     order = ranked(given.task, found)
     if given.teeth is not None:

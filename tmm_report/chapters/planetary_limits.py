@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.chapters.rack_mistakes import of_rack
 from tmm_report.mechanics import planetary as p
 from tmm_report.mechanics.planetary_search import (
     LARGEST_SHIFTED,
@@ -44,6 +45,12 @@ CONTACT = N_("the profile shift leaves a contact ratio under %(least)s")
 FOR_EXAMPLE = N_("for example, teeth %(teeth)s with %(count)s satellites do")
 
 
+def check(task: Task) -> None:
+    """Raises ProblemError where the rack cuts no teeth."""
+    if problems := list(of_rack(task.rack, ("rack",))):
+        raise ProblemError(problems)
+
+
 # --- no teeth at all
 
 
@@ -55,8 +62,12 @@ def no_solution(task: Task) -> ProblemError:
         "count": _listed(task.satellites),
     }
     wrong = N_("no teeth give the ratio %(ratio)s within %(tolerance)s %% with %(count)s satellites")
-    right = _other_satellites(task) or _by_shift(task) or _reachable(task)
-    return ProblemError([mistake(wrong, ("ratio",), right, **values)])
+    return ProblemError([mistake(wrong, ("ratio",), _nearby(task), **values)])
+
+
+def _nearby(task: Task) -> Message:
+    """What would work near a task that no teeth fulfil."""
+    return _other_satellites(task) or _by_shift(task) or _reachable(task)
 
 
 def _best(task: Task) -> tuple[Teeth, int] | None:
@@ -116,14 +127,16 @@ def check_teeth(task: Task, teeth: Teeth, found: Candidates, order: Array) -> in
         return int(counts[good][0])
     best = min(counts, key=lambda k: len(_failures(task, teeth, int(k))))
     problems = _failures(task, teeth, int(best))
-    if len(order):
-        values = {
-            "teeth": _shown(task, _teeth(found.teeth[:, order[0]])),
-            "count": int(found.satellites[order[0]]),
-        }
-        example = Message(FOR_EXAMPLE, values)
+    if any(problem.right is None for problem in problems):
+        example = _first(task, found, order) if len(order) else _nearby(task)
         problems = [replace(problem, right=problem.right or example) for problem in problems]
     raise ProblemError(problems)
+
+
+def _first(task: Task, found: Candidates, order: Array) -> Message:
+    """The best of the solutions as an example."""
+    teeth = _shown(task, _teeth(found.teeth[:, order[0]]))
+    return Message(FOR_EXAMPLE, {"teeth": teeth, "count": int(found.satellites[order[0]])})
 
 
 def _failures(task: Task, teeth: Teeth, k: int) -> list[Problem]:

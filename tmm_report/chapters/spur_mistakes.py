@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from tmm_report.chapters.rack_mistakes import of_rack
 from tmm_report.mechanics import shifts, spur, teeth
 from tmm_report.mechanics.involute import inverse
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
@@ -38,14 +39,7 @@ def check_pair(given: Given, pair: spur.Pair) -> None:
 
 
 def _stated(given: Given) -> Iterator[Problem]:
-    if given.rack.ha <= 0:
-        right = Message(N_("the height of the teeth ha* must be greater than zero, usually 1"))
-        yield mistake(N_("ha* = %(ha)s leaves no teeth"), ("rack", "ha*"), right, ha=_text(given.rack.ha))
-    room = math.pi / 4 - (given.rack.ha + given.rack.c) * math.tan(given.rack.alpha)
-    if room <= 0:
-        most = math.pi / 4 / math.tan(given.rack.alpha)
-        right = Message(N_("ha* + c* must be less than %(most)s at this angle"), {"most": _text(most)})
-        yield mistake(N_("the teeth of the rack come to a point below their height"), ("rack",), right)
+    yield from of_rack(given.rack, ("rack",))
     if given.internal and math.isclose(given.ratio, 1.0):
         right = Message(
             N_("the ratio of an internal pair must differ from 1: 2, or 0.5; −1 makes the pair external")
@@ -246,4 +240,5 @@ def _mm(length: float | None, up: bool | None = None) -> str:
 
 
 def _text(number: float) -> str:
-    return f"{number:.5g}"
+    """Five digits; what is rounding beside a shift or a millimetre is 0."""
+    return f"{number if abs(number) > 1e-9 else 0.0:.5g}"

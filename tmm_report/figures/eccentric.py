@@ -254,11 +254,17 @@ def _views(found: Found) -> Iterator[tuple[str, str, complex, float]]:
     along = cmath.rect(1, s.phi1)
     yield SUN, s.wheel, m / 2 * found.sun * along, s.phi1
     yield s.wheel, RING, complex(found.e) + cmath.rect(m / 2 * found.ring, s.phi3), s.phi3
-    one, other, gap = min(found.neighbours, key=lambda pair: pair[2], default=(s, s, math.inf))
-    if 1e3 * gap * close_scale(found) < ROUND:  # else neither wheel would be in view
+    if (nearest := narrowest(found)) is not None:
+        one, other, gap = nearest
         across = other.centre - one.centre
         tip = m * (one.teeth / 2 + found.given.rack.ha)
         yield one.wheel, other.wheel, one.centre + (tip + gap / 2) * across / abs(across), cmath.phase(across)
+
+
+def narrowest(found: Found) -> tuple[Satellite, Satellite, float] | None:
+    """The nearest neighbours and the gap between their tips, m; None: so far apart that neither would be in view."""
+    nearest = min(found.neighbours, key=lambda pair: pair[2], default=None)
+    return nearest if nearest is not None and 1e3 * nearest[2] * close_scale(found) < ROUND else None
 
 
 class _View:

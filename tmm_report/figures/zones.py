@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from itertools import pairwise
 
 import numpy as np
@@ -35,16 +35,24 @@ def zones(mesh: Mesh, num: Callable[[float], str], words: Callable[[int], str], 
     """
     k = WIDE / abs(mesh.places["B"] - mesh.places["A"])
     pitch = k * float(mesh.pair.p_b)
-    x = {name: k * abs(place - mesh.places["A"]) for name, place in mesh.places.items()}
+    x = _marks(mesh.places)
     items: list[Item] = []
     for row, shift in enumerate(range(-_beside(pitch), _beside(pitch) + 1)):
         items += _bar(shift * pitch, -row * (TALL + APART), pitch)
     rows = 2 * _beside(pitch) + 1
     low = -(rows - 1) * (TALL + APART)
-    items += [line(complex(at, low - 5), complex(at, TALL + 2), THIN) for at in x.values()]
+    for name, at in x.items():  # P bounds no zone: its line would cross out a dimension
+        items.append(line(complex(at, low if name == "P" else low - 5), complex(at, TALL + 2), THIN))
     items += [Text(complex(at, TALL + 4.5), (Symbol(name),), align=0) for name, at in x.items()]
     items += _intervals(pitch, low - 5, k, num, words)
     return Drawing(tuple(items), title)
+
+
+def _marks(places: Mapping[str, float]) -> dict[str, float]:
+    """The lettered points of AB, mm from A; below a contact ratio of 1 C and D lie outside, P may."""
+    length = places["B"] - places["A"]
+    found = {name: WIDE * (place - places["A"]) / length for name, place in places.items()}
+    return {name: at for name, at in found.items() if -1e-6 <= at <= WIDE + 1e-6}
 
 
 def _beside(pitch: float) -> int:
@@ -72,6 +80,8 @@ def _steps(pitch: float) -> list[tuple[float, float, int]]:
 def _bar(start: float, low: float, pitch: float) -> Iterator[Item]:
     """A bar cut off where it leaves the picture, hatched in the zones of AB with more pairs."""
     left, right = max(start, -BEYOND), min(start + WIDE, WIDE + BEYOND)
+    if left >= right:
+        return
     steps = _steps(pitch)
     fewest = min(n for _, _, n in steps)
     for a, b, n in steps:

@@ -159,7 +159,9 @@ def _dyad_by_sketch(
         return dyad(mechanism, d.group, sign)
     sign = _nearer(mechanism, state, d) if angle is not None else None
     if sign is None:
-        problems.append(_not_stated(mechanism, d, angle))
+        problem = _not_told(mechanism, state, d, angle)
+        if problem not in problems:
+            problems.append(problem)
     return replace(dyad(mechanism, d.group, sign or 1), told_at=angle)
 
 
@@ -180,7 +182,10 @@ def _higher_by_sketch(
         return HigherGroup(group, loops, start, known, own)
     wanted = [p for link in group.links for p in mechanism.links[link].points if p in mechanism.sketch]
     if angle is None or not wanted:
-        problems.append(_needs_sketch(group, mechanism))
+        wordless = _no_angle(mechanism) if mechanism.sketch and angle is None else None
+        problem = wordless or _needs_sketch(group, mechanism)
+        if problem not in problems:
+            problems.append(problem)
         return None
     ways = assemblies(loops, state)
     if not len(ways):
@@ -253,15 +258,23 @@ def _unclear_sketch(group: Group) -> Problem:
     return mistake(text, ("mechanism", "sketch"), right, group=group.label)
 
 
-def _not_stated(mechanism: Mechanism, d: Dyad, angle: float | None) -> Problem:
-    key = keys_of(d)[0]
+def _no_angle(mechanism: Mechanism) -> Problem:
+    text = N_("the sketch has no moving point of driving link %(link)s, so its position is not known")
+    return mistake(text, ("mechanism", "sketch"), Message(N_("add one")), link=mechanism.driver.link)
+
+
+def _not_told(mechanism: Mechanism, state: State, d: Dyad, angle: float | None) -> Problem:
+    """Why neither words nor the sketch tell a dyad's root."""
     if mechanism.sketch and angle is None:
-        text = N_("the sketch has no moving point of driving link %(link)s, so its position is not known")
-        return mistake(text, ("mechanism", "sketch"), Message(N_("add one")), link=mechanism.driver.link)
+        return _no_angle(mechanism)
+    before = [d.carrier_a, d.carrier_b]
+    known = all(np.isfinite(state.r[link] + state.u[link]).all() for link in before)
+    if angle is not None and known and not _closes(mechanism, state, d):
+        return _cannot_be_assembled(d.group, angle)
+    key = keys_of(d)[0 if d.inner.kind == "R" else 1]  # a guide is no key of a variant
     text = N_("group %(group)s can be assembled in two ways and the variant does not say which (key %(key)s)")
-    return mistake(
-        text, PATH if mechanism.assembly else ("mechanism",), how_to_state(d), group=d.group.label, key=key
-    )
+    path = PATH if mechanism.assembly else ("mechanism", "sketch") if mechanism.sketch else ("mechanism",)
+    return mistake(text, path, how_to_state(d), group=d.group.label, key=key)
 
 
 def sketch_angle(mechanism: Mechanism, structure: Structure) -> float | None:
@@ -278,13 +291,24 @@ def _nearer(mechanism: Mechanism, state: State, d: Dyad) -> int | None:
     """The root whose points lie nearer to their sketched places; None where the sketch does not tell."""
     misses = {}
     for sign in (1, -1):
-        trial = replace(state, o={**state.o}, r={**state.r}, u={**state.u})
-        with np.errstate(invalid="ignore", divide="ignore"):
-            place(trial, dyad(mechanism, d.group, sign))
+        trial = _with_root(mechanism, state, d.group, sign)
         misses[sign] = _distance(mechanism, trial, d.links)
     if not np.isfinite(misses[1] + misses[-1]) or np.isclose(misses[1], misses[-1], rtol=1e-6, atol=0):
         return None
     return 1 if misses[1] < misses[-1] else -1
+
+
+def _closes(mechanism: Mechanism, state: State, d: Dyad) -> bool:
+    trial = _with_root(mechanism, state, d.group, 1)
+    return all(np.isfinite(trial.r[link] + trial.u[link]).all() for link in d.links)
+
+
+def _with_root(mechanism: Mechanism, state: State, group: Group, sign: int) -> State:
+    """A copy of the state with a dyad in one of its assemblies."""
+    trial = replace(state, o={**state.o}, r={**state.r}, u={**state.u})
+    with np.errstate(invalid="ignore", divide="ignore"):
+        place(trial, dyad(mechanism, group, sign))
+    return trial
 
 
 # ---------------------------------------------------------------- all assemblies
@@ -333,9 +357,7 @@ def _ways_of(mechanism: Mechanism, state: State, group: Group) -> Iterator[State
             yield placed(state, loops, q)
         return
     for sign in (1, -1) if dyad(mechanism, group).two_roots else (1,):
-        trial = replace(state, o={**state.o}, r={**state.r}, u={**state.u})
-        with np.errstate(invalid="ignore", divide="ignore"):
-            place(trial, dyad(mechanism, group, sign))
+        trial = _with_root(mechanism, state, group, sign)
         if all(np.isfinite(trial.r[link] + trial.u[link]).all() for link in group.links):
             yield trial
 

@@ -122,10 +122,17 @@ class Blocking:
 
     def nearest(self, x: complex) -> complex | None:
         """The feasible point nearest to x, to 1e-9; None where no point is feasible."""
-        if self.margin(x) >= -ROUNDING:
-            return x
+        # the limits of undercut are straight lines: no feasible point is nearer than the one clear of them
+        for point in (x, self._uncut(x)):
+            if self.margin(point) >= -ROUNDING:
+                return point
         found = [point for piece in self.region(self.window(x)) for point in self._nearest_on(piece, x)]
         return min(found, key=lambda point: abs(point - x), default=None)
+
+    def _uncut(self, x: complex) -> complex:
+        """The point nearest to x without undercut, whatever the other limits."""
+        least = {limit.wheel: limit.bound for limit in self.limits if limit.kind == "undercut"}
+        return complex(max(x.real, least.get(1, -np.inf)), max(x.imag, least.get(2, -np.inf)))
 
     def _nearest_on(self, piece: Array, x: complex) -> Iterator[complex]:
         """The nearest vertex of a closed piece of the boundary, and what is nearer on the two sides that meet there."""
@@ -146,7 +153,7 @@ class Blocking:
 
         def slope(part: Array) -> Array:  # of the distance along the boundary
             points = self._projected(a + part * (b - a), limit)
-            along = 1j * self._gradient(points, limit)
+            along = 1j * self._gradients(points)[limit]
             with _unknown():
                 return ((points - x) * along.conj()).real / np.abs(along)
 
@@ -161,17 +168,18 @@ class Blocking:
     def _projected(self, points: Array, limit: int) -> Array:
         """Points moved onto the line of a limit along its gradient, by Newton's method."""
         for _ in range(5):
-            slope = self._gradient(points, limit)
+            slope = self._gradients(points)[limit]
             with _unknown():
                 points = points - self._margins(points)[limit] * slope / np.abs(slope) ** 2
         return points
 
-    def _gradient(self, points: Array, limit: int) -> Array:
-        """Gradient of a margin, as a complex number, by central differences of fourth order."""
+    def _gradients(self, points: Array) -> Array:
+        """Gradients of all margins at points (N,), complex, (limits, N), by central differences of fourth order."""
         steps = DIFFERENCE_STEP * np.array([2, 1, -1, -2])
         weights = np.array([-1, 8, -8, 1]) / (12 * DIFFERENCE_STEP)
-        x1, x2 = (self._margins(points[:, None] + unit * steps)[limit] @ weights for unit in (1, 1j))
-        return x1 + 1j * x2
+        around = self._margins(points[:, None] + np.concatenate([steps, 1j * steps]))
+        with _unknown():
+            return around[..., :4] @ weights + 1j * (around[..., 4:] @ weights)
 
     def nearest_at_distance(self, x: complex) -> complex | None:
         """The feasible point nearest to x among those of the same centre distance; None where there is none."""
@@ -244,11 +252,14 @@ class Blocking:
         x = np.array([(a + b) / 2])
         for _ in range(8):
             g = self._margins(x)[which, 0]
-            one, other = (complex(self._gradient(x, limit)[0]) for limit in which)
+            one, other = self._gradients(x)[which, 0]
             turn = (one.conjugate() * other).imag
             if not np.isfinite(g).all() or not abs(turn) > 1e-9:
                 return None
-            x = x - 1j * (g[1] * one - g[0] * other) / turn
+            step = 1j * (g[1] * one - g[0] * other) / turn
+            x = x - step
+            if abs(step) < 1e-12:
+                break
         off = np.abs(self._margins(x)[which, 0]).max()
         return complex(x[0]) if off < ROUNDING and abs(x[0] - (a + b) / 2) < 2 * abs(b - a) else None
 

@@ -91,7 +91,8 @@ class Dyad:
     """A dyad with its links in the order of the table above and its root.
 
     `sign` is stated for the driver angle `told_at`, rad. At the driver angles `changes` the two roots meet, and there
-    the motion goes smoothly on to the other sign. `size`: greatest distance A-C of kind 3 over the cycle, m.
+    the motion goes smoothly on to the other sign; at `corner` they meet and the sign stays. `size`: greatest distance
+    A-C of kind 3 over the cycle, m.
     """
 
     group: Group
@@ -103,6 +104,7 @@ class Dyad:
     inner: Pair
     sign: int = 1
     changes: tuple[float, ...] = ()
+    corner: float | None = None
     told_at: float | None = None
     sense: int = 1  # of the driving link's rotation
     size: Scalar = None
@@ -239,7 +241,7 @@ def _offset(d: Dyad) -> Scalar:
 
 def _signed_root(s: State, d: Dyad, square: Array, scale: Array) -> Array:
     """±√square by the dyad's sign; nan where it is negative, but at a change point rounding may make it so."""
-    if d.changes:
+    if d.changes or d.corner is not None:
         square = np.where((square < 0) & (square > -ROUNDING * scale), 0.0, square)
     return d.root(s.phi) * np.sqrt(square)
 

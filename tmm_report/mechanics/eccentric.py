@@ -183,11 +183,6 @@ def tips_apart(sun: Array, ring: Array, e: float, m: float, ha: float) -> Array:
     return m / 2 * (ring - sun) - e - 2 * ha * m
 
 
-def least_teeth(rack: Rack) -> int:
-    """z_min = 2 ha*/sin²α, rounded as the course does: 17 for 17.097."""
-    return round(2 * rack.ha / math.sin(rack.alpha) ** 2)
-
-
 def internal_pair(ring: Array, z: Array, m: float, rack: Rack) -> Pair:
     """A satellite in the ring, unshifted, at its standard centre distance."""
     return Pair(z, ring, m, rack, 0.0, 0.0, 0.0, m / 2 * (ring - z), internal=True)

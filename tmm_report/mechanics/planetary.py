@@ -10,20 +10,23 @@ Conditions: Frolov (ed.), Theory of mechanisms and machines, ch. 15; Kudryavtsev
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from typing import Any, Literal
 
 import numpy as np
 
+from tmm_report.mechanics import wheels
 from tmm_report.mechanics.involute import inv
-from tmm_report.mechanics.spur import Rack
+from tmm_report.mechanics.spur import Rack, fouling
+from tmm_report.mechanics.wheels import arccos, root
 
 Array = Any
 Member = Literal["wheel1", "wheel3", "carrier"]
 MEMBERS: tuple[Member, ...] = ("wheel1", "wheel3", "carrier")
 
 EXTERNAL, INTERNAL = 1, -1
+ROWS = ((0, 1), (3, 2))  # places of each row's central wheel and crown among the teeth
 
 
 @dataclass(frozen=True)
@@ -33,6 +36,11 @@ class Scheme:
     name: str
     rows: tuple[int, int]
     single: bool = False
+
+    @property
+    def wheels(self) -> tuple[int, ...]:
+        """Places of the different wheels among the teeth: the one crown of a single row is taken once."""
+        return (0, 1, 3) if self.single else (0, 1, 2, 3)
 
 
 SCHEMES = {
@@ -146,6 +154,13 @@ class Sizes:
         """The sizes of some of the stages, by index or mask of the last axis."""
         return Sizes(*(getattr(self, field.name)[..., chosen] for field in fields(self)))
 
+    @property
+    def diameters(self) -> dict[str, Array]:
+        """The diameters as they are cut, by the keys of `wheels.Wheels`."""
+        return {
+            "d": self.pitch, "d_b": self.base, "d_w": self.working, "d_f": self.root, "d_a": self.trimmed
+        }  # fmt: skip
+
     @cached_property
     def largest_satellite(self) -> Array:
         """Tip diameter of the larger crown, (...)."""
@@ -165,7 +180,7 @@ def teeth_sums(scheme: Scheme, z: Array) -> Array:
 
 
 def sizes(scheme: Scheme, modules: tuple[float, float], rack: Rack, z: Array) -> Sizes:
-    """All sizes for teeth (4, ...) whose sums are positive.
+    """All sizes for teeth (4, ...) whose sums are positive; `modules` of the rows, m.
 
     The row of the smaller pitch centre distance is shifted; an external mesh halves the sum of its coefficients,
     in an internal one the ring takes the difference. The rack cuts the involute of a satellite down to the radius of
@@ -189,17 +204,22 @@ def sizes(scheme: Scheme, modules: tuple[float, float], rack: Rack, z: Array) ->
     out = np.array(kinds(scheme)).reshape(4, *[1] * (z.ndim - 1))
     cut = _shortening(scheme, shortening)
     tip = pitch + 2 * of * (out * rack.ha + shifts - cut)
-    root = pitch - 2 * of * (out * (rack.ha + rack.c) - shifts)
-    base = pitch * np.cos(rack.alpha)
-    trimmed = tip.copy()
-    for row, ring, satellite in ((0, 0, 1), (1, 3, 2)):
+    roots = pitch - 2 * of * (out * (rack.ha + rack.c) - shifts)
+    base, working = pitch * np.cos(rack.alpha), pitch * stretch
+    found = Sizes(distances, distance, angles, shift_sums, shifts, pitch, base, working, tip, roots, tip)
+    return replace(found, trimmed=_trimmed(scheme, found, of, rack))
+
+
+def _trimmed(scheme: Scheme, found: Sizes, modules: Array, rack: Rack) -> Array:
+    """Tip diameters (4, ...), those of rings no smaller than where they would touch the fillets of the satellites."""
+    trimmed = found.tip.copy()
+    for row, (ring, satellite) in enumerate(ROWS):
         if scheme.rows[row] == INTERNAL:
-            left = of[satellite] * (rack.ha - shifts[satellite]) / np.sin(rack.alpha)
-            start = np.maximum(pitch[satellite] / 2 * np.sin(rack.alpha) - left, 0.0)
-            touching = distance * np.sin(angles[row]) + start
-            trimmed[ring] = np.maximum(tip[ring], 2 * np.hypot(base[ring] / 2, touching))
-    working = pitch * stretch
-    return Sizes(distances, distance, angles, shift_sums, shifts, pitch, base, working, tip, root, trimmed)
+            left = modules[satellite] * (rack.ha - found.shifts[satellite]) / np.sin(rack.alpha)
+            start = np.maximum(found.pitch[satellite] / 2 * np.sin(rack.alpha) - left, 0.0)
+            touching = found.centre_distance * np.sin(found.angles[row]) + start
+            trimmed[ring] = np.maximum(found.tip[ring], 2 * np.hypot(found.base[ring] / 2, touching))
+    return trimmed
 
 
 def _shifts(scheme: Scheme, sums: Array) -> Array:
@@ -236,8 +256,8 @@ def coaxiality_gap(scheme: Scheme, modules: tuple[float, float], z: Array) -> Ar
 
 
 def least_teeth(rack: Rack, shift: Array) -> Array:
-    """Least teeth that the rack does not undercut, 2 ha*/sin²α, as the course rounds it (17 for 17.097), by 1 − x."""
-    return np.round(2 * rack.ha / np.sin(rack.alpha) ** 2) * (1 - shift)
+    """Least teeth that the rack does not undercut, (...): `wheels.least_teeth` by 1 − x."""
+    return wheels.least_teeth(rack) * (1 - shift)
 
 
 @dataclass(frozen=True, eq=False)
@@ -245,8 +265,8 @@ class Internal:
     """Margins of an internal pair, (...): the condition holds where they are positive.
 
     `trimming`, m: radius of curvature of the ring's tip less a_w sin α_w, the distance between the limit points of
-    the line of action; nan where the ring's tips are inside its base circle. `tips`, rad of the ring: how far the
-    satellite's tip has cleared the ring's where the tip circles cross; nan where the satellite's encloses the ring's.
+    the line of action. `tips`, rad of the ring: how far the satellite's tip has cleared the ring's where the tip
+    circles cross (`spur.fouling`). Both are nan where the ring's tips are inside its base circle.
     """
 
     trimming: Array
@@ -259,24 +279,20 @@ class Internal:
 
 def internal_pair(scheme: Scheme, found: Sizes, z: Array, row: int) -> Internal:
     """Interference in a row with a ring; Litvin, Gear geometry, ch. 11 (the same as GOST 19274-73)."""
-    ring, satellite = (0, 1) if row == 0 else (3, 2)
+    ring, satellite = ROWS[row]
     distance, alpha_w = found.centre_distance, found.angles[row]
-    with np.errstate(invalid="ignore"):
-        curvature = np.sqrt(found.tip[ring] ** 2 - found.base[ring] ** 2) / 2
-        alpha_ring = np.arccos(found.base[ring] / found.tip[ring])
-        alpha_satellite = np.arccos(found.base[satellite] / found.tip[satellite])
-        r_ring, r_satellite = found.tip[ring] / 2, found.tip[satellite] / 2
-        # angles from the line of centres to the point where the tip circles cross
-        at_ring = np.arccos((r_ring**2 + distance**2 - r_satellite**2) / (2 * distance * r_ring))
-        at_satellite = np.arccos((r_ring**2 - distance**2 - r_satellite**2) / (2 * distance * r_satellite))
-        turned = (at_satellite + inv(alpha_satellite) - inv(alpha_w)) * z[satellite] / z[ring]
-        tips = turned - (at_ring + inv(alpha_ring) - inv(alpha_w))
+    angles = [arccos(found.base[i] / found.tip[i]) for i in (satellite, ring)]
+    tips = fouling(
+        (z[satellite], z[ring]), (found.tip[satellite] / 2, found.tip[ring] / 2), (angles[0], angles[1]),
+        distance, alpha_w,
+    )  # fmt: skip
+    curvature = root(found.tip[ring] ** 2 - found.base[ring] ** 2) / 2
     return Internal(curvature - distance * np.sin(alpha_w), tips)
 
 
 def contact_ratio(scheme: Scheme, found: Sizes, z: Array, row: int) -> Array:
     """Contact ratio of a row, (...): its tips over its operating angle, the ring's counted off."""
-    central, satellite = (0, 1) if row == 0 else (3, 2)
+    central, satellite = ROWS[row]
     with np.errstate(invalid="ignore"):  # tips inside the base circle: nan
         beyond = np.sqrt(found.trimmed**2 - found.base**2) / found.base - np.tan(found.angles[row])
     path = z[satellite] * beyond[satellite] + scheme.rows[row] * z[central] * beyond[central]
@@ -308,5 +324,6 @@ def carrier_turns(scheme: Scheme, z: Sequence[int], k: int) -> int | None:
 
 
 def assembles(scheme: Scheme, z: Array, k: Array) -> Array:
+    """Whether k satellites at equal angles can be put in, (...)."""
     number = assembly_number(scheme, z, k)
     return np.abs(number - np.round(number)) < 1e-9

@@ -68,10 +68,9 @@ def criticals(linkage: Linkage, told_at: float) -> tuple[Linkage, tuple[Critical
                 critical = _of_dyad(before, group, grid, s, edges)
                 if critical.changes:
                     at = told_at if group.told_at is None else group.told_at
-                    passed = _passed(critical.changes, at, sense)
-                    critical = replace(
-                        critical, group=replace(group, changes=passed, told_at=at, sense=sense)
-                    )
+                    passed, corner = _passed(critical.changes, at, sense)
+                    smooth = replace(group, changes=passed, corner=corner, told_at=at, sense=sense)
+                    critical = replace(critical, group=smooth)
             else:
                 altered = any(g.changes for g in before.groups)
                 critical = _of_higher(replace(group, known=(known_motion(before),)) if altered else group)
@@ -82,14 +81,15 @@ def criticals(linkage: Linkage, told_at: float) -> tuple[Linkage, tuple[Critical
     return before, tuple(found)
 
 
-def _passed(changes: tuple[float, ...], told_at: float, sense: int) -> tuple[float, ...]:
-    """The change points that are passed smoothly: all, but of an odd number the last before the turn is over is not, or
-    the next turn would begin in the other assembly."""
+def _passed(changes: tuple[float, ...], told_at: float, sense: int) -> tuple[tuple[float, ...], float | None]:
+    """The change points that are passed smoothly, and the one that is not: of an odd number the last before the turn is
+    over, or the next turn would begin in the other assembly."""
     if len(changes) % 2 == 0:
-        return changes
+        return changes, None
     after = np.mod(sense * (np.array(changes) - told_at), FULL_TURN)
     after = np.where(after < 1e-9, FULL_TURN, after)
-    return tuple(np.delete(changes, np.argmax(after)).tolist())
+    last = int(np.argmax(after))
+    return changes[:last] + changes[last + 1 :], changes[last]
 
 
 def _of_dyad(before: Linkage, d: Dyad, grid: Array, s: State, edges: list[float]) -> Critical:

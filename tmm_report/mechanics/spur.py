@@ -14,7 +14,7 @@ import numpy as np
 from tmm_report.mechanics.involute import inv, inverse
 from tmm_report.mechanics.wheels import Both, Rack, Wheels, arccos, least_shift, root, signs_of
 
-__all__ = ["Pair", "Rack", "Sliding", "least_shift", "meshed", "shift_sum"]
+__all__ = ["Pair", "Rack", "Sliding", "fouling", "least_shift", "meshed", "shift_sum"]
 
 Array = Any
 
@@ -159,7 +159,8 @@ class Pair(Wheels):
         """
         if not self.internal:
             return np.full(np.shape(self.a_w), np.nan)[()]
-        return _fouling(self)
+        z, (r, R) = self._ordered((self.z1, self.z2)), self._ordered(self.d_a)
+        return fouling(z, (r / 2, R / 2), self._ordered(self.alpha_a), self.a_w, self.alpha_w)
 
     def _ordered(self, both: Both) -> Both:
         """Of an internal pair: what belongs to the pinion, what to the ring."""
@@ -167,17 +168,20 @@ class Pair(Wheels):
         return np.where(first, both[0], both[1]), np.where(first, both[1], both[0])
 
 
-def _fouling(pair: Pair) -> Array:
-    """At the crossing of the tip circles each wheel stands at an angle δ from the centre line: the ring must lead."""
-    z, Z = pair._ordered((pair.z1, pair.z2))
-    r, R = (d / 2 for d in pair._ordered(pair.d_a))
-    tip, Tip = (inv(alpha) for alpha in pair._ordered(pair.alpha_a))
-    a = pair.a_w
-    delta = arccos((R**2 - a**2 - r**2) / (2 * a * r))
-    Delta = arccos((R**2 + a**2 - r**2) / (2 * a * R))
-    gap = (z * (tip + delta) - Z * (Tip + Delta) + (Z - z) * inv(pair.alpha_w)) / Z
-    gap = np.where(a + r <= R, np.inf, gap)  # the tip circles do not cross
-    return np.where(r - a >= R, -np.inf, gap)[()]
+def fouling(z: Both, tips: Both, angles: Both, a_w: Array, alpha_w: Array) -> Array:
+    """Gap between the tips of pinion and ring off the line of action, as an angle of the ring, rad, (...).
+
+    Of (pinion, ring): numbers of teeth, radii of the tips, m, and profile angles there. At the crossing of the tip
+    circles each wheel stands at an angle δ from the centre line, and the ring must lead. ∞ where the pinion's tips do
+    not come to those of the ring, −∞ where they enclose them; nan for a ring's tip inside its base circle.
+    Source: Litvin, Gear geometry and applied theory, ch. 11 (the same as GOST 19274).
+    """
+    (r, R), (tip, Tip) = tips, (inv(alpha) for alpha in angles)
+    delta = arccos((R**2 - a_w**2 - r**2) / (2 * a_w * r))
+    Delta = arccos((R**2 + a_w**2 - r**2) / (2 * a_w * R))
+    gap = (z[0] * (tip + delta) - z[1] * (Tip + Delta) + (z[1] - z[0]) * inv(alpha_w)) / z[1]
+    gap = np.where(a_w + r <= R, np.inf, gap)
+    return np.where(r - a_w >= R, -np.inf, gap)[()]
 
 
 def meshed(

@@ -322,9 +322,8 @@ def _flank_sides(wheel: Wheel) -> Array:
     tooth = wheel.outline[: len(wheel.outline) // wheel.z]
     half = tooth[len(tooth) // 2 :]
     radii, slack = np.abs(half), 1e-9 * wheel.tip
-    climbs = (
-        np.abs(np.diff(radii, prepend=radii[0], append=radii[-1])) > slack
-    )  # not along the circle of the tips
+    # not along the circle of the tips
+    climbs = np.abs(np.diff(radii, prepend=radii[0], append=radii[-1])) > slack
     low, high = sorted((wheel.junction, wheel.tip))
     return half[(climbs[:-1] | climbs[1:]) & (radii > low - slack) & (radii < high + slack)]
 

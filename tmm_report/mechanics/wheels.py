@@ -26,7 +26,7 @@ Both = tuple[Array, Array]
 
 @dataclass(frozen=True)
 class Rack:
-    """The basic rack in the normal section: profile angle, height ha*, clearance c* (in modules)."""
+    """The basic rack in the normal section: profile angle, rad, height ha*, clearance c* (in modules)."""
 
     alpha: float = np.pi / 9
     ha: float = 1.0
@@ -254,6 +254,11 @@ class Wheels:
 def least_shift(z: Array, rack: Rack, beta: float = 0.0) -> Array:
     """Least shift coefficient of an external wheel cut by a rack without undercut."""
     return rack.ha - z * np.sin(rack.transverse(beta).alpha) ** 2 / (2 * np.cos(beta))
+
+
+def least_teeth(rack: Rack) -> int:
+    """Least teeth that the rack does not undercut, 2 ha*/sin²α, rounded as the course does: 17 for 17.097."""
+    return round(2 * rack.ha / float(np.sin(rack.alpha)) ** 2)
 
 
 def signs_of(z1: Array, z2: Array, internal: bool) -> Both:

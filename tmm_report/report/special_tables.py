@@ -74,14 +74,22 @@ class SpecialTables(Columns):
     def _singular(self, c: Closest) -> Iterator[Markup]:
         group = self.words.label(c.group)
         links = ", ".join(c.links)
-        if c.changes:
+        passed = tuple(x for x in c.changes if x not in c.corners)
+        if passed:
             text = N_(
                 "at the angle of turn φ = %(angles)s group %(group)s (links %(links)s) passes a change point: "
                 "its two assemblies meet and two continuations exist; the stated assembly is kept and the motion "
                 "goes on smoothly. Velocities and accelerations there are the limits of those beside it; reactions "
                 "grow without bound and are left out"
             )
-            yield self.t(text, group=group, links=links, angles=self._angles(c.changes))
+            yield self.t(text, group=group, links=links, angles=self._angles(passed))
+        if c.corners:
+            text = N_(
+                "at the angle of turn φ = %(angles)s group %(group)s (links %(links)s) is in a change point in which "
+                "its two assemblies meet, and is kept in the stated one: gone through smoothly, it would begin the "
+                "next turn in the other. Velocities there have no limit"
+            )
+            yield self.t(text, group=group, links=links, angles=self._angles(c.corners))
         if c.parallel:
             text = N_(
                 "at the angle of turn φ = %(angles)s the guides of group %(group)s (links %(links)s) are parallel "

@@ -9,6 +9,7 @@ import numpy as np
 
 from tmm_report.chapters.planetary import Found, Given, all_candidates
 from tmm_report.chapters.planetary_limits import REASONS
+from tmm_report.chapters.wheel_words import DIAMETERS
 from tmm_report.mechanics import planetary as p
 from tmm_report.mechanics.planetary_search import Candidates, Reason, Task, multiples, ranked
 from tmm_report.problems import N_, Message
@@ -20,14 +21,6 @@ WHEELS = N_("dimensions of the wheels of stage %(name)s")
 MOTIONS = N_("motions of stage %(name)s with each member held")
 SOLUTIONS = N_("teeth of stage %(name)s that satisfy every condition, best first")
 CANDIDATES = Message(N_("combinations of teeth: the solutions, best first, then those rejected"))
-
-DIAMETERS = (
-    ("d", N_("pitch diameter"), "pitch"),
-    ("d_b", N_("base diameter"), "base"),
-    ("d_w", N_("working diameter"), "working"),
-    ("d_f", N_("root diameter"), "root"),
-    ("d_a", N_("tip diameter"), "trimmed"),
-)
 
 
 def values(found: Found, prefix: str) -> Iterator[Value]:
@@ -57,13 +50,13 @@ def tables(found: Found, prefix: str) -> Iterator[Table]:
 
 
 def _wheels(found: Found) -> Iterator[Column]:
-    given, order = found.given, [0, 1, 3] if found.scheme.single else [0, 1, 2, 3]
+    given, order = found.given, list(found.scheme.wheels)
     names = (given.names[0], *given.crowns, given.names[-2])
     yield Column("wheel", "", Message(N_("number of the wheel")), [names[i] for i in order])
     yield Column("z", "", Message(N_("number of teeth")), [found.teeth[i] for i in order])
     yield Column("x", "", Message(N_("shift coefficient")), found.sizes.shifts[order])
-    for key, meaning, values_ in DIAMETERS:
-        yield Column(key, "m", Message(meaning), getattr(found.sizes, values_)[order])
+    for key, meaning in DIAMETERS.items():
+        yield Column(key, "m", Message(meaning), found.sizes.diameters[key][order])
 
 
 def _motions(found: Found) -> Iterator[Column]:

@@ -7,26 +7,24 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.chapters import blocking
+from tmm_report.chapters.mesh_drafting import Mesh
 from tmm_report.chapters.spur import Found
+from tmm_report.chapters.wheel_words import DIAMETERS, TEETH
 from tmm_report.problems import N_, Message
 from tmm_report.tables.model import Column, Table, Value
 
 WHEELS = N_("dimensions of the wheels of pair %(name)s")
 CONDITIONS = N_("conditions of pair %(name)s")
 SLIDING = N_("specific sliding of pair %(name)s along the line of action")
+READINGS = N_("values read off the drawing of pair %(name)s against calculation")
+CONTOUR = N_(
+    "shifts of pair %(name)s in the blocking contour: those chosen and the nearest that meet every limit"
+)
 
 # attribute of the pair, unit, meaning; one number for each wheel
 DIMENSIONS = (
-    ("d", "m", N_("pitch diameter")),
-    ("d_b", "m", N_("base diameter")),
-    ("d_w", "m", N_("working diameter")),
-    ("d_f", "m", N_("root diameter")),
-    ("d_a", "m", N_("tip diameter")),
-    ("height", "m", N_("height of the teeth")),
-    ("s", "m", N_("thickness on the pitch circle")),
-    ("s_b", "m", N_("thickness on the base circle")),
-    ("s_w", "m", N_("thickness on the working circle")),
-    ("s_a", "m", N_("thickness on the tip circle")),
+    *((key, "m", meaning) for key, meaning in (DIAMETERS | TEETH).items()),
     ("alpha_a", "deg", N_("profile angle at the tip")),
     ("rho_a", "m", N_("radius of curvature of the profile at the tip")),
     ("rho_p", "m", N_("radius of curvature at the lower point of the active profile")),
@@ -61,11 +59,13 @@ def values(found: Found, prefix: str) -> Iterator[Value]:
 
 
 def tables(found: Found, prefix: str) -> Iterator[Table]:
-    """The wheels, the conditions with what is in hand, the specific sliding over the line of action."""
+    """The wheels, conditions, specific sliding over the line of action, readings of the drawing, blocking contour."""
     name = {"name": found.name}
     yield Table(f"{prefix}_wheels", Message(WHEELS, name), tuple(_wheels(found)))
     yield Table(f"{prefix}_conditions", Message(CONDITIONS, name), tuple(_conditions(found)))
     yield Table(f"{prefix}_sliding", Message(SLIDING, name), tuple(_sliding(found)))
+    yield Table(f"{prefix}_readings", Message(READINGS, name), tuple(_readings(found)))
+    yield Table(f"{prefix}_contour", Message(CONTOUR, name), tuple(_contour(found)))
 
 
 def _in(unit: str, value: Any) -> Any:
@@ -106,3 +106,27 @@ def _sliding(found: Found) -> Iterator[Column]:
     for name, numbers in ((one, at.first), (two, at.second)):
         meaning = Message(N_("specific sliding of wheel %(wheel)s"), {"wheel": name})
         yield Column(f"lambda_{name}", "", meaning, numbers)
+
+
+def _readings(found: Found) -> Iterator[Column]:
+    """Lengths in m, angles in rad."""
+    rows = Mesh(found.pair, found.points).readings
+    wheels = ["" if row.wheel is None else found.given.wheels[row.wheel] for row in rows]
+    yield Column("key", "", Message(N_("quantity")), [row.key for row in rows])
+    yield Column("wheel", "", Message(N_("number of the wheel")), wheels)
+    yield Column("graph", "", Message(N_("by the drawing, SI")), [row.drawn for row in rows])
+    yield Column("analytic", "", Message(N_("by calculation, SI")), [row.computed for row in rows])
+    yield Column("delta", "%", Message(N_("difference of the methods")), [100 * row.error for row in rows])
+
+
+def _contour(found: Found) -> Iterator[Column]:
+    of = blocking.solve(found)
+    points = {"chosen": of.chosen, "nearest": of.nearest, "same_distance": of.nearest_at_distance}
+    missing = complex(np.nan, np.nan)
+    shifts = np.array([missing if x is None else x for x in points.values()])
+    meaning = N_("chosen; the nearest that meets every limit; the nearest of the same centre distance")
+    yield Column("point", "", Message(meaning), list(points))
+    for name, numbers in zip(found.given.wheels, (shifts.real, shifts.imag), strict=True):
+        about = Message(N_("shift coefficient of wheel %(wheel)s"), {"wheel": name})
+        yield Column(f"x_{name}", "", about, numbers)
+    yield Column("step", "", Message(N_("distance from the chosen shifts")), np.abs(shifts - of.chosen))

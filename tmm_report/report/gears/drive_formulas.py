@@ -11,7 +11,7 @@ from tmm_report.chapters.drive import Found
 from tmm_report.chapters.drive_plans import Spot
 from tmm_report.formula import Expr, Formula, Number, Var
 from tmm_report.mechanics.trains import Member, Mesh
-from tmm_report.symbols import Symbol, segment
+from tmm_report.symbols import Symbol, both, segment
 
 RAD_PER_SECOND = "rad/s"
 
@@ -25,8 +25,7 @@ class DriveFormulas:
     # ------------------------------------------------------------ variables
 
     def ratio_symbol(self, one: str, other: str, sup: str = "") -> Symbol:
-        """u_15, u_1H; longer names are parted by a comma."""
-        return Symbol("u", one + other if len(one) == len(other) == 1 else f"{one},{other}", sup)
+        return Symbol("u", both(one, other), sup)
 
     def omega(self, name: str) -> Var:
         return Var(Symbol("omega", name), self.found.speed[name], RAD_PER_SECOND)

@@ -13,9 +13,10 @@ from tmm_report.chapters.eccentric import CARRIER, RING, SUN, WHEELS, Found, Sat
 from tmm_report.chapters.spur import Condition
 from tmm_report.figures import eccentric as drawn
 from tmm_report.figures.drawing import Drawing
-from tmm_report.mechanics import eccentric as ecc
+from tmm_report.mechanics.wheels import least_teeth
 from tmm_report.problems import N_
-from tmm_report.report.gears.eccentric_formulas import GAP, HA, EccentricFormulas
+from tmm_report.report.gears.eccentric_formulas import GAP, EccentricFormulas
+from tmm_report.report.gears.terms import HA, C
 from tmm_report.report.layout import Column, Table, numeric, worded
 from tmm_report.report.page import Page
 from tmm_report.symbols import Symbol
@@ -50,7 +51,7 @@ class EccentricView(EccentricFormulas):
         gaps = (("delta", given.clearance), ("j_n", given.backlash))
         items: list[tuple[Any, float, str]] = [("u", float(self.found.ratio_of_teeth), "")]
         items += [(key, 1e3 * length, "mm") for key, length in lengths]
-        items += [("alpha", rack.alpha, "deg"), (HA, rack.ha, ""), (Symbol("c", "", "*"), rack.c, "")]
+        items += [("alpha", rack.alpha, "deg"), (HA, rack.ha, ""), (C, rack.c, "")]
         items += [(key, 1e3 * length, "mm") for key, length in gaps]
         return self.page.listed(self.page.value(*item) for item in items)
 
@@ -109,14 +110,15 @@ class EccentricView(EccentricFormulas):
 
     @property
     def whole_least(self) -> int:
-        return ecc.least_teeth(self.found.given.rack)
+        return least_teeth(self.found.given.rack)
 
     def sets(self, kind: str) -> Markup | None:
         """Numbers t of the sets in which the middle satellites do not assemble ("residue") or the smallest satellite
         must replace the largest ("replaced"); None where there are none."""
         judged = self.found.judged
         middle, fit = judged.allowed[:, MIDDLE], judged.fit
-        loose = np.abs(judged.residue[:, MIDDLE]) > self.found.given.slack
+        whole = judged.family.satellites[:, MIDDLE] % 1 == 0  # of half a tooth there is none to assemble
+        loose = whole & (np.abs(judged.residue[:, MIDDLE]) > self.found.given.slack)
         replaced = middle & (judged.closed <= self.found.given.clearance) & fit[:, MIDDLE] & fit[:, SMALLEST]
         t = judged.family.t[loose if kind == "residue" else replaced]
         numbers = self.page.listed(str(int(x)) for x in t)
@@ -180,7 +182,7 @@ class EccentricView(EccentricFormulas):
         z, sun, ring = judged.family.satellites, judged.family.sun, judged.family.ring
         whole = z[:, MIDDLE] % 1 == 0
         middle, residue = (np.where(whole, x[:, MIDDLE], np.nan) for x in (z, np.abs(judged.residue)))
-        gaps = judged.closed, judged.gap[:, MIDDLE, SMALLEST]
+        gaps = (np.where(whole, x, np.nan) for x in (judged.closed, judged.gap[:, MIDDLE, SMALLEST]))
         columns = [
             [self.num(float(x)) for x in teeth]
             for teeth in (sun, z[:, LARGEST], ring, middle, z[:, SMALLEST])
@@ -308,7 +310,13 @@ class EccentricView(EccentricFormulas):
 
     @cached_property
     def close(self) -> Drawing:
-        return drawn.close(self.found, self._text, str(self.t("Meshes and neighbours enlarged")))
+        title = N_("Meshes and neighbours enlarged") if self.beside else N_("Meshes enlarged")
+        return drawn.close(self.found, self._text, str(self.t(title)))
+
+    @cached_property
+    def beside(self) -> bool:
+        """Whether the close view shows neighbours besides the meshes."""
+        return drawn.narrowest(self.found) is not None
 
     def scale(self, which: str) -> str:
         """A drawing's scale as it is written on it: 1:2, 4:1."""

@@ -12,10 +12,10 @@ from tmm_report.chapters.eccentric import RING, SUN, Found, Satellite
 from tmm_report.formula import Expr, Formula, Number, Page, Piece, Var, arccos, cos, sin, sqrt, tan
 from tmm_report.i18n import Translator
 from tmm_report.mechanics import eccentric as ecc
+from tmm_report.report.gears.terms import HA
 from tmm_report.report.samples import Definition
 from tmm_report.symbols import Latex, MathML, Symbol, notation
 
-HA, DELTA = Symbol("h", "a", "*"), Symbol("delta")
 FIRST, SECOND = Symbol("z", "1", "0"), Symbol("z", "2", "0")
 GAP = "Delta"
 
@@ -80,8 +80,9 @@ class EccentricFormulas:
 
     def whole(self) -> Zero:
         eq = self.found.equation
-        terms = Number(eq.a) * Var("z_1", 0.0) + Number(eq.b) * Var("z_2", 0.0)
-        return Zero(terms - Number(-eq.c))
+        first, second = Var("z_1", 0.0), Var("z_2", 0.0)
+        terms = -first if eq.a == -1 else Number(eq.a) * first
+        return Zero(terms + Number(eq.b) * second - Number(-eq.c))
 
     def coefficients(self) -> Iterator[Formula]:
         eq = self.found.equation

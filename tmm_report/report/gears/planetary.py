@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -11,6 +11,7 @@ from markupsafe import Markup
 
 from tmm_report.chapters.planetary import Found, Motion
 from tmm_report.chapters.planetary_limits import REASONS
+from tmm_report.chapters.wheel_words import DIAMETERS
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.planetary import front, scale
 from tmm_report.i18n import NP_
@@ -18,6 +19,7 @@ from tmm_report.mechanics import planetary as p
 from tmm_report.mechanics.planetary_search import LEAST_CONTACT, multiples
 from tmm_report.problems import N_
 from tmm_report.report.gears.planetary_formulas import PlanetaryFormulas
+from tmm_report.report.gears.terms import HA
 from tmm_report.report.layout import Table, worded
 from tmm_report.report.page import Page
 from tmm_report.symbols import Symbol
@@ -31,13 +33,6 @@ SCHEMES = {
     "internal-internal": N_("two-row stage with two internal meshes"),
 }
 INPUT = Symbol("omega", NP_("index", "in"))
-SIZES = (
-    (N_("pitch diameter"), "d", "", "pitch"),
-    (N_("working diameter"), "d", "w", "working"),
-    (N_("base diameter"), "d", "b", "base"),
-    (N_("tip diameter"), "d", "a", "trimmed"),
-    (N_("root diameter"), "d", "f", "root"),
-)
 
 
 class PlanetaryView(PlanetaryFormulas):
@@ -101,7 +96,7 @@ class PlanetaryView(PlanetaryFormulas):
 
     def solutions(self, caption: Any) -> Table:
         """The best of the solutions, the chosen one marked."""
-        wheels = [0, 1, 3] if self.scheme.single else [0, 1, 2, 3]
+        wheels = self.scheme.wheels
         rows = [self._solution(place, wheels) for place in self.places]
         heads = [
             self.t("No."),
@@ -114,7 +109,7 @@ class PlanetaryView(PlanetaryFormulas):
         ]
         return worded(caption, heads, rows, (1, *[1] * len(wheels), 0.8, 1.4, 1.2, 1.4, 3.4))
 
-    def _solution(self, place: int, wheels: list[int]) -> list[Any]:
+    def _solution(self, place: int, wheels: Sequence[int]) -> list[Any]:
         found, index = self.found.candidates, self.found.ranking[place]
         z, k = found.teeth[:, index], int(found.satellites[index])
         ratio = float(p.stage_ratio(p.basic_ratio(self.scheme, z), self.task.input, self.task.output))
@@ -160,7 +155,7 @@ class PlanetaryView(PlanetaryFormulas):
             )  # fmt: skip
         for row, margins in found.interference:
             tips = float(np.degrees(margins.tips))
-            names = {"wheel": self.wheels[0 if row == 0 else 3]}
+            names = {"wheel": self.wheels[p.ROWS[row][0]]}
             yield (
                 N_("no overlap of the tips in the mesh with ring %(wheel)s"), names,
                 *self._least(Symbol("Delta", "φ"), tips, 0.0, "°", 3),
@@ -194,14 +189,14 @@ class PlanetaryView(PlanetaryFormulas):
 
     def dimensions(self, caption: Any) -> Table:
         """Diameters of all wheels and crowns, mm, and their shift coefficients."""
-        wheels = [0, 1, 3] if self.scheme.single else [0, 1, 2, 3]
+        wheels = self.scheme.wheels
         rows = [
             [
                 self.t(text),
-                self.page.listed([self.page.sym(Symbol(base, sub)), self.page.unit("mm")]),
-                *(self._diameter(values, wheel) for wheel in wheels),
+                self.page.listed([self.page.sym(key), self.page.unit("mm")]),
+                *(self._diameter(key, wheel) for wheel in wheels),
             ]
-            for text, base, sub, values in SIZES
+            for key, text in DIAMETERS.items()
         ]
         if self.found.shifted:
             cells = [self.num(float(self.sizes.shifts[wheel]), places=4) for wheel in wheels]
@@ -213,10 +208,10 @@ class PlanetaryView(PlanetaryFormulas):
         ]
         return worded(caption, heads, rows, (4, 2, *[2] * len(wheels)))
 
-    def _diameter(self, values: str, wheel: int) -> str:
+    def _diameter(self, key: str, wheel: int) -> str:
         """mm; the satellite of a single row with shift rolls on another circle in each mesh."""
-        diameters = 1e3 * getattr(self.sizes, values)
-        both = values == "working" and wheel == 1 and self.scheme.single and self.found.shifted
+        diameters = 1e3 * self.sizes.diameters[key]
+        both = key == "d_w" and wheel == 1 and self.scheme.single and self.found.shifted
         return "; ".join(self.num(float(diameters[i])) for i in ((1, 2) if both else (wheel,)))
 
     # ------------------------------------------------------------ motion
@@ -273,7 +268,7 @@ class PlanetaryView(PlanetaryFormulas):
 
     @property
     def ha_symbol(self) -> Symbol:
-        return Symbol("h", "a", "*")
+        return HA
 
     @property
     def rounded_least(self) -> str:
@@ -281,7 +276,7 @@ class PlanetaryView(PlanetaryFormulas):
 
     def chosen_teeth(self) -> Markup:
         """z1 = 20, z2 = 46, z3 = 112, k = 3."""
-        wheels = [0, 1, 3] if self.scheme.single else [0, 1, 2, 3]
+        wheels = self.scheme.wheels
         chosen = [self.page.value(self.z(wheel).sign, self.z(wheel).number) for wheel in wheels]
         return self.page.listed([*chosen, self.page.value("k", self.found.satellites)])
 

@@ -11,9 +11,9 @@ import numpy as np
 from tmm_report.chapters.planetary import Found
 from tmm_report.formula import Expr, Formula, Number, Page, Var, arccos, cos, sin, sqrt, tan
 from tmm_report.i18n import Translator
-from tmm_report.mechanics.planetary import EXTERNAL, INTERNAL, MEMBERS, Member, carrier_turns
-from tmm_report.report.gears.spur_formulas import involute
-from tmm_report.symbols import Latex, MathML, Symbol, notation
+from tmm_report.mechanics.planetary import EXTERNAL, INTERNAL, MEMBERS, ROWS, Member, carrier_turns
+from tmm_report.report.gears.terms import HA, involute
+from tmm_report.symbols import Latex, MathML, Symbol, both, notation
 
 HALF_TURN = Var("pi", np.pi, "deg")
 
@@ -98,11 +98,11 @@ class PlanetaryFormulas:
     def _ratio_symbol(self, input: Member, output: Member) -> Symbol:
         (held,) = set(MEMBERS) - {input, output}
         name = self.given.member
-        return Symbol("u", _pair(name(input), name(output)), f"({name(held)})")
+        return Symbol("u", both(name(input), name(output)), f"({name(held)})")
 
     def teeth_sum(self, row: int) -> Expr:
         """z1 + z2 or z3 − z2' of a row."""
-        central, satellite = ((0, 1), (3, 2))[row]
+        central, satellite = ROWS[row]
         outer, inner = self.z(central), self.z(satellite)
         return outer + inner if self.scheme.rows[row] == EXTERNAL else outer - inner
 
@@ -179,12 +179,12 @@ class PlanetaryFormulas:
 
     def least_teeth(self) -> Formula:
         rack = self.task.rack
-        ha, alpha = Var(Symbol("h", "a", "*"), rack.ha), Var("alpha", rack.alpha, "deg")
+        ha, alpha = Var(HA, rack.ha), Var("alpha", rack.alpha, "deg")
         return Formula("z_min", 2 * ha / sin(alpha) ** 2)
 
     def ring_tip(self, row: int) -> Relation:
         """The ring's tip beyond the limit point of the line of action."""
-        wheel = 0 if row == 0 else 3
+        wheel = ROWS[row][0]
         tip, base = self.of("d", "a", wheel, "tip"), self.of("d", "b", wheel, "base")
         alpha_w = Var("alpha_w", float(self.sizes.angles[row]), "deg")
         return Relation(sqrt(tip**2 - base**2) / 2, ">", self.a_w * sin(alpha_w), "mm")
@@ -192,7 +192,7 @@ class PlanetaryFormulas:
     def involute_start(self, row: int) -> Formula:
         """Radius of curvature of the satellite's flank where the rack's fillet begins."""
         crown, rack = row + 1, self.task.rack
-        ha, alpha = Var(Symbol("h", "a", "*"), rack.ha), Var("alpha", rack.alpha, "deg")
+        ha, alpha = Var(HA, rack.ha), Var("alpha", rack.alpha, "deg")
         shift = float(self.sizes.shifts[crown])
         height: Expr = ha - Var(Symbol("x", self.wheels[crown]), shift) if shift else ha
         m = self.m(row)
@@ -203,7 +203,7 @@ class PlanetaryFormulas:
 
     def trimmed(self, row: int) -> Formula | None:
         """The ring's tip diameter where full height would touch the satellite's fillets; else None."""
-        wheel = 0 if row == 0 else 3
+        wheel = ROWS[row][0]
         full, cut = self.sizes.tip[wheel], self.sizes.trimmed[wheel]
         if cut <= full * (1 + 1e-12):
             return None
@@ -220,7 +220,7 @@ class PlanetaryFormulas:
     def tip_diameter(self) -> Formula:
         """Of the larger crown, without shift m (z + 2 ha*)."""
         crown = 1 if self.sizes.tip[1] >= self.sizes.tip[2] else 2
-        ha, m = Var(Symbol("h", "a", "*"), self.task.rack.ha), self.m(crown - 1)
+        ha, m = Var(HA, self.task.rack.ha), self.m(crown - 1)
         return Formula(Symbol("d", "a" + self.wheels[crown]), m * (self.z(crown) + 2 * ha), "mm")
 
     def assembly(self) -> Formula:
@@ -245,7 +245,7 @@ class PlanetaryFormulas:
 
     def working(self) -> Iterator[Formula]:
         """Working diameters of wheels without shift."""
-        for wheel in (0, 1, 3) if self.scheme.single else range(4):
+        for wheel in self.scheme.wheels:
             symbol = Symbol("d", "w" + self.wheels[wheel])
             yield Formula(symbol, self.m(0 if wheel < 2 else 1) * self.z(wheel), "mm")
 
@@ -262,7 +262,7 @@ class PlanetaryFormulas:
         }.get((self.task.input, self.task.output), eta)
         name = self.given.member
         symbol = Symbol(
-            "eta", _pair(name(self.task.input), name(self.task.output)), f"({name(self.task.held)})"
+            "eta", both(name(self.task.input), name(self.task.output)), f"({name(self.task.held)})"
         )
         return Formula(symbol, value, digits=4)
 
@@ -270,8 +270,3 @@ class PlanetaryFormulas:
         """The circumferential force on one satellite from wheel 1, of each N·m of its torque, N."""
         d = Var(Symbol("d", "w" + self.one), float(self.sizes.working[0]), "m")
         return Formula(Symbol("F", "t" + self.one), Number(2) / (self.k * d), "N/(N·m)")
-
-
-def _pair(one: str, other: str) -> str:
-    """Two names as one index, apart where a name is longer than a letter."""
-    return one + other if len(one) == len(other) == 1 else f"{one},{other}"

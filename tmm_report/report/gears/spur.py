@@ -9,6 +9,7 @@ import numpy as np
 from markupsafe import Markup
 
 from tmm_report.chapters.spur import Condition, Found
+from tmm_report.chapters.wheel_words import DIAMETERS, TEETH
 from tmm_report.figures.graphs import Curve, Graph, graph
 from tmm_report.formula import Var
 from tmm_report.mechanics import shifts
@@ -27,18 +28,7 @@ CONDITIONS = {
     "fouling": N_("no overlap of the tips of the ring and the pinion"),
     "sliding": N_("specific sliding at the root of wheel %(wheel)s"),
 }
-DIMENSIONS = (  # meaning, attribute of the pair, symbol where it is another
-    (N_("pitch diameter"), "d", ""),
-    (N_("base diameter"), "d_b", ""),
-    (N_("working diameter"), "d_w", ""),
-    (N_("root diameter"), "d_f", ""),
-    (N_("tip diameter"), "d_a", ""),
-    (N_("height of the teeth"), "height", "h"),
-    (N_("thickness on the pitch circle"), "s", ""),
-    (N_("thickness on the base circle"), "s_b", ""),
-    (N_("thickness on the working circle"), "s_w", ""),
-    (N_("thickness on the tip circle"), "s_a", ""),
-)
+HEIGHT = {"height": "h"}  # symbols that are not the names of the pair's attributes
 RULES = {
     "rule": N_(
         "The shift of the smaller wheel is taken by the rule of the course, which excludes undercut approximately:"
@@ -118,9 +108,9 @@ class SpurView(SpurFormulas):
     def dimensions_table(self, caption: Any) -> Table:
         """Dimensions of both wheels."""
         cells = [
-            [self.t(text), self.page.listed([self.page.sym(symbol or key), self.page.unit("mm")])]
+            [self.t(text), self.page.listed([self.page.sym(HEIGHT.get(key, key)), self.page.unit("mm")])]
             + [self.mm_text(value) for value in getattr(self.pair, key)]
-            for text, key, symbol in DIMENSIONS
+            for key, text in (DIAMETERS | TEETH).items()
         ]
         heads = [self.t("Dimension"), self.t("Symbol"), *self._wheels()]
         return worded(caption, heads, cells, (4, 2, 2, 2))

@@ -5,35 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-import numpy as np
-
 from tmm_report.chapters.spur import Found
-from tmm_report.formula import (
-    PI,
-    Expr,
-    Formula,
-    Function,
-    Inline,
-    Number,
-    Var,
-    arccos,
-    cos,
-    expr,
-    sin,
-    sqrt,
-    tan,
-)
-from tmm_report.i18n import NP_
+from tmm_report.formula import PI, Expr, Formula, Inline, Number, Var, arccos, cos, expr, sin, sqrt, tan
 from tmm_report.mechanics import shifts
-from tmm_report.mechanics.involute import inv
+from tmm_report.report.gears.terms import HA, C, arctan, involute
 from tmm_report.symbols import Symbol, segment
 
-HA, C = Symbol("h", "a", "*"), Symbol("c", "", "*")
 LINE = segment("N1N2")
-
-
-def involute(angle: Expr) -> Expr:
-    return Function("inv", angle, inv)
 
 
 class SpurFormulas:
@@ -125,18 +103,21 @@ class SpurFormulas:
         turned = over * cos(self.beta) if self.helical else over
         return Formula(self.bound_sign, turned / self.m)
 
-    def share(self) -> Formula:
+    @property
+    def u(self) -> Var:
+        """The wanted ratio of the larger wheel's teeth to the smaller's."""
         ratio = abs(self.found.given.ratio)
-        u = Var("u", ratio if self.small == 0 else 1 / ratio)
+        return Var("u", ratio if self.small == 0 else 1 / ratio)
+
+    def share(self) -> Formula:
+        u = self.u
         below = u - 1 if self.internal else 1 + u
         return Formula(
             Symbol("z", self.names[self.small]), Var(self.bound_sign, self.found.teeth.bound) / below
         )
 
     def larger(self) -> Formula:
-        ratio = abs(self.found.given.ratio)
-        u = Var("u", ratio if self.small == 0 else 1 / ratio)
-        return Formula(Symbol("z", self.names[1 - self.small]), u * self.z(self.small))
+        return Formula(Symbol("z", self.names[1 - self.small]), self.u * self.z(self.small))
 
     def count(self, i: int) -> Inline:
         """The number of teeth of a wheel, in running text."""
@@ -154,9 +135,8 @@ class SpurFormulas:
     def section(self) -> Iterator[Formula]:
         """Module and profile angle of the transverse section of helical teeth."""
         if self.helical:
-            arctan = Function(NP_("function", "arctan"), tan(self.alpha) / cos(self.beta), np.arctan)
             yield Formula("m_t", self.m / cos(self.beta), "mm")
-            yield Formula("alpha_t", arctan, "deg")
+            yield Formula("alpha_t", arctan(tan(self.alpha) / cos(self.beta)), "deg")
 
     def reference_distance(self) -> Formula:
         return Formula("a", self.m_t * self.teeth_sum() / 2, "mm")

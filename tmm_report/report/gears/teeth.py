@@ -40,6 +40,7 @@ LACKS = {
     "fouling": N_("the tips of the ring and the pinion overlap by %(degrees)s°"),
 }
 NONE = N_("wheels with such shifts cannot be put in mesh")
+STUCK = N_("the tips of the ring and the pinion cannot pass each other")  # their overlap has no measure
 
 
 @lru_cache(maxsize=16)
@@ -174,6 +175,8 @@ class TeethView:
     def _lack(self, lack: Lack) -> Markup:
         if math.isnan(lack.lack):
             return self.t(NONE)
+        if math.isinf(lack.lack) and lack.limit.kind == "fouling":
+            return self.t(STUCK)
         number: Callable[[float], str] = lambda x: self.page.num(x, places=4)  # noqa: E731
         return self.t(
             LACKS[lack.limit.kind],

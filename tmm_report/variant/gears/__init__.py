@@ -15,9 +15,10 @@ from tmm_report.variant.gears import planetary, spur
 from tmm_report.variant.gears.planetary import PlanetaryModel
 from tmm_report.variant.gears.spur import SpurModel
 from tmm_report.variant.models import Model
-from tmm_report.variant.values import MomentValue, Scale, Speed, quantity
+from tmm_report.variant.values import Scale, Speed, quantity
 
 Tolerance = Annotated[float, quantity("number", 0.0, 0.2, "0 … 20 %")]
+Torque = Annotated[float, quantity("moment", 1e-12)]  # the input drives: else there is no efficiency
 
 
 def _kind(value: Any) -> str:
@@ -46,7 +47,7 @@ class DriveModel(Model):
 
     speed: Speed = Field(description="of the input shaft, rad/s or rpm", examples=["3000 rpm"])
     tolerance: Tolerance = Field(default=0.04, description="allowed deviation of the whole ratio")
-    torque: MomentValue | None = Field(
+    torque: Torque | None = Field(
         default=None, description="on the input shaft; left out, torques are found for 1 N·m"
     )
     stages: list[StageModel] = Field(min_length=1, max_length=8, description="in the order of the power")

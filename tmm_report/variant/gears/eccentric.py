@@ -20,16 +20,22 @@ DENOMINATOR = 100  # the finest fraction a ratio may be
 LARGEST = 20
 
 
+def _no_ratio(value: Any, near: str) -> WrongValue:
+    wrong = Message(N_("%(value)s is no ratio of whole numbers of teeth"), {"value": shown(value)})
+    return WrongValue(wrong, Message(N_("a fraction, for example %(near)s"), {"near": near}))
+
+
 def _ratio(value: Any) -> Fraction:
     """4, 4.25, 17/4 or −4: a magnitude, as a fraction."""
     if isinstance(value, str) and (match := re.fullmatch(r"\s*[-−+]?(\d{1,4})\s*/\s*(\d{1,4})\s*", value)):
-        found = Fraction(int(match[1]), int(match[2]) or 1)
+        if not int(match[2]):
+            raise _no_ratio(value, "7/2")
+        found = Fraction(int(match[1]), int(match[2]))
     else:
         number = abs(units.parse(value, "number"))
         found = Fraction(number).limit_denominator(DENOMINATOR)
         if abs(found - number) > 1e-9 * number:
-            wrong = Message(N_("%(value)s is no ratio of whole numbers of teeth"), {"value": shown(value)})
-            raise WrongValue(wrong, Message(N_("a fraction, for example %(near)s"), {"near": str(found)}))
+            raise _no_ratio(value, str(found))
     if found > LARGEST:
         wrong = Message(N_("the ratio %(value)s is out of reach"), {"value": shown(value)})
         raise WrongValue(wrong, Message(N_("a ratio up to %(most)s"), {"most": LARGEST}))
