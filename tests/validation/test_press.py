@@ -13,6 +13,8 @@ from conftest import read
 
 from tmm_report import course
 from tmm_report.chapters.given import Loads, Positions
+from tmm_report.mechanics import motion
+from tmm_report.mechanics.assembly import assemble
 
 # crank angle, deg: phi3, rad; slider's distance, m; analogues w3 and v5
 ROWS = {
@@ -78,3 +80,16 @@ def test_reactions(press):
     assert force("5", "0")[1].real == pytest.approx(0.1033822909, abs=2e-9) or abs(
         force("5", "0")[1].real
     ) == pytest.approx(0.1033822909, abs=2e-9)
+
+
+def test_crank_as_long_as_the_rods_passes_its_double_change_points():
+    """Two changes fall together at 0 and 180°, where the singular value only touches zero: no endless small steps."""
+    mechanism = read("press").mechanism
+    crank = mechanism.links["1"]
+    long = replace(crank, points={**crank.points, "B": 0.185 + 0j})
+    linkage = assemble(replace(mechanism, links={**mechanism.links, "1": long}))
+    branch = linkage.groups[-1].branches[0]
+    assert branch.limits == (None, None) and branch.returns
+    np.testing.assert_allclose(branch.changes, (np.pi, 2 * np.pi), atol=1e-5)
+    slider = motion.solve(linkage, np.linspace(0.0, 2 * np.pi, 361) + 1e-4).place("S5")
+    assert np.abs(np.diff(slider)).max() < 0.185 * (2 * np.pi / 360)

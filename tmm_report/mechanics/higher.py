@@ -30,6 +30,7 @@ Known = Callable[
 
 STEP = 0.1  # longest step of the driving link, rad: what the cubic between two nodes can bridge
 NEAR = 2e-3  # rad; a step this short means that a singular position is ahead
+LEAST = 1e-6  # rad: nearer to a singular point than that the branch is not followed
 FULL_TURN = 2 * np.pi
 
 
@@ -189,6 +190,14 @@ def _branch(
     return Branch(phi, q, slope, limits, tuple(sorted(changes)), returns)
 
 
+def _ended(nodes: list[_Node]) -> Limit:
+    """Where a branch ends that could be followed no further: at a limit the square of the sine falls linearly to 0."""
+    node, before = nodes[-1], nodes[max(len(nodes) - 2, 0)]
+    fall = before.sine**2 - node.sine**2
+    ahead = (node.phi - before.phi) * node.sine**2 / fall if fall > 0 else 0.0
+    return Limit(node.phi + ahead, node.q + ahead * node.slope)
+
+
 class _Follower:
     def __init__(self, loops: Loops, known: Known):
         self.loops, self.known = loops, known
@@ -238,8 +247,8 @@ class _Follower:
             if isinstance(over, Limit):
                 return nodes, over
             new = over or self._step(node, sense * min(node.reach, left))
-            if new is None or node.reach < 1e-9:
-                return nodes, Limit(node.phi, node.q)
+            if new is None or node.reach < LEAST:
+                return nodes, _ended(nodes)
             tried = np.inf if new.reach > NEAR else tried
             nodes.append(new)
             left = FULL_TURN - abs(new.phi - start.phi)
@@ -300,7 +309,10 @@ class _Follower:
         return np.concatenate([residual, solve_each(bordered, last)[:, -1:]], axis=1)
 
     def _over(self, node: _Node, sense: int, left: float) -> _Node | None:
-        """Straight over a change point: both branches have a slope there, and det J changes its sign."""
+        """Straight over a change point: both branches have a slope there.
+
+        det J changes its sign there, or touches zero where two changes fall together (links of equal lengths).
+        """
         for gap in (2 * NEAR, 5 * NEAR, 15 * NEAR):
             if gap > left:
                 return None
@@ -312,12 +324,16 @@ class _Follower:
                 continue
             over = self.node(node.phi + step, q, s)
             turned = np.abs(over.slope - node.slope - step * node.bend).max()
-            if (
-                over.sign == -node.sign
-                and turned < 100 * gap**2 * (1 + np.abs(node.bend).max())
-                and over.sine > node.sine / 3
-            ):
-                share = node.sine / (node.sine + over.sine)
-                self.changes.append(node.phi + share * step)
-                return over
+            if turned < 100 * gap**2 * (1 + np.abs(node.bend).max()) and over.sine > node.sine / 3:
+                order = 1.0 if over.sign == -node.sign else 0.5  # of the zero that the sine has there
+                to_zero = step * node.sine**order / (node.sine**order + over.sine**order)
+                if order == 1.0 or self._touches(node, to_zero, 0.1 * min(node.sine, over.sine)):
+                    self.changes.append(node.phi + to_zero)
+                    return over
         return None
+
+    def _touches(self, node: _Node, step: float, least: float) -> bool:
+        """Whether the smallest singular value all but vanishes a step from the node."""
+        s = self.known(np.array([node.phi + step]))
+        q = node.q + step * node.slope + step * step / 2 * node.bend
+        return bool(np.linalg.svd(self.loops.jacobian(s, q[None])[0], compute_uv=False)[-1] < least)
