@@ -9,11 +9,12 @@ from __future__ import annotations
 import cmath
 import math
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
 
+from tmm_report.chapters.spur import Found
 from tmm_report.mechanics import teeth
 from tmm_report.mechanics.involute import inv
 from tmm_report.mechanics.spur import Pair
@@ -206,3 +207,9 @@ class Mesh:
 
 def _read(z: complex) -> complex:
     return complex(round(z.real / READ), round(z.imag / READ)) * READ
+
+
+@lru_cache(maxsize=16)
+def mesh_of(found: Found) -> Mesh:
+    """The mesh of a stage; kept for the note in all its formats and for the tables."""
+    return Mesh(found.pair, found.points)

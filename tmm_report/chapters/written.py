@@ -81,9 +81,10 @@ class Unknown(Var):
 
 @dataclass(frozen=True, eq=False)
 class Equation:
-    """expression = 0, its numbers put in and its unknowns as symbols."""
+    """expression = 0, its numbers put in and its unknowns as symbols; without `numbers` all in symbols."""
 
     expression: Expr
+    numbers: bool = True
 
     def latex(self, tr: Translator) -> str:
         return self._print(notation("latex", tr))
@@ -92,5 +93,5 @@ class Equation:
         return self._print(notation("mathml", tr))
 
     def _print(self, form: Latex | MathML) -> str:
-        pieces = list(self.expression.terms(Page(form, numbers=True)))
+        pieces = list(self.expression.terms(Page(form, numbers=self.numbers)))
         return form.formula([*pieces, form.operator("=") + form.number(0, 1)])

@@ -21,6 +21,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from tmm_report.mechanics.spur import Pair, Rack
+from tmm_report.mechanics.wheels import clear_ring_tip
 
 Array = Any
 
@@ -205,10 +206,8 @@ def ring_tip(ring: int, z: Array, m: float, rack: Rack) -> float:
     A rack cuts the satellite's involute down to ρ_l = r sin α − ha* m/sin α; a ring of full height asks for more.
     """
     pair = internal_pair(ring, np.asarray(z), m, rack)
-    touching = pair.line + np.maximum(pair.rho_l[0], 0.0)
-    return float(
-        max(np.max(pair.d_a[1]) / 2, np.max(np.hypot(touching, m * ring / 2 * math.cos(rack.alpha))))
-    )
+    clear = clear_ring_tip(m * ring / 2 * math.cos(rack.alpha), pair.line, pair.rho_l[0])
+    return float(max(np.max(pair.d_a[1]) / 2, np.max(clear)))
 
 
 # --- the largest set of satellites ---

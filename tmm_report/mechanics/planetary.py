@@ -19,7 +19,7 @@ import numpy as np
 from tmm_report.mechanics import wheels
 from tmm_report.mechanics.involute import inv
 from tmm_report.mechanics.spur import Rack, fouling
-from tmm_report.mechanics.wheels import arccos, root
+from tmm_report.mechanics.wheels import arccos, clear_ring_tip, involute_start, root
 
 Array = Any
 Member = Literal["wheel1", "wheel3", "carrier"]
@@ -215,10 +215,10 @@ def _trimmed(scheme: Scheme, found: Sizes, modules: Array, rack: Rack) -> Array:
     trimmed = found.tip.copy()
     for row, (ring, satellite) in enumerate(ROWS):
         if scheme.rows[row] == INTERNAL:
-            left = modules[satellite] * (rack.ha - found.shifts[satellite]) / np.sin(rack.alpha)
-            start = np.maximum(found.pitch[satellite] / 2 * np.sin(rack.alpha) - left, 0.0)
-            touching = found.centre_distance * np.sin(found.angles[row]) + start
-            trimmed[ring] = np.maximum(found.tip[ring], 2 * np.hypot(found.base[ring] / 2, touching))
+            start = involute_start(found.pitch[satellite], modules[satellite], found.shifts[satellite], rack)
+            line = found.centre_distance * np.sin(found.angles[row])
+            clear = 2 * clear_ring_tip(found.base[ring] / 2, line, start)
+            trimmed[ring] = np.maximum(found.tip[ring], clear)
     return trimmed
 
 

@@ -12,7 +12,16 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from tmm_report.mechanics.involute import inv, inverse
-from tmm_report.mechanics.wheels import Both, Rack, Wheels, arccos, least_shift, root, signs_of
+from tmm_report.mechanics.wheels import (
+    Both,
+    Rack,
+    Wheels,
+    arccos,
+    involute_start,
+    least_shift,
+    root,
+    signs_of,
+)
 
 __all__ = ["Pair", "Rack", "Sliding", "fouling", "least_shift", "meshed", "shift_sum"]
 
@@ -63,8 +72,7 @@ class Pair(Wheels):
 
     @cached_property
     def _rho_l(self) -> Both:
-        sine = np.sin(self.t.alpha)
-        return self._both(lambda i: self._d[i] * sine / 2 - (self.t.ha - self._x[i]) * self.m_t / sine)
+        return self._both(lambda i: involute_start(self._d[i], self.m_t, self._x[i], self.t))
 
     @cached_property
     def rho_l(self) -> Both:

@@ -256,6 +256,19 @@ def least_shift(z: Array, rack: Rack, beta: float = 0.0) -> Array:
     return rack.ha - z * np.sin(rack.transverse(beta).alpha) ** 2 / (2 * np.cos(beta))
 
 
+def involute_start(d: Array, m: Array, x: Array, rack: Rack) -> Array:
+    """ρ_l = r sin α − (ha* − x) m/sin α, m: radius of curvature where the rack's fillet ends; negative: undercut."""
+    return d / 2 * np.sin(rack.alpha) - (rack.ha - x) * m / np.sin(rack.alpha)
+
+
+def clear_ring_tip(base: Array, line: Array, start: Array) -> Array:
+    """Radius of a ring's tip circle that just clears the fillets of its pinion, m (Litvin, Gear geometry, ch. 11).
+
+    `base`: radius of the ring's base circle; `line`: a_w sin α_w; `start`: ρ_l of the pinion, at least 0 is taken.
+    """
+    return np.hypot(base, line + np.maximum(start, 0.0))
+
+
 def least_teeth(rack: Rack) -> int:
     """Least teeth that the rack does not undercut, 2 ha*/sin²α, rounded as the course does: 17 for 17.097."""
     return round(2 * rack.ha / float(np.sin(rack.alpha)) ** 2)

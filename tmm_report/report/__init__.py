@@ -9,7 +9,7 @@ template refers to something that comes later.
 from __future__ import annotations
 
 from base64 import b64encode
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, Literal, NamedTuple
 
 from markupsafe import Markup
@@ -54,37 +54,37 @@ def chapters(results: Any, page: Page) -> list[Chapter]:
 
 def render(results: Any, fmt: Literal["html", "tex"], tr: Translator) -> dict[str, bytes]:
     """File name -> content: "note.html" alone, or "note.tex" with the figures it reads."""
-    form, pictures = FORMATS[fmt](), Pictures(results, tr) if results.has_mechanism else None
-    page = Page(form, tr, Numbering())
-    note = _pass(results, page, pictures)
+    page = Page(FORMATS[fmt](), tr, Numbering())
+    given, parts = _given(results, page), chapters(results, page)  # what they draw serves both passes
+    note = _pass(given, parts, page)
     if page.numbering.missing:
-        page = Page(form, tr, Numbering(known=page.numbering.places))
-        note = _pass(results, page, pictures)
+        page.numbering = Numbering(known=page.numbering.places)
+        note = _pass(given, parts, page)
     if page.numbering.missing:
         raise ValueError(f"the templates refer to what is not in the note: {sorted(page.numbering.missing)}")
-    return {f"note.{fmt}": note.encode(), **form.files}
+    return {f"note.{fmt}": note.encode(), **page.form.files}
 
 
-def _pass(results: Any, page: Page, pictures: Pictures | None) -> str:
+def _pass(given: Mapping[str, Any], parts: Sequence[Chapter], page: Page) -> str:
     """The note with the numbers that are known by now."""
-    given, fmt = _given(results, page, pictures), page.form.name
-    given["m"] = template(f"macros.{fmt}.j2").make_module(given)
+    fmt = page.form.name
+    given = {**given, "m": template(f"macros.{fmt}.j2").make_module(dict(given))}
     body = [
         Markup(template(f"chapters/{chapter.template}.j2").render(given, **chapter.given))
-        for chapter in chapters(results, page)
+        for chapter in parts
     ]
     title = Markup(template("chapters/title.j2").render(given))
     return template(f"report.{fmt}.j2").render(given, title=title, body=body, **_own_files(fmt))
 
 
-def _given(results: Any, page: Page, pictures: Pictures | None) -> dict[str, Any]:
+def _given(results: Any, page: Page) -> dict[str, Any]:
     """What every template sees beside the macros `m`."""
     functions = ("t", "math", "sym", "value", "num", "unit", "listed")
-    lever = _lever(results, page, pictures) if pictures is not None else {}
+    lever = _lever(results, page) if results.has_mechanism else {}
     return {"r": results, "page": page, **lever, **{name: getattr(page, name) for name in functions}}
 
 
-def _lever(results: Any, page: Page, pictures: Pictures) -> dict[str, Any]:
+def _lever(results: Any, page: Page) -> dict[str, Any]:
     """What the templates of the lever mechanism's chapters see."""
     words = Words(results, page)
     return {
@@ -92,7 +92,7 @@ def _lever(results: Any, page: Page, pictures: Pictures) -> dict[str, Any]:
         "tables": Tables(results, page, words),
         "forces": ForceTables(results, page, words),
         "special": SpecialTables(results, page, words),
-        "pictures": pictures,
+        "pictures": Pictures(results, page.tr),
         "samples": Samples(results),
     }
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from tmm_report.chapters import blocking
-from tmm_report.chapters.mesh_drafting import Mesh
+from tmm_report.chapters.mesh_drafting import mesh_of
 from tmm_report.chapters.spur import Found
 from tmm_report.chapters.wheel_words import DIAMETERS, TEETH
 from tmm_report.problems import N_, Message
@@ -110,7 +110,7 @@ def _sliding(found: Found) -> Iterator[Column]:
 
 def _readings(found: Found) -> Iterator[Column]:
     """Lengths in m, angles in rad."""
-    rows = Mesh(found.pair, found.points).readings
+    rows = mesh_of(found).readings
     wheels = ["" if row.wheel is None else found.given.wheels[row.wheel] for row in rows]
     yield Column("key", "", Message(N_("quantity")), [row.key for row in rows])
     yield Column("wheel", "", Message(N_("number of the wheel")), wheels)

@@ -9,32 +9,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from tmm_report.chapters.eccentric import RING, SUN, Found, Satellite
+from tmm_report.chapters.written import Equation
 from tmm_report.formula import Expr, Formula, Number, Page, Piece, Var, arccos, cos, sin, sqrt, tan
-from tmm_report.i18n import Translator
 from tmm_report.mechanics import eccentric as ecc
 from tmm_report.report.gears.terms import HA
 from tmm_report.report.samples import Definition
-from tmm_report.symbols import Latex, MathML, Symbol, notation
+from tmm_report.symbols import Symbol
 
 FIRST, SECOND = Symbol("z", "1", "0"), Symbol("z", "2", "0")
 GAP = "Delta"
-
-
-@dataclass(frozen=True, eq=False)
-class Zero:
-    """expression = 0, in symbols."""
-
-    expression: Expr
-
-    def latex(self, tr: Translator) -> str:
-        return self._print(notation("latex", tr))
-
-    def mathml(self, tr: Translator) -> str:
-        return self._print(notation("mathml", tr))
-
-    def _print(self, form: Latex | MathML) -> str:
-        terms = list(self.expression.terms(Page(form, numbers=False)))
-        return form.formula([*terms, form.operator("=") + form.number(0, 1)])
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,16 +56,16 @@ class EccentricFormulas:
     def halves(self) -> Formula:
         return Formula("E", 2 * self.e / self.m, digits=9)
 
-    def general(self) -> Zero:
+    def general(self) -> Equation:
         """(1 − u) k z1 + 2 k z2 − E k = 0."""
         u, k, z1, z2, E = (Var(key, 0.0) for key in ("u", "k", "z_1", "z_2", "E"))
-        return Zero((1 - u) * k * z1 + 2 * k * z2 - E * k)
+        return Equation((1 - u) * k * z1 + 2 * k * z2 - E * k, numbers=False)
 
-    def whole(self) -> Zero:
+    def whole(self) -> Equation:
         eq = self.found.equation
         first, second = Var("z_1", 0.0), Var("z_2", 0.0)
         terms = -first if eq.a == -1 else Number(eq.a) * first
-        return Zero(terms + Number(eq.b) * second - Number(-eq.c))
+        return Equation(terms + Number(eq.b) * second - Number(-eq.c), numbers=False)
 
     def coefficients(self) -> Iterator[Formula]:
         eq = self.found.equation

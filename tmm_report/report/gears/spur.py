@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -200,11 +200,18 @@ class SpurView(SpurFormulas):
     def drawings(self) -> TeethView:
         return TeethView(self.found, self.page, self.label)
 
-    @property
+    @cached_property
     def sliding_graph(self) -> Graph:
         """Specific sliding of both wheels over the active part of the line of action, from the driving wheel's N1."""
-        label = f"ρ{self.names[0]}, {self.page.unit('mm')}"
-        return _sliding_graph(self.found, label, self.page.tr.decimal == ",")
+        at = self.found.sliding()
+        order = np.argsort(at.rho)
+        x, ends = 1e3 * at.rho[order], (0, -1)
+        curves = [
+            Curve(y[order], f"λ{name}", extremes=[(float(x[k]), float(y[order][k])) for k in ends])
+            for y, name in zip((at.first, at.second), self.names, strict=True)
+        ]
+        label, step = f"ρ{self.names[0]}, {self.page.unit('mm')}", _step(float(x[-1] - x[0]))
+        return graph(curves, x, label, ["λ"], step=step, comma=self.page.tr.decimal == ",", join=False)
 
     # ------------------------------------------------------------ what is said
 
@@ -284,19 +291,6 @@ class SpurView(SpurFormulas):
         else:
             said.append(self.t("All its conditions are met."))
         return [self.page.listed(said, " ")]
-
-
-@lru_cache(maxsize=16)
-def _sliding_graph(found: Found, label: str, comma: bool) -> Graph:
-    """Drawn once for all passes over the templates."""
-    at = found.sliding()
-    order = np.argsort(at.rho)
-    x, ends = 1e3 * at.rho[order], (0, -1)
-    curves = [
-        Curve(y[order], f"λ{name}", extremes=[(float(x[k]), float(y[order][k])) for k in ends])
-        for y, name in zip((at.first, at.second), found.given.wheels, strict=True)
-    ]
-    return graph(curves, x, label, ["λ"], step=_step(float(x[-1] - x[0])), comma=comma, join=False)
 
 
 def _step(length: float) -> float:

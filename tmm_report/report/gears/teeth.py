@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import Any
 
 from markupsafe import Markup
 
 from tmm_report.chapters import blocking
-from tmm_report.chapters.mesh_drafting import READ, Mesh, Reading
+from tmm_report.chapters.mesh_drafting import READ, Mesh, Reading, mesh_of
 from tmm_report.chapters.spur import Found
 from tmm_report.figures.blocking import contour
 from tmm_report.figures.drawing import Drawing
@@ -41,12 +41,6 @@ LACKS = {
 }
 NONE = N_("wheels with such shifts cannot be put in mesh")
 STUCK = N_("the tips of the ring and the pinion cannot pass each other")  # their overlap has no measure
-
-
-@lru_cache(maxsize=16)
-def mesh_of(found: Found) -> Mesh:
-    """The mesh of a stage, kept between passes over the templates."""
-    return Mesh(found.pair, found.points)
 
 
 class TeethView:

@@ -1,20 +1,19 @@
 """The block of a planetary stage in the list of a drive's stages."""
 
-from typing import Annotated, Any, Literal
+from functools import partial
+from typing import Annotated, Literal
 
 from pydantic import Field, Tag, model_validator
 
-from tmm_report import units
 from tmm_report.chapters import planetary
 from tmm_report.mechanics.planetary import SCHEMES, Member
 from tmm_report.mechanics.planetary_search import LARGEST_SHIFTED, Task
 from tmm_report.mechanics.spur import Rack
 from tmm_report.problems import N_, Message
 from tmm_report.units import WrongValue
-from tmm_report.variant.gears.spur import Efficiency, Module, RackModel, Tooth
+from tmm_report.variant.gears.spur import Efficiency, Module, RackModel, Tooth, signed_ratio
 from tmm_report.variant.models import Model
 from tmm_report.variant.values import LIST, SCALAR, Label, Reads, by_shape, quantity, whole
-from tmm_report.yamlread import shown
 
 RATIOS = (1e-4, 1e4)
 WORDS: dict[str, Member] = {
@@ -26,16 +25,12 @@ WORDS: dict[str, Member] = {
 }
 
 
-def _ratio(value: Any) -> float:
-    number = units.parse(value, "number")
-    low, high = RATIOS
-    if low <= abs(number) <= high:
-        return number
-    wrong = Message(N_("no planetary stage has the ratio %(value)s"), {"value": shown(value)})
-    right = N_("from %(low)s to %(high)s, with a minus where input and output turn in opposite senses")
-    raise WrongValue(wrong, Message(right, {"low": f"{low:g}", "high": f"{high:g}"}))
-
-
+_ratio = partial(
+    signed_ratio,
+    limits=RATIOS,
+    wrong=N_("no planetary stage has the ratio %(value)s"),
+    right=N_("from %(low)s to %(high)s, with a minus where input and output turn in opposite senses"),
+)
 Ratio = Annotated[float, Reads(_ratio, {"type": "number", "description": "plus: in the same sense"})]
 Tolerance = Annotated[float, quantity("number", 1e-6, 0.25, "0.0001 … 25 %")]
 Count = Annotated[int, whole(2, 12)]

@@ -1,6 +1,7 @@
 """The block of a spur stage in the list of a drive's stages."""
 
 import math
+from functools import partial
 from typing import Annotated, Any, Literal
 
 from pydantic import Field, Tag
@@ -17,16 +18,22 @@ from tmm_report.yamlread import shown
 RATIOS = (0.02, 50.0)
 
 
-def _ratio(value: Any) -> float:
+def signed_ratio(value: Any, limits: tuple[float, float], wrong: str, right: str) -> float:
+    """A ratio of either sign whose magnitude is within the limits; `wrong`, `right`: what to say of another one."""
     number = units.parse(value, "number")
-    low, high = RATIOS
+    low, high = limits
     if low <= abs(number) <= high:
         return number
-    wrong = Message(N_("no pair of wheels has the ratio %(value)s"), {"value": shown(value)})
-    right = N_("from %(low)s to %(high)s, with a minus where the wheels turn in opposite senses")
-    raise WrongValue(wrong, Message(right, {"low": f"{low:g}", "high": f"{high:g}"}))
+    limited = {"low": f"{low:g}", "high": f"{high:g}"}
+    raise WrongValue(Message(wrong, {"value": shown(value)}), Message(right, limited))
 
 
+_ratio = partial(
+    signed_ratio,
+    limits=RATIOS,
+    wrong=N_("no pair of wheels has the ratio %(value)s"),
+    right=N_("from %(low)s to %(high)s, with a minus where the wheels turn in opposite senses"),
+)
 Ratio = Annotated[
     float, Reads(_ratio, {"type": "number", "description": "minus: an external pair, plus: an internal one"})
 ]
