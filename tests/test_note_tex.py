@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import re
 import subprocess
+from dataclasses import replace
 
 import pytest
-from notes import NAMES, note, program
+from notes import NAMES, VARIANTS, note, program
 
+from tmm_report import render, solve
+from tmm_report.chapters.given import Title
 from tmm_report.pdf import compile_pdf
+from tmm_report.variant import loads
 
 NOTES = ["compressor-ru", "compressor-en", "shaper-ru", "tangent-en", "hoist_drive-ru", "eccentric-en"]
 
@@ -68,3 +72,17 @@ def test_every_sign_can_be_set(name):
     for language in ("ru", "en"):
         files = note(name, "tex", language)
         assert [file for file, text in files.items() if file.endswith(".tex") and b"?" in text] == []
+
+
+def test_letters_of_every_language_of_the_users_are_set(tmp_path):
+    """Of Kazakh and Ukrainian names no letter is lost, in text, bold, and as the name of a point."""
+    letters = "ӘәҒғҚқҢңӨөҰұҮүҺһЇїЄєҐґ"  # і shares its glyph with the Latin one
+    text = (VARIANTS / "slider_crank_offset.yaml").read_text(encoding="utf-8")
+    variant = loads(re.sub(r"\bB\b", "Қ", text))
+    assert "Қ" in variant.mechanism.point_names
+    found = solve(replace(variant, title=Title(topic=letters, student=letters)))
+    program("pdflatex")
+    (tmp_path / "note.pdf").write_bytes(compile_pdf(render(found, "tex", "ru")))
+    command = [program("pdftotext"), "-layout", str(tmp_path / "note.pdf"), "-"]
+    printed = subprocess.run(command, capture_output=True, text=True, encoding="utf-8", check=True).stdout
+    assert printed.count(letters) == 3 and "?" not in printed and printed.count("Қ") > 10

@@ -56,7 +56,8 @@ def latex_escape(text: str) -> str:
 
 
 def _printable(sign: str) -> bool:
-    return " " <= sign <= "~" or "А" <= sign <= "я" or sign in "ЁёІіЇїЄєҐґЎў«»—–…№"
+    kazakh = sign in "ӘәҒғҚқҢңӨөҰұҮүҺһ"
+    return " " <= sign <= "~" or "А" <= sign <= "я" or kazakh or sign in "ЁёІіЇїЄєҐґЎў«»—–…№"
 
 
 def xml_escape(text: str) -> str:
