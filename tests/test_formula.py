@@ -7,11 +7,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tmm_report import formula as f
-from tmm_report.formula import PI, Formula, Inline, Term, Var, VectorEquation, agrees, seg
 from tmm_report.i18n import Translator
-from tmm_report.quantity import round_significant
-from tmm_report.symbols import Symbol, math_symbol
+from tmm_report.quantity import formula as f
+from tmm_report.quantity.formula import PI, Formula, Inline, Term, Var, VectorEquation, agrees, seg
+from tmm_report.quantity.symbols import Symbol, math_symbol
+from tmm_report.quantity.text import round_significant
 
 RU, EN = Translator("ru"), Translator("en")
 POSITIONS = 3

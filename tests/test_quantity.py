@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tmm_report.quantity import column, number, round_significant, split, unit_text
+from tmm_report.quantity.text import column, number, round_significant, split, unit_text
 
 sizes = st.floats(1e-12, 1e12).flatmap(lambda size: st.sampled_from([size, -size]))
 

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tmm_report import units
+from tmm_report.quantity import units
 
 GOOD = [
     ("300 mm", "length", 0.3), ("300мм", "length", 0.3), ("7,5 см", "length", 0.075), ("−3 mm", "length", -0.003),

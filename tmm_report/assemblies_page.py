@@ -24,7 +24,7 @@ from tmm_report.mechanics.assembly import Way, sketch_angle, stated_way, ways
 from tmm_report.mechanics.mechanism import FRAME, Mechanism, ZeroAngle
 from tmm_report.mechanics.structure import Structure, decompose
 from tmm_report.problems import N_, Message, Problem, ProblemError
-from tmm_report.quantity import number, split
+from tmm_report.quantity.text import number, split
 from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template

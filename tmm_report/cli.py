@@ -298,7 +298,7 @@ def assemblies(
 
 def _angle(text: str, say: Callable[[str], str]) -> float:
     """The value of --angle, rad."""
-    from tmm_report.units import WrongValue, parse
+    from tmm_report.quantity.units import WrongValue, parse
 
     try:
         return parse(text, "angle")

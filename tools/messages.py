@@ -90,7 +90,7 @@ def write(language: str, catalogue: Catalog) -> None:
     po = po_file(language)
     po.parent.mkdir(parents=True, exist_ok=True)
     with po.open("wb") as file:
-        write_po(file, catalogue, width=110, sort_output=True, include_lineno=False)
+        write_po(file, catalogue, width=110, sort_output=True, no_location=True)
     with po.with_suffix(".mo").open("wb") as file:
         write_mo(file, catalogue)
 

@@ -9,10 +9,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tmm_report.chapters import spur
-from tmm_report.formula import Formula, agrees
 from tmm_report.mechanics.spur import Rack
 from tmm_report.mechanics.trains import Train, speeds
 from tmm_report.problems import ProblemError
+from tmm_report.quantity.formula import Formula, agrees
 from tmm_report.report.gears.spur_formulas import SpurFormulas
 from tmm_report.tables.spur import tables, values
 

@@ -13,7 +13,7 @@ from tmm_report.figures.drawing import THICK, Arc, Path, Text, svg, tikz
 from tmm_report.figures.gearing import ACTIVE, CONTACT, TEETH, mesh_drawing
 from tmm_report.figures.zones import BEYOND, WIDE, pairs_at, zones
 from tmm_report.i18n import Translator
-from tmm_report.quantity import number
+from tmm_report.quantity.text import number
 from tmm_report.report.formats import Html
 from tmm_report.report.gears.teeth import TeethView
 from tmm_report.report.numbering import Numbering

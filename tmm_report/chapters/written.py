@@ -6,9 +6,9 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from tmm_report.formula import ATOM, POWER, Expr, Formula, Page, Piece, Symbol, Var
 from tmm_report.i18n import Translator
-from tmm_report.symbols import Latex, MathML, notation, segment
+from tmm_report.quantity.formula import ATOM, POWER, Expr, Formula, Page, Piece, Symbol, Var
+from tmm_report.quantity.symbols import Latex, MathML, notation, segment
 
 DIGITS = 5  # significant digits that a hand calculation carries
 PLACES = 3  # decimals are not carried beyond these, unless the largest value of the kind needs more

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmm_report.quantity import ZERO
+from tmm_report.quantity.text import ZERO
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

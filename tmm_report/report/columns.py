@@ -9,10 +9,10 @@ from markupsafe import Markup
 
 from tmm_report.chapters.plans import Comparison
 from tmm_report.chapters.written import symbol_of, unit_of
+from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.layout import Column, Table, worded
 from tmm_report.report.page import Page
 from tmm_report.report.words import Words
-from tmm_report.symbols import Symbol
 
 Array = Any
 

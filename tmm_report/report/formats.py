@@ -15,7 +15,7 @@ from markupsafe import Markup
 from tmm_report.figures.drawing import Drawing, svg, tikz
 from tmm_report.figures.graphs import Graph
 from tmm_report.i18n import Translator
-from tmm_report.symbols import GREEK, latex_escape, xml_escape
+from tmm_report.quantity.symbols import GREEK, latex_escape, xml_escape
 
 
 class Mathematics(Protocol):

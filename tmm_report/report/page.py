@@ -17,13 +17,13 @@ from markupsafe import Markup
 
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.graphs import Graph
-from tmm_report.formula import Inline
 from tmm_report.i18n import Translator
-from tmm_report.quantity import column, number, unit_text
+from tmm_report.quantity.formula import Inline
+from tmm_report.quantity.symbols import Symbol, math_symbol
+from tmm_report.quantity.text import column, number, unit_text
 from tmm_report.report.formats import Format, percent
 from tmm_report.report.numbering import Numbering
 from tmm_report.resources import data_root
-from tmm_report.symbols import Symbol, math_symbol
 
 _VALUE = re.compile(r"%(?:\((\w+)\)[sd]|%)")
 

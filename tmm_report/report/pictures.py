@@ -22,7 +22,7 @@ from tmm_report.i18n import Translator
 from tmm_report.mechanics.cycle import Extreme
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.motion import Motion
-from tmm_report.quantity import unit_text
+from tmm_report.quantity.text import unit_text
 from tmm_report.report.formats import MM_PER_INCH, percent
 
 STYLES: dict[str, Style] = {

@@ -11,9 +11,9 @@ import numpy as np
 from tmm_report.chapters.friction import PairLoss
 from tmm_report.chapters.kinetostatics import lever_terms
 from tmm_report.chapters.written import load_keys, reaction_key, symbol_of
-from tmm_report.formula import Expr, Formula, Number, Page, Var
 from tmm_report.i18n import Translator
-from tmm_report.symbols import Symbol, notation, segment
+from tmm_report.quantity.formula import Expr, Formula, Number, Page, Var
+from tmm_report.quantity.symbols import Symbol, notation, segment
 
 
 class Power(NamedTuple):

@@ -14,9 +14,9 @@ from tmm_report.chapters.written import load_keys, symbol_of, unit_of
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.relations import turning_links
 from tmm_report.mechanics.structure import Pair
+from tmm_report.quantity.symbols import Symbol, segment
 from tmm_report.report.columns import Columns
 from tmm_report.report.layout import Column, Table, numeric, worded
-from tmm_report.symbols import Symbol, segment
 
 
 class Tables(Columns):

@@ -15,8 +15,8 @@ from typing import Any
 
 from tmm_report.course import Results
 from tmm_report.i18n import Translator
+from tmm_report.quantity.model import Column, Table, Value
 from tmm_report.tables import lever
-from tmm_report.tables.model import Column, Table, Value
 
 __all__ = ["Column", "Table", "Value", "as_csv", "as_json", "tables", "values"]
 

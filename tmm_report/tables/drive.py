@@ -9,9 +9,9 @@ from typing import Any
 from tmm_report.chapters import spur
 from tmm_report.chapters.drive import Found
 from tmm_report.problems import N_, Message
+from tmm_report.quantity.model import Column, Table, Value
 from tmm_report.tables import planetary as planetary_tables
 from tmm_report.tables import spur as spur_tables
-from tmm_report.tables.model import Column, Table, Value
 
 SPEEDS = Message(N_("angular velocities of the members of the drive"))
 LOADS = Message(N_("external torques and powers of the drive"))

@@ -8,7 +8,7 @@ import numpy as np
 
 from tmm_report.chapters.eccentric import CARRIER, RING, SUN, WHEELS, Found
 from tmm_report.problems import N_, Message
-from tmm_report.tables.model import Column, Table, Value
+from tmm_report.quantity.model import Column, Table, Value
 
 
 def tables(found: Found, prefix: str) -> Iterator[Table]:

@@ -15,7 +15,7 @@ from tmm_report.course import Results
 from tmm_report.mechanics.motion import Linkage, Motion
 from tmm_report.mechanics.relations import moving_points, relations, turning_links
 from tmm_report.problems import N_, Message
-from tmm_report.tables.model import Column, Table, Value
+from tmm_report.quantity.model import Column, Table, Value
 
 Array = Any
 

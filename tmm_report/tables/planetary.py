@@ -13,7 +13,7 @@ from tmm_report.chapters.wheel_words import DIAMETERS
 from tmm_report.mechanics import planetary as p
 from tmm_report.mechanics.planetary_search import Candidates, Reason, Task, multiples, ranked
 from tmm_report.problems import N_, Message
-from tmm_report.tables.model import Column, Table, Value
+from tmm_report.quantity.model import Column, Table, Value
 
 Array = Any
 

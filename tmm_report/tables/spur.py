@@ -12,7 +12,7 @@ from tmm_report.chapters.mesh_drafting import mesh_of
 from tmm_report.chapters.spur import Found
 from tmm_report.chapters.wheel_words import DIAMETERS, TEETH
 from tmm_report.problems import N_, Message
-from tmm_report.tables.model import Column, Table, Value
+from tmm_report.quantity.model import Column, Table, Value
 
 WHEELS = N_("dimensions of the wheels of pair %(name)s")
 CONDITIONS = N_("conditions of pair %(name)s")

@@ -30,7 +30,7 @@ from tmm_report.mechanics.mechanism import (
     ZeroExtreme,
 )
 from tmm_report.problems import N_, Message
-from tmm_report.units import WrongValue
+from tmm_report.quantity.units import WrongValue
 from tmm_report.variant import models as m
 from tmm_report.variant.values import SIDES, unit_vector
 

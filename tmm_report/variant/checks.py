@@ -12,7 +12,7 @@ from typing import Any
 
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.problems import N_, Message, Problem, mistake
-from tmm_report.units import WrongValue
+from tmm_report.quantity.units import WrongValue
 from tmm_report.variant import build
 from tmm_report.variant import models as m
 from tmm_report.variant.errors import near

@@ -10,7 +10,7 @@ from typing import Any, get_args
 from pydantic import BaseModel, ValidationError
 
 from tmm_report.problems import N_, Message, Problem, mistake
-from tmm_report.units import WrongValue
+from tmm_report.quantity.units import WrongValue
 from tmm_report.yamlread import Path, shown
 
 _TEXTS = {

@@ -10,7 +10,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag, model_validator
 
 from tmm_report.problems import N_, Message
-from tmm_report.units import WrongValue
+from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.values import (
     LIST,
     MAP,

@@ -15,9 +15,9 @@ from typing import Annotated, Any, Literal
 from pydantic import AfterValidator, BaseModel, Discriminator, Field
 from pydantic_core import core_schema
 
-from tmm_report import units
 from tmm_report.problems import N_, Message
-from tmm_report.units import DIMENSIONS, WrongValue
+from tmm_report.quantity import units
+from tmm_report.quantity.units import DIMENSIONS, WrongValue
 from tmm_report.yamlread import shown
 
 NAME = r"[0-9A-Za-z\u0400-\u0481\u048a-\u052f][0-9A-Za-z\u0400-\u0481\u048a-\u052f'’]{0,11}"

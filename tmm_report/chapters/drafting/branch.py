@@ -9,10 +9,10 @@ import numpy as np
 from tmm_report.chapters.drafting.plan import Role
 from tmm_report.chapters.drafting.sheet import Sheet
 from tmm_report.chapters.written import DIGITS, laid_off, number, symbol_of
-from tmm_report.formula import Formula, Symbol, Term, Var
 from tmm_report.mechanics.planar import unit
 from tmm_report.mechanics.relations import Branch
-from tmm_report.quantity import round_significant
+from tmm_report.quantity.formula import Formula, Symbol, Term, Var
+from tmm_report.quantity.text import round_significant
 
 
 @dataclass(frozen=True, eq=False)

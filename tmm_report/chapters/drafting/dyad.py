@@ -8,10 +8,10 @@ from tmm_report.chapters.drafting.branch import Line, angular, close, coinciding
 from tmm_report.chapters.drafting.lead import similar
 from tmm_report.chapters.drafting.plan import Step
 from tmm_report.chapters.drafting.sheet import Image, Sheet
-from tmm_report.formula import Formula, Symbol, Term, VectorEquation
 from tmm_report.mechanics.dyads import Dyad, Side, sides
 from tmm_report.mechanics.planar import resolve
 from tmm_report.mechanics.relations import Branch, Relation, turns_with
+from tmm_report.quantity.formula import Formula, Symbol, Term, VectorEquation
 
 
 def step(sheet: Sheet, r: Relation) -> Step:

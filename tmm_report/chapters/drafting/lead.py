@@ -9,8 +9,8 @@ import numpy as np
 from tmm_report.chapters.drafting.branch import Line
 from tmm_report.chapters.drafting.sheet import Image, Sheet
 from tmm_report.chapters.written import DIGITS, laid_off, number
-from tmm_report.formula import Formula, Symbol
-from tmm_report.quantity import round_significant
+from tmm_report.quantity.formula import Formula, Symbol
+from tmm_report.quantity.text import round_significant
 
 
 def formulas(sheet: Sheet) -> tuple[Formula, ...]:

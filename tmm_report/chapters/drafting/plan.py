@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
-from tmm_report.formula import Formula, VectorEquation
 from tmm_report.mechanics.structure import Group
+from tmm_report.quantity.formula import Formula, VectorEquation
 
 Role = Literal[
     "absolute", "relative", "bend", "rate"

@@ -10,12 +10,12 @@ import numpy as np
 from tmm_report.chapters.drafting.plan import Plan, Role, Scales, Stroke
 from tmm_report.chapters.scales import Pen
 from tmm_report.chapters.written import DIGITS, hand, length_of, number
-from tmm_report.formula import Expr, Formula, Symbol, Var
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.motion import Linkage, Motion
 from tmm_report.mechanics.relations import turning_links
 from tmm_report.problems import N_, Message, ProblemError, mistake
-from tmm_report.quantity import round_significant
+from tmm_report.quantity.formula import Expr, Formula, Symbol, Var
+from tmm_report.quantity.text import round_significant
 
 
 @dataclass(frozen=True)

@@ -27,10 +27,10 @@ from tmm_report.chapters.drafting.lead import similar
 from tmm_report.chapters.drafting.plan import Projections, Step
 from tmm_report.chapters.drafting.sheet import Image, Sheet
 from tmm_report.chapters.written import laid_off, number, symbol_of
-from tmm_report.formula import Formula, Symbol, Term, VectorEquation
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.relations import Branch, System, turns_with
 from tmm_report.mechanics.structure import Pair
+from tmm_report.quantity.formula import Formula, Symbol, Term, VectorEquation
 
 Array = Any
 

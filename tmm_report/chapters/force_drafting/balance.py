@@ -15,11 +15,11 @@ import numpy as np
 from tmm_report.chapters.force_drafting.plan import Arm, Balance
 from tmm_report.chapters.force_drafting.sheet import Sheet, plus
 from tmm_report.chapters.written import DIGITS, Equation, Unknown, hand, number, reaction_key, symbol_of
-from tmm_report.formula import Expr, Number, Symbol, Term, VectorEquation
 from tmm_report.mechanics.higher import HigherGroup
 from tmm_report.mechanics.planar import cross
 from tmm_report.mechanics.structure import Pair
-from tmm_report.quantity import round_significant
+from tmm_report.quantity.formula import Expr, Number, Symbol, Term, VectorEquation
+from tmm_report.quantity.text import round_significant
 
 Array = Any
 

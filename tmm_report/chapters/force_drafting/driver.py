@@ -7,8 +7,8 @@ from tmm_report.chapters.force_drafting.sheet import Sheet
 from tmm_report.chapters.plans import PAPER, Comparison
 from tmm_report.chapters.scales import round_scale
 from tmm_report.chapters.written import hand, reaction_key, symbol_of
-from tmm_report.formula import Term, VectorEquation
 from tmm_report.mechanics.mechanism import FRAME
+from tmm_report.quantity.formula import Term, VectorEquation
 
 
 def plan(sheet: Sheet) -> tuple[ForcePlan, float]:

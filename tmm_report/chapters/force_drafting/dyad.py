@@ -12,11 +12,11 @@ from collections.abc import Mapping, Sequence
 from tmm_report.chapters.force_drafting.plan import Arm, ForcePlan, ForceStroke
 from tmm_report.chapters.force_drafting.sheet import Sheet
 from tmm_report.chapters.written import DIGITS, hand, number, reaction_key, symbol_of
-from tmm_report.formula import Formula, Symbol, Term, VectorEquation
 from tmm_report.mechanics.dyads import Dyad
 from tmm_report.mechanics.planar import resolve, unit
 from tmm_report.mechanics.structure import Pair
-from tmm_report.quantity import round_significant
+from tmm_report.quantity.formula import Formula, Symbol, Term, VectorEquation
+from tmm_report.quantity.text import round_significant
 
 Corners = tuple[complex, complex, complex]  # P0, P1, P2: before the loads of b, between, after those of a; mm
 

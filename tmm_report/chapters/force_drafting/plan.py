@@ -8,7 +8,7 @@ from typing import Literal
 
 from tmm_report.chapters.plans import Comparison
 from tmm_report.chapters.written import Equation
-from tmm_report.formula import Formula, Symbol, VectorEquation
+from tmm_report.quantity.formula import Formula, Symbol, VectorEquation
 
 Kind = Literal["gravity", "inertia", "load", "reaction", "component"]
 

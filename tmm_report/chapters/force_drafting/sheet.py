@@ -13,12 +13,12 @@ from tmm_report.chapters.kinetostatics import Kinetostatics, Solved, loaded_link
 from tmm_report.chapters.plans import PAPER, Comparison
 from tmm_report.chapters.scales import Pen, round_scale
 from tmm_report.chapters.written import DIGITS, hand, load_keys, number, reaction_key, symbol_of
-from tmm_report.formula import Expr, Formula, Number, Symbol, Term
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.planar import cross, unit
 from tmm_report.mechanics.statics import Reaction
 from tmm_report.mechanics.structure import Group, Pair
-from tmm_report.quantity import round_significant
+from tmm_report.quantity.formula import Expr, Formula, Number, Symbol, Term
+from tmm_report.quantity.text import round_significant
 
 
 class Sheet:

@@ -12,9 +12,9 @@ from tmm_report.chapters.force_drafting.balance import equilibrium
 from tmm_report.chapters.force_drafting.plan import Arm, ForcePlan, ForceStroke
 from tmm_report.chapters.force_drafting.sheet import Sheet
 from tmm_report.chapters.written import reaction_key, symbol_of
-from tmm_report.formula import Term, VectorEquation
 from tmm_report.mechanics.higher import HigherGroup
 from tmm_report.mechanics.structure import Group, Pair
+from tmm_report.quantity.formula import Term, VectorEquation
 
 ONE_LINE = 1.0  # mm: lines nearer than this are one
 

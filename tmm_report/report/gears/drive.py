@@ -13,12 +13,12 @@ from tmm_report.chapters.drive import Found
 from tmm_report.chapters.written import symbol_of, unit_of
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.drive import kinematic_scheme, velocities
-from tmm_report.formula import Formula
 from tmm_report.problems import N_
+from tmm_report.quantity.formula import Formula
+from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.gears.drive_formulas import DriveFormulas
 from tmm_report.report.layout import Column, Table, numeric, worded
 from tmm_report.report.page import Page
-from tmm_report.symbols import Symbol
 
 SCHEMES = {
     "sun-ring": N_("planetary, single-row, external and internal mesh"),

@@ -9,9 +9,9 @@ from typing import Any
 
 from tmm_report.chapters.drive import Found
 from tmm_report.chapters.drive_plans import Spot
-from tmm_report.formula import Expr, Formula, Number, Var
 from tmm_report.mechanics.trains import Member, Mesh
-from tmm_report.symbols import Symbol, both, segment
+from tmm_report.quantity.formula import Expr, Formula, Number, Var
+from tmm_report.quantity.symbols import Symbol, both, segment
 
 RAD_PER_SECOND = "rad/s"
 

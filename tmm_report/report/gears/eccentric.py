@@ -15,11 +15,11 @@ from tmm_report.figures import eccentric as drawn
 from tmm_report.figures.drawing import Drawing
 from tmm_report.mechanics.wheels import least_teeth
 from tmm_report.problems import N_
+from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.gears.eccentric_formulas import GAP, EccentricFormulas
 from tmm_report.report.gears.terms import HA, C
 from tmm_report.report.layout import Column, Table, numeric, worded
 from tmm_report.report.page import Page
-from tmm_report.symbols import Symbol
 
 CONDITIONS = {
     "assembly": N_("assembly of satellite %(wheel)s, pitches"),

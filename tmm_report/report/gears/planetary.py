@@ -18,11 +18,11 @@ from tmm_report.i18n import NP_
 from tmm_report.mechanics import planetary as p
 from tmm_report.mechanics.planetary_search import LEAST_CONTACT, multiples
 from tmm_report.problems import N_
+from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.gears.planetary_formulas import PlanetaryFormulas
 from tmm_report.report.gears.terms import HA
 from tmm_report.report.layout import Table, worded
 from tmm_report.report.page import Page
-from tmm_report.symbols import Symbol
 
 SHOWN = 10  # solutions in the table, besides the chosen one
 

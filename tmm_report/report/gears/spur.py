@@ -11,14 +11,14 @@ from markupsafe import Markup
 from tmm_report.chapters.spur import Condition, Found
 from tmm_report.chapters.wheel_words import DIAMETERS, TEETH
 from tmm_report.figures.graphs import Curve, Graph, graph
-from tmm_report.formula import Var
 from tmm_report.mechanics import shifts
 from tmm_report.problems import N_
+from tmm_report.quantity.formula import Var
+from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.gears.spur_formulas import SpurFormulas
 from tmm_report.report.gears.teeth import TeethView
 from tmm_report.report.layout import Table, worded
 from tmm_report.report.page import Page
-from tmm_report.symbols import Symbol
 
 CONDITIONS = {
     "undercut": N_("no undercut of the teeth of wheel %(wheel)s"),

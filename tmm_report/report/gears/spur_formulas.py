@@ -6,10 +6,23 @@ from collections.abc import Iterator
 from typing import Any
 
 from tmm_report.chapters.spur import Found
-from tmm_report.formula import PI, Expr, Formula, Inline, Number, Var, arccos, cos, expr, sin, sqrt, tan
 from tmm_report.mechanics import shifts
+from tmm_report.quantity.formula import (
+    PI,
+    Expr,
+    Formula,
+    Inline,
+    Number,
+    Var,
+    arccos,
+    cos,
+    expr,
+    sin,
+    sqrt,
+    tan,
+)
+from tmm_report.quantity.symbols import Symbol, segment
 from tmm_report.report.gears.terms import HA, C, arctan, involute
-from tmm_report.symbols import Symbol, segment
 
 LINE = segment("N1N2")
 

@@ -16,12 +16,12 @@ from tmm_report.figures.blocking import contour
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.gearing import mesh_drawing
 from tmm_report.figures.zones import zones
-from tmm_report.formula import Formula, Number, Var
 from tmm_report.mechanics.blocking import Lack
 from tmm_report.problems import N_
+from tmm_report.quantity.formula import Formula, Number, Var
+from tmm_report.quantity.symbols import Symbol, segment
 from tmm_report.report.layout import Table, worded
 from tmm_report.report.page import Page
-from tmm_report.symbols import Symbol, segment
 
 PAIRS = (N_("no pair"), N_("one pair"), N_("two pairs"), N_("three pairs"), N_("four pairs"))
 LACKS = {

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmm_report.formula import Expr, Function
 from tmm_report.i18n import NP_
 from tmm_report.mechanics.involute import inv
-from tmm_report.symbols import Symbol
+from tmm_report.quantity.formula import Expr, Function
+from tmm_report.quantity.symbols import Symbol
 
 HA, C = Symbol("h", "a", "*"), Symbol("c", "", "*")  # of the rack: height of the teeth, clearance
 

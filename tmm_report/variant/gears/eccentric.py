@@ -6,11 +6,11 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
-from tmm_report import units
 from tmm_report.chapters import eccentric
 from tmm_report.mechanics.spur import Rack
 from tmm_report.problems import N_, Message
-from tmm_report.units import WrongValue
+from tmm_report.quantity import units
+from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.gears.spur import Module, RackModel, Tooth
 from tmm_report.variant.models import Model
 from tmm_report.variant.values import Distance, Label, Positive, Reads, Speed, whole

@@ -19,8 +19,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from tmm_report.i18n import NP_, Translator
-from tmm_report.quantity import ZERO, round_significant
-from tmm_report.symbols import Latex, MathML, Symbol, math_symbol, notation, segment, with_power
+from tmm_report.quantity.symbols import Latex, MathML, Symbol, math_symbol, notation, segment, with_power
+from tmm_report.quantity.text import ZERO, round_significant
 
 Value = Any  # a number or an array (..., P)
 

@@ -12,7 +12,7 @@ from html import escape
 from typing import Literal
 
 from tmm_report.i18n import NP_, Translator
-from tmm_report.quantity import Parts, split, unit_text
+from tmm_report.quantity.text import Parts, split, unit_text
 
 GREEK = dict(
     zip(
