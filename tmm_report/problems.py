@@ -5,6 +5,7 @@ Texts are gettext message ids with named values, translated only where they are 
 
 from __future__ import annotations
 
+import unicodedata
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -68,3 +69,15 @@ def mistake(
 ) -> Problem:
     """A Problem in one call: `mistake(N_("no link %(name)s"), ("loads",), name="7")`."""
     return Problem(wrong=Message(text, values), right=right, path=path)
+
+
+def shown(value: object, limit: int = 40) -> str:
+    """A foreign text fit for a message: no control, format or direction characters, at most `limit` long."""
+    text = str(value)[: limit + 1]
+    clean = "".join("\N{REPLACEMENT CHARACTER}" if _hidden(char) else char for char in text)
+    return clean if len(text) <= limit else clean[: limit - 1] + "…"
+
+
+def _hidden(char: str) -> bool:
+    category = unicodedata.category(char)
+    return category.startswith("C") or category in ("Zl", "Zp")

@@ -20,7 +20,7 @@ from typing import Any, BinaryIO
 
 import yaml
 
-from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
+from tmm_report.problems import N_, Message, Problem, ProblemError, mistake, shown
 
 BYTES = 256 * 1024
 DEPTH = 16
@@ -60,18 +60,6 @@ def located(problem: Problem, places: Mapping[Path, Place], file: str) -> Proble
     around = (path[:n] for n in range(len(path), -1, -1))
     line, column = next((places[part] for part in around if part in places), (None, None))
     return replace(_printable(problem, file), line=line, column=column)
-
-
-def shown(value: object, limit: int = 40) -> str:
-    """A foreign text fit for a message: no control, format or direction characters, at most `limit` long."""
-    text = str(value)[: limit + 1]
-    clean = "".join("\N{REPLACEMENT CHARACTER}" if _hidden(char) else char for char in text)
-    return clean if len(text) <= limit else clean[: limit - 1] + "…"
-
-
-def _hidden(char: str) -> bool:
-    category = unicodedata.category(char)
-    return category.startswith("C") or category in ("Zl", "Zp")
 
 
 def read(path: str | os.PathLike[str], soft: list[Problem] | None = None) -> Document:

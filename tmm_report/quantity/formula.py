@@ -19,6 +19,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from tmm_report.i18n import NP_, Translator
+from tmm_report.quantity.ref import Ref, without_attributes
 from tmm_report.quantity.symbols import Latex, MathML, Symbol, math_symbol, notation, segment, with_power
 from tmm_report.quantity.text import ZERO, round_significant
 
@@ -31,6 +32,7 @@ SUM, NEGATIVE, PRODUCT, FRACTION, POWER, ATOM = range(6)
 class Piece(NamedTuple):
     text: str
     level: int
+    zero: bool = False  # prints as 0
 
 
 @dataclass(eq=False)
@@ -46,18 +48,26 @@ class Page:
         """The piece in brackets if it holds together no better than `level`."""
         return self.notation.brackets(piece.text) if piece.level <= level else piece.text
 
-    def number(self, value: Value, digits: int, degrees: bool = False, scale: float | None = None) -> Piece:
+    def number(
+        self,
+        value: Value,
+        digits: int,
+        degrees: bool = False,
+        scale: float | None = None,
+        ref: Ref | None = None,
+    ) -> Piece:
         """A value at the printed position; `scale` None: the largest value over the positions, at least 1."""
         x = at(value, self.index)
         if scale is None and abs(x) < 1e-3:
             scale = _largest(value)
         scale = 1.0 if scale is None else scale
         x = math.degrees(x) if degrees else x
-        text = self.notation.number(x, digits, scale)
+        text = self.notation.number(x, digits, scale, ref)
         tail = self.notation.unit("deg") if degrees else ""
         if x < -ZERO * scale:
             return Piece(text + tail, NEGATIVE)
-        return Piece(text + tail, ATOM if 1e-4 <= x < 1e6 or x <= ZERO * scale else PRODUCT)
+        zero = x <= ZERO * scale
+        return Piece(text + tail, ATOM if 1e-4 <= x < 1e6 or zero else PRODUCT, zero)
 
 
 def at(value: Value, index: int | None) -> float:
@@ -155,13 +165,14 @@ class Var(Expr):
     """A symbol with its value (number or array (..., P)) and unit.
 
     Unit "deg": the value is in rad and printed in degrees. `symbol` may be a key. `digits`: its own number of
-    significant digits in place of the formula's.
+    significant digits in place of the formula's. `ref`: where it stands in the results.
     """
 
     symbol: Symbol | str
     number: Value
     unit: str = ""
     digits: int | None = None
+    ref: Ref | None = None
 
     def evaluate(self, digits: int | None = None) -> Value:
         if digits is None:
@@ -176,7 +187,7 @@ class Var(Expr):
 
     def piece(self, page: Page) -> Piece:
         if page.numbers:
-            return page.number(self.number, self.digits or page.digits, self.unit == "deg")
+            return page.number(self.number, self.digits or page.digits, self.unit == "deg", ref=self.ref)
         return Piece(page.notation.symbol(self.sign), POWER if self.sign.sup else ATOM)
 
 
@@ -185,7 +196,7 @@ def seg(ends: str, length: Value) -> Var:
     return Var(segment(ends), length, "mm")
 
 
-PI = Var("pi", math.pi)
+PI = Var("pi", math.pi, ref=Ref("pi"))
 
 
 @dataclass(frozen=True, eq=False)
@@ -269,7 +280,7 @@ class Negative(Expr):
 
     def piece(self, page: Page) -> Piece:
         body = self.body.piece(page)
-        if body.text == page.notation.number(0.0, 1):
+        if body.zero:
             return body  # never -0
         return Piece(page.notation.negative(page.bracket(body, NEGATIVE)), NEGATIVE)
 
@@ -340,7 +351,7 @@ class Formula:
     `index`: the position printed where values are arrays (..., P). Unit "deg": the value is in rad, printed
     in degrees. `hand`: the printed value is computed from the numbers as printed, so that a reader's
     calculator agrees. `scale`: the size against which a value is noise (1e-9 of it prints 0); None: the
-    largest, at least 1.
+    largest, at least 1. `ref`: where the value stands in the results.
     """
 
     result: Symbol | str
@@ -350,6 +361,7 @@ class Formula:
     index: int | None = None
     hand: bool = False
     scale: float | None = None
+    ref: Ref | None = None
 
     @cached_property
     def value(self) -> Value:
@@ -380,7 +392,7 @@ class Formula:
         pieces = [form.symbol(result)]
         last = ""
         for side in self._sides(form):
-            joined = "".join(side)
+            joined = without_attributes("".join(side))
             if joined != last:  # a bare number is not repeated as its own value
                 pieces += [form.operator("=") + side[0], *side[1:]]
             last = joined
@@ -389,7 +401,7 @@ class Formula:
 
     def _sides(self, form: Latex | MathML) -> list[list[str]]:
         pages = [Page(form, numbers, self.index, self.digits) for numbers in (False, True)]
-        value = pages[1].number(self.shown, self.digits, self.unit == "deg", self.scale)
+        value = pages[1].number(self.shown, self.digits, self.unit == "deg", self.scale, self.ref)
         return [*(list(self.expression.terms(page)) for page in pages), [value.text]]
 
 
@@ -416,6 +428,7 @@ class Inline:
     value: float
     unit: str = ""
     digits: int = 5
+    ref: Ref | None = None
 
     def latex(self, tr: Translator) -> str:
         return self._print(notation("latex", tr))
@@ -424,7 +437,9 @@ class Inline:
         return self._print(notation("mathml", tr))
 
     def _print(self, form: Latex | MathML) -> str:
-        value = Page(form, numbers=True).number(self.value, self.digits, self.unit == "deg").text
+        value = (
+            Page(form, numbers=True).number(self.value, self.digits, self.unit == "deg", ref=self.ref).text
+        )
         unit = "" if self.unit == "deg" else form.unit(self.unit)
         return form.formula([form.symbol(Var(self.symbol, 0.0).sign) + form.operator("=") + value + unit])
 

@@ -1,36 +1,221 @@
-"""What a table of results is: named columns, each with its key, unit and meaning; and single values."""
+"""What a number of the results is: a quantity with its key, symbol, unit and meaning; columns, tables, single values.
+
+A quantity is defined once, in the `quantities.py` of its chapter. results.json, CSV, the note and its formulas take
+symbol, unit and meaning from there; a printed number keeps a `Ref`, by which it is found in results.json again.
+
+    speed = Quantity("v_B", Symbol("v", "B"), "m/s", Message(N_("velocity of point %(name)s"), {"name": "B"}))
+    rates = Table("rates_table", RATES, (position, speed.column(values)))
+    rates.var("v_B", 7)          # in a formula: v_B, its number at position 7, and where that number stands
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any
 
-from tmm_report.problems import Message
+import numpy as np
+
+from tmm_report.problems import N_, Message
+from tmm_report.quantity.formula import Expr, Formula, Var
+from tmm_report.quantity.ref import Ref
+from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.units import factor
+
+Array = Any
+Texts = Sequence[str]
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """`key`: its name in the results; `symbol`: how it is written, None of names and other texts; `unit`: of its
+    numbers in the results, "" of pure numbers and texts."""
+
+    key: str
+    symbol: Symbol | None
+    unit: str
+    meaning: Message
+
+    def column(self, values: Array | Texts) -> Column:
+        """Its numbers (P,), or a list of texts, one for each row of a table."""
+        return Column(self, values)
+
+    def value(self, number: float, at: float | None = None) -> Value:
+        """One number; `at`: the angle turned from position 0 at which it holds, rad."""
+        return Value(self, number, at)
+
+    def vector(self, values: Array) -> Iterator[Column]:
+        """Size and both components of complex values (P,)."""
+        yield self.column(np.abs(values))
+        for axis, text, part in (("x", X_PART, np.real), ("y", Y_PART, np.imag)):
+            symbol = self.symbol and replace(self.symbol, sup=",".join(filter(None, (self.symbol.sup, axis))))
+            component = Quantity(f"{self.key}_{axis}", symbol, self.unit, Message(text, {"of": self.meaning}))
+            yield component.column(part(values))
+
+
+X_PART, Y_PART = N_("%(of)s, x component"), N_("%(of)s, y component")
 
 
 @dataclass(frozen=True, eq=False)
 class Column:
-    """One column: a key, a unit ("" for pure numbers and text), what it means, and its values."""
+    """A quantity at the rows of a table: (P,) numbers in its unit, or a list of texts.
 
-    key: str
-    unit: str
-    meaning: Message
-    values: Any  # (P,) numbers, or a list of texts
+    `symbols`: of each row, where the rows are wheels or other things that name the symbol."""
+
+    quantity: Quantity
+    values: Any
+    symbols: Sequence[Symbol] = ()
+
+    @property
+    def key(self) -> str:
+        return self.quantity.key
+
+    @property
+    def unit(self) -> str:
+        return self.quantity.unit
+
+    @property
+    def meaning(self) -> Message:
+        return self.quantity.meaning
+
+    def symbol(self, row: int | None = None) -> Symbol:
+        """Raises ValueError for a column of texts."""
+        found = self.symbols[row] if self.symbols and row is not None else self.quantity.symbol
+        if found is None:
+            raise ValueError(f"{self.key} has no symbol")
+        return found
+
+    def numbers(self, unit: str = "") -> Array:
+        """Its numbers (P,), in another unit if one is named."""
+        numbers = np.asarray(self.values, dtype=float)
+        return numbers * factor(self.unit, unit) if unit and unit != self.unit else numbers
 
 
 @dataclass(frozen=True, eq=False)
 class Table:
+    """Named columns of equal length. Key by key: `table["v_B"]`; raises KeyError for a column that it has not."""
+
     name: str
     meaning: Message
     columns: tuple[Column, ...]
 
+    @cached_property
+    def _by_key(self) -> dict[str, Column]:
+        return {column.key: column for column in self.columns}
+
+    def __getitem__(self, key: str) -> Column:
+        return self._by_key[key]
+
+    def __contains__(self, key: str) -> bool:
+        return key in self._by_key
+
+    def __len__(self) -> int:
+        """Number of rows."""
+        return len(self.columns[0].values) if self.columns else 0
+
+    def ref(self, key: str, row: int, unit: str = "", size: bool = False) -> Ref:
+        own = self[key].unit
+        return Ref(key, row, self.name, unit="" if unit == own else unit, size=size)
+
+    def var(self, key: str, row: int, unit: str = "", size: bool = False, digits: int | None = None) -> Var:
+        """The number of a row, for a formula."""
+        column = self[key]
+        number = float(column.numbers(unit)[row])
+        return _var(
+            column.symbol(row), number, unit or column.unit, digits, self.ref(key, row, unit, size), size
+        )
+
+    def formula(self, key: str, row: int, expression: Expr, unit: str = "", **form: Any) -> Formula:
+        """`symbol of the key` = expression, whose value stands in the row."""
+        column = self[key]
+        return Formula(
+            column.symbol(row), expression, unit or column.unit, ref=self.ref(key, row, unit), **form
+        )
+
 
 @dataclass(frozen=True)
 class Value:
-    """A single number; `at`: the angle turned from position 0 at which it holds, rad."""
+    """A single number in its quantity's unit; `at`: the angle turned from position 0 at which it holds, rad."""
 
-    key: str
+    quantity: Quantity
     value: float
-    unit: str
-    meaning: Message
     at: float | None = None
+
+    @property
+    def key(self) -> str:
+        return self.quantity.key
+
+    @property
+    def unit(self) -> str:
+        return self.quantity.unit
+
+    @property
+    def meaning(self) -> Message:
+        return self.quantity.meaning
+
+    @property
+    def symbol(self) -> Symbol:
+        """Raises ValueError for a quantity that is never written as a symbol."""
+        if self.quantity.symbol is None:
+            raise ValueError(f"{self.key} has no symbol")
+        return self.quantity.symbol
+
+    def number(self, unit: str = "") -> float:
+        """The number, in another unit if one is named."""
+        return self.value * factor(self.unit, unit) if unit and unit != self.unit else self.value
+
+    def ref(self, unit: str = "", size: bool = False) -> Ref:
+        return Ref(self.key, unit="" if unit == self.unit else unit, size=size)
+
+    def var(self, unit: str = "", size: bool = False, digits: int | None = None) -> Var:
+        """The number, for a formula."""
+        return _var(self.symbol, self.number(unit), unit or self.unit, digits, self.ref(unit, size), size)
+
+    def formula(self, expression: Expr, unit: str = "", **form: Any) -> Formula:
+        """`symbol` = expression, whose value this is."""
+        return Formula(self.symbol, expression, unit or self.unit, ref=self.ref(unit), **form)
+
+
+def _var(symbol: Symbol, number: float, unit: str, digits: int | None, ref: Ref, size: bool) -> Var:
+    number = abs(number) if size else number
+    if unit == "deg":  # a formula is evaluated in radians and printed in degrees
+        number = float(np.radians(number))
+    return Var(symbol, number, unit, digits, ref)
+
+
+@dataclass(frozen=True, eq=False)
+class Book:
+    """All tables and single values of the results, or of one chapter, by their names."""
+
+    tables: dict[str, Table] = field(default_factory=dict)
+    values: dict[str, Value] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, tables: Iterable[Table] = (), values: Iterable[Value] = ()) -> Book:
+        return cls({table.name: table for table in tables}, {value.key: value for value in values})
+
+    def __or__(self, other: Book) -> Book:
+        """Both together. Raises ValueError where a name stands in both: a number has one home."""
+        twice = (self.tables.keys() & other.tables.keys()) | (self.values.keys() & other.values.keys())
+        if twice:
+            raise ValueError(f"defined twice: {', '.join(sorted(twice))}")
+        return Book(self.tables | other.tables, self.values | other.values)
+
+    def __getitem__(self, key: str) -> Value:
+        return self.values[key]
+
+
+def text_column(key: str, meaning: Message, texts: Texts) -> Column:
+    """A column of names or other texts."""
+    return Column(Quantity(key, None, "", meaning), texts)
+
+
+def plain(key: str, unit: str, meaning: Message, values: Any) -> Column:
+    """A column that is never written as a symbol."""
+    return Column(Quantity(key, None, unit, meaning), values)
+
+
+def plain_value(key: str, value: float, unit: str, meaning: Message, at: float | None = None) -> Value:
+    """A value that is never written as a symbol."""
+    return Value(Quantity(key, None, unit, meaning), value, at)

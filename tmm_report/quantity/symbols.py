@@ -12,6 +12,7 @@ from html import escape
 from typing import Literal
 
 from tmm_report.i18n import NP_, Translator
+from tmm_report.quantity.ref import Ref, attributes
 from tmm_report.quantity.text import Parts, split, unit_text
 
 GREEK = dict(
@@ -114,8 +115,12 @@ class Notation:
 
     tr: Translator
 
-    def number(self, x: float, digits: int, scale: float = 1.0) -> str:
-        return self.parts(split(x, digits, scale=scale))
+    def number(self, x: float, digits: int, scale: float = 1.0, ref: Ref | None = None) -> str:
+        return self.marked(self.parts(split(x, digits, scale=scale)), ref)
+
+    def marked(self, text: str, ref: Ref | None) -> str:
+        """A printed number with the place where it stands in the results, in a format that can say it."""
+        return text
 
     def parts(self, parts: Parts) -> str:
         raise NotImplementedError
@@ -221,6 +226,12 @@ class MathML(Notation):
         if parts.negative:
             return f"<mrow><mo>−</mo>{text}</mrow>"
         return text if parts.power is None else f"<mrow>{text}</mrow>"
+
+    def marked(self, text: str, ref: Ref | None) -> str:
+        if ref is None:
+            return text
+        tag = "<mn" if text.startswith("<mn") else "<mrow"
+        return f"{tag}{attributes(ref)}{text[len(tag) :]}"
 
     def symbol(self, symbol: Symbol) -> str:
         return _symbol(symbol, self)

@@ -8,8 +8,7 @@ import math
 import re
 from typing import NamedTuple
 
-from tmm_report.problems import N_, Message
-from tmm_report.yamlread import shown
+from tmm_report.problems import N_, Message, shown
 
 Exponents = tuple[int, int, int, int]  # of metre, kilogram, second, radian
 
@@ -83,6 +82,17 @@ _TABLE: list[tuple[str, float, Exponents]] = [  # the names of a unit, its facto
     ("%", 1e-2, _NONE),
 ]
 UNITS = {name: (factor, exponents) for names, factor, exponents in _TABLE for name in names.split()}
+
+_SHOWN = {  # (unit of the results, unit of print) -> factor
+    ("m", "mm"): 1e3, ("m²", "mm²"): 1e6, ("rad", "deg"): 180 / math.pi, ("deg", "rad"): math.pi / 180,
+    ("W", "kW"): 1e-3, ("Pa", "MPa"): 1e-6, ("rad/s", "rpm"): 30 / math.pi, ("", "%"): 1e2,
+}  # fmt: skip
+
+
+def factor(given: str, wanted: str) -> float:
+    """By what a number in one unit is multiplied to be in the other. Raises KeyError for a pair not foreseen."""
+    return 1.0 if given == wanted else _SHOWN[given, wanted]
+
 
 _NUMBER = re.compile(r"([-+]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][-+]?[0-9]+)?)\s*(.*)")
 _FACTOR = re.compile(r"([^\W\d_]+|[°%])(?:\^?([-+]?[0-9]))?")

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
-from typing import Protocol
+from typing import Any, Protocol
 from xml.etree.ElementTree import Element, fromstring
 
 from markupsafe import Markup
@@ -15,7 +15,9 @@ from markupsafe import Markup
 from tmm_report.figures.drawing import Drawing, svg, tikz
 from tmm_report.figures.graphs import Graph
 from tmm_report.i18n import Translator
+from tmm_report.quantity.ref import Ref, attributes, without_attributes
 from tmm_report.quantity.symbols import GREEK, latex_escape, xml_escape
+from tmm_report.report.layout import Cell
 
 
 class Mathematics(Protocol):
@@ -64,6 +66,14 @@ class Html:
     def escape(self, text: str) -> Markup:
         return Markup(xml_escape(text))
 
+    def marked(self, text: str, ref: Ref) -> Markup:
+        """A number in running text that says where it stands in the results."""
+        return Markup(f"<span{attributes(ref)}>{xml_escape(text)}</span>")
+
+    def data(self, cell: Any) -> Markup:
+        """The same of a table's cell, as attributes of its element."""
+        return Markup(attributes(cell.ref) if isinstance(cell, Cell) else "")
+
     def math(self, item: Mathematics, tr: Translator, display: bool = False) -> Markup:
         text = item.mathml(tr)
         size = LINE / max(LINE, widest(text)) if display else 1.0
@@ -86,6 +96,9 @@ class Tex:
 
     def escape(self, text: str) -> Markup:
         return Markup(tex_escape(text))
+
+    def marked(self, text: str, ref: Ref) -> Markup:
+        return self.escape(text)
 
     def math(self, item: Mathematics, tr: Translator, display: bool = False) -> Markup:
         text = item.latex(tr)
@@ -115,7 +128,7 @@ _LONG = 800  # characters of MathML below which no formula is too wide
 
 def widest(text: str) -> float:
     """Estimated width of the widest of neighbouring `math` elements, em: each stays on one line."""
-    if len(text) < _LONG:
+    if len(text) < _LONG or len(text := without_attributes(text)) < _LONG:
         return 0.0
     return max(map(_width, fromstring(f"<p>{text}</p>")), default=0.0)
 

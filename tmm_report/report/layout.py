@@ -7,12 +7,25 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
+from tmm_report.quantity.ref import Ref
+
 TEXT_WIDTH = 165.0  # mm, of A4 between margins of 30 and 15 mm
 CHAR, PADDING = (
     2.15,
     2.6,
 )  # mm: a digit of a table's font, in the widest of the fonts asked for; both cell margins
 WHOLE = 20  # rows: a longer table may be cut by the end of a page
+
+
+class Cell(str):
+    """A printed number, or a word that stands for one, that knows where it stands in the results."""
+
+    ref: Ref
+
+    def __new__(cls, text: str, ref: Ref) -> Cell:
+        cell = super().__new__(cls, text)
+        cell.ref = ref
+        return cell
 
 
 class Column(NamedTuple):

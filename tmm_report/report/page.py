@@ -11,6 +11,7 @@ from collections.abc import Iterable
 from functools import cache
 from typing import Any
 
+import numpy as np
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template, pass_context
 from jinja2.runtime import Context, Undefined
 from markupsafe import Markup
@@ -18,10 +19,13 @@ from markupsafe import Markup
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.graphs import Graph
 from tmm_report.i18n import Translator
-from tmm_report.quantity.formula import Inline
+from tmm_report.quantity.formula import Inline, Var
+from tmm_report.quantity.model import Table, Value
 from tmm_report.quantity.symbols import Symbol, math_symbol
 from tmm_report.quantity.text import column, number, unit_text
+from tmm_report.report import layout
 from tmm_report.report.formats import Format, percent
+from tmm_report.report.layout import Cell
 from tmm_report.report.numbering import Numbering
 from tmm_report.resources import data_root
 
@@ -61,6 +65,10 @@ class Page:
         """Anything for output: Markup as it is, other text escaped for the format."""
         return value if isinstance(value, Markup) else self.form.escape(str(value))
 
+    def said(self, cell: Cell) -> Markup:
+        """A cell in running text."""
+        return self.form.marked(cell, cell.ref)
+
     def t(self, message: str, **values: Any) -> Markup:
         """A message translated and escaped, with values put in for %(name)s; of these, too, only Markup is trusted."""
         return self._filled(self.tr.gettext(message), values)
@@ -82,8 +90,10 @@ class Page:
         """The symbol of a key, "v_BA"."""
         return self.math(math_symbol(key) if isinstance(key, str) else key)
 
-    def value(self, key: str | Symbol, value: float, unit: str = "", digits: int = 5) -> Markup:
-        """symbol = value unit; a value of unit "deg" is given in rad."""
+    def value(self, key: str | Symbol | Var, value: float = 0.0, unit: str = "", digits: int = 5) -> Markup:
+        """symbol = value unit; a value of unit "deg" is given in rad. A variable brings its own value and unit."""
+        if isinstance(key, Var):
+            return self.math(Inline(key.sign, float(key.number), key.unit, key.digits or digits, key.ref))
         return self.math(Inline(key, float(value), unit, digits))
 
     def values(self, items: Iterable[tuple[str, float, str]], digits: int = 4) -> Markup:
@@ -96,6 +106,69 @@ class Page:
     def col(self, values: Iterable[float], digits: int = 5) -> list[str]:
         """A table column."""
         return column(values, digits, self.tr.decimal)
+
+    # ------------------------------------------------------------ numbers of the results
+
+    def head(self, symbol: Symbol | str, unit: str = "") -> Markup:
+        """Symbol and unit of a column or row."""
+        text = self.sym(symbol)
+        return self.listed([text, self.unit(unit)]) if unit else text
+
+    def column(
+        self,
+        table: Table,
+        key: str,
+        unit: str = "",
+        *,
+        size: bool = False,
+        rows: int | None = None,
+        digits: int = 5,
+        least: int = 6,
+    ) -> layout.Column:
+        """A column of the results as a table of the note prints it: symbol and unit, one number of decimals.
+
+        `unit`: of print; `size`: magnitudes; `rows`: only the first so many.
+        """
+        column = table[key]
+        numbers = column.numbers(unit)[:rows]
+        texts = self.col(np.abs(numbers) if size else numbers, digits)
+        cells = [Cell(text, table.ref(key, row, unit, size)) for row, text in enumerate(texts)]
+        return layout.Column(self.head(column.symbol(), unit or column.unit), cells, least)
+
+    def cell(
+        self,
+        of: Value | Table,
+        key: str = "",
+        row: int = 0,
+        unit: str = "",
+        *,
+        size: bool = False,
+        digits: int = 5,
+        places: int | None = None,
+        scale: float = 1.0,
+    ) -> Cell:
+        """One number of the results as text that knows its place: a single value, or a row of a table's column."""
+        if isinstance(of, Value):
+            number, ref = of.number(unit), of.ref(unit, size)
+        else:
+            number, ref = float(of[key].numbers(unit)[row]), of.ref(key, row, unit, size)
+        return Cell(self.num(abs(number) if size else number, digits, places, scale), ref)
+
+    def word(self, text: str, table: Table, key: str, row: int) -> Cell:
+        """A translated word or a name that stands for a cell of the results."""
+        return Cell(text, table.ref(key, row))
+
+    def shown(self, of: Value | Table, *args: Any, **form: Any) -> Markup:
+        """`cell` in running text."""
+        cell = self.cell(of, *args, **form)
+        return self.form.marked(cell, cell.ref)
+
+    def positions(self, table: Table, rows: int | None = None) -> layout.Column:
+        """The numbers of the positions, the first column of a table by positions."""
+        head = self.t("Position")
+        numbers = list(table["position"].values)[:rows]
+        cells = [Cell(str(k), table.ref("position", row)) for row, k in enumerate(numbers)]
+        return layout.Column(head, cells, least=len(head))
 
     def unit(self, unit: str) -> str:
         return unit_text(unit, self.tr.language)

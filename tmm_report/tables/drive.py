@@ -9,7 +9,7 @@ from typing import Any
 from tmm_report.chapters import spur
 from tmm_report.chapters.drive import Found
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.model import Column, Table, Value
+from tmm_report.quantity.model import Column, Table, Value, plain, plain_value
 from tmm_report.tables import planetary as planetary_tables
 from tmm_report.tables import spur as spur_tables
 
@@ -32,14 +32,14 @@ def tables(found: Found, prefix: str) -> Iterator[Table]:
 def values(found: Found, prefix: str) -> Iterator[Value]:
     """Ratio, deviation, efficiency of the drive; then the values of the stages."""
     graph = found.plans.ratio(found.input, found.output)
-    yield Value(f"{prefix}_u", found.ratio, "", Message(N_("ratio of the drive at work")))
-    yield Value(
+    yield plain_value(f"{prefix}_u", found.ratio, "", Message(N_("ratio of the drive at work")))
+    yield plain_value(
         f"{prefix}_u_teeth", found.geared, "", Message(N_("ratio of the drive, second inputs at rest"))
     )
-    yield Value(f"{prefix}_u_required", found.wanted, "", Message(N_("required ratio of the drive")))
-    yield Value(f"{prefix}_delta_u", 100 * found.deviation, "%", Message(N_("deviation of the ratio")))
-    yield Value(f"{prefix}_u_graph", graph, "", Message(N_("ratio by the plan of angular velocities")))
-    yield Value(f"{prefix}_eta", found.efficiency, "", Message(N_("efficiency of the drive")))
+    yield plain_value(f"{prefix}_u_required", found.wanted, "", Message(N_("required ratio of the drive")))
+    yield plain_value(f"{prefix}_delta_u", 100 * found.deviation, "%", Message(N_("deviation of the ratio")))
+    yield plain_value(f"{prefix}_u_graph", graph, "", Message(N_("ratio by the plan of angular velocities")))
+    yield plain_value(f"{prefix}_eta", found.efficiency, "", Message(N_("efficiency of the drive")))
     for name, stage in _stages(found):
         yield from _room(stage).values(stage, name)
 
@@ -59,10 +59,10 @@ def _speeds(found: Found) -> tuple[Column, ...]:
     relative = [w - c for w, c in zip(omega, carried, strict=True)]
     about = Message(N_("angular velocity about the carrier of the axis"))
     return (
-        Column("member", "", Message(N_("member")), [m.name for m in members]),
-        Column("z", "", Message(N_("number of teeth; 0: a carrier")), [m.teeth for m in members]),
-        Column("omega", "rad/s", Message(N_("angular velocity")), omega),
-        Column("omega_rel", "rad/s", about, relative),
+        plain("member", "", Message(N_("member")), [m.name for m in members]),
+        plain("z", "", Message(N_("number of teeth; 0: a carrier")), [m.teeth for m in members]),
+        plain("omega", "rad/s", Message(N_("angular velocity")), omega),
+        plain("omega_rel", "rad/s", about, relative),
     )
 
 
@@ -70,19 +70,19 @@ def _comparison(found: Found) -> tuple[Column, ...]:
     rows = found.plans.comparison
     delta = [float("nan") if row.delta is None else row.delta for row in rows]
     return (
-        Column("key", "", Message(N_("quantity")), [row.key for row in rows]),
-        Column("graph", "", Message(N_("by the diagrams, SI")), [row.graph for row in rows]),
-        Column("analytic", "", Message(N_("by calculation, SI")), [row.analytic for row in rows]),
-        Column("delta", "%", Message(N_("difference of the methods")), delta),
+        plain("key", "", Message(N_("quantity")), [row.key for row in rows]),
+        plain("graph", "", Message(N_("by the diagrams, SI")), [row.graph for row in rows]),
+        plain("analytic", "", Message(N_("by calculation, SI")), [row.analytic for row in rows]),
+        plain("delta", "%", Message(N_("difference of the methods")), delta),
     )
 
 
 def _loads(found: Found) -> tuple[Column, ...]:
     loads = found.loads
     return (
-        Column("member", "", Message(N_("member")), list(loads.torque)),
-        Column("T", "N·m", Message(N_("external torque")), [float(x) for x in loads.torque.values()]),
-        Column("N", "W", Message(N_("power; positive: supplied")), [float(x) for x in loads.power.values()]),
+        plain("member", "", Message(N_("member")), list(loads.torque)),
+        plain("T", "N·m", Message(N_("external torque")), [float(x) for x in loads.torque.values()]),
+        plain("N", "W", Message(N_("power; positive: supplied")), [float(x) for x in loads.power.values()]),
     )
 
 
@@ -90,7 +90,7 @@ def _meshes(found: Found) -> tuple[Column, ...]:
     meshes, loads = found.train.meshes, found.loads
     power = Message(N_("power in the motion about the carrier; negative: the second wheel drives"))
     return (
-        Column("mesh", "", Message(N_("wheels in mesh")), [f"{mesh.i}-{mesh.j}" for mesh in meshes]),
-        Column("N", "W", power, [float(x) for x in loads.mesh_power]),
-        Column("N_fr", "W", Message(N_("power lost")), [float(x) for x in loads.loss]),
+        plain("mesh", "", Message(N_("wheels in mesh")), [f"{mesh.i}-{mesh.j}" for mesh in meshes]),
+        plain("N", "W", power, [float(x) for x in loads.mesh_power]),
+        plain("N_fr", "W", Message(N_("power lost")), [float(x) for x in loads.loss]),
     )

@@ -15,7 +15,7 @@ from tmm_report.course import Results
 from tmm_report.mechanics.motion import Linkage, Motion
 from tmm_report.mechanics.relations import moving_points, relations, turning_links
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.model import Column, Table, Value
+from tmm_report.quantity.model import Column, Table, Value, plain, plain_value
 
 Array = Any
 
@@ -58,16 +58,16 @@ def _where(turned: Array) -> list[Column]:
     number = Message(N_("number of the position"))
     angle = Message(N_("angle turned by the driving link from position 0"))
     return [
-        Column("position", "", number, list(range(len(turned)))),
-        Column("phi", "deg", angle, np.degrees(turned)),
+        plain("position", "", number, list(range(len(turned)))),
+        plain("phi", "deg", angle, np.degrees(turned)),
     ]
 
 
 def _vector(key: str, unit: str, meaning: Message, vector: Array) -> Iterator[Column]:
     """Magnitude and components of a vector."""
-    yield Column(key, unit, meaning, np.abs(vector))
-    yield Column(f"{key}_x", unit, Message(N_("%(of)s, x component"), {"of": meaning}), np.real(vector))
-    yield Column(f"{key}_y", unit, Message(N_("%(of)s, y component"), {"of": meaning}), np.imag(vector))
+    yield plain(key, unit, meaning, np.abs(vector))
+    yield plain(f"{key}_x", unit, Message(N_("%(of)s, x component"), {"of": meaning}), np.real(vector))
+    yield plain(f"{key}_y", unit, Message(N_("%(of)s, y component"), {"of": meaning}), np.imag(vector))
 
 
 def _outputs(travels: Iterable[Travel], name: str) -> Iterator[Column]:
@@ -81,7 +81,7 @@ def _outputs(travels: Iterable[Travel], name: str) -> Iterator[Column]:
             else (travel.diagram_S, travel.diagram_V, travel.diagram_a)
         )
         for (base, unit, text), row in zip(texts, rows, strict=True):
-            yield Column(f"{base}_{travel.output.name}", unit, Message(text, of), row)
+            yield plain(f"{base}_{travel.output.name}", unit, Message(text, of), row)
 
 
 SLIDER = (
@@ -99,16 +99,16 @@ ROCKER = (
 def _places(motion: Motion) -> Iterator[Column]:
     for point in moving_points(motion.linkage):
         of = {"name": point}
-        yield Column(f"x_{point}", "m", Message(N_("x of point %(name)s"), of), motion.place(point).real)
-        yield Column(f"y_{point}", "m", Message(N_("y of point %(name)s"), of), motion.place(point).imag)
+        yield plain(f"x_{point}", "m", Message(N_("x of point %(name)s"), of), motion.place(point).real)
+        yield plain(f"y_{point}", "m", Message(N_("y of point %(name)s"), of), motion.place(point).imag)
     for link in turning_links(motion.linkage):
         text = Message(N_("angle of link %(name)s from the x axis"), {"name": link})
-        yield Column(f"phi_{link}", "deg", text, np.degrees(np.angle(motion.turn(link))))
+        yield plain(f"phi_{link}", "deg", text, np.degrees(np.angle(motion.turn(link))))
     for label, sine in motion.sines.items():
         of = {"group": label}
-        yield Column(f"sin_{label}", "", Message(CLOSENESS, of), sine)
+        yield plain(f"sin_{label}", "", Message(CLOSENESS, of), sine)
         text = Message(N_("decimal digits that remain in group %(group)s"), of)
-        yield Column(f"digits_{label}", "", text, digits_left(sine))
+        yield plain(f"digits_{label}", "", text, digits_left(sine))
 
 
 def _rates(linkage: Linkage, rates: Mapping[str, Array]) -> Iterator[Column]:
@@ -117,7 +117,7 @@ def _rates(linkage: Linkage, rates: Mapping[str, Array]) -> Iterator[Column]:
         if np.iscomplexobj(values):
             yield from _vector(key, unit_of(key), meaning[key], values)
         else:
-            yield Column(key, unit_of(key), meaning[key], values)
+            yield plain(key, unit_of(key), meaning[key], values)
 
 
 def meanings(linkage: Linkage) -> dict[str, Message]:
@@ -163,12 +163,12 @@ def _special(k: Kinematics) -> tuple[Column, ...]:
     rows += [("dead", dead.output, turned, math.nan) for dead in k.dead for turned in dead.turned]
     kinds, of, turned, closeness = ([row[i] for row in rows] for i in range(4))
     return (
-        Column("kind", "", Message(N_("closest, change, limit, parallel (guides) or dead (point)")), kinds),
-        Column("of", "", Message(N_("the group, or the output link")), of),
-        Column(
+        plain("kind", "", Message(N_("closest, change, limit, parallel (guides) or dead (point)")), kinds),
+        plain("of", "", Message(N_("the group, or the output link")), of),
+        plain(
             "phi", "deg", Message(N_("angle turned by the driving link from position 0")), np.degrees(turned)
         ),
-        Column("closeness", "", Message(N_("closeness to a singular position, 1 … 0")), closeness),
+        plain("closeness", "", Message(N_("closeness to a singular position, 1 … 0")), closeness),
     )
 
 
@@ -180,11 +180,11 @@ def _comparison(
 ) -> Table:
     deltas = [math.nan if row.delta is None else row.delta for row in rows]
     columns = (
-        Column("key", "", Message(N_("the value compared")), [row.key for row in rows]),
-        Column("unit", "", Message(N_("its unit")), [unit(row.key) for row in rows]),
-        Column("graph", "", Message(N_("read off the plan")), [row.graph for row in rows]),
-        Column("analytic", "", Message(N_("analytical")), [row.analytic for row in rows]),
-        Column("delta", "%", Message(N_("difference; empty where both are zero within the reading")), deltas),
+        plain("key", "", Message(N_("the value compared")), [row.key for row in rows]),
+        plain("unit", "", Message(N_("its unit")), [unit(row.key) for row in rows]),
+        plain("graph", "", Message(N_("read off the plan")), [row.graph for row in rows]),
+        plain("analytic", "", Message(N_("analytical")), [row.analytic for row in rows]),
+        plain("delta", "%", Message(N_("difference; empty where both are zero within the reading")), deltas),
     )
     return Table(name, meaning, columns)
 
@@ -213,7 +213,7 @@ def _loads(results: Results, solved: Solved) -> Iterator[Column]:
             f"F_I{link}", "N", Message(N_("inertia force of link %(name)s"), {"name": link}), force
         )
     for link, couple in load.couples.items():
-        yield Column(
+        yield plain(
             f"M_I{link}", "N·m", Message(N_("inertia couple of link %(name)s"), {"name": link}), couple
         )
     keys = load_keys([force.at for force in given.forces])
@@ -222,7 +222,7 @@ def _loads(results: Results, solved: Solved) -> Iterator[Column]:
         yield from _vector(key, "N", text, force)
     for i, (on, couple) in enumerate(zip(given.moments, load.moments, strict=True), 1):
         text = Message(N_("moment on link %(on)s: %(name)s"), {"on": on.on, "name": on.name})
-        yield Column(f"M_{on.on},{i}", "N·m", text, couple)
+        yield plain(f"M_{on.on},{i}", "N·m", text, couple)
 
 
 def _reactions(solved: Solved) -> Iterator[Column]:
@@ -238,7 +238,7 @@ def _reactions(solved: Solved) -> Iterator[Column]:
             of = {"pair": reaction.pair.name}
             moment = np.broadcast_to(reaction.moment, shape)
             key = reaction_key(by, on).replace("R", "M", 1)
-            yield Column(
+            yield plain(
                 key,
                 "N·m",
                 Message(N_("moment of the reaction in guide %(pair)s about the slider's point"), of),
@@ -246,17 +246,17 @@ def _reactions(solved: Solved) -> Iterator[Column]:
             )
             text = Message(N_("where the reaction acts along guide %(pair)s, from the slider's point"), of)
             offset = np.broadcast_to(reaction.offset, shape)
-            yield Column(key.replace("M", "x", 1), "m", text, offset)
+            yield plain(key.replace("M", "x", 1), "m", text, offset)
 
 
 def _balancing(solved: Solved) -> Iterator[Column]:
-    yield Column("M_bal", "N·m", Message(N_("balancing moment, by groups")), solved.balancing)
-    yield Column("M_lever", "N·m", Message(N_("balancing moment by Zhukovsky's lever")), solved.lever)
-    yield Column("M_power", "N·m", Message(N_("balancing moment by the power balance")), solved.power)
+    yield plain("M_bal", "N·m", Message(N_("balancing moment, by groups")), solved.balancing)
+    yield plain("M_lever", "N·m", Message(N_("balancing moment by Zhukovsky's lever")), solved.lever)
+    yield plain("M_power", "N·m", Message(N_("balancing moment by the power balance")), solved.power)
     text = Message(N_("relative disagreement of the lever"))
-    yield Column("lever_disagreement", "", text, solved.disagreement(solved.lever))
+    yield plain("lever_disagreement", "", text, solved.disagreement(solved.lever))
     text = Message(N_("relative disagreement of the power balance"))
-    yield Column("power_disagreement", "", text, solved.disagreement(solved.power))
+    yield plain("power_disagreement", "", text, solved.disagreement(solved.power))
 
 
 def _friction_tables(results: Results) -> Iterator[Table]:
@@ -273,12 +273,12 @@ def _friction_tables(results: Results) -> Iterator[Table]:
                 N_("friction power in pair %(pair)s of links %(links)s"),
                 {"pair": loss.pair.name, "links": loss.pair.key},
             )
-            columns.append(Column(f"P_fr_{loss.pair.key}", "W", text, loss.power))
-        columns.append(Column("P_fr", "W", Message(N_("friction power of all pairs")), losses.total))
+            columns.append(plain(f"P_fr_{loss.pair.key}", "W", text, loss.power))
+        columns.append(plain("P_fr", "W", Message(N_("friction power of all pairs")), losses.total))
         columns.append(
-            Column("P_drive", "W", Message(N_("power of the balancing moment, magnitude")), losses.driving)
+            plain("P_drive", "W", Message(N_("power of the balancing moment, magnitude")), losses.driving)
         )
-        columns.append(Column("eta", "", Message(N_("instantaneous efficiency")), losses.efficiency))
+        columns.append(plain("eta", "", Message(N_("instantaneous efficiency")), losses.efficiency))
         yield Table(f"friction_{name}", FRICTION, (*_where(solved.turned), *columns))
 
 
@@ -286,19 +286,21 @@ def values(results: Results) -> list[Value]:
     """The single numbers of the lever mechanism."""
     s, k, p = results.structure, results.kinematics, results.plans
     found = [
-        Value("n", s.moving_links, "", Message(N_("number of moving links"))),
-        Value("p5", s.lower_pairs, "", Message(N_("number of lower pairs"))),
-        Value("p4", s.higher_pairs, "", Message(N_("number of higher pairs"))),
-        Value("W", s.mobility, "", Message(N_("mobility"))),
-        Value("class", s.mechanism_class, "", Message(N_("class of the mechanism"))),
-        Value("omega", k.omega, "rad/s", Message(N_("angular velocity of the driving link"))),
-        Value(
+        plain_value("n", s.moving_links, "", Message(N_("number of moving links"))),
+        plain_value("p5", s.lower_pairs, "", Message(N_("number of lower pairs"))),
+        plain_value("p4", s.higher_pairs, "", Message(N_("number of higher pairs"))),
+        plain_value("W", s.mobility, "", Message(N_("mobility"))),
+        plain_value("class", s.mechanism_class, "", Message(N_("class of the mechanism"))),
+        plain_value("omega", k.omega, "rad/s", Message(N_("angular velocity of the driving link"))),
+        plain_value(
             "phi_0", math.degrees(k.cycle.zero), "deg", Message(N_("angle of the driving link in position 0"))
         ),
-        Value("mu_l", p.length_scale, "m/mm", Message(N_("scale of the scheme"))),
-        Value("mu_v", p.velocity_scale, "(m/s)/mm", Message(N_("scale of the velocity plans"))),
-        Value("mu_a", p.acceleration_scale, "(m/s²)/mm", Message(N_("scale of the acceleration plans"))),
-        Value(
+        plain_value("mu_l", p.length_scale, "m/mm", Message(N_("scale of the scheme"))),
+        plain_value("mu_v", p.velocity_scale, "(m/s)/mm", Message(N_("scale of the velocity plans"))),
+        plain_value(
+            "mu_a", p.acceleration_scale, "(m/s²)/mm", Message(N_("scale of the acceleration plans"))
+        ),
+        plain_value(
             "delta_max", p.worst, "%", Message(N_("largest difference of plans from the analytical method"))
         ),
     ]
@@ -312,9 +314,9 @@ def _travel_values(travel: Travel) -> Iterator[Value]:
     name, of = travel.output.name, {"name": travel.output.name}
     units = ("m", "m/s", "m/s²") if slider else ("rad", "rad/s", "rad/s²")
     stroke = N_("stroke of slider %(name)s") if slider else N_("swing of link %(name)s")
-    yield Value(f"H_{name}", travel.stroke, units[0], Message(stroke, of))
+    yield plain_value(f"H_{name}", travel.stroke, units[0], Message(stroke, of))
     if travel.time_ratio is not None:
-        yield Value(
+        yield plain_value(
             f"K_{name}", travel.time_ratio, "", Message(N_("time ratio of the strokes of %(name)s"), of)
         )
     ends = ((travel.near, travel.far), travel.V_extremes, travel.a_extremes)
@@ -324,29 +326,31 @@ def _travel_values(travel: Travel) -> Iterator[Value]:
         (N_("least acceleration of %(name)s"), N_("greatest acceleration of %(name)s")),
     )
     for base, unit, pair, (low, high) in zip("SVA", units, ends, texts, strict=True):
-        yield Value(f"{base}_{name}_min", pair[0].value, unit, Message(low, of), pair[0].turned)
-        yield Value(f"{base}_{name}_max", pair[1].value, unit, Message(high, of), pair[1].turned)
+        yield plain_value(f"{base}_{name}_min", pair[0].value, unit, Message(low, of), pair[0].turned)
+        yield plain_value(f"{base}_{name}_max", pair[1].value, unit, Message(high, of), pair[1].turned)
 
 
 def _force_values(results: Results) -> Iterator[Value]:
     found = results.kinetostatics
     if found is not None:
         low, high = found.extremes
-        yield Value("M_bal_min", low.value, "N·m", Message(N_("least balancing moment")), low.turned)
-        yield Value("M_bal_max", high.value, "N·m", Message(N_("greatest balancing moment")), high.turned)
-        yield Value(
+        yield plain_value("M_bal_min", low.value, "N·m", Message(N_("least balancing moment")), low.turned)
+        yield plain_value(
+            "M_bal_max", high.value, "N·m", Message(N_("greatest balancing moment")), high.turned
+        )
+        yield plain_value(
             "lever_disagreement",
             found.worst_lever,
             "",
             Message(N_("worst relative disagreement of the lever")),
         )
         text = Message(N_("worst relative disagreement of the power balance"))
-        yield Value("power_disagreement", found.worst_power, "", text)
+        yield plain_value("power_disagreement", found.worst_power, "", text)
     if results.force_plans is not None:
         text = Message(N_("largest difference of force plans from the analytical method"))
-        yield Value("delta_F_max", results.force_plans.worst, "%", text)
+        yield plain_value("delta_F_max", results.force_plans.worst, "%", text)
     if results.friction is not None:
-        yield Value("P_fr_mean", results.friction.mean_power, "W", Message(N_("mean friction power")))
-        yield Value(
+        yield plain_value("P_fr_mean", results.friction.mean_power, "W", Message(N_("mean friction power")))
+        yield plain_value(
             "eta_mean", results.friction.mean_efficiency, "", Message(N_("efficiency over the cycle"))
         )

@@ -13,7 +13,7 @@ from tmm_report.chapters.wheel_words import DIAMETERS
 from tmm_report.mechanics import planetary as p
 from tmm_report.mechanics.planetary_search import Candidates, Reason, Task, multiples, ranked
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.model import Column, Table, Value
+from tmm_report.quantity.model import Column, Table, Value, plain, plain_value
 
 Array = Any
 
@@ -37,7 +37,7 @@ def values(found: Found, prefix: str) -> Iterator[Value]:
         ("solutions", float(len(found.ranking)), "", N_("how many solutions there are")),
     )
     for key, number, unit, meaning in numbers:
-        yield Value(f"{prefix}_{key}", number, unit, Message(meaning))
+        yield plain_value(f"{prefix}_{key}", number, unit, Message(meaning))
 
 
 def tables(found: Found, prefix: str) -> Iterator[Table]:
@@ -52,11 +52,11 @@ def tables(found: Found, prefix: str) -> Iterator[Table]:
 def _wheels(found: Found) -> Iterator[Column]:
     given, order = found.given, list(found.scheme.wheels)
     names = (given.names[0], *given.crowns, given.names[-2])
-    yield Column("wheel", "", Message(N_("number of the wheel")), [names[i] for i in order])
-    yield Column("z", "", Message(N_("number of teeth")), [found.teeth[i] for i in order])
-    yield Column("x", "", Message(N_("shift coefficient")), found.sizes.shifts[order])
+    yield plain("wheel", "", Message(N_("number of the wheel")), [names[i] for i in order])
+    yield plain("z", "", Message(N_("number of teeth")), [found.teeth[i] for i in order])
+    yield plain("x", "", Message(N_("shift coefficient")), found.sizes.shifts[order])
     for key, meaning in DIAMETERS.items():
-        yield Column(key, "m", Message(meaning), found.sizes.diameters[key][order])
+        yield plain(key, "m", Message(meaning), found.sizes.diameters[key][order])
 
 
 def _motions(found: Found) -> Iterator[Column]:
@@ -66,18 +66,16 @@ def _motions(found: Found) -> Iterator[Column]:
         ("input", N_("input member"), lambda m: m.input),
         ("output", N_("output member"), lambda m: m.output),
     ):
-        yield Column(key, "", Message(meaning), [member(pick(motion)) for motion in motions])
+        yield plain(key, "", Message(meaning), [member(pick(motion)) for motion in motions])
     for one in p.MEMBERS:
         about = Message(N_("speed of member %(name)s to that of the input"), {"name": member(one)})
-        yield Column(f"omega_{member(one)}", "", about, [motion.speed[one] for motion in motions])
+        yield plain(f"omega_{member(one)}", "", about, [motion.speed[one] for motion in motions])
     about = Message(N_("speed of the satellites to that of the input"))
-    yield Column("omega_satellite", "", about, [motion.satellite for motion in motions])
-    yield Column(
-        "u", "", Message(N_("ratio of the angular velocities")), [motion.ratio for motion in motions]
-    )
-    yield Column("eta", "", Message(N_("efficiency; not positive: locks")), [m.efficiency for m in motions])
+    yield plain("omega_satellite", "", about, [motion.satellite for motion in motions])
+    yield plain("u", "", Message(N_("ratio of the angular velocities")), [motion.ratio for motion in motions])
+    yield plain("eta", "", Message(N_("efficiency; not positive: locks")), [m.efficiency for m in motions])
     way = N_("flow of the power, carrier stopped: 1 from wheel 1 to wheel 3, −1 back")
-    yield Column("power", "", Message(way), [motion.exponent for motion in motions])
+    yield plain("power", "", Message(way), [motion.exponent for motion in motions])
 
 
 def _combinations(task: Task, found: Candidates, order: Array) -> Iterator[Column]:
@@ -86,13 +84,13 @@ def _combinations(task: Task, found: Candidates, order: Array) -> Iterator[Colum
     ratio = p.stage_ratio(p.basic_ratio(task.scheme, z), task.input, task.output)
     for wheel, key in ((0, "z1"), (1, "z2"), (2, "z2'"), (3, "z3")):
         if wheel != 2 or not task.scheme.single:
-            yield Column(key, "", Message(N_("number of teeth")), z[wheel])
-    yield Column("k", "", Message(N_("number of satellites; 0: any")), k)
-    yield Column("u", "", Message(N_("ratio of the angular velocities")), ratio)
-    yield Column("delta_u", "%", Message(N_("deviation of the ratio")), 100 * (ratio / task.ratio - 1))
+            yield plain(key, "", Message(N_("number of teeth")), z[wheel])
+    yield plain("k", "", Message(N_("number of satellites; 0: any")), k)
+    yield plain("u", "", Message(N_("ratio of the angular velocities")), ratio)
+    yield plain("delta_u", "%", Message(N_("deviation of the ratio")), 100 * (ratio / task.ratio - 1))
     repeats = multiples(z, np.maximum(k, 1)) & (k > 0)
     about = N_("1: teeth of a central wheel are a multiple of the satellites' number")
-    yield Column("multiple", "", Message(about), repeats.astype(int))
+    yield plain("multiple", "", Message(about), repeats.astype(int))
 
 
 # --- every combination
@@ -111,7 +109,7 @@ def candidates(given: Given) -> Table:
     verdict = found.reasons[order]
     columns = (
         *_combinations(given.task, found, order),
-        Column("verdict", "", Message(N_("why the combination is rejected")), verdict),
+        plain("verdict", "", Message(N_("why the combination is rejected")), verdict),
     )
     return Table("candidates", CANDIDATES, columns)
 

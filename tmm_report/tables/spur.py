@@ -12,7 +12,7 @@ from tmm_report.chapters.mesh_drafting import mesh_of
 from tmm_report.chapters.spur import Found
 from tmm_report.chapters.wheel_words import DIAMETERS, TEETH
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.model import Column, Table, Value
+from tmm_report.quantity.model import Column, Table, Value, plain, plain_value
 
 WHEELS = N_("dimensions of the wheels of pair %(name)s")
 CONDITIONS = N_("conditions of pair %(name)s")
@@ -55,7 +55,7 @@ def values(found: Found, prefix: str) -> Iterator[Value]:
     """The single numbers of the pair."""
     for key, unit, meaning in VALUES:
         number = float(_in(unit, getattr(found.pair, key)))
-        yield Value(f"{prefix}_{key}", number, unit, Message(meaning))
+        yield plain_value(f"{prefix}_{key}", number, unit, Message(meaning))
 
 
 def tables(found: Found, prefix: str) -> Iterator[Table]:
@@ -74,25 +74,25 @@ def _in(unit: str, value: Any) -> Any:
 
 def _wheels(found: Found) -> Iterator[Column]:
     pair = found.pair
-    yield Column("wheel", "", Message(N_("number of the wheel")), list(found.given.wheels))
-    yield Column("z", "", Message(N_("number of teeth")), list(found.teeth.z))
-    yield Column("x", "", Message(N_("shift coefficient")), [float(pair.x1), float(pair.x2)])
-    yield Column("x_rule", "", Message(N_("least shift by the rule")), list(found.rule_shifts))
-    yield Column("x_min", "", Message(N_("exact least shift")), [float(x) for x in pair.x_min])
+    yield plain("wheel", "", Message(N_("number of the wheel")), list(found.given.wheels))
+    yield plain("z", "", Message(N_("number of teeth")), list(found.teeth.z))
+    yield plain("x", "", Message(N_("shift coefficient")), [float(pair.x1), float(pair.x2)])
+    yield plain("x_rule", "", Message(N_("least shift by the rule")), list(found.rule_shifts))
+    yield plain("x_min", "", Message(N_("exact least shift")), [float(x) for x in pair.x_min])
     for key, unit, meaning in DIMENSIONS:
         numbers = [float(_in(unit, value)) for value in getattr(pair, key)]
-        yield Column(key, unit, Message(meaning), numbers)
+        yield plain(key, unit, Message(meaning), numbers)
 
 
 def _conditions(found: Found) -> Iterator[Column]:
     of = found.conditions
-    yield Column("condition", "", Message(N_("name of the condition")), [c.key for c in of])
-    yield Column("wheel", "", Message(N_("number of the wheel")), [c.wheel for c in of])
-    yield Column("unit", "", Message(N_("unit of the numbers in the row")), [_SI[c.unit] for c in of])
+    yield plain("condition", "", Message(N_("name of the condition")), [c.key for c in of])
+    yield plain("wheel", "", Message(N_("number of the wheel")), [c.wheel for c in of])
+    yield plain("unit", "", Message(N_("unit of the numbers in the row")), [_SI[c.unit] for c in of])
     for key, meaning in (("value", N_("value")), ("limit", N_("limit")), ("margin", N_("what is in hand"))):
         numbers = [float(_in(c.unit, getattr(c, key))) for c in of]
-        yield Column(key, "", Message(meaning), numbers)
-    yield Column("met", "", Message(N_("1 where the condition is met")), [int(c.met) for c in of])
+        yield plain(key, "", Message(meaning), numbers)
+    yield plain("met", "", Message(N_("1 where the condition is met")), [int(c.met) for c in of])
 
 
 _SI = {"mm": "m", "deg": "deg", "": ""}  # lengths stand in the results in metres
@@ -102,21 +102,21 @@ def _sliding(found: Found) -> Iterator[Column]:
     at = found.sliding()
     one, two = found.given.wheels
     curvature = N_("radius of curvature of the profile of wheel %(wheel)s at the point of contact")
-    yield Column(f"rho_{one}", "m", Message(curvature, {"wheel": one}), at.rho)
+    yield plain(f"rho_{one}", "m", Message(curvature, {"wheel": one}), at.rho)
     for name, numbers in ((one, at.first), (two, at.second)):
         meaning = Message(N_("specific sliding of wheel %(wheel)s"), {"wheel": name})
-        yield Column(f"lambda_{name}", "", meaning, numbers)
+        yield plain(f"lambda_{name}", "", meaning, numbers)
 
 
 def _readings(found: Found) -> Iterator[Column]:
     """Lengths in m, angles in rad."""
     rows = mesh_of(found).readings
     wheels = ["" if row.wheel is None else found.given.wheels[row.wheel] for row in rows]
-    yield Column("key", "", Message(N_("quantity")), [row.key for row in rows])
-    yield Column("wheel", "", Message(N_("number of the wheel")), wheels)
-    yield Column("graph", "", Message(N_("by the drawing, SI")), [row.drawn for row in rows])
-    yield Column("analytic", "", Message(N_("by calculation, SI")), [row.computed for row in rows])
-    yield Column("delta", "%", Message(N_("difference of the methods")), [100 * row.error for row in rows])
+    yield plain("key", "", Message(N_("quantity")), [row.key for row in rows])
+    yield plain("wheel", "", Message(N_("number of the wheel")), wheels)
+    yield plain("graph", "", Message(N_("by the drawing, SI")), [row.drawn for row in rows])
+    yield plain("analytic", "", Message(N_("by calculation, SI")), [row.computed for row in rows])
+    yield plain("delta", "%", Message(N_("difference of the methods")), [100 * row.error for row in rows])
 
 
 def _contour(found: Found) -> Iterator[Column]:
@@ -125,8 +125,8 @@ def _contour(found: Found) -> Iterator[Column]:
     missing = complex(np.nan, np.nan)
     shifts = np.array([missing if x is None else x for x in points.values()])
     meaning = N_("chosen; the nearest that meets every limit; the nearest of the same centre distance")
-    yield Column("point", "", Message(meaning), list(points))
+    yield plain("point", "", Message(meaning), list(points))
     for name, numbers in zip(found.given.wheels, (shifts.real, shifts.imag), strict=True):
         about = Message(N_("shift coefficient of wheel %(wheel)s"), {"wheel": name})
-        yield Column(f"x_{name}", "", about, numbers)
-    yield Column("step", "", Message(N_("distance from the chosen shifts")), np.abs(shifts - of.chosen))
+        yield plain(f"x_{name}", "", about, numbers)
+    yield plain("step", "", Message(N_("distance from the chosen shifts")), np.abs(shifts - of.chosen))

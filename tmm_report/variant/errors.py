@@ -9,9 +9,9 @@ from typing import Any, get_args
 
 from pydantic import BaseModel, ValidationError
 
-from tmm_report.problems import N_, Message, Problem, mistake
+from tmm_report.problems import N_, Message, Problem, mistake, shown
 from tmm_report.quantity.units import WrongValue
-from tmm_report.yamlread import Path, shown
+from tmm_report.yamlread import Path
 
 _TEXTS = {
     "dict_type": N_("keys with values are expected here"),

@@ -15,10 +15,9 @@ from typing import Annotated, Any, Literal
 from pydantic import AfterValidator, BaseModel, Discriminator, Field
 from pydantic_core import core_schema
 
-from tmm_report.problems import N_, Message
+from tmm_report.problems import N_, Message, shown
 from tmm_report.quantity import units
 from tmm_report.quantity.units import DIMENSIONS, WrongValue
-from tmm_report.yamlread import shown
 
 NAME = r"[0-9A-Za-z\u0400-\u0481\u048a-\u052f][0-9A-Za-z\u0400-\u0481\u048a-\u052f'’]{0,11}"
 SIDES = {"right": 1 + 0j, "up": 1j, "left": -1 + 0j, "down": -1j}

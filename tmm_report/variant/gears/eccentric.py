@@ -8,13 +8,12 @@ from pydantic import Field
 
 from tmm_report.chapters import eccentric
 from tmm_report.mechanics.spur import Rack
-from tmm_report.problems import N_, Message
+from tmm_report.problems import N_, Message, shown
 from tmm_report.quantity import units
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.gears.spur import Module, RackModel, Tooth
 from tmm_report.variant.models import Model
 from tmm_report.variant.values import Distance, Label, Positive, Reads, Speed, whole
-from tmm_report.yamlread import shown
 
 DENOMINATOR = 100  # the finest fraction a ratio may be
 LARGEST = 20

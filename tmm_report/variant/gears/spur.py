@@ -8,12 +8,11 @@ from pydantic import Field, Tag
 
 from tmm_report.chapters import spur
 from tmm_report.mechanics.spur import Rack
-from tmm_report.problems import N_, Message
+from tmm_report.problems import N_, Message, shown
 from tmm_report.quantity import units
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.models import Model
 from tmm_report.variant.values import LIST, SCALAR, Flag, Label, Reads, by_shape, quantity, whole
-from tmm_report.yamlread import shown
 
 RATIOS = (0.02, 50.0)
 
