@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tmm_report import variant, yamlread
-from tmm_report.chapters.loads import ByAngle, ByDisplacement, ByPosition, Constant
+from tmm_report.chapters.kinetostatics.loads import ByAngle, ByDisplacement, ByPosition, Constant
 from tmm_report.mechanics.mechanism import ZeroAngle, ZeroExtreme
 from tmm_report.problems import ProblemError, mistake
 

@@ -6,12 +6,18 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Literal
 
-from tmm_report.chapters import force_plans, friction, kinematics, kinetostatics, plans, structure
+from tmm_report.chapters.force_plans import solve as force_plans
+from tmm_report.chapters.friction import solve as friction
 from tmm_report.chapters.given import Drawing, Friction, Loads, Positions, Readings, Title
+from tmm_report.chapters.kinematics import solve as kinematics
+from tmm_report.chapters.kinetostatics import solve as kinetostatics
+from tmm_report.chapters.plans import solve as plans
+from tmm_report.chapters.structure import solve as structure
 from tmm_report.mechanics.mechanism import Mechanism
 
 if TYPE_CHECKING:  # the gear chapters are loaded only for a variant that has gears
-    from tmm_report.chapters import drive, eccentric
+    from tmm_report.chapters.drive import solve as drive
+    from tmm_report.chapters.eccentric import solve as eccentric
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,11 +105,11 @@ def _gears(variant: Variant) -> dict[str, Any]:
     """The chapters of gears that are asked for."""
     found: dict[str, Any] = {}
     if variant.drive is not None:
-        from tmm_report.chapters import drive
+        from tmm_report.chapters.drive import solve as drive
 
         found["drive"] = drive.solve(variant.drive)
     if variant.eccentric is not None:
-        from tmm_report.chapters import eccentric
+        from tmm_report.chapters.eccentric import solve as eccentric
 
         found["eccentric"] = eccentric.solve(variant.eccentric)
     return found

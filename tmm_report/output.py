@@ -26,11 +26,11 @@ def render(results: Results, fmt: str, language: str | None = None) -> dict[str,
     """File name -> content in one of FORMATS. What only one format needs is imported only for it."""
     tr = translator(results, language)
     if fmt == "json":
-        from tmm_report.tables import as_json
+        from tmm_report.results import as_json
 
         return {"results.json": as_json(results, tr)}
     if fmt == "csv":
-        from tmm_report.tables import as_csv
+        from tmm_report.results import as_csv
 
         return {f"tables/{name}": content for name, content in as_csv(results, tr).items()}
     if fmt not in FORMATS:
@@ -44,8 +44,8 @@ def combinations(results: Results, language: str | None = None) -> dict[str, byt
     """Of every planetary stage, all the combinations of teeth that were judged and why most were rejected, as text."""
     if results.drive is None:
         return {}
-    from tmm_report.chapters import planetary
-    from tmm_report.tables.planetary import candidates, listing
+    from tmm_report.chapters.planetary import solve as planetary
+    from tmm_report.chapters.planetary.quantities import candidates, listing
 
     say, files = translator(results, language).gettext, {}
     for number, stage in enumerate(results.drive.stages, 1):

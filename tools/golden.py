@@ -17,7 +17,7 @@ import numpy as np
 
 from tmm_report import load, solve
 from tmm_report.course import Results
-from tmm_report.tables import tables, values
+from tmm_report.results import tables, values
 
 ROOT = Path(__file__).resolve().parent.parent
 GOLDEN = ROOT / "tests" / "golden"

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from tmm_report import course
-from tmm_report.chapters.plans import Comparison, Drawn
-from tmm_report.chapters.scales import CAD
+from tmm_report.chapters.plans.solve import Comparison, Drawn
+from tmm_report.quantity.paper import CAD
 
 # How many reading steps a value may be off. At 0.01 mm the construction is exact and a value is read once, rounded
 # to half a step; the numbers written by hand (five digits) add up to a step more. At 0.1 and 0.5 mm every point of

@@ -6,14 +6,15 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
-from tmm_report.chapters import eccentric, eccentric_family
+from tmm_report.chapters.eccentric import family as eccentric_family
+from tmm_report.chapters.eccentric import solve as eccentric
+from tmm_report.chapters.eccentric.view import EccentricView
 from tmm_report.course import Results, Variant
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.spur import Rack
 from tmm_report.problems import ProblemError
 from tmm_report.report import render
 from tmm_report.report.formats import Html
-from tmm_report.report.gears.eccentric import EccentricView
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page
 from tmm_report.variant.gears.eccentric import EccentricModel

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from tmm_report import course
 from tmm_report.chapters.given import Drawing, Friction, Loads
-from tmm_report.chapters.loads import ByDisplacement
+from tmm_report.chapters.kinetostatics.loads import ByDisplacement
 from tmm_report.course import Results, Variant
 from tmm_report.mechanics.mechanism import FRAME, Assembly, ZeroAngle
 

@@ -5,9 +5,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tmm_report.chapters import kinetostatics
 from tmm_report.chapters.given import Loads
-from tmm_report.chapters.loads import ByAngle, ByDisplacement, ByPosition, Constant, Force, Moment
+from tmm_report.chapters.kinetostatics import solve as kinetostatics
+from tmm_report.chapters.kinetostatics.loads import (
+    ByAngle,
+    ByDisplacement,
+    ByPosition,
+    Constant,
+    Force,
+    Moment,
+)
 
 TWELVE = tuple(float(x) for x in (5, 1, 4, 2, 8, 0, -3, 7, 6, 2, 9, 1))
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tmm_report.chapters import friction
+from tmm_report.chapters.friction import solve as friction
 from tmm_report.chapters.given import Friction, Rubbing
 from tmm_report.mechanics.mechanism import FRAME
 

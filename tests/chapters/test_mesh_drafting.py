@@ -5,8 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from tmm_report.chapters import blocking, spur
-from tmm_report.chapters.mesh_drafting import SCALES, Mesh
+from tmm_report.chapters.spur import contour as blocking
+from tmm_report.chapters.spur import solve as spur
+from tmm_report.chapters.spur.mesh import SCALES, Mesh
 from tmm_report.mechanics.polygons import clearance
 
 GIVEN = {

@@ -9,7 +9,9 @@ import pytest
 from markupsafe import Markup
 from pydantic import ValidationError
 
-from tmm_report.chapters.planetary import Found, solve
+from tmm_report.chapters.planetary import quantities as tables
+from tmm_report.chapters.planetary.solve import Found, solve
+from tmm_report.chapters.planetary.view import PlanetaryView
 from tmm_report.figures.drawing import svg
 from tmm_report.figures.planetary import front, scale
 from tmm_report.i18n import Translator
@@ -20,10 +22,8 @@ from tmm_report.mechanics.spur import Rack
 from tmm_report.mechanics.teeth import external, over_pitch, ring
 from tmm_report.problems import ProblemError
 from tmm_report.report.formats import Html
-from tmm_report.report.gears.planetary import PlanetaryView
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template
-from tmm_report.tables import planetary as tables
 from tmm_report.variant.gears.planetary import PlanetaryModel, build
 
 SINGLE = {

@@ -5,7 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tmm_report.chapters import kinematics, structure
+from tmm_report.chapters.kinematics import solve as kinematics
+from tmm_report.chapters.structure import solve as structure
 from tmm_report.mechanics import statics
 from tmm_report.mechanics.planar import cross
 

@@ -8,13 +8,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tmm_report.chapters import spur
+from tmm_report.chapters.spur import solve as spur
+from tmm_report.chapters.spur.formulas import SpurFormulas
+from tmm_report.chapters.spur.quantities import tables, values
 from tmm_report.mechanics.spur import Rack
 from tmm_report.mechanics.trains import Train, speeds
 from tmm_report.problems import ProblemError
 from tmm_report.quantity.formula import Formula, agrees
-from tmm_report.report.gears.spur_formulas import SpurFormulas
-from tmm_report.tables.spur import tables, values
 
 GUIDE = spur.Given(ratio=-2.0, module=6e-3, centre_distance=0.13, wheels=("4", "5"))
 FREE = replace(GUIDE, centre_distance=None, teeth=(14, 28))

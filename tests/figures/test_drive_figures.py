@@ -2,7 +2,7 @@
 
 import pytest
 
-from tmm_report.chapters import drive
+from tmm_report.chapters.drive import solve as drive
 from tmm_report.figures import drive as figures
 from tmm_report.figures.drawing import Arrow, Path, Text
 from tmm_report.figures.gear_scheme import CLEAR, scheme

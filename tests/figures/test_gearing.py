@@ -5,8 +5,10 @@ import xml.etree.ElementTree as ET
 import numpy as np
 import pytest
 
-from tmm_report.chapters import blocking, spur
-from tmm_report.chapters.mesh_drafting import Mesh
+from tmm_report.chapters.spur import contour as blocking
+from tmm_report.chapters.spur import solve as spur
+from tmm_report.chapters.spur.mesh import Mesh
+from tmm_report.chapters.spur.teeth_view import TeethView
 from tmm_report.figures.blocking import Plane, contour
 from tmm_report.figures.dimensions import span, spread
 from tmm_report.figures.drawing import THICK, Arc, Path, Text, svg, tikz
@@ -15,7 +17,6 @@ from tmm_report.figures.zones import BEYOND, WIDE, pairs_at, zones
 from tmm_report.i18n import Translator
 from tmm_report.quantity.text import number
 from tmm_report.report.formats import Html
-from tmm_report.report.gears.teeth import TeethView
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page
 

@@ -19,7 +19,7 @@ import numpy as np
 import pytest
 import yaml
 
-from tmm_report.chapters import spur
+from tmm_report.chapters.spur import solve as spur
 from tmm_report.mechanics.involute import inv
 
 # every scalar stays text, so that 97.250 keeps its last zero

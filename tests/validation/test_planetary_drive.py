@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import yaml
 
-from tmm_report.chapters.planetary import solve
+from tmm_report.chapters.planetary.solve import solve
 from tmm_report.mechanics import planetary as p
 from tmm_report.mechanics import trains
 from tmm_report.variant.gears.planetary import PlanetaryModel, build

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import yaml
 
-from tmm_report.chapters import drive
+from tmm_report.chapters.drive import solve as drive
 from tmm_report.variant.gears import DriveModel, build
 
 PRINTED = yaml.load(Path(__file__).with_name("gear_drive_printed.yaml").read_text("utf-8"), yaml.BaseLoader)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from tmm_report.chapters.loads import Force, Moment
+from tmm_report.chapters.kinetostatics.loads import Force, Moment
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.blocking import Found
+from tmm_report.chapters.spur.contour import Found
 from tmm_report.figures.drawing import (
     NORMAL,
     THICK,

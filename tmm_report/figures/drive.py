@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from tmm_report.chapters.drive_plans import Line, Plans
+from tmm_report.chapters.drive.plans import Line, Plans
 from tmm_report.figures.drawing import AXIS, NORMAL, THIN, Arrow, Drawing, Item, Pen, Tag, dot, line
 from tmm_report.figures.gear_scheme import Sketch, scheme
 from tmm_report.figures.lettering import Parts, joined, symbol

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.eccentric import RING, SUN, Found, Satellite
+from tmm_report.chapters.eccentric.solve import RING, SUN, Found, Satellite
 from tmm_report.figures.drawing import (
     AXIS,
     NORMAL,

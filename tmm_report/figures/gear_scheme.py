@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from tmm_report.chapters.drive_plans import Plans
+from tmm_report.chapters.drive.plans import Plans
 from tmm_report.figures.drawing import NORMAL, THICK, Item, Tag, line
 from tmm_report.figures.lettering import symbol
 from tmm_report.figures.marks import ground, turning

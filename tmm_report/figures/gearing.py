@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.mesh_drafting import Mesh
+from tmm_report.chapters.spur.mesh import Mesh
 from tmm_report.figures.dimensions import arc_span, span, spread
 from tmm_report.figures.drawing import (
     AXIS,

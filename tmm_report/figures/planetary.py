@@ -10,7 +10,7 @@ import cmath
 import math
 from collections.abc import Iterator
 
-from tmm_report.chapters.planetary import Found
+from tmm_report.chapters.planetary.solve import Found
 from tmm_report.figures.drawing import (
     AXIS,
     NORMAL,

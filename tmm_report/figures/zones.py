@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from tmm_report.chapters.mesh_drafting import Mesh
+from tmm_report.chapters.spur.mesh import Mesh
 from tmm_report.figures.drawing import (
     NORMAL,
     THICK,

@@ -7,9 +7,9 @@ from typing import Any
 
 from markupsafe import Markup
 
-from tmm_report.chapters.plans import Comparison
-from tmm_report.chapters.written import symbol_of, unit_of
+from tmm_report.chapters.plans.solve import Comparison
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.written import symbol_of, unit_of
 from tmm_report.report.layout import Column, Table, worded
 from tmm_report.report.page import Page
 from tmm_report.report.words import Words

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.force_drafting import ForceDrawn
-from tmm_report.chapters.written import reaction_key, symbol_of
+from tmm_report.chapters.force_plans.drafting import ForceDrawn
 from tmm_report.mechanics.statics import Reaction
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.written import reaction_key, symbol_of
 from tmm_report.report.columns import Columns
 from tmm_report.report.layout import Column, Table, numeric, worded
 from tmm_report.report.samples import Power

@@ -9,10 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.drafting import Plan
-from tmm_report.chapters.force_drafting import ForcePlan
-from tmm_report.chapters.kinematics import Travel
-from tmm_report.chapters.written import load_keys
+from tmm_report.chapters.force_plans.drafting import ForcePlan
+from tmm_report.chapters.kinematics.solve import Travel
+from tmm_report.chapters.plans.drafting import Plan
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.graphs import LEFT, RIGHT, WIDTH, Curve, Graph, graph
 from tmm_report.figures.lettering import symbol
@@ -23,6 +22,7 @@ from tmm_report.mechanics.cycle import Extreme
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.motion import Motion
 from tmm_report.quantity.text import unit_text
+from tmm_report.quantity.written import load_keys
 from tmm_report.report.formats import MM_PER_INCH, percent
 
 STYLES: dict[str, Style] = {

@@ -8,12 +8,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tmm_report.chapters.friction import PairLoss
-from tmm_report.chapters.kinetostatics import lever_terms
-from tmm_report.chapters.written import load_keys, reaction_key, symbol_of
+from tmm_report.chapters.friction.solve import PairLoss
+from tmm_report.chapters.kinetostatics.solve import lever_terms
 from tmm_report.i18n import Translator
 from tmm_report.quantity.formula import Expr, Formula, Number, Page, Var
 from tmm_report.quantity.symbols import Symbol, notation, segment
+from tmm_report.quantity.written import load_keys, reaction_key, symbol_of
 
 
 class Power(NamedTuple):

@@ -8,8 +8,8 @@ from typing import Any
 
 from markupsafe import Markup
 
-from tmm_report.chapters.kinematics import digits_left
-from tmm_report.chapters.limits import Closest
+from tmm_report.chapters.kinematics.limits import Closest
+from tmm_report.chapters.kinematics.solve import digits_left
 from tmm_report.problems import N_, Message
 from tmm_report.report.columns import Columns
 from tmm_report.report.layout import Table, worded

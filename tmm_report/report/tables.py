@@ -8,13 +8,13 @@ from typing import Any
 import numpy as np
 from markupsafe import Markup
 
-from tmm_report.chapters.drafting import Projections
-from tmm_report.chapters.kinematics import Travel
-from tmm_report.chapters.written import load_keys, symbol_of, unit_of
+from tmm_report.chapters.kinematics.solve import Travel
+from tmm_report.chapters.plans.drafting import Projections
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.relations import turning_links
 from tmm_report.mechanics.structure import Pair
 from tmm_report.quantity.symbols import Symbol, segment
+from tmm_report.quantity.written import load_keys, symbol_of, unit_of
 from tmm_report.report.columns import Columns
 from tmm_report.report.layout import Column, Table, numeric, worded
 

@@ -9,7 +9,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from markupsafe import Markup
 
-from tmm_report.chapters.written import Equation, Unknown, reaction_key, symbol_of
 from tmm_report.mechanics.cycle import Extreme
 from tmm_report.mechanics.dyads import Dyad
 from tmm_report.mechanics.higher import HigherGroup
@@ -18,6 +17,7 @@ from tmm_report.mechanics.structure import ROMAN, Group, Pair, Structure
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Expr, Formula, Var
 from tmm_report.quantity.symbols import Symbol, math_symbol
+from tmm_report.quantity.written import Equation, Unknown, reaction_key, symbol_of
 from tmm_report.report.page import Page
 
 SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")

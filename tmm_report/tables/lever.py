@@ -8,14 +8,14 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.kinematics import Kinematics, Travel, digits_left
-from tmm_report.chapters.kinetostatics import Solved
-from tmm_report.chapters.written import load_keys, reaction_key, unit_of
+from tmm_report.chapters.kinematics.solve import Kinematics, Travel, digits_left
+from tmm_report.chapters.kinetostatics.solve import Solved
 from tmm_report.course import Results
 from tmm_report.mechanics.motion import Linkage, Motion
 from tmm_report.mechanics.relations import moving_points, relations, turning_links
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Table, Value, plain, plain_value
+from tmm_report.quantity.written import load_keys, reaction_key, unit_of
 
 Array = Any
 

@@ -9,7 +9,7 @@ from typing import Any
 
 from tmm_report import course
 from tmm_report.chapters import given
-from tmm_report.chapters.loads import (
+from tmm_report.chapters.kinetostatics.loads import (
     ByAngle,
     ByDisplacement,
     ByPosition,

@@ -24,10 +24,10 @@ def conclusions(views: list[tuple[str, Any]]) -> list[Markup]:
 def _drive(found: Any, page: Page) -> Iterator[tuple[str, Any]]:
     if found is None:
         return
-    from tmm_report.chapters import spur
-    from tmm_report.report.gears.drive import DriveView
-    from tmm_report.report.gears.planetary import PlanetaryView
-    from tmm_report.report.gears.spur import SpurView
+    from tmm_report.chapters.drive.view import DriveView
+    from tmm_report.chapters.planetary.view import PlanetaryView
+    from tmm_report.chapters.spur import solve as spur
+    from tmm_report.chapters.spur.view import SpurView
 
     whole = DriveView(found, page, "drive")
     yield "drive", whole
@@ -42,6 +42,6 @@ def _drive(found: Any, page: Page) -> Iterator[tuple[str, Any]]:
 
 def _eccentric(found: Any, page: Page) -> Iterator[tuple[str, Any]]:
     if found is not None:
-        from tmm_report.report.gears.eccentric import EccentricView
+        from tmm_report.chapters.eccentric.view import EccentricView
 
         yield "eccentric", EccentricView(found, page, "eccentric")

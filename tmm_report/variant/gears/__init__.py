@@ -8,8 +8,8 @@ from typing import Annotated, Any
 
 from pydantic import Discriminator, Field, Tag
 
-from tmm_report.chapters import drive
-from tmm_report.chapters.drive_plans import Scales
+from tmm_report.chapters.drive import solve as drive
+from tmm_report.chapters.drive.plans import Scales
 from tmm_report.problems import N_
 from tmm_report.variant.gears import planetary, spur
 from tmm_report.variant.gears.planetary import PlanetaryModel

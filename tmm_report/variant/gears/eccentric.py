@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
-from tmm_report.chapters import eccentric
+from tmm_report.chapters.eccentric import solve as eccentric
 from tmm_report.mechanics.spur import Rack
 from tmm_report.problems import N_, Message, shown
 from tmm_report.quantity import units

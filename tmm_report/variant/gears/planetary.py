@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, Tag, model_validator
 
-from tmm_report.chapters import planetary
+from tmm_report.chapters.planetary import solve as planetary
 from tmm_report.mechanics.planetary import SCHEMES, Member
 from tmm_report.mechanics.planetary_search import LARGEST_SHIFTED, Task
 from tmm_report.mechanics.spur import Rack

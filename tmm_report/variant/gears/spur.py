@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, Tag
 
-from tmm_report.chapters import spur
+from tmm_report.chapters.spur import solve as spur
 from tmm_report.mechanics.spur import Rack
 from tmm_report.problems import N_, Message, shown
 from tmm_report.quantity import units

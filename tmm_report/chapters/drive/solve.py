@@ -1,0 +1,230 @@
+"""Chapter of gears, the drive as a whole: stages in series, the whole ratio, speeds, torques, efficiency, diagrams.
+
+The stages are solved each in its own room; here they become one train: the output of a stage turns with the input of
+the next, and Willis' equations of all meshes are solved together, so that the stages may stand in any order and be
+ordinary, planetary or differentials with a second input. Source: Artobolevsky, Theory of mechanisms and machines,
+ch. VII; Frolov (ed.), Theory of mechanisms and machines, ch. 15.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
+from typing import Any, Protocol
+
+from tmm_report.chapters.drive.plans import Plans, Scales, draw
+from tmm_report.chapters.planetary import solve as planetary
+from tmm_report.chapters.spur import solve as spur
+from tmm_report.mechanics.trains import Loads, Member, Mesh, Train, loads, speeds
+from tmm_report.problems import N_, Message, Problem, ProblemError
+
+
+class Stage(Protocol):
+    """What the drive asks of a solved stage. `fixed`: members that stand still; `second`: a member driven besides."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def ratio(self) -> float: ...
+    @property
+    def wanted(self) -> float: ...
+    @property
+    def members(self) -> tuple[Member, ...]: ...
+    @property
+    def meshes(self) -> tuple[Mesh, ...]: ...
+    @property
+    def input(self) -> str: ...
+    @property
+    def output(self) -> str: ...
+    @property
+    def fixed(self) -> tuple[str, ...]: ...
+    @property
+    def second(self) -> tuple[str, float] | None: ...
+
+
+@dataclass(frozen=True)
+class Given:
+    """A drive. `speed`: of the input shaft, rad/s; `tolerance`: of the whole ratio, relative; `torque`: on the input
+    shaft, N·m, None: all torques are found for 1 N·m; `accuracy`: m of paper; `scales`: of the diagrams."""
+
+    speed: float
+    stages: tuple[spur.Given | planetary.Given, ...]
+    tolerance: float = 0.04
+    torque: float | None = None
+    accuracy: float = 1e-5
+    scales: Scales = field(default_factory=Scales)
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """A solved drive. `speed`: of every member, rad/s; `loads`: torques and powers of the members that are loaded from
+    outside; `plans`: the diagrams of linear and angular velocities."""
+
+    given: Given
+    stages: tuple[Any, ...]
+    train: Train
+    speed: Mapping[str, float]
+    loads: Loads
+    plans: Plans
+
+    @property
+    def input(self) -> str:
+        return str(self.stages[0].input)
+
+    @property
+    def output(self) -> str:
+        return str(self.stages[-1].output)
+
+    @property
+    def ratio(self) -> float:
+        """ω_input/ω_output at work, signed; inf where the output stands still."""
+        return self.between(self.input, self.output)
+
+    def between(self, one: str, other: str) -> float:
+        """ω_one/ω_other, signed; inf where the other stands still."""
+        below = self.speed[other]
+        return self.speed[one] / below if below else math.inf
+
+    @property
+    def differential(self) -> bool:
+        """Whether a stage has a second input."""
+        return any(stage.second for stage in self.stages)
+
+    @property
+    def geared(self) -> float:
+        """The ratio by the teeth, second inputs at rest: the product over the stages."""
+        return math.prod(stage.ratio for stage in self.stages)
+
+    @property
+    def wanted(self) -> float:
+        """What the assignment asks for in the place of `geared`."""
+        return math.prod(stage.wanted for stage in self.stages)
+
+    @property
+    def deviation(self) -> float:
+        """Of the ratio by the teeth from the wanted one, relative, signed."""
+        return self.geared / self.wanted - 1
+
+    @property
+    def within(self) -> bool:
+        return abs(self.deviation) <= self.given.tolerance * (1 + 1e-9)
+
+    @property
+    def efficiency(self) -> float:
+        """Of the whole drive, 0..1; 0 where it locks itself."""
+        return 0.0 if self.locks else float(self.loads.efficiency)
+
+    @property
+    def locks(self) -> bool:
+        """Whether the losses hold the drive: it cannot be driven from this side."""
+        return not self.differential and bool(self.loads.locks(self.output))
+
+    @property
+    def supplied(self) -> list[str]:
+        """Members to which power is supplied from outside; of a differential the output may be one."""
+        return [name for name, power in self.loads.power.items() if power > 0]
+
+    @property
+    def taken(self) -> list[str]:
+        """Members from which power is taken."""
+        return [name for name, power in self.loads.power.items() if power < 0]
+
+    def summary(self) -> list[Message]:
+        """The main numbers in a sentence, and one for each thing that is wrong."""
+        text = N_("gear drive: teeth %(teeth)s; ratio %(ratio)s, required %(wanted)s; efficiency %(eta)s")
+        numbers = {"ratio": self.geared, "wanted": self.wanted, "eta": self.efficiency}
+        values = {key: f"{value:.5g}" for key, value in numbers.items()}
+        found = [Message(text, {"teeth": self._teeth, **values})]
+        if not self.within:
+            deviation = {"deviation": f"{100 * self.deviation:.3g}"}
+            found.append(
+                Message(
+                    N_("the ratio of the drive deviates by %(deviation)s %%: more than allowed"), deviation
+                )
+            )
+        if self.locks:
+            found.append(Message(N_("the drive locks itself: it cannot be driven from the input shaft")))
+        for stage in self.stages:
+            if isinstance(stage, spur.Found) and stage.failed:
+                broken = {"name": stage.name, "failed": len(stage.failed)}
+                found.append(Message(N_("gear pair %(name)s: conditions not met: %(failed)s"), broken))
+        return found
+
+    @property
+    def _teeth(self) -> str:
+        return "; ".join(", ".join(str(m.teeth) for m in s.members if m.teeth) for s in self.stages)
+
+
+def solve(given: Given) -> Found:
+    """Solve the stages and the drive. Raises ProblemError with the mistakes of all the stages."""
+    stages = _stages(given)
+    train = joined(stages)
+    known = _known_speeds(given.speed, stages)
+    speed = _cleaned(speeds(train, known, ("drive",)))
+    return Found(
+        given, stages, train, speed, _loads(given, stages, train, speed), _plans(given, stages, train, speed)
+    )
+
+
+def _cleaned(speed: Mapping[str, Any]) -> dict[str, float]:
+    """Speeds as numbers; what is rounding beside the largest is 0, for a member that stands still."""
+    noise = 1e-12 * max(abs(float(value)) for value in speed.values())
+    return {name: float(value) if abs(value) > noise else 0.0 for name, value in speed.items()}
+
+
+def _stages(given: Given) -> tuple[Any, ...]:
+    found: list[Any] = []
+    problems: list[Problem] = []
+    for k, stage in enumerate(given.stages):
+        try:
+            found.append(spur.solve(stage) if isinstance(stage, spur.Given) else planetary.solve(stage))
+        except ProblemError as error:
+            problems += [_placed(problem, k) for problem in error.problems]
+    if problems:
+        raise ProblemError(problems)
+    return tuple(found)
+
+
+def _placed(problem: Problem, stage: int) -> Problem:
+    """The problem of a stage with the stage's place in the variant before its own path."""
+    return replace(problem, path=("drive", "stages", stage, *problem.path))
+
+
+def joined(stages: Sequence[Stage]) -> Train:
+    """One train: the output of each stage on one shaft with the input of the next."""
+    train = Train(
+        tuple(member for stage in stages for member in stage.members),
+        tuple(mesh for stage in stages for mesh in stage.meshes),
+    )
+    for before, after in pairwise(stages):
+        train = _coupled(train, before.output, after.input)
+    return train
+
+
+def _coupled(train: Train, one: str, other: str) -> Train:
+    shaft, old = train.by_name[one].body, train.by_name[other].body
+    members = tuple(replace(m, shaft=shaft) if m.body == old else m for m in train.members)
+    return Train(members, train.meshes)
+
+
+def _known_speeds(speed: float, stages: Sequence[Stage]) -> dict[str, float]:
+    """What is given: the input, the second inputs, and 0 of the members that stand still."""
+    known = {stages[0].input: speed}
+    for stage in stages:
+        known |= dict.fromkeys(stage.fixed, 0.0)
+        known |= dict([stage.second] if stage.second else [])
+    return known
+
+
+def _loads(given: Given, stages: Sequence[Stage], train: Train, speed: Mapping[str, float]) -> Loads:
+    """Torques of the fixed members, of the second inputs and of the output for the torque of the input."""
+    torque = 1.0 if given.torque is None else given.torque
+    held = [name for name in _known_speeds(given.speed, stages) if name != stages[0].input]
+    return loads(train, speed, {stages[0].input: torque}, (*held, stages[-1].output), ("drive",))
+
+
+def _plans(given: Given, stages: Sequence[Stage], train: Train, speed: Mapping[str, float]) -> Plans:
+    known = _known_speeds(given.speed, stages)
+    return draw(stages, train, known, speed, given.scales, given.accuracy)

@@ -1,0 +1,174 @@
+"""The family of sets of an eccentric epicyclic mechanism: all of them judged, one chosen, or why none can be."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from tmm_report.chapters.eccentric import mistakes
+from tmm_report.chapters.spur.solve import STANDARD
+from tmm_report.mechanics import eccentric as ecc
+from tmm_report.mechanics.spur import Rack
+from tmm_report.mechanics.wheels import least_teeth
+from tmm_report.problems import ProblemError
+
+Array = Any
+
+COMMON_RING = 200  # teeth: larger rings are not looked at unless the ratio asks for them
+LARGEST_RING = 2000  # teeth: none is looked for beyond
+TURNS = np.array([1, 1, 1, -1])  # the second middle satellite stands below the axis
+
+
+@dataclass(frozen=True, eq=False)
+class Given:
+    """What is stated; lengths in m, `speed` in rad/s.
+
+    `ratio`: z3/z1, a magnitude; `teeth`: sun and ring, or sun, largest satellite and ring, in place of choosing them;
+    `clearance`: δ between the tip circles of neighbours; `backlash`: normal, of every mesh; `t`: the set of the family,
+    None: the most compact of those that hold most satellites; `satellites`: which of KINDS, None: as many as fit;
+    `most_ring`: largest ring looked at; `speed`: of the input.
+    """
+
+    module: float
+    ratio: Fraction | None = None
+    eccentricity: float | None = None
+    teeth: tuple[int, ...] | None = None
+    rack: Rack = STANDARD
+    clearance: float = 0.0
+    backlash: float = 0.0
+    t: int | None = None
+    satellites: tuple[str, ...] | None = None
+    most_ring: int | None = None
+    speed: float | None = None
+    name: str = ""
+
+    @property
+    def slack(self) -> float:
+        """The residue of assembly that the backlash takes up, pitches: half a backlash in each of two meshes."""
+        pitch = math.pi * self.module
+        return self.backlash / math.cos(self.rack.alpha) / pitch + ecc.EXACT
+
+
+@dataclass(frozen=True, eq=False)
+class Judged:
+    """The family with its conditions. In the order of KINDS (T, 4): `phi1`, `phi3` rad, `belt` and `residue` pitches,
+    `root` and `tips` in hand against interference in the ring, m, `allowed`: each satellite by itself; `fit`: those
+    that go together. `gap` (T, 4, 4): free between tip circles, m; `closed` (T,): by the closed form, m."""
+
+    family: ecc.Family
+    phi1: Array
+    phi3: Array
+    belt: Array
+    residue: Array
+    gap: Array
+    closed: Array
+    root: Array
+    tips: Array
+    allowed: Array
+    fit: Array
+
+    @property
+    def held(self) -> Array:
+        """How many satellites each set holds, (T,)."""
+        return self.fit.sum(axis=-1)
+
+    def row(self, t: int) -> int | None:
+        """The place of a number t in the family."""
+        found = np.flatnonzero(self.family.t == t)
+        return int(found[0]) if len(found) else None
+
+    @property
+    def best(self) -> int:
+        """The most compact of the sets that hold most satellites."""
+        return int(np.flatnonzero(self.held == self.held.max())[-1])
+
+    def sound(self, least_sun: int) -> int | None:
+        """The most compact of the sets that hold most satellites round a sun of enough teeth; None: none holds any."""
+        held = np.where(self.family.sun >= least_sun, self.held, 0)
+        return int(np.flatnonzero(held == held.max())[-1]) if held.max() else None
+
+    @property
+    def full(self) -> int | None:
+        """The most compact set that holds all four; None where there is none."""
+        return self.best if self.held.max() == len(ecc.KINDS) else None
+
+
+def sizes(given: Given) -> tuple[Fraction, int]:
+    """u = z3/z1 and E = 2e/m, from the teeth where they are given."""
+    if given.teeth is None:
+        assert given.ratio is not None  # mistakes.check
+        return given.ratio, round(mistakes.halves(given))
+    sun, *largest, ring = given.teeth
+    E = 2 * largest[0] + sun - ring if largest else round(mistakes.halves(given))
+    return Fraction(ring, sun), E
+
+
+def members(given: Given, solution: ecc.Solution, u: Fraction, E: int, most: int) -> ecc.Family:
+    """The sets from the largest ring looked at down to the smallest sun without undercut, where there is room."""
+    least = least_teeth(given.rack)
+    if given.teeth is not None:
+        least, most = min(least, given.teeth[0]), max(most, given.teeth[-1])
+    found = ecc.family(solution, u, E, ecc.range_of(solution, u, least, most))
+    room = found.satellites[:, ecc.KINDS.index("smallest")] >= mistakes.FEWEST
+    return ecc.Family(*(part[room] for part in found))
+
+
+def most_ring(given: Given, u: Fraction) -> int:
+    """The largest ring looked at."""
+    return given.most_ring or max(COMMON_RING, math.ceil(2 * least_teeth(given.rack) * u))
+
+
+def judge(given: Given, u: Fraction, E: int, family: ecc.Family) -> Judged:
+    """Every set of the family against all the conditions, as arrays."""
+    m, rack = given.module, given.rack
+    sun, ring, z = family.sun[:, None], family.ring[:, None], family.satellites
+    phi1, phi3 = ecc.angles(sun, ring, E, z)
+    belt = ecc.belt(sun, ring, z[:, :1], z, phi1, phi3)
+    residue = ecc.residue(belt)
+    gap = ecc.gaps(family.sun, z, TURNS * phi1, m, rack.ha)
+    root, tips = ecc.root_in_hand(ring, z, m, rack), ecc.tips_in_hand(ring, z, m, rack)
+    allowed = (z == np.round(z)) & (z >= least_teeth(rack)) & (np.abs(residue) <= given.slack)
+    allowed &= (root >= 0) & (tips >= 0)
+    closed = ecc.closed_gap(family.sun, family.ring, E * m / 2, m, rack.ha)
+    fit = ecc.subsets(gap, allowed, given.clearance)
+    return Judged(family, phi1, phi3, belt, residue, gap, closed, root, tips, allowed, fit)
+
+
+def chosen(given: Given, judged: Judged, u: Fraction, E: int, solution: ecc.Solution) -> int:
+    """The set asked for by its teeth or its t; else the best of the family."""
+    if not len(judged.family.t) or (given.t is None and given.teeth is None and judged.held.max() < 2):
+        raise _hopeless(given, judged, u, E)
+    t = given.t
+    if given.teeth is not None:
+        t = (solution.first - given.teeth[0]) // solution.b1
+    row = judged.best if t is None else judged.row(t)
+    if row is None:
+        raise mistakes.not_in_family(t or 0, judged.family.t)
+    return row
+
+
+def _hopeless(given: Given, judged: Judged, u: Fraction, E: int) -> ProblemError:
+    """No set holds two satellites: what data near these would do is tried out."""
+    both = judged.allowed[:, :, None] & judged.allowed[:, None, :] & ~np.eye(len(ecc.KINDS), dtype=bool)
+    widest = float(np.max(judged.gap, initial=-np.inf, where=both))
+    if 0 < widest <= given.clearance:
+        return mistakes.too_wide(given, widest)
+    most = most_ring(given, u)
+    # an eccentricity of E halves of a module needs a ring over E teeth
+    nearest = range(min(E, most) - 1, 0, -1)
+    smaller = next((n for n in nearest if len(_good_rings(given, u, n, most))), None)
+    rings = _good_rings(given, u, E, LARGEST_RING)
+    return mistakes.nothing_fits(given, E, most, smaller, int(rings[-1]) if len(rings) else None)
+
+
+def _good_rings(given: Given, u: Fraction, E: int, most: int) -> Array:
+    """The rings, descending, of the sets that hold two satellites."""
+    solution = ecc.general_solution(ecc.equation(u, E))
+    if solution is None:
+        return np.array([])
+    judged = judge(given, u, E, members(given, solution, u, E, most))
+    return judged.family.ring[judged.held >= 2]

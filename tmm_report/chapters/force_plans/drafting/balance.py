@@ -1,0 +1,133 @@
+"""Equilibrium of the links of a group above class II: written out with the arms read off the scheme, and solved.
+
+Of a pivot both projections of the force of its first link on the second are unknown, of a guide the normal force
+(positive along the guide turned by 90°) and the moment: 2 for each of the 3k/2 pairs of k links, as many as equations.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from tmm_report.chapters.force_plans.drafting.plan import Arm, Balance
+from tmm_report.chapters.force_plans.drafting.sheet import Sheet, plus
+from tmm_report.mechanics.higher import HigherGroup
+from tmm_report.mechanics.planar import cross
+from tmm_report.mechanics.structure import Pair
+from tmm_report.quantity.formula import Expr, Number, Symbol, Term, VectorEquation
+from tmm_report.quantity.text import round_significant
+from tmm_report.quantity.written import DIGITS, Equation, Unknown, hand, number, reaction_key, symbol_of
+
+Array = Any
+
+
+@dataclass(frozen=True, eq=False)
+class _Column:
+    """An unknown: a force of 1 N along `along` (of the pair's first link on the second), or a moment (0)."""
+
+    pair: Pair
+    symbol: Symbol
+    along: complex
+    unit: str
+
+
+@dataclass(frozen=True, eq=False)
+class Equilibrium:
+    """Balances of the links, in their order; force of each pair's first link on the second, by pair key, complex N."""
+
+    balances: tuple[Balance, ...]
+    solution: tuple[tuple[Symbol, float, str], ...]
+    forces: Mapping[str, complex]
+
+
+@dataclass(eq=False)
+class _System:
+    columns: list[_Column]
+    rows: list[list[float]] = field(default_factory=list)
+    right: list[float] = field(default_factory=list)
+
+    def add(self, row: list[float], right: float) -> None:
+        self.rows.append(row)
+        self.right.append(right)
+
+    def solve(self) -> Array:
+        """Rows are brought to one size: moments and projections of forces."""
+        A, b = np.array(self.rows), np.array(self.right)
+        size = np.abs(A).max(axis=1)
+        return np.linalg.solve(A / size[:, None], b / size)
+
+
+def equilibrium(sheet: Sheet, group: HigherGroup, arms: list[Arm]) -> Equilibrium:
+    """Write the equations of every link and solve them. `arms`: those of the loads are added."""
+    pairs = (*group.group.outer, *group.group.inner)
+    system = _System([column for pair in pairs for column in _columns(sheet, pair)])
+    balances = tuple(_balance(sheet, link, system, arms) for link in group.links)
+    x = system.solve()
+    forces = dict.fromkeys((pair.key for pair in pairs), 0j)
+    for column, value in zip(system.columns, x, strict=True):
+        forces[column.pair.key] += column.along * float(round_significant(value, DIGITS))
+    solution = tuple((c.symbol, float(value), c.unit) for c, value in zip(system.columns, x, strict=True))
+    return Equilibrium(balances, solution, forces)
+
+
+def _columns(sheet: Sheet, pair: Pair) -> list[_Column]:
+    key = reaction_key(*pair.links)
+    if pair.kind == "R":
+        return [_Column(pair, symbol_of(f"{key}_x"), 1, "N"), _Column(pair, symbol_of(f"{key}_y"), 1j, "N")]
+    normal = 1j * sheet.guide(pair)
+    return [_Column(pair, symbol_of(key), normal, "N"), _Column(pair, Symbol("M", key[2:]), 0, "N·m")]
+
+
+def _balance(sheet: Sheet, link: str, system: _System, arms: list[Arm]) -> Balance:
+    """The three equations of a link: both projections of the forces, and the moments about its first joint."""
+    about = min((c.pair for c in system.columns if link in c.pair.links), key=lambda pair: pair.kind == "P")
+    place = sheet.joint(about)
+    loads = hand(f"SigmaM_{about.name}", sheet.moment_sum((link,), about.name, place, arms), 0.0)
+    levers = [_lever(sheet, column, link, place) for column in system.columns]
+    force = sum((a.vector for a in sheet.acting[link]), 0j)
+    for part in (np.real, np.imag):
+        system.add([_sense(c.pair, link) * float(part(c.along)) for c in system.columns], -float(part(force)))
+    system.add(levers, -loads.written)
+    return Balance(
+        link, about.name, _forces(sheet, link, system), loads, _moments(loads.written, levers, system)
+    )
+
+
+def _sense(pair: Pair, link: str) -> int:
+    """1 where the pair's reaction acts on the link, −1 where the link exerts it, 0 where it is not its pair."""
+    return 1 if link == pair.links[1] else -1 if link == pair.links[0] else 0
+
+
+def _lever(sheet: Sheet, column: _Column, link: str, about: complex) -> float:
+    """Moment of a unit of the unknown on the link about a place, its arm as read off the scheme, m."""
+    sense = _sense(column.pair, link)
+    if sense == 0 or column.along == 0:
+        return float(sense)
+    arm = cross(sheet.joint(column.pair) - about, column.along)
+    read = round_significant(sheet.pen.read(arm / sheet.mu_l) * sheet.mu_l, DIGITS + 2)
+    return float(sense * np.copysign(read, arm)) if read else 0.0
+
+
+def _forces(sheet: Sheet, link: str, system: _System) -> VectorEquation:
+    """Sum of the forces on a link."""
+    pairs = dict.fromkeys(c.pair for c in system.columns if link in c.pair.links)
+    reactions = [
+        Term(symbol_of(reaction_key(*p.links)), int(p.kind == "P"), negative=link == p.links[0])
+        for p in pairs
+    ]
+    first, *others = sorted(reactions, key=lambda term: term.negative)
+    return VectorEquation([[first, *sheet.terms(link), *others], []])
+
+
+def _moments(loads: float, levers: list[float], system: _System) -> Equation:
+    """Sum of the moments on a link with its numbers."""
+    total: Expr | None = number("M", loads, "N·m") if loads else None
+    for lever, column in zip(levers, system.columns, strict=True):
+        if lever:
+            unknown = Unknown(column.symbol, np.nan)
+            term = number("h", abs(lever), "m") * unknown if column.along else unknown
+            total = plus(total, term, lever)
+    return Equation(total if total is not None else Number(0.0))

@@ -1,0 +1,112 @@
+"""A finished force plan and the calculations that belong to it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+from tmm_report.chapters.plans.solve import Comparison
+from tmm_report.quantity.formula import Formula, Symbol, VectorEquation
+from tmm_report.quantity.written import Equation
+
+Kind = Literal["gravity", "inertia", "load", "reaction", "component"]
+
+
+@dataclass(frozen=True)
+class Acting:
+    """A force on a link as it enters a plan: `key` of its symbol, complex N, world place of application, m."""
+
+    key: str
+    kind: Kind
+    vector: complex
+    at: complex
+
+
+@dataclass(frozen=True)
+class Couple:
+    """A moment on a link, N m, + counter-clockwise."""
+
+    key: str
+    value: float
+
+
+@dataclass(frozen=True)
+class ForceStroke:
+    """A vector of a force plan, mm of paper."""
+
+    start: complex
+    end: complex
+    key: str
+    kind: Kind
+
+
+@dataclass(frozen=True)
+class Arm:
+    """The arm of a force about a joint, read off the scheme: mm of paper, and m."""
+
+    key: str
+    about: str
+    millimetres: float
+    metres: float
+
+
+@dataclass(frozen=True, eq=False)
+class Balance:
+    """Equilibrium of one link of a group above class II: of its forces, and of the moments about a joint."""
+
+    link: str
+    about: str
+    forces: VectorEquation
+    loads: Formula  # their moment about the joint
+    moments: Equation
+
+
+@dataclass(frozen=True, eq=False)
+class ForcePlan:
+    """The plan of one group, or of the driving link, at one position.
+
+    `links`: those it is drawn for; `moments`: moment equations with their numbers; `equation`: the vector equation of
+    the whole group; `loads`, `couples`: what acts, by link; `scale`: N per mm. Of a group above class II, `balances` of
+    its links, which are solved together, and the `solution`: projections of the reactions, N, and moments, N m.
+    """
+
+    label: str
+    links: tuple[str, ...]
+    scale: float
+    loads: Mapping[str, tuple[Acting, ...]]
+    couples: Mapping[str, tuple[Couple, ...]]
+    arms: tuple[Arm, ...]
+    moments: tuple[Formula, ...]
+    equation: VectorEquation
+    strokes: tuple[ForceStroke, ...]
+    readings: tuple[Formula, ...]
+    balances: tuple[Balance, ...] = ()
+    solution: tuple[tuple[Symbol, float, str], ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Reduced:
+    """Inertia force and couple of a link reduced to one force: its arm h = M/F about the mass centre, m, and the
+    swing centre K through which it acts, world place, m."""
+
+    link: str
+    force: float
+    couple: float
+    arm: float
+    centre: complex
+
+
+@dataclass(frozen=True, eq=False)
+class ForceDrawn:
+    """Force plans of one table position, the driving link's last, and the comparison of reactions and moment.
+
+    `inertia`: formulas of the inertia forces and couples, F_I = m a_S and M_I = J ε.
+    """
+
+    position: int
+    inertia: tuple[Formula, ...]
+    plans: tuple[ForcePlan, ...]
+    reduced: tuple[Reduced, ...]
+    balancing: float  # signed, N m, + counter-clockwise
+    comparison: tuple[Comparison, ...]

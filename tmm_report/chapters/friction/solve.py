@@ -1,0 +1,107 @@
+"""Chapter 3, friction: power lost in every pair and the instantaneous efficiency.
+
+Pivots f R (d/2) |ω_rel|, guides f R |v_rel| (Frolov (ed.), Theory of mechanisms, ch. 7); the reactions are those
+without friction, as the course takes them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from tmm_report.chapters.given import Friction, Rubbing
+from tmm_report.chapters.kinetostatics.solve import Kinetostatics, Solved
+from tmm_report.mechanics.motion import Motion
+from tmm_report.mechanics.planar import dot
+from tmm_report.mechanics.structure import Pair
+
+Array = Any
+
+
+@dataclass(frozen=True, eq=False)
+class PairLoss:
+    """Friction in one pair at some positions: `reaction` N, `rate` the relative rad/s or m/s, `power` W; (..., P)."""
+
+    pair: Pair
+    rubbing: Rubbing
+    reaction: Array
+    rate: Array
+    power: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Losses:
+    """Losses of all pairs. `driving`: |M_bal ω1|, W; `efficiency`: driving / (driving + total), 0..1."""
+
+    pairs: tuple[PairLoss, ...]
+    driving: Array
+
+    @cached_property
+    def total(self) -> Array:
+        return np.sum([loss.power for loss in self.pairs], axis=0) + np.zeros_like(self.driving)
+
+    @cached_property
+    def efficiency(self) -> Array:
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return self.driving / (self.driving + self.total)
+
+
+@dataclass(frozen=True, eq=False)
+class FrictionFound:
+    """Found by `solve`: losses at the table positions 0..N and the diagram positions. `given`: by pair name."""
+
+    given: Friction
+    table: Losses
+    diagram: Losses
+
+    @cached_property
+    def mean_power(self) -> float:
+        """Mean friction power over the cycle, W (the last diagram position of a full turn repeats the first)."""
+        return float(np.nanmean(self.diagram.total[:-1]))
+
+    @cached_property
+    def mean_efficiency(self) -> float:
+        """Efficiency over the cycle: mean driving power to the sum of the means."""
+        driving = float(np.nanmean(self.diagram.driving[:-1]))
+        return driving / (driving + self.mean_power) if driving > 0 else float("nan")
+
+
+def solve(given: Friction, kinetostatics: Kinetostatics) -> FrictionFound:
+    return FrictionFound(given, _losses(given, kinetostatics.table), _losses(given, kinetostatics.diagram))
+
+
+def rubbing_of(given: Friction, pair: Pair) -> Rubbing | None:
+    """Friction of a pair: its own, else that of all pivots or guides; None where nothing is stated."""
+    return given.joints.get(pair.name) or (given.pivots if pair.kind == "R" else given.guides)
+
+
+def _losses(given: Friction, solved: Solved) -> Losses:
+    losses = []
+    for reaction in solved.statics.reactions.values():
+        rubbing = rubbing_of(given, reaction.pair)
+        if rubbing is not None:
+            size = np.abs(np.broadcast_to(reaction.force, solved.motion.shape))
+            rate = np.abs(relative_rate(solved.motion, reaction.pair))
+            arm = (rubbing.diameter or 0.0) / 2 if reaction.pair.kind == "R" else 1.0
+            losses.append(
+                PairLoss(reaction.pair, rubbing, size, rate, rubbing.coefficient * size * arm * rate)
+            )
+    order = [pair.key for pair in solved.motion.linkage.structure.pairs]
+    losses.sort(key=lambda loss: order.index(loss.pair.key))
+    omega = solved.motion.state.w[solved.motion.linkage.mechanism.driver.link]
+    return Losses(tuple(losses), np.abs(solved.balancing * omega))
+
+
+def relative_rate(motion: Motion, pair: Pair) -> Array:
+    """Relative angular velocity in a pivot, rad/s, or sliding velocity in a guide, m/s; (..., P)."""
+    one, other = pair.links
+    s = motion.state
+    if pair.kind == "R":
+        return np.broadcast_to(s.w[other] - s.w[one], motion.shape)
+    slider, carrier = str(pair.slider), pair.other(str(pair.slider))
+    place = s.world(slider, pair.at[slider])
+    sliding = s.velocity(slider, place) - s.velocity(carrier, place)
+    return np.broadcast_to(dot(sliding, s.u[carrier] * pair.along[carrier]), motion.shape)

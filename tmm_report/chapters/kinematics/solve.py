@@ -1,0 +1,257 @@
+"""Chapter 2, kinematics: positions, velocities and accelerations; strokes and extreme positions; diagrams."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Literal
+
+import numpy as np
+
+from tmm_report.chapters.given import Positions
+from tmm_report.chapters.kinematics.limits import Closest, Dead, Gap, closest, dead, gaps
+from tmm_report.chapters.structure.solve import Structure
+from tmm_report.mechanics.cycle import Cycle, Extreme, cycle_of, least_and_greatest
+from tmm_report.mechanics.mechanism import FRAME
+from tmm_report.mechanics.motion import SINGULAR, Linkage, Motion
+from tmm_report.mechanics.planar import dot
+from tmm_report.mechanics.relations import named_values
+from tmm_report.mechanics.singular import settle
+from tmm_report.problems import N_, Message, ProblemError, mistake
+
+Array = Any
+
+
+def digits_left(sine: Array) -> Array:
+    """Decimal digits of a double that remain where a group's sine is this: dividing by it costs -log10 of them."""
+    return np.maximum(np.floor(15.95 + np.log10(np.maximum(sine, 1e-300))), 0.0)
+
+
+@dataclass(frozen=True)
+class Output:
+    """A link whose motion the course tabulates: a slider on a fixed guide, or a rocker on a fixed pivot.
+
+    `name`: the slider's point, or the rocker's link. `direction`: unit vector of positive displacement, or ±1.
+    """
+
+    kind: Literal["slider", "rocker"]
+    name: str
+    link: str
+    direction: complex
+
+    def rates(self, motion: Motion) -> tuple[Array, Array, Array]:
+        """Coordinate, velocity and acceleration, (..., P): m or rad. A rocker's angle is within ±π."""
+        if self.kind == "rocker":
+            sign = np.real(self.direction)
+            return (
+                np.angle(motion.turn(self.name)),
+                motion.angular_velocity(self.name) * sign,
+                (motion.angular_acceleration(self.name) * sign),
+            )
+        of = (motion.place, motion.velocity, motion.acceleration)
+        return tuple(dot(rate(self.name), self.direction) for rate in of)  # type: ignore[return-value]
+
+    def velocity(self, motion: Motion) -> Array:
+        return self.rates(motion)[1]
+
+    def acceleration(self, motion: Motion) -> Array:
+        return self.rates(motion)[2]
+
+    def size(self, motion: Motion) -> Array:
+        """A speed of the mechanism beside which the output's is more than rounding: m/s or rad/s."""
+        return motion.velocities if self.kind == "slider" else motion.omega
+
+
+@dataclass(frozen=True, eq=False)
+class Travel:
+    """An output's displacement from position 0, velocity and acceleration, at the table and diagram positions.
+
+    m, m/s, m/s² of a slider; rad, rad/s, rad/s² of a rocker. `stroke` and the extremes are exact, by root finding.
+    `time_ratio`: longer stroke's angle of turn to the shorter one's; None where the output does not return.
+    """
+
+    output: Output
+    S: Array
+    V: Array
+    a: Array
+    diagram_S: Array
+    diagram_V: Array
+    diagram_a: Array
+    stroke: float
+    near: Extreme  # least displacement
+    far: Extreme  # greatest displacement
+    V_extremes: tuple[Extreme, Extreme]
+    a_extremes: tuple[Extreme, Extreme]
+    time_ratio: float | None
+
+
+@dataclass(frozen=True, eq=False)
+class Kinematics:
+    """Found by `solve`: the motion at the table positions 0..N and at the diagram positions."""
+
+    linkage: Linkage
+    cycle: Cycle
+    positions: Positions
+    turned: Array  # angle turned at the table positions, rad; position N repeats position 0 of a full turn
+    table: Motion
+    diagram_turned: Array
+    diagram: Motion
+    travels: tuple[Travel, ...]
+    singular: tuple[int, ...]  # table positions in which a group is singular: no plan can be drawn
+    undefined: tuple[int, ...]  # those of them without velocities
+    missing: tuple[int, ...]  # table positions in which the mechanism cannot be assembled
+
+    @cached_property
+    def values(self) -> Mapping[str, Array]:
+        """Key -> velocities, accelerations, angular rates at the table positions (see `relations`)."""
+        return named_values(self.table)
+
+    @cached_property
+    def diagram_values(self) -> Mapping[str, Array]:
+        return named_values(self.diagram)
+
+    @cached_property
+    def digits(self) -> int:
+        """Decimal digits that remain at the worst solved position of the table and diagram."""
+        sines = [s[s > SINGULAR] for m in (self.table, self.diagram) for s in m.sines.values()]
+        return int(digits_left(min((s.min(initial=1.0) for s in sines), default=1.0)))
+
+    @cached_property
+    def gaps(self) -> tuple[Gap, ...]:
+        """Groups that cannot be assembled over part of the cycle, with causes and cures."""
+        return gaps(self.cycle)
+
+    @cached_property
+    def closest(self) -> tuple[Closest, ...]:
+        """How near each group comes to a singular position, and its singular positions."""
+        return closest(self.cycle)
+
+    @cached_property
+    def dead(self) -> tuple[Dead, ...]:
+        """Dead points of every output, were it to drive."""
+        outputs = (travel.output for travel in self.travels)
+        return tuple(dead(self.cycle, output.name, output.velocity, output.size) for output in outputs)
+
+    @property
+    def omega(self) -> float:
+        """Angular velocity of the driving link, rad/s, + counter-clockwise."""
+        return float(self.linkage.mechanism.driver.omega)
+
+
+def solve(positions: Positions, structure: Structure) -> Kinematics:
+    """Positions that cannot be assembled are nan. Raises ProblemError where none can."""
+    cycle = cycle_of(structure.linkage)
+    turned = np.arange(positions.table + 1) * (cycle.sweep / positions.table)
+    diagram_turned = np.arange(positions.diagram + 1) * (cycle.sweep / positions.diagram)
+    # position N of a full turn is position 0: solved as such, so that both print the same digits
+    table = cycle.motion(np.where(cycle.closed & (turned >= cycle.sweep), 0.0, turned))
+    diagram = cycle.motion(np.where(cycle.closed & (diagram_turned >= cycle.sweep), 0.0, diagram_turned))
+    _must_close(cycle, table, diagram)
+    undefined = settle(table)
+    settle(diagram)
+    flat = np.logical_or.reduce([undefined, *(sine <= SINGULAR for sine in table.sines.values())])
+    travels = tuple(_travel(cycle, output, table, diagram) for output in outputs(cycle.linkage))
+    return Kinematics(
+        cycle.linkage, cycle, positions, turned, table, diagram_turned, diagram, travels,
+        _numbers(flat & table.closes), _numbers(undefined & table.closes), _numbers(~table.closes),
+    )  # fmt: skip
+
+
+def _numbers(mask: Array) -> tuple[int, ...]:
+    return tuple(int(k) for k in np.flatnonzero(mask))
+
+
+def _must_close(cycle: Cycle, table: Motion, diagram: Motion) -> None:
+    if table.closes.any() and diagram.closes.any():
+        return
+    causes = gaps(cycle)
+    if causes:
+        raise ProblemError([causes[0].problem])
+    group = cycle.linkage.groups[-1].group
+    text = N_("group %(group)s cannot be assembled at any position")
+    right = Message(
+        N_("check the lengths of links %(links)s and the places of their joints"),
+        {"links": ", ".join(group.links)},
+    )
+    raise ProblemError([mistake(text, ("mechanism", "links", group.links[0]), right, group=group.label)])
+
+
+def outputs(linkage: Linkage) -> list[Output]:
+    """Sliders on fixed guides, then links pivoted to the frame, without the driving link."""
+    mechanism = linkage.mechanism
+    found = []
+    for pair in linkage.structure.pairs:
+        if FRAME in pair.links and pair.kind == "P":
+            link = pair.other(FRAME)
+            point = _traced_point(linkage, link)
+            if point is not None:
+                found.append(Output("slider", point, link, complex(pair.along[FRAME])))
+        elif FRAME in pair.links and pair.other(FRAME) != mechanism.driver.link:
+            found.append(Output("rocker", pair.other(FRAME), pair.other(FRAME), 1.0))
+    return sorted(found, key=lambda output: output.kind == "rocker")
+
+
+def _traced_point(linkage: Linkage, link: str) -> str | None:
+    """The point that stands for a sliding link: a joint rather than a mass centre; None for a link without points."""
+    points = linkage.mechanism.links[link].points
+    joints = [p for p in points if len(linkage.mechanism.links_at(p)) > 1]
+    return next(iter([*joints, *points]), None)
+
+
+def _travel(cycle: Cycle, output: Output, table: Motion, diagram: Motion) -> Travel:
+    output = _pointed(output, diagram)
+    start = _first(output.rates(table)[0])
+    S, V, a = output.rates(table)
+    dS, dV, da = output.rates(diagram)
+    if output.kind == "rocker":  # the angle from position 0, without jumps of a turn
+        reference = np.angle(np.exp(1j * start))
+        S, dS = (_unwrapped(m.turn(output.name), reference) * output.direction.real for m in (table, diagram))
+        near, far = _rocker_extremes(cycle, output, reference)
+    else:
+        S, dS = S - start, dS - start
+        near, far = cycle.extremes(lambda m: output.rates(m)[0] - start, output.velocity)
+    # of one stroke there and one back, over a whole turn, only
+    strokes = cycle.closed and bool(np.all(table.closes)) and len(cycle.roots(output.velocity)) == 2
+    back = (far.turned - near.turned) % cycle.sweep if strokes else None
+    ratio = max(back, cycle.sweep - back) / min(back, cycle.sweep - back) if back else None
+    return Travel(
+        output=output, S=S, V=V, a=a, diagram_S=dS, diagram_V=dV, diagram_a=da,
+        stroke=far.value - near.value, near=near, far=far,
+        V_extremes=cycle.extremes(output.velocity, output.acceleration),
+        a_extremes=cycle.extremes(output.acceleration, cycle.slope(output.acceleration), noise=1e-9),
+        time_ratio=ratio,
+    )  # fmt: skip
+
+
+def _pointed(output: Output, diagram: Motion) -> Output:
+    """A slider's displacement is positive towards the farther end of its stroke from position 0."""
+    if output.kind == "rocker":
+        return output
+    S = output.rates(diagram)[0]
+    S = S - _first(S)
+    # of equally far ends, the one to which the guide points, and not the one that rounding chooses
+    ahead = np.nanmax(S) >= -np.nanmin(S) * (1 - 1e-9)
+    return Output(output.kind, output.name, output.link, output.direction * (1 if ahead else -1))
+
+
+def _first(values: Array) -> Any:
+    """The value at the first position that exists: position 0, where the mechanism closes there."""
+    return values[np.argmax(np.isfinite(values))]
+
+
+def _unwrapped(u: Array, reference: float) -> Array:
+    """Angle from the first position, rad, continuous along the positions that exist."""
+    angle = np.angle(u * np.exp(-1j * reference))
+    exists = np.isfinite(angle)
+    angle[exists] = np.unwrap(angle[exists])
+    return angle - _first(angle)
+
+
+def _rocker_extremes(cycle: Cycle, output: Output, reference: float) -> tuple[Extreme, Extreme]:
+    """Extremes of a rocker's angle from position 0, rad, exact; of a full turn, its ends."""
+    roots = cycle.roots(output.velocity)
+    fine = np.linspace(0, cycle.sweep, 361)
+    where = np.sort(np.concatenate([fine, roots]))
+    angle = _unwrapped(cycle.motion(where).turn(output.name), reference)
+    return least_and_greatest(angle, where)

@@ -1,0 +1,303 @@
+"""Chapter 3, kinetostatics: loads, reactions in every pair, the balancing moment and two independent checks of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from tmm_report.chapters.given import Loads
+from tmm_report.chapters.kinematics.solve import Kinematics
+from tmm_report.chapters.kinetostatics.loads import (
+    ByAngle,
+    ByDisplacement,
+    ByPosition,
+    Constant,
+    Force,
+    Law,
+    Moment,
+)
+from tmm_report.mechanics import statics
+from tmm_report.mechanics.cycle import Cycle, Extreme, least_and_greatest
+from tmm_report.mechanics.mechanism import FRAME
+from tmm_report.mechanics.motion import SINGULAR, Motion
+from tmm_report.mechanics.motion import solve as solve_motion
+from tmm_report.mechanics.planar import cross, dot
+from tmm_report.mechanics.roots import DIFFERENCE
+from tmm_report.mechanics.statics import Load, Statics
+from tmm_report.problems import N_, Message, ProblemError, mistake
+
+Array = Any
+
+TOLERANCE = 1e-9  # relative disagreement of the checks above which something is wrong
+
+
+@dataclass(frozen=True, eq=False)
+class Loading:
+    """All loads at some positions: vectors (..., P), N and N m.
+
+    `gravity`, `inertia`: link -> force at its mass centre; `couples`: link -> inertia couple; `forces`: the stated
+    forces by order; `moments`: the stated moments by order.
+    """
+
+    gravity: Mapping[str, Array]
+    inertia: Mapping[str, Array]
+    couples: Mapping[str, Array]
+    forces: tuple[Array, ...]
+    moments: tuple[Array, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Solved:
+    """Forces at one set of positions. `lever`: balancing moment by Zhukovsky's lever; `power`: by power balance;
+    `scale`: sum of the magnitudes of their terms, N m, by which disagreements are judged."""
+
+    motion: Motion
+    turned: Array
+    loading: Loading
+    statics: Statics
+    lever: Array
+    power: Array
+    scale: Array
+
+    @property
+    def balancing(self) -> Array:
+        return self.statics.balancing
+
+    def disagreement(self, other: Array) -> Array:
+        """Relative difference of another value of the balancing moment from that of the groups, (..., P)."""
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return np.where(
+                self.scale > 0, np.abs(other - self.balancing) / self.scale, np.abs(other - self.balancing)
+            )
+
+
+@dataclass(frozen=True, eq=False)
+class Kinetostatics:
+    """Found by `solve`: forces at the table positions 0..N and at the diagram positions."""
+
+    given: Loads
+    kinematics: Kinematics
+    table: Solved
+    diagram: Solved
+
+    @cached_property
+    def worst_lever(self) -> float:
+        return float(max(np.nanmax(s.disagreement(s.lever)) for s in (self.table, self.diagram)))
+
+    @cached_property
+    def worst_power(self) -> float:
+        return float(max(np.nanmax(s.disagreement(s.power)) for s in (self.table, self.diagram)))
+
+    @property
+    def agrees(self) -> bool:
+        return max(self.worst_lever, self.worst_power) <= TOLERANCE
+
+    @cached_property
+    def extremes(self) -> tuple[Extreme, Extreme]:
+        """Least and greatest balancing moment over the diagram positions, N m."""
+        return least_and_greatest(self.diagram.balancing, self.diagram.turned)
+
+
+def solve(given: Loads, kinematics: Kinematics) -> Kinetostatics:
+    solver = _Solver(given, kinematics)
+    with np.errstate(invalid="ignore", divide="ignore"):  # singular positions are nan
+        table = solver.at(kinematics.table, kinematics.turned)
+        diagram = solver.at(kinematics.diagram, kinematics.diagram_turned)
+    return Kinetostatics(given, kinematics, table, diagram)
+
+
+@dataclass(frozen=True, eq=False)
+class _Solver:
+    given: Loads
+    kinematics: Kinematics
+
+    def at(self, motion: Motion, turned: Array) -> Solved:
+        load = loading(self.given, self.kinematics, motion, turned)
+        found = statics.solve(motion, resultants(self.given, motion, load))
+        terms = lever_terms(self.given, motion, load)
+        omega = motion.state.w[motion.linkage.mechanism.driver.link]
+        power = (_kinetic_power(motion) - external_power(self.given, motion, load)) / omega
+        lever = -np.sum(terms, axis=0) / omega
+        # at a change point reactions are nothing, but the powers have a limit, and so has the moment
+        balancing = np.where(np.isfinite(found.balancing), found.balancing, lever)
+        scale = np.sum(np.abs(terms), axis=0) / abs(omega) + np.abs(balancing)
+        # where all terms are next to nothing, rounding errors are judged by the rest of the cycle and by the energy
+        # of the links, J = N m for a radian
+        scale = np.maximum(scale, max(1e-3 * np.nanmax(scale), np.nanmax(kinetic_energy(motion))))
+        return Solved(motion, turned, load, replace(found, balancing=balancing), lever, power, scale)
+
+
+def loading(given: Loads, kinematics: Kinematics, motion: Motion, turned: Array) -> Loading:
+    """Evaluate every load at the positions of `motion`, angles `turned` from position 0, rad."""
+    links = [link for name, link in motion.linkage.mechanism.links.items() if name != FRAME]
+    heavy = [link for link in links if link.mass_centre is not None and np.any(link.mass)]
+    one = np.ones(motion.shape)
+    return Loading(
+        gravity={link.name: link.mass * given.gravity * one for link in heavy},
+        inertia={link.name: -link.mass * motion.acceleration(str(link.mass_centre)) for link in heavy},
+        couples={
+            link.name: -link.inertia * motion.angular_acceleration(link.name)
+            for link in links
+            if np.any(link.inertia)
+        },
+        forces=tuple(_force(force, kinematics, motion, turned) for force in given.forces),
+        moments=tuple(_moment(moment, kinematics, motion, turned) for moment in given.moments),
+    )
+
+
+def _force(force: Force, kinematics: Kinematics, motion: Motion, turned: Array) -> Array:
+    size = magnitude(force.law, kinematics, motion, turned, force.at)
+    if isinstance(force.direction, str):
+        velocity = motion.velocity(force.at)
+        # standing still has no direction of motion: no force along it
+        speed = np.abs(velocity)
+        still = speed <= 1e-12 * np.nanmax(speed, initial=0.0)
+        along = np.where(still, 0.0, velocity / np.where(still, 1.0, speed))
+        return size * (along if force.direction == "along" else -along)
+    return size * force.direction
+
+
+def _moment(moment: Moment, kinematics: Kinematics, motion: Motion, turned: Array) -> Array:
+    size = magnitude(moment.law, kinematics, motion, turned, None)
+    if isinstance(moment.direction, str):
+        rate = motion.angular_velocity(moment.on)
+        sense = np.where(np.abs(rate) <= 1e-12 * np.nanmax(np.abs(rate), initial=0.0), 0.0, np.sign(rate))
+        return size * (sense if moment.direction == "along" else -sense)
+    return size * moment.direction
+
+
+def magnitude(law: Law, kinematics: Kinematics, motion: Motion, turned: Array, at: str | None) -> Array:
+    """A law's magnitude at angles `turned`, (..., P)."""
+    cycle = kinematics.cycle
+    if isinstance(law, Constant):
+        return np.full(motion.shape, law.value)
+    if isinstance(law, ByPosition):
+        angles = np.arange(len(law.values)) * (cycle.sweep / kinematics.positions.table)
+        return _interpolate(cycle, turned, angles, np.array(law.values))
+    if isinstance(law, ByAngle):
+        return _interpolate(cycle, turned, np.array(law.angles), np.array(law.values))
+    assert isinstance(law, ByDisplacement) and at is not None
+    return _indicated(law, cycle, motion, at)
+
+
+def _interpolate(cycle: Cycle, turned: Array, angles: Array, values: Array) -> Array:
+    period = cycle.sweep if cycle.closed else None
+    return np.interp(turned, angles, values, period=period)
+
+
+def _indicated(law: ByDisplacement, cycle: Cycle, motion: Motion, at: str) -> Array:
+    """An indicator diagram read at the point's displacement and direction of motion.
+
+    Raises ProblemError for a point that has no stroke in the direction from which the diagram counts.
+    """
+    low, high = cycle.extremes(lambda m: dot(m.place(at), law.zero), lambda m: dot(m.velocity(at), law.zero))
+    if not high.value - low.value > 1e-9 * np.nanmax(np.abs(motion.place(at) - np.nanmean(motion.place(at)))):
+        text = N_("by_displacement: point %(name)s does not move in the direction of zero")
+        right = Message(N_("name a point that moves there, or give the load by angle"))
+        raise ProblemError([mistake(text, ("loads", "forces"), right, name=at)])
+    x = (high.value - dot(motion.place(at), law.zero)) / (high.value - low.value)
+    forward, back = (np.interp(x, *np.array(curve).T) for curve in (law.forward, law.back))
+    rate = dot(motion.velocity(at), law.zero)
+    # at the ends of the stroke the point stands still: the stroke that begins there holds, not the rounding's sign
+    still = np.abs(rate) <= 1e-9 * np.nanmax(np.abs(rate), initial=0.0)
+    return np.where(np.where(still, x < 0.5, rate <= 0), forward, back)
+
+
+def resultants(given: Loads, motion: Motion, load: Loading) -> dict[str, Load]:
+    """All loads of each moving link, about its reference point."""
+    s, mechanism = motion.state, motion.linkage.mechanism
+    force: dict[str, Array] = {name: np.zeros(motion.shape, dtype=complex) for name in mechanism.moving}
+    moment: dict[str, Array] = {name: np.zeros(motion.shape) for name in mechanism.moving}
+
+    def add(link: str, vector: Array, point: str) -> None:
+        force[link] = force[link] + vector
+        moment[link] = moment[link] + cross(motion.place(point) - s.r[link], vector)
+
+    for link, vector in load.inertia.items():
+        add(link, vector + load.gravity[link], str(mechanism.links[link].mass_centre))
+    for link, couple in load.couples.items():
+        moment[link] = moment[link] + couple
+    for stated, vector in zip(given.forces, load.forces, strict=True):
+        add(loaded_link(motion, stated.at), vector, stated.at)
+    for on, couple in zip(given.moments, load.moments, strict=True):
+        moment[on.on] = moment[on.on] + couple
+    return {name: Load(force[name], moment[name]) for name in mechanism.moving}
+
+
+def loaded_link(motion: Motion, point: str) -> str:
+    """The link on which a force at a shared point acts: a slider rather than a rod, else the link found first."""
+    mechanism = motion.linkage.mechanism
+    links = [name for name in mechanism.links_at(point) if name != FRAME]
+    sliding = [slide.link for slide in mechanism.slides]
+    return next((name for name in links if name in sliding), links[0])
+
+
+def lever_terms(given: Loads, motion: Motion, load: Loading) -> Array:
+    """Zhukovsky's lever: powers of all loads, inertia among them, one row a load, W.
+
+    The velocity plan turned by 90° is a lever; the moment of a force about its pole is the force's power.
+    """
+    mechanism = motion.linkage.mechanism
+    turned_plan = {point: 1j * motion.velocity(point) for point in motion.point_index}
+    rows = []
+    for link, vector in load.inertia.items():
+        rows.append(-cross(turned_plan[str(mechanism.links[link].mass_centre)], vector + load.gravity[link]))
+    rows += [-cross(turned_plan[f.at], vector) for f, vector in zip(given.forces, load.forces, strict=True)]
+    rows += [couple * motion.angular_velocity(link) for link, couple in load.couples.items()]
+    rows += [c * motion.angular_velocity(m.on) for m, c in zip(given.moments, load.moments, strict=True)]
+    return np.array(rows) if rows else np.zeros((1, *motion.shape))
+
+
+def external_power(given: Loads, motion: Motion, load: Loading) -> Array:
+    """Power of gravity and of the stated forces and moments, W; no inertia."""
+    mechanism = motion.linkage.mechanism
+    power = np.zeros(motion.shape)
+    for link, weight in load.gravity.items():
+        power = power + dot(weight, motion.velocity(str(mechanism.links[link].mass_centre)))
+    for stated, vector in zip(given.forces, load.forces, strict=True):
+        power = power + dot(vector, motion.velocity(stated.at))
+    for on, couple in zip(given.moments, load.moments, strict=True):
+        power = power + couple * motion.angular_velocity(on.on)
+    return power
+
+
+def kinetic_energy(motion: Motion) -> Array:
+    """Kinetic energy of all links, J, (..., P)."""
+    energy = np.zeros(motion.shape)
+    for name, link in motion.linkage.mechanism.links.items():
+        if name != FRAME:
+            if link.mass_centre is not None:
+                v = motion.velocity(link.mass_centre)
+                energy = energy + link.mass * dot(v, v) / 2
+            energy = energy + link.inertia * motion.angular_velocity(name) ** 2 / 2
+    return energy
+
+
+def _kinetic_power(motion: Motion) -> Array:
+    """dT/dt by a difference of the kinetic energy: from velocities alone, so it checks every acceleration.
+
+    The step shrinks where the motion changes fast: towards a singular position, and where a link turns faster than
+    the driving link.
+    """
+    omega = motion.state.w[motion.linkage.mechanism.driver.link]
+    ratios = [np.abs(motion.angular_velocity(link) / omega) for link in motion.linkage.mechanism.moving]
+    shrinks = np.ones(motion.shape)
+    step = np.full(motion.shape, 0.007)
+    for group in motion.linkage.groups:
+        sine = np.maximum(motion.sines[group.group.label], SINGULAR)
+        for (
+            change
+        ) in group.changes:  # there the motion is smooth, but near positions differ by rounding errors
+            beside = np.abs(np.angle(np.exp(1j * (motion.phi - change)))) < 0.15
+            step, sine = np.where(beside, 0.03, step), np.where(beside, 1.0, sine)
+        shrinks = np.minimum(shrinks, sine)
+    step = step * shrinks / np.maximum.reduce(ratios)
+    k = np.arange(1, len(DIFFERENCE) + 1).reshape(-1, *(1,) * len(motion.shape))
+    phi = np.stack([motion.phi + k * step, motion.phi - k * step])
+    energy = kinetic_energy(solve_motion(motion.linkage, phi))
+    slope = np.tensordot(np.array(DIFFERENCE), energy[0] - energy[1], axes=1) / step
+    return slope * omega

@@ -1,0 +1,42 @@
+"""Drafting a plan of velocities or accelerations on paper, in mm, with the calculations written beside it.
+
+The vector equation of a dyad is solved by crossing two lines of known direction, those of a group above class II
+all together; a point of a link is found by the theorem of similarity; a length is read to the drawing's accuracy and
+multiplied by the scale.
+"""
+
+from __future__ import annotations
+
+from tmm_report.chapters.plans.drafting import dyad, lead, system
+from tmm_report.chapters.plans.drafting.plan import Plan, Projections, Scales, Step
+from tmm_report.chapters.plans.drafting.sheet import Sheet
+from tmm_report.mechanics.motion import Motion
+from tmm_report.mechanics.relations import Relation, System, relations
+from tmm_report.quantity.paper import Pen
+
+__all__ = ["Plan", "Projections", "Scales", "Step", "acceleration_plan", "velocity_plan"]
+
+
+def velocity_plan(motion: Motion, position: int, scales: Scales, pen: Pen) -> Plan:
+    """Plan of velocities; `motion` at that one position, only its places are used."""
+    return _drafted(Sheet(motion, scales, pen, None), position)
+
+
+def acceleration_plan(motion: Motion, position: int, scales: Scales, pen: Pen, velocity: Plan) -> Plan:
+    """Plan of accelerations; normal and Coriolis parts come from the plan of velocities."""
+    return _drafted(Sheet(motion, scales, pen, velocity), position)
+
+
+def _drafted(sheet: Sheet, position: int) -> Plan:
+    first = lead.formulas(sheet)
+    steps = tuple(_step(sheet, r) for r in relations(sheet.linkage))
+    sheet.copy_rates()
+    turns = {link: image.turn for link, image in sheet.images.items()}
+    return Plan(
+        sheet.kind, position, sheet.scale, sheet.pole, sheet.vertices, tuple(sheet.strokes), sheet.segments,
+        sheet.values, sheet.per_mm, first, steps, turns,
+    )  # fmt: skip
+
+
+def _step(sheet: Sheet, r: Relation | System) -> Step:
+    return dyad.step(sheet, r) if isinstance(r, Relation) else system.step(sheet, r)

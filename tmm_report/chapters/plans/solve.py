@@ -1,0 +1,139 @@
+"""Chapter 2, graph-analytical method: plans of velocities and accelerations constructed to scale and read off.
+
+A plan is constructed on paper: the vector equation of each dyad is solved by crossing two lines, points of a link
+are found by the theorem of similarity, lengths are read to the drawing's accuracy and multiplied by the scale.
+Nothing is taken from the analytical velocities and accelerations, only the drawn positions of the links.
+Source: Artobolevsky, Theory of mechanisms and machines, ch. 4; Frolov (ed.), Theory of mechanisms, ch. 3.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from difflib import get_close_matches
+from typing import Any
+
+import numpy as np
+
+from tmm_report.chapters.given import Drawing, Readings
+from tmm_report.chapters.kinematics.solve import Kinematics
+from tmm_report.chapters.plans.drafting import Plan, Scales, acceleration_plan, velocity_plan
+from tmm_report.problems import N_, Message, ProblemError, mistake
+from tmm_report.quantity.paper import Pen, round_scale
+
+PAPER = 150.0  # mm: a round scale is chosen so that the longest vector is at most this
+LIMIT = 5.0  # %, allowed difference of the graph-analytical method
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """One value by two methods. `delta`: 200 (g − a)/(g + a), %; None where both are below `floor`: ≈ 0."""
+
+    key: str
+    graph: float
+    analytic: float
+    floor: float
+
+    @property
+    def delta(self) -> float | None:
+        if max(self.graph, self.analytic) <= self.floor:
+            return None
+        return 200.0 * (self.graph - self.analytic) / (self.graph + self.analytic)
+
+    @property
+    def ok(self) -> bool:
+        return self.delta is None or abs(self.delta) <= LIMIT or abs(self.graph - self.analytic) <= self.floor
+
+
+@dataclass(frozen=True, eq=False)
+class Drawn:
+    """Both plans of one position, compared with the analytical method and with the student's own readings."""
+
+    position: int
+    velocity: Plan
+    acceleration: Plan
+    comparison: tuple[Comparison, ...]
+    readings: tuple[Comparison, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Plans:
+    """Found by `solve`. `length_scale`: m/mm of the scheme; `accuracy`: mm of paper."""
+
+    drawn: tuple[Drawn, ...]
+    length_scale: float
+    velocity_scale: float
+    acceleration_scale: float
+    accuracy: float
+    singular: tuple[int, ...]  # positions asked for, whose plans have no crossing point
+
+    @property
+    def worst(self) -> float:
+        """Largest |delta| of the program's own plans, %."""
+        return max(
+            (abs(c.delta) for d in self.drawn for c in d.comparison if c.delta is not None), default=0.0
+        )
+
+    @property
+    def worst_reading(self) -> float:
+        return max((abs(c.delta) for d in self.drawn for c in d.readings if c.delta is not None), default=0.0)
+
+
+def solve(drawing: Drawing, plans: Sequence[int], readings: Readings, kinematics: Kinematics) -> Plans:
+    """Construct the plans of the table positions `plans`. Raises ProblemError for unknown keys of readings."""
+    wanted = sorted({*plans, *readings})
+    regular = [k for k in wanted if k not in (*kinematics.singular, *kinematics.missing)]
+    pen = Pen(drawing.accuracy)
+    scales = _scales(drawing, kinematics, regular)
+    drawn = tuple(_draw(kinematics, k, scales, pen, readings.get(k, {})) for k in regular)
+    singular = tuple(k for k in wanted if k not in regular)
+    return Plans(drawn, scales.length, scales.velocity, scales.acceleration, pen.read_step, singular)
+
+
+def _scales(drawing: Drawing, kinematics: Kinematics, positions: list[int]) -> Scales:
+    """The stated scales, or round ones that keep the longest vector of these positions on the paper."""
+
+    def longest(letter: str) -> float:
+        rows = [np.abs(x[positions]) for key, x in kinematics.values.items() if key.startswith(letter + "_")]
+        return float(np.nanmax(rows)) if positions else 0.0
+
+    places = kinematics.diagram.places
+    size = max(np.nanmax(part) - np.nanmin(part) for part in (places.real, places.imag))
+    return Scales(
+        drawing.length or round_scale(float(size), PAPER),
+        drawing.velocity or round_scale(longest("v"), PAPER),
+        drawing.acceleration or round_scale(longest("a"), PAPER),
+    )
+
+
+def _draw(kinematics: Kinematics, k: int, scales: Scales, pen: Pen, readings: Mapping[str, float]) -> Drawn:
+    motion = kinematics.cycle.motion(kinematics.turned[k : k + 1])
+    velocity = velocity_plan(motion, k, scales, pen)
+    acceleration = acceleration_plan(motion, k, scales, pen, velocity)
+    found = {**velocity.values, **acceleration.values}
+    per_mm = {**velocity.per_mm, **acceleration.per_mm}
+    analytic = {key: float(np.abs(kinematics.values[key][k])) for key in found}
+    # the driving link's own rates are given, not read off
+    read = [key for key in found if per_mm[key] > 0]
+    comparison = tuple(
+        Comparison(key, found[key], analytic[key], per_mm[key] * pen.read_step) for key in read
+    )
+    _known_keys(k, readings, found)
+    # a student's readings are by hand: what is below 1 mm of the plan is nothing
+    own = tuple(Comparison(key, abs(value), analytic[key], per_mm[key]) for key, value in readings.items())
+    return Drawn(k, velocity, acceleration, comparison, own)
+
+
+def _known_keys(position: int, readings: Mapping[str, float], known: Mapping[str, Any]) -> None:
+    problems = []
+    for key in readings:
+        if key not in known:
+            alike = [name for name in known if name.casefold() == key.casefold()]
+            near = alike or get_close_matches(key, known, n=1)
+            right = Message(N_("did you mean %(near)s?"), {"near": near[0]}) if near else None
+            right = right or Message(N_("known ones: %(keys)s"), {"keys": ", ".join(known)})
+            problems.append(
+                mistake(N_("this plan has no value %(key)s"), ("readings", position, key), right, key=key)
+            )
+    if problems:
+        raise ProblemError(problems)

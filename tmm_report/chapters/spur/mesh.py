@@ -1,0 +1,215 @@
+"""The mesh drawn on paper, in millimetres: where its wheels and points stand, and what is read off the drawing.
+
+The pitch point is at 0, the line of centres goes upwards, wheel `small` (of an internal pair the pinion) is below it
+and turns counter-clockwise where it drives. Contact moves along the line of action from A to B.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from typing import Any
+
+import numpy as np
+
+from tmm_report.chapters.spur.solve import Found
+from tmm_report.mechanics import teeth
+from tmm_report.mechanics.involute import inv
+from tmm_report.mechanics.spur import Pair
+from tmm_report.mechanics.teeth import Wheel
+
+Array = Any
+
+READ = 0.1  # mm: places are read off the drawing to it
+FIELD = (163.0, 110.0)  # mm: width of the drawing, height of the teeth of both wheels
+COLUMN, ROOM = 23.0, 6.0  # mm: beside the teeth for the labels of the circles, beside N1 and N2 for their own
+# millimetres of paper for one of the wheels: the scales of GOST 2.302
+SCALES = (100, 50, 40, 20, 10, 5, 4, 2.5, 2, 1, 0.5, 0.4, 0.25, 0.2, 0.1, 0.05, 0.04, 0.025, 0.02, 0.01)
+FINE = 2e-3  # mm of paper: how true the curves are
+
+
+@dataclass(frozen=True)
+class Reading:
+    """A value read off the drawing against the computed one; lengths m, angles rad, ratios pure.
+
+    `key`: N1N2, AB, AC, CD, DB, angle (of contact), pitch (angle of a tooth), ratio (of the two). `wheel` 0, 1 or None.
+    """
+
+    key: str
+    wheel: int | None
+    drawn: float
+    computed: float
+
+    @property
+    def error(self) -> float:
+        """Relative difference, as a share of the computed value."""
+        return abs(self.drawn - self.computed) / abs(self.computed)
+
+
+@dataclass(frozen=True)
+class Proof:
+    """Of the outlines over a full pitch: largest overlap, m², smallest clearance, m, and contact ratio, counted."""
+
+    overlap: float
+    clearance: float
+    ratio: float
+
+
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """A pair as it is drawn: wheels 0 and 1 of `pair`. `places`: radii of curvature of wheel 0 at A, C, P, D, B, m."""
+
+    pair: Pair
+    places: dict[str, float]
+
+    @cached_property
+    def small(self) -> int:
+        """The wheel that is drawn below the pitch point: wheel 1, but never the ring."""
+        return int(self.pair.signs[0] < 0)
+
+    @cached_property
+    def scale(self) -> float:
+        """Millimetres of paper for 1 mm: the largest standard scale at which the drawing fits the page."""
+        return next(k for k in SCALES if self._fits(k) or k == SCALES[-1])
+
+    def _fits(self, scale: float) -> bool:
+        p, k = self.pair, 1e3 * scale
+        teeth_side = k * 1.5 * float(p.p_w) + COLUMN
+        foot = [k * float(rho) * math.cos(float(p.alpha_w)) for rho in p.rho_w]
+        right = foot[self.small] if not p.internal else max(foot)
+        left = 0.0 if p.internal else foot[1 - self.small]
+        wide = max(teeth_side, left + ROOM) + max(teeth_side, right + ROOM)
+        return wide <= FIELD[0] and k * float(np.sum(p.height)) <= FIELD[1]
+
+    @property
+    def mm(self) -> float:
+        """Millimetres of paper for 1 m."""
+        return 1e3 * self.scale
+
+    def length(self, metres: float) -> float:
+        return float(metres) * self.mm
+
+    def radius(self, diameters: tuple[Array, Array], i: int) -> float:
+        """Half of one of the pair's diameters on paper, mm."""
+        return self.length(diameters[i]) / 2
+
+    # ------------------------------------------------------------ wheels
+
+    @cached_property
+    def wheels(self) -> tuple[Wheel, Wheel]:
+        """Outlines in metres."""
+        return self._wheel(0), self._wheel(1)
+
+    def _wheel(self, i: int) -> Wheel:
+        p, fine = self.pair, FINE / self.mm
+        z, x = int((p.z1, p.z2)[i]), float((p.x1, p.x2)[i]) * math.cos(p.beta)
+        tip, root, size = float(p.d_a[i]) / 2, float(p.d_f[i]) / 2, float(p.m_t)
+        if p.signs[i] < 0:
+            return teeth.ring(z, size, x, p.t, tip, root, tolerance=fine)
+        return teeth.external(z, size, x, p.t, tip, tolerance=fine)
+
+    def centre(self, i: int) -> complex:
+        """Centre of a wheel on paper, mm."""
+        below = i == self.small or self.pair.internal
+        return (-1j if below else 1j) * self.radius(self.pair.d_w, i)
+
+    def turn(self, i: int, place: float = 0.0) -> float:
+        """Turn of a wheel whose flank touches at `place`, m along the line of action from the pitch point, rad."""
+        wheel, small = self.wheels[i], self.wheels[self.small]
+        half = float(small.base_angle - inv(self.pair.alpha_w))
+        turned = place / small.base - half
+        if i != self.small:
+            turned = float(teeth.touching_turn(small, wheel, float(self.pair.a_w), turned))
+        return math.pi / 2 + turned
+
+    def outline(self, i: int, place: float = 0.0) -> Array:
+        return self.centre(i) + self.mm * self.wheels[i].outline * cmath.exp(1j * self.turn(i, place))
+
+    def flank(self, i: int, radii: Array, place: float = 0.0, tooth: int = 0) -> Array:
+        """Points of the working flank that touches at `place`, or some teeth on, at `radii` in m; mm of paper."""
+        wheel = self.wheels[i]
+        own = wheel.flank(radii, tooth + int(wheel.internal), -1 if wheel.internal else 1)
+        return self.centre(i) + self.mm * own * cmath.exp(1j * self.turn(i, place))
+
+    # ------------------------------------------------------------ line of action
+
+    @property
+    def along(self) -> complex:
+        """Unit vector of the line of action, from N of the wheel below to the pitch point and beyond."""
+        return 1j * 1j * cmath.exp(-1j * float(self.pair.alpha_w))
+
+    def place(self, name: str) -> float:
+        """Of A, C, P, D, B: m along the line of action from the pitch point."""
+        return self.places[name] - self.places["P"]
+
+    @cached_property
+    def points(self) -> dict[str, complex]:
+        """N1, N2 and the points of the line of action on paper, mm."""
+        ends = {f"N{i + 1}": self.centre(i) + self._foot(i) for i in (0, 1)}
+        return ends | {name: self.length(self.place(name)) * self.along for name in self.places}
+
+    def _foot(self, i: int) -> complex:
+        """From the centre of a wheel to the point where the line of action touches its base circle."""
+        up = -1 if i != self.small and not self.pair.internal else 1
+        return up * 1j * self.radius(self.pair.d_b, i) * cmath.exp(-1j * float(self.pair.alpha_w))
+
+    @property
+    def sense(self) -> int:
+        """+1 where the wheel below turns counter-clockwise as the contact goes from A to B."""
+        return 1 if self.place("B") > self.place("A") else -1
+
+    # ------------------------------------------------------------ what is read off
+
+    def on_working_circle(self, i: int, place: float = 0.0, tooth: int = 0) -> complex:
+        """Where the working flank of a wheel, as drawn by its chords, crosses the working circle; mm of paper."""
+        working = float(self.pair.d_w[i]) / 2
+        radii = np.linspace(max(self.wheels[i].base, 0.97 * working), 1.03 * working, 17)
+        drawn = self.flank(i, radii, place, tooth)
+        far = np.abs(drawn - self.centre(i)) - self.radius(self.pair.d_w, i)
+        k = int(np.flatnonzero(far[:-1] * far[1:] <= 0)[0])
+        return complex(drawn[k] - far[k] * (drawn[k + 1] - drawn[k]) / (far[k + 1] - far[k]))
+
+    @cached_property
+    def readings(self) -> tuple[Reading, ...]:
+        """Segments of the line of action; angles of contact and of a tooth, and their ratio, on each wheel."""
+        p = self.pair
+        rows = [Reading("N1N2", None, self._segment("N1", "N2"), float(p.line))]
+        for ends in ("AB", "AC", "CD", "DB"):
+            exact = abs(self.places[ends[1]] - self.places[ends[0]])
+            rows.append(Reading(ends, None, self._segment(*ends), exact))
+        for i in (0, 1):
+            angle = self._angle(
+                i, self.on_working_circle(i, self.place("A")), self.on_working_circle(i, self.place("B"))
+            )
+            pitch = self._angle(i, self.on_working_circle(i), self.on_working_circle(i, tooth=1))
+            exact = 2 * math.pi / self.wheels[i].z
+            rows.append(Reading("angle", i, angle, exact * float(p.eps)))
+            rows.append(Reading("pitch", i, pitch, exact))
+            rows.append(Reading("ratio", i, angle / pitch, float(p.eps)))
+        return tuple(row for row in rows if abs(row.computed) > 1e-9)
+
+    @cached_property
+    def proof(self) -> Proof:
+        wheels = self.wheels[self.small], self.wheels[1 - self.small]
+        distance = float(self.pair.a_w)
+        shared, apart = teeth.over_pitch(*wheels, distance)
+        return Proof(float(shared.max()), float(apart.min()), teeth.contact_ratio(*wheels, distance))
+
+    def _segment(self, start: str, end: str) -> float:
+        return abs(_read(self.points[start]) - _read(self.points[end])) / self.mm
+
+    def _angle(self, i: int, start: complex, end: complex) -> float:
+        ends = [_read(z) - _read(self.centre(i)) for z in (start, end)]
+        return abs(cmath.phase(ends[1] / ends[0]))
+
+
+def _read(z: complex) -> complex:
+    return complex(round(z.real / READ), round(z.imag / READ)) * READ
+
+
+@lru_cache(maxsize=16)
+def mesh_of(found: Found) -> Mesh:
+    """The mesh of a stage; kept for the note in all its formats and for the tables."""
+    return Mesh(found.pair, found.points)

@@ -1,0 +1,130 @@
+"""Results as tables of named columns: the one source of results.json and of the CSV files.
+
+Every column carries its key, unit and meaning; docs/results.md describes the format. The room of each part of the
+course gives its tables and values.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
+
+from tmm_report.course import Results
+from tmm_report.i18n import Translator
+from tmm_report.quantity.model import Column, Table, Value
+from tmm_report.tables import lever
+
+__all__ = ["Column", "Table", "Value", "as_csv", "as_json", "tables", "values"]
+
+FORMAT = 1
+
+
+def tables(results: Results) -> list[Table]:
+    """All tables of a variant's results."""
+    return [*(lever.tables(results) if results.has_mechanism else []), *_gears(results, "tables")]
+
+
+def values(results: Results) -> list[Value]:
+    """The single numbers of a variant's results."""
+    return [*(lever.values(results) if results.has_mechanism else []), *_gears(results, "values")]
+
+
+def _gears(results: Results, what: str) -> Iterator[Any]:
+    """Tables or values of the gear chapters; each kind's room is loaded only where it is needed."""
+    if results.drive is not None:
+        from tmm_report.chapters.drive import quantities as drive
+
+        yield from getattr(drive, what)(results.drive, "drive")
+    if results.eccentric is not None:
+        from tmm_report.chapters.eccentric import quantities as eccentric
+
+        yield from getattr(eccentric, what)(results.eccentric, "eccentric")
+
+
+def as_json(results: Results, tr: Translator) -> bytes:
+    """results.json: every number with its key, unit and meaning; missing numbers are null."""
+
+    def column(c: Column) -> dict[str, Any]:
+        return {
+            "key": c.key,
+            "unit": c.unit,
+            "meaning": c.meaning.render(tr.gettext),
+            "values": _plain(c.values),
+        }
+
+    def value(v: Value) -> dict[str, Any]:
+        at = {} if v.at is None else {"at_deg": _finite(math.degrees(v.at))}
+        return {
+            "key": v.key,
+            "value": _finite(v.value),
+            "unit": v.unit,
+            "meaning": v.meaning.render(tr.gettext),
+            **at,
+        }
+
+    document = {
+        "format": FORMAT,
+        "title": _title(results),
+        **_structure(results),
+        "values": [value(v) for v in values(results)],
+        "tables": {
+            t.name: {"meaning": t.meaning.render(tr.gettext), "columns": [column(c) for c in t.columns]}
+            for t in tables(results)
+        },
+    }
+    return (json.dumps(document, ensure_ascii=False, allow_nan=False, indent=1) + "\n").encode()
+
+
+def _structure(results: Results) -> dict[str, Any]:
+    found = results.structure
+    if found is None:
+        return {}
+    return {"structure": {"formula": found.formula, "groups": [g.label for g in found.groups]}}
+
+
+def _title(results: Results) -> Mapping[str, str]:
+    return {name: text for name, text in vars(results.variant.title).items() if text}
+
+
+def _plain(column: Iterable[Any]) -> list[Any]:
+    return [x if isinstance(x, str | int) else _finite(float(x)) for x in column]
+
+
+def _finite(x: float) -> float | None:
+    """A number for JSON: null for nan and infinity, and no negative zero."""
+    if isinstance(x, int):
+        return x
+    return x + 0.0 if math.isfinite(x) else None
+
+
+def as_csv(results: Results, tr: Translator) -> dict[str, bytes]:
+    """File name -> CSV of each table. With a decimal comma cells are parted by semicolons, as spreadsheets expect."""
+    return {f"{table.name}.csv": _csv(table, tr) for table in tables(results)}
+
+
+def _csv(table: Table, tr: Translator) -> bytes:
+    out = io.StringIO()
+    writer = csv.writer(out, delimiter=";" if tr.decimal == "," else ",", lineterminator="\r\n")
+    writer.writerow([_text_cell(f"{c.key}, {c.unit}" if c.unit else c.key) for c in table.columns])
+    for row in zip(*(c.values for c in table.columns), strict=True):
+        writer.writerow([_cell(x, tr.decimal) for x in row])
+    return ("\ufeff" + out.getvalue()).encode()  # the mark tells spreadsheets that the text is UTF-8
+
+
+def _cell(x: Any, decimal: str) -> str:
+    if isinstance(x, str):
+        return _text_cell(x)
+    return str(x) if isinstance(x, int) else _number_cell(float(x), decimal)
+
+
+def _text_cell(text: str) -> str:
+    """Text that a spreadsheet must not take for a formula gets an apostrophe in front."""
+    return "'" + text if text[:1] in tuple("=+-@\t\r") else text
+
+
+def _number_cell(x: float, decimal: str) -> str:
+    return repr(x + 0.0).replace(".", decimal) if math.isfinite(x) else ""
