@@ -126,11 +126,13 @@ class Table:
             column.symbol(row), number, unit or column.unit, digits, self.ref(key, row, unit, size), size
         )
 
-    def formula(self, key: str, row: int, expression: Expr, unit: str = "", **form: Any) -> Formula:
-        """`symbol of the key` = expression, whose value stands in the row."""
+    def formula(
+        self, key: str, row: int, expression: Expr, unit: str = "", size: bool = False, **form: Any
+    ) -> Formula:
+        """`symbol of the key` = expression, whose value, or `size`, stands in the row."""
         column = self[key]
         return Formula(
-            column.symbol(row), expression, unit or column.unit, ref=self.ref(key, row, unit), **form
+            column.symbol(row), expression, unit or column.unit, ref=self.ref(key, row, unit, size), **form
         )
 
 
@@ -172,9 +174,9 @@ class Value:
         """The number, for a formula."""
         return _var(self.symbol, self.number(unit), unit or self.unit, digits, self.ref(unit, size), size)
 
-    def formula(self, expression: Expr, unit: str = "", **form: Any) -> Formula:
-        """`symbol` = expression, whose value this is."""
-        return Formula(self.symbol, expression, unit or self.unit, ref=self.ref(unit), **form)
+    def formula(self, expression: Expr, unit: str = "", size: bool = False, **form: Any) -> Formula:
+        """`symbol` = expression, whose value this is, or its `size`."""
+        return Formula(self.symbol, expression, unit or self.unit, ref=self.ref(unit, size), **form)
 
 
 def _var(symbol: Symbol, number: float, unit: str, digits: int | None, ref: Ref, size: bool) -> Var:

@@ -1,0 +1,20 @@
+"""Symbols and functions of the gear formulas."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tmm_report.i18n import NP_
+from tmm_report.mechanics.involute import inv
+from tmm_report.quantity.formula import Expr, Function
+from tmm_report.quantity.symbols import Symbol
+
+HA, C = Symbol("h", "a", "*"), Symbol("c", "", "*")  # of the rack: height of the teeth, clearance
+
+
+def involute(angle: Expr) -> Expr:
+    return Function("inv", angle, inv)
+
+
+def arctan(x: Expr) -> Expr:
+    return Function(NP_("function", "arctan"), x, np.arctan)
