@@ -11,6 +11,7 @@ from tmm_report.chapters.planetary import listing
 from tmm_report.chapters.planetary.conditions import Condition
 from tmm_report.chapters.planetary.solve import Found, Given
 from tmm_report.mechanics import planetary as p
+from tmm_report.mechanics.wheels import least_teeth
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.gear_terms import HA
 from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, text_column
@@ -122,7 +123,7 @@ def _satellites(found: Found) -> Iterator[Row]:
     least = Message(N_("least number of teeth that the rack does not undercut"))
     yield "z_min", math_symbol("z_min"), "", least, found.least_teeth
     rounded = Message(N_("least number of teeth as the course rounds it"))
-    yield "z_min_rounded", None, "", rounded, int(found.least_teeth)
+    yield "z_min_rounded", None, "", rounded, least_teeth(found.given.task.rack)
 
 
 def _assembly(found: Found) -> Iterator[Row]:

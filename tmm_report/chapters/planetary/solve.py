@@ -154,8 +154,9 @@ class Found:
 
     @property
     def least_teeth(self) -> float:
-        """What the rack does not undercut without shift."""
-        return float(p.least_teeth(self.given.task.rack, 0.0))
+        """2 ha*/sin² α: fewer the rack undercuts without shift; the course rounds it."""
+        rack = self.given.task.rack
+        return 2 * rack.ha / math.sin(rack.alpha) ** 2
 
     @property
     def chosen(self) -> int | None:
