@@ -61,11 +61,13 @@ X_PART, Y_PART = N_("%(of)s, x component"), N_("%(of)s, y component")
 class Column:
     """A quantity at the rows of a table: (P,) numbers in its unit, or a list of texts.
 
-    `symbols`: of each row, where the rows are wheels or other things that name the symbol."""
+    `symbols`: of each row, where the rows are wheels or other things that name the symbol. `units`: of each row, where
+    the rows measure different things; they stand in the results in the column "unit" of the table."""
 
     quantity: Quantity
     values: Any
     symbols: Sequence[Symbol] = ()
+    units: Sequence[str] = ()
 
     @property
     def key(self) -> str:
@@ -91,6 +93,15 @@ class Column:
         numbers = np.asarray(self.values, dtype=float)
         return numbers * factor(self.unit, unit) if unit and unit != self.unit else numbers
 
+    def unit_of(self, row: int) -> str:
+        return self.units[row] if self.units else self.unit
+
+    def number(self, row: int, unit: str = "") -> float:
+        """The number of a row, in another unit if one is named."""
+        own = self.unit_of(row)
+        number = float(self.values[row])
+        return number * factor(own, unit) if unit and unit != own else number
+
 
 @dataclass(frozen=True, eq=False)
 class Table:
@@ -115,23 +126,21 @@ class Table:
         return len(self.columns[0].values) if self.columns else 0
 
     def ref(self, key: str, row: int, unit: str = "", size: bool = False) -> Ref:
-        own = self[key].unit
+        own = self[key].unit_of(row)
         return Ref(key, row, self.name, unit="" if unit == own else unit, size=size)
 
     def var(self, key: str, row: int, unit: str = "", size: bool = False, digits: int | None = None) -> Var:
         """The number of a row, for a formula."""
-        column = self[key]
-        number = float(column.numbers(unit)[row])
-        return _var(
-            column.symbol(row), number, unit or column.unit, digits, self.ref(key, row, unit, size), size
-        )
+        column, ref = self[key], self.ref(key, row, unit, size)
+        own = unit or column.unit_of(row)
+        return _var(column.symbol(row), column.number(row, unit), own, digits, ref, size)
 
-    def formula(self, key: str, row: int, expression: Expr, unit: str = "", **form: Any) -> Formula:
-        """`symbol of the key` = expression, whose value stands in the row."""
-        column = self[key]
-        return Formula(
-            column.symbol(row), expression, unit or column.unit, ref=self.ref(key, row, unit), **form
-        )
+    def formula(
+        self, key: str, row: int, expression: Expr, unit: str = "", size: bool = False, **form: Any
+    ) -> Formula:
+        """`symbol of the key` = expression, whose value, or `size`, stands in the row."""
+        column, ref = self[key], self.ref(key, row, unit, size)
+        return Formula(column.symbol(row), expression, unit or column.unit_of(row), ref=ref, **form)
 
 
 @dataclass(frozen=True)
@@ -172,9 +181,9 @@ class Value:
         """The number, for a formula."""
         return _var(self.symbol, self.number(unit), unit or self.unit, digits, self.ref(unit, size), size)
 
-    def formula(self, expression: Expr, unit: str = "", **form: Any) -> Formula:
-        """`symbol` = expression, whose value this is."""
-        return Formula(self.symbol, expression, unit or self.unit, ref=self.ref(unit), **form)
+    def formula(self, expression: Expr, unit: str = "", size: bool = False, **form: Any) -> Formula:
+        """`symbol` = expression, whose value this is, or its `size`."""
+        return Formula(self.symbol, expression, unit or self.unit, ref=self.ref(unit, size), **form)
 
 
 def _var(symbol: Symbol, number: float, unit: str, digits: int | None, ref: Ref, size: bool) -> Var:

@@ -19,6 +19,7 @@ from markupsafe import Markup
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.graphs import Graph
 from tmm_report.i18n import Translator
+from tmm_report.problems import Message
 from tmm_report.quantity.formula import Inline, Var
 from tmm_report.quantity.model import Table, Value
 from tmm_report.quantity.symbols import Symbol, math_symbol
@@ -72,6 +73,14 @@ class Page:
     def t(self, message: str, **values: Any) -> Markup:
         """A message translated and escaped, with values put in for %(name)s; of these, too, only Markup is trusted."""
         return self._filled(self.tr.gettext(message), values)
+
+    def message(self, message: Message) -> Markup:
+        """A message that brings its values."""
+        values = {
+            name: self.message(value) if isinstance(value, Message) else value
+            for name, value in message.values.items()
+        }
+        return self.t(message.text, **values)
 
     def _filled(self, text: str, values: dict[str, Any]) -> Markup:
         out, end = [], 0
@@ -151,7 +160,7 @@ class Page:
         if isinstance(of, Value):
             number, ref = of.number(unit), of.ref(unit, size)
         else:
-            number, ref = float(of[key].numbers(unit)[row]), of.ref(key, row, unit, size)
+            number, ref = of[key].number(row, unit), of.ref(key, row, unit, size)
         return Cell(self.num(abs(number) if size else number, digits, places, scale), ref)
 
     def word(self, text: str, table: Table, key: str, row: int) -> Cell:
