@@ -10,6 +10,7 @@ symbol, unit and meaning from there; a printed number keeps a `Ref`, by which it
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -126,21 +127,24 @@ class Table:
         return len(self.columns[0].values) if self.columns else 0
 
     def ref(self, key: str, row: int, unit: str = "", size: bool = False) -> Ref:
+        """Where the number of a row stands; a position goes by its own number."""
         own = self[key].unit_of(row)
-        return Ref(key, row, self.name, unit="" if unit == own else unit, size=size)
+        at = int(self["position"].values[row]) if "position" in self else row
+        return Ref(key, at, self.name, unit="" if unit == own else unit, size=size)
 
     def var(self, key: str, row: int, unit: str = "", size: bool = False, digits: int | None = None) -> Var:
         """The number of a row, for a formula."""
         column, ref = self[key], self.ref(key, row, unit, size)
         own = unit or column.unit_of(row)
-        return _var(column.symbol(row), column.number(row, unit), own, digits, ref, size)
+        return variable(column.quantity, column.number(row, unit), own, digits, ref, column.symbol(row))
 
     def formula(
         self, key: str, row: int, expression: Expr, unit: str = "", size: bool = False, **form: Any
     ) -> Formula:
         """`symbol of the key` = expression, whose value, or `size`, stands in the row."""
         column, ref = self[key], self.ref(key, row, unit, size)
-        return Formula(column.symbol(row), expression, unit or column.unit_of(row), ref=ref, **form)
+        own = unit or column.unit_of(row)
+        return Formula(column.symbol(row), expression, own, ref=ref, meaning=column.meaning, **form)
 
 
 @dataclass(frozen=True)
@@ -179,18 +183,31 @@ class Value:
 
     def var(self, unit: str = "", size: bool = False, digits: int | None = None) -> Var:
         """The number, for a formula."""
-        return _var(self.symbol, self.number(unit), unit or self.unit, digits, self.ref(unit, size), size)
+        return variable(self.quantity, self.number(unit), unit, digits, self.ref(unit, size))
 
     def formula(self, expression: Expr, unit: str = "", size: bool = False, **form: Any) -> Formula:
         """`symbol` = expression, whose value this is, or its `size`."""
-        return Formula(self.symbol, expression, unit or self.unit, ref=self.ref(unit, size), **form)
+        ref = self.ref(unit, size)
+        return Formula(self.symbol, expression, unit or self.unit, ref=ref, meaning=self.meaning, **form)
 
 
-def _var(symbol: Symbol, number: float, unit: str, digits: int | None, ref: Ref, size: bool) -> Var:
-    number = abs(number) if size else number
-    if unit == "deg":  # a formula is evaluated in radians and printed in degrees
-        number = float(np.radians(number))
-    return Var(symbol, number, unit, digits, ref)
+def variable(
+    quantity: Quantity,
+    number: float,
+    unit: str = "",
+    digits: int | None = None,
+    ref: Ref | None = None,
+    symbol: Symbol | None = None,
+) -> Var:
+    """A quantity's number, in `unit` where it is not its own, as a variable of a formula."""
+    sign = symbol or quantity.symbol
+    if sign is None:
+        raise ValueError(f"{quantity.key} has no symbol")
+    unit = unit or quantity.unit
+    number = abs(number) if ref is not None and ref.size else number
+    # a formula is evaluated in radians and printed in degrees
+    number = math.radians(number) if unit == "deg" else number
+    return Var(sign, number, unit, digits, ref, quantity.meaning)
 
 
 @dataclass(frozen=True, eq=False)
