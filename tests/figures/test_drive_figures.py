@@ -1,11 +1,11 @@
 """The drive's diagrams on paper: drawn lengths are the readings, rays are parallel to the lines, rims meet."""
 
 import pytest
+from tmm_report.figures.gear_scheme import CLEAR, scheme
 
 from tmm_report.chapters.drive import solve as drive
 from tmm_report.figures import drive as figures
 from tmm_report.figures.drawing import Arrow, Path, Text
-from tmm_report.figures.gear_scheme import CLEAR, scheme
 from tmm_report.variant.gears import DriveModel, build
 
 STAGES = [

@@ -7,13 +7,13 @@ import pytest
 
 from tmm_report.chapters.spur import contour as blocking
 from tmm_report.chapters.spur import solve as spur
+from tmm_report.chapters.spur.draw.contour import Plane, contour
+from tmm_report.chapters.spur.draw.mesh import ACTIVE, CONTACT, TEETH, mesh_drawing
+from tmm_report.chapters.spur.draw.zones import BEYOND, WIDE, pairs_at, zones
 from tmm_report.chapters.spur.mesh import Mesh
 from tmm_report.chapters.spur.teeth_view import TeethView
-from tmm_report.figures.blocking import Plane, contour
 from tmm_report.figures.dimensions import span, spread
 from tmm_report.figures.drawing import THICK, Arc, Path, Text, svg, tikz
-from tmm_report.figures.gearing import ACTIVE, CONTACT, TEETH, mesh_drawing
-from tmm_report.figures.zones import BEYOND, WIDE, pairs_at, zones
 from tmm_report.i18n import Translator
 from tmm_report.quantity.text import number
 from tmm_report.report.formats import Html

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from tmm_report.problems import N_
+from dataclasses import replace
+
+from tmm_report.problems import N_, Message
+from tmm_report.quantity.model import Quantity
+from tmm_report.quantity.symbols import Symbol, math_symbol
 
 DIAMETERS = {
     "d": N_("pitch diameter"),
@@ -18,3 +22,15 @@ TEETH = {
     "s_w": N_("thickness on the working circle"),
     "s_a": N_("thickness on the tip circle"),
 }
+OWN_SYMBOLS = {"height": Symbol("h")}  # that are not the keys
+
+
+def dimension(key: str) -> Quantity:
+    """A diameter, height or thickness by its key; m."""
+    symbol = OWN_SYMBOLS.get(key) or math_symbol(key)
+    return Quantity(key, symbol, "m", Message((DIAMETERS | TEETH)[key]))
+
+
+def of_wheel(symbol: Symbol, wheel: str) -> Symbol:
+    """The symbol with the wheel's number in its index: d_a of wheel 4 is d_a4."""
+    return replace(symbol, sub=symbol.sub + wheel)

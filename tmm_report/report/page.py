@@ -166,7 +166,7 @@ class Page:
         if isinstance(of, Value):
             number, ref = of.number(unit), of.ref(unit, size)
         else:
-            number, ref = float(of[key].numbers(unit)[row]), of.ref(key, row, unit, size)
+            number, ref = of[key].number(row, unit), of.ref(key, row, unit, size)
         return Cell(self.num(abs(number) if size else number, digits, places, scale), ref)
 
     def word(self, text: str, table: Table, key: str, row: int) -> Cell:

@@ -16,7 +16,7 @@ from tmm_report.problems import N_, Message
 from tmm_report.quantity.gear_terms import HA
 from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, text_column
 from tmm_report.quantity.symbols import Symbol, both, math_symbol
-from tmm_report.quantity.wheel_words import DIAMETERS
+from tmm_report.quantity.wheel_words import DIAMETERS, dimension, of_wheel
 
 Array = Any
 # key, symbol (None of what is never written as one), unit, meaning, number
@@ -26,6 +26,23 @@ WHEELS = N_("dimensions of the wheels of stage %(name)s")
 MESHES = N_("meshes of stage %(name)s")
 CONDITIONS = N_("conditions of stage %(name)s")
 MOTIONS = N_("motions of stage %(name)s with each member held")
+
+TEETH = Quantity("z", Symbol("z"), "", Message(N_("number of teeth")))
+SHIFT = Quantity("x", Symbol("x"), "", Message(N_("shift coefficient")))
+FULL_TIP = Quantity("d_a_full", Symbol("d", "a"), "m", Message(N_("tip diameter of teeth of full height")))
+CROWN = Quantity("d_w", Symbol("d", "w"), "m", Message(N_("working diameter of the satellite in the mesh")))
+START = Quantity(
+    "rho_l",
+    Symbol("rho", "l"),
+    "m",
+    Message(N_("radius of curvature of the satellite where its involute begins")),
+)
+CUT = Quantity(
+    "d_a_cut",
+    Symbol("d", "a", "′"),
+    "m",
+    Message(N_("tip diameter of the ring cut down clear of the satellite's fillets")),
+)
 
 
 def book(found: Found, prefix: str) -> Book:
@@ -161,21 +178,17 @@ def _wheels(found: Found) -> Iterator[Column]:
     order = list(found.scheme.wheels)
     names = [found.given.wheels[i] for i in order]
     yield text_column("wheel", Message(N_("number of the wheel")), names)
-    yield _named("z", "", N_("number of teeth"), [found.teeth[i] for i in order], names)
-    yield _named("x", "", N_("shift coefficient"), found.sizes.shifts[order], names)
-    for key, meaning in DIAMETERS.items():
-        yield _named(key, "m", meaning, found.sizes.diameters[key][order], names)
-    full = N_("tip diameter of teeth of full height")
-    yield _named("d_a_full", "m", full, found.sizes.tip[order], names, math_symbol("d_a"))
+    yield _named(TEETH, [found.teeth[i] for i in order], names)
+    yield _named(SHIFT, found.sizes.shifts[order], names)
+    for key in DIAMETERS:
+        yield _named(dimension(key), found.sizes.diameters[key][order], names)
+    yield _named(FULL_TIP, found.sizes.tip[order], names)
 
 
-def _named(
-    key: str, unit: str, meaning: str, values: Any, names: Sequence[str], symbol: Symbol | None = None
-) -> Column:
+def _named(quantity: Quantity, values: Any, names: Sequence[str]) -> Column:
     """A column of wheels: d_a in the head, d_a2 in the row of wheel 2."""
-    base = symbol or math_symbol(key)
-    symbols = [Symbol(base.base, base.sub + name, base.sup) for name in names]
-    return Column(Quantity(key, base, unit, Message(meaning)), values, symbols)
+    assert quantity.symbol is not None
+    return Column(quantity, values, [of_wheel(quantity.symbol, name) for name in names])
 
 
 def _rows(found: Found) -> Iterator[Column]:
@@ -194,10 +207,8 @@ def _rows(found: Found) -> Iterator[Column]:
     yield _shift_sums(found)
     contact = Message(N_("contact ratio"))
     yield Quantity("eps_alpha", math_symbol("epsilon_alpha"), "", contact).column(rows.contact)
-    crown = N_("working diameter of the satellite in the mesh")
-    yield _named("d_w", "m", crown, sizes.working[1:3], crowns)
-    start = N_("radius of curvature of the satellite where its involute begins")
-    yield _named("rho_l", "m", start, rows.start, crowns)
+    yield _named(CROWN, sizes.working[1:3], crowns)
+    yield _named(START, rows.start, crowns)
     yield from _rings(found, central)
 
 
@@ -219,8 +230,7 @@ def _rings(found: Found, names: Sequence[str]) -> Iterator[Column]:
     yield Quantity("line", None, "m", meaning).column(rows.line)
     meaning = Message(N_("radius of curvature at the tip of the ring of full height"))
     yield Quantity("rho_a", None, "m", meaning).column(rows.curvature)
-    cut = N_("tip diameter of the ring cut down clear of the satellite's fillets")
-    yield _named("d_a_cut", "m", cut, rows.cut, names, Symbol("d", "a", "′"))
+    yield _named(CUT, rows.cut, names)
 
 
 # --- conditions
@@ -233,10 +243,14 @@ def _conditions(found: Found) -> Iterator[Column]:
     wheels = ["-".join(names[wheel] for wheel in c.wheels) for c in of]
     yield text_column("wheel", Message(N_("number of the wheel")), wheels)
     yield text_column("unit", Message(N_("unit of the numbers in the row")), [c.unit for c in of])
-    value = Quantity("value", None, "", Message(N_("value")))
-    yield Column(value, [c.value for c in of], [_condition_symbol(c, names) for c in of])
-    yield Quantity("limit", None, "", Message(N_("limit"))).column([c.limit for c in of])
-    yield Quantity("margin", None, "", Message(N_("what is in hand"))).column([c.margin for c in of])
+    symbols = [_condition_symbol(c, names) for c in of]
+    for key, text, numbers in (
+        ("value", N_("value"), [c.value for c in of]),
+        ("limit", N_("limit"), [c.limit for c in of]),
+        ("margin", N_("what is in hand"), [c.margin for c in of]),
+    ):
+        quantity = Quantity(key, None, "", Message(text))
+        yield Column(quantity, numbers, symbols, [c.unit for c in of])
 
 
 def _condition_symbol(of: Condition, names: Sequence[str]) -> Symbol:

@@ -214,8 +214,8 @@ class PlanetaryView(PlanetaryFormulas):
         """Value, limit and what is in hand, each with its unit."""
         table, listed = self.of.table("conditions"), self.page.listed
         if of.key == "gap":
-            gap = listed([self.page.shown(self.of["gap"], unit="mm", places=2), self.page.unit("mm")], " ")
-            return [gap, listed(["> ", self.page.shown(table, "limit", row)], ""), gap]
+            gap = listed([self.page.shown(table, "value", row, "mm", places=2), self.page.unit("mm")], " ")
+            return [gap, listed(["> ", self.page.shown(table, "limit", row, "mm")], ""), gap]
         value, limit, margin = (
             listed([self.page.shown(table, key, row, places=PLACES[of.key]), UNITS[of.unit]], "")
             for key in ("value", "limit", "margin")

@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmm_report.chapters.spur.rack_mistakes import of_rack
 from tmm_report.mechanics import shifts, spur, teeth
 from tmm_report.mechanics.involute import inverse
+from tmm_report.mechanics.rack_mistakes import of_rack
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 
 if TYPE_CHECKING:
-    from tmm_report.chapters.spur.solve import Given, Teeth
+    from tmm_report.chapters.spur.given import Given
+    from tmm_report.chapters.spur.sizes import Teeth
 
 Array = Any
 LEAST_TEETH = 6  # fewer cannot be cut with a usable tooth

@@ -54,16 +54,20 @@ class DriveModel(Model):
     scales: DriveScalesModel = Field(default_factory=DriveScalesModel)
 
 
-def build(model: DriveModel, accuracy: float = 1e-5) -> drive.Given:
+def build(model: DriveModel, accuracy: float) -> drive.Given:
     """The drive's Given; `accuracy`: of the drawing, m of paper."""
     names = numbered(model.stages)
-    stages = tuple(_stage(stage, wheels) for stage, wheels in zip(model.stages, names, strict=True))
+    stages = tuple(_stage(stage, wheels, accuracy) for stage, wheels in zip(model.stages, names, strict=True))
     scales = Scales(model.scales.length, model.scales.velocity, model.scales.angular)
     return drive.Given(model.speed, stages, model.tolerance, model.torque, accuracy, scales)
 
 
-def _stage(model: SpurModel | PlanetaryModel, wheels: tuple[str, ...]) -> Any:
-    return spur.build(model, wheels) if isinstance(model, SpurModel) else planetary.build(model, wheels)
+def _stage(model: SpurModel | PlanetaryModel, wheels: tuple[str, ...], accuracy: float) -> Any:
+    return (
+        spur.build(model, wheels, accuracy)
+        if isinstance(model, SpurModel)
+        else planetary.build(model, wheels)
+    )
 
 
 def numbered(stages: Sequence[Any]) -> list[tuple[str, ...]]:
