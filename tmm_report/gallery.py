@@ -17,9 +17,9 @@ from urllib.parse import quote
 from markupsafe import Markup
 
 from tmm_report import load, solve
+from tmm_report.chapters.drive.draw.diagrams import kinematic_scheme
 from tmm_report.course import Results
 from tmm_report.figures.drawing import Drawing, polygon, svg
-from tmm_report.figures.drive import kinematic_scheme
 from tmm_report.figures.eccentric import assembled
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.cycle import Extreme
