@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from importlib import import_module
 from typing import TYPE_CHECKING, Any, Literal
 
 from tmm_report.chapters.force_plans import solve as force_plans
@@ -67,6 +68,25 @@ class Results:
         return self.structure is not None
 
     @property
+    def lever(self) -> Results | None:
+        return self if self.has_mechanism else None
+
+    @property
+    def given(self) -> Variant:
+        return self.variant
+
+    @property
+    def sample(self) -> int:
+        """The sample position, of which formulas are written out: that of the force plan, else of the plans, else the
+        first that is regular."""
+        force_plans = self.force_plans.drawn if self.force_plans is not None else ()
+        if drawn := force_plans or self.plans.drawn:
+            return drawn[0].position
+        found = self.kinematics
+        lost = (*found.singular, *found.missing)
+        return next((k for k in range(len(found.turned)) if k not in lost), 0)
+
+    @property
     def partial(self) -> bool:
         """Whether the mechanism closes over part of the cycle only and the variant does not mean it so."""
         return self.has_mechanism and bool(self.kinematics.gaps) and not self.variant.allow_partial
@@ -113,3 +133,20 @@ def _gears(variant: Variant) -> dict[str, Any]:
 
         found["eccentric"] = eccentric.solve(variant.eccentric)
     return found
+
+
+INITIAL_DATA = "initial_data"
+LEVER = ("structure", "kinematics", "plans", "kinetostatics", "force_plans", "friction")
+OTHERS = ("drive", "eccentric")
+LeverFound = Results
+
+
+def chapters(results: Results) -> Iterator[tuple[str, Any]]:
+    """Name and Found of every chapter that was solved, in the order of the note."""
+    names = (*(LEVER if results.has_mechanism else ()), *OTHERS)
+    yield from ((name, getattr(results, name)) for name in names if getattr(results, name) is not None)
+
+
+def room(chapter: str, name: str) -> Any:
+    """A module of a chapter's folder by its name: "block", "quantities" or "view". Loaded when it is asked for."""
+    return import_module(f"tmm_report.chapters.{chapter}.{name}")

@@ -14,7 +14,7 @@ from tmm_report.mechanics import eccentric as ecc
 from tmm_report.quantity.formula import Expr, Formula, Number, Page, Piece, Var, arccos, cos, sin, sqrt, tan
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.written import Equation
-from tmm_report.report.samples import Definition
+from tmm_report.quantity.definition import Definition
 
 FIRST, SECOND = Symbol("z", "1", "0"), Symbol("z", "2", "0")
 GAP = "Delta"
