@@ -25,12 +25,12 @@ FORMAT = 1
 
 def tables(results: Results) -> list[Table]:
     """All tables of a variant's results."""
-    return [*(lever.tables(results) if results.has_mechanism else []), *_gears(results, "tables")]
+    return [*(lever.tables(results.lever) if results.lever else []), *_gears(results, "tables")]
 
 
 def values(results: Results) -> list[Value]:
     """The single numbers of a variant's results."""
-    return [*(lever.values(results) if results.has_mechanism else []), *_gears(results, "values")]
+    return [*(lever.values(results.lever) if results.lever else []), *_gears(results, "values")]
 
 
 def _gears(results: Results, what: str) -> Iterator[Any]:
@@ -80,9 +80,9 @@ def as_json(results: Results, tr: Translator) -> bytes:
 
 
 def _structure(results: Results) -> dict[str, Any]:
-    found = results.structure
-    if found is None:
+    if results.lever is None:
         return {}
+    found = results.lever.structure
     return {"structure": {"formula": found.formula, "groups": [g.label for g in found.groups]}}
 
 

@@ -14,6 +14,7 @@ from typing import Any, Literal, NamedTuple
 
 from markupsafe import Markup
 
+from tmm_report.course import LeverFound, Results
 from tmm_report.i18n import Translator
 from tmm_report.report import gears
 from tmm_report.report.force_tables import ForceTables
@@ -37,12 +38,12 @@ class Chapter(NamedTuple):
     given: Mapping[str, Any] = {}
 
 
-def chapters(results: Any, page: Page) -> list[Chapter]:
+def chapters(results: Results, page: Page) -> list[Chapter]:
     """The chapters that were solved, in the order of the note."""
     found = []
-    if results.has_mechanism:
+    if results.lever:
         found += [Chapter(name) for name in ("given", "structure", "kinematics", "plans")]
-        found += [Chapter(name) for name in ("kinetostatics", "friction") if getattr(results, name)]
+        found += [Chapter(name) for name in ("kinetostatics", "friction") if getattr(results.lever, name)]
     views = gears.chapters(results, page)
     found += [Chapter(name, {"view": view}) for name, view in views]
     return [
@@ -52,7 +53,7 @@ def chapters(results: Any, page: Page) -> list[Chapter]:
     ]
 
 
-def render(results: Any, fmt: Literal["html", "tex"], tr: Translator) -> dict[str, bytes]:
+def render(results: Results, fmt: Literal["html", "tex"], tr: Translator) -> dict[str, bytes]:
     """File name -> content: "note.html" alone, or "note.tex" with the figures it reads."""
     page = Page(FORMATS[fmt](), tr, Numbering())
     given, parts = _given(results, page), chapters(results, page)  # what they draw serves both passes
@@ -77,14 +78,14 @@ def _pass(given: Mapping[str, Any], parts: Sequence[Chapter], page: Page) -> str
     return template(f"report.{fmt}.j2").render(given, title=title, body=body, **_own_files(fmt))
 
 
-def _given(results: Any, page: Page) -> dict[str, Any]:
+def _given(results: Results, page: Page) -> dict[str, Any]:
     """What every template sees beside the macros `m`."""
     functions = ("t", "math", "sym", "value", "num", "unit", "listed")
-    lever = _lever(results, page) if results.has_mechanism else {}
+    lever = _lever(results.lever, page) if results.lever else {}
     return {"r": results, "page": page, **lever, **{name: getattr(page, name) for name in functions}}
 
 
-def _lever(results: Any, page: Page) -> dict[str, Any]:
+def _lever(results: LeverFound, page: Page) -> dict[str, Any]:
     """What the templates of the lever mechanism's chapters see."""
     words = Words(results, page)
     return {

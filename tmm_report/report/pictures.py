@@ -52,7 +52,7 @@ def once(draw: Callable[..., Any]) -> Callable[..., Any]:
 class Pictures:
     def __init__(self, results: Any, tr: Translator):
         self.r, self.tr = results, tr
-        self.mechanism = results.variant.mechanism
+        self.mechanism = results.given.mechanism
         self.drawn: dict[Any, Any] = {}
 
     # ------------------------------------------------------------ schemes

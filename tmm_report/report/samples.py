@@ -76,7 +76,7 @@ class Samples:
 
     @property
     def _omega(self) -> Symbol:
-        return Symbol("omega", self.r.variant.mechanism.driver.link)
+        return Symbol("omega", self.r.given.mechanism.driver.link)
 
     def mobility(self) -> Formula:
         s = self.r.structure
@@ -85,7 +85,7 @@ class Samples:
 
     def length_scale(self) -> Formula | None:
         """mu_l of the driving link's arm; None where it has no arm."""
-        mechanism, pair = self.r.variant.mechanism, self.r.structure.linkage.structure.driver_pair
+        mechanism, pair = self.r.given.mechanism, self.r.structure.linkage.structure.driver_pair
         points = mechanism.links[mechanism.driver.link].points
         pin = next((p for p in points if p != pair.name), None)
         if pin is None:

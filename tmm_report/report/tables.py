@@ -25,7 +25,7 @@ class Tables(Columns):
     def links_given(self, caption: Any) -> Table:
         """Points of the links, and their distances from the link's first point."""
         rows = []
-        for name, link in self.r.variant.mechanism.links.items():
+        for name, link in self.r.given.mechanism.links.items():
             if name != FRAME and len(link.points) > 1:
                 rows.append([name, ", ".join(link.points), self._lengths(link.points)])
         return worded(caption, [self.t("Link"), self.t("Points"), self.t("Dimensions")], rows, (1, 2, 7))
@@ -40,13 +40,13 @@ class Tables(Columns):
         return self.page.listed(sizes)
 
     def fixed_points(self, caption: Any) -> Table:
-        points = self.r.variant.mechanism.links[FRAME].points
+        points = self.r.given.mechanism.links[FRAME].points
         rows = (("x", [z.real for z in points.values()]), ("y", [z.imag for z in points.values()]))
         columns = [Column(self._head(axis, "m"), [self.page.num(x) for x in values]) for axis, values in rows]
         return numeric(caption, self._first(self.t("Point"), list(points)), columns)
 
     def masses(self, caption: Any) -> Table:
-        links = [self.r.variant.mechanism.links[name] for name in self.words.heavy_links]
+        links = [self.r.given.mechanism.links[name] for name in self.words.heavy_links]
         columns = [
             Column(self._head("m", "kg"), [self.page.num(link.mass) for link in links]),
             Column(self.t("Mass centre"), [link.mass_centre or "—" for link in links], least=11),
@@ -58,7 +58,7 @@ class Tables(Columns):
         return numeric(caption, self._first(self.t("Link"), [link.name for link in links]), columns)
 
     def forces_given(self, caption: Any) -> Table:
-        loads = self.r.variant.loads
+        loads = self.r.given.loads
         keys = load_keys([force.at for force in loads.forces])
         rows = [
             [
@@ -83,8 +83,8 @@ class Tables(Columns):
 
     def loads_by_position(self, caption: Any) -> Table:
         """Magnitudes of the stated loads at the table positions 0..N-1."""
-        given, loading = self.r.variant.loads, self.r.kinetostatics.table.loading
-        count = self.r.variant.positions.table
+        given, loading = self.r.given.loads, self.r.kinetostatics.table.loading
+        count = self.r.given.positions.table
         keys = load_keys([force.at for force in given.forces])
         columns = [
             Column(self._head(symbol_of(key), "N"), [self.page.num(abs(x)) for x in vector[:count]])
@@ -97,7 +97,7 @@ class Tables(Columns):
         return numeric(caption, self._positions(count), columns)
 
     def links(self, caption: Any) -> Table:
-        names = [FRAME, *self.r.variant.mechanism.moving]
+        names = [FRAME, *self.r.given.mechanism.moving]
         rows = [[name, self.words.name(name), self.words.motion(name)] for name in names]
         return worded(caption, [self.t("Link"), self.t("Name"), self.t("Motion")], rows, (1, 4, 4))
 
@@ -179,7 +179,7 @@ class Tables(Columns):
     def angular(self, caption: Any) -> Table:
         """Angular velocities and accelerations of the driven links at the table positions."""
         values = self.r.kinematics.values
-        driver = self.r.variant.mechanism.driver.link
+        driver = self.r.given.mechanism.driver.link
         keys = [
             f"{letter}_{link}"
             for link in turning_links(self.r.structure.linkage)

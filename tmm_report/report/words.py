@@ -105,7 +105,7 @@ class Words:
 
     def __init__(self, results: Any, page: Page):
         self.results, self.page = results, page
-        self.mechanism = results.variant.mechanism
+        self.mechanism = results.given.mechanism
         self.pairs: Sequence[Pair] = results.structure.pairs
 
     # ------------------------------------------------------------ links, pairs, groups

@@ -10,7 +10,7 @@ import numpy as np
 
 from tmm_report.chapters.kinematics.solve import Kinematics, Travel, digits_left
 from tmm_report.chapters.kinetostatics.solve import Solved
-from tmm_report.course import Results
+from tmm_report.course import LeverFound
 from tmm_report.mechanics.motion import Linkage, Motion
 from tmm_report.mechanics.relations import moving_points, relations, turning_links
 from tmm_report.problems import N_, Message
@@ -20,7 +20,7 @@ from tmm_report.quantity.written import load_keys, reaction_key, unit_of
 Array = Any
 
 
-def tables(results: Results) -> list[Table]:
+def tables(results: LeverFound) -> list[Table]:
     """All tables of the lever mechanism."""
     k = results.kinematics
     sets = (
@@ -189,7 +189,7 @@ def _comparison(
     return Table(name, meaning, columns)
 
 
-def _force_tables(results: Results) -> Iterator[Table]:
+def _force_tables(results: LeverFound) -> Iterator[Table]:
     found = results.kinetostatics
     if found is None:
         return
@@ -203,7 +203,7 @@ def _force_tables(results: Results) -> Iterator[Table]:
             yield _comparison(f"force_comparison_{drawn.position}", COMPARISON, drawn.comparison)
 
 
-def _loads(results: Results, solved: Solved) -> Iterator[Column]:
+def _loads(results: LeverFound, solved: Solved) -> Iterator[Column]:
     assert results.kinetostatics is not None
     load, given = solved.loading, results.kinetostatics.given
     for link, force in load.gravity.items():
@@ -259,7 +259,7 @@ def _balancing(solved: Solved) -> Iterator[Column]:
     yield plain("power_disagreement", "", text, solved.disagreement(solved.power))
 
 
-def _friction_tables(results: Results) -> Iterator[Table]:
+def _friction_tables(results: LeverFound) -> Iterator[Table]:
     if results.friction is None or results.kinetostatics is None:
         return
     sets = (
@@ -282,7 +282,7 @@ def _friction_tables(results: Results) -> Iterator[Table]:
         yield Table(f"friction_{name}", FRICTION, (*_where(solved.turned), *columns))
 
 
-def values(results: Results) -> list[Value]:
+def values(results: LeverFound) -> list[Value]:
     """The single numbers of the lever mechanism."""
     s, k, p = results.structure, results.kinematics, results.plans
     found = [
@@ -330,7 +330,7 @@ def _travel_values(travel: Travel) -> Iterator[Value]:
         yield plain_value(f"{base}_{name}_max", pair[1].value, unit, Message(high, of), pair[1].turned)
 
 
-def _force_values(results: Results) -> Iterator[Value]:
+def _force_values(results: LeverFound) -> Iterator[Value]:
     found = results.kinetostatics
     if found is not None:
         low, high = found.extremes
