@@ -137,7 +137,7 @@ def test_symbol_is_explained_once():
 def test_figures_and_tables_are_numbered_without_gaps(name, kind):
     numbers = [int(n) for n in re.findall(rf"{kind} (\d+) –", html(name))]
     assert numbers == list(range(1, len(numbers) + 1))
-    assert len(numbers) > (7 if results(name).has_mechanism else 0)
+    assert len(numbers) > (7 if results(name).lever else 0)
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -205,14 +205,14 @@ LINKS = {
 
 @pytest.mark.parametrize("name", LINKS)
 def test_links_are_named_by_their_motion(name):
-    words = Words(results(name), page())
-    assert [words.name(link) for link in results(name).variant.mechanism.moving] == LINKS[name]
+    words = Words(results(name).lever, page())
+    assert [words.name(link) for link in results(name).variant.lever.mechanism.moving] == LINKS[name]
 
 
 def test_conclusions_have_the_actual_figures():
     text = prose(html("compressor"))
     found = results("compressor")
-    low, high = found.kinetostatics.extremes
+    low, high = found.lever.kinetostatics.extremes
     for value in (low.value, high.value):
         assert page(language="ru").num(value) in text.split("Заключение")[-1]
     assert "I(0,1) → II₂(2,3) → II₂(4,5)" in text.split("Заключение")[-1]
@@ -221,7 +221,11 @@ def test_conclusions_have_the_actual_figures():
 def own_words(name: str) -> list[str]:
     """Texts of the variant's author: the title page and the names of the loads, the longest first."""
     variant = results(name).variant
-    loads = (*variant.loads.forces, *variant.loads.moments) if variant.loads else ()
+    loads = (
+        (*variant.lever.loads.forces, *variant.lever.loads.moments)
+        if variant.lever and variant.lever.loads
+        else ()
+    )
     own = {*astuple(variant.title), *(load.name for load in loads)}
     return sorted(own - {""}, key=len, reverse=True)
 
@@ -237,16 +241,19 @@ def test_russian_note_has_no_english_words(name):
 LESS = {
     "no friction": {"friction": None},
     "no forces": {"kinetostatics": None, "force_plans": None, "friction": None},
-    "no plans": {"plans": replace(results("shaper").plans, drawn=(), singular=(0, 6))},
-    "no force plans": {"force_plans": replace(results("shaper").force_plans, drawn=())},
+    "no plans": {"plans": replace(results("shaper").lever.plans, drawn=(), singular=(0, 6))},
+    "no force plans": {"force_plans": replace(results("shaper").lever.force_plans, drawn=())},
 }
 
 
 @pytest.mark.parametrize("fmt", ["html", "tex"])
 @pytest.mark.parametrize("less", LESS)
 def test_what_was_not_solved_is_left_out(less, fmt):
+    found = results("shaper")
     whole = len(re.findall(r"Таблица \d+ ", note("shaper", fmt, "ru")[f"note.{fmt}"].decode()))
-    text = render(replace(results("shaper"), **LESS[less]), fmt, Translator("ru"))[f"note.{fmt}"].decode()
+    text = render(replace(found, lever=replace(found.lever, **LESS[less])), fmt, Translator("ru"))[
+        f"note.{fmt}"
+    ].decode()
     assert "Заключение" in text and len(re.findall(r"Таблица \d+ ", text)) < whole
 
 

@@ -23,7 +23,7 @@ from tmm_report.i18n import Translator
 from tmm_report.mechanics.assembly import Way, sketch_angle, stated_way, ways
 from tmm_report.mechanics.mechanism import FRAME, Mechanism, ZeroAngle
 from tmm_report.mechanics.structure import Structure, decompose
-from tmm_report.problems import N_, Message, Problem, ProblemError
+from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.quantity.text import number, split
 from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
@@ -55,7 +55,7 @@ class Assemblies:
 
     @property
     def mechanism(self) -> Mechanism:
-        return self.variant.mechanism
+        return self.structure.mechanism
 
     @cached_property
     def points(self) -> list[str]:
@@ -116,14 +116,16 @@ def find(variant: Variant, angle: float | None = None) -> Assemblies:
 
     Raises ProblemError where the mechanism has no Assur groups to put together.
     """
-    mechanism = variant.mechanism
+    if variant.lever is None:
+        raise ProblemError([locate(mistake(N_("the variant has no lever mechanism")), variant)])
+    mechanism = variant.lever.mechanism
     try:
         structure = decompose(mechanism)
         phi = _default(mechanism, structure) if angle is None else angle
         found = list(islice(ways(mechanism, phi), MOST + 1))
     except ProblemError as error:
         raise ProblemError([locate(problem, variant) for problem in error.problems]) from None
-    stated, unsaid = _stated(variant, phi, found[:MOST])
+    stated, unsaid = _stated(variant, mechanism, phi, found[:MOST])
     return Assemblies(variant, structure, phi, tuple(found[:MOST]), len(found) > MOST, stated, unsaid)
 
 
@@ -134,10 +136,12 @@ def _default(mechanism: Mechanism, structure: Structure) -> float:
     return zero.angle if isinstance(zero, ZeroAngle) else 0.0
 
 
-def _stated(variant: Variant, phi: float, found: Sequence[Way]) -> tuple[int | None, tuple[Problem, ...]]:
+def _stated(
+    variant: Variant, mechanism: Mechanism, phi: float, found: Sequence[Way]
+) -> tuple[int | None, tuple[Problem, ...]]:
     """The number of the way that the variant states, or why it states none."""
     try:
-        own = stated_way(variant.mechanism, phi)
+        own = stated_way(mechanism, phi)
     except ProblemError as error:
         return None, tuple(locate(problem, variant) for problem in error.problems)
     gaps = [_gap(way, own) for way in found] if own.closes else []

@@ -151,7 +151,7 @@ def _add_pdf(
 
 def _summary(results: Any, folder: Path, names: list[str], say: Callable[[str], str]) -> bool:
     """Print what was found and written; whether a check failed."""
-    bad = _lever_summary(results, say) if results.has_mechanism else False
+    bad = _lever_summary(results.lever, say) if results.lever else False
     for found in (results.drive, results.eccentric):
         for message in found.summary() if found is not None else ():
             typer.echo(_clean(message.render(say)))
@@ -193,7 +193,7 @@ def schema() -> None:
     """Print the JSON Schema of the variant format, for editors that complete and check YAML."""
     import json
 
-    from tmm_report.variant import schema as make
+    from tmm_report.course import schema as make
 
     typer.echo(json.dumps(make(), ensure_ascii=False, indent=2))
 

@@ -17,7 +17,7 @@ from urllib.parse import quote
 from markupsafe import Markup
 
 from tmm_report import load, solve
-from tmm_report.course import Results
+from tmm_report.course import LeverFound, Results
 from tmm_report.figures.drawing import Drawing, polygon, svg
 from tmm_report.figures.drive import kinematic_scheme
 from tmm_report.figures.eccentric import assembled
@@ -29,8 +29,7 @@ from tmm_report.problems import Message, Problem, ProblemError
 from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template
-from tmm_report.report.pictures import Pictures
-from tmm_report.report.samples import Samples
+from tmm_report.report.schemes import schemes_of
 from tmm_report.resources import data_root
 
 PAGE = "README.md"  # shown by sites that show a folder
@@ -71,9 +70,9 @@ class Entry:
         return re.sub(r"[^\w -]", "", self.name.lower()).replace(" ", "-")
 
     @property
-    def lever(self) -> Results | None:
+    def lever(self) -> LeverFound | None:
         """What was found, if there is a lever mechanism in it."""
-        return self.results if self.results is not None and self.results.has_mechanism else None
+        return self.results.lever if self.results is not None else None
 
     @property
     def class_(self) -> str:
@@ -93,7 +92,7 @@ class Entry:
     @cached_property
     def balancing(self) -> Extreme | None:
         """The balancing moment that is greatest by magnitude, N m."""
-        found = self.results.kinetostatics if self.results is not None else None
+        found = self.lever.kinetostatics if self.lever is not None else None
         return max(found.extremes, key=lambda extreme: abs(extreme.value)) if found is not None else None
 
     @cached_property
@@ -102,7 +101,7 @@ class Entry:
 
         Rounding errors differ from machine to machine, their order of magnitude hardly.
         """
-        found = self.results.kinetostatics if self.results is not None else None
+        found = self.lever.kinetostatics if self.lever is not None else None
         if found is None:
             return None
         worst = max(found.worst_lever, found.worst_power)
@@ -145,7 +144,8 @@ def entry(file: Path) -> Entry:
         results = solve(load(file))
     except ProblemError as error:
         return Entry(file, problems=tuple(error.problems))
-    gaps = results.kinematics.gaps if results.partial else ()
+    lever = results.lever
+    gaps = lever.kinematics.gaps if lever and lever.partial else ()
     path = ("mechanism", "links")
     return Entry(
         file, results, tuple(Problem(gap.text, path=(*path, gap.links[0]), file=str(file)) for gap in gaps)
@@ -162,7 +162,8 @@ def picture(entry: Entry, tr: Translator) -> dict[str, bytes]:
 
 def _drawing(entry: Entry, tr: Translator) -> Drawing:
     if entry.lever is not None:
-        return Pictures(entry.lever, tr).one_position(Samples(entry.lever).position)
+        page = Page(Html(), tr, Numbering())
+        return schemes_of(entry.lever, page).one(entry.lever.sample)
     assert entry.results is not None
     if entry.results.drive is not None:
         found = entry.results.drive

@@ -91,9 +91,9 @@ def _written(quantity: Quantity) -> dict[str, str]:
 
 
 def _structure(results: Results) -> dict[str, Any]:
-    found = results.structure
-    if found is None:
+    if results.lever is None:
         return {}
+    found = results.lever.structure
     return {"structure": {"formula": found.formula, "groups": [g.label for g in found.groups]}}
 
 

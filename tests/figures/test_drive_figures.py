@@ -3,10 +3,10 @@
 import pytest
 
 from tmm_report.chapters.drive import solve as drive
+from tmm_report.chapters.drive.block import DriveModel, build
 from tmm_report.figures import drive as figures
 from tmm_report.figures.drawing import Arrow, Path, Text
 from tmm_report.figures.gear_scheme import CLEAR, scheme
-from tmm_report.variant.gears import DriveModel, build
 
 STAGES = [
     {"kind": "planetary", "scheme": "sun-ring", "ratio": 6.56, "module": "5 mm", "satellites": 3}

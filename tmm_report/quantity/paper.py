@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 ROUND = (1.0, 2.0, 2.5, 4.0, 5.0)
+ACCURACY = 1e-5  # m of paper, of a drawing whose accuracy is not stated: lengths are read to it
 CAD = 1e-5  # m of paper: with this accuracy or better a drawing is made by computer
 
 

@@ -14,7 +14,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from tmm_report.chapters.given import Title
+from tmm_report.chapters.title.given import Title
 from tmm_report.i18n import Translator
 from tmm_report.report.formats import Html, Tex
 from tmm_report.report.numbering import Numbering

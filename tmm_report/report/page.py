@@ -127,11 +127,14 @@ class Page:
         """The symbol of a key, "v_BA"."""
         return self.math(math_symbol(key) if isinstance(key, str) else key)
 
-    def value(self, key: str | Symbol | Var, value: float = 0.0, unit: str = "", digits: int = 5) -> Markup:
+    def value(
+        self, key: str | Symbol | Var, value: float = 0.0, unit: str = "", digits: int | None = None
+    ) -> Markup:
         """symbol = value unit; a value of unit "deg" is given in rad. A variable brings its own value and unit."""
         if isinstance(key, Var):
-            return self.math(Inline(key.sign, float(key.number), key.unit, key.digits or digits, key.ref))
-        return self.math(Inline(key, float(value), unit, digits))
+            digits = digits or key.digits or 5
+            return self.math(Inline(key.sign, float(key.number), key.unit, digits, key.ref))
+        return self.math(Inline(key, float(value), unit, digits or 5))
 
     def values(self, items: Iterable[tuple[str, float, str]], digits: int = 4) -> Markup:
         """Several `value`s: (symbol, value, unit), ..."""

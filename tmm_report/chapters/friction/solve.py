@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.given import Friction, Rubbing
+from tmm_report.chapters.friction.given import Friction, Rubbing
 from tmm_report.chapters.kinetostatics.solve import Kinetostatics, Solved
 from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.planar import dot

@@ -9,7 +9,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from tmm_report.chapters.given import Positions
+from tmm_report.chapters.kinematics.given import Positions
 from tmm_report.chapters.kinematics.limits import Closest, Dead, Gap, closest, dead, gaps
 from tmm_report.chapters.structure.solve import Structure
 from tmm_report.mechanics.cycle import Cycle, Extreme, cycle_of, least_and_greatest

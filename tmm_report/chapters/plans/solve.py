@@ -15,9 +15,9 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.given import Drawing, Readings
 from tmm_report.chapters.kinematics.solve import Kinematics
 from tmm_report.chapters.plans.drafting import Plan, Scales, acceleration_plan, velocity_plan
+from tmm_report.chapters.plans.given import Drawing, Readings
 from tmm_report.mechanics.motion import Linkage
 from tmm_report.problems import N_, Message, ProblemError, mistake
 from tmm_report.quantity.paper import Pen, round_scale

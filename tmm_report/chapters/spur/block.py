@@ -11,7 +11,7 @@ from tmm_report.mechanics.spur import Rack
 from tmm_report.problems import N_, Message, shown
 from tmm_report.quantity import units
 from tmm_report.quantity.units import WrongValue
-from tmm_report.variant.models import Model
+from tmm_report.variant.model import Model
 from tmm_report.variant.values import LIST, SCALAR, Flag, Label, Reads, by_shape, quantity, whole
 
 RATIOS = (0.02, 50.0)

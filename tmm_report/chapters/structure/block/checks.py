@@ -1,26 +1,22 @@
-"""What one part of a variant says about another. Each check yields Problems; none of them needs the others.
-
-A part that is wrong in itself is missing from the model, so names are taken from the file's raw data: a point
-whose length is mistyped is still a known point.
-"""
+"""Mistakes of a mechanism whose parts are right in themselves: names, lengths, guides, the driver."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from tmm_report.chapters.structure.block import build
+from tmm_report.chapters.structure.block import models as m
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.quantity.units import WrongValue
-from tmm_report.variant import build
-from tmm_report.variant import models as m
 from tmm_report.variant.errors import near
+from tmm_report.variant.model import Read
 from tmm_report.yamlread import Path
 
 Found = Iterator[Problem]
 _MECHANISM: Path = ("mechanism",)
-GEARS = ("drive", "eccentric")
 _PARTS = {
     "frame": "{O: [0, 0]}",
     "links": "{1: {points: {O: 0, A: 100 mm}}}",
@@ -40,22 +36,12 @@ class Names:
         return list(dict.fromkeys(point for points in self.points.values() for point in points))
 
 
-def names(data: Any) -> Names:
-    parts = _mapping(_mapping(data).get("mechanism"))
+def names(data: Mapping[str, Any]) -> Names:
+    parts = _mapping(data.get("mechanism"))
     points = {
         name: _names(_mapping(link).get("points")) for name, link in _mapping(parts.get("links")).items()
     }
     return Names({FRAME: _names(parts.get("frame")), **points}, list(_mapping(parts.get("guides"))))
-
-
-def _without_mechanism(data: Any) -> Found:
-    """Blocks that speak of a mechanism where there is none."""
-    for block in ("loads", "friction", "readings"):
-        if block in data:
-            right = Message(N_("describe the mechanism in the block mechanism, or take this block out"))
-            yield mistake(
-                N_("there is no lever mechanism that %(block)s could belong to"), (block,), right, block=block
-            )
 
 
 def _mapping(value: Any) -> dict[str, Any]:
@@ -66,42 +52,38 @@ def _names(value: Any) -> list[str]:
     return [str(name) for name in value] if isinstance(value, dict | list) else []
 
 
-def has_mechanism(data: Any) -> bool:
+def stated(read: Read) -> bool:
     """Whether the file states a lever mechanism, or should: gears alone are a variant too."""
-    return "mechanism" in data or not any(block in data for block in GEARS)
+    return "mechanism" in read.data or not read.alone
 
 
-def check(model: m.LeverModel, data: Any, broken: Iterable[Path]) -> list[Problem]:
-    """All cross mistakes of the parts that are right in themselves; `broken`: paths of those that are not."""
-    if not has_mechanism(data):
-        return list(_without_mechanism(data))
-    known, mechanism = names(data), model.mechanism
-    found = [
-        *_complete(mechanism, data, set(broken)),
-        *_links(mechanism, known),
-        *_guides(mechanism, known),
-        *_slides(mechanism, known),
-        *_driver(mechanism, data, set(broken), known),
-        *_assembly(mechanism, known),
-        *_loads(model, known),
-        *_friction(model, known),
-        *_positions(model),
-    ]
-    wrong = {path for path in broken if path[:1] == ("positions",)}
-    return [problem for problem in found if not (wrong and _counts_positions(problem))]
+def without(read: Read, key: str) -> Found:
+    """A block that speaks of a mechanism where there is none."""
+    if key in read.data:
+        right = Message(N_("describe the mechanism in the block mechanism, or take this block out"))
+        yield mistake(
+            N_("there is no lever mechanism that %(block)s could belong to"), (key,), right, block=key
+        )
 
 
-def _counts_positions(problem: Problem) -> bool:
-    return problem.path[:1] in (("positions",), ("readings",)) or problem.path[-1:] == ("by_position",)
+def check(mechanism: m.MechanismModel, read: Read) -> Found:
+    """All mistakes of the parts that are right in themselves."""
+    known = names(read.data)
+    yield from _complete(read)
+    yield from _links(mechanism, known)
+    yield from _guides(mechanism, known)
+    yield from _slides(mechanism, known)
+    yield from _driver(mechanism, read, known)
+    yield from _assembly(mechanism, known)
 
 
-def _complete(mechanism: m.MechanismModel, data: Any, broken: set[Path]) -> Found:
+def _complete(read: Read) -> Found:
     """The parts that every mechanism has. The models let them be absent, to check the rest all the same."""
-    written = _mapping(_mapping(data).get("mechanism"))
-    if _MECHANISM in broken:
+    written = _mapping(read.data.get("mechanism"))
+    if _MECHANISM in read.broken:
         return
     for key, example in _PARTS.items():
-        if not written.get(key) and (*_MECHANISM, key) not in broken:
+        if not written.get(key) and (*_MECHANISM, key) not in read.broken:
             right = Message(N_("for example, %(example)s"), {"example": f"{key}: {example}"})
             yield mistake(N_("the key %(key)s is missing"), (*_MECHANISM, key), right, key=key)
     if FRAME in _mapping(written.get("links")):
@@ -109,12 +91,12 @@ def _complete(mechanism: m.MechanismModel, data: Any, broken: set[Path]) -> Foun
         yield mistake(N_("0 is the frame and cannot be a moving link"), (*_MECHANISM, "links", FRAME), right)
 
 
-def _no_point(name: str, path: Path, known: Names) -> Found:
+def no_point(name: str, path: Path, known: Names) -> Found:
     if name not in known.all_points:
         yield mistake(N_("no link has the point %(name)s"), path, near(name, known.all_points), name=name)
 
 
-def _no_link(name: str, path: Path, known: Names) -> Found:
+def no_link(name: str, path: Path, known: Names) -> Found:
     if name not in known.points:
         yield mistake(N_("there is no link %(name)s"), path, near(name, list(known.points)), name=name)
 
@@ -125,9 +107,6 @@ def _not_on(name: str, link: str, path: Path, known: Names) -> Found:
     if name not in points:
         text = N_("the point %(name)s is not on link %(link)s")
         yield mistake(text, path, near(name, points), name=name, link=link)
-
-
-# --- the mechanism
 
 
 def _links(mechanism: m.MechanismModel, known: Names) -> Found:
@@ -172,7 +151,7 @@ def _geometry(link: m.LinkModel, path: Path) -> Found:
 def _guides(mechanism: m.MechanismModel, known: Names) -> Found:
     for name, guide in mechanism.guides.items():
         path = (*_MECHANISM, "guides", name)
-        yield from _no_link(guide.link, (*path, "link"), known)
+        yield from no_link(guide.link, (*path, "link"), known)
         points = [guide.through] if isinstance(guide.through, str) else guide.through
         for point in points:
             yield from _not_on(point, guide.link, (*path, "through"), known)
@@ -203,7 +182,7 @@ def _slides(mechanism: m.MechanismModel, known: Names) -> Found:
 
 def _driving_link(link: str, known: Names) -> Found:
     path = (*_MECHANISM, "driver", "link")
-    yield from _no_link(link, path, known)
+    yield from no_link(link, path, known)
     fixed = known.points[FRAME]
     if link == FRAME:
         yield mistake(N_("the frame cannot drive"), path)
@@ -212,17 +191,17 @@ def _driving_link(link: str, known: Names) -> Found:
         yield mistake(N_("the driving link %(name)s has no fixed point"), path, right, name=link)
 
 
-def _driver(mechanism: m.MechanismModel, data: Any, broken: set[Path], known: Names) -> Found:
+def _driver(mechanism: m.MechanismModel, read: Read, known: Names) -> Found:
     # the link is looked at as written: another mistake in the block must not hide a missing link
-    written = _mapping(_mapping(_mapping(data).get("mechanism")).get("driver"))
-    if written.get("link") is not None and (*_MECHANISM, "driver", "link") not in broken:
+    written = _mapping(_mapping(read.data.get("mechanism")).get("driver"))
+    if written.get("link") is not None and (*_MECHANISM, "driver", "link") not in read.broken:
         yield from _driving_link(str(written["link"]), known)
     if (driver := mechanism.driver) is None:
         return
     if driver.zero and driver.zero.point is not None:
-        yield from _no_point(driver.zero.point, (*_MECHANISM, "driver", "zero", "point"), known)
+        yield from no_point(driver.zero.point, (*_MECHANISM, "driver", "zero", "point"), known)
     if driver.zero and driver.zero.link is not None:
-        yield from _no_link(driver.zero.link, (*_MECHANISM, "driver", "zero", "link"), known)
+        yield from no_link(driver.zero.link, (*_MECHANISM, "driver", "zero", "link"), known)
 
 
 def _assembly(mechanism: m.MechanismModel, known: Names) -> Found:
@@ -235,59 +214,6 @@ def _assembly(mechanism: m.MechanismModel, known: Names) -> Found:
             right = near(key, known.all_points)
             yield mistake(N_("%(key)s is neither a point nor a pair of links"), path, right, key=key)
         for point in choice[1:] if isinstance(choice, tuple) else ():
-            yield from _no_point(point, path, known)
+            yield from no_point(point, path, known)
     for name in mechanism.sketch:
-        yield from _no_point(name, (*_MECHANISM, "sketch", name), known)
-
-
-# --- loads, friction, positions
-
-
-def _loads(model: m.LeverModel, known: Names) -> Found:
-    loads = model.loads or m.LoadsModel()
-    for index, force in enumerate(loads.forces):
-        if force:
-            yield from _loaded(force.at, ("loads", "forces", index, "at"), known)
-            yield from _one_each(force, ("loads", "forces", index), model.positions.table)
-    for index, moment in enumerate(loads.moments):
-        if moment:
-            yield from _no_link(moment.on, ("loads", "moments", index, "on"), known)
-            yield from _one_each(moment, ("loads", "moments", index), model.positions.table)
-
-
-def _loaded(name: str, path: Path, known: Names) -> Found:
-    yield from _no_point(name, path, known)
-    moving = list(dict.fromkeys(p for link, points in known.points.items() if link != FRAME for p in points))
-    if name in known.all_points and name not in moving:
-        text = N_("the point %(name)s is on the frame only: a force there loads no moving link")
-        yield mistake(text, path, near(name, moving), name=name)
-
-
-def _one_each(load: Any, path: Path, count: int) -> Found:
-    values = getattr(load, "by_position", None)
-    if values is not None and len(values) != count:
-        text = N_("%(found)s values, %(count)s positions")
-        right = Message(N_("one value for each position of the table"))
-        yield mistake(text, (*path, "by_position"), right, found=len(values), count=count)
-
-
-def _friction(model: m.LeverModel, known: Names) -> Found:
-    joints = [*known.all_points, *known.guides]
-    for name in model.friction.joints if model.friction else ():
-        if name not in joints:
-            text = N_("there is no joint %(name)s: neither a point nor a guide")
-            yield mistake(text, ("friction", "joints", name), near(name, joints), name=name)
-
-
-def _positions(model: m.LeverModel) -> Found:
-    table = model.positions.table
-    text = N_("there is no position %(position)s: the table has positions 0 to %(last)s")
-    for key in ("plans", "force_plan"):
-        written = getattr(model.positions, key)
-        for index, position in enumerate(written if isinstance(written, list) else [written or 0]):
-            if position > table:
-                path: Path = ("positions", key, index) if isinstance(written, list) else ("positions", key)
-                yield mistake(text, path, position=position, last=table)
-    for position in model.readings:
-        if int(position) > table:
-            yield mistake(text, ("readings", position), position=position, last=table)
+        yield from no_point(name, (*_MECHANISM, "sketch", name), known)

@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import count
-from typing import Annotated, Any
+from typing import Annotated, Any, TypedDict
 
 from pydantic import Discriminator, Field, Tag
 
 from tmm_report.chapters.drive import solve as drive
 from tmm_report.chapters.drive.plans import Scales
-from tmm_report.problems import N_
-from tmm_report.variant.gears import planetary, spur
-from tmm_report.variant.gears.planetary import PlanetaryModel
-from tmm_report.variant.gears.spur import SpurModel
-from tmm_report.variant.models import Model
+from tmm_report.chapters.planetary import block as planetary
+from tmm_report.chapters.planetary.block import PlanetaryModel
+from tmm_report.chapters.plans import block as plans
+from tmm_report.chapters.spur import block as spur
+from tmm_report.chapters.spur.block import SpurModel
+from tmm_report.problems import N_, Problem
+from tmm_report.quantity.paper import ACCURACY
+from tmm_report.variant import model
+from tmm_report.variant.model import Model, Read
 from tmm_report.variant.values import Scale, Speed, quantity
 
 Tolerance = Annotated[float, quantity("number", 0.0, 0.2, "0 … 20 %")]
@@ -54,7 +58,28 @@ class DriveModel(Model):
     scales: DriveScalesModel = Field(default_factory=DriveScalesModel)
 
 
-def build(model: DriveModel, accuracy: float = 1e-5) -> drive.Given:
+class Block(model.Block):
+    """A gear drive."""
+
+    ALONE = True
+
+    drive: DriveModel | None = Field(default=None, description="a gear drive")
+
+
+class Given(TypedDict):
+    drive: drive.Given | None
+
+
+def given(read: Read) -> Given:
+    written, accuracy = read.block(Block).drive, read.block(plans.Block).drawing.accuracy
+    return {"drive": build(written, accuracy) if written else None}
+
+
+def mistakes(read: Read) -> Iterator[Problem]:
+    yield from ()
+
+
+def build(model: DriveModel, accuracy: float = ACCURACY) -> drive.Given:
     """The drive's Given; `accuracy`: of the drawing, m of paper."""
     names = numbered(model.stages)
     stages = tuple(_stage(stage, wheels) for stage, wheels in zip(model.stages, names, strict=True))

@@ -1,23 +1,12 @@
-"""A checked model -> course.Variant. Only a link's geometry can fail here, and `checks` tries it first."""
+"""The block `mechanism` -> Mechanism. Only a link's geometry can fail here, and `checks` tries it first."""
 
 from __future__ import annotations
 
 import cmath
 import math
 from collections.abc import Mapping
-from typing import Any
 
-from tmm_report import course
-from tmm_report.chapters import given
-from tmm_report.chapters.kinetostatics.loads import (
-    ByAngle,
-    ByDisplacement,
-    ByPosition,
-    Constant,
-    Force,
-    Law,
-    Moment,
-)
+from tmm_report.chapters.structure.block import models as m
 from tmm_report.mechanics.mechanism import (
     FRAME,
     Assembly,
@@ -31,32 +20,7 @@ from tmm_report.mechanics.mechanism import (
 )
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.units import WrongValue
-from tmm_report.variant import models as m
-from tmm_report.variant.values import SIDES, unit_vector
-
-_TURNS = {"counter-clockwise": 1, "clockwise": -1, "along motion": "along", "against motion": "against"}
-
-
-def variant(model: m.LeverModel, places: Mapping[Any, Any], file: str, lever: bool = True) -> course.Variant:
-    """Every block of the variant, in SI; `lever`: whether it has a lever mechanism."""
-    follows = "comma" if model.language == "ru" else "point"
-    return course.Variant(
-        mechanism=mechanism(model.mechanism) if lever else None,  # type: ignore[arg-type]
-        title=given.Title(**model.title.model_dump()),
-        language=model.language,
-        decimal_sign=model.decimal_sign or follows,  # type: ignore[arg-type]
-        positions=positions(model.positions),
-        allow_partial=model.allow_partial,
-        drawing=drawing(model.drawing),
-        readings={int(position): symbols for position, symbols in model.readings.items()},
-        loads=loads(model.loads) if model.loads else None,
-        friction=friction(model.friction) if model.friction else None,
-        places=places,
-        file=file,
-    )
-
-
-# --- the mechanism
+from tmm_report.variant.values import SENSES, SIDES, unit_vector
 
 
 def mechanism(model: m.MechanismModel) -> Mechanism:
@@ -139,7 +103,7 @@ def slide(name: str, model: m.SlideModel, own: Link) -> Slide:
 
 def driver(model: m.DriverModel) -> Driver:
     speed = model.speed if model.speed is not None else 2 * math.pi / (model.period or math.inf)
-    return Driver(model.link, _TURNS[model.rotation] * speed, zero(model.zero), model.range)  # type: ignore[operator]
+    return Driver(model.link, SENSES[model.rotation] * speed, zero(model.zero), model.range)
 
 
 def zero(model: m.ZeroModel | None) -> ZeroAngle | ZeroExtreme:
@@ -148,55 +112,3 @@ def zero(model: m.ZeroModel | None) -> ZeroAngle | ZeroExtreme:
     if model.point is not None:
         return ZeroExtreme(point=model.point, direction=SIDES[str(model.extreme)])
     return ZeroExtreme(link=model.link, direction=complex(1 if model.extreme == "counter-clockwise" else -1))
-
-
-# --- loads, friction, presentation
-
-
-def loads(model: m.LoadsModel) -> given.Loads:
-    gravity = model.gravity
-    pull = gravity.value * gravity.direction if isinstance(gravity, m.GravityModel) else gravity * -1j
-    forces = [force(one, index) for index, one in enumerate(model.forces, 1) if one]
-    moments = [moment(one, index) for index, one in enumerate(model.moments, 1) if one]
-    return given.Loads(pull, tuple(forces), tuple(moments))
-
-
-def force(model: m.ForceModel | m.PistonModel, index: int) -> Force:
-    area = math.pi / 4 * model.piston_diameter**2 if isinstance(model, m.PistonModel) else 1.0
-    return Force(model.name or f"F{index}", model.at, model.direction, law(model, area))
-
-
-def moment(model: m.MomentModel, index: int) -> Moment:
-    direction: Any = _TURNS[model.direction]
-    return Moment(model.name or f"M{index}", model.on, direction, law(model))
-
-
-def law(model: Any, area: float = 1.0) -> Law:
-    """The one law that the load states; `area` turns pressures into forces."""
-    if (diagram := getattr(model, "by_displacement", None)) is not None:
-        forward, back = (tuple((x, y * area) for x, y in way) for way in (diagram.forward, diagram.back))
-        return ByDisplacement(SIDES[diagram.zero], forward, back)
-    if model.by_angle is not None:
-        return ByAngle(tuple(x for x, _ in model.by_angle), tuple(y for _, y in model.by_angle))
-    return ByPosition(tuple(model.by_position)) if model.by_position is not None else Constant(model.constant)
-
-
-def friction(model: m.FrictionModel) -> given.Friction:
-    joints = {name: given.Rubbing(one.coefficient, one.diameter) for name, one in model.joints.items()}
-    pivots = given.Rubbing(model.pivots.coefficient, model.pivots.diameter) if model.pivots else None
-    return given.Friction(pivots, given.Rubbing(model.guides.coefficient) if model.guides else None, joints)
-
-
-def positions(model: m.PositionsModel) -> given.Positions:
-    """Left out: the plans of the first and the opposite position, the force plan of the last of the plans."""
-    plans = _some(model.plans) or (1, model.table // 2 + 1)
-    return given.Positions(model.table, model.diagram, plans, _some(model.force_plan) or plans[-1:])
-
-
-def _some(written: int | list[int] | None) -> tuple[int, ...]:
-    return () if written is None else (written,) if isinstance(written, int) else tuple(written)
-
-
-def drawing(model: m.DrawingModel) -> given.Drawing:
-    scales = model.scales
-    return given.Drawing(model.accuracy, scales.length, scales.velocity, scales.acceleration, scales.force)

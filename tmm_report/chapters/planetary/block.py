@@ -6,13 +6,13 @@ from typing import Annotated, Literal
 from pydantic import Field, Tag, model_validator
 
 from tmm_report.chapters.planetary import solve as planetary
+from tmm_report.chapters.spur.block import Efficiency, Module, RackModel, Tooth, signed_ratio
 from tmm_report.mechanics.planetary import SCHEMES, Member
 from tmm_report.mechanics.planetary_search import LARGEST_SHIFTED, Task
 from tmm_report.mechanics.spur import Rack
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.units import WrongValue
-from tmm_report.variant.gears.spur import Efficiency, Module, RackModel, Tooth, signed_ratio
-from tmm_report.variant.models import Model
+from tmm_report.variant.model import Model
 from tmm_report.variant.values import LIST, SCALAR, Label, Reads, by_shape, quantity, whole
 
 RATIOS = (1e-4, 1e4)

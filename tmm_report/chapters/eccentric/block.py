@@ -1,18 +1,20 @@
 """The block of an eccentric epicyclic mechanism."""
 
 import re
+from collections.abc import Iterator
 from fractions import Fraction
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, TypedDict
 
 from pydantic import Field
 
 from tmm_report.chapters.eccentric import solve as eccentric
+from tmm_report.chapters.spur.block import Module, RackModel, Tooth
 from tmm_report.mechanics.spur import Rack
-from tmm_report.problems import N_, Message, shown
+from tmm_report.problems import N_, Message, Problem, shown
 from tmm_report.quantity import units
 from tmm_report.quantity.units import WrongValue
-from tmm_report.variant.gears.spur import Module, RackModel, Tooth
-from tmm_report.variant.models import Model
+from tmm_report.variant import model
+from tmm_report.variant.model import Model, Read
 from tmm_report.variant.values import Distance, Label, Positive, Reads, Speed, whole
 
 DENOMINATOR = 100  # the finest fraction a ratio may be
@@ -81,6 +83,27 @@ class EccentricModel(Model):
     )
     rack: RackModel = Field(default_factory=RackModel)
     speed: Speed | None = Field(default=None, description="of the driving wheel", examples=["600 rpm"])
+
+
+class Block(model.Block):
+    """An eccentric epicyclic mechanism."""
+
+    ALONE = True
+
+    eccentric: EccentricModel | None = Field(default=None, description="an eccentric epicyclic mechanism")
+
+
+class Given(TypedDict):
+    eccentric: eccentric.Given | None
+
+
+def given(read: Read) -> Given:
+    written = read.block(Block).eccentric
+    return {"eccentric": build(written) if written else None}
+
+
+def mistakes(read: Read) -> Iterator[Problem]:
+    yield from ()
 
 
 def build(model: EccentricModel) -> eccentric.Given:
