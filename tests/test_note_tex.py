@@ -11,7 +11,7 @@ from notes import NAMES, VARIANTS, note, program
 
 from tmm_report import render, solve
 from tmm_report.chapters.given import Title
-from tmm_report.pdf import compile_pdf
+from tmm_report.commands.pdf import compile_pdf
 from tmm_report.variant import loads
 
 NOTES = ["compressor-ru", "compressor-en", "shaper-ru", "tangent-en", "hoist_drive-ru", "eccentric-en"]

@@ -34,6 +34,6 @@ def solve(variant: Any) -> Any:
 
 def render(results: Any, fmt: str = "html", language: str | None = None) -> dict[str, bytes]:
     """The note and its figures as file name -> content; `fmt`: "html", "tex", "json" or "csv"."""
-    from tmm_report.output import render as make
+    from tmm_report.commands.files import render as make
 
     return make(results, fmt, language)

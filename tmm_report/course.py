@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 from tmm_report.chapters.force_plans import solve as force_plans
 from tmm_report.chapters.friction import solve as friction
@@ -13,6 +13,7 @@ from tmm_report.chapters.kinematics import solve as kinematics
 from tmm_report.chapters.kinetostatics import solve as kinetostatics
 from tmm_report.chapters.plans import solve as plans
 from tmm_report.chapters.structure import solve as structure
+from tmm_report.languages import DEFAULT, DecimalSign
 from tmm_report.mechanics.mechanism import Mechanism
 
 if TYPE_CHECKING:  # the gear chapters are loaded only for a variant that has gears
@@ -29,8 +30,8 @@ class Variant:
 
     mechanism: Mechanism = None  # type: ignore[assignment]  # None, and the lever's chapters are not asked for it
     title: Title = field(default_factory=Title)
-    language: Literal["ru", "en"] = "ru"
-    decimal_sign: Literal["comma", "point"] = "comma"
+    language: str = DEFAULT  # a code of the table of languages
+    decimal_sign: DecimalSign = "comma"
     positions: Positions = field(default_factory=Positions)
     allow_partial: bool = False  # a mechanism that exists over part of the cycle only is meant so
     drawing: Drawing = field(default_factory=Drawing)

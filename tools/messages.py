@@ -16,9 +16,10 @@ from babel.messages.extract import DEFAULT_KEYWORDS, extract_from_dir
 from babel.messages.mofile import write_mo
 from babel.messages.pofile import read_po, write_po
 
+from tmm_report.languages import LANGUAGES
+
 ROOT = Path(__file__).resolve().parent.parent
 LOCALE = ROOT / "templates" / "locale"
-LANGUAGES = ("ru",)
 KEYWORDS = {**DEFAULT_KEYWORDS, "N_": None, "t": None, "count": (1, 2), "NP_": ((1, "c"), 2)}
 JINJA = {"silent": "false"}  # the templates' delimiters go here when they are not Jinja's own
 SOURCES: tuple[tuple[str, str, str, dict[str, str]], ...] = (
@@ -44,7 +45,9 @@ def po_file(language: str) -> Path:
 
 
 def known(language: str) -> Catalog:
-    """The translations there are."""
+    """The translations there are: none for a language whose catalogue is being begun."""
+    if not po_file(language).is_file():
+        return Catalog(locale=language)
     with po_file(language).open("rb") as file:
         return read_po(file, locale=language)
 
@@ -97,7 +100,7 @@ def write(language: str, catalogue: Catalog) -> None:
 
 def main() -> int:
     untranslated = []
-    for language in LANGUAGES:
+    for language in (row.code for row in LANGUAGES.values() if not row.ids):
         catalogue = merged(language)
         write(language, catalogue)
         untranslated += [f"{language}: {text}" for text in missing(catalogue)]

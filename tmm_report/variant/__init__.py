@@ -9,7 +9,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from tmm_report import course, yamlread
+from tmm_report import course, languages, yamlread
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.resources import data_root
 from tmm_report.variant import build, checks, errors
@@ -48,8 +48,10 @@ def schema() -> dict[str, Any]:
 
 
 def new(language: str) -> str:
-    """A commented starting variant in the language, "ru" or "en"."""
-    return (data_root() / "templates" / "new" / f"{language}.yaml").read_text(encoding="utf-8")
+    """A commented starting variant in the language. Raises ProblemError for a language that there is not."""
+    return (data_root() / "templates" / "new" / f"{languages.language(language).code}.yaml").read_text(
+        "utf-8"
+    )
 
 
 def _variant(document: Document, file: str, soft: list[Problem]) -> course.Variant:

@@ -18,6 +18,7 @@ from tmm_report.chapters.kinetostatics.loads import (
     Law,
     Moment,
 )
+from tmm_report.languages import language
 from tmm_report.mechanics.mechanism import (
     FRAME,
     Assembly,
@@ -39,12 +40,11 @@ _TURNS = {"counter-clockwise": 1, "clockwise": -1, "along motion": "along", "aga
 
 def variant(model: m.LeverModel, places: Mapping[Any, Any], file: str, lever: bool = True) -> course.Variant:
     """Every block of the variant, in SI; `lever`: whether it has a lever mechanism."""
-    follows = "comma" if model.language == "ru" else "point"
     return course.Variant(
         mechanism=mechanism(model.mechanism) if lever else None,  # type: ignore[arg-type]
         title=given.Title(**model.title.model_dump()),
         language=model.language,
-        decimal_sign=model.decimal_sign or follows,  # type: ignore[arg-type]
+        decimal_sign=model.decimal_sign or language(model.language).decimal,
         positions=positions(model.positions),
         allow_partial=model.allow_partial,
         drawing=drawing(model.drawing),

@@ -9,8 +9,10 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag, model_validator
 
+from tmm_report.languages import DEFAULT
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.units import WrongValue
+from tmm_report.variant.language import CODE
 from tmm_report.variant.values import (
     LIST,
     MAP,
@@ -366,7 +368,7 @@ class LeverModel(Model):
     """A variant without gears: one lever mechanism and all that is given about it."""
 
     title: TitleModel = Field(default_factory=TitleModel)
-    language: Literal["ru", "en"] = Field(default="ru", description="of the note")
+    language: Annotated[str, CODE] = Field(default=DEFAULT, description="of the note")
     decimal_sign: Literal["comma", "point"] | None = Field(
         default=None, description="left out, it follows the language"
     )
