@@ -18,6 +18,7 @@ from typer.testing import CliRunner
 
 from tmm_report import __version__
 from tmm_report.cli import app
+from tmm_report.languages import LANGUAGES
 from tmm_report.yamlread import read
 
 COMPRESSOR = VARIANTS / "compressor.yaml"
@@ -220,7 +221,7 @@ def test_schema_accepts_the_variants_and_refuses_unknown_keys():
         assert list(validator.iter_errors({**data, "surplus": 1}))
 
 
-@pytest.mark.parametrize("language", ["ru", "en"])
+@pytest.mark.parametrize("language", LANGUAGES)
 def test_new_variant_solves(tmp_path, language):
     path = tmp_path / "my.yaml"
     assert run("new", path, "--lang", language).exit_code == 0

@@ -9,7 +9,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag, model_validator
 
-from tmm_report.languages import DEFAULT
+from tmm_report.languages import DEFAULT, DecimalSign
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.language import CODE
@@ -369,9 +369,7 @@ class LeverModel(Model):
 
     title: TitleModel = Field(default_factory=TitleModel)
     language: Annotated[str, CODE] = Field(default=DEFAULT, description="of the note")
-    decimal_sign: Literal["comma", "point"] | None = Field(
-        default=None, description="left out, it follows the language"
-    )
+    decimal_sign: DecimalSign | None = Field(default=None, description="left out, it follows the language")
     mechanism: MechanismModel = Field(default_factory=MechanismModel)
     allow_partial: Flag = Field(
         default=False, description="true: a mechanism that exists over part of the cycle only is meant so"
