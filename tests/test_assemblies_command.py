@@ -18,9 +18,10 @@ from test_note_html import chromium
 from typer.testing import CliRunner
 
 from tmm_report import course, yamlread
-from tmm_report.assemblies_page import MOST, Assemblies, find, page
 from tmm_report.chapters.title.given import Title
 from tmm_report.cli import app
+from tmm_report.commands.assemblies_page import page
+from tmm_report.commands.ways import MOST, Assemblies, find
 from tmm_report.i18n import Translator
 from tmm_report.variant import loads
 
@@ -201,7 +202,7 @@ def test_mistakes_are_told_as_for_solve(tmp_path):
         ([free], r"free\.yaml:\d+:\d+: mechanism\.links: mobility is W = 3·5 − 2·6 = 3"),
         ([tmp_path / "none.yaml"], r"none\.yaml"),
         ([crank, "--angle", "30 mm"], r"^--angle: 30 mm is a length \(mm\); expected: an angle \(rad\)"),
-        ([crank, "--lang", "fr"], r"--lang: ru or en"),
+        ([crank, "--lang", "fr"], r"^--lang: there is no language fr; known: ru, en$"),
         ([crank, "-o", tmp_path / "file" / "out"], r"cannot write into"),
     ):
         done = run("--lang", "en", *arguments)

@@ -73,6 +73,6 @@ def render(
 
     `language`: of the note, that of the variant unless another is named; "ru" or "en".
     """
-    from tmm_report.output import render as make
+    from tmm_report.commands.files import render as make
 
     return make(results, fmt, language)

@@ -11,7 +11,7 @@ import os
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, fields
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 from tmm_report import yamlread
 from tmm_report.chapters.force_plans import solve as force_plans
@@ -25,6 +25,7 @@ from tmm_report.chapters.plans import solve as plans
 from tmm_report.chapters.plans.given import Drawing, Readings
 from tmm_report.chapters.structure import solve as structure
 from tmm_report.chapters.title.given import Title
+from tmm_report.languages import DEFAULT, DecimalSign
 from tmm_report.mechanics.mechanism import Mechanism
 from tmm_report.problems import Problem
 
@@ -55,8 +56,8 @@ class Variant:
     drive: drive.Given | None = None
     eccentric: eccentric.Given | None = None
     title: Title = field(default_factory=Title)
-    language: Literal["ru", "en"] = "ru"
-    decimal_sign: Literal["comma", "point"] = "comma"
+    language: str = DEFAULT  # a code of the table of languages
+    decimal_sign: DecimalSign = "comma"
     places: Mapping[tuple[str | int, ...], tuple[int, int]] = field(default_factory=dict, repr=False)
     """Where each key of the file stands: path -> (line, column), for mistakes found only in solving."""
     file: str = ""

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Protocol
 
+from tmm_report import languages
 from tmm_report.problems import Problem
 from tmm_report.resources import data_root
 from tmm_report.yamlread import Path, Place, located
@@ -34,5 +35,6 @@ def locate(problem: Problem, variant: Placed) -> Problem:
 
 
 def new(language: str) -> str:
-    """A commented starting variant in the language, "ru" or "en"."""
-    return (data_root() / "templates" / "new" / f"{language}.yaml").read_text(encoding="utf-8")
+    """A commented starting variant in the language. Raises ProblemError for a language that there is not."""
+    code = languages.language(language).code
+    return (data_root() / "templates" / "new" / f"{code}.yaml").read_text("utf-8")

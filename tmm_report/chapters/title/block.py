@@ -1,17 +1,17 @@
 """The blocks `title`, `language` and `decimal_sign` of a variant."""
 
 from collections.abc import Iterator
-from typing import Literal, TypedDict
+from typing import Annotated, TypedDict
 
 from pydantic import Field
 
 from tmm_report.chapters.title.given import Title
+from tmm_report.languages import DEFAULT, DecimalSign, language
 from tmm_report.problems import Problem
 from tmm_report.variant import model
+from tmm_report.variant.language import CODE
 from tmm_report.variant.model import Model, Read
-from tmm_report.variant.values import (
-    Text,
-)
+from tmm_report.variant.values import Text
 
 
 class TitleModel(Model):
@@ -35,25 +35,22 @@ class Block(model.Block):
     AS_WRITTEN = frozenset({"title"})
 
     title: TitleModel = Field(default_factory=TitleModel)
-    language: Literal["ru", "en"] = Field(default="ru", description="of the note")
-    decimal_sign: Literal["comma", "point"] | None = Field(
-        default=None, description="left out, it follows the language"
-    )
+    language: Annotated[str, CODE] = Field(default=DEFAULT, description="of the note")
+    decimal_sign: DecimalSign | None = Field(default=None, description="left out, it follows the language")
 
 
 class Given(TypedDict):
     title: Title
-    language: Literal["ru", "en"]
-    decimal_sign: Literal["comma", "point"]
+    language: str
+    decimal_sign: DecimalSign
 
 
 def given(read: Read) -> Given:
     block = read.block(Block)
-    follows: Literal["comma", "point"] = "comma" if block.language == "ru" else "point"
     return {
         "title": Title(**block.title.model_dump()),
         "language": block.language,
-        "decimal_sign": block.decimal_sign or follows,
+        "decimal_sign": block.decimal_sign or language(block.language).decimal,
     }
 
 

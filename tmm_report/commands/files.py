@@ -8,23 +8,22 @@ from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 
-from tmm_report.course import Results
+from tmm_report.course import Results, Variant
 from tmm_report.i18n import Translator
 
 FORMATS = ("html", "tex", "json", "csv")
 
 
-def translator(results: Results, language: str | None = None) -> Translator:
+def translator(variant: Variant, language: str | None = None) -> Translator:
     """The note's language and decimal sign; another language than the variant's brings its own decimal sign."""
-    variant = results.variant
-    if language in (None, variant.language):
+    if language is None or language == variant.language:
         return Translator(variant.language, variant.decimal_sign)
-    return Translator(str(language))
+    return Translator(language)
 
 
 def render(results: Results, fmt: str, language: str | None = None) -> dict[str, bytes]:
     """File name -> content in one of FORMATS. What only one format needs is imported only for it."""
-    tr = translator(results, language)
+    tr = translator(results.variant, language)
     if fmt == "json":
         from tmm_report.results import as_json
 
@@ -47,7 +46,7 @@ def combinations(results: Results, language: str | None = None) -> dict[str, byt
     from tmm_report.chapters.planetary import solve as planetary
     from tmm_report.chapters.planetary.quantities import candidates, listing
 
-    say, files = translator(results, language).gettext, {}
+    say, files = translator(results.variant, language).gettext, {}
     for number, stage in enumerate(results.drive.stages, 1):
         if isinstance(stage, planetary.Found):
             text = "\n".join(listing(candidates(stage.given), say)) + "\n"

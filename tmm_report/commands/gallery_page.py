@@ -1,14 +1,11 @@
-"""The gallery: a page with the scheme and the main numbers of every variant of a folder, as Markdown and SVG.
-
-page, failed = make(variants(), Path("docs/gallery"), Translator("en"))
-"""
+"""The page of the gallery: an entry for every variant, as Markdown, and its scheme as SVG."""
 
 from __future__ import annotations
 
 import math
 import os
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -16,7 +13,6 @@ from urllib.parse import quote
 
 from markupsafe import Markup
 
-from tmm_report import load, solve
 from tmm_report.course import LeverFound, Results
 from tmm_report.figures.drawing import Drawing, polygon, svg
 from tmm_report.figures.drive import kinematic_scheme
@@ -24,15 +20,11 @@ from tmm_report.figures.eccentric import assembled
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.cycle import Extreme
 from tmm_report.mechanics.structure import ROMAN
-from tmm_report.output import write
-from tmm_report.problems import Message, Problem, ProblemError
+from tmm_report.problems import Message, Problem
 from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template
 from tmm_report.report.schemes import schemes_of
-from tmm_report.resources import data_root
-
-PAGE = "README.md"  # shown by sites that show a folder
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,43 +105,6 @@ class Markdown(Html):
 
     def escape(self, text: str) -> Markup:
         return super().escape(re.sub(r"[\\`*\[\]#|~$]|(?<!\w)_|_(?!\w)", r"\\\g<0>", text))
-
-
-def variants(folder: Path | None = None) -> list[Path]:
-    """The variants of a folder, by name; by default the ready ones. Raises OSError."""
-    folder = data_root() / "variants" if folder is None else folder
-    return sorted(file for file in folder.iterdir() if file.suffix == ".yaml")
-
-
-def make(
-    files: Sequence[Path], folder: Path, tr: Translator, stage: Callable[[str], None] = lambda name: None
-) -> tuple[Path, list[Entry]]:
-    """Write the gallery of the files into a folder: its page, and the entries with something wrong in them.
-
-    `stage` is told each file's name as its turn comes. Raises OSError where the folder cannot be written.
-    """
-    entries: list[Entry] = []
-    pictures: dict[str, bytes] = {}
-    for file in files:
-        stage(file.name)
-        entries.append(entry(file))
-        pictures |= picture(entries[-1], tr)
-    write(folder, {PAGE: page(entries, folder, tr), **pictures})
-    return folder / PAGE, [one for one in entries if one.problems]
-
-
-def entry(file: Path) -> Entry:
-    """Solve one file."""
-    try:
-        results = solve(load(file))
-    except ProblemError as error:
-        return Entry(file, problems=tuple(error.problems))
-    lever = results.lever
-    gaps = lever.kinematics.gaps if lever and lever.partial else ()
-    path = ("mechanism", "links")
-    return Entry(
-        file, results, tuple(Problem(gap.text, path=(*path, gap.links[0]), file=str(file)) for gap in gaps)
-    )
 
 
 def picture(entry: Entry, tr: Translator) -> dict[str, bytes]:
