@@ -8,7 +8,7 @@ import pytest
 from schemes import mechanism
 
 from tmm_report.mechanics.assembly import assemble
-from tmm_report.mechanics.cycle import cycle_of
+from tmm_report.mechanics.cycle import Slope, cycle_of
 from tmm_report.mechanics.mechanism import Assembly, Driver, Guide, Link, Slide, ZeroAngle, ZeroExtreme
 from tmm_report.problems import ProblemError
 
@@ -96,7 +96,7 @@ def test_extremes_of_the_highest_derivative_by_slope():
     """A centred crank with a long rod: a = −ω²(r cos φ + …) is greatest at φ = π."""
     cycle = offset_crank(offset=0.0)
     acceleration = lambda motion: motion.acceleration("B").real  # noqa: E731
-    low, high = cycle.extremes(acceleration, cycle.slope(acceleration), noise=1e-9)
+    low, high = cycle.extremes(acceleration, Slope(acceleration))
     assert low.value == pytest.approx(-25 * R * (1 + R / L), rel=1e-12)
     assert low.turned == pytest.approx(0, abs=1e-6)
     fine = acceleration(cycle.motion(np.linspace(0, 2 * math.pi, 20001)))
