@@ -53,6 +53,12 @@ def least_and_greatest(values: Array, turned: Array) -> tuple[Extreme, Extreme]:
     return _least(values, turned, 1), _least(values, turned, -1)
 
 
+def larger(extremes: tuple[Extreme, Extreme]) -> Extreme:
+    """Of the least and the greatest value the one with the larger magnitude; of equal ones the first."""
+    first, second = sorted(extremes, key=lambda extreme: extreme.turned)
+    return second if abs(second.value) > abs(first.value) * (1 + EQUAL) else first
+
+
 def _least(values: Array, turned: Array, sign: int) -> Extreme:
     """The least of sign·values; of those that rounding alone tells apart the first from position 0."""
     alike = EQUAL * np.nanmax(np.abs(values))

@@ -77,7 +77,7 @@ def interpolated(
 
 
 def _interpolated(a: Array, b: Array, c: Array, fa: Array, fb: Array, fc: Array) -> Array:
-    """Part of the way from a to b at which the parabola x(f) through three points is 0; a half where it would mislead."""
+    """Part of the way from a to b at which the parabola x(f) through three points is 0; a half where it misleads."""
     xi, phi = (a - b) / (c - b), (fa - fb) / (fc - fb)
     good = (phi**2 < xi) & ((1 - phi) ** 2 < 1 - xi)
     part = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb)

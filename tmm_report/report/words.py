@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from markupsafe import Markup
 
-from tmm_report.mechanics.cycle import Extreme
+from tmm_report.mechanics.cycle import Extreme, larger
 from tmm_report.mechanics.dyads import Dyad
 from tmm_report.mechanics.higher import HigherGroup
 from tmm_report.mechanics.mechanism import FRAME, Guide, ZeroAngle
@@ -284,7 +284,7 @@ class Words:
     @staticmethod
     def largest(extremes: tuple[Extreme, Extreme]) -> Extreme:
         """Of the least and the greatest value the one with the larger magnitude."""
-        return max(extremes, key=lambda extreme: abs(extreme.value))
+        return larger(extremes)
 
     # ------------------------------------------------------------ symbols
 
