@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import lru_cache
 
 from tmm_report.i18n import Translator
 from tmm_report.quantity.formula import ATOM, POWER, Expr, Formula, Page, Piece, Symbol, Var
@@ -17,6 +18,7 @@ BASES = {"w": "omega", "e": "epsilon"}
 UNITS = {"v": "m/s", "a": "m/s²", "w": "rad/s", "e": "rad/s²", "S": "m", "R": "N", "F": "N", "M": "N·m"}
 
 
+@lru_cache(maxsize=4096)
 def symbol_of(key: str) -> Symbol:
     """Symbol of a value's key: "v_BA", "a_BA_n", "w_2", "e_2", "R_24_t"."""
     base, sub, sup = (*key.split("_"), "", "")[:3]
@@ -39,14 +41,14 @@ def hand(key: str, expression: Expr, reference: float) -> Formula:
     size = abs(trial.written)
     most = max(PLACES, decimals(abs(reference)))
     digits = DIGITS - max(0, decimals(size) - most) if size > 0 else DIGITS
-    return Formula(symbol_of(key), expression, unit_of(key), digits=max(1, digits), hand=True)
+    return trial if digits == DIGITS else replace(trial, digits=max(1, digits))
 
 
 def laid_off(ends: str, expression: Expr) -> Formula:
     """The length of a segment to be laid off, mm, by hand: no finer than a hundredth."""
     trial = Formula(segment(ends), expression, "mm", hand=True)
     digits = DIGITS - max(0, decimals(abs(trial.written)) - 2)
-    return Formula(segment(ends), expression, "mm", digits=max(1, digits), hand=True)
+    return trial if digits == DIGITS else replace(trial, digits=max(1, digits))
 
 
 def number(symbol: Symbol | str, value: float, unit: str = "") -> Var:
