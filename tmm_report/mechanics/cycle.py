@@ -48,9 +48,11 @@ Rate = Quantity | Slope
 
 def least_and_greatest(values: Array, turned: Array) -> tuple[Extreme, Extreme]:
     """Extremes among values (P,) at angles `turned`, rad; nan is passed over; of nothing but nan, nan."""
-    if not np.isfinite(values).any():
+    low, high = np.fmin.reduce(values), np.fmax.reduce(values)
+    if np.isnan(low):
         return Extreme(np.nan, np.nan), Extreme(np.nan, np.nan)
-    return _least(values, turned, 1), _least(values, turned, -1)
+    alike = EQUAL * max(abs(low), abs(high))
+    return _first(values <= low + alike, values, turned), _first(values >= high - alike, values, turned)
 
 
 def larger(extremes: tuple[Extreme, Extreme]) -> Extreme:
@@ -59,10 +61,9 @@ def larger(extremes: tuple[Extreme, Extreme]) -> Extreme:
     return second if abs(second.value) > abs(first.value) * (1 + EQUAL) else first
 
 
-def _least(values: Array, turned: Array, sign: int) -> Extreme:
-    """The least of sign·values; of those that rounding alone tells apart the first from position 0."""
-    alike = EQUAL * np.nanmax(np.abs(values))
-    at = np.flatnonzero(sign * values <= np.nanmin(sign * values) + alike)
+def _first(alike: Array, values: Array, turned: Array) -> Extreme:
+    """Of values that rounding alone tells apart the first from position 0."""
+    at = np.flatnonzero(alike)
     first = at[np.argmin(turned[at])]
     return Extreme(float(values[first]), float(turned[first]))
 
