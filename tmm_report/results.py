@@ -8,14 +8,16 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from types import ModuleType
 from typing import Any
 
+import numpy as np
+
 from tmm_report.course import INITIAL_DATA, Results, chapters, room
 from tmm_report.i18n import Translator
+from tmm_report.jsontext import indented
 from tmm_report.quantity.model import Book, Column, Quantity, Table, Value
 
 __all__ = ["Column", "Table", "Value", "as_csv", "as_json", "tables", "values"]
@@ -82,7 +84,7 @@ def as_json(results: Results, tr: Translator) -> bytes:
             for t in tables(results)
         },
     }
-    return (json.dumps(document, ensure_ascii=False, allow_nan=False, indent=1) + "\n").encode()
+    return (indented(document) + "\n").encode()
 
 
 def _written(quantity: Quantity) -> dict[str, str]:
@@ -102,6 +104,10 @@ def _title(results: Results) -> Mapping[str, str]:
 
 
 def _plain(column: Iterable[Any]) -> list[Any]:
+    """A column for JSON: null for nan and infinity, and no negative zero."""
+    if isinstance(column, np.ndarray) and column.dtype == float:
+        whole = (column + 0.0).tolist()
+        return whole if np.isfinite(column).all() else [_finite(x) for x in whole]
     return [x if isinstance(x, str | int) else _finite(float(x)) for x in column]
 
 

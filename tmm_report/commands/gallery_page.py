@@ -18,7 +18,7 @@ from tmm_report.figures.drawing import Drawing, polygon, svg
 from tmm_report.figures.drive import kinematic_scheme
 from tmm_report.figures.eccentric import assembled
 from tmm_report.i18n import Translator
-from tmm_report.mechanics.cycle import Extreme
+from tmm_report.mechanics.cycle import Extreme, larger
 from tmm_report.mechanics.structure import ROMAN
 from tmm_report.problems import Message, Problem
 from tmm_report.report.formats import Html
@@ -85,7 +85,7 @@ class Entry:
     def balancing(self) -> Extreme | None:
         """The balancing moment that is greatest by magnitude, N m."""
         found = self.lever.kinetostatics if self.lever is not None else None
-        return max(found.extremes, key=lambda extreme: abs(extreme.value)) if found is not None else None
+        return larger(found.extremes) if found is not None else None
 
     @cached_property
     def worst(self) -> float | None:

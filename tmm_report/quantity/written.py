@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 
 from tmm_report.i18n import Translator
 from tmm_report.problems import N_, Message
@@ -29,14 +29,14 @@ def hand(quantity: Quantity, expression: Expr, reference: float = 0.0, ref: Ref 
     size = abs(trial.written)
     most = max(PLACES, decimals(abs(reference)))
     digits = DIGITS - max(0, decimals(size) - most) if size > 0 else DIGITS
-    return _worked(quantity, expression, max(1, digits), ref)
+    return trial if digits == DIGITS else replace(trial, digits=max(1, digits))
 
 
 def laid_off(quantity: Quantity, expression: Expr, ref: Ref | None = None) -> Formula:
     """The length of a segment to be laid off, mm, by hand: no finer than a hundredth."""
     trial = _worked(quantity, expression, DIGITS, ref)
     digits = DIGITS - max(0, decimals(abs(trial.written)) - 2)
-    return _worked(quantity, expression, max(1, digits), ref)
+    return trial if digits == DIGITS else replace(trial, digits=max(1, digits))
 
 
 def _worked(quantity: Quantity, expression: Expr, digits: int, ref: Ref | None) -> Formula:

@@ -14,6 +14,7 @@ from tmm_report.chapters.kinematics.draw import Diagrams
 from tmm_report.chapters.kinematics.limits import Closest
 from tmm_report.chapters.kinematics.solve import Kinematics, Travel
 from tmm_report.figures.drawing import Drawing
+from tmm_report.mechanics.cycle import larger
 from tmm_report.mechanics.dyads import Dyad
 from tmm_report.mechanics.higher import HigherGroup
 from tmm_report.mechanics.relations import turning_links
@@ -76,7 +77,7 @@ class KinematicsView:
     def _conclusion(self, travel: Travel) -> Markup:
         name, largest = travel.output.name, {}
         for letter, ends in (("v", travel.V_extremes), ("a", travel.a_extremes)):
-            end = "min" if abs(ends[0].value) >= abs(ends[1].value) else "max"
+            end = "min" if larger(ends) is ends[0] else "max"
             value = self.book[f"{letter.upper()}_{name}_{end}"]
             largest[letter] = self.page.shown(value, size=True)
             largest[f"{letter}at"] = self._turned(value)

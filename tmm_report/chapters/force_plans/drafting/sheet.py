@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -105,19 +106,25 @@ class Sheet:
         self, link: str, of: Quantity, kind: Kind, vector: complex, at: complex, size: float | None = None
     ) -> None:
         """`size`: the magnitude as already written; else the vector's own, rounded as one writes it."""
-        if abs(vector) > 1e-9 * self._largest():
+        if abs(vector) > 1e-9 * self._largest:
             written = float(round_significant(abs(vector), DIGITS)) if size is None else size
             self.acting[link].append(Acting(of, kind, complex(unit(vector) * written), at))
 
     def _couple(self, link: str, of: Quantity, value: float, size: float | None = None) -> None:
-        if abs(value) > 1e-9 * float(np.nanmax(self.solved.scale)):
+        if abs(value) > 1e-9 * self._largest_moment:
             written = float(round_significant(abs(value), DIGITS)) if size is None else size
             self.couples[link].append(Couple(of, float(np.copysign(written, value))))
 
+    @cached_property
     def _largest(self) -> float:
+        """The largest load over the cycle, N, beside which a force is more than rounding."""
         load = self.solved.loading
         rows = [*load.gravity.values(), *load.inertia.values(), *load.forces]
         return max((float(np.nanmax(np.abs(row))) for row in rows), default=1.0)
+
+    @cached_property
+    def _largest_moment(self) -> float:
+        return float(np.nanmax(self.solved.scale))
 
     def _reduce(self, link: str) -> None:
         force = next((a for a in self.acting[link] if a.kind == "inertia"), None)
