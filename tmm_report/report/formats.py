@@ -28,13 +28,12 @@ class Mathematics(Protocol):
     def mathml(self, tr: Translator) -> str: ...
 
 
-MM_PER_INCH = 25.4
 PAGE = (165.0, 228.0)  # mm: the largest picture
 
 
 def percent(picture: Drawing | Graph) -> int:
     """To how many per cent of its size a picture is reduced to fit the page; 100: not at all."""
-    wide, tall = _size(picture)
+    wide, tall = picture.size
     if turned(picture):
         wide, tall = tall, wide
     return min(100, int(100 * min(PAGE[0] / wide, PAGE[1] / tall)))
@@ -42,17 +41,9 @@ def percent(picture: Drawing | Graph) -> int:
 
 def turned(picture: Drawing | Graph) -> bool:
     """Whether a drawing too wide for the page stands on its side in it, so that it keeps its scale or more of it."""
-    wide, tall = _size(picture)
+    wide, tall = picture.size
     upright, aside = min(PAGE[0] / wide, PAGE[1] / tall), min(PAGE[0] / tall, PAGE[1] / wide)
     return isinstance(picture, Drawing) and upright < 1 and aside > upright
-
-
-def _size(picture: Drawing | Graph) -> tuple[float, float]:
-    """Width and height, mm."""
-    if isinstance(picture, Drawing):
-        return picture.size
-    wide, tall = picture.figure.get_size_inches() * MM_PER_INCH
-    return float(wide), float(tall)
 
 
 @dataclass

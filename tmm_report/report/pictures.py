@@ -13,7 +13,7 @@ from tmm_report.chapters.force_plans.drafting import ForcePlan
 from tmm_report.chapters.kinematics.solve import Travel
 from tmm_report.chapters.plans.drafting import Plan
 from tmm_report.figures.drawing import Drawing
-from tmm_report.figures.graphs import LEFT, RIGHT, WIDTH, Curve, Graph, graph
+from tmm_report.figures.graphs import Curve, Graph, graph
 from tmm_report.figures.lettering import symbol
 from tmm_report.figures.plans import PlanVector, Style, plan
 from tmm_report.figures.scheme import Arrays, groups_apart, positions_scheme, scheme, standard_scale
@@ -23,7 +23,7 @@ from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.motion import Motion
 from tmm_report.quantity.text import unit_text
 from tmm_report.quantity.written import load_keys
-from tmm_report.report.formats import MM_PER_INCH, percent
+from tmm_report.report.formats import percent
 
 STYLES: dict[str, Style] = {
     "absolute": "absolute", "relative": "relative", "bend": "component", "rate": "component",
@@ -203,12 +203,9 @@ class Pictures:
 
     def _scales(self, drawn: Graph, names: Sequence[tuple[str, str]]) -> list[Scale]:
         """What 1 mm along the axis of the angle and along the axis of each panel stands for."""
-        across = np.degrees(self.r.kinematics.cycle.sweep) / (WIDTH - LEFT - RIGHT)
-        tall = drawn.figure.get_size_inches()[1] * MM_PER_INCH
-        scales = [("mu_phi", float(across), "°/mm")]
-        for (name, unit), axes in zip(names, drawn.figure.axes, strict=False):
-            low, high = axes.get_ylim()
-            scales.append((name, (high - low) / (axes.get_position().height * tall), unit))
+        scales = [("mu_phi", drawn.panels[0].x_scale, "°/mm")]
+        for (name, unit), panel in zip(names, drawn.panels, strict=True):
+            scales.append((name, panel.y_scale, unit))
         return scales
 
     @once
