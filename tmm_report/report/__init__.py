@@ -2,8 +2,7 @@
 
     files = render(solve(variant), "html", Translator("ru"))     # {"note.html": b"..."}
 
-The numbers of sections, formulas, tables and figures are resolved here; a second pass is made only where a
-template refers to something that comes later.
+The templates are rendered once: what they refer to before it comes is marked, and numbered at the end.
 """
 
 from __future__ import annotations
@@ -55,18 +54,11 @@ def chapters(results: Any, page: Page) -> list[Chapter]:
 def render(results: Any, fmt: Literal["html", "tex"], tr: Translator) -> dict[str, bytes]:
     """File name -> content: "note.html" alone, or "note.tex" with the figures it reads."""
     page = Page(FORMATS[fmt](), tr, Numbering())
-    given, parts = _given(results, page), chapters(results, page)  # what they draw serves both passes
-    note = _pass(given, parts, page)
-    if page.numbering.missing:
-        page.numbering = Numbering(known=page.numbering.places)
-        note = _pass(given, parts, page)
-    if page.numbering.missing:
-        raise ValueError(f"the templates refer to what is not in the note: {sorted(page.numbering.missing)}")
+    note = _written(_given(results, page), chapters(results, page), page)
     return {f"note.{fmt}": note.encode(), **page.form.files}
 
 
-def _pass(given: Mapping[str, Any], parts: Sequence[Chapter], page: Page) -> str:
-    """The note with the numbers that are known by now."""
+def _written(given: Mapping[str, Any], parts: Sequence[Chapter], page: Page) -> str:
     fmt = page.form.name
     given = {**given, "m": template(f"macros.{fmt}.j2").make_module(dict(given))}
     body = [
@@ -74,7 +66,8 @@ def _pass(given: Mapping[str, Any], parts: Sequence[Chapter], page: Page) -> str
         for chapter in parts
     ]
     title = Markup(template("chapters/title.j2").render(given))
-    return template(f"report.{fmt}.j2").render(given, title=title, body=body, **_own_files(fmt))
+    note = template(f"report.{fmt}.j2").render(given, title=title, body=body, **_own_files(fmt))
+    return page.numbering.resolved(note)
 
 
 def _given(results: Any, page: Page) -> dict[str, Any]:

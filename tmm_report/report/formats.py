@@ -48,11 +48,10 @@ def turned(picture: Drawing | Graph) -> bool:
 
 @dataclass
 class Html:
-    """One self-contained file: pictures stand in it as svg. `made`: pictures by anchor, kept between passes."""
+    """One self-contained file: pictures stand in it as svg."""
 
     name = "html"
     files: dict[str, bytes] = field(default_factory=dict)
-    made: dict[str, Markup] = field(default_factory=dict)
 
     def escape(self, text: str) -> Markup:
         return Markup(xml_escape(text))
@@ -71,11 +70,8 @@ class Html:
         return Markup(text if size == 1 else f'<span style="font-size:{100 * size:.0f}%">{text}</span>')
 
     def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
-        if anchor not in self.made:
-            # the style sheet reduces what is larger than the page
-            drawn = svg(picture, turned(picture)) if isinstance(picture, Drawing) else picture.svg()
-            self.made[anchor] = Markup(drawn)
-        return self.made[anchor]
+        # the style sheet reduces what is larger than the page
+        return Markup(svg(picture, turned(picture)) if isinstance(picture, Drawing) else picture.svg())
 
 
 @dataclass
@@ -100,8 +96,7 @@ class Tex:
     def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
         drawn = isinstance(picture, Drawing)
         name = f"figures/{anchor}.{'tex' if drawn else 'pdf'}"
-        if name not in self.files:  # kept between passes
-            self.files[name] = tikz(picture).encode() if isinstance(picture, Drawing) else picture.pdf()
+        self.files[name] = tikz(picture).encode() if isinstance(picture, Drawing) else picture.pdf()
         command = f"\\{'input' if drawn else 'includegraphics'}{{{name}}}"
         command = f"\\rotatebox{{90}}{{{command}}}" if turned(picture) else command
         size = percent(picture) / 100

@@ -37,7 +37,7 @@ Scale = tuple[str, float, str]  # symbol, value of 1 mm, its unit
 
 
 def once(draw: Callable[..., Any]) -> Callable[..., Any]:
-    """A picture is drawn once for all passes over the templates."""
+    """A picture is drawn once, however often a template asks for it or for its scales."""
 
     @wraps(draw)
     def drawn(self: Pictures, *args: Any) -> Any:
