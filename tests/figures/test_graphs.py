@@ -4,13 +4,18 @@ import re
 import subprocess
 import sys
 import xml.etree.ElementTree as ET
+from itertools import pairwise
 
 import numpy as np
 import pytest
+from conftest import solved
 
 pytest.importorskip("matplotlib")
 from tmm_report.figures.axes import round_ticks
-from tmm_report.figures.graphs import Curve, _drawn_points, _freest, _values, graph
+from tmm_report.figures.graphs import VALUE, Curve, _drawn_points, _freest, _positions, _values, graph
+from tmm_report.figures.lettering import width
+from tmm_report.i18n import Translator
+from tmm_report.report.pictures import Pictures
 
 X = np.linspace(0, 360, 37)
 NAME = "_ползун $x_1^$ <b>&"
@@ -114,6 +119,20 @@ def test_drawn_millimetres_times_the_scale_are_the_values():
         assert panel.y[1] - panel.y[0] == pytest.approx(panel.tall * panel.y_scale)
 
 
+@pytest.mark.parametrize("name", ["crank_rocker", "slider_crank_offset"])
+def test_scales_told_under_the_diagrams_are_those_they_are_drawn_at(name):
+    found = solved(name)
+    pictures, travel = Pictures(found, Translator("ru")), found.kinematics.travels[0]
+    angle = np.degrees(1) if travel.output.kind == "rocker" else 1.0
+    values = (travel.diagram_S * angle, travel.diagram_V, travel.diagram_a)
+    (_, across, _), *scales = pictures.travel_scales(travel)
+    for line, y, (_, scale, _) in zip(lines(pictures.travel(travel).svg()), values, scales, strict=True):
+        assert np.ptp(line[:, 0]) * across == pytest.approx(
+            np.degrees(found.kinematics.cycle.sweep), rel=1e-6
+        )
+        assert np.ptp(line[:, 1]) * scale == pytest.approx(np.ptp(y), rel=1e-5)
+
+
 def test_a_curve_breaks_where_it_has_no_value():
     values = np.sin(np.radians(X))
     values[[0, 10, 11]] = np.nan
@@ -160,6 +179,16 @@ def test_legend_hides_no_curve_and_no_value():
     left, foot = _freest(made.panels[0], 18.0, 9.0, points)
     inside = (points > (left, foot)).all(axis=1) & (points < (left + 18, foot + 9)).all(axis=1)
     assert not inside.any()
+
+
+@pytest.mark.parametrize(("positions", "last"), [(12, "11"), (24, "23"), (36, "34"), (60, "57")])
+def test_numbers_of_positions_do_not_touch(positions, last):
+    made = graph([Curve(np.cos(np.radians(X)))], X, "x", ["y"], positions=positions)
+    named = [(x, name) for x, name in _positions(made) if name]
+    assert len(list(_positions(made))) == positions + 1
+    assert (named[0][1], named[-2][1], named[-1][1]) == ("0", last, "0")
+    edges = [(x - width((name,), VALUE) / 2, x + width((name,), VALUE) / 2) for x, name in named]
+    assert all(one[1] < other[0] + 0.1 for one, other in pairwise(edges))
 
 
 def test_matplotlib_is_loaded_only_by_a_graph_and_pyplot_never():

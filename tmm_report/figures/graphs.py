@@ -284,16 +284,22 @@ def _x_axis(sheet: Sheet, graph: Graph) -> None:
     places = list(_positions(graph))
     ticks = [np.array([(x, top.top), (x, top.top + SHORT)]) for x, _ in places]
     sheet.strokes(ticks, "black", 0.6)
-    for x, name in places:
+    for x, name in filter(lambda place: place[1], places):
         sheet.letters((x, top.top + 2 * SHORT + 0.4), name, VALUE, ha="center", va="baseline")
 
 
+MOST = 24  # numbers of positions that stand in a row without touching
+
+
 def _positions(graph: Graph) -> Iterator[tuple[float, str]]:
-    """Place along x, mm, and number of each position; a full turn ends where it began, at 0."""
+    """Place along x, mm, and number of each position, "" where there are too many to write all; a full turn ends
+    where it began, at 0."""
     if graph.positions:
         start, end = graph.panels[0].x
+        every = -(-graph.positions // MOST)
         for k, turned in enumerate(multiples(0.0, end - start, 360 / graph.positions)):
-            yield graph.panels[0].across(start + turned), str(k % graph.positions)
+            number = k % graph.positions
+            yield graph.panels[0].across(start + turned), "" if number % every else str(number)
 
 
 # --- legend ---
