@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from dataclasses import astuple, replace
 from functools import cache
 from html import unescape
 
 import pytest
 from conftest import solved as results
+from jinja2 import Template
 from markupsafe import Markup
 from notes import NAMES, note
 
@@ -111,12 +113,43 @@ def test_sections_and_formulas_are_numbered_by_chapter():
     assert [place.number for place in places] == ["1", "1.1", "1.1", "1.2", "1.2.1", "2", "2.1", "2.1"]
 
 
-def test_forward_reference_is_known_in_the_second_pass():
-    first = Numbering()
-    assert first.place("fig:x").number == "?" and first.missing == {"fig:x"}
-    place = first.take("figure", "fig:x")
-    second = Numbering(known=first.places)
-    assert second.place("fig:x") == place and not second.missing
+def test_forward_reference_is_put_in_at_the_end():
+    numbers = Numbering()
+    later = numbers.place("fig:x")
+    assert numbers.place("fig:x") == later and numbers.place("fig:y") != later
+    place, other = numbers.take("figure", "fig:x"), numbers.unnumbered("References", "sec:fig:y")
+    assert numbers.place("fig:x") == place
+    text = f"<a href='#{later.anchor}'>{later.number}</a> {numbers.place('sec:fig:y').anchor}"
+    numbers.places["fig:y"] = other
+    assert numbers.resolved(text) == f"<a href='#{place.anchor}'>{place.number}</a> {other.anchor}"
+
+
+def test_reference_to_what_never_comes_is_a_mistake():
+    numbers = Numbering()
+    numbers.place("fig:x")
+    with pytest.raises(ValueError, match=r"not in the note: \['fig:x'\]"):
+        numbers.resolved("")
+
+
+@pytest.mark.parametrize("form", [Html, Tex])
+def test_mark_of_a_forward_reference_passes_every_format_and_cannot_be_guessed(form):
+    first, second = Numbering().place("fig:x"), Numbering().place("fig:x")
+    assert first != second and len(first.number) > 32
+    for mark in first:
+        assert page(form).text(mark) == mark
+
+
+def test_templates_are_rendered_once(monkeypatch):
+    rendered = Counter()
+    render_template = Template.render
+
+    def counted(self, *args, **given):
+        rendered[self.name] += 1
+        return render_template(self, *args, **given)
+
+    monkeypatch.setattr(Template, "render", counted)
+    render(results("crank_rocker"), "html", Translator("ru"))
+    assert rendered["chapters/kinematics.j2"] == 1 and set(rendered.values()) == {1}
 
 
 def test_two_things_with_one_label_are_a_mistake():

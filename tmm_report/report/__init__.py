@@ -2,8 +2,7 @@
 
     files = render(parts, title, "html", Translator("ru"))     # {"note.html": b"..."}
 
-The numbers of sections, formulas, tables and figures are resolved here; a second pass is made only where a
-template refers to something that comes later.
+The templates are rendered once: what they refer to before it comes is marked, and numbered at the end.
 """
 
 from __future__ import annotations
@@ -30,18 +29,11 @@ def render(
 ) -> dict[str, bytes]:
     """File name -> content: "note.html" alone, or "note.tex" with the figures it reads."""
     page = Page(FORMATS[fmt](), tr, Numbering())
-    given, parts = _given(title, page), make(page)  # what they draw serves both passes
-    note = _pass(given, parts, page)
-    if page.numbering.missing:
-        page.numbering = Numbering(known=page.numbering.places)
-        note = _pass(given, parts, page)
-    if page.numbering.missing:
-        raise ValueError(f"the templates refer to what is not in the note: {sorted(page.numbering.missing)}")
-    return {f"note.{fmt}": note.encode(), **page.form.files}
+    parts = make(page)
+    return {f"note.{fmt}": _written(_given(title, page), parts, page).encode(), **page.form.files}
 
 
-def _pass(given: Mapping[str, Any], parts: Sequence[Part], page: Page) -> str:
-    """The note with the numbers that are known by now."""
+def _written(given: Mapping[str, Any], parts: Sequence[Part], page: Page) -> str:
     fmt = page.form.name
     given = {**given, "m": template(f"macros.{fmt}.j2").make_module(dict(given))}
     body = [
@@ -50,7 +42,8 @@ def _pass(given: Mapping[str, Any], parts: Sequence[Part], page: Page) -> str:
         Markup(template("chapters/references.j2").render(given)),
     ]
     head = Markup(template("chapters/title.j2").render(given))
-    return template(f"report.{fmt}.j2").render(given, head=head, body=body, **_own_files(fmt))
+    note = template(f"report.{fmt}.j2").render(given, head=head, body=body, **_own_files(fmt))
+    return page.numbering.resolved(note)
 
 
 def _conclusions(parts: Sequence[Part]) -> list[Markup]:

@@ -8,23 +8,22 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.figures.graphs import LEFT, RIGHT, WIDTH, Curve, Graph, graph
+from tmm_report.figures.graphs import Curve, Graph, graph
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.cycle import Extreme
 from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.symbols import GREEK, Symbol
 from tmm_report.quantity.text import unit_text
-from tmm_report.report.formats import MM_PER_INCH
 
 Array = Any
 Scale = tuple[str, float, str]  # symbol, value of 1 mm, its unit
 
 
 class CycleGraphs:
-    """`turned`: angles of the diagram positions, rad, over `sweep`; `positions`: how many are numbered on the axis."""
+    """`turned`: angles of the diagram positions, rad; `positions`: how many are numbered on the axis."""
 
-    def __init__(self, turned: Array, sweep: float, positions: int, tr: Translator):
-        self.turned, self.sweep, self.positions, self.tr = turned, sweep, positions, tr
+    def __init__(self, turned: Array, positions: int, tr: Translator):
+        self.turned, self.positions, self.tr = turned, positions, tr
 
     def graph(self, curves: Sequence[Curve], labels: Sequence[str], join: bool = True) -> Graph:
         return graph(
@@ -44,12 +43,9 @@ class CycleGraphs:
 
     def scales(self, drawn: Graph, names: Sequence[tuple[str, str]]) -> list[Scale]:
         """What 1 mm along the axis of the angle and along the axis of each panel stands for."""
-        across = np.degrees(self.sweep) / (WIDTH - LEFT - RIGHT)
-        tall = drawn.figure.get_size_inches()[1] * MM_PER_INCH
-        found = [("mu_phi", float(across), "°/mm")]
-        for (name, unit), axes in zip(names, drawn.figure.axes, strict=False):
-            low, high = axes.get_ylim()
-            found.append((name, (high - low) / (axes.get_position().height * tall), unit))
+        found = [("mu_phi", drawn.panels[0].x_scale, "°/mm")]
+        for (name, unit), panel in zip(names, drawn.panels, strict=True):
+            found.append((name, panel.y_scale, unit))
         return found
 
 

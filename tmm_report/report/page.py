@@ -11,6 +11,7 @@ from collections.abc import Iterable
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
+import jinja2
 import numpy as np
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template, pass_context
 from jinja2.runtime import Context, Undefined
@@ -26,6 +27,7 @@ from tmm_report.quantity.symbols import Symbol, math_symbol
 from tmm_report.quantity.text import column, number, unit_text
 from tmm_report.quantity.written import Equation, explained
 from tmm_report.report import layout
+from tmm_report.report.bytecode import bytecode_cache
 from tmm_report.report.formats import Format, percent
 from tmm_report.report.layout import Cell
 from tmm_report.report.numbering import Numbering
@@ -44,15 +46,23 @@ def _finalize(context: Context, value: Any) -> Any:
     return context["page"].text(value)
 
 
+TRIMMED = True  # blocks take their line's blanks and end with them
+
+
 @cache
 def environment() -> Environment:
+    compiled_as = (
+        f"jinja {getattr(jinja2, '__version__', '')}, escaped, finalized in context, trimmed {TRIMMED}"
+    )
     return Environment(
         loader=FileSystemLoader(data_root() / "templates"),
         undefined=StrictUndefined,
         autoescape=True,
         finalize=_finalize,
-        trim_blocks=True,
-        lstrip_blocks=True,
+        trim_blocks=TRIMMED,
+        lstrip_blocks=TRIMMED,
+        bytecode_cache=bytecode_cache(compiled_as),
+        auto_reload=False,
     )
 
 

@@ -128,7 +128,7 @@ class FrictionView:
     def diagram(self) -> Graph:
         kinematics, losses = self.kinetostatics.kinematics, self.found.diagram
         closed = kinematics.positions.table if kinematics.cycle.closed else 0
-        graphs = CycleGraphs(kinematics.diagram_turned, kinematics.cycle.sweep, closed, self.page.tr)
+        graphs = CycleGraphs(kinematics.diagram_turned, closed, self.page.tr)
         curves = [Curve(losses.total, panel=0), Curve(losses.efficiency, panel=1)]
         labels = [graphs.letter(Symbol("P", "fr"), "W"), graphs.letter(Symbol("eta"), "")]
         return graphs.graph(curves, labels, join=False)

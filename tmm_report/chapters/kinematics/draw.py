@@ -22,7 +22,7 @@ class Diagrams:
     def __init__(self, found: Kinematics, tr: Translator):
         self.found = found
         closed = found.positions.table if found.cycle.closed else 0
-        self.graphs = CycleGraphs(found.diagram_turned, found.cycle.sweep, closed, tr)
+        self.graphs = CycleGraphs(found.diagram_turned, closed, tr)
         self._made: dict[str, Graph] = {}
 
     def travel(self, travel: Travel) -> Graph:

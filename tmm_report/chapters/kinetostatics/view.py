@@ -57,8 +57,7 @@ class KinetostaticsView:
         self.book = Book.of(q.tables(found), q.values(found))
         kinematics = found.kinematics
         closed = kinematics.positions.table if kinematics.cycle.closed else 0
-        sweep = kinematics.cycle.sweep
-        self.graphs = CycleGraphs(kinematics.diagram_turned, sweep, closed, page.tr)
+        self.graphs = CycleGraphs(kinematics.diagram_turned, closed, page.tr)
         self.diagram, self.lever = (
             balancing_diagram(found, self.graphs),
             lever_picture(found, plans, position),
