@@ -1,6 +1,7 @@
 """Ready variants for the tests: `variant` or `results` runs a test once for every lever mechanism of variants/."""
 
 import os
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -8,7 +9,7 @@ import pytest
 from hypothesis import settings
 
 from tmm_report import course
-from tmm_report.variant import load
+from tmm_report.course import load
 
 # in CI the same examples at every run; elsewhere new ones, so that something new is found now and then
 settings.register_profile("ci", derandomize=True, deadline=None)
@@ -28,6 +29,11 @@ def read(name: str) -> course.Variant:
 @cache
 def solved(name: str) -> course.Results:
     return course.solve(read(name))
+
+
+def stating(variant: course.Variant, **changes) -> course.Variant:
+    """The variant with something else given of its lever mechanism: `stating(variant, loads=None)`."""
+    return replace(variant, lever=replace(variant.lever, **changes))
 
 
 @every_variant

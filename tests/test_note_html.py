@@ -11,6 +11,8 @@ from pathlib import Path
 import pytest
 from notes import NAMES, note, program
 
+from tmm_report.languages import LANGUAGES
+
 QUIET = [
     "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-extensions",
     "--disable-background-networking", "--disable-component-update", "--disable-sync", "--hide-scrollbars",
@@ -109,7 +111,7 @@ def test_tables_and_figures_fit_a_printed_page(seen):
     assert all(width <= 185 * MM and height <= 250 * MM for width, height in page["figures"])
 
 
-@pytest.mark.parametrize("language", ["ru", "en"])
+@pytest.mark.parametrize("language", LANGUAGES)
 def test_prints_to_a4(language, tmp_path):
     page, pdf = tmp_path / "note.html", tmp_path / "note.pdf"
     page.write_bytes(note("compressor", "html", language)["note.html"])
@@ -125,7 +127,7 @@ def test_prints_to_a4(language, tmp_path):
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_variant_makes_a_note_in_both_languages(name):
-    for language in ("ru", "en"):
+    for language in LANGUAGES:
         text = note(name, "html", language)["note.html"].decode()
         assert f'lang="{language}"' in text and "<math" in text
         assert not re.search(

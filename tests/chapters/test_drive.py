@@ -9,13 +9,13 @@ from hypothesis import strategies as st
 
 from tmm_report.chapters.drive import quantities as tables
 from tmm_report.chapters.drive import solve as drive
+from tmm_report.chapters.drive.block import DriveModel, build
 from tmm_report.chapters.drive.view import DriveView
 from tmm_report.i18n import Translator
 from tmm_report.problems import ProblemError
 from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page
-from tmm_report.variant.gears import DriveModel, build
 
 PLANETARY = {
     "kind": "planetary",

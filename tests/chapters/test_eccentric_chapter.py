@@ -8,6 +8,7 @@ from pydantic import ValidationError
 
 from tmm_report.chapters.eccentric import family as eccentric_family
 from tmm_report.chapters.eccentric import solve as eccentric
+from tmm_report.chapters.eccentric.block import EccentricModel
 from tmm_report.chapters.eccentric.view import EccentricView
 from tmm_report.course import Results, Variant
 from tmm_report.i18n import Translator
@@ -17,7 +18,6 @@ from tmm_report.report import render
 from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page
-from tmm_report.variant.gears.eccentric import EccentricModel
 
 BASE = {"module": 0.002, "ratio": Fraction(4), "eccentricity": 0.018}
 

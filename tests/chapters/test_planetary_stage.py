@@ -11,6 +11,7 @@ from pydantic import ValidationError
 
 from tmm_report.chapters.planetary import listing
 from tmm_report.chapters.planetary import quantities as tables
+from tmm_report.chapters.planetary.block import PlanetaryModel, build
 from tmm_report.chapters.planetary.draw import front
 from tmm_report.chapters.planetary.solve import Found, solve
 from tmm_report.chapters.planetary.view import PlanetaryView
@@ -25,7 +26,6 @@ from tmm_report.problems import ProblemError
 from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template
-from tmm_report.variant.gears.planetary import PlanetaryModel, build
 
 SINGLE = {
     "kind": "planetary",

@@ -3,12 +3,12 @@
 import pytest
 
 from tmm_report.chapters.drive import solve as drive
+from tmm_report.chapters.drive.block import DriveModel, build
 from tmm_report.chapters.drive.draw import diagrams as figures
 from tmm_report.chapters.drive.draw.scheme import scheme
 from tmm_report.chapters.drive.draw.sketch import CLEAR
 from tmm_report.figures.drawing import Arrow, Path, Text
 from tmm_report.quantity.paper import ACCURACY
-from tmm_report.variant.gears import DriveModel, build
 
 STAGES = [
     {"kind": "planetary", "scheme": "sun-ring", "ratio": 6.56, "module": "5 mm", "satellites": 3}

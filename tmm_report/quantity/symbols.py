@@ -61,9 +61,12 @@ def _printable(sign: str) -> bool:
     return " " <= sign <= "~" or "А" <= sign <= "я" or kazakh or sign in "ЁёІіЇїЄєҐґЎў«»—–…№"
 
 
+_NOT_XML = re.compile("[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")  # none of them can be printed
+
+
 def xml_escape(text: str) -> str:
     """User's text for HTML and XML: markup escaped, characters that XML forbids become "?"."""
-    return escape(re.sub("[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]", "?", text))
+    return escape(text if text.isprintable() else _NOT_XML.sub("?", text))
 
 
 @dataclass(frozen=True)

@@ -29,12 +29,12 @@ COMPARISON = Message(N_("diagrams of velocities of the drive against calculation
 MEMBER = Message(N_("member"))
 
 
-def book(found: Found, prefix: str) -> Book:
+def book(found: Found, prefix: str = "drive") -> Book:
     """All that is said in numbers of the drive and of its stages."""
     return Book.of(tables(found, prefix), values(found, prefix))
 
 
-def tables(found: Found, prefix: str) -> Iterator[Table]:
+def tables(found: Found, prefix: str = "drive") -> Iterator[Table]:
     """Speeds, loads, flow of the power, comparison; then those of the stages."""
     yield Table(f"{prefix}_stages", STAGES, _stages(found))
     yield Table(f"{prefix}_speeds", SPEEDS, _speeds(found))
@@ -46,7 +46,7 @@ def tables(found: Found, prefix: str) -> Iterator[Table]:
         yield from stage_book(stage, f"stage{number}").tables.values()
 
 
-def values(found: Found, prefix: str) -> Iterator[Value]:
+def values(found: Found, prefix: str = "drive") -> Iterator[Value]:
     """Ratio, deviation, efficiency of the drive; then the values of the stages."""
     for rows in (_ratios(found), _whole(found), _diagrams(found)):
         for key, symbol, unit, meaning, number in rows:

@@ -9,13 +9,13 @@ from dataclasses import dataclass
 from tmm_report.chapters.eccentric.quantities import book
 from tmm_report.chapters.eccentric.satellites import Neighbours, Satellite
 from tmm_report.chapters.eccentric.solve import Found
+from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Expr, Formula, Number, Page, Piece, Var, arccos, cos, sin, sqrt, tan
 from tmm_report.quantity.model import Value
 from tmm_report.quantity.part import Part
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.written import Equation
-from tmm_report.report.samples import Definition
 
 FIRST, SECOND = Symbol("z", "1", "0"), Symbol("z", "2", "0")
 

@@ -24,12 +24,12 @@ CONCERNED = Message(N_("wheels concerned"))
 TEETH = Quantity("z", Symbol("z"), "", Message(N_("number of teeth")))
 
 
-def book(found: Found, prefix: str) -> Book:
+def book(found: Found, prefix: str = "eccentric") -> Book:
     """All that is said in numbers of the mechanism."""
     return Book.of(tables(found, prefix), values(found, prefix))
 
 
-def tables(found: Found, prefix: str) -> Iterator[Table]:
+def tables(found: Found, prefix: str = "eccentric") -> Iterator[Table]:
     parts = {
         "family": (N_("Sets of teeth of the family"), _family),
         "satellites": (N_("Positions of the satellites"), _satellites),

@@ -18,7 +18,7 @@ GAP = "Delta"
 AXES_STOPPED = Symbol("u", SUN + RING, CARRIER)
 
 
-def values(found: Found, prefix: str) -> Iterator[Value]:
+def values(found: Found, prefix: str = "eccentric") -> Iterator[Value]:
     """All of them; every key begins with `prefix`."""
     for rows in (_given, _equation, _chosen, _lengths, _proof, _motion, _drawings):
         for key, symbol, unit, meaning, number in rows(found):
