@@ -75,6 +75,17 @@ class LeverFound:
     friction: friction.FrictionFound | None = None
 
     @property
+    def sample(self) -> int:
+        """The position of which formulas are written out: that of the force plan, else of the plans, else the first
+        that is regular."""
+        forces = self.force_plans.drawn if self.force_plans is not None else ()
+        if drawn := forces or self.plans.drawn:
+            return drawn[0].position
+        found = self.kinematics
+        lost = (*found.singular, *found.missing)
+        return next((k for k in range(len(found.turned)) if k not in lost), 0)
+
+    @property
     def partial(self) -> bool:
         """Whether the mechanism closes over part of the cycle only and the variant does not mean it so."""
         return bool(self.kinematics.gaps) and not self.given.allow_partial
@@ -131,6 +142,7 @@ def _eccentric(given: eccentric.Given) -> eccentric.Found:
 
 # ---------------------------------------------------------------- the chapters by name
 
+INITIAL_DATA = "initial_data"  # what a lever mechanism is given, at the head of its chapters
 LEVER = tuple(record.name for record in fields(LeverFound) if record.name != "given")
 OTHERS = tuple(record.name for record in fields(Results) if record.name not in ("variant", "lever"))
 """The chapters beside the lever's: the key of such a chapter's block is its name."""

@@ -29,8 +29,7 @@ from tmm_report.problems import Message, Problem, ProblemError
 from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template
-from tmm_report.report.pictures import Pictures
-from tmm_report.report.samples import Samples
+from tmm_report.report.schemes import schemes_of
 from tmm_report.resources import data_root
 
 PAGE = "README.md"  # shown by sites that show a folder
@@ -163,7 +162,8 @@ def picture(entry: Entry, tr: Translator) -> dict[str, bytes]:
 
 def _drawing(entry: Entry, tr: Translator) -> Drawing:
     if entry.lever is not None:
-        return Pictures(entry.lever, tr).one_position(Samples(entry.lever).position)
+        page = Page(Html(), tr, Numbering())
+        return schemes_of(entry.lever, page).one(entry.lever.sample)
     assert entry.results is not None
     if entry.results.drive is not None:
         found = entry.results.drive

@@ -35,9 +35,9 @@ def render(results: Results, fmt: str, language: str | None = None) -> dict[str,
         return {f"tables/{name}": content for name, content in as_csv(results, tr).items()}
     if fmt not in FORMATS:
         raise ValueError(f"format {fmt!r} is none of {', '.join(FORMATS)}")
-    from tmm_report.report import render as make_note
+    from tmm_report.note import render as make_note
 
-    return make_note(results, "html" if fmt == "html" else "tex", tr)
+    return make_note(results, fmt, tr)
 
 
 def combinations(results: Results, language: str | None = None) -> dict[str, bytes]:

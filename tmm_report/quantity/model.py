@@ -10,6 +10,7 @@ symbol, unit and meaning from there; a printed number keeps a `Ref`, by which it
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -115,22 +116,28 @@ class Table:
         return len(self.columns[0].values) if self.columns else 0
 
     def ref(self, key: str, row: int, unit: str = "", size: bool = False) -> Ref:
+        """Where the number of a row stands; a position goes by its own number."""
         own = self[key].unit
-        return Ref(key, row, self.name, unit="" if unit == own else unit, size=size)
+        at = int(self["position"].values[row]) if "position" in self else row
+        return Ref(key, at, self.name, unit="" if unit == own else unit, size=size)
+
+    def by_key(self, key: str, column: str, position: int | None = None) -> Ref:
+        """Where a number stands in a table of which each row is a quantity with its key."""
+        return Ref(key, position, self.name, by=column)
 
     def var(self, key: str, row: int, unit: str = "", size: bool = False, digits: int | None = None) -> Var:
         """The number of a row, for a formula."""
         column = self[key]
         number = float(column.numbers(unit)[row])
-        return _var(
-            column.symbol(row), number, unit or column.unit, digits, self.ref(key, row, unit, size), size
-        )
+        ref = self.ref(key, row, unit, size)
+        return variable(column.quantity, number, unit, digits, ref, column.symbol(row))
 
     def formula(self, key: str, row: int, expression: Expr, unit: str = "", **form: Any) -> Formula:
         """`symbol of the key` = expression, whose value stands in the row."""
         column = self[key]
+        ref = self.ref(key, row, unit)
         return Formula(
-            column.symbol(row), expression, unit or column.unit, ref=self.ref(key, row, unit), **form
+            column.symbol(row), expression, unit or column.unit, ref=ref, meaning=column.meaning, **form
         )
 
 
@@ -170,18 +177,31 @@ class Value:
 
     def var(self, unit: str = "", size: bool = False, digits: int | None = None) -> Var:
         """The number, for a formula."""
-        return _var(self.symbol, self.number(unit), unit or self.unit, digits, self.ref(unit, size), size)
+        return variable(self.quantity, self.number(unit), unit, digits, self.ref(unit, size))
 
     def formula(self, expression: Expr, unit: str = "", **form: Any) -> Formula:
         """`symbol` = expression, whose value this is."""
-        return Formula(self.symbol, expression, unit or self.unit, ref=self.ref(unit), **form)
+        ref = self.ref(unit)
+        return Formula(self.symbol, expression, unit or self.unit, ref=ref, meaning=self.meaning, **form)
 
 
-def _var(symbol: Symbol, number: float, unit: str, digits: int | None, ref: Ref, size: bool) -> Var:
-    number = abs(number) if size else number
-    if unit == "deg":  # a formula is evaluated in radians and printed in degrees
-        number = float(np.radians(number))
-    return Var(symbol, number, unit, digits, ref)
+def variable(
+    quantity: Quantity,
+    number: float,
+    unit: str = "",
+    digits: int | None = None,
+    ref: Ref | None = None,
+    symbol: Symbol | None = None,
+) -> Var:
+    """A quantity's number, in `unit` where it is not its own, as a variable of a formula."""
+    sign = symbol or quantity.symbol
+    if sign is None:
+        raise ValueError(f"{quantity.key} has no symbol")
+    unit = unit or quantity.unit
+    number = abs(number) if ref is not None and ref.size else number
+    # a formula is evaluated in radians and printed in degrees
+    number = math.radians(number) if unit == "deg" else number
+    return Var(sign, number, unit, digits, ref, quantity.meaning)
 
 
 @dataclass(frozen=True, eq=False)

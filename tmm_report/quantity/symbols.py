@@ -79,6 +79,10 @@ class Symbol:
     bar: bool = False
     kind: Literal["symbol", "segment"] = "symbol"
 
+    def __str__(self) -> str:
+        """In plain text, v_BA: for results.json and messages."""
+        return "_".join(part for part in (self.base, self.sub, self.sup) if part)
+
     def latex(self, tr: Translator) -> str:
         return notation("latex", tr).symbol(self)
 

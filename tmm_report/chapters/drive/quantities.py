@@ -19,7 +19,7 @@ MESHES = Message(N_("flow of the power through the meshes of the drive"))
 COMPARISON = Message(N_("diagrams of velocities of the drive against calculation"))
 
 
-def tables(found: Found, prefix: str) -> Iterator[Table]:
+def tables(found: Found, prefix: str = "drive") -> Iterator[Table]:
     """Speeds, loads, flow of the power, comparison; then those of the stages."""
     yield Table(f"{prefix}_speeds", SPEEDS, _speeds(found))
     yield Table(f"{prefix}_comparison", COMPARISON, _comparison(found))
@@ -29,7 +29,7 @@ def tables(found: Found, prefix: str) -> Iterator[Table]:
         yield from _room(stage).tables(stage, name)
 
 
-def values(found: Found, prefix: str) -> Iterator[Value]:
+def values(found: Found, prefix: str = "drive") -> Iterator[Value]:
     """Ratio, deviation, efficiency of the drive; then the values of the stages."""
     graph = found.plans.ratio(found.input, found.output)
     yield plain_value(f"{prefix}_u", found.ratio, "", Message(N_("ratio of the drive at work")))

@@ -16,7 +16,6 @@ from tmm_report.figures.drive import kinematic_scheme, velocities
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.symbols import Symbol
-from tmm_report.quantity.written import symbol_of, unit_of
 from tmm_report.report.layout import Column, Table, numeric, worded
 from tmm_report.report.page import Page
 
@@ -131,7 +130,7 @@ class DriveView(DriveFormulas):
         ]
         cells = [
             [
-                self._head(symbol_of(row.key), unit_of(row.key)),
+                self._head(*_symbol(row.key)),
                 self.num(row.graph),
                 self.num(row.analytic),
                 "—" if row.delta is None else self.num(row.delta, 3, places=2),
@@ -208,3 +207,9 @@ class DriveView(DriveFormulas):
             text,
             self.t("The efficiency of the gear drive is %(eta)s.", eta=self.num(found.efficiency, 4)),
         ]
+
+
+def _symbol(key: str) -> tuple[Symbol, str]:
+    """Symbol and unit of a compared value: "v_B", "w_3"."""
+    base, sub = key.split("_")
+    return Symbol("omega" if base == "w" else base, sub), "rad/s" if base == "w" else "m/s"

@@ -11,7 +11,7 @@ from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Table, Value, plain, plain_value
 
 
-def tables(found: Found, prefix: str) -> Iterator[Table]:
+def tables(found: Found, prefix: str = "eccentric") -> Iterator[Table]:
     yield _family(found, f"{prefix}_family")
     yield _satellites(found, f"{prefix}_satellites")
     yield _conditions(found, f"{prefix}_conditions")
@@ -119,7 +119,7 @@ def _speeds(found: Found, name: str) -> Table:
     return Table(name, Message(N_("Angular velocities of the members")), tuple(columns))
 
 
-def values(found: Found, prefix: str) -> Iterator[Value]:
+def values(found: Found, prefix: str = "eccentric") -> Iterator[Value]:
     judged, row = found.judged, found.row
     text = N_("free distance between the tip circles of satellites %(pair)s")
     yield plain_value(

@@ -52,13 +52,15 @@ class Loading:
 
 @dataclass(frozen=True, eq=False)
 class Solved:
-    """Forces at one set of positions. `lever`: balancing moment by Zhukovsky's lever; `power`: by power balance;
-    `scale`: sum of the magnitudes of their terms, N m, by which disagreements are judged."""
+    """Forces at one set of positions. `powers`: of the loads, (rows, P), W (see `lever_terms`); `lever`: balancing
+    moment by Zhukovsky's lever; `power`: by power balance; `scale`: sum of the magnitudes of their terms, N m, by which
+    disagreements are judged."""
 
     motion: Motion
     turned: Array
     loading: Loading
     statics: Statics
+    powers: Array
     lever: Array
     power: Array
     scale: Array
@@ -128,7 +130,7 @@ class _Solver:
         # where all terms are next to nothing, rounding errors are judged by the rest of the cycle and by the energy
         # of the links, J = N m for a radian
         scale = np.maximum(scale, max(1e-3 * np.nanmax(scale), np.nanmax(kinetic_energy(motion))))
-        return Solved(motion, turned, load, replace(found, balancing=balancing), lever, power, scale)
+        return Solved(motion, turned, load, replace(found, balancing=balancing), terms, lever, power, scale)
 
 
 def loading(given: Loads, kinematics: Kinematics, motion: Motion, turned: Array) -> Loading:
