@@ -68,8 +68,8 @@ def render(
     >>> results = solve(load("variants/compressor.yaml"))
     >>> list(render(results, "json"))
     ['results.json']
-    >>> sorted(render(results, "csv"))[:2]
-    ['tables/balancing_diagram.csv', 'tables/balancing_table.csv']
+    >>> "tables/balancing_table.csv" in render(results, "csv")
+    True
 
     `language`: of the note, that of the variant unless another is named; "ru" or "en".
     """
