@@ -19,6 +19,7 @@ from tmm_report.chapters.planetary import solve as planetary
 from tmm_report.chapters.spur import solve as spur
 from tmm_report.mechanics.trains import Loads, Member, Mesh, Train, loads, speeds
 from tmm_report.problems import N_, Message, Problem, ProblemError
+from tmm_report.quantity.paper import ACCURACY
 
 
 class Stage(Protocol):
@@ -53,7 +54,7 @@ class Given:
     stages: tuple[spur.Given | planetary.Given, ...]
     tolerance: float = 0.04
     torque: float | None = None
-    accuracy: float = 1e-5
+    accuracy: float = ACCURACY
     scales: Scales = field(default_factory=Scales)
 
 

@@ -11,6 +11,7 @@ from pydantic import Discriminator, Field, Tag
 from tmm_report.chapters.drive import solve as drive
 from tmm_report.chapters.drive.plans import Scales
 from tmm_report.problems import N_
+from tmm_report.quantity.paper import ACCURACY
 from tmm_report.variant.gears import planetary, spur
 from tmm_report.variant.gears.planetary import PlanetaryModel
 from tmm_report.variant.gears.spur import SpurModel
@@ -54,7 +55,7 @@ class DriveModel(Model):
     scales: DriveScalesModel = Field(default_factory=DriveScalesModel)
 
 
-def build(model: DriveModel, accuracy: float) -> drive.Given:
+def build(model: DriveModel, accuracy: float = ACCURACY) -> drive.Given:
     """The drive's Given; `accuracy`: of the drawing, m of paper."""
     names = numbered(model.stages)
     stages = tuple(_stage(stage, wheels, accuracy) for stage, wheels in zip(model.stages, names, strict=True))
