@@ -97,7 +97,7 @@ class Page:
         return Markup("").join([*out, self.text(text[end:])])
 
     def message(self, message: Message) -> Markup:
-        """A message whose values may be symbols."""
+        """A message that brings its values, symbols among them."""
         values = {
             name: self.message(value) if isinstance(value, Message) else self._shown_value(value)
             for name, value in message.values.items()
@@ -201,7 +201,7 @@ class Page:
         if isinstance(of, Value):
             number, ref = of.number(unit), of.ref(unit, size)
         else:
-            number, ref = float(of[key].numbers(unit)[row]), of.ref(key, row, unit, size)
+            number, ref = of[key].number(row, unit), of.ref(key, row, unit, size)
         return Cell(self.num(abs(number) if size else number, digits, places, scale), ref)
 
     def word(self, text: str, table: Table, key: str, row: int) -> Cell:

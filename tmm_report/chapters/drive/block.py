@@ -84,17 +84,17 @@ def mistakes(read: Read) -> Iterator[Problem]:
 def build(model: DriveModel, accuracy: float = ACCURACY) -> drive.Given:
     """The drive's Given; `accuracy`: of the drawing, m of paper."""
     names = numbered(model.stages)
-    stages = tuple(_stage(stage, wheels) for stage, wheels in zip(model.stages, names, strict=True))
+    stages = tuple(_stage(stage, wheels, accuracy) for stage, wheels in zip(model.stages, names, strict=True))
     scales = Scales(model.scales.length, model.scales.velocity, model.scales.angular)
     return drive.Given(model.speed, stages, model.tolerance, model.torque, accuracy, scales)
 
 
 def _stage(
-    model: SpurModel | PlanetaryModel, wheels: tuple[str, ...]
+    model: SpurModel | PlanetaryModel, wheels: tuple[str, ...], accuracy: float
 ) -> solve_spur.Given | solve_planetary.Given:
     match model:
         case SpurModel():
-            return spur.build(model, wheels)
+            return spur.build(model, wheels, accuracy)
         case PlanetaryModel():
             return planetary.build(model, wheels)
         case _:

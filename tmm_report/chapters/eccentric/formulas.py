@@ -9,10 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from tmm_report.chapters.eccentric.solve import RING, SUN, Found, Satellite
-from tmm_report.chapters.spur.terms import HA
 from tmm_report.mechanics import eccentric as ecc
 from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Expr, Formula, Number, Page, Piece, Var, arccos, cos, sin, sqrt, tan
+from tmm_report.quantity.gear_terms import HA
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.written import Equation
 

@@ -16,9 +16,9 @@ import numpy as np
 
 from tmm_report.chapters.eccentric import mistakes
 from tmm_report.chapters.eccentric.family import Given, Judged, chosen, judge, members, most_ring, sizes
-from tmm_report.chapters.spur.solve import Condition
 from tmm_report.mechanics import eccentric as ecc
 from tmm_report.mechanics import eccentric_teeth as toothed
+from tmm_report.mechanics.conditions import Condition
 from tmm_report.mechanics.trains import Member, Mesh, Train, speeds
 from tmm_report.mechanics.wheels import least_teeth
 from tmm_report.problems import N_, Message

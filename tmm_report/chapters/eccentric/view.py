@@ -11,12 +11,12 @@ from markupsafe import Markup
 
 from tmm_report.chapters.eccentric.formulas import GAP, EccentricFormulas
 from tmm_report.chapters.eccentric.solve import CARRIER, RING, SUN, WHEELS, Found, Satellite
-from tmm_report.chapters.spur.solve import Condition
-from tmm_report.chapters.spur.terms import HA, C
 from tmm_report.figures import eccentric as drawn
 from tmm_report.figures.drawing import Drawing
+from tmm_report.mechanics.conditions import Condition
 from tmm_report.mechanics.wheels import least_teeth
 from tmm_report.problems import N_
+from tmm_report.quantity.gear_terms import HA, C
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.layout import Column, Table, numeric, worded
 from tmm_report.report.page import Page

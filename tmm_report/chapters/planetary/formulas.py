@@ -9,10 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from tmm_report.chapters.planetary.solve import Found
-from tmm_report.chapters.spur.terms import HA, involute
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.planetary import EXTERNAL, INTERNAL, MEMBERS, ROWS, Member, carrier_turns
 from tmm_report.quantity.formula import Expr, Formula, Number, Page, Var, arccos, cos, sin, sqrt, tan
+from tmm_report.quantity.gear_terms import HA, involute
 from tmm_report.quantity.symbols import Latex, MathML, Symbol, both, notation
 
 HALF_TURN = Var("pi", np.pi, "deg")

@@ -9,11 +9,11 @@ import numpy as np
 
 from tmm_report.chapters.planetary.limits import REASONS
 from tmm_report.chapters.planetary.solve import Found, Given, all_candidates
-from tmm_report.chapters.spur.wheel_words import DIAMETERS
 from tmm_report.mechanics import planetary as p
 from tmm_report.mechanics.planetary_search import Candidates, Reason, Task, multiples, ranked
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Table, Value, plain, plain_value
+from tmm_report.quantity.wheel_words import DIAMETERS
 
 Array = Any
 

@@ -12,15 +12,15 @@ from markupsafe import Markup
 from tmm_report.chapters.planetary.formulas import PlanetaryFormulas
 from tmm_report.chapters.planetary.limits import REASONS
 from tmm_report.chapters.planetary.solve import Found, Motion
-from tmm_report.chapters.spur.terms import HA
-from tmm_report.chapters.spur.wheel_words import DIAMETERS
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.planetary import front, scale
 from tmm_report.i18n import NP_
 from tmm_report.mechanics import planetary as p
 from tmm_report.mechanics.planetary_search import LEAST_CONTACT, multiples
 from tmm_report.problems import N_
+from tmm_report.quantity.gear_terms import HA
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.wheel_words import DIAMETERS
 from tmm_report.report.layout import Table, worded
 from tmm_report.report.page import Page
 

@@ -87,8 +87,8 @@ class SpurModel(Model):
     efficiency: Efficiency = 0.98
 
 
-def build(model: SpurModel, wheels: tuple[str, ...]) -> spur.Given:
-    """The stage with its wheels named, the driving one first."""
+def build(model: SpurModel, wheels: tuple[str, ...], accuracy: float) -> spur.Given:
+    """The stage with its wheels named, the driving one first; `accuracy`: of the drawing, m of paper."""
     return spur.Given(
         ratio=model.ratio,
         module=model.module,
@@ -102,4 +102,5 @@ def build(model: SpurModel, wheels: tuple[str, ...]) -> spur.Given:
         shortened=model.tip_shortening,
         efficiency=model.efficiency,
         name=model.name or "",
+        accuracy=accuracy,
     )

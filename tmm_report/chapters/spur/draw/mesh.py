@@ -1,6 +1,6 @@
 """A pair of wheels in mesh: three pairs of teeth, the line of action, the arcs of contact, circles and dimensions.
 
-All places come from `chapters.mesh_drafting.Mesh` in millimetres of paper, the pitch point at 0.
+All places come from `Mesh` in millimetres of paper, the pitch point at 0.
 """
 
 from __future__ import annotations

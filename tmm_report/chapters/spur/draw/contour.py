@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.spur.contour import Found
+from tmm_report.chapters.spur.contour import Contour
 from tmm_report.figures.drawing import (
     NORMAL,
     THICK,
@@ -70,7 +70,7 @@ class Plane:
         return complex(self.at(self.window[1]))
 
 
-def contour(found: Found, names: tuple[str, str], num: Num, title: str = "") -> Drawing:
+def contour(found: Contour, names: tuple[str, str], num: Num, title: str = "") -> Drawing:
     """The contour with its lines lettered where they have room; `num` prints a level or a tick."""
     plane = Plane(found.window)
     items: list[Item] = [
@@ -89,7 +89,7 @@ def contour(found: Found, names: tuple[str, str], num: Num, title: str = "") -> 
     return Drawing((*items, *marks), title).labelled([*letters, *tags])
 
 
-def _pen(drawn: Line, found: Found) -> Pen:
+def _pen(drawn: Line, found: Contour) -> Pen:
     """A line of the bound is whole, the other levels of its quality are dashed."""
     pen = PENS[drawn.kind]
     bounds = {(limit.kind, limit.wheel): limit.bound for limit in found.blocking.limits}
@@ -171,13 +171,13 @@ def _module(level: float) -> Parts:
     return (Symbol("m"),) if level else ()
 
 
-def _points(found: Found, plane: Plane) -> tuple[Sequence[Item], Sequence[Tag]]:
+def _points(found: Contour, plane: Plane) -> tuple[Sequence[Item], Sequence[Tag]]:
     """The chosen point K; where that is not feasible, the nearest feasible L, and M at the same centre distance."""
     marks: list[Item] = []
     tags = []
     at = complex(plane.at(found.chosen))
     if not found.feasible:
-        for name, point in (("L", found.nearest), ("M", found.nearest_at_distance)):
+        for name, point in (("L", found.nearest), ("M", found.same_distance)):
             if point is None:
                 continue
             end = complex(plane.at(point))
