@@ -45,7 +45,7 @@ def solve(variant: Variant) -> Results:
     >>> results.lever.kinetostatics.table.balancing.shape
     (13,)
     >>> round(results.drive.ratio, 3), results.eccentric is None
-    (-12.0, True)
+    (-13.2, True)
 
     A chapter that the variant does not ask for is None. Raises `problems.ProblemError` with what cannot be solved
     and why, and the place of its key in the file.
@@ -68,8 +68,8 @@ def render(
     >>> results = solve(load("variants/compressor.yaml"))
     >>> list(render(results, "json"))
     ['results.json']
-    >>> sorted(render(results, "csv"))[:2]
-    ['tables/R_02.csv', 'tables/R_03.csv']
+    >>> "tables/balancing_table.csv" in render(results, "csv")
+    True
 
     `language`: of the note, that of the variant unless another is named; "ru" or "en".
     """

@@ -144,7 +144,7 @@ def test_straight_yoke_displacement_has_one_sign():
         guides = {"x": Guide("x", "0", 0j, u), "s": Guide("s", "3", 0j, 1j)}
         driver = Driver("1", 1.0, ZeroAngle(np.pi / 2 + angle))
         yoke = Mechanism(links, driver, guides, (Slide("2", "s"), Slide("3", "x")))
-        found = course.solve_lever(course.LeverGiven(yoke, Positions(plans=())))
-        (travel,) = found.kinematics.travels
+        found = course.solve(course.Variant(course.LeverGiven(yoke, Positions(plans=()))))
+        (travel,) = found.lever.kinematics.travels
         assert travel.S[3] == pytest.approx(-0.1)
         assert travel.S[9] == pytest.approx(0.1)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, assert_never
 
 import numpy as np
 
@@ -227,13 +227,16 @@ def cycle_of(linkage: Linkage) -> Cycle:
     Raises ProblemError if position 0 does not exist.
     """
     zero = linkage.mechanism.driver.zero
-    if isinstance(zero, ZeroAngle):
-        smooth, critical = criticals(linkage, zero.angle)
-        return Cycle(smooth, zero.angle, critical)
-    smooth, critical = criticals(linkage, 0.0)
-    angle = _extreme_angle(smooth, zero)
-    if any(c.changes for c in critical):  # stated assemblies hold at position 0
-        smooth, critical = criticals(linkage, angle)
+    match zero:
+        case ZeroAngle(angle):
+            smooth, critical = criticals(linkage, angle)
+        case ZeroExtreme():
+            smooth, critical = criticals(linkage, 0.0)
+            angle = _extreme_angle(smooth, zero)
+            if any(c.changes for c in critical):  # stated assemblies hold at position 0
+                smooth, critical = criticals(linkage, angle)
+        case _:
+            assert_never(zero)
     return Cycle(smooth, angle, critical)
 
 

@@ -28,7 +28,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from tmm_report.mechanics.involute import inv, inverse
-from tmm_report.mechanics.polygons import clearance, overlap
+from tmm_report.mechanics.polygons import overlap_and_clearance
 from tmm_report.mechanics.roots import interpolated
 
 if TYPE_CHECKING:
@@ -309,8 +309,9 @@ def over_pitch(one: Wheel, other: Wheel, distance: float, count: int = 24) -> tu
     turns = one.pitch_angle * np.arange(count) / count
     first = one.placed(0.0, turns)
     second = other.placed(centre_beside(other, distance), mating_turn(one, other, turns))
-    pairs = [(a, b, other.internal) for a, b in zip(first, second, strict=True)]
-    return np.array([overlap(*pair) for pair in pairs]), np.array([clearance(*pair) for pair in pairs])
+    found = [overlap_and_clearance(a, b, other.internal) for a, b in zip(first, second, strict=True)]
+    shared, apart = np.array(found).T
+    return shared, apart
 
 
 def touching_turn(one: Wheel, other: Wheel, distance: float, turn: Array) -> Array:
@@ -336,8 +337,9 @@ def contact_ratio(one: Wheel, other: Wheel, distance: float, count: int = 2000) 
     """
     turns = one.pitch_angle * np.arange(-4 * count, 4 * count) / count
     alpha, centre = pressure_angle(one, other, distance), centre_beside(other, distance)
-    turned = touching_turn(one, other, distance, turns)
     first = _met(_flank_sides(one) * np.exp(1j * turns)[:, None], one.base, alpha)
+    turns, first = turns[np.isfinite(first)], first[np.isfinite(first)]
+    turned = touching_turn(one, other, distance, turns)
     second = _met(centre + _flank_sides(other) * np.exp(1j * turned)[:, None], one.base, alpha)
     base_pitch = one.pitch_angle * one.base
     return float(np.count_nonzero(np.abs(first - second) < 1e-3 * base_pitch)) / count

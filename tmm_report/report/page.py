@@ -103,7 +103,7 @@ class Page:
         return Markup("").join([*out, self.text(text[end:])])
 
     def message(self, message: Message) -> Markup:
-        """A message whose values may be symbols."""
+        """A message that brings its values, symbols among them."""
         values = {
             name: self.message(value) if isinstance(value, Message) else self._shown_value(value)
             for name, value in message.values.items()

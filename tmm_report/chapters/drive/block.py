@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import count
-from typing import Annotated, Any, TypedDict
+from typing import Annotated, Any, TypedDict, assert_never
 
 from pydantic import Discriminator, Field, Tag
 
 from tmm_report.chapters.drive import solve as drive
 from tmm_report.chapters.drive.plans import Scales
 from tmm_report.chapters.planetary import block as planetary
+from tmm_report.chapters.planetary import solve as solve_planetary
 from tmm_report.chapters.planetary.block import PlanetaryModel
 from tmm_report.chapters.plans import block as plans
 from tmm_report.chapters.spur import block as spur
+from tmm_report.chapters.spur import solve as solve_spur
 from tmm_report.chapters.spur.block import SpurModel
 from tmm_report.problems import N_, Problem
 from tmm_report.quantity.paper import ACCURACY
@@ -87,15 +89,19 @@ def build(model: DriveModel, accuracy: float = ACCURACY) -> drive.Given:
     return drive.Given(model.speed, stages, model.tolerance, model.torque, accuracy, scales)
 
 
-def _stage(model: SpurModel | PlanetaryModel, wheels: tuple[str, ...], accuracy: float) -> Any:
-    return (
-        spur.build(model, wheels, accuracy)
-        if isinstance(model, SpurModel)
-        else planetary.build(model, wheels)
-    )
+def _stage(
+    model: SpurModel | PlanetaryModel, wheels: tuple[str, ...], accuracy: float
+) -> solve_spur.Given | solve_planetary.Given:
+    match model:
+        case SpurModel():
+            return spur.build(model, wheels, accuracy)
+        case PlanetaryModel():
+            return planetary.build(model, wheels)
+        case _:
+            assert_never(model)
 
 
-def numbered(stages: Sequence[Any]) -> list[tuple[str, ...]]:
+def numbered(stages: Sequence[SpurModel | PlanetaryModel]) -> list[tuple[str, ...]]:
     """Names of each stage's members: 1-2-3-H, of a double row 1-2-2'-3-H, then 4-5 …; several carriers H1, H2 …"""
     numbers = map(str, count(1))
     several = sum(isinstance(stage, PlanetaryModel) for stage in stages) > 1
@@ -103,9 +109,12 @@ def numbered(stages: Sequence[Any]) -> list[tuple[str, ...]]:
     found: list[tuple[str, ...]] = []
     for stage in stages:
         first, second = next(numbers), next(numbers)
-        if isinstance(stage, SpurModel):
-            found.append((first, second))
-            continue
-        row = (second,) if stage.scheme == "sun-ring" else (second, second + "'")
-        found.append((first, *row, next(numbers), next(carriers)))
+        match stage:
+            case SpurModel():
+                found.append((first, second))
+            case PlanetaryModel():
+                row = (second,) if stage.scheme == "sun-ring" else (second, second + "'")
+                found.append((first, *row, next(numbers), next(carriers)))
+            case _:
+                assert_never(stage)
     return found

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from tmm_report.chapters.spur.mistakes import involute_start
+from tmm_report.mechanics import teeth
 from tmm_report.mechanics.conditions import Condition
 from tmm_report.mechanics.spur import Pair
 
@@ -15,9 +15,23 @@ SLIDING = 6.0  # largest specific sliding: 3 for fast drives, up to 6 for slow o
 
 
 def involute_starts(pair: Pair) -> tuple[float, float]:
-    """Radii of curvature where the involutes begin, m: above the fillet, or where an undercut has eaten them."""
-    starts = [involute_start(pair, i) for i in (0, 1)]
-    return tuple(math.inf if start is None else start for start in starts)  # type: ignore[return-value]
+    """Radii of curvature where the involutes begin, m: above the fillet, or where an undercut has eaten them.
+
+    ∞ where the undercut reaches the tip. A ring is taken as a rack would cut it.
+    """
+    return _start(pair, 0), _start(pair, 1)
+
+
+def _start(pair: Pair, i: int) -> float:
+    lower = float(pair.rho_l[i])
+    if pair.signs[i] < 0 or lower >= 0:
+        return lower
+    z, x = int((pair.z1, pair.z2)[i]), float((pair.x1, pair.x2)[i])
+    try:
+        cut = teeth.flank(z, float(pair.m_t), x * math.cos(pair.beta), pair.t, tip=float(pair.d_a[i]) / 2)
+    except ValueError:
+        return math.inf
+    return math.sqrt(max(cut.junction**2 - cut.base**2, 0.0))
 
 
 def conditions_of(pair: Pair, names: tuple[str, str], starts: tuple[float, float]) -> Iterator[Condition]:

@@ -13,7 +13,7 @@ from tmm_report.chapters.spur.conditions import conditions_of, involute_starts
 from tmm_report.chapters.spur.contour import Contour, contour_of
 from tmm_report.chapters.spur.given import EQUAL, STANDARD, Given
 from tmm_report.chapters.spur.mesh import Mesh
-from tmm_report.chapters.spur.mistakes import check, check_pair, check_teeth
+from tmm_report.chapters.spur.mistakes import check, check_cut, check_pair, check_teeth
 from tmm_report.chapters.spur.path import Path, path_of
 from tmm_report.chapters.spur.readings import Proof, Reading, prove, read_off
 from tmm_report.chapters.spur.sizes import Teeth, choose_shifts, choose_teeth
@@ -142,7 +142,9 @@ def solve(given: Given) -> Found:
     check_teeth(given, chosen)
     pair = choose_shifts(given, chosen)
     check_pair(given, pair)
-    path, starts = path_of(pair), involute_starts(pair)
+    starts = involute_starts(pair)
+    check_cut(given, pair, starts)
+    path = path_of(pair)
     conditions = tuple(conditions_of(pair, given.wheels, starts))
     mesh = Mesh(pair, path.points)
     readings = read_off(mesh, given.accuracy)
