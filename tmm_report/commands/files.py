@@ -44,12 +44,12 @@ def combinations(results: Results, language: str | None = None) -> dict[str, byt
     if results.drive is None:
         return {}
     from tmm_report.chapters.planetary import solve as planetary
-    from tmm_report.chapters.planetary.quantities import candidates, listing
+    from tmm_report.chapters.planetary.listing import candidates, listing
 
     say, files = translator(results.variant, language).gettext, {}
     for number, stage in enumerate(results.drive.stages, 1):
         if isinstance(stage, planetary.Found):
-            text = "\n".join(listing(candidates(stage.given), say)) + "\n"
+            text = "\n".join(listing(candidates(stage), say)) + "\n"
             files[f"tables/stage{number}_combinations.txt"] = text.encode()
     return files
 

@@ -13,10 +13,10 @@ from urllib.parse import quote
 
 from markupsafe import Markup
 
+from tmm_report.chapters.drive.draw.diagrams import kinematic_scheme
+from tmm_report.chapters.eccentric.draw.assembled import assembled
 from tmm_report.course import LeverFound, Results
 from tmm_report.figures.drawing import Drawing, polygon, svg
-from tmm_report.figures.drive import kinematic_scheme
-from tmm_report.figures.eccentric import assembled
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.cycle import Extreme, larger
 from tmm_report.mechanics.structure import ROMAN

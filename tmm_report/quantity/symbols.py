@@ -269,7 +269,7 @@ class MathML(Notation):
         return f"{gap}<mtext>{xml_escape(text)}</mtext>" if text else ""
 
     def operator(self, sign: str) -> str:
-        return f'<mo form="infix">{sign}</mo>'
+        return f'<mo form="infix">{sign.replace("<", "&lt;")}</mo>'
 
     def negative(self, text: str) -> str:
         return f'<mrow><mo form="prefix">−</mo>{text}</mrow>'

@@ -22,7 +22,7 @@ from tmm_report.figures.graphs import Graph
 from tmm_report.i18n import Translator
 from tmm_report.problems import Message
 from tmm_report.quantity.formula import Formula, Inline, Var
-from tmm_report.quantity.model import Table, Value
+from tmm_report.quantity.model import Column, Table, Value
 from tmm_report.quantity.symbols import Symbol, math_symbol
 from tmm_report.quantity.text import column, number, unit_text
 from tmm_report.quantity.written import Equation, explained
@@ -88,6 +88,12 @@ class Page:
     def t(self, message: str, **values: Any) -> Markup:
         """A message translated and escaped, with values put in for %(name)s; of these, too, only Markup is trusted."""
         return self._filled(self.tr.gettext(message), values)
+
+    def explained(self, name: str, of: Value | Column, unit: str = "") -> dict[str, Any]:
+        """What a "where" list says of a quantity; `name`: by which it knows what was explained before."""
+        quantity = of.quantity
+        meaning = self.message(quantity.meaning)
+        return {"id": name, "symbol": quantity.symbol, "meaning": meaning, "unit": unit}
 
     def _filled(self, text: str, values: dict[str, Any]) -> Markup:
         out, end = [], 0

@@ -10,6 +10,7 @@ import cmath
 import math
 from collections.abc import Iterator
 
+from tmm_report.chapters.planetary.paper import RIM, reach
 from tmm_report.chapters.planetary.solve import Found
 from tmm_report.figures.drawing import (
     AXIS,
@@ -28,38 +29,19 @@ from tmm_report.figures.drawing import (
 from tmm_report.figures.lettering import Symbol
 from tmm_report.mechanics.planetary import INTERNAL
 
-ACROSS = 125.0  # mm of paper that the stage may fill
-RIM = 2.5  # thickness of a ring's rim beyond the roots, modules
-SCALES = (1, 2, 2.5, 4, 5)  # of reduction and enlargement, with powers of ten
 OUTSIDE = 8.0  # mm: arrows of a small dimension, from outside
 HUB = 1.4  # radius of a shaft, mm of paper
 
 
-def scale(found: Found) -> float:
-    """Metres in a millimetre of paper: the standard scale at which the stage is largest."""
-    least = 2 * _reach(found) / ACROSS * 1e3  # of reduction
-    steps = sorted(step * 10.0**power for step in SCALES for power in range(-3, 4))
-    steps += [1 / step for step in steps]
-    return min(step for step in steps if step >= least * (1 - 1e-9)) / 1e3
-
-
 def front(found: Found, title: str) -> Drawing:
-    """The stage from the front at `scale`."""
+    """The stage from the front at its scale."""
     view = _Front(found)
     return Drawing(tuple(view.items()), title).labelled(tuple(view.tags()))
 
 
-def _reach(found: Found) -> float:
-    """Radius of what is drawn, m."""
-    outer = [float(found.sizes.overall) / 2]
-    rows = zip(found.scheme.rows, (0, 3), found.given.task.modules, strict=True)
-    outer += [float(found.sizes.root[wheel]) / 2 + RIM * m for kind, wheel, m in rows if kind == INTERNAL]
-    return max(outer)
-
-
 class _Front:
     def __init__(self, found: Found):
-        self.found, self.mm = found, 1 / scale(found)
+        self.found, self.mm = found, 1 / found.scale
         self.arm = float(found.sizes.centre_distance) * self.mm
         turns = [2 * math.pi * j / found.satellites for j in range(found.satellites)]
         self.centres = [cmath.rect(self.arm, math.pi / 2 + turn) for turn in turns]
@@ -98,9 +80,9 @@ class _Front:
         return names[wheel] in self.found.fixed
 
     def _axes(self) -> Iterator[Item]:
-        reach = _reach(self.found) * self.mm + 3
-        yield line(complex(-reach, 0), complex(reach, 0), AXIS)
-        yield line(complex(0, -reach), complex(0, reach), AXIS)
+        edge = reach(self.found.given.task, self.found.sizes) * self.mm + 3
+        yield line(complex(-edge, 0), complex(edge, 0), AXIS)
+        yield line(complex(0, -edge), complex(0, edge), AXIS)
 
     def _carrier(self) -> Iterator[Item]:
         for centre in self.centres:

@@ -1,143 +1,21 @@
-"""Kinematic scheme of a gear drive in its conventional signs (GOST 2.770): stages side by side along their shafts.
-
-A wheel is a rim (a bar along the shaft) on a web, a cross where it sits fast on its shaft; a ring's rim lies
-outside its pitch line; hatching is the frame. Of a planetary stage the half with one satellite is drawn. Across the
-shafts the scheme is to the scale of `plans`, along them it is not; mm of paper.
-"""
+"""A planetary stage in the kinematic scheme of a drive."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import Any
+from dataclasses import dataclass
 
-from tmm_report.chapters.drive.plans import Plans
-from tmm_report.figures.drawing import NORMAL, THICK, Item, Tag, line
+from tmm_report.chapters.drive.draw.sketch import CLEAR, DISC, RIM, SIDE, Sketch
+from tmm_report.chapters.planetary.solve import Found
+from tmm_report.figures.drawing import NORMAL, THICK, Tag, line
 from tmm_report.figures.lettering import symbol
-from tmm_report.figures.marks import ground, turning
-from tmm_report.mechanics.trains import Member
+from tmm_report.figures.marks import ground
+from tmm_report.mechanics.trains import Member, Mesh
 
-RIM = 3.0  # half the length of a rim
-CLEAR = 0.45  # of a rim from its pitch line: two rims in mesh stand apart by twice as much
 ROW = 13.0  # from row to row of a double-row stage
 ARM = 6.5  # from a row to the arm of the carrier
-DISC = 11.0  # from a row to the web of a turning ring
-COUPLING = 9.0  # of shaft between two stages
-START = 4.0  # of shaft more at the ends of the drive
-SIDE = 2.0  # free space beside a stage
 HOLLOW = 1.7  # half the bore of a hollow shaft
-CROSS = 0.9
 STEM = 2.5  # of a ring that stands still
 SLEEVE = 4.0  # of a hollow shaft
-
-
-@dataclass
-class Sketch:
-    """What is drawn so far; `x`: how far along the shafts the drawing has come."""
-
-    plans: Plans
-    speed: Mapping[str, float]
-    items: list[Item] = field(default_factory=list)
-    tags: list[Tag] = field(default_factory=list)
-    x: float = 0.0
-
-    def y(self, member: Member) -> float:
-        """The height of a member's axis."""
-        return self.plans.axes[member.name] / self.plans.length_scale
-
-    def radius(self, member: Member) -> float:
-        return member.radius / self.plans.length_scale
-
-    def shaft(self, start: float, end: float, y: float) -> None:
-        if abs(end - start) > 1e-6:
-            self.items.append(line(complex(start, y), complex(end, y), THICK))
-
-    def cross(self, x: float, y: float) -> None:
-        """A wheel that sits fast on its shaft."""
-        for arm in (CROSS * (1 + 1j), CROSS * (1 - 1j)):
-            self.items.append(line(complex(x, y) - arm, complex(x, y) + arm, NORMAL))
-
-    def rim(self, x: float, y: float, reach: float = RIM) -> None:
-        self.items.append(line(complex(x - reach, y), complex(x + reach, y), THICK))
-
-    def web(self, x: float, start: float, end: float) -> None:
-        self.items.append(line(complex(x, start), complex(x, end), NORMAL))
-
-    def name(self, text: str, at: complex, prefer: complex) -> None:
-        self.tags.append(Tag((symbol(text),), (at,), prefer=prefer))
-
-    def bearing(self, x: float, y: float) -> None:
-        """A shaft's bearing in the frame."""
-        for side in (1j, -1j):
-            start, end = complex(x - 2.5, y) + 1.1 * side, complex(x + 2.5, y) + 1.1 * side
-            self.items += ground(start, end, side)
-
-    def turns(self, x: float, y: float, name: str) -> None:
-        """The arrow of rotation about a shaft with the symbol of its speed."""
-        omega = self.speed[name]
-        if omega:
-            sweep = math.copysign(math.radians(200), omega)
-            start = math.radians(-100) if omega > 0 else math.radians(100)
-            self.items += turning(complex(x, y), 3.2, start, sweep)
-        self.tags.append(Tag((symbol(f"ω_{name}"),), (complex(x + 2, y + 3.5),), prefer=1 + 1j))
-
-
-def scheme(stages: Sequence[Any], plans: Plans, speed: Mapping[str, float]) -> Sketch:
-    """The whole drive from its input shaft at the left."""
-    sketch = Sketch(plans, speed)
-    for k, stage in enumerate(stages):
-        entry = _member(stage, stage.input)
-        if k == 0:
-            sketch.turns(2.0, sketch.y(entry), entry.name)
-        start = sketch.x
-        lead = START if k == 0 else 0.0
-        sketch.bearing(start + lead + COUPLING / 2, sketch.y(entry))
-        sketch.x += lead + COUPLING
-        place = planetary if any(m.kind == "carrier" for m in stage.members) else pair
-        sketch.shaft(start, place(sketch, stage), sketch.y(entry))
-    exit_ = _member(stages[-1], stages[-1].output)
-    sketch.bearing(sketch.x + COUPLING / 2, sketch.y(exit_))
-    sketch.shaft(sketch.x, sketch.x + COUPLING + START, sketch.y(exit_))
-    sketch.turns(sketch.x + COUPLING + START - 2, sketch.y(exit_), exit_.name)
-    return sketch
-
-
-def _member(stage: Any, name: str) -> Member:
-    return next(m for m in stage.members if m.name == name)  # type: ignore[no-any-return]
-
-
-# --- a pair with fixed axes
-
-
-def pair(sketch: Sketch, stage: Any) -> float:
-    """The pair drawn; gives where the input shaft ends and leaves `sketch.x` where the stage does."""
-    entry, out = _member(stage, stage.input), _member(stage, stage.output)
-    x = sketch.x + (DISC if entry.kind == "ring" else RIM) + SIDE
-    start, end = (_pair_wheel(sketch, member, x, side) for member, side in ((entry, -1), (out, 1)))
-    sketch.x = x + (DISC if out.kind == "ring" else RIM) + SIDE
-    sketch.shaft(end, sketch.x, sketch.y(out))
-    return start
-
-
-def _pair_wheel(sketch: Sketch, member: Member, x: float, side: int) -> float:
-    """A wheel, or a ring open on one side, with both halves; gives where its web stands on the shaft."""
-    y, r = sketch.y(member), sketch.radius(member)
-    ring = member.kind == "ring"
-    half, web = (r + CLEAR, x + side * DISC) if ring else (r - CLEAR, x)
-    for up in (half, -half):
-        if ring:
-            sketch.items.append(line(complex(x - side * RIM, y + up), complex(web, y + up), THICK))
-        else:
-            sketch.rim(x, y + up)
-    sketch.web(web, y - half, y + half)
-    sketch.cross(web, y)
-    away = 1 if y + half > 0 and not ring else -1
-    sketch.name(member.name, complex(x + (RIM if not ring else 0), y + away * half), complex(1, away))
-    return web
-
-
-# --- a planetary stage
 
 
 @dataclass
@@ -156,7 +34,7 @@ class _Central:
 class _Planetary:
     """One planetary stage: its rows at x, its central members, its axis at `y`; satellites stand on the side `up`."""
 
-    def __init__(self, sketch: Sketch, stage: Any):
+    def __init__(self, sketch: Sketch, stage: Found):
         self.sketch, self.stage = sketch, stage
         self.by_name = {m.name: m for m in stage.members}
         self.carrier = next(m for m in stage.members if m.kind == "carrier")
@@ -183,7 +61,7 @@ class _Planetary:
         sleeve = SLEEVE if self.stage.second and self._way(self.stage.second[0]) == way else 0.0
         return web + sleeve + SIDE
 
-    def _apart(self, mesh: Any) -> tuple[Member, Member]:
+    def _apart(self, mesh: Mesh) -> tuple[Member, Member]:
         one, other = self.by_name[mesh.i], self.by_name[mesh.j]
         return (other, one) if one.kind == "satellite" else (one, other)
 
@@ -308,7 +186,7 @@ class _Planetary:
         self.sketch.items += ground(complex(x - 3.5, y), complex(x + 3.5, y), complex(0, side))
 
 
-def planetary(sketch: Sketch, stage: Any) -> float:
+def planetary(sketch: Sketch, stage: Found) -> float:
     """The stage drawn; gives where the input shaft ends and leaves `sketch.x` where the stage does."""
     drawn = _Planetary(sketch, stage)
     end = drawn.draw()

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
+from tmm_report.chapters.drive.draw.scheme import scheme
+from tmm_report.chapters.drive.draw.sketch import Sketch
 from tmm_report.chapters.drive.plans import Line, Plans
+from tmm_report.chapters.drive.stages import Stage
 from tmm_report.figures.drawing import AXIS, NORMAL, THIN, Arrow, Drawing, Item, Pen, Tag, dot, line
-from tmm_report.figures.gear_scheme import Sketch, scheme
 from tmm_report.figures.lettering import Parts, joined, symbol
 
 AXIS_ARROW = 3.0  # mm
@@ -17,14 +18,14 @@ COLOURED = ("blue", "red", "green", "black")
 
 
 def kinematic_scheme(
-    stages: Sequence[Any], plans: Plans, speed: Mapping[str, float], title: str = ""
+    stages: Sequence[Stage], plans: Plans, speed: Mapping[str, float], title: str = ""
 ) -> Drawing:
     """The scheme alone, with the numbers of the wheels and the speeds of the input and the output."""
     sketch = scheme(stages, plans, speed)
     return Drawing(tuple(sketch.items), title).labelled(sketch.tags)
 
 
-def velocities(stages: Sequence[Any], plans: Plans, speed: Mapping[str, float], title: str = "") -> Drawing:
+def velocities(stages: Sequence[Stage], plans: Plans, speed: Mapping[str, float], title: str = "") -> Drawing:
     """The scheme with the diagram of linear velocities beside it and the plan of angular velocities below."""
     sketch = scheme(stages, plans, speed)
     left, bottom, right, top = Drawing(tuple(sketch.items)).box
@@ -52,7 +53,7 @@ def _pen(index: int) -> Pen:
 class _Linear:
     """Velocity against the place on the line of centres; the axis of places stands at x = `zero`."""
 
-    def __init__(self, stages: Sequence[Any], plans: Plans, zero: float, reach: tuple[float, float]):
+    def __init__(self, stages: Sequence[Stage], plans: Plans, zero: float, reach: tuple[float, float]):
         self.stages, self.plans, self.zero, self.reach = stages, plans, zero, reach
         self.heights = {spot.name: spot.y / plans.length_scale for spot in plans.spots}
 
