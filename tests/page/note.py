@@ -5,6 +5,7 @@ Nothing of the program is used. A mark is what an element says of the place of i
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -172,21 +173,39 @@ class Formula:
     def unit(self) -> Unit | None:
         return unit(self.unit_text)
 
+    @property
+    def result(self) -> Printed | None:
+        """The number at the end."""
+        last = self.sides[-1]
+        found = whole_number(last[0]) if len(last) == 1 else None
+        return None if found is None else found.printed
 
-def formula_of(maths: list[Element], where: str, display: bool) -> Formula:
+
+RELATIONS = {"=": "=", "≈": "=", ">": ">", "<": "<", "≥": ">", "≤": "<", "⩾": ">", "⩽": "<"}
+
+
+def formulas_of(maths: list[Element], where: str, display: bool) -> list[tuple[str, Formula]]:
+    """What is printed side by side, cut at signs of comparison: the sign in front and a formula."""
     nodes = [node for math in maths for node in children(math)]
-    sides: list[list[Element]] = [[]]
+    cut: list[tuple[str, list[list[Element]]]] = [("", [[]])]
     for node in nodes:
-        if node.tag == "mo" and node.text in ("=", "≈"):
-            sides.append([])
+        relation = RELATIONS.get(node.text or "", "") if node.tag == "mo" else ""
+        if relation == "=":
+            cut[-1][1].append([])
+        elif relation:
+            cut.append((relation, [[]]))
         else:
-            sides[-1].append(node)
+            cut[-1][1][-1].append(node)
+    return [(relation, formula_of(sides, where, display)) for relation, sides in cut]
+
+
+def formula_of(sides: list[list[Element]], where: str, display: bool) -> Formula:
     unit_text = ""
-    if len(sides) > 1 and len(sides[-1]) > 1 and sides[-1][-1].tag == "mtext":
+    if len(sides[-1]) > 1 and sides[-1][-1].tag == "mtext":
         last = sides[-1][-1].text or ""
         if unit(last) is not None:
             unit_text = last
-            sides[-1].pop()
+            sides[-1] = sides[-1][:-1]
     return Formula(where, sides, unit_text, display)
 
 
@@ -271,7 +290,22 @@ class Note:
 
     @cached_property
     def maths(self) -> list[Formula]:
+        return [formula for chain in self.chains for _, formula in chain]
+
+    @cached_property
+    def chains(self) -> list[list[tuple[str, Formula]]]:
+        """Formulas that stand side by side with signs of comparison between them."""
         return list(_maths(self.root, "", False))
+
+    @property
+    def comparisons(self) -> Iterator[tuple[str, str, bool]]:
+        """Where, what and whether it holds: a comparison of two printed numbers."""
+        for chain in self.chains:
+            for (_, left), (relation, right) in itertools.pairwise(chain):
+                one, other = left.result, right.result
+                if one is not None and other is not None:
+                    more = one.value >= other.value if relation == ">" else one.value <= other.value
+                    yield left.where, f"{left.text} {relation} {right.text}", more
 
     @cached_property
     def marked(self) -> list[Element]:
@@ -295,7 +329,7 @@ def _tables(root: Element) -> Iterator[Table]:
         yield Table(f"{anchor}.{part}", caption, heads, rows, table.get("class") == "words")
 
 
-def _maths(node: Element, where: str, display: bool) -> Iterator[Formula]:
+def _maths(node: Element, where: str, display: bool) -> Iterator[list[tuple[str, Formula]]]:
     """Neighbouring `math` elements, parted by places where a line may break, are one formula."""
     where = node.get("id") or where
     display = display or node.get("class") == "math"
@@ -311,9 +345,9 @@ def _maths(node: Element, where: str, display: bool) -> Iterator[Formula]:
     yield from _taken(run, where, display)
 
 
-def _taken(run: list[Element], where: str, display: bool) -> Iterator[Formula]:
+def _taken(run: list[Element], where: str, display: bool) -> Iterator[list[tuple[str, Formula]]]:
     if run:
-        yield formula_of(run, where, display)
+        yield formulas_of(run, where, display)
         run.clear()
 
 

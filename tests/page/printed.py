@@ -8,7 +8,8 @@ from typing import NamedTuple
 
 _RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 _NUMBER = re.compile(r"([−-]?)(\d+)(?:[.,](\d+))?(?:·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+|\^-?\d+))?")
-DIGITS = 5  # a note carries so many; fewer are printed where the last ones are zeros
+DIGITS = 5  # significant ones that a note carries; fewer are printed where the last ones are zeros
+LEAST = 4
 
 
 class Printed(NamedTuple):
@@ -20,11 +21,20 @@ class Printed(NamedTuple):
     digits: int = 0  # significant ones
 
     @property
-    def tight(self) -> float:
-        """Half a unit of the fifth significant digit where zeros at the end were not printed."""
-        if self.value == 0 or not math.isfinite(self.value):
+    def off(self) -> float:
+        """By how much the number that was rounded may differ: half a unit of the last printed place, but not more
+        than that of the fourth significant digit, for zeros at the end are not printed."""
+        return self._of_digit(LEAST) if self.value and math.isfinite(self.value) else self.half
+
+    @property
+    def result_off(self) -> float:
+        """The same of a result, which may have been rounded to two decimals or more."""
+        if self.value == 0 or self.digits > 3 or self.places > 1:
             return self.half
-        return min(self.half, 0.5 * 10 ** (math.floor(math.log10(abs(self.value))) - DIGITS + 1))
+        return min(self.half, max(3e-3 * abs(self.value), 0.005))
+
+    def _of_digit(self, digit: int) -> float:
+        return min(self.half, 0.5 * 10 ** (math.floor(math.log10(abs(self.value))) - digit + 1))
 
 
 def number(text: str) -> Printed | None:

@@ -86,7 +86,7 @@ def exactness(printed: Printed, places: int, unit_text: str) -> float:
         return 0.5 * 10.0**-places if places else 1e-6
     if printed.places < places or printed.digits >= 4 or unit_text in COARSE:
         return min(printed.half, 0.5 * 10.0**-places) if places else printed.half
-    return max(min(printed.half, 5e-4 * abs(printed.value)), printed.tight)
+    return min(printed.half, 5e-4 * abs(printed.value))
 
 
 # --- cells of tables ---
@@ -246,35 +246,33 @@ def test_marked_numbers_are_those_of_the_results(name, other):
 # --- nothing without a mark ---
 
 # columns of names, of which some are digits
-_NAMES = [
-    "Link",
-    "Wheel",
-    "Member",
-    "Satellite",
-    "No.",
-    "Stopped",
-    "Held",
-    "Input",
-    "Wheels",
-    "Points",
-    "Mass_centre",
-    "Driving_link",
-    "Output_link",
-    "Driving_wheel",
-    "Carrier",
-    "Звено",
-    "Колесо",
-    "Сателлит",
-    "№",
-    "Остановлено",
-    "Вход",
-    "Центр_масс",
-    "Ведущее_звено",
-    "Выходное_звено",
-    "Ведущее_колесо",
-    "Водило",
-]
-NAMES = {name.replace("_", " ") for name in _NAMES}
+NAMES = {
+    *(
+        "Link",
+        "Wheel",
+        "Member",
+        "Satellite",
+        "No.",
+        "Stopped",
+        "Held",
+        "Input",
+        "Driving link",
+        "Output link",
+    ),
+    *(
+        "Driving wheel",
+        "Carrier",
+        "Stage",
+        "Звено",
+        "Колесо",
+        "Сателлит",
+        "№",
+        "Остановлено звено",
+        "Стойка",
+        "Вход",
+    ),
+    *("Ведущее звено", "Выходное звено", "Ведущее колесо", "Водило", "Ступень"),
+}
 
 
 def unmarked(note: Note) -> Iterator[str]:
