@@ -1,4 +1,4 @@
-"""Tables of a note found as a reader finds them: by the symbols and units of their heads; and the numbers of results.json."""
+"""Tables of a note found as a reader finds them, by the symbols and units of their heads; numbers of results.json."""
 
 from __future__ import annotations
 

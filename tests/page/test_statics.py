@@ -1,4 +1,4 @@
-"""Every link is in equilibrium under the forces as the note prints them, and these are what masses and motion make them."""
+"""Every link is in equilibrium under the printed forces, and these are what printed masses and the motion make them."""
 
 from __future__ import annotations
 
