@@ -8,8 +8,10 @@ import math
 import re
 from collections.abc import Iterator
 from typing import Any
+from xml.etree.ElementTree import Element
 
 import pytest
+from latex import GREEK
 from note import Cell, Figure, Formula, Head, Mark, Note, Table, mark_of, symbols, text_of
 from printed import NONE, Printed, Unit, number, unit
 from reading import BOTH, html, results, wrong
@@ -25,9 +27,11 @@ class Unknown(LookupError):
 def found(document: dict[str, Any], mark: Mark) -> tuple[Any, str, str]:
     """Value, unit and symbol that a mark names. Raises Unknown."""
     if mark.key == "pi":
-        return math.pi, "", "π"
+        return math.pi, "rad", "π"
     if not mark.table:
         for entry in document["values"]:
+            if entry["key"] == mark.key and mark.by:
+                return entry[mark.by], "deg" if mark.by == "at_deg" else "", ""
             if entry["key"] == mark.key:
                 return entry["value"], entry["unit"], entry.get("symbol", "")
         raise Unknown(f"no value {mark.key}")
@@ -80,12 +84,15 @@ def differs(printed: Printed, half: float, printed_unit: Unit, value: Any, own: 
 
 
 def exactness(printed: Printed, places: int, unit_text: str) -> float:
-    """Half a unit of the place to which a number is rounded: of its column, or of the fifth significant digit where
-    zeros at the end are left out; angles and per cents have decimals alone."""
+    """Half a unit of the place to which a number is rounded. `places`: decimals of its column.
+
+    Zeros at the end may be left out: what has no decimals like others of its column, or few digits, is exact to more
+    than it shows.
+    """
     if printed.value == 0:
-        return 0.5 * 10.0**-places if places else 1e-6
-    if printed.places < places or printed.digits >= 4 or unit_text in COARSE:
-        return min(printed.half, 0.5 * 10.0**-places) if places else printed.half
+        return 0.5 * 10.0**-places if places else 0.005 if unit_text in COARSE else 1e-6
+    if printed.places > 1 or printed.digits > 3 or unit_text in COARSE or printed.places == places > 0:
+        return printed.half
     return min(printed.half, 5e-4 * abs(printed.value))
 
 
@@ -97,7 +104,7 @@ def cells(note: Note) -> Iterator[tuple[str, Cell, Table, Head, str, int]]:
     for table in note.tables:
         labels = [_label(row) for row in table.rows]
         for j, head in enumerate(table.heads):
-            places = 0 if table.words else table.places(j)
+            places = table.places(j)
             for k, row in enumerate(table.rows):
                 text = head.unit_text or ("" if j == 0 else labels[k])
                 where = f"{table.where} {table.caption[:40]!r} row {k} {head.text!r} {row[j].text!r}"
@@ -123,6 +130,7 @@ def own_unit(cell: Cell) -> tuple[str, str]:
 
 def wrong_cells(note: Note, document: dict[str, Any]) -> Iterator[str]:
     for where, cell, _table, head, unit_text, places in cells(note):
+        yield from wrong_inside(where, cell, unit_text, document)
         mark = cell.mark
         if mark is None:
             continue
@@ -150,13 +158,26 @@ def wrong_text(where: str, cell: Cell, mark: Mark, value: Any) -> Iterator[str]:
     if isinstance(value, str):
         if re.fullmatch(r"[\dHh]['′]?", value) and letters(value) not in letters(cell.text):
             yield f"{where} marked {mark}: the name is {value}"
+    elif "→" in cell.text:  # from one member to another: to the next one where the sign is plus
+        one, _, other = cell.text.partition("→")
+        if (one < other) != (value > 0):
+            yield f"{where} marked {mark}: is {value}"
     elif value is not None and not re.search(r"[^\W\d_]", cell.text):
         yield f"{where} marked {mark}: is {value}"
 
 
+# index words and Greek letters as the page writes them
+WRITTEN = {"bal": "ур", "fr": "тр", "gr": "гр", "an": "ан", "in": "вх", "out": "вых"}
+
+
 def letters(symbol: str) -> str:
-    """Letters and digits of a symbol however its indices are written."""
-    return "".join(sign for sign in symbol.replace("'", "′") if sign.isalnum() or sign == "′")
+    """Letters and digits of a symbol however its indices are written, in whatever language."""
+    text = re.sub(r"[a-zA-Z]+", lambda run: GREEK.get(run[0], run[0]), symbol.replace("'", "′"))
+    text = re.sub("|".join(WRITTEN.values()), lambda word: _ENGLISH[word[0]], text)
+    return "".join(sign for sign in text if sign.isalnum() or sign == "′")
+
+
+_ENGLISH = {word: name for name, word in WRITTEN.items()}
 
 
 # --- formulas and running text ---
@@ -180,7 +201,7 @@ def _wrong_number(formula: Formula, figure: Figure, last: bool, document: dict[s
     except Unknown as unknown:
         yield f"{where}: {unknown}"
         return
-    text = formula.unit_text if last else "°" if figure.degrees else _inside(mark, own)
+    text = formula.unit_text if last else "°" if figure.degrees else (mark.unit or own)
     printed = figure.printed
     problem = differs(
         printed,
@@ -196,38 +217,36 @@ def _wrong_number(formula: Formula, figure: Figure, last: bool, document: dict[s
         yield f"{where}: its symbol is {symbol}"
 
 
-def _inside(mark: Mark, own: str) -> str:
-    """The unit of a number among others is not printed: what its mark says."""
-    return mark.unit or own
-
-
 def wrong_spans(note: Note, document: dict[str, Any]) -> Iterator[str]:
     """Numbers in running text, with the unit that follows them."""
     for parent in note.root.iter():
-        for node in parent:
-            mark = mark_of(node) if node.tag == "span" else None
-            if mark is None:
-                continue
-            where = f"{text_of(parent)[:60]!r} {text_of(node)!r} marked {mark}"
-            try:
-                value, own, _ = found(document, mark)
-            except Unknown as unknown:
-                yield f"{where}: {unknown}"
-                continue
-            printed = number(text_of(node))
-            if printed is None or isinstance(value, str):
-                continue
-            text = _following(node.tail or "")
-            problem = differs(
-                printed,
-                exactness(printed, 0, text) if printed.value else 0.005,
-                unit(text) or NONE,
-                value,
-                own,
-                mark.size,
-            )
-            if problem:
-                yield f"{where}: {problem}"
+        if parent.tag != "td":
+            yield from _wrong_in(parent, f"{text_of(parent)[:60]!r}", "", document)
+
+
+def wrong_inside(where: str, cell: Cell, unit_text: str, document: dict[str, Any]) -> Iterator[str]:
+    """Numbers that stand in a cell among other text: with its unit where none follows."""
+    yield from _wrong_in(cell.node, where, unit_text, document)
+
+
+def _wrong_in(parent: Element, where: str, unit_text: str, document: dict[str, Any]) -> Iterator[str]:
+    for node in parent:
+        mark = mark_of(node) if node.tag == "span" else None
+        if mark is None:
+            continue
+        try:
+            value, own, _ = found(document, mark)
+        except Unknown as unknown:
+            yield f"{where} {text_of(node)!r} marked {mark}: {unknown}"
+            continue
+        printed = number(text_of(node))
+        if printed is None or isinstance(value, str) or printed.value == value == 0:
+            continue
+        text = _following(node.tail or "") or unit_text
+        half = exactness(printed, 0, text) if printed.value else 0.005
+        problem = differs(printed, half, unit(text) or NONE, value, own, mark.size)
+        if problem:
+            yield f"{where} {text_of(node)!r} marked {mark}: {problem}"
 
 
 def _following(tail: str) -> str:
