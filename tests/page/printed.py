@@ -8,8 +8,9 @@ from typing import NamedTuple
 
 _RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 _NUMBER = re.compile(r"([−-]?)(\d+)(?:[.,](\d+))?(?:·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+|\^-?\d+))?")
-DIGITS = 5  # significant ones that a note carries; fewer are printed where the last ones are zeros
-LEAST = 4
+LEAST = (
+    4  # significant digits that a number has at least where it is rounded; zeros at the end are not printed
+)
 
 
 class Printed(NamedTuple):
@@ -53,8 +54,8 @@ def number(text: str) -> Printed | None:
     digits = (whole + (decimals or "")).lstrip("0")
     value = float(f"{whole}.{decimals or 0}e{exponent}")
     unit = 10.0 ** (exponent - places)
-    if not decimals and not power and len(digits) > DIGITS:  # 123460: five digits, the rest filled with zeros
-        unit *= 10.0 ** min(len(digits) - DIGITS, len(digits) - len(digits.rstrip("0")))
+    if not decimals and not power:  # 20650: of four digits or of five
+        unit *= 10.0 ** max(0, min(len(digits) - LEAST, len(digits) - len(digits.rstrip("0"))))
     return Printed(-value if sign else value, unit / 2, places, len(digits))
 
 

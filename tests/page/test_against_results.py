@@ -57,9 +57,10 @@ def _of_row(columns: dict[str, Any], mark: Mark) -> tuple[Any, str, str]:
     if mark.key not in columns:
         raise Unknown(f"no column {mark.key} in {mark.table}")
     column = columns[mark.key]
-    if mark.row is None or not 0 <= mark.row < len(column["values"]):
+    rows = columns["position"]["values"] if "position" in columns else list(range(len(column["values"])))
+    if mark.row not in rows:
         raise Unknown(f"no row {mark.row} in {mark.table}")
-    place = columns["position"]["values"].index(mark.row) if "position" in columns else mark.row
+    place = rows.index(mark.row)
     own = columns["unit"]["values"][place] if "unit" in columns and not column["unit"] else column["unit"]
     symbols = column.get("symbols") or []
     symbol = symbols[place] if place < len(symbols) else column.get("symbol", "")
@@ -83,15 +84,23 @@ def differs(printed: Printed, half: float, printed_unit: Unit, value: Any, own: 
     return "" if off <= half * (1 + 1e-9) + 1e-12 * abs(expected) else f"is {expected:.9g}"
 
 
-def exactness(printed: Printed, places: int, unit_text: str) -> float:
-    """Half a unit of the place to which a number is rounded. `places`: decimals of its column.
+def exactness(printed: Printed, places: int, unit_text: str, aligned: bool = False) -> float:
+    """Half a unit of the place to which a number is rounded. `places`: decimals of its column; `aligned`: all of it has
+    as many.
 
     Zeros at the end may be left out: what has no decimals like others of its column, or few digits, is exact to more
     than it shows.
     """
     if printed.value == 0:
         return 0.5 * 10.0**-places if places else 0.005 if unit_text in COARSE else 1e-6
-    if printed.places > 1 or printed.digits > 3 or unit_text in COARSE or printed.places == places > 0:
+    if (
+        printed.places > 1
+        or printed.digits > 3
+        or unit_text in COARSE
+        or printed.places == places > 0 - aligned
+    ):
+        return printed.half
+    if abs(printed.value) < 1e-4:  # a power of ten is printed
         return printed.half
     return min(printed.half, 5e-4 * abs(printed.value))
 
@@ -129,7 +138,7 @@ def own_unit(cell: Cell) -> tuple[str, str]:
 
 
 def wrong_cells(note: Note, document: dict[str, Any]) -> Iterator[str]:
-    for where, cell, _table, head, unit_text, places in cells(note):
+    for where, cell, table, head, unit_text, places in cells(note):
         yield from wrong_inside(where, cell, unit_text, document)
         mark = cell.mark
         if mark is None:
@@ -141,28 +150,49 @@ def wrong_cells(note: Note, document: dict[str, Any]) -> Iterator[str]:
             continue
         digits, beside = own_unit(cell)
         printed = number(digits)
+        if value is None and cell.text.startswith("≈"):  # a difference of what is nothing in both
+            continue
         if printed is None or isinstance(value, str):
             yield from wrong_text(where, cell, mark, value)
             continue
         text = beside or unit_text
         shown = unit(text) if text else NONE
-        problem = differs(printed, exactness(printed, places, text), shown or NONE, value, own, mark.size)
+        half = exactness(printed, places, text, not table.words)
+        problem = differs(printed, half, shown or NONE, value, own, mark.size)
         if problem:
             yield f"{where} {text} marked {mark}: {problem}"
         elif head.symbol and symbol and letters(head.symbol) != letters(symbol) and not mark.by:
             yield f"{where} marked {mark}: its symbol is {symbol}"
 
 
+DIRECTIONS = {
+    "0": ("to the right", "вправо"),
+    "180": ("to the left", "влево"),
+    "90": ("upwards", "вверх"),
+    "-90": ("downwards", "вниз"),
+    "against": ("against", "против"),
+    "along": ("in the ", "по "),
+    "counter-clockwise": ("counter-clockwise", "против часовой"),
+    "clockwise": ("clockwise", "по часовой"),
+}
+
+
 def wrong_text(where: str, cell: Cell, mark: Mark, value: Any) -> Iterator[str]:
-    """Names are printed as they are; other texts are words, compared elsewhere."""
-    if isinstance(value, str):
-        if re.fullmatch(r"[\dHh]['′]?", value) and letters(value) not in letters(cell.text):
+    """Names are printed as they are; words of directions say what the sign or angle says."""
+    text = cell.text
+    if isinstance(value, str) and mark.key == "direction":
+        plain = text.replace("−", "-")
+        said = any(text.startswith(word) for word in DIRECTIONS.get(value, ())) or value in plain
+        if not said:
+            yield f"{where} marked {mark}: the direction is {value}"
+    elif isinstance(value, str):
+        if re.fullmatch(r"[\dHh]['′]?", value) and letters(value) not in letters(text):
             yield f"{where} marked {mark}: the name is {value}"
-    elif "→" in cell.text:  # from one member to another: to the next one where the sign is plus
-        one, _, other = cell.text.partition("→")
+    elif "→" in text:  # from one member to another: to the next one where the sign is plus
+        one, _, other = text.partition("→")
         if (one < other) != (value > 0):
             yield f"{where} marked {mark}: is {value}"
-    elif value is not None and not re.search(r"[^\W\d_]", cell.text):
+    elif value is not None and not re.search(r"[^\W\d_]", text):
         yield f"{where} marked {mark}: is {value}"
 
 
