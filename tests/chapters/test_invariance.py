@@ -2,8 +2,10 @@
 
 import cmath
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
+from conftest import examples, unread
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
 
@@ -14,9 +16,7 @@ from tmm_report.course import Results, Variant
 from tmm_report.mechanics.mechanism import FRAME, Assembly, ZeroAngle
 
 few = settings(
-    max_examples=4,
-    deadline=None,
-    derandomize=True,
+    max_examples=examples(4),
     phases=[Phase.explicit, Phase.generate],  # a whole course project a try: nothing to gain from shrinking
     suppress_health_check=[HealthCheck.function_scoped_fixture],
 )
@@ -135,9 +135,10 @@ def moved(v: Variant, angle: float, shift: complex) -> Variant:
     return replace(v, mechanism=mechanism, loads=loads, readings={})
 
 
+@cache
 def plain(v: Variant) -> Results:
     """Solved with scales that do not depend on the size of the drawing on the sheet."""
-    found = course.solve(replace(v, readings={}))
+    found = unread(v)
     scales = Drawing(v.drawing.accuracy, found.plans.length_scale, found.plans.velocity_scale,
                      found.plans.acceleration_scale, v.drawing.force)  # fmt: skip
     return course.solve(replace(v, readings={}, drawing=scales))
@@ -154,10 +155,7 @@ def test_names_change_no_result(variant, data):
     points = fresh(data.draw, m.point_names, NAMES)
     links = {FRAME: FRAME} | fresh(data.draw, m.moving, [str(n) for n in range(1, 16)])
     guides = fresh(data.draw, list(m.guides), ["x", "v", "z1", "Q9"])
-    before, after = (
-        course.solve(replace(variant, readings={})),
-        course.solve(renamed(variant, points, links, guides)),
-    )
+    before, after = unread(variant), course.solve(renamed(variant, points, links, guides))
     assert [g.kind for g in after.structure.groups] == [g.kind for g in before.structure.groups]
     expected, found = numbers(before), numbers(after)
     assert expected.keys() == found.keys()
