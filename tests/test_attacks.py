@@ -59,8 +59,12 @@ def hostile():
     return solve(replace(variant, title=title, lever=lever, drive=drive, eccentric=eccentric))
 
 
-def test_html_shows_it_as_text(hostile):
-    page = render(hostile, "html")["note.html"].decode()
+@pytest.fixture(scope="module")
+def page(hostile) -> str:
+    return render(hostile, "html")["note.html"].decode()
+
+
+def test_html_shows_it_as_text(page):
     for opening in ("<script", "<img", "<foreignObject", 'onmouseover="', "onerror=alert(1)>"):
         assert opening not in page
     body = re.sub(r"<!doctype[^>]*>", "", page, flags=re.I)
@@ -68,8 +72,7 @@ def test_html_shows_it_as_text(hostile):
     assert "cycler.__init__" in body and "%(name)s %s %d" in body
 
 
-def test_figures_stay_well_formed(hostile):
-    page = render(hostile, "html")["note.html"].decode()
+def test_figures_stay_well_formed(page):
     figures = re.findall(r"<svg\b.*?</svg>", page, re.S)
     assert len(figures) > 5
     for figure in figures:

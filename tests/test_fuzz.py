@@ -14,7 +14,7 @@ from itertools import islice
 from zlib import crc32
 
 import pytest
-from conftest import FILES
+from conftest import FILES, examples
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from mutations import KINDS, Data, bare, changed
@@ -117,7 +117,9 @@ def piles(draw: st.DrawFn) -> Data:
     return data
 
 
-@settings(max_examples=150, suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large])
+@settings(
+    max_examples=examples(150), suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large]
+)
 @given(piles())
 def test_several_mistakes(data):
     found = outcome(data)

@@ -1,6 +1,7 @@
 """Plans are constructions: they agree with the analytical values within the drawing's accuracy, and no better."""
 
 from dataclasses import replace
+from functools import cache
 from itertools import combinations
 
 import numpy as np
@@ -19,6 +20,7 @@ MOST = 12.0
 FORCE_STEPS = {1e-5: 4.0, 1e-4: 6.0, 5e-4: 6.0}
 
 
+@cache
 def drawn(variant, accuracy) -> course.Results:
     """All table positions drawn, loads as they are."""
     every = tuple(range(variant.lever.positions.table))

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from conftest import examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -169,7 +170,7 @@ def test_the_torque_of_the_input_scales_all():
         assert many.torque[name] == pytest.approx(25 * float(torque), rel=1e-12)
 
 
-@settings(deadline=None, max_examples=30)
+@settings(max_examples=examples(30))
 @given(st.floats(-3000, 3000).filter(lambda n: abs(n) > 1))
 def test_a_second_input_adds_its_share(rpm):
     """ω5 is linear in both inputs: that of the sun alone plus that of the ring alone."""

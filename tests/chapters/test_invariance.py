@@ -2,9 +2,10 @@
 
 import cmath
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
-from conftest import stating
+from conftest import examples, stating, unread
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
 
@@ -16,9 +17,7 @@ from tmm_report.course import Results, Variant
 from tmm_report.mechanics.mechanism import FRAME, Assembly, ZeroAngle
 
 few = settings(
-    max_examples=4,
-    deadline=None,
-    derandomize=True,
+    max_examples=examples(4),
     phases=[Phase.explicit, Phase.generate],  # a whole course project a try: nothing to gain from shrinking
     suppress_health_check=[HealthCheck.function_scoped_fixture],
 )
@@ -139,9 +138,10 @@ def moved(v: Variant, angle: float, shift: complex) -> Variant:
     return stating(v, mechanism=mechanism, loads=loads, readings={})
 
 
+@cache
 def plain(v: Variant) -> Results:
     """Solved with scales that do not depend on the size of the drawing on the sheet."""
-    found = course.solve(stating(v, readings={}))
+    found = unread(v)
     scales = Drawing(v.lever.drawing.accuracy, found.lever.plans.length_scale, found.lever.plans.velocity_scale,
                      found.lever.plans.acceleration_scale, v.lever.drawing.force)  # fmt: skip
     return course.solve(stating(v, readings={}, drawing=scales))
@@ -158,10 +158,7 @@ def test_names_change_no_result(variant, data):
     points = fresh(data.draw, m.point_names, NAMES)
     links = {FRAME: FRAME} | fresh(data.draw, m.moving, [str(n) for n in range(1, 16)])
     guides = fresh(data.draw, list(m.guides), ["x", "v", "z1", "Q9"])
-    before, after = (
-        course.solve(stating(variant, readings={})),
-        course.solve(renamed(variant, points, links, guides)),
-    )
+    before, after = unread(variant), course.solve(renamed(variant, points, links, guides))
     assert [g.kind for g in after.lever.structure.groups] == [g.kind for g in before.lever.structure.groups]
     expected, found = numbers(before), numbers(after)
     assert expected.keys() == found.keys()

@@ -138,9 +138,9 @@ def _satellites(found: Found) -> Iterator[Row]:
     gap = Message(N_("gap between the tip circles of neighbouring satellites"))
     yield "gap", Symbol("Delta"), "m", gap, found.gap
     least = Message(N_("least number of teeth that the rack does not undercut"))
-    yield "z_min", math_symbol("z_min"), "", least, found.least_teeth
+    yield "least_teeth", math_symbol("z_min"), "", least, found.least_teeth
     rounded = Message(N_("least number of teeth as the course rounds it"))
-    yield "z_min_rounded", None, "", rounded, least_teeth(found.given.task.rack)
+    yield "least_teeth_rounded", None, "", rounded, least_teeth(found.given.task.rack)
 
 
 def _assembly(found: Found) -> Iterator[Row]:
