@@ -161,8 +161,15 @@ def wrong_cells(note: Note, document: dict[str, Any]) -> Iterator[str]:
         problem = differs(printed, half, shown or NONE, value, own, mark.size)
         if problem:
             yield f"{where} {text} marked {mark}: {problem}"
-        elif head.symbol and symbol and letters(head.symbol) != letters(symbol) and not mark.by:
+        elif head.symbol and symbol and not mark.by and not _written(head.symbol, symbol, document, mark):
             yield f"{where} marked {mark}: its symbol is {symbol}"
+
+
+def _written(head: str, symbol: str, document: dict[str, Any], mark: Mark) -> bool:
+    """Whether a column's head is the symbol of the cell; where rows are wheels, it is that of the whole column."""
+    columns = document["tables"][mark.table]["columns"] if mark.table else []
+    whole = [column.get("symbol", "") for column in columns if column["key"] == mark.key]
+    return letters(head) in {letters(one) for one in (symbol, *whole)}
 
 
 DIRECTIONS = {
@@ -202,7 +209,9 @@ WRITTEN = {"bal": "ур", "fr": "тр", "gr": "гр", "an": "ан", "in": "вх"
 
 def letters(symbol: str) -> str:
     """Letters and digits of a symbol however its indices are written, in whatever language."""
-    text = re.sub(r"[a-zA-Z]+", lambda run: GREEK.get(run[0], run[0]), symbol.replace("'", "′"))
+    capitals = "|".join(name for name in GREEK if name[:1].isupper())  # Δy: a capital stands before a letter
+    runs = rf"{capitals}|[a-zA-Z]+" if capitals else r"[a-zA-Z]+"
+    text = re.sub(runs, lambda run: GREEK.get(run[0], run[0]), symbol.replace("'", "′"))
     text = re.sub("|".join(WRITTEN.values()), lambda word: _ENGLISH[word[0]], text)
     return "".join(sign for sign in text if sign.isalnum() or sign == "′")
 

@@ -198,7 +198,7 @@ def _rows(found: Found) -> Iterator[Column]:
     pairs = [f"{names[0]}-{names[1]}", f"{names[2]}-{names[3]}"]
     yield text_column("mesh", Message(N_("wheels in mesh")), pairs)
     total = Message(N_("sum of the teeth of the wheels in mesh; with a ring, their difference"))
-    yield Quantity("z_sum", math_symbol("z_Sigma"), "", total).column(rows.teeth)
+    yield Quantity("z_sum", None, "", total).column(rows.teeth)
     for key, unit, meaning, numbers in (
         ("a", "m", N_("reference centre distance of the mesh that is opened"), sizes.pitch_distances),
         ("alpha_w", "deg", N_("operating angle of that mesh"), np.degrees(sizes.angles)),
