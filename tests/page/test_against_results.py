@@ -252,8 +252,13 @@ def _wrong_number(formula: Formula, figure: Figure, last: bool, document: dict[s
     )
     if problem:
         yield f"{where}: {problem}"
-    elif last and symbol and letters(formula.symbol) != letters(symbol):
+    elif last and symbol and _is_named(formula) and letters(formula.symbol) != letters(symbol):
         yield f"{where}: its symbol is {symbol}"
+
+
+def _is_named(formula: Formula) -> bool:
+    """Whether a symbol stands on the left, not an expression, as in a condition."""
+    return len(formula.sides[0]) == 1 and formula.sides[0][0].tag not in ("mfrac", "msqrt")
 
 
 def wrong_spans(note: Note, document: dict[str, Any]) -> Iterator[str]:
