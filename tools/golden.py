@@ -33,7 +33,7 @@ Row = str | list[float | None]
 
 def key_numbers(results: Results) -> dict[str, Row]:
     """Rows of key numbers: SI, degrees for angles of position 0; None for what does not exist."""
-    structure = {"structure": results.structure.formula} if results.has_mechanism else {}
+    structure = {"structure": results.lever.structure.formula} if results.lever else {}
     return {**structure, **_single(results), **_series(results)}
 
 
@@ -51,12 +51,12 @@ def _single(results: Results) -> dict[str, Row]:
 
 def _scales(results: Results) -> dict[str, float]:
     """What a motion with the output's stroke has for velocity and acceleration: beside it, rounding errors are 0."""
-    if not results.has_mechanism:
+    if not results.lever:
         return {}
-    omega = abs(results.kinematics.omega)
+    omega = abs(results.lever.kinematics.omega)
     return {
         f"{letter}_{travel.output.name}": travel.stroke * omega**power
-        for travel in results.kinematics.travels
+        for travel in results.lever.kinematics.travels
         for power, letter in enumerate("SVA")
     }
 

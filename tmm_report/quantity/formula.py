@@ -19,6 +19,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from tmm_report.i18n import NP_, Translator
+from tmm_report.problems import Message
 from tmm_report.quantity.ref import Ref, without_attributes
 from tmm_report.quantity.symbols import Latex, MathML, Symbol, math_symbol, notation, segment, with_power
 from tmm_report.quantity.text import ZERO, round_significant
@@ -165,7 +166,8 @@ class Var(Expr):
     """A symbol with its value (number or array (..., P)) and unit.
 
     Unit "deg": the value is in rad and printed in degrees. `symbol` may be a key. `digits`: its own number of
-    significant digits in place of the formula's. `ref`: where it stands in the results.
+    significant digits in place of the formula's. `ref`: where it stands in the results; `meaning`: for a list of
+    symbols.
     """
 
     symbol: Symbol | str
@@ -173,6 +175,7 @@ class Var(Expr):
     unit: str = ""
     digits: int | None = None
     ref: Ref | None = None
+    meaning: Message | None = None
 
     def evaluate(self, digits: int | None = None) -> Value:
         if digits is None:
@@ -351,7 +354,8 @@ class Formula:
     `index`: the position printed where values are arrays (..., P). Unit "deg": the value is in rad, printed
     in degrees. `hand`: the printed value is computed from the numbers as printed, so that a reader's
     calculator agrees. `scale`: the size against which a value is noise (1e-9 of it prints 0); None: the
-    largest, at least 1. `ref`: where the value stands in the results.
+    largest, at least 1. `ref`: where the value stands in the results;
+    `meaning`: of the result, for a list of symbols.
     """
 
     result: Symbol | str
@@ -362,6 +366,7 @@ class Formula:
     hand: bool = False
     scale: float | None = None
     ref: Ref | None = None
+    meaning: Message | None = None
 
     @cached_property
     def value(self) -> Value:
