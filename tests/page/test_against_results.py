@@ -156,7 +156,7 @@ def wrong_cells(note: Note, document: dict[str, Any]) -> Iterator[str]:
         printed = number(digits)
         if value is None and cell.text.startswith("≈"):  # a difference of what is nothing in both
             continue
-        if mark.table == PICTURE:
+        if mark.table == PICTURE or (digits == "0" and noise(document, mark, value)):
             continue
         if printed is None or isinstance(value, str):
             yield from wrong_text(where, cell, mark, value)
@@ -169,6 +169,14 @@ def wrong_cells(note: Note, document: dict[str, Any]) -> Iterator[str]:
             yield f"{where} {text} marked {mark}: {problem}"
         elif head.symbol and symbol and not named(head.symbol, symbol) and not mark.by:
             yield f"{where} marked {mark}: its symbol is {symbol}"
+
+
+def noise(document: dict[str, Any], mark: Mark, value: Any) -> bool:
+    """Whether a number is rounding beside the largest of its column, and so prints 0."""
+    columns = document["tables"].get(mark.table, {"columns": []})["columns"]
+    column = next((column["values"] for column in columns if column["key"] == mark.key), [])
+    sizes = [abs(one) for one in column if isinstance(one, int | float)]
+    return isinstance(value, int | float) and abs(value) <= 1e-9 * max(sizes, default=0.0)
 
 
 DIRECTIONS = {
@@ -257,7 +265,8 @@ def _wrong_number(formula: Formula, figure: Figure, last: bool, document: dict[s
     )
     if problem:
         yield f"{where}: {problem}"
-    elif last and symbol and not any(named(name, symbol) for name in formula.names):
+    sums = re.search(r"[+−·=]", formula.names[0])  # the left side is an expression of its own
+    if not problem and last and symbol and not sums and not any(named(n, symbol) for n in formula.names):
         yield f"{where}: its symbol is {symbol}"
 
 
