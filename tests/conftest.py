@@ -1,19 +1,29 @@
 """Ready variants for the tests: `variant` or `results` runs a test once for every lever mechanism of variants/."""
 
 import os
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
+import once
 import pytest
 from hypothesis import settings
 
 from tmm_report import course
-from tmm_report.variant import load
+from tmm_report.course import load
 
-# in CI the same examples at every run; elsewhere new ones, so that something new is found now and then
-settings.register_profile("ci", derandomize=True, deadline=None)
-settings.register_profile("dev", deadline=None)
-settings.load_profile("ci" if os.environ.get("CI") else "dev")
+pytest_plugins = ["cpu"]
+
+# few examples and new ones, so that something new is found now and then; or many, the same at every run
+settings.register_profile("dev", deadline=None, max_examples=15)
+settings.register_profile("ci", deadline=None, max_examples=100, derandomize=True)
+settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "dev"))
+
+
+def examples(of_a_hundred: int) -> int:
+    """How many examples to try where the profile "ci" tries so many; the first of them is the simplest one."""
+    return max(3, round(of_a_hundred * settings.default.max_examples / 100))
+
 
 ALL_FILES = sorted(Path(__file__).parents[1].joinpath("variants").glob("*.yaml"))
 FILES = [path for path in ALL_FILES if "\nmechanism:" in path.read_text("utf-8")]  # others have gears alone
@@ -30,6 +40,17 @@ def solved(name: str) -> course.Results:
     return course.solve(read(name))
 
 
+def stating(variant: course.Variant, **changes) -> course.Variant:
+    """The variant with something else given of its lever mechanism: `stating(variant, loads=None)`."""
+    return replace(variant, lever=replace(variant.lever, **changes))
+
+
+@cache
+def unread(variant: course.Variant) -> course.Results:
+    """Solved without the readings from paper: they hold for the numbers of that variant alone."""
+    return course.solve(stating(variant, readings={}))
+
+
 @every_variant
 def variant(request) -> course.Variant:
     return read(request.param)
@@ -43,3 +64,11 @@ def results(request) -> course.Results:
 @pytest.fixture(scope="session")
 def compressor() -> course.Results:
     return solved("compressor")
+
+
+@pytest.fixture(scope="session", autouse=True)
+def shared_folder(tmp_path_factory) -> None:
+    """Workers of one run, each with a folder in that of the run, share what is made once."""
+    if os.environ.get("PYTEST_XDIST_WORKER"):
+        once.folder = tmp_path_factory.getbasetemp().parent / "once"
+        once.folder.mkdir(exist_ok=True)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 import shutil
-from functools import cache
 from pathlib import Path
 
 import pytest
-from conftest import ALL_FILES, solved
+from conftest import ALL_FILES, read, solved
+from once import once
 
 from tmm_report import render
 
@@ -16,8 +16,13 @@ VARIANTS = Path(__file__).parent.parent / "variants"
 NAMES = sorted(path.stem for path in ALL_FILES)
 
 
-@cache
 def note(name: str, fmt: str, language: str | None = None) -> dict[str, bytes]:
+    """Files of the note of a ready variant; in its own language where none is stated."""
+    return rendered(name, fmt, language or read(name).language)
+
+
+@once
+def rendered(name: str, fmt: str, language: str) -> dict[str, bytes]:
     return render(solved(name), fmt, language)
 
 

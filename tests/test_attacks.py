@@ -14,7 +14,7 @@ from notes import VARIANTS, program
 from typer.testing import CliRunner
 
 from tmm_report import load, render, solve
-from tmm_report.chapters.given import Title
+from tmm_report.chapters.title.given import Title
 from tmm_report.cli import app
 
 PAYLOADS = {
@@ -46,20 +46,25 @@ def hostile():
     variant = load(VARIANTS / "compressor.yaml")
     everything = " ¶ ".join(PAYLOADS.values())
     title = Title(**dict.fromkeys(vars(Title()), everything))
-    assert variant.loads is not None
-    forces = tuple(replace(force, name=everything) for force in variant.loads.forces)
+    assert variant.lever.loads is not None
+    forces = tuple(replace(force, name=everything) for force in variant.lever.loads.forces)
     assert variant.drive is not None
     planetary, spur = variant.drive.stages
     drive = replace(
         variant.drive, stages=(replace(planetary, title=everything), replace(spur, name=everything))
     )
     eccentric = replace(load(VARIANTS / "eccentric.yaml").eccentric, name=everything)
-    loads = replace(variant.loads, forces=forces)
-    return solve(replace(variant, title=title, loads=loads, drive=drive, eccentric=eccentric))
+    loads = replace(variant.lever.loads, forces=forces)
+    lever = replace(variant.lever, loads=loads)
+    return solve(replace(variant, title=title, lever=lever, drive=drive, eccentric=eccentric))
 
 
-def test_html_shows_it_as_text(hostile):
-    page = render(hostile, "html")["note.html"].decode()
+@pytest.fixture(scope="module")
+def page(hostile) -> str:
+    return render(hostile, "html")["note.html"].decode()
+
+
+def test_html_shows_it_as_text(page):
     for opening in ("<script", "<img", "<foreignObject", 'onmouseover="', "onerror=alert(1)>"):
         assert opening not in page
     body = re.sub(r"<!doctype[^>]*>", "", page, flags=re.I)
@@ -67,8 +72,7 @@ def test_html_shows_it_as_text(hostile):
     assert "cycler.__init__" in body and "%(name)s %s %d" in body
 
 
-def test_figures_stay_well_formed(hostile):
-    page = render(hostile, "html")["note.html"].decode()
+def test_figures_stay_well_formed(page):
     figures = re.findall(r"<svg\b.*?</svg>", page, re.S)
     assert len(figures) > 5
     for figure in figures:

@@ -2,38 +2,52 @@
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
 from dataclasses import replace
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import pytest
 from notes import NAMES, VARIANTS, note, program
+from once import once
 
 from tmm_report import render, solve
-from tmm_report.chapters.given import Title
-from tmm_report.pdf import compile_pdf
-from tmm_report.variant import loads
+from tmm_report.chapters.title.given import Title
+from tmm_report.commands.pdf import compile_pdf
+from tmm_report.course import loads
+from tmm_report.languages import LANGUAGES
 
 NOTES = ["compressor-ru", "compressor-en", "shaper-ru", "tangent-en", "hoist_drive-ru", "eccentric-en"]
+TIMELESS = {"SOURCE_DATE_EPOCH": "0", "FORCE_SOURCE_DATE": "1"}
 
 
-@pytest.fixture(scope="module", params=NOTES)
-def log(request, tmp_path_factory) -> str:
-    name, language = request.param.split("-")
+@once
+def typeset(name: str, language: str) -> tuple[str, bytes]:
+    """The log of the last run and the PDF."""
     latex = program("pdflatex")
-    folder = tmp_path_factory.mktemp("latex")
-    for file, content in note(name, "tex", language).items():
-        target = folder / file
-        target.parent.mkdir(exist_ok=True)
-        target.write_bytes(content)
-    command = [latex, "-no-shell-escape", "-interaction=nonstopmode", "note.tex"]
-    for _ in range(2):
-        subprocess.run(command, cwd=folder, capture_output=True, timeout=120)
-    assert (folder / "note.pdf").exists()
-    # the log breaks lines at 79 bytes
-    return re.sub(
-        r"(?<=[^\n]{79})\n", "", (folder / "note.log").read_text(encoding="utf-8", errors="replace")
-    )
+    with TemporaryDirectory() as place:
+        folder = Path(place)
+        for file, content in note(name, "tex", language).items():
+            target = folder / file
+            target.parent.mkdir(exist_ok=True)
+            target.write_bytes(content)
+        command, env = (
+            [latex, "-no-shell-escape", "-interaction=nonstopmode", "note.tex"],
+            os.environ | TIMELESS,
+        )
+        for _ in range(2):
+            subprocess.run(command, cwd=folder, env=env, capture_output=True, timeout=120)
+        # the log breaks lines at 79 bytes
+        log = (folder / "note.log").read_text(encoding="utf-8", errors="replace")
+        return re.sub(r"(?<=[^\n]{79})\n", "", log), (folder / "note.pdf").read_bytes()
+
+
+@pytest.fixture(params=NOTES)
+def log(request) -> str:
+    name, language = request.param.split("-")
+    return typeset(name, language)[0]
 
 
 def test_no_errors(log):
@@ -54,9 +68,8 @@ def test_no_overfull_boxes(log):
 
 
 def test_pdf_is_the_same_twice():
-    program("pdflatex")
-    files = note("compressor", "tex", "ru")
-    assert compile_pdf(files) == compile_pdf(files)
+    _, pdf = typeset("compressor", "ru")
+    assert compile_pdf(note("compressor", "tex", "ru")) == pdf
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -69,7 +82,7 @@ def test_every_figure_is_written_and_used(name):
 @pytest.mark.parametrize("name", NAMES)
 def test_every_sign_can_be_set(name):
     """A letter that pdflatex has no glyph for is printed as a question mark; the notes ask no questions."""
-    for language in ("ru", "en"):
+    for language in LANGUAGES:
         files = note(name, "tex", language)
         assert [file for file, text in files.items() if file.endswith(".tex") and b"?" in text] == []
 
@@ -79,7 +92,7 @@ def test_letters_of_every_language_of_the_users_are_set(tmp_path):
     letters = "ӘәҒғҚқҢңӨөҰұҮүҺһЇїЄєҐґ"  # і shares its glyph with the Latin one
     text = (VARIANTS / "slider_crank_offset.yaml").read_text(encoding="utf-8")
     variant = loads(re.sub(r"\bB\b", "Қ", text))
-    assert "Қ" in variant.mechanism.point_names
+    assert "Қ" in variant.lever.mechanism.point_names
     found = solve(replace(variant, title=Title(topic=letters, student=letters)))
     program("pdflatex")
     (tmp_path / "note.pdf").write_bytes(compile_pdf(render(found, "tex", "ru")))

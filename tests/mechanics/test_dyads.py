@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from conftest import examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from schemes import OMEGA, ROOTED, SCHEMES, linkage, turn
@@ -66,7 +67,7 @@ def rate_errors(lk: motion.Linkage, h: float, omega: float = OMEGA) -> tuple[flo
 
 
 @pytest.mark.parametrize(("name", "sign"), ROOTED)
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=examples(15))
 @given(k=scale_factors)
 def test_pairs_close_and_rates_are_derivatives(name, sign, k):
     lk = linkage(SCHEMES[name](k), sign)

@@ -6,6 +6,7 @@ from itertools import combinations
 
 import numpy as np
 import pytest
+from conftest import examples
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
@@ -131,7 +132,7 @@ def most_by_trial(gap, allowed, clearance):
     return 0, np.inf
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 @given(
     st.integers(12, 40), st.integers(6, 40), st.integers(1, 5), st.floats(0, 0.004), st.integers(0, 2**10 - 1)
 )
@@ -196,7 +197,7 @@ def made_of(sun, outer, E, picked, backlash=0.0):
     return assemble(sun, outer, E * M / 2, places, Cut(M, RACK, backlash))
 
 
-@settings(max_examples=8)
+@settings(max_examples=examples(8))
 @given(st.integers(17, 40), st.integers(20, 40), st.integers(2, 20))
 def test_teeth_of_exact_satellites_do_not_overlap(sun, smallest, E):
     """Largest and smallest of any set, without any backlash."""

@@ -4,6 +4,7 @@ import dataclasses
 
 import numpy as np
 import pytest
+from conftest import examples
 from higher_schemes import LABELS, TOPOLOGIES, drawn
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
@@ -39,7 +40,7 @@ schemes = st.builds(
 )
 
 
-@settings(max_examples=15)
+@settings(max_examples=examples(15))
 @given(schemes)
 def test_joints_meet_all_round(scheme):
     made = scheme.mechanism()
@@ -60,7 +61,7 @@ def test_joints_meet_all_round(scheme):
         assert np.abs(t - s.u[slide.link] * slide.direction).max() < 1e-13
 
 
-@settings(max_examples=8)
+@settings(max_examples=examples(8))
 @given(schemes)
 def test_velocities_and_accelerations_are_derivatives(scheme):
     try:
@@ -77,7 +78,7 @@ def test_velocities_and_accelerations_are_derivatives(scheme):
             assert error < 1e-8 * max(np.abs(exact).max(), omega**2)
 
 
-@settings(max_examples=10)
+@settings(max_examples=examples(10))
 @given(schemes, st.integers(0, 1000))
 def test_reactions_agree_with_one_system_for_all_links(scheme, seed):
     try:
@@ -101,7 +102,7 @@ def test_reactions_agree_with_one_system_for_all_links(scheme, seed):
                 assert abs(abs(force) - abs(first)) < 1e-9 * size and abs(moment - second) < 1e-9 * size
 
 
-@settings(max_examples=10)
+@settings(max_examples=examples(10))
 @given(schemes, st.floats(-3, 3), st.sampled_from([1e-6, 1e-3, 1.0, 1e3]))
 def test_turn_scale_and_names_change_nothing(scheme, angle, scale):
     turn = complex(np.exp(1j * angle))
@@ -150,7 +151,7 @@ def test_stack_equals_loop_of_singles(name):
 # ---------------------------------------------------------------- all assemblies
 
 
-@settings(max_examples=15)
+@settings(max_examples=examples(15))
 @given(schemes)
 def test_every_assembly_closes_and_the_drawn_one_is_among_them(scheme):
     made = scheme.mechanism()

@@ -7,6 +7,7 @@ from itertools import permutations, product
 
 import numpy as np
 import pytest
+from conftest import examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -226,7 +227,7 @@ def test_interference_of_a_ring_agrees_with_the_published_limits():
     teeth=st.tuples(*[st.integers(17, 60)] * 4),
     k=st.integers(2, 6),
 )
-@settings(max_examples=300)
+@settings(max_examples=examples(300))
 def test_assembly_is_exactly_where_every_satellite_finds_its_seat(scheme, teeth, k):
     scheme = p.SCHEMES[scheme]
     z1, z2, z2_, z3 = teeth
@@ -330,7 +331,7 @@ def test_speeds_satisfy_willis_and_agree_with_the_general_train(scheme, teeth, w
     way=st.sampled_from(list(permutations(p.MEMBERS))),
     eta=st.floats(0.8, 0.999),
 )
-@settings(max_examples=300)
+@settings(max_examples=examples(300))
 def test_efficiency_agrees_with_the_general_flow_of_power(scheme, teeth, way, eta):
     scheme = p.SCHEMES[scheme]
     z = (teeth[0], teeth[1], teeth[1] if scheme.single else teeth[2], teeth[3])

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from conftest import examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -35,7 +36,7 @@ def test_a_square_that_leaves_an_opening_meets_the_metal_round_it():
     assert overlap(SQUARE + 0.25 + 0.5j, SQUARE, opening=True) == pytest.approx(1 - 0.375)
 
 
-@settings(max_examples=40)
+@settings(max_examples=examples(40))
 @given(st.floats(0.1, 1.9), st.floats(0, 6.28), st.integers(3, 400), st.integers(3, 400))
 def test_area_by_a_raster(distance, turn, one, other):
     p, q = polygon(one), polygon(other, 0.8, turn) + distance * np.exp(1j * turn / 2)

@@ -4,6 +4,7 @@ import dataclasses
 
 import numpy as np
 import pytest
+from conftest import examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from schemes import OMEGA, ROOTED, SCHEMES, linkage, random_loads, turn
@@ -62,7 +63,7 @@ def newton_euler(found, loads, k):
 
 
 @pytest.mark.parametrize(("name", "sign"), ROOTED)
-@settings(max_examples=5, deadline=None)
+@settings(max_examples=examples(5))
 @given(k=st.lists(st.floats(0.94, 1.06), min_size=6, max_size=6), seed=st.integers(0, 1000))
 def test_groups_agree_with_one_system_for_all_links(name, sign, k, seed):
     found = motion.solve(linkage(SCHEMES[name](k), sign), turn(7))

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from conftest import examples
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
@@ -108,7 +109,7 @@ def test_an_outline_is_a_simple_ring_of_z_equal_teeth(shifted):
 PAIRS = st.tuples(st.integers(8, 40), st.integers(8, 60), st.floats(-0.2, 1.0), st.floats(-0.2, 1.0))
 
 
-@settings(max_examples=25)
+@settings(max_examples=examples(25))
 @given(PAIRS, st.sampled_from([0.0, 0.3]))
 def test_feasible_external_pairs_do_not_overlap_and_the_contact_ratio_is_the_formula(sizes, beta):
     z1, z2, x1, x2 = sizes
@@ -122,7 +123,7 @@ def test_feasible_external_pairs_do_not_overlap_and_the_contact_ratio_is_the_for
     assert_meshing(one, other, pair)
 
 
-@settings(max_examples=15)
+@settings(max_examples=examples(15))
 @given(st.integers(12, 40), st.integers(20, 60), st.floats(0.0, 0.8), st.floats(0.2, 1.5))
 def test_feasible_internal_pairs_do_not_overlap_and_the_contact_ratio_is_the_formula(z1, more, x1, x2):
     z2 = z1 + more

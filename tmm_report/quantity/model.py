@@ -132,6 +132,10 @@ class Table:
         at = int(self["position"].values[row]) if "position" in self else row
         return Ref(key, at, self.name, unit="" if unit == own else unit, size=size)
 
+    def by_key(self, key: str, column: str, position: int | None = None) -> Ref:
+        """Where a number stands in a table of which each row is a quantity with its key."""
+        return Ref(key, position, self.name, by=column)
+
     def var(self, key: str, row: int, unit: str = "", size: bool = False, digits: int | None = None) -> Var:
         """The number of a row, for a formula."""
         column, ref = self[key], self.ref(key, row, unit, size)

@@ -28,7 +28,7 @@ def _start(pair: Pair, i: int) -> float:
         return lower
     z, x = int((pair.z1, pair.z2)[i]), float((pair.x1, pair.x2)[i])
     try:
-        cut = teeth.external(z, float(pair.m_t), x * math.cos(pair.beta), pair.t, tip=float(pair.d_a[i]) / 2)
+        cut = teeth.flank(z, float(pair.m_t), x * math.cos(pair.beta), pair.t, tip=float(pair.d_a[i]) / 2)
     except ValueError:
         return math.inf
     return math.sqrt(max(cut.junction**2 - cut.base**2, 0.0))

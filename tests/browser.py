@@ -1,0 +1,174 @@
+"""One headless Chromium opens all pages that the tests look at, once a run: it is told what to do through pipes.
+
+Its DevTools protocol, https://chromedevtools.github.io/devtools-protocol: JSON messages that end in a zero byte.
+"""
+
+from __future__ import annotations
+
+import base64
+import json
+import os
+import select
+import signal
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import pytest
+from conftest import read
+from notes import note, program
+from once import once
+from tmm_report.assemblies_page import find, page
+
+from tmm_report.i18n import Translator
+
+OPTIONS = [
+    "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-extensions",
+    "--disable-background-networking", "--disable-component-update", "--disable-sync", "--hide-scrollbars",
+    "--remote-debugging-pipe",
+]  # fmt: skip
+SECONDS = 120  # a browser that says nothing for so long has failed
+Message = dict[str, Any]
+
+
+def a_note(name: str, language: str) -> bytes:
+    return note(name, "html", language)["note.html"]
+
+
+PAGES: dict[str, Callable[[], bytes]] = {
+    "compressor-ru": lambda: a_note("compressor", "ru"),
+    "compressor-en": lambda: a_note("compressor", "en"),
+    "shaper-ru": lambda: a_note("shaper", "ru"),
+    "hoist_drive-ru": lambda: a_note("hoist_drive", "ru"),
+    "assemblies": lambda: page(find(read("press")), Translator("en"))["assemblies.html"],
+}
+PRINTED = {"compressor-ru", "compressor-en", "assemblies"}
+
+# What the page itself can tell, in CSS pixels.
+MEASURES = """
+document.fonts.ready.then(() => {
+  const box = e => { const r = e.getBoundingClientRect(); return [r.width, r.height]; };
+  const right = e => e.getBoundingClientRect().right;
+  const all = s => [...document.querySelectorAll(s)];
+  const broken = all('a[href^="#"]').filter(a => !document.getElementById(decodeURIComponent(a.hash.slice(1))));
+  return {
+    maths: all("math").map(box), figures: all("figure svg").map(box), tables: all("table").map(box),
+    images: all("img").length, broken: broken.map(a => a.hash), fonts: [...document.fonts].map(f => f.status),
+    page: document.documentElement.scrollWidth, shown: document.documentElement.clientWidth,
+    errors: all("merror, parsererror").length, lang: document.documentElement.lang,
+    overlong: all("math").filter(m => right(m) > right(m.closest("section, main, body")) + 1).length,
+  };
+})
+"""
+
+
+@dataclass(frozen=True)
+class Seen:
+    """A page as the browser shows it: its measures, what it asked for, what the console said, the page printed."""
+
+    text: str
+    measures: dict[str, Any]
+    asked: list[str]
+    console: list[str]
+    pdf: bytes
+
+
+@once
+def seen() -> dict[str, Seen]:
+    """All pages."""
+    with TemporaryDirectory(ignore_cleanup_errors=True) as folder, browser(Path(folder)) as talk:
+        return {name: opened(talk, Path(folder), name, make()) for name, make in PAGES.items()}
+
+
+def opened(talk: Talk, folder: Path, name: str, content: bytes) -> Seen:
+    file = folder / f"{name}.html"
+    file.write_bytes(content)
+    target = talk.ask("Target.createTarget", url="about:blank", width=1000, height=1200, newWindow=True)
+    talk.session = talk.ask("Target.attachToTarget", **target, flatten=True)["sessionId"]
+    talk.events.clear()
+    for domain in ("Page", "Runtime", "Log", "Network"):
+        talk.ask(f"{domain}.enable")
+    talk.ask("Page.navigate", url=file.as_uri())
+    talk.wait_for("Page.loadEventFired")
+    measured = talk.ask("Runtime.evaluate", expression=MEASURES, awaitPromise=True, returnByValue=True)
+    asked = [event["params"]["request"]["url"] for event in talk.of("Network.requestWillBeSent")]
+    console = talk.of("Log.entryAdded", "Runtime.consoleAPICalled", "Runtime.exceptionThrown")
+    pdf = printed(talk) if name in PRINTED else b""
+    talk.session = None
+    talk.ask("Target.closeTarget", **target)
+    asked.remove(file.as_uri())
+    said = [json.dumps(event["params"]) for event in console]
+    return Seen(content.decode(), measured["result"]["value"], asked, said, pdf)
+
+
+def printed(talk: Talk) -> bytes:
+    sheet = talk.ask("Page.printToPDF", preferCSSPageSize=True, printBackground=True)
+    return base64.b64decode(sheet["data"])
+
+
+@dataclass
+class Talk:
+    """Questions to the browser and its answers; what it tells unasked is kept as events."""
+
+    to: int
+    fro: int
+    session: str | None = None
+    events: list[Message] = field(default_factory=list)
+    count: int = 0
+    rest: bytes = b""
+
+    def ask(self, method: str, **params: Any) -> Message:
+        self.count += 1
+        message: Message = {"id": self.count, "method": method, "params": params}
+        if self.session:
+            message["sessionId"] = self.session
+        os.write(self.to, json.dumps(message).encode() + b"\0")
+        while (answer := self.heard()).get("id") != self.count:
+            self.events.append(answer)
+        assert "result" in answer, (method, answer)
+        return answer["result"]
+
+    def heard(self) -> Message:
+        parts = []
+        while b"\0" not in self.rest:
+            parts.append(self.rest)
+            assert select.select([self.fro], [], [], SECONDS)[0], f"the browser is silent for {SECONDS} s"
+            self.rest = os.read(self.fro, 1 << 20)
+            assert self.rest, "the browser has gone"
+        end, _, self.rest = self.rest.partition(b"\0")
+        return json.loads(b"".join([*parts, end]))
+
+    def wait_for(self, method: str) -> None:
+        while not self.of(method):
+            self.events.append(self.heard())
+
+    def of(self, *methods: str) -> list[Message]:
+        return [event for event in self.events if event["method"] in methods]
+
+
+@contextmanager
+def browser(folder: Path) -> Iterator[Talk]:
+    """The browser, reading from its descriptor 3 and writing to 4."""
+    path = program("chromium", "chromium-browser", "google-chrome")
+    if not hasattr(os, "posix_spawn"):
+        pytest.skip("the pipes to the browser are those of POSIX")
+    (reads, to), (fro, writes) = os.pipe(), os.pipe()
+    command = [path, *OPTIONS, f"--user-data-dir={folder / 'profile'}", "about:blank"]
+    ends = [(os.POSIX_SPAWN_DUP2, reads, 3), (os.POSIX_SPAWN_DUP2, writes, 4)]
+    silent = (os.POSIX_SPAWN_OPEN, 2, os.devnull, os.O_WRONLY, 0)
+    process = os.posix_spawn(path, command, os.environ, file_actions=[*ends, silent], setsid=True)
+    os.close(reads)
+    os.close(writes)
+    try:
+        yield (talk := Talk(to, fro))
+        talk.ask("Browser.close")
+    except BaseException:
+        os.killpg(process, signal.SIGKILL)
+        raise
+    finally:
+        os.waitpid(process, 0)
+        os.close(to)
+        os.close(fro)
