@@ -8,10 +8,9 @@ from typing import Any
 
 from tmm_report.course import INITIAL_DATA, LEVER, Results, chapters, room
 from tmm_report.i18n import Translator
-from tmm_report.report import gears
 from tmm_report.report import render as render_parts
 from tmm_report.report.page import Page
-from tmm_report.report.part import NEXT_CHAPTER, Part
+from tmm_report.report.part import Inner, Part
 
 Found = (
     Any  # the record of a lever mechanism, or the Found of another chapter: what the chapter's own view takes
@@ -44,11 +43,12 @@ def _solved(results: Results) -> Iterator[tuple[str, Found]]:
 def _of_chapter(
     view: ModuleType, found: Found, waiting: Iterator[tuple[ModuleType, Found]], page: Page
 ) -> Iterator[Part]:
-    if not hasattr(view, "parts"):
-        yield from gears.parts(found, page)
-        return
     for part in view.parts(found, page):
-        if part is not NEXT_CHAPTER:
-            yield part
-        elif (inner := next(waiting, None)) is not None:
-            yield from _of_chapter(*inner, waiting, page)
+        match part:
+            case Part():
+                yield part
+            case Inner(chapter, inside, label):
+                yield from room(chapter, "view").parts(inside, page, label)
+            case _:  # NEXT_CHAPTER
+                if (inner := next(waiting, None)) is not None:
+                    yield from _of_chapter(*inner, waiting, page)

@@ -13,8 +13,8 @@ from tmm_report.chapters.eccentric.view import EccentricView
 from tmm_report.course import Results, Variant
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.spur import Rack
+from tmm_report.note import render
 from tmm_report.problems import ProblemError
-from tmm_report.report import render
 from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page

@@ -78,6 +78,8 @@ def children(node: Element) -> list[Element]:
 
 def whole_number(node: Element) -> Figure | None:
     """The number that an element is: <mn>, or a row of its sign, digits and power of ten."""
+    if node.tag == "mrow" and len(node) == 1:  # above or below the line of a fraction
+        return whole_number(node[0])
     if node.tag == "mn":
         text = node.text or ""
     elif node.tag == "mrow" and (len(node) > 1 or mark_of(node) is not None):

@@ -398,8 +398,9 @@ class Formula:
         last = ""
         for side in self._sides(form):
             joined = without_attributes("".join(side))
-            if joined != last:  # a bare number is not repeated as its own value
-                pieces += [form.operator("=") + side[0], *side[1:]]
+            if joined == last:  # a bare number is not repeated as its own value: it is the value
+                del pieces[-len(side) :]
+            pieces += [form.operator("=") + side[0], *side[1:]]
             last = joined
         pieces[-1] += form.unit(self.unit) if self.unit != "deg" else ""
         return form.formula(_with_head(pieces))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol
 
 from markupsafe import Markup
 
@@ -24,6 +24,17 @@ class Part(NamedTuple):
     template: str
     view: View
     concludes: bool = True
+
+
+class Inner(NamedTuple):
+    """In the place of a part: the parts of a chapter that another has solved within itself, as the drive its stages.
+
+    `label`: with which its sections, and its names in the results, begin.
+    """
+
+    chapter: str
+    found: Any
+    label: str
 
 
 NEXT_CHAPTER = None  # among the parts of a chapter: here stand those of the next one

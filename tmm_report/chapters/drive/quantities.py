@@ -29,7 +29,7 @@ COMPARISON = Message(N_("diagrams of velocities of the drive against calculation
 MEMBER = Message(N_("member"))
 
 
-def book(found: Found, prefix: str) -> Book:
+def book(found: Found, prefix: str = "drive") -> Book:
     """All that is said in numbers of the drive and of its stages."""
     return Book.of(tables(found, prefix), values(found, prefix))
 

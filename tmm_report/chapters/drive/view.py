@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import Any, assert_never
 
@@ -20,6 +20,7 @@ from tmm_report.quantity import model as quantity
 from tmm_report.quantity.formula import Formula
 from tmm_report.report.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.page import Page
+from tmm_report.report.part import Inner, Part
 
 SCHEMES = {
     "sun-ring": N_("planetary, single-row, external and internal mesh"),
@@ -27,6 +28,25 @@ SCHEMES = {
     "external-internal": N_("planetary, double-row, external and internal mesh"),
     "internal-internal": N_("planetary, double-row, two internal meshes"),
 }
+
+
+def parts(found: Found, page: Page) -> Iterator[Part | Inner]:
+    """The drive at the head of its stages, then as a whole."""
+    view = DriveView(found, page, "drive")
+    yield Part("drive", view)
+    for number, stage in enumerate(found.stages, 1):
+        yield Inner(_chapter(stage), stage, f"stage{number}")
+    yield Part("drive_whole", view)
+
+
+def _chapter(stage: Stage) -> str:
+    match stage:
+        case spur.Found():
+            return "spur"
+        case planetary.Found():
+            return "planetary"
+        case _:
+            assert_never(stage)
 
 
 class DriveView(DriveFormulas):

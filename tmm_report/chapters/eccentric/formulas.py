@@ -207,7 +207,7 @@ class EccentricFormulas:
         return self.of["gap_1_3"].formula(rest, "mm")
 
     def least_teeth(self) -> Formula:
-        return self.of["z_min"].formula(2 * self.ha / sin(self.alpha) ** 2)
+        return self.of["least_teeth"].formula(2 * self.ha / sin(self.alpha) ** 2)
 
     # ------------------------------------------------------------ interference in the ring
 

@@ -24,7 +24,7 @@ CONCERNED = Message(N_("wheels concerned"))
 TEETH = Quantity("z", Symbol("z"), "", Message(N_("number of teeth")))
 
 
-def book(found: Found, prefix: str) -> Book:
+def book(found: Found, prefix: str = "eccentric") -> Book:
     """All that is said in numbers of the mechanism."""
     return Book.of(tables(found, prefix), values(found, prefix))
 

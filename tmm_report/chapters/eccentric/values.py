@@ -74,9 +74,9 @@ def _chosen(found: Found) -> Iterator[Row]:
     yield "remainder_teeth", None, "", N_("remainder of z1 + z3 divided by 4"), one
     yield "remainder_E", None, "", N_("remainder of 2e/m divided by 4"), other
     least = N_("least number of teeth that the rack does not undercut")
-    yield "z_min", math_symbol("z_min"), "", least, found.least_teeth
+    yield "least_teeth", math_symbol("z_min"), "", least, found.least_teeth
     rounded = N_("least number of teeth as the course rounds it")
-    yield "z_min_rounded", None, "", rounded, found.rounded_least
+    yield "least_teeth_rounded", None, "", rounded, found.rounded_least
 
 
 def _lengths(found: Found) -> Iterator[Row]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from functools import cached_property
 from typing import Any, Literal
 
@@ -18,6 +18,7 @@ from tmm_report.problems import N_
 from tmm_report.quantity import model as quantity
 from tmm_report.report.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.page import Page
+from tmm_report.report.part import Part
 
 CONDITIONS = {
     "assembly": N_("assembly of satellite %(wheel)s, pitches"),
@@ -27,6 +28,10 @@ CONDITIONS = {
     "root": N_("no interference of the ring with the root of satellite %(wheel)s"),
     "fouling": N_("no overlap of the tips of satellite %(wheel)s and the ring"),
 }
+
+
+def parts(found: Found, page: Page) -> Iterator[Part]:
+    yield Part("eccentric", EccentricView(found, page, "eccentric"))
 
 
 class EccentricView(EccentricFormulas):

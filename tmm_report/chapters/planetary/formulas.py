@@ -196,7 +196,7 @@ class PlanetaryFormulas:
         yield self.rows.formula("x_sum", row, self.teeth_sum(row) * difference / (2 * tan(alpha)))
 
     def least_teeth(self) -> Formula:
-        return self.of["z_min"].formula(2 * self.ha / sin(self.alpha) ** 2)
+        return self.of["least_teeth"].formula(2 * self.ha / sin(self.alpha) ** 2)
 
     def ring_tip(self, row: int) -> Relation:
         """The ring's tip beyond the limit point of the line of action."""

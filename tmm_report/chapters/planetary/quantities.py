@@ -138,9 +138,9 @@ def _satellites(found: Found) -> Iterator[Row]:
     gap = Message(N_("gap between the tip circles of neighbouring satellites"))
     yield "gap", Symbol("Delta"), "m", gap, found.gap
     least = Message(N_("least number of teeth that the rack does not undercut"))
-    yield "z_min", math_symbol("z_min"), "", least, found.least_teeth
+    yield "least_teeth", math_symbol("z_min"), "", least, found.least_teeth
     rounded = Message(N_("least number of teeth as the course rounds it"))
-    yield "z_min_rounded", None, "", rounded, least_teeth(found.given.task.rack)
+    yield "least_teeth_rounded", None, "", rounded, least_teeth(found.given.task.rack)
 
 
 def _assembly(found: Found) -> Iterator[Row]:
@@ -198,7 +198,7 @@ def _rows(found: Found) -> Iterator[Column]:
     pairs = [f"{names[0]}-{names[1]}", f"{names[2]}-{names[3]}"]
     yield text_column("mesh", Message(N_("wheels in mesh")), pairs)
     total = Message(N_("sum of the teeth of the wheels in mesh; with a ring, their difference"))
-    yield Quantity("z_sum", math_symbol("z_Sigma"), "", total).column(rows.teeth)
+    yield Quantity("z_sum", None, "", total).column(rows.teeth)
     for key, unit, meaning, numbers in (
         ("a", "m", N_("reference centre distance of the mesh that is opened"), sizes.pitch_distances),
         ("alpha_w", "deg", N_("operating angle of that mesh"), np.degrees(sizes.angles)),

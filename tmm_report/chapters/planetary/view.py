@@ -24,6 +24,7 @@ from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.wheel_words import DIAMETERS
 from tmm_report.report.layout import Cell, Table, Words, worded
 from tmm_report.report.page import Page
+from tmm_report.report.part import Part
 
 SHOWN = 10  # solutions in the table, besides the chosen one
 PLACES = {"ratio": 2, "undercut": 2, "tips": 3, "contact": 3, "gap": 2}  # decimals of the conditions
@@ -36,6 +37,11 @@ SCHEMES = {
     "internal-internal": N_("two-row stage with two internal meshes"),
 }
 INPUT = Symbol("omega", NP_("index", "in"))
+
+
+def parts(found: Found, page: Page, label: str) -> Iterator[Part]:
+    """Of a stage; `label`: with which its sections, and its names in the results, begin."""
+    yield Part("planetary", PlanetaryView(found, page, label))
 
 
 class PlanetaryView(PlanetaryFormulas):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import cached_property
 from typing import Any
 
@@ -20,6 +21,12 @@ from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.wheel_words import DIAMETERS, TEETH, of_wheel
 from tmm_report.report.layout import Cell, Table, Words, worded
 from tmm_report.report.page import Page
+from tmm_report.report.part import Part
+
+
+def parts(found: Found, page: Page, label: str) -> Iterator[Part]:
+    """Of a stage; `label`: with which its sections, and its names in the results, begin."""
+    yield Part("spur", SpurView(found, page, label))
 
 
 class SpurView(SpurFormulas):
