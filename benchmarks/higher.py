@@ -13,9 +13,9 @@ from pathlib import Path
 import numpy as np
 from timing import interleaved
 
+from tmm_report.course import load
 from tmm_report.mechanics import motion
 from tmm_report.mechanics.assembly import assemble
-from tmm_report.variant import load
 
 VARIANTS = Path(__file__).parents[1] / "variants"
 NAMES = ("compressor", "quick_return", "press")  # dyads alone, class III, class IV
@@ -25,7 +25,7 @@ def main() -> None:
     few, many = (np.arange(n) * (2 * np.pi / n) for n in (36, 3600))
     print("variant         first, ms    36 again, ms    3600 again, ms")
     for name in NAMES:
-        mechanism = load(VARIANTS / f"{name}.yaml").mechanism
+        mechanism = load(VARIANTS / f"{name}.yaml").lever.mechanism
         linkage = assemble(mechanism)
         motion.solve(linkage, few)
         taken = interleaved(

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import settings
 
 from tmm_report import course
-from tmm_report.variant import load
+from tmm_report.course import load
 
 pytest_plugins = ["cpu"]
 
@@ -40,10 +40,15 @@ def solved(name: str) -> course.Results:
     return course.solve(read(name))
 
 
+def stating(variant: course.Variant, **changes) -> course.Variant:
+    """The variant with something else given of its lever mechanism: `stating(variant, loads=None)`."""
+    return replace(variant, lever=replace(variant.lever, **changes))
+
+
 @cache
 def unread(variant: course.Variant) -> course.Results:
     """Solved without the readings from paper: they hold for the numbers of that variant alone."""
-    return course.solve(replace(variant, readings={}))
+    return course.solve(stating(variant, readings={}))
 
 
 @every_variant

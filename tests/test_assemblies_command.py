@@ -12,17 +12,18 @@ from xml.etree import ElementTree
 import browser
 import numpy as np
 import pytest
-from conftest import FILES, read
+from conftest import FILES, read, stating
 from notes import VARIANTS, program
 from test_attacks import PAYLOADS
 from typer.testing import CliRunner
 
 from tmm_report import course, yamlread
-from tmm_report.assemblies_page import MOST, Assemblies, find, page
-from tmm_report.chapters.given import Title
+from tmm_report.chapters.title.given import Title
 from tmm_report.cli import app
+from tmm_report.commands.assemblies_page import page
+from tmm_report.commands.ways import MOST, Assemblies, find
+from tmm_report.course import loads
 from tmm_report.i18n import Translator
-from tmm_report.variant import loads
 
 NAMES = [file.stem for file in FILES]
 WAY = re.compile(r"^(\d+)(.*)\n  (sketch: \{.*\})$", re.M)
@@ -54,7 +55,7 @@ def stated(variant_text: str, sketch: str) -> course.Variant:
 
 
 def unstated(variant: course.Variant) -> course.Variant:
-    return replace(variant, mechanism=replace(variant.mechanism, assembly=(), sketch={}))
+    return stating(variant, mechanism=replace(variant.lever.mechanism, assembly=(), sketch={}))
 
 
 def broken_lengths(found: Assemblies) -> list[tuple[int, str, float]]:
@@ -138,8 +139,8 @@ def test_the_angle_may_be_chosen(tmp_path):
 
 def test_the_angle_by_default_is_that_of_the_sketch_then_of_position_zero():
     press, crank = read("press"), read("crank_rocker")
-    turned = replace(press.mechanism, sketch={"B": 0.03 + 0.03j})
-    assert find(replace(press, mechanism=turned)).phi == pytest.approx(pi / 4)
+    turned = replace(press.lever.mechanism, sketch={"B": 0.03 + 0.03j})
+    assert find(stating(press, mechanism=turned)).phi == pytest.approx(pi / 4)
     assert find(unstated(press)).phi == pytest.approx(pi / 2)
     assert find(crank).phi == 0.0
 
@@ -201,7 +202,7 @@ def test_mistakes_are_told_as_for_solve(tmp_path):
         ([free], r"free\.yaml:\d+:\d+: mechanism\.links: mobility is W = 3·5 − 2·6 = 3"),
         ([tmp_path / "none.yaml"], r"none\.yaml"),
         ([crank, "--angle", "30 mm"], r"^--angle: 30 mm is a length \(mm\); expected: an angle \(rad\)"),
-        ([crank, "--lang", "fr"], r"--lang: ru or en"),
+        ([crank, "--lang", "fr"], r"^--lang: there is no language fr; known: ru, en$"),
         ([crank, "-o", tmp_path / "file" / "out"], r"cannot write into"),
     ):
         done = run("--lang", "en", *arguments)

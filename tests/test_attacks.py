@@ -14,7 +14,7 @@ from notes import VARIANTS, program
 from typer.testing import CliRunner
 
 from tmm_report import load, render, solve
-from tmm_report.chapters.given import Title
+from tmm_report.chapters.title.given import Title
 from tmm_report.cli import app
 
 PAYLOADS = {
@@ -46,16 +46,17 @@ def hostile():
     variant = load(VARIANTS / "compressor.yaml")
     everything = " ¶ ".join(PAYLOADS.values())
     title = Title(**dict.fromkeys(vars(Title()), everything))
-    assert variant.loads is not None
-    forces = tuple(replace(force, name=everything) for force in variant.loads.forces)
+    assert variant.lever.loads is not None
+    forces = tuple(replace(force, name=everything) for force in variant.lever.loads.forces)
     assert variant.drive is not None
     planetary, spur = variant.drive.stages
     drive = replace(
         variant.drive, stages=(replace(planetary, title=everything), replace(spur, name=everything))
     )
     eccentric = replace(load(VARIANTS / "eccentric.yaml").eccentric, name=everything)
-    loads = replace(variant.loads, forces=forces)
-    return solve(replace(variant, title=title, loads=loads, drive=drive, eccentric=eccentric))
+    loads = replace(variant.lever.loads, forces=forces)
+    lever = replace(variant.lever, loads=loads)
+    return solve(replace(variant, title=title, lever=lever, drive=drive, eccentric=eccentric))
 
 
 @pytest.fixture(scope="module")

@@ -16,11 +16,15 @@ import pytest
 from notes import NAMES, VARIANTS, note
 from typer.testing import CliRunner
 
-from tmm_report import __version__
+import tmm_report
+from tmm_report import __version__, commands
 from tmm_report.cli import app
+from tmm_report.languages import LANGUAGES
 from tmm_report.yamlread import read
 
 COMPRESSOR = VARIANTS / "compressor.yaml"
+PACKAGE = Path(tmm_report.__file__).parent
+COMMANDS = [command.callback.__name__ for command in app.registered_commands]
 
 
 def run(*arguments: object, **env: str):
@@ -75,7 +79,9 @@ def test_results_are_strict_json_with_units_and_meanings(tmp_path):
 
         document = json.loads((tmp_path / "results.json").read_text(encoding="utf-8"), parse_constant=refuse)
         columns = [c for table in document["tables"].values() for c in table["columns"]]
-        assert all(c["meaning"] and set(c) == {"key", "unit", "meaning", "values"} for c in columns)
+        assert all(
+            c["meaning"] and set(c) - {"symbol"} == {"key", "unit", "meaning", "values"} for c in columns
+        )
         for table in document["tables"].values():
             assert len({len(c["values"]) for c in table["columns"]}) == 1
             assert len({c["key"] for c in table["columns"]}) == len(table["columns"])
@@ -219,7 +225,7 @@ def test_schema_accepts_the_variants_and_refuses_unknown_keys():
         assert list(validator.iter_errors({**data, "surplus": 1}))
 
 
-@pytest.mark.parametrize("language", ["ru", "en"])
+@pytest.mark.parametrize("language", LANGUAGES)
 def test_new_variant_solves(tmp_path, language):
     path = tmp_path / "my.yaml"
     assert run("new", path, "--lang", language).exit_code == 0
@@ -232,7 +238,7 @@ def test_new_variant_solves(tmp_path, language):
 def test_every_command_and_option_has_help():
     assert run("--version").output.strip() == f"tmm-report {__version__}"
     top = run("--help").output
-    for command in ("solve", "schema", "new"):
+    for command in COMMANDS:
         assert re.search(rf"{command}\s+\w+", top)
         text = run(command, "--help").output
         for option in re.findall(r"^\s+(--[\w-]+|-o)", text, re.M):
@@ -252,3 +258,80 @@ def test_open_shows_the_note(tmp_path, monkeypatch):
     assert run("solve", COMPRESSOR, "-o", tmp_path / "out", "--format", "json", "--open").exit_code == 0
     assert shown == [(tmp_path / "out" / "note.html").resolve().as_uri()]
     assert (Path(tmp_path) / "out" / "note.html").is_file()
+
+
+# ---------------------------------------------------------------- the rooms
+
+
+class Heard:
+    """A command's talk, collected."""
+
+    def __init__(self):
+        self.languages, self.stages, self.told, self.warned = [], [], [], []
+
+    def speak(self, language):
+        self.languages.append(language)
+
+    def stage(self, doing):
+        self.stages.append(str(doing))
+
+    def tell(self, line):
+        self.told.append(str(line))
+
+    def warn(self, line):
+        self.warned.append(str(line))
+
+
+def test_a_command_talks_and_prints_nothing(tmp_path, capsys):
+    from tmm_report.commands import solve
+
+    heard = Heard()
+    assert solve.run(COMPRESSOR, tmp_path / "out", "json,csv", None, heard)
+    assert heard.languages == ["ru"] and heard.stages == ["writing json", "writing csv"]
+    assert heard.told[0] == "I(0,1) → II2(2,3) → II2(4,5)" and heard.warned == []
+    assert heard.told[-1] == f"written: {tmp_path / 'out' / 'results.json'}, {tmp_path / 'out' / 'tables'}"
+    assert capsys.readouterr() == ("", "")
+
+
+def test_every_command_has_a_room():
+    assert COMMANDS
+    assert [name for name in COMMANDS if not (PACKAGE / "commands" / f"{name}.py").is_file()] == []
+    assert commands.__doc__
+
+
+def test_only_the_command_line_prints_and_exits():
+    spoken = re.compile(r"\bprint\(|typer|\bsys\.(exit|stdout|stderr)|SystemExit")
+    found = {
+        f"{file.relative_to(PACKAGE)}: {line.strip()}"
+        for file in PACKAGE.rglob("*.py")
+        for line in file.read_text("utf-8").splitlines()
+        if spoken.search(line) and file.name != "cli.py"
+    }
+    assert found == set()
+
+
+def test_the_command_line_alone_loads_nothing_heavy():
+    program = (
+        "import sys, tmm_report.cli; print(*sorted(m for m in sys.modules if m.startswith('tmm_report')))"
+    )
+    done = subprocess.run([sys.executable, "-c", program + "\nassert 'numpy' not in sys.modules"],
+                          capture_output=True, text=True, check=True)  # fmt: skip
+    rooms = ["tmm_report", "tmm_report.cli", "tmm_report.languages", "tmm_report.problems"]
+    assert done.stdout.split() == rooms
+
+
+def test_what_is_being_done_is_shown_on_a_terminal_and_wiped(monkeypatch, capsys):
+    from tmm_report.cli import _Console
+    from tmm_report.problems import Message
+
+    monkeypatch.setattr("sys.stderr.isatty", lambda: True)
+    console = _Console("en")
+    console.stage(Message("solving"))
+    assert console._timer.is_alive() and capsys.readouterr().err == ""
+    console._show()
+    console.stage(Message("writing %(format)s", {"format": "html"}))
+    console.tell("done\x1b[31m")
+    assert not console._shown and console._timer is None
+    shown = capsys.readouterr()
+    assert [part.strip() for part in shown.err.split("\r")] == ["", "solving…", "writing html…", "", ""]
+    assert shown.out == "done\N{REPLACEMENT CHARACTER}[31m\n"

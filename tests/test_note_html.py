@@ -10,6 +10,8 @@ import pytest
 from browser import Seen
 from notes import NAMES, note, program
 
+from tmm_report.languages import LANGUAGES
+
 MM = 96 / 25.4  # CSS pixels
 
 
@@ -58,7 +60,7 @@ def test_tables_and_figures_fit_a_printed_page(seen):
     assert all(width <= 185 * MM and height <= 250 * MM for width, height in page["figures"])
 
 
-@pytest.mark.parametrize("language", ["ru", "en"])
+@pytest.mark.parametrize("language", LANGUAGES)
 def test_prints_to_a4(language, tmp_path):
     pdf = tmp_path / "note.pdf"
     pdf.write_bytes(browser.seen()[f"compressor-{language}"].pdf)
@@ -73,7 +75,7 @@ def test_prints_to_a4(language, tmp_path):
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_variant_makes_a_note_in_both_languages(name):
-    for language in ("ru", "en"):
+    for language in LANGUAGES:
         text = note(name, "html", language)["note.html"].decode()
         assert f'lang="{language}"' in text and "<math" in text
         assert not re.search(

@@ -14,9 +14,10 @@ from notes import NAMES, VARIANTS, note, program
 from once import once
 
 from tmm_report import render, solve
-from tmm_report.chapters.given import Title
-from tmm_report.pdf import compile_pdf
-from tmm_report.variant import loads
+from tmm_report.chapters.title.given import Title
+from tmm_report.commands.pdf import compile_pdf
+from tmm_report.course import loads
+from tmm_report.languages import LANGUAGES
 
 NOTES = ["compressor-ru", "compressor-en", "shaper-ru", "tangent-en", "hoist_drive-ru", "eccentric-en"]
 TIMELESS = {"SOURCE_DATE_EPOCH": "0", "FORCE_SOURCE_DATE": "1"}
@@ -81,7 +82,7 @@ def test_every_figure_is_written_and_used(name):
 @pytest.mark.parametrize("name", NAMES)
 def test_every_sign_can_be_set(name):
     """A letter that pdflatex has no glyph for is printed as a question mark; the notes ask no questions."""
-    for language in ("ru", "en"):
+    for language in LANGUAGES:
         files = note(name, "tex", language)
         assert [file for file, text in files.items() if file.endswith(".tex") and b"?" in text] == []
 
@@ -91,7 +92,7 @@ def test_letters_of_every_language_of_the_users_are_set(tmp_path):
     letters = "ӘәҒғҚқҢңӨөҰұҮүҺһЇїЄєҐґ"  # і shares its glyph with the Latin one
     text = (VARIANTS / "slider_crank_offset.yaml").read_text(encoding="utf-8")
     variant = loads(re.sub(r"\bB\b", "Қ", text))
-    assert "Қ" in variant.mechanism.point_names
+    assert "Қ" in variant.lever.mechanism.point_names
     found = solve(replace(variant, title=Title(topic=letters, student=letters)))
     program("pdflatex")
     (tmp_path / "note.pdf").write_bytes(compile_pdf(render(found, "tex", "ru")))

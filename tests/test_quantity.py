@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tmm_report.quantity.paper import rounded
 from tmm_report.quantity.text import column, number, round_significant, split, unit_text
 
 sizes = st.floats(1e-12, 1e12).flatmap(lambda size: st.sampled_from([size, -size]))
@@ -104,3 +105,36 @@ def test_split_gives_parts_to_typeset():
 )
 def test_units_are_printed_in_the_language(unit, ru, en):
     assert (unit_text(unit, "ru"), unit_text(unit, "en")) == (ru, en)
+
+
+def as_text(x: float, digits: int) -> float:
+    """Rounding through the number's text: what rounding by arithmetic must equal to the last bit."""
+    return float(f"{x * (1 + 1e-12):.{digits - 1}e}")
+
+
+@given(st.floats(allow_nan=False, allow_infinity=False).filter(lambda x: abs(x) < 1e300), st.integers(1, 15))
+def test_rounding_by_arithmetic_is_rounding_by_text(x, digits):
+    assert round_significant(x, digits) == as_text(x, digits)
+
+
+@given(st.integers(1, 10**7), st.integers(-12, 6), st.integers(1, 12), st.sampled_from([-1, 0, 1]))
+def test_rounding_of_short_decimals_halves_and_their_neighbours(whole, power, digits, step):
+    """Decimals such as 2.675, powers of ten, and the doubles beside them."""
+    x = float(f"{whole}5e{power}") if digits % 2 else float(f"{whole}e{power}")
+    x = math.nextafter(x, math.inf * step) if step else x
+    assert round_significant(x, digits) == as_text(x, digits)
+
+
+@pytest.mark.parametrize("power", range(-15, 16))
+@pytest.mark.parametrize("digits", [1, 2, 5, 7, 12])
+def test_rounding_beside_powers_of_ten(power, digits):
+    ten = float(f"1e{power}")
+    for x in (ten, math.nextafter(ten, 0), ten * (1 - 1e-13), ten * (1 - 1e-11), 9.5 * ten, 9.9999995 * ten):
+        assert round_significant(x, digits) == as_text(x, digits)
+        assert round_significant(-x, digits) == -as_text(x, digits)
+
+
+@given(st.complex_numbers(max_magnitude=1e6, allow_nan=False), st.sampled_from([0.01, 0.1, 0.25, 1.0]))
+def test_a_reading_is_the_same_alone_and_in_an_array(x, step):
+    assert rounded(x, step) == rounded(np.array([x]), step)[0]
+    assert rounded(x.real, step) == rounded(np.array([x.real]), step)[0]

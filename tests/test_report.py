@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from dataclasses import astuple, replace
 from functools import cache
 from html import unescape
 
 import pytest
 from conftest import solved as results
+from jinja2 import Template
 from markupsafe import Markup
 from notes import NAMES, note
 
@@ -111,12 +113,43 @@ def test_sections_and_formulas_are_numbered_by_chapter():
     assert [place.number for place in places] == ["1", "1.1", "1.1", "1.2", "1.2.1", "2", "2.1", "2.1"]
 
 
-def test_forward_reference_is_known_in_the_second_pass():
-    first = Numbering()
-    assert first.place("fig:x").number == "?" and first.missing == {"fig:x"}
-    place = first.take("figure", "fig:x")
-    second = Numbering(known=first.places)
-    assert second.place("fig:x") == place and not second.missing
+def test_forward_reference_is_put_in_at_the_end():
+    numbers = Numbering()
+    later = numbers.place("fig:x")
+    assert numbers.place("fig:x") == later and numbers.place("fig:y") != later
+    place, other = numbers.take("figure", "fig:x"), numbers.unnumbered("References", "sec:fig:y")
+    assert numbers.place("fig:x") == place
+    text = f"<a href='#{later.anchor}'>{later.number}</a> {numbers.place('sec:fig:y').anchor}"
+    numbers.places["fig:y"] = other
+    assert numbers.resolved(text) == f"<a href='#{place.anchor}'>{place.number}</a> {other.anchor}"
+
+
+def test_reference_to_what_never_comes_is_a_mistake():
+    numbers = Numbering()
+    numbers.place("fig:x")
+    with pytest.raises(ValueError, match=r"not in the note: \['fig:x'\]"):
+        numbers.resolved("")
+
+
+@pytest.mark.parametrize("form", [Html, Tex])
+def test_mark_of_a_forward_reference_passes_every_format_and_cannot_be_guessed(form):
+    first, second = Numbering().place("fig:x"), Numbering().place("fig:x")
+    assert first != second and len(first.number) > 32
+    for mark in first:
+        assert page(form).text(mark) == mark
+
+
+def test_templates_are_rendered_once(monkeypatch):
+    rendered = Counter()
+    render_template = Template.render
+
+    def counted(self, *args, **given):
+        rendered[self.name] += 1
+        return render_template(self, *args, **given)
+
+    monkeypatch.setattr(Template, "render", counted)
+    render(results("crank_rocker"), "html", Translator("ru"))
+    assert rendered["chapters/kinematics.j2"] == 1 and set(rendered.values()) == {1}
 
 
 def test_two_things_with_one_label_are_a_mistake():
@@ -137,7 +170,7 @@ def test_symbol_is_explained_once():
 def test_figures_and_tables_are_numbered_without_gaps(name, kind):
     numbers = [int(n) for n in re.findall(rf"{kind} (\d+) –", html(name))]
     assert numbers == list(range(1, len(numbers) + 1))
-    assert len(numbers) > (7 if results(name).has_mechanism else 0)
+    assert len(numbers) > (7 if results(name).lever else 0)
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -205,14 +238,14 @@ LINKS = {
 
 @pytest.mark.parametrize("name", LINKS)
 def test_links_are_named_by_their_motion(name):
-    words = Words(results(name), page())
-    assert [words.name(link) for link in results(name).variant.mechanism.moving] == LINKS[name]
+    words = Words(results(name).lever, page())
+    assert [words.name(link) for link in results(name).variant.lever.mechanism.moving] == LINKS[name]
 
 
 def test_conclusions_have_the_actual_figures():
     text = prose(html("compressor"))
     found = results("compressor")
-    low, high = found.kinetostatics.extremes
+    low, high = found.lever.kinetostatics.extremes
     for value in (low.value, high.value):
         assert page(language="ru").num(value) in text.split("Заключение")[-1]
     assert "I(0,1) → II₂(2,3) → II₂(4,5)" in text.split("Заключение")[-1]
@@ -221,7 +254,11 @@ def test_conclusions_have_the_actual_figures():
 def own_words(name: str) -> list[str]:
     """Texts of the variant's author: the title page and the names of the loads, the longest first."""
     variant = results(name).variant
-    loads = (*variant.loads.forces, *variant.loads.moments) if variant.loads else ()
+    loads = (
+        (*variant.lever.loads.forces, *variant.lever.loads.moments)
+        if variant.lever and variant.lever.loads
+        else ()
+    )
     own = {*astuple(variant.title), *(load.name for load in loads)}
     return sorted(own - {""}, key=len, reverse=True)
 
@@ -237,16 +274,19 @@ def test_russian_note_has_no_english_words(name):
 LESS = {
     "no friction": {"friction": None},
     "no forces": {"kinetostatics": None, "force_plans": None, "friction": None},
-    "no plans": {"plans": replace(results("shaper").plans, drawn=(), singular=(0, 6))},
-    "no force plans": {"force_plans": replace(results("shaper").force_plans, drawn=())},
+    "no plans": {"plans": replace(results("shaper").lever.plans, drawn=(), singular=(0, 6))},
+    "no force plans": {"force_plans": replace(results("shaper").lever.force_plans, drawn=())},
 }
 
 
 @pytest.mark.parametrize("fmt", ["html", "tex"])
 @pytest.mark.parametrize("less", LESS)
 def test_what_was_not_solved_is_left_out(less, fmt):
+    found = results("shaper")
     whole = len(re.findall(r"Таблица \d+ ", note("shaper", fmt, "ru")[f"note.{fmt}"].decode()))
-    text = render(replace(results("shaper"), **LESS[less]), fmt, Translator("ru"))[f"note.{fmt}"].decode()
+    text = render(replace(found, lever=replace(found.lever, **LESS[less])), fmt, Translator("ru"))[
+        f"note.{fmt}"
+    ].decode()
     assert "Заключение" in text and len(re.findall(r"Таблица \d+ ", text)) < whole
 
 

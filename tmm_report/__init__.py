@@ -1,27 +1,55 @@
 """tmm-report: course projects in the theory of mechanisms and machines, from a YAML variant to a finished note.
 
-from tmm_report import load, solve, render
-results = solve(load("variant.yaml"))
-files = render(results, "html")
+>>> from tmm_report import load, render, solve
+>>> results = solve(load("variants/compressor.yaml"))
+>>> files = render(results, "html")
+>>> list(files)
+['note.html']
+
+What is heavy is imported only when it is needed: the solver by `load`, templates and drawings by `render`.
 """
 
 from __future__ import annotations
 
-from typing import Any
+import os
+from typing import TYPE_CHECKING, Literal
+
+if TYPE_CHECKING:
+    from tmm_report.course import Results, Variant
 
 __version__ = "0.1.0"
 __all__ = ["load", "render", "solve"]
 
 
-def load(path: Any) -> Any:
-    """Read and check a variant file: a `course.Variant`. Raises `problems.ProblemError` with all mistakes."""
-    from tmm_report.variant import load as read
+def load(path: str | os.PathLike[str]) -> Variant:
+    """Read and check a variant's file. Numbers are in SI, a planar vector is a complex number.
+
+    >>> variant = load("variants/compressor.yaml")
+    >>> variant.lever.mechanism.driver.link, round(variant.lever.mechanism.driver.omega, 2)
+    ('1', -125.66)
+
+    A mechanism or gears that the variant has not are None: `variant.lever`, `variant.drive`, `variant.eccentric`.
+    Raises `problems.ProblemError` with all mistakes of the file, each with its line, column and key.
+    """
+    from tmm_report.course import load as read
 
     return read(path)
 
 
-def solve(variant: Any) -> Any:
-    """Solve what a variant asks: `course.Results`. Raises `problems.ProblemError` where that cannot be done."""
+def solve(variant: Variant) -> Results:
+    """Solve what a variant asks, chapter by chapter.
+
+    >>> results = solve(load("variants/compressor.yaml"))
+    >>> results.lever.structure.formula
+    'I(0,1) → II2(2,3) → II2(4,5)'
+    >>> results.lever.kinetostatics.table.balancing.shape
+    (13,)
+    >>> round(results.drive.ratio, 3), results.eccentric is None
+    (-13.2, True)
+
+    A chapter that the variant does not ask for is None. Raises `problems.ProblemError` with what cannot be solved
+    and why, and the place of its key in the file.
+    """
     from tmm_report.course import solve as run
     from tmm_report.problems import ProblemError
     from tmm_report.variant import locate
@@ -32,8 +60,19 @@ def solve(variant: Any) -> Any:
         raise ProblemError([locate(problem, variant) for problem in error.problems]) from None
 
 
-def render(results: Any, fmt: str = "html", language: str | None = None) -> dict[str, bytes]:
-    """The note and its figures as file name -> content; `fmt`: "html", "tex", "json" or "csv"."""
-    from tmm_report.output import render as make
+def render(
+    results: Results, fmt: Literal["html", "tex", "json", "csv"] = "html", language: str | None = None
+) -> dict[str, bytes]:
+    """The note with its figures, or the numbers, as file name -> content.
+
+    >>> results = solve(load("variants/compressor.yaml"))
+    >>> list(render(results, "json"))
+    ['results.json']
+    >>> "tables/balancing_table.csv" in render(results, "csv")
+    True
+
+    `language`: of the note, that of the variant unless another is named; "ru" or "en".
+    """
+    from tmm_report.commands.files import render as make
 
     return make(results, fmt, language)

@@ -1,4 +1,4 @@
-"""The command line: the only place that prints and exits.
+"""The command line: the only place that prints and exits; what a command does is in `commands`.
 
 Exit codes: 0 done; 1 done, but a check failed or something asked for could not be made; 2 the input is wrong.
 """
@@ -10,14 +10,16 @@ import os
 import sys
 import threading
 import unicodedata
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
-from typing import Annotated, Any, NoReturn
+from typing import Annotated
 
 import typer
 
-from tmm_report.problems import N_, ProblemError
+from tmm_report import languages
+from tmm_report.problems import N_, Message, Problem, ProblemError
 
 app = typer.Typer(
     add_completion=False,
@@ -28,7 +30,8 @@ app = typer.Typer(
 )
 
 Language = Annotated[
-    str | None, typer.Option("--lang", help="Language of the note and of messages: ru or en.")
+    str | None,
+    typer.Option("--lang", help=f"Language of the note and of messages: {' or '.join(languages.LANGUAGES)}."),
 ]
 VariantFile = Annotated[Path, typer.Argument(help="The variant, a YAML file.", show_default=False)]
 
@@ -78,124 +81,22 @@ def solve(
     open_note: Annotated[bool, typer.Option("--open", help="Open the note in the browser.")] = False,
 ) -> None:
     """Solve a variant and write its note."""
-    say = _translate(lang)
-    wanted = _formats(formats, open_note, say)
-    folder = output or Path(f"{variant.stem}-note")
-    with _progress(say(N_("solving"))) as stage, _mistakes(lambda text: say(text)):
-        from tmm_report import load
-        from tmm_report import solve as solve_variant
-        from tmm_report.output import combinations, render, write
+    with _console(lang) as console:
+        console.stage(Message(N_("solving")))  # before the imports, which take time
+        from tmm_report.commands.solve import run
 
-        loaded = load(variant)
-        say = _translate(lang or loaded.language)
-        results = solve_variant(loaded)
-        files: dict[str, bytes] = {}
-        for fmt in wanted:
-            stage(say(N_("writing %s")) % fmt)
-            files |= render(results, fmt, lang)
-        if all_:
-            files |= combinations(results, lang)
-        failed = _add_pdf(results, lang, files, stage, say) if pdf else None
-        try:
-            write(folder, files)
-        except OSError as error:
-            _fail(say(N_("cannot write into %s: %s")) % (folder, error.strerror))
-    bad = _summary(results, folder, list(files), say)
-    if failed:
-        typer.echo(failed, err=True)
-    if open_note:
-        import webbrowser
-
-        webbrowser.open((folder / "note.html").resolve().as_uri())
-    if bad or failed:
-        raise typer.Exit(1)
-
-
-def _formats(text: str, open_note: bool, say: Callable[[str], str]) -> list[str]:
-    known = ("html", "tex", "json", "csv")
-    wanted = list(dict.fromkeys(part.strip().lower() for part in text.split(",") if part.strip()))
-    unknown = [part for part in wanted if part not in known]
-    if unknown or not wanted:
-        _fail(say(N_("--format: unknown %s; known: %s")) % (", ".join(unknown) or "''", ", ".join(known)))
-    if open_note and "html" not in wanted:
-        wanted.append("html")
-    return wanted
-
-
-def _add_pdf(
-    results: Any,
-    lang: str | None,
-    files: dict[str, bytes],
-    stage: Callable[[str], None],
-    say: Callable[[str], str],
-) -> str | None:
-    """Add note.pdf to the files; what went wrong, in words, if it could not be made."""
-    from tmm_report.output import render
-    from tmm_report.pdf import NoTex, TexFailed, compile_pdf
-
-    stage(say(N_("compiling the PDF")))
-    try:
-        source = files if "note.tex" in files else render(results, "tex", lang)
-        files["note.pdf"] = compile_pdf({name: text for name, text in source.items() if name != "note.html"})
-    except NoTex:
-        return say(
-            N_(
-                "no PDF: pdflatex is not installed. Windows: install MiKTeX (miktex.org). Debian, Ubuntu: apt install "
-                "texlive-latex-recommended texlive-pictures texlive-lang-cyrillic cm-super. macOS: MacTeX"
-            )
+        done = run(
+            variant, output, formats, lang, console, combinations_too=all_, pdf=pdf, open_note=open_note
         )
-    except TexFailed as error:
-        return say(N_("no PDF: pdflatex stopped. The end of its log:")) + "\n" + _clean(str(error), keep="\n")
-    return None
-
-
-def _summary(results: Any, folder: Path, names: list[str], say: Callable[[str], str]) -> bool:
-    """Print what was found and written; whether a check failed."""
-    bad = _lever_summary(results, say) if results.has_mechanism else False
-    for found in (results.drive, results.eccentric):
-        for message in found.summary() if found is not None else ():
-            typer.echo(_clean(message.render(say)))
-    shown = [name for name in names if "/" not in name]
-    for part in sorted({name.split("/")[0] for name in names if "/" in name}):
-        shown.append(part + "/")
-    typer.echo(say(N_("written: %s")) % ", ".join(_clean(str(folder / name)) for name in shown))
-    return bad
-
-
-def _lever_summary(results: Any, say: Callable[[str], str]) -> bool:
-    """Print what was found of the lever mechanism; whether a check failed."""
-    plans, forces = results.plans, results.kinetostatics
-    typer.echo(f"{results.structure.formula}")
-    worst = max(plans.worst, results.force_plans.worst if results.force_plans else 0.0)
-    typer.echo(say(N_("largest difference of the graph-analytical method: %.3g %%")) % worst)
-    if any(drawn.readings for drawn in plans.drawn):
-        typer.echo(say(N_("largest difference of the student's readings: %.3g %%")) % plans.worst_reading)
-    if plans.singular:
-        text = say(N_("no plans at singular positions: %s"))
-        typer.echo(text % ", ".join(map(str, plans.singular)))
-    bad = results.partial
-    for gap in results.kinematics.gaps:
-        text = say(N_("error: %s")) if bad else "%s"
-        typer.echo(_clean(text % gap.text.render(say)), err=bad)
-    if forces is not None:
-        text = say(
-            N_("checks of the balancing moment, relative disagreement: lever %.1e, power balance %.1e")
-        )
-        typer.echo(text % (forces.worst_lever, forces.worst_power))
-    if forces is not None and not forces.agrees:
-        bad = True
-        typer.echo(say(N_("error: the checks of the balancing moment disagree by more than 1e-9")), err=True)
-    return bad
+    _exit(done)
 
 
 @app.command()
 def schema() -> None:
     """Print the JSON Schema of the variant format, for editors that complete and check YAML."""
-    import json
+    from tmm_report.commands.schema import text
 
-    from tmm_report.variant import schema as make
-
-    typer.echo(json.dumps(make(), ensure_ascii=False, indent=2))
+    typer.echo(text())
 
 
 @app.command()
@@ -204,17 +105,11 @@ def new(
     lang: Language = None,
 ) -> None:
     """Write a commented starting variant. An existing file is not overwritten."""
-    from tmm_report.variant import new as make
+    with _console(lang) as console:
+        from tmm_report.commands.new import run
 
-    say = _translate(lang)
-    try:
-        with file.open("x", encoding="utf-8", newline="\n") as stream:
-            stream.write(make(lang or _language()))
-    except FileExistsError:
-        _fail(say(N_("%s exists already; choose another name")) % _clean(str(file)))
-    except OSError as error:
-        _fail(f"{_clean(str(file))}: {error.strerror}")
-    typer.echo(say(N_("written: %s")) % _clean(str(file)))
+        done = run(file, console.language, console)
+    _exit(done)
 
 
 @app.command()
@@ -228,28 +123,12 @@ def gallery(
     lang: Language = None,
 ) -> None:
     """Solve every variant of a folder and write a page with their schemes and main numbers."""
-    from tmm_report.gallery import make, variants
-    from tmm_report.i18n import Translator
+    with _console(lang) as console:
+        console.stage(Message(N_("solving")))
+        from tmm_report.commands.gallery import run
 
-    say = _translate(lang)
-    try:
-        files = variants(folder)
-    except OSError as error:
-        _fail(f"{folder}: {error.strerror}")
-    if not files:
-        _fail(say(N_("%s holds no variants: no files *.yaml")) % folder)
-    with _progress(say(N_("solving"))) as stage:
-        try:
-            tr = Translator(lang or _language())
-            page, failed = make(files, output, tr, lambda name: stage(say(N_("solving %s")) % name))
-        except OSError as error:
-            _fail(say(N_("cannot write into %s: %s")) % (output, error.strerror))
-    for entry in failed:
-        for problem in entry.problems:
-            typer.echo(_clean(problem.text(say)), err=True)
-    typer.echo(say(N_("written: %s")) % _clean(str(page)))
-    if failed:
-        raise typer.Exit(1)
+        done = run(folder, output, console.language, console)
+    _exit(done)
 
 
 @app.command()
@@ -267,123 +146,104 @@ def assemblies(
     lang: Language = None,
 ) -> None:
     """List and draw every way in which the mechanism can be put together, each with its sketch for the variant."""
-    say = _translate(lang)
-    folder = output or Path(f"{variant.stem}-assemblies")
-    with _progress(say(N_("looking for assemblies"))), _mistakes(lambda text: say(text)):
-        from tmm_report import load
-        from tmm_report.assemblies_page import degrees, find, page
-        from tmm_report.i18n import Translator
-        from tmm_report.output import write
+    with _console(lang) as console:
+        console.stage(Message(N_("looking for assemblies")))
+        from tmm_report.commands.assemblies import run
 
-        phi = _angle(angle, say) if angle is not None else None
-        loaded = load(variant)
-        tr = Translator(lang or loaded.language, loaded.decimal_sign if lang is None else None)
-        say = tr.gettext
-        found = find(loaded, phi)
-        files = page(found, tr) if found.ways else {}
-        try:
-            write(folder, files)
-        except OSError as error:
-            _fail(say(N_("cannot write into %s: %s")) % (folder, error.strerror))
-    typer.echo(found.structure.formula)
-    if not found.ways:
-        text = N_(
-            "error: at %s the mechanism cannot be assembled; choose another --angle or check the lengths"
-        )
-        typer.echo(say(text) % degrees(found, tr), err=True)
-        raise typer.Exit(1)
-    _list_ways(found, tr)
-    typer.echo(say(N_("written: %s")) % _clean(", ".join(str(folder / name) for name in files)))
-
-
-def _angle(text: str, say: Callable[[str], str]) -> float:
-    """The value of --angle, rad."""
-    from tmm_report.quantity.units import WrongValue, parse
-
-    try:
-        return parse(text, "angle")
-    except WrongValue as error:
-        parts = [part.render(say) for part in (error.wrong, error.right) if part is not None]
-        _fail("--angle: " + "; ".join(parts))
-
-
-def _list_ways(found: Any, tr: Any) -> None:
-    """Print the ways, each with the line that chooses it, indented as it stands in a variant."""
-    from tmm_report.assemblies_page import heading, remarks
-
-    say = tr.gettext
-    typer.echo(heading(found, tr).render(say))
-    for number, sketch in enumerate(found.sketches, 1):
-        mark = f" ({say(N_('stated by the variant'))})" if number == found.stated else ""
-        typer.echo(f"{number}{mark}\n  {sketch}")
-    for remark in remarks(found):
-        typer.echo(remark.render(say))
-    for problem in found.unsaid:
-        typer.echo(_clean(say(N_("The variant states none of them: %s")) % problem.text(say)))
+        done = run(variant, angle, output, lang, console)
+    _exit(done)
 
 
 # ---------------------------------------------------------------- talking to the user
 
 
-def _language() -> str:
+def _exit(done: bool) -> None:
+    if not done:
+        raise typer.Exit(1)
+
+
+@contextmanager
+def _console(lang: str | None) -> Iterator[_Console]:
+    """The terminal in the language asked for, or in the user's own. A user's mistakes are printed, exit code 2."""
+    console = _Console(_users_language())
+    try:
+        if lang is not None:
+            console.speak(_known(lang))
+        yield console
+    except ProblemError as error:
+        for problem in error.problems:
+            console.warn(problem)
+        raise typer.Exit(2) from None
+    finally:
+        console.wipe()
+
+
+def _known(lang: str) -> str:
+    """The value of --lang. Raises ProblemError with the languages there are."""
+    try:
+        return languages.language(lang).code
+    except ProblemError as error:
+        raise ProblemError([replace(problem, path=("--lang",)) for problem in error.problems]) from None
+
+
+def _users_language() -> str:
     """The user's language from the environment."""
     names = [os.environ.get(name, "") for name in ("LC_ALL", "LC_MESSAGES", "LANG")]
-    name = next((n for n in names if n), "") or (locale.getlocale()[0] or "")
-    return "ru" if name.lower().startswith("ru") else "en"
+    return languages.of_locale(next((name for name in names if name), "") or (locale.getlocale()[0] or ""))
 
 
-def _translate(lang: str | None) -> Callable[[str], str]:
-    from tmm_report.i18n import Translator
+class _Console:
+    """The user's terminal as the `Talk` of a command; what is being done is shown when it takes over a second."""
 
-    if lang not in (None, "ru", "en"):
-        _fail(Translator(_language()).gettext(N_("--lang: ru or en")))
-    return Translator(lang or _language()).gettext
+    def __init__(self, language: str):
+        self.language = language
+        self._doing, self._shown = Message(""), False
+        self._timer: threading.Timer | None = None
+
+    def speak(self, language: str) -> None:
+        self.language = language
+
+    def stage(self, doing: Message) -> None:
+        self._doing = doing
+        if self._shown:
+            self._show()
+        elif self._timer is None and sys.stderr.isatty():
+            self._timer = threading.Timer(1.0, self._show)
+            self._timer.daemon = True
+            self._timer.start()
+
+    def tell(self, line: Message | str) -> None:
+        self._print(line if isinstance(line, str) else line.render(self._say), err=False)
+
+    def warn(self, line: Message | Problem | str) -> None:
+        words = line.text(self._say) if isinstance(line, Problem) else line
+        self._print(words.render(self._say) if isinstance(words, Message) else words, err=True)
+
+    def wipe(self) -> None:
+        """Take the line of what is being done away."""
+        if self._timer is not None:
+            self._timer.cancel()
+            self._timer = None
+        if self._shown:
+            typer.echo(f"\r{'':60}\r", nl=False, err=True)
+            self._shown = False
+
+    def _say(self, text: str) -> str:
+        from tmm_report.i18n import Translator
+
+        return Translator(self.language).gettext(text)
+
+    def _show(self) -> None:
+        self._shown = True
+        typer.echo(f"\r{self._doing.render(self._say) + '…':60}", nl=False, err=True)
+
+    def _print(self, text: str, err: bool) -> None:
+        self.wipe()
+        typer.echo(_clean(text), err=err)
 
 
-def _clean(text: str, keep: str = "") -> str:
+def _clean(text: str) -> str:
     """Text for the terminal: no control, format or bidirectional characters, which could forge what is shown."""
     return "".join(
-        c if c in keep or not unicodedata.category(c).startswith("C") else "\N{REPLACEMENT CHARACTER}"
-        for c in text
+        c if not unicodedata.category(c).startswith("C") else "\N{REPLACEMENT CHARACTER}" for c in text
     )
-
-
-def _fail(text: str) -> NoReturn:
-    typer.echo(_clean(text, keep="\n"), err=True)
-    raise typer.Exit(2)
-
-
-@contextmanager
-def _mistakes(say: Callable[[str], str]) -> Iterator[None]:
-    """Print a user's mistakes, one a line, and exit with 2."""
-    try:
-        yield
-    except ProblemError as error:
-        _fail("\n".join(_clean(problem.text(say)) for problem in error.problems))
-
-
-@contextmanager
-def _progress(first: str) -> Iterator[Callable[[str], None]]:
-    """A line on the terminal that says what is being done, shown when that takes over a second."""
-    current, shown = [first], threading.Event()
-
-    def show() -> None:
-        shown.set()
-        typer.echo(f"\r{current[0] + '…':60}", nl=False, err=True)
-
-    timer = threading.Timer(1.0, show)
-    timer.daemon = True
-    if sys.stderr.isatty():
-        timer.start()
-
-    def stage(text: str) -> None:
-        current[0] = text
-        if shown.is_set():
-            show()
-
-    try:
-        yield stage
-    finally:
-        timer.cancel()
-        if shown.is_set():
-            typer.echo(f"\r{'':60}\r", nl=False, err=True)

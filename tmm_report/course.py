@@ -1,115 +1,211 @@
-"""The table of contents: a variant (all that is given), its results (all that is found), and the order of solving."""
+"""The course project: its chapters in the order of the note, what each is given, what it finds, how it is solved.
+
+The records are the list of chapters: a chapter is a field of what is given, a field of what is found and a line of
+`solve`, all checked by types. Everything else of a chapter (its block of a variant, its quantities, its view) stands
+in its folder and is found there by the field's name, only when it is asked for: see `room`.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any, Literal
+import os
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, fields
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
+from tmm_report import yamlread
 from tmm_report.chapters.force_plans import solve as force_plans
 from tmm_report.chapters.friction import solve as friction
-from tmm_report.chapters.given import Drawing, Friction, Loads, Positions, Readings, Title
+from tmm_report.chapters.friction.given import Friction
 from tmm_report.chapters.kinematics import solve as kinematics
+from tmm_report.chapters.kinematics.given import Positions
 from tmm_report.chapters.kinetostatics import solve as kinetostatics
+from tmm_report.chapters.kinetostatics.loads import Loads
 from tmm_report.chapters.plans import solve as plans
+from tmm_report.chapters.plans.given import Drawing, Readings
 from tmm_report.chapters.structure import solve as structure
+from tmm_report.chapters.title.given import Title
+from tmm_report.languages import DEFAULT, DecimalSign
 from tmm_report.mechanics.mechanism import Mechanism
+from tmm_report.problems import Problem
 
 if TYPE_CHECKING:  # the gear chapters are loaded only for a variant that has gears
     from tmm_report.chapters.drive import solve as drive
     from tmm_report.chapters.eccentric import solve as eccentric
+    from tmm_report.variant.model import Read, Rooms
 
 
 @dataclass(frozen=True, eq=False)
-class Variant:
-    """Everything a variant states, checked, in SI. A chapter whose block is None is not solved.
+class LeverGiven:
+    """What is given of a lever mechanism, by the keys of the file, SI. A chapter whose block is None is not solved."""
 
-    A variant has a lever mechanism, a gear drive, an eccentric epicyclic mechanism, or several of them.
-    """
-
-    mechanism: Mechanism = None  # type: ignore[assignment]  # None, and the lever's chapters are not asked for it
-    title: Title = field(default_factory=Title)
-    language: Literal["ru", "en"] = "ru"
-    decimal_sign: Literal["comma", "point"] = "comma"
+    mechanism: Mechanism
     positions: Positions = field(default_factory=Positions)
     allow_partial: bool = False  # a mechanism that exists over part of the cycle only is meant so
     drawing: Drawing = field(default_factory=Drawing)
     readings: Readings = field(default_factory=dict)
     loads: Loads | None = None
     friction: Friction | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Variant:
+    """Everything a variant states, checked, in SI: a lever mechanism, gears, or several of them."""
+
+    lever: LeverGiven | None = None
     drive: drive.Given | None = None
     eccentric: eccentric.Given | None = None
+    title: Title = field(default_factory=Title)
+    language: str = DEFAULT  # a code of the table of languages
+    decimal_sign: DecimalSign = "comma"
     places: Mapping[tuple[str | int, ...], tuple[int, int]] = field(default_factory=dict, repr=False)
     """Where each key of the file stands: path -> (line, column), for mistakes found only in solving."""
     file: str = ""
 
 
 @dataclass(frozen=True, eq=False)
-class Results:
-    """Everything found, in the order of the note. A chapter that the variant does not ask for is None.
+class LeverFound:
+    """What is found of a lever mechanism, by chapters. A chapter that the variant does not ask for is None."""
 
-    Structure, kinematics and plans are those of the lever mechanism: None where `has_mechanism` is False.
-    """
-
-    variant: Variant
-    structure: structure.Structure = None  # type: ignore[assignment]
-    kinematics: kinematics.Kinematics = None  # type: ignore[assignment]
-    plans: plans.Plans = None  # type: ignore[assignment]
+    given: LeverGiven
+    structure: structure.Structure
+    kinematics: kinematics.Kinematics
+    plans: plans.Plans
     kinetostatics: kinetostatics.Kinetostatics | None = None
     force_plans: force_plans.ForcePlans | None = None
     friction: friction.FrictionFound | None = None
-    drive: drive.Found | None = None
-    eccentric: eccentric.Found | None = None
 
     @property
-    def has_mechanism(self) -> bool:
-        """Whether there is a lever mechanism."""
-        return self.structure is not None
+    def sample(self) -> int:
+        """The position of which formulas are written out: that of the force plan, else of the plans, else the first
+        that is regular."""
+        forces = self.force_plans.drawn if self.force_plans is not None else ()
+        if drawn := forces or self.plans.drawn:
+            return drawn[0].position
+        found = self.kinematics
+        lost = (*found.singular, *found.missing)
+        return next((k for k in range(len(found.turned)) if k not in lost), 0)
 
     @property
     def partial(self) -> bool:
         """Whether the mechanism closes over part of the cycle only and the variant does not mean it so."""
-        return self.has_mechanism and bool(self.kinematics.gaps) and not self.variant.allow_partial
+        return bool(self.kinematics.gaps) and not self.given.allow_partial
+
+
+@dataclass(frozen=True, eq=False)
+class Results:
+    """Everything found, in the order of the note. What the variant does not ask for is None."""
+
+    variant: Variant
+    lever: LeverFound | None = None
+    drive: drive.Found | None = None
+    eccentric: eccentric.Found | None = None
 
 
 def solve(variant: Variant) -> Results:
     """Solve a variant chapter by chapter. Raises ProblemError with what cannot be solved and why."""
-    lever = _lever(variant) if variant.mechanism is not None else Results(variant)
-    return replace(lever, **_gears(variant))
-
-
-def _lever(variant: Variant) -> Results:
-    """The chapters of the lever mechanism."""
-    drawing, positions = variant.drawing, variant.positions
-    found_structure = structure.solve(variant.mechanism)
-    found_kinematics = kinematics.solve(positions, found_structure)
-    found_plans = plans.solve(drawing, positions.plans, variant.readings, found_kinematics)
-    found_forces = kinetostatics.solve(variant.loads, found_kinematics) if variant.loads is not None else None
-    found_force_plans = found_friction = None
-    if found_forces is not None:
-        found_force_plans = force_plans.solve(drawing, positions.force_plan, found_forces, found_plans)
-        if variant.friction is not None:
-            found_friction = friction.solve(variant.friction, found_forces)
     return Results(
         variant,
-        found_structure,
-        found_kinematics,
-        found_plans,
-        found_forces,
-        found_force_plans,
-        found_friction,
+        lever=solve_lever(variant.lever) if variant.lever else None,
+        drive=_drive(variant.drive) if variant.drive else None,
+        eccentric=_eccentric(variant.eccentric) if variant.eccentric else None,
     )
 
 
-def _gears(variant: Variant) -> dict[str, Any]:
-    """The chapters of gears that are asked for."""
-    found: dict[str, Any] = {}
-    if variant.drive is not None:
-        from tmm_report.chapters.drive import solve as drive
+def solve_lever(given: LeverGiven) -> LeverFound:
+    """The chapters of a lever mechanism. Raises ProblemError."""
+    links = structure.solve(given.mechanism)
+    motion = kinematics.solve(given.positions, links)
+    drawn = plans.solve(given.drawing, given.positions.plans, given.readings, motion)
+    forces = kinetostatics.solve(given.loads, motion) if given.loads else None
+    return LeverFound(
+        given,
+        links,
+        motion,
+        drawn,
+        forces,
+        force_plans.solve(given.drawing, given.positions.force_plan, forces, drawn) if forces else None,
+        friction.solve(given.friction, forces) if given.friction and forces else None,
+    )
 
-        found["drive"] = drive.solve(variant.drive)
-    if variant.eccentric is not None:
-        from tmm_report.chapters.eccentric import solve as eccentric
 
-        found["eccentric"] = eccentric.solve(variant.eccentric)
-    return found
+def _drive(given: drive.Given) -> drive.Found:
+    from tmm_report.chapters.drive.solve import solve
+
+    return solve(given)
+
+
+def _eccentric(given: eccentric.Given) -> eccentric.Found:
+    from tmm_report.chapters.eccentric.solve import solve
+
+    return solve(given)
+
+
+# ---------------------------------------------------------------- the chapters by name
+
+INITIAL_DATA = "initial_data"  # what a lever mechanism is given, at the head of its chapters
+LEVER = tuple(record.name for record in fields(LeverFound) if record.name != "given")
+OTHERS = tuple(record.name for record in fields(Results) if record.name not in ("variant", "lever"))
+"""The chapters beside the lever's: the key of such a chapter's block is its name."""
+
+
+def chapters(results: Results) -> Iterator[tuple[str, Any]]:
+    """Name and Found of every chapter that was solved, in the order of the note."""
+    for names, record in ((LEVER, results.lever), (OTHERS, results)):
+        found = ((name, getattr(record, name)) for name in names if record is not None)
+        yield from ((name, one) for name, one in found if one is not None)
+
+
+def room(chapter: str, name: str) -> Any:
+    """A module of a chapter's folder by its name: "block", "quantities" or "view". Loaded when it is asked for."""
+    return import_module(f"tmm_report.chapters.{chapter}.{name}")
+
+
+# ---------------------------------------------------------------- from the text of a variant
+
+
+def load(path: str | os.PathLike[str]) -> Variant:
+    """Read a variant's file. Raises ProblemError with all the mistakes of the file."""
+    soft: list[Problem] = []
+    return _variant(yamlread.read(path, soft), yamlread.file_label(path), soft)
+
+
+def loads(text: str | bytes, file: str = "") -> Variant:
+    """The variant that a text states; `file` is its name for messages. Raises ProblemError."""
+    soft: list[Problem] = []
+    return _variant(yamlread.loads(text, file, soft), file, soft)
+
+
+def schema() -> dict[str, Any]:
+    """The JSON Schema (draft 2020-12) of the format, for editors."""
+    from tmm_report.variant.editor import schema_of  # only `tmm-report schema` needs it
+
+    kinds = "a lever mechanism, a gear drive, an eccentric mechanism, or several of them"
+    return schema_of([block.Block for block in _rooms().all()], f"A variant of a course project: {kinds}.")
+
+
+def _rooms() -> Rooms:
+    """The blocks of all chapters; those of the gears are loaded only for a file that has them."""
+    from tmm_report.variant.model import Rooms
+
+    return Rooms(
+        [room(name, "block") for name in ("title", *LEVER)], lambda: [room(name, "block") for name in OTHERS]
+    )
+
+
+def _variant(document: yamlread.Document, file: str, soft: list[Problem]) -> Variant:
+    from tmm_report.chapters.structure.block import stated
+    from tmm_report.variant.reading import read
+
+    found = read(document, file, soft, _rooms())
+    return Variant(
+        lever=LeverGiven(**_given(LEVER, found)) if stated(found) else None,
+        **_given(["title", *(name for name in OTHERS if name in found.data)], found),
+        places=document.places,
+        file=file,
+    )
+
+
+def _given(names: Iterable[str], read: Read) -> dict[str, Any]:
+    """What the chapters are given, by the fields of the records (a test holds their types against them)."""
+    return {key: value for name in names for key, value in room(name, "block").given(read).items()}

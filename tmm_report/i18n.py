@@ -6,6 +6,7 @@ import gettext
 from dataclasses import dataclass
 from functools import cache
 
+from tmm_report.languages import FALLBACK, SIGNS, DecimalSign, language
 from tmm_report.resources import data_root
 
 DOMAIN = "tmm_report"
@@ -18,19 +19,23 @@ def NP_(context: str, text: str) -> str:
 
 @dataclass(frozen=True)
 class Translator:
-    """`language`: "en", "ru"; `decimal_sign`: "comma" or "point", left out it follows the language.
+    """`language`: a code of `languages`; `decimal_sign`: left out, it follows the language.
 
-    Hashable, so that printed symbols and units can be cached by it. Raises FileNotFoundError, on the first
-    text, for a language without a catalogue.
+    Hashable, so that printed symbols and units can be cached by it. Raises ProblemError, on the first use, for a
+    language that there is not.
     """
 
-    language: str = "en"
-    decimal_sign: str | None = None
+    language: str = FALLBACK
+    decimal_sign: DecimalSign | None = None
 
     @property
     def decimal(self) -> str:
-        sign = self.decimal_sign or ("point" if self.language == "en" else "comma")
-        return "," if sign == "comma" else "."
+        return SIGNS[self.decimal_sign or language(self.language).decimal]
+
+    @property
+    def babel_options(self) -> str:
+        """Of LaTeX's package babel."""
+        return language(self.language).babel_options
 
     def gettext(self, text: str) -> str:
         return _catalogue(self.language).gettext(text) if text else ""
@@ -43,8 +48,8 @@ class Translator:
 
 
 @cache
-def _catalogue(language: str) -> gettext.NullTranslations:
-    if language == "en":
+def _catalogue(code: str) -> gettext.NullTranslations:
+    if language(code).ids:
         return gettext.NullTranslations()
     folder = data_root() / "templates" / "locale"
-    return gettext.translation(DOMAIN, localedir=folder, languages=[language])
+    return gettext.translation(DOMAIN, localedir=folder, languages=[code])

@@ -8,15 +8,17 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 import math
 from collections.abc import Iterable, Iterator, Mapping
+from types import ModuleType
 from typing import Any
 
-from tmm_report.course import Results
+import numpy as np
+
+from tmm_report.course import INITIAL_DATA, Results, chapters, room
 from tmm_report.i18n import Translator
-from tmm_report.quantity.model import Column, Table, Value
-from tmm_report.tables import lever
+from tmm_report.jsontext import indented
+from tmm_report.quantity.model import Book, Column, Quantity, Table, Value
 
 __all__ = ["Column", "Table", "Value", "as_csv", "as_json", "tables", "values"]
 
@@ -25,24 +27,28 @@ FORMAT = 1
 
 def tables(results: Results) -> list[Table]:
     """All tables of a variant's results."""
-    return [*(lever.tables(results) if results.has_mechanism else []), *_gears(results, "tables")]
+    return [table for _, quantities, found in _rooms(results) for table in quantities.tables(found)]
 
 
 def values(results: Results) -> list[Value]:
     """The single numbers of a variant's results."""
-    return [*(lever.values(results) if results.has_mechanism else []), *_gears(results, "values")]
+    return [value for _, quantities, found in _rooms(results) for value in quantities.values(found)]
 
 
-def _gears(results: Results, what: str) -> Iterator[Any]:
-    """Tables or values of the gear chapters; each kind's room is loaded only where it is needed."""
-    if results.drive is not None:
-        from tmm_report.chapters.drive import quantities as drive
+def book(results: Results) -> Book:
+    """Every number of the results by its name. Raises ValueError for one that is defined twice."""
+    found = Book()
+    for _, quantities, chapter in _rooms(results):
+        found = found | Book.of(quantities.tables(chapter), quantities.values(chapter))
+    return found
 
-        yield from getattr(drive, what)(results.drive, "drive")
-    if results.eccentric is not None:
-        from tmm_report.chapters.eccentric import quantities as eccentric
 
-        yield from getattr(eccentric, what)(results.eccentric, "eccentric")
+def _rooms(results: Results) -> Iterator[tuple[str, ModuleType, Any]]:
+    """Name, quantities and Found of every chapter that was solved; a room is loaded only where it is needed."""
+    if results.lever is not None:
+        yield INITIAL_DATA, room(INITIAL_DATA, "quantities"), results.lever
+    for name, found in chapters(results):
+        yield name, room(name, "quantities"), found
 
 
 def as_json(results: Results, tr: Translator) -> bytes:
@@ -51,6 +57,7 @@ def as_json(results: Results, tr: Translator) -> bytes:
     def column(c: Column) -> dict[str, Any]:
         return {
             "key": c.key,
+            **_written(c.quantity),
             "unit": c.unit,
             "meaning": c.meaning.render(tr.gettext),
             "values": _plain(c.values),
@@ -60,6 +67,7 @@ def as_json(results: Results, tr: Translator) -> bytes:
         at = {} if v.at is None else {"at_deg": _finite(math.degrees(v.at))}
         return {
             "key": v.key,
+            **_written(v.quantity),
             "value": _finite(v.value),
             "unit": v.unit,
             "meaning": v.meaning.render(tr.gettext),
@@ -76,13 +84,18 @@ def as_json(results: Results, tr: Translator) -> bytes:
             for t in tables(results)
         },
     }
-    return (json.dumps(document, ensure_ascii=False, allow_nan=False, indent=1) + "\n").encode()
+    return (indented(document) + "\n").encode()
+
+
+def _written(quantity: Quantity) -> dict[str, str]:
+    """The symbol of a quantity that is written as one."""
+    return {} if quantity.symbol is None else {"symbol": str(quantity.symbol)}
 
 
 def _structure(results: Results) -> dict[str, Any]:
-    found = results.structure
-    if found is None:
+    if results.lever is None:
         return {}
+    found = results.lever.structure
     return {"structure": {"formula": found.formula, "groups": [g.label for g in found.groups]}}
 
 
@@ -91,6 +104,10 @@ def _title(results: Results) -> Mapping[str, str]:
 
 
 def _plain(column: Iterable[Any]) -> list[Any]:
+    """A column for JSON: null for nan and infinity, and no negative zero."""
+    if isinstance(column, np.ndarray) and column.dtype == float:
+        whole = (column + 0.0).tolist()
+        return whole if np.isfinite(column).all() else [_finite(x) for x in whole]
     return [x if isinstance(x, str | int) else _finite(float(x)) for x in column]
 
 

@@ -2,10 +2,13 @@
 
 tests/golden/<variant>.json holds the key numbers of each ready variant, by rows. A file is rewritten only where a
 row differs by more than the tolerance, and every such number is printed; files of variants that are gone are removed.
+tests/golden/<variant>.<language>.txt holds the text of some notes, a line for each paragraph, row and formula; what
+changed in them is printed as a diff.
 """
 
 from __future__ import annotations
 
+import difflib
 import json
 import math
 import sys
@@ -15,7 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report import load, solve
+from tmm_report import load, render, solve
 from tmm_report.course import Results
 from tmm_report.results import tables, values
 
@@ -30,7 +33,7 @@ Row = str | list[float | None]
 
 def key_numbers(results: Results) -> dict[str, Row]:
     """Rows of key numbers: SI, degrees for angles of position 0; None for what does not exist."""
-    structure = {"structure": results.structure.formula} if results.has_mechanism else {}
+    structure = {"structure": results.lever.structure.formula} if results.lever else {}
     return {**structure, **_single(results), **_series(results)}
 
 
@@ -48,12 +51,12 @@ def _single(results: Results) -> dict[str, Row]:
 
 def _scales(results: Results) -> dict[str, float]:
     """What a motion with the output's stroke has for velocity and acceleration: beside it, rounding errors are 0."""
-    if not results.has_mechanism:
+    if not results.lever:
         return {}
-    omega = abs(results.kinematics.omega)
+    omega = abs(results.lever.kinematics.omega)
     return {
         f"{letter}_{travel.output.name}": travel.stroke * omega**power
-        for travel in results.kinematics.travels
+        for travel in results.lever.kinematics.travels
         for power, letter in enumerate("SVA")
     }
 
@@ -130,11 +133,35 @@ def refresh(file: Path) -> list[str]:
     return changed if old else [f"new: {len(rows)} rows"]
 
 
+TEXTS = {
+    "compressor": "ru en",
+    "press": "ru en",
+    "hoist_drive": "ru en",
+    "eccentric": "ru en",
+    "crank_rocker": "ru",
+}
+
+
+def refresh_text(file: Path) -> list[str]:
+    """Compare the text of a variant's notes with the approved one and rewrite that: what changed."""
+    sys.path[:0] = [str(ROOT / "tests" / "page")]
+    from note import read as read_note  # the reader of the tests
+
+    told: list[str] = []
+    for language in TEXTS.get(file.stem, "").split():
+        page = render(solve(load(file)), "html", language)["note.html"].decode()
+        lines, target = read_note(page).words, GOLDEN / f"{file.stem}.{language}.txt"
+        old = target.read_text("utf-8").splitlines() if target.is_file() else []
+        told += difflib.unified_diff(old, lines, f"{target.name}, approved", "now", lineterm="", n=0)
+        target.write_text("\n".join(lines) + "\n", encoding="utf-8", newline="\n")
+    return told
+
+
 def main(names: list[str]) -> int:
     files = sorted((ROOT / "variants").glob("*.yaml"))
     for file in files:
         if not names or file.stem in names:
-            for line in refresh(file):
+            for line in [*refresh(file), *refresh_text(file)]:
                 print(f"{file.stem}: {line}")
     for stale in sorted(GOLDEN.glob("*.json")):
         if stale.stem not in {file.stem for file in files}:

@@ -1,30 +1,34 @@
 """Refresh the translations: `python tools/messages.py` after any change of a text (needs babel).
 
 Collects the message ids of the program and the templates, takes their translations from the language's .po, writes
-.po and .mo, and lists what is still untranslated (exit code 1).
+.po and .mo, and lists what is still untranslated or does not use the terms of the language's glossary (exit code 1).
 """
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Iterator
 from datetime import UTC, datetime
 from pathlib import Path
 
+import yaml
 from babel.messages.catalog import Catalog, Message
 from babel.messages.extract import DEFAULT_KEYWORDS, extract_from_dir
 from babel.messages.mofile import write_mo
 from babel.messages.pofile import read_po, write_po
 
+from tmm_report.languages import LANGUAGES
+
 ROOT = Path(__file__).resolve().parent.parent
 LOCALE = ROOT / "templates" / "locale"
-LANGUAGES = ("ru",)
 KEYWORDS = {**DEFAULT_KEYWORDS, "N_": None, "t": None, "count": (1, 2), "NP_": ((1, "c"), 2)}
 JINJA = {"silent": "false"}  # the templates' delimiters go here when they are not Jinja's own
 SOURCES: tuple[tuple[str, str, str, dict[str, str]], ...] = (
     ("tmm_report", "**.py", "python", {}),
     ("templates", "**.j2", "jinja2", JINJA),
 )
+VALUES = re.compile(r"%\(\w+\)")
 UNDATED = datetime(2000, 1, 1, tzinfo=UTC)  # a date would change the file at every run
 
 
@@ -44,7 +48,9 @@ def po_file(language: str) -> Path:
 
 
 def known(language: str) -> Catalog:
-    """The translations there are."""
+    """The translations there are: none for a language whose catalogue is being begun."""
+    if not po_file(language).is_file():
+        return Catalog(locale=language)
     with po_file(language).open("rb") as file:
         return read_po(file, locale=language)
 
@@ -86,6 +92,49 @@ def missing(catalogue: Catalog) -> list[str]:
     return [str(entry.id) for entry in messages(catalogue) if not _filled(entry)]
 
 
+def glossary(language: str) -> dict[str, list[str]]:
+    """English term -> what it may be called: see the head of the Russian file. Without a file there is none."""
+    file = LOCALE / language / "glossary.yaml"
+    terms = yaml.safe_load(file.read_text("utf-8")) if file.is_file() else {}
+    return {term: [said] if isinstance(said, str) else said for term, said in terms.items()}
+
+
+def misnamed(catalogue: Catalog, terms: dict[str, list[str]]) -> list[str]:
+    """Translations in which a thing of the glossary is called otherwise, and terms that no text has.
+
+    A term that stands in the translation as it is in English is a key of a variant there.
+    """
+    wrong = []
+    for term, names in terms.items():
+        texts = [entry for entry in messages(catalogue) if _named(term, _forms(entry.id))]
+        wrong += [
+            f"{term!r} is not called {' or '.join(names)}: {_forms(entry.string)[0]!r}"
+            for entry in texts
+            if _filled(entry)
+            and not any(_called(name, form) for name in [*names, term] for form in _forms(entry.string))
+        ]
+        wrong += [] if texts else [f"{term!r} is in no text"]
+    return wrong
+
+
+def _forms(text: str | tuple[str, ...] | list[str]) -> list[str]:
+    """The forms of a text that depends on a number, or the only one."""
+    return [text] if isinstance(text, str) else list(text)
+
+
+def _named(term: str, forms: list[str]) -> bool:
+    """Whether an id has the term in its words: the names of its values are not words."""
+    words = (VALUES.sub("", form) for form in forms)
+    return any(re.search(rf"\b{re.escape(term)}\b", text, re.I) for text in words)
+
+
+def _called(name: str, text: str) -> bool:
+    """Whether a text has the name, with any endings where the name is inflected."""
+    words = (word.partition("|") for word in name.split())
+    pattern = r"\s+".join(re.escape(stem) + (r"\w*" if bar else r"\b") for stem, bar, _ in words)
+    return re.search(rf"\b{pattern}", text, re.I) is not None
+
+
 def write(language: str, catalogue: Catalog) -> None:
     po = po_file(language)
     po.parent.mkdir(parents=True, exist_ok=True)
@@ -96,13 +145,15 @@ def write(language: str, catalogue: Catalog) -> None:
 
 
 def main() -> int:
-    untranslated = []
-    for language in LANGUAGES:
+    wrong = []
+    for language in (row.code for row in LANGUAGES.values() if not row.ids):
         catalogue = merged(language)
         write(language, catalogue)
-        untranslated += [f"{language}: {text}" for text in missing(catalogue)]
-    print("\n".join(untranslated) or "every message is translated")
-    return 1 if untranslated else 0
+        found = [f"untranslated: {text}" for text in missing(catalogue)]
+        found += misnamed(catalogue, glossary(language)) if glossary(language) else ["no glossary.yaml"]
+        wrong += [f"{language}: {text}" for text in found]
+    print("\n".join(wrong) or "every message is translated")
+    return 1 if wrong else 0
 
 
 if __name__ == "__main__":

@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from conftest import unread
+from conftest import stating, unread
 
 from tmm_report import course
-from tmm_report.chapters.given import Positions
+from tmm_report.chapters.kinematics.given import Positions
 from tmm_report.mechanics.mechanism import FRAME, Driver, Guide, Link, Mechanism, Slide, ZeroAngle
 from tmm_report.mechanics.planar import cross
 from tmm_report.problems import ProblemError
@@ -15,7 +15,7 @@ from tmm_report.problems import ProblemError
 
 def test_lever_and_power_balance(results):
     """Zhukovsky's lever and the power balance against the groups, at the 12 and at the 36 positions."""
-    forces = results.kinetostatics
+    forces = results.lever.kinetostatics
     assert len(forces.diagram.balancing) == len(forces.kinematics.diagram_turned)
     for solved in (forces.table, forces.diagram):
         assert np.isfinite(solved.balancing).all()
@@ -27,17 +27,17 @@ def test_lever_and_power_balance(results):
 
 def test_both_senses_of_rotation(variant):
     """The driving link turned the other way: everything still balances and the travel is run back."""
-    mechanism = variant.mechanism
+    mechanism = variant.lever.mechanism
     driver = replace(mechanism.driver, omega=-mechanism.driver.omega)
     if driver.sweep < 6:  # a rocking driver starts from its other end
         end = driver.zero.angle - np.sign(driver.omega) * driver.sweep
         driver = replace(driver, zero=ZeroAngle(end))
     there = unread(variant)
-    back = course.solve(replace(variant, mechanism=replace(mechanism, driver=driver), readings={}))
-    assert max(back.kinetostatics.worst_lever, back.kinetostatics.worst_power) < 1e-10
-    for one, other in zip(there.kinematics.travels, back.kinematics.travels, strict=True):
+    back = course.solve(stating(variant, mechanism=replace(mechanism, driver=driver), readings={}))
+    assert max(back.lever.kinetostatics.worst_lever, back.lever.kinetostatics.worst_power) < 1e-10
+    for one, other in zip(there.lever.kinematics.travels, back.lever.kinematics.travels, strict=True):
         assert other.stroke == pytest.approx(one.stroke, rel=1e-10)
-        if there.kinematics.cycle.closed:
+        if there.lever.kinematics.cycle.closed:
             assert (other.time_ratio is None) == (one.time_ratio is None)
             assert other.time_ratio == pytest.approx(one.time_ratio or 0, rel=1e-10) or one.time_ratio is None
             np.testing.assert_allclose(other.S, one.S[::-1] - one.S[-1], atol=1e-9)
@@ -45,14 +45,14 @@ def test_both_senses_of_rotation(variant):
             np.testing.assert_allclose(
                 other.a,
                 one.a[::-1],
-                atol=1e-9 * max(np.abs(one.a).max(), one.stroke * there.kinematics.omega**2),
+                atol=1e-9 * max(np.abs(one.a).max(), one.stroke * there.lever.kinematics.omega**2),
             )
 
 
 def test_reactions_of_the_frame_hold_all_loads(results):
     """All loads, inertia among them, the balancing moment and the reactions of the frame are in equilibrium."""
-    for solved in (results.kinetostatics.table, results.kinetostatics.diagram):
-        motion, load, given = solved.motion, solved.loading, results.kinetostatics.given
+    for solved in (results.lever.kinetostatics.table, results.lever.kinetostatics.diagram):
+        motion, load, given = solved.motion, solved.loading, results.lever.kinetostatics.given
         links = motion.linkage.mechanism.links
         acting = [(w, motion.place(links[n].mass_centre)) for n, w in load.gravity.items()]
         acting += [(f, motion.place(links[n].mass_centre)) for n, f in load.inertia.items()]
@@ -68,7 +68,7 @@ def test_reactions_of_the_frame_hold_all_loads(results):
 
 def test_travel_of_outputs(results):
     """S is zero in position 0, V and a are its derivatives by signs and extremes hold all positions."""
-    for t in results.kinematics.travels:
+    for t in results.lever.kinematics.travels:
         assert t.S[0] == 0
         low, high = t.near.value, t.far.value
         assert t.stroke == pytest.approx(high - low)
@@ -76,11 +76,11 @@ def test_travel_of_outputs(results):
         slack = 1e-9 * t.stroke
         assert (t.diagram_S >= low - slack).all() and (t.diagram_S <= high + slack).all()
         for values, (least, most) in ((t.diagram_V, t.V_extremes), (t.diagram_a, t.a_extremes)):
-            slack = 1e-9 * max(np.abs(values).max(), t.stroke * results.kinematics.omega**2)
+            slack = 1e-9 * max(np.abs(values).max(), t.stroke * results.lever.kinematics.omega**2)
             assert (values >= least.value - slack).all() and (values <= most.value + slack).all()
-        if results.kinematics.cycle.closed:
+        if results.lever.kinematics.cycle.closed:
             turns = abs(t.S[-1]) > 1e-6 * t.stroke  # a driven crank does not come back
-            still = len(results.kinematics.cycle.roots(t.output.velocity))
+            still = len(results.lever.kinematics.cycle.roots(t.output.velocity))
             assert (t.time_ratio is None) == (
                 turns or still != 2
             )  # of more strokes than two there is no ratio
@@ -90,8 +90,8 @@ def test_travel_of_outputs(results):
 
 def test_position_0_is_the_stated_extreme(results):
     """Where the variant states an extreme for position 0, the point or rocker stands still there."""
-    zero = results.variant.mechanism.driver.zero
-    motion = results.kinematics.table
+    zero = results.variant.lever.mechanism.driver.zero
+    motion = results.lever.kinematics.table
     if getattr(zero, "point", None):
         speed = np.abs(motion.velocity(zero.point))
     elif getattr(zero, "link", None):
@@ -103,31 +103,32 @@ def test_position_0_is_the_stated_extreme(results):
 
 def shortened(compressor, length):
     variant = compressor.variant
-    links = dict(variant.mechanism.links)
+    links = dict(variant.lever.mechanism.links)
     links["4"] = replace(links["4"], points={**links["4"].points, "D": length + 0j})
-    return replace(variant, mechanism=replace(variant.mechanism, links=links), readings={})
+    return stating(variant, mechanism=replace(variant.lever.mechanism, links=links), readings={})
 
 
 def test_positions_that_do_not_close_are_left_out_and_named(compressor):
     found = course.solve(shortened(compressor, 0.05))
-    assert found.partial
-    assert not replace(found, variant=replace(found.variant, allow_partial=True)).partial
-    (gap,) = found.kinematics.gaps
+    assert found.lever.partial
+    meant = replace(found.lever.given, allow_partial=True)
+    assert not replace(found.lever, given=meant).partial
+    (gap,) = found.lever.kinematics.gaps
     text = str(gap.text)
     assert gap.group == "II2(4,5)" and "rod CD = 50 mm cannot reach guide x for " in text
     assert "the rod needs at least " in text
-    missing = found.kinematics.missing
-    assert missing and np.isnan(found.kinematics.table.place("D")[list(missing)]).all()
+    missing = found.lever.kinematics.missing
+    assert missing and np.isnan(found.lever.kinematics.table.place("D")[list(missing)]).all()
     others = [k for k in range(13) if k not in missing]
-    assert np.isfinite(found.kinematics.table.place("D")[others]).all()
-    assert found.kinetostatics.agrees
+    assert np.isfinite(found.lever.kinematics.table.place("D")[others]).all()
+    assert found.lever.kinetostatics.agrees
 
 
 def test_group_that_never_closes(compressor):
     with pytest.raises(ProblemError, match="rod AB = 300 mm cannot reach guide x at any position"):
         links = shortened(compressor, 0.001)
-        guide = replace(links.mechanism.guides["x"], through=10j)
-        course.solve(replace(links, mechanism=replace(links.mechanism, guides={"x": guide})))
+        guide = replace(links.lever.mechanism.guides["x"], through=10j)
+        course.solve(stating(links, mechanism=replace(links.lever.mechanism, guides={"x": guide})))
 
 
 def test_straight_yoke_displacement_has_one_sign():
@@ -143,7 +144,7 @@ def test_straight_yoke_displacement_has_one_sign():
         guides = {"x": Guide("x", "0", 0j, u), "s": Guide("s", "3", 0j, 1j)}
         driver = Driver("1", 1.0, ZeroAngle(np.pi / 2 + angle))
         yoke = Mechanism(links, driver, guides, (Slide("2", "s"), Slide("3", "x")))
-        found = course.solve(course.Variant(yoke, positions=Positions(plans=())))
-        (travel,) = found.kinematics.travels
+        found = course.solve(course.Variant(course.LeverGiven(yoke, Positions(plans=()))))
+        (travel,) = found.lever.kinematics.travels
         assert travel.S[3] == pytest.approx(-0.1)
         assert travel.S[9] == pytest.approx(0.1)

@@ -6,6 +6,7 @@ from itertools import combinations
 
 import numpy as np
 import pytest
+from conftest import stating
 
 from tmm_report import course
 from tmm_report.chapters.plans.solve import Comparison, Drawn
@@ -22,10 +23,10 @@ FORCE_STEPS = {1e-5: 4.0, 1e-4: 6.0, 5e-4: 6.0}
 @cache
 def drawn(variant, accuracy) -> course.Results:
     """All table positions drawn, loads as they are."""
-    every = tuple(range(variant.positions.table))
-    positions = replace(variant.positions, plans=every, force_plan=every)
-    drawing = replace(variant.drawing, accuracy=accuracy)
-    return course.solve(replace(variant, positions=positions, drawing=drawing, readings={}))
+    every = tuple(range(variant.lever.positions.table))
+    positions = replace(variant.lever.positions, plans=every, force_plan=every)
+    drawing = replace(variant.lever.drawing, accuracy=accuracy)
+    return course.solve(stating(variant, positions=positions, drawing=drawing, readings={}))
 
 
 def steps(found: course.Results, d: Drawn) -> float:
@@ -34,30 +35,30 @@ def steps(found: course.Results, d: Drawn) -> float:
     Points of the plan add up to some 4 steps. The ends of a link of L mm, drawn off by a step, turn its line by 1/L:
     the end of a vector of V mm moves by V/L steps, by V/(L s) where the lines that give it cross at an angle of sine s.
     """
-    if found.plans.accuracy <= CAD * 1e3:
+    if found.lever.plans.accuracy <= CAD * 1e3:
         return EXACT
     strokes = (*d.velocity.strokes, *d.acceleration.strokes)
     longest = max(abs(stroke.end - stroke.start) for stroke in strokes)
-    sine = min(sines[d.position] for sines in found.kinematics.table.sines.values())
+    sine = min(sines[d.position] for sines in found.lever.kinematics.table.sines.values())
     return min(MOST, 4.0 + longest / (shortest_arm(found) * sine))
 
 
 def shortest_arm(found: course.Results) -> float:
     """The shortest distance between two joints of a moving link, mm of paper."""
-    mechanism = found.variant.mechanism
+    mechanism = found.variant.lever.mechanism
     places = (
         [z for point, z in mechanism.links[link].points.items() if len(mechanism.links_at(point)) > 1]
         for link in mechanism.moving
     )
     arms = (abs(p - q) for joints in places for p, q in combinations(joints, 2))
-    return min((arm for arm in arms if arm > 0), default=np.inf) / found.plans.length_scale
+    return min((arm for arm in arms if arm > 0), default=np.inf) / found.lever.plans.length_scale
 
 
 def plan_errors(found: course.Results) -> dict[tuple[int, str], float]:
     """Error of every plan value in reading steps."""
     return {
         (d.position, c.key): abs(c.graph - c.analytic) / c.floor
-        for d in found.plans.drawn
+        for d in found.lever.plans.drawn
         for c in d.comparison
         if c.floor
     }
@@ -66,8 +67,8 @@ def plan_errors(found: course.Results) -> dict[tuple[int, str], float]:
 def force_errors(found: course.Results) -> dict[tuple[int, str], float]:
     """Error of every reaction in steps of the coarsest force plan it went through, of moments in their own."""
     errors = {}
-    for d in found.force_plans.drawn:
-        coarsest = max(plan.scale for plan in d.plans) * found.plans.accuracy
+    for d in found.lever.force_plans.drawn:
+        coarsest = max(plan.scale for plan in d.plans) * found.lever.plans.accuracy
         for c in d.comparison:
             step = c.floor if c.key == "M_bal" else coarsest
             errors[d.position, c.key] = abs(c.graph - c.analytic) / step
@@ -77,9 +78,9 @@ def force_errors(found: course.Results) -> dict[tuple[int, str], float]:
 @pytest.mark.parametrize("accuracy", FORCE_STEPS)
 def test_plans_agree_with_the_analytical_values(variant, accuracy):
     found = drawn(variant, accuracy)
-    assert len(found.plans.drawn) == 12
-    assert len(found.force_plans.drawn) == 12
-    allowed = {d.position: steps(found, d) for d in found.plans.drawn}
+    assert len(found.lever.plans.drawn) == 12
+    assert len(found.lever.force_plans.drawn) == 12
+    allowed = {d.position: steps(found, d) for d in found.lever.plans.drawn}
     wrong = {key: x for key, x in plan_errors(found).items() if not x <= allowed[key[0]]}
     wrong |= {key: x for key, x in force_errors(found).items() if not x <= FORCE_STEPS[accuracy]}
     assert not wrong
@@ -99,26 +100,26 @@ def test_a_coarser_pencil_draws_worse(variant):
 
 
 def test_design_positions_are_within_the_limit(results):
-    assert results.plans.worst < 0.5
-    assert not results.plans.singular
-    assert results.plans.accuracy == pytest.approx(0.01)
-    assert results.force_plans.worst < 2.0
+    assert results.lever.plans.worst < 0.5
+    assert not results.lever.plans.singular
+    assert results.lever.plans.accuracy == pytest.approx(0.01)
+    assert results.lever.force_plans.worst < 2.0
 
 
 def test_every_value_of_the_plans_is_compared(results):
     """No velocity or acceleration of the mechanism is left out, but for what is given: the driving link's turn."""
-    for d in results.plans.drawn:
+    for d in results.lever.plans.drawn:
         per_mm = {**d.velocity.per_mm, **d.acceleration.per_mm}
-        assert set(per_mm) == set(results.kinematics.values)
+        assert set(per_mm) == set(results.lever.kinematics.values)
         given = {key for key, value in per_mm.items() if value == 0}
         assert {key[0] for key in given} <= {"w", "e"}
         assert {c.key for c in d.comparison} == set(per_mm) - given
 
 
 def test_every_reaction_is_compared(results):
-    for d in results.force_plans.drawn:
+    for d in results.lever.force_plans.drawn:
         analytic = sorted(round(c.analytic, 6) for c in d.comparison if c.key.startswith("R_"))
-        forces = results.kinetostatics.table.statics.reactions.values()
+        forces = results.lever.kinetostatics.table.statics.reactions.values()
         exact = [abs(np.broadcast_to(r.force, (13,))[d.position]) for r in forces]
         assert analytic == pytest.approx(sorted(exact), abs=1e-6)
 

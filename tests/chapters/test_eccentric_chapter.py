@@ -8,6 +8,7 @@ from pydantic import ValidationError
 
 from tmm_report.chapters.eccentric import family as eccentric_family
 from tmm_report.chapters.eccentric import solve as eccentric
+from tmm_report.chapters.eccentric.block import EccentricModel
 from tmm_report.chapters.eccentric.view import EccentricView
 from tmm_report.course import Results, Variant
 from tmm_report.i18n import Translator
@@ -17,7 +18,6 @@ from tmm_report.report import render
 from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page
-from tmm_report.variant.gears.eccentric import EccentricModel
 
 BASE = {"module": 0.002, "ratio": Fraction(4), "eccentricity": 0.018}
 
@@ -85,7 +85,7 @@ def test_a_ratio_is_one_of_whole_numbers_of_teeth(ratio):
 def test_a_coefficient_of_one_is_not_written():
     """(1 − 3/2)·2 = −1: −z1 + 4 z2 − 36 = 0, not −1z1."""
     view = _view(solved(ratio=Fraction(3, 2)))
-    assert "<mn>1</mn></mrow><msub>" not in str(view.page.math(view.whole()))
+    assert "<mn>1</mn></mrow><msub>" not in str(view.page.math(view.with_numbers()))
 
 
 def _view(found):
@@ -109,9 +109,10 @@ def test_backlash_lets_other_satellites_in():
 
 def test_speeds_satisfy_willis():
     found = solved(t=10, speed=60.0)
-    for stopped, driven in (("H", "1"), ("3", "1"), ("1", "3")):
-        speed = found.speeds(stopped, driven)
-        assert speed[stopped] == 0 and speed[driven] == 60
+    assert [(of.stopped, of.driven) for of in found.motions] == [("H", "1"), ("3", "1"), ("1", "3")]
+    for motion in found.motions:
+        speed = motion.speed
+        assert speed[motion.stopped] == 0 and speed[motion.driven] == 60
         carrier = speed["H"]
         assert (speed["1"] - carrier) == pytest.approx(found.ratio * (speed["3"] - carrier))
         for s in found.satellites:

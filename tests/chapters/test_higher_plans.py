@@ -4,11 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from conftest import stating
 from test_drawn_values import drawn, force_errors, plan_errors
 
 from tmm_report import solve
+from tmm_report.course import loads
 from tmm_report.i18n import Translator
-from tmm_report.variant import loads
 
 TRIAD = """\
 mechanism:
@@ -133,25 +134,27 @@ def found(request):
 
 def systems(found):
     """(force plan, its position) of every group above class II."""
-    return [(plan, d.position) for d in found.force_plans.drawn for plan in d.plans if plan.balances]
+    return [(plan, d.position) for d in found.lever.force_plans.drawn for plan in d.plans if plan.balances]
 
 
 def test_plans_agree_with_the_analytical_values(found):
-    assert len(found.plans.drawn) == len(found.force_plans.drawn) == 12
+    assert len(found.lever.plans.drawn) == len(found.lever.force_plans.drawn) == 12
     wrong = {key: x for key, x in plan_errors(found).items() if not x <= 2}
     wrong |= {key: x for key, x in force_errors(found).items() if not x <= 4}
     assert not wrong
 
 
 def test_every_value_is_compared(found):
-    for d in found.plans.drawn:
-        assert {*d.velocity.per_mm, *d.acceleration.per_mm} == set(found.kinematics.values)
-    pairs = len(found.structure.pairs)
-    assert all(sum(c.key[0] == "R" for c in d.comparison) == pairs for d in found.force_plans.drawn)
+    for d in found.lever.plans.drawn:
+        assert {*d.velocity.per_mm, *d.acceleration.per_mm} == set(found.lever.kinematics.values)
+    pairs = len(found.lever.structure.pairs)
+    assert all(sum(c.key[0] == "R" for c in d.comparison) == pairs for d in found.lever.force_plans.drawn)
 
 
 def test_contours_give_as_many_equations_as_unknowns(found):
-    steps = [step for d in found.plans.drawn for plan in (d.velocity, d.acceleration) for step in plan.steps]
+    steps = [
+        step for d in found.lever.plans.drawn for plan in (d.velocity, d.acceleration) for step in plan.steps
+    ]
     for step in (step for step in steps if step.projections is not None):
         assert len(step.projections.rows) == len(step.projections.unknown) <= len(step.group.links)
         for _, _, row, right in step.projections.rows:
@@ -161,11 +164,11 @@ def test_contours_give_as_many_equations_as_unknowns(found):
 
 
 def test_the_rates_read_off_are_those_of_the_solution(found):
-    for d in found.plans.drawn:
+    for d in found.lever.plans.drawn:
         for plan in (d.velocity, d.acceleration):
             for projections in (step.projections for step in plan.steps if step.projections):
                 for key, value in zip(projections.unknown, projections.solution, strict=True):
-                    step = plan.per_mm[key] * found.plans.accuracy
+                    step = plan.per_mm[key] * found.lever.plans.accuracy
                     assert plan.values[key] == pytest.approx(abs(value), abs=2 * step)
 
 
@@ -182,7 +185,7 @@ def test_the_forces_on_every_link_close_in_the_plan(found):
 
 def test_the_forces_that_act_on_a_link_are_in_its_equations(found):
     for plan, _ in systems(found):
-        pairs = [pair for pair in found.structure.pairs if set(pair.links) & set(plan.links)]
+        pairs = [pair for pair in found.lever.structure.pairs if set(pair.links) & set(plan.links)]
         for balance in plan.balances:
             reactions = [t for t in balance.forces.sides[0] if t.symbol.base == "R"]
             assert len(reactions) == sum(balance.link in pair.links for pair in pairs)
@@ -192,7 +195,7 @@ def test_the_forces_that_act_on_a_link_are_in_its_equations(found):
 def test_a_contour_closes_on_one_common_point():
     """Class IV: reactions of the contour's pairs lead from one point, so none of them is drawn twice."""
     variant = loads(ON_THE_CRANK)
-    plan, _ = systems(solve(replace(variant, positions=replace(variant.positions, force_plan=(3,)))))[0]
+    plan, _ = systems(solve(stating(variant, positions=replace(variant.lever.positions, force_plan=(3,)))))[0]
     keys = [stroke.key for stroke in plan.strokes]
     assert len(keys) == len(set(keys))
     inner = [stroke for stroke in plan.strokes if stroke.key in ("R_23", "R_24", "R_35", "R_45")]

@@ -5,13 +5,14 @@ from dataclasses import replace
 from functools import cache
 
 import numpy as np
-from conftest import examples, unread
+from conftest import examples, stating, unread
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
 
 from tmm_report import course
-from tmm_report.chapters.given import Drawing, Friction, Loads
-from tmm_report.chapters.kinetostatics.loads import ByDisplacement
+from tmm_report.chapters.friction.given import Friction
+from tmm_report.chapters.kinetostatics.loads import ByDisplacement, Loads
+from tmm_report.chapters.plans.given import Drawing
 from tmm_report.course import Results, Variant
 from tmm_report.mechanics.mechanism import FRAME, Assembly, ZeroAngle
 
@@ -29,36 +30,36 @@ def numbers(found: Results) -> dict[str, np.ndarray]:
     The first word of a key is the kind of quantity: v, a, w, e, moment, reaction...
     """
     out = {}
-    for index, t in enumerate(found.kinematics.travels):
+    for index, t in enumerate(found.lever.kinematics.travels):
         out |= {
             f"travel-{key} {index}": np.asarray(getattr(t, key))
             for key in ("S", "V", "a", "stroke", "diagram_S")
         }
         out[f"extremes {index}"] = np.array([x.value for x in (t.near, t.far, *t.V_extremes, *t.a_extremes)])
         out[f"ratio {index}"] = np.asarray(t.time_ratio or 0.0)
-    for index, (key, value) in enumerate(found.kinematics.diagram_values.items()):
+    for index, (key, value) in enumerate(found.lever.kinematics.diagram_values.items()):
         out[f"{key[0]} {index}"] = np.abs(value) if np.iscomplexobj(value) else value
-    forces = found.kinetostatics
-    assert forces is not None and found.friction is not None
+    forces = found.lever.kinetostatics
+    assert forces is not None and found.lever.friction is not None
     for solved in (forces.table, forces.diagram):
         out[f"moment {len(solved.turned)}"] = solved.balancing
         for index, reaction in enumerate(solved.statics.reactions.values()):
             out[f"reaction {index} {len(solved.turned)}"] = np.abs(reaction.force)
             out[f"moment {index} {len(solved.turned)}"] = np.asarray(reaction.moment)
-    out["friction"] = found.friction.diagram.total
-    out["efficiency"] = found.friction.diagram.efficiency
+    out["friction"] = found.lever.friction.diagram.total
+    out["efficiency"] = found.lever.friction.diagram.efficiency
     return out
 
 
 def drawn(found: Results) -> list[tuple[float, float]]:
     """Values of all plans with the value of 1 reading step."""
-    assert found.force_plans is not None
-    pictures = (*found.plans.drawn, *found.force_plans.drawn)
+    assert found.lever.force_plans is not None
+    pictures = (*found.lever.plans.drawn, *found.lever.force_plans.drawn)
     return [(c.graph, c.floor) for picture in pictures for c in picture.comparison]
 
 
 def renamed(v: Variant, points: dict[str, str], links: dict[str, str], guides: dict[str, str]) -> Variant:
-    m = v.mechanism
+    m = v.lever.mechanism
     joints = points | guides
 
     def group(key: str) -> str:
@@ -88,22 +89,24 @@ def renamed(v: Variant, points: dict[str, str], links: dict[str, str], guides: d
         sketch={points[p]: at for p, at in m.sketch.items()},
     )
     loads = Loads(
-        v.loads.gravity,
-        tuple(replace(f, at=points[f.at]) for f in v.loads.forces),
-        tuple(replace(x, on=links[x.on]) for x in v.loads.moments),
+        v.lever.loads.gravity,
+        tuple(replace(f, at=points[f.at]) for f in v.lever.loads.forces),
+        tuple(replace(x, on=links[x.on]) for x in v.lever.loads.moments),
     )
     friction = Friction(
-        v.friction.pivots, v.friction.guides, {joints[n]: r for n, r in v.friction.joints.items()}
+        v.lever.friction.pivots,
+        v.lever.friction.guides,
+        {joints[n]: r for n, r in v.lever.friction.joints.items()},
     )
-    scales = v.drawing.force
+    scales = v.lever.drawing.force
     scales = {group(key): x for key, x in scales.items()} if isinstance(scales, dict) else scales
-    drawing = replace(v.drawing, force=scales)
-    return replace(v, mechanism=mechanism, loads=loads, friction=friction, drawing=drawing, readings={})
+    drawing = replace(v.lever.drawing, force=scales)
+    return stating(v, mechanism=mechanism, loads=loads, friction=friction, drawing=drawing, readings={})
 
 
 def moved(v: Variant, angle: float, shift: complex) -> Variant:
     """The whole drawing turned about the origin and shifted, with gravity, loads, guides, words and sketch."""
-    m, u = v.mechanism, cmath.rect(1.0, angle)
+    m, u = v.lever.mechanism, cmath.rect(1.0, angle)
     frame = m.links[FRAME]
 
     def turned(direction):
@@ -128,20 +131,20 @@ def moved(v: Variant, angle: float, shift: complex) -> Variant:
         sketch={p: at * u + shift for p, at in m.sketch.items()},
     )
     forces = []
-    for f in v.loads.forces:
+    for f in v.lever.loads.forces:
         law = replace(f.law, zero=f.law.zero * u) if isinstance(f.law, ByDisplacement) else f.law
         forces.append(replace(f, direction=turned(f.direction), law=law))
-    loads = Loads(v.loads.gravity * u, tuple(forces), v.loads.moments)
-    return replace(v, mechanism=mechanism, loads=loads, readings={})
+    loads = Loads(v.lever.loads.gravity * u, tuple(forces), v.lever.loads.moments)
+    return stating(v, mechanism=mechanism, loads=loads, readings={})
 
 
 @cache
 def plain(v: Variant) -> Results:
     """Solved with scales that do not depend on the size of the drawing on the sheet."""
     found = unread(v)
-    scales = Drawing(v.drawing.accuracy, found.plans.length_scale, found.plans.velocity_scale,
-                     found.plans.acceleration_scale, v.drawing.force)  # fmt: skip
-    return course.solve(replace(v, readings={}, drawing=scales))
+    scales = Drawing(v.lever.drawing.accuracy, found.lever.plans.length_scale, found.lever.plans.velocity_scale,
+                     found.lever.plans.acceleration_scale, v.lever.drawing.force)  # fmt: skip
+    return course.solve(stating(v, readings={}, drawing=scales))
 
 
 def fresh(draw, old: list[str], pool: list[str]) -> dict[str, str]:
@@ -151,12 +154,12 @@ def fresh(draw, old: list[str], pool: list[str]) -> dict[str, str]:
 @few
 @given(data=st.data())
 def test_names_change_no_result(variant, data):
-    m = variant.mechanism
+    m = variant.lever.mechanism
     points = fresh(data.draw, m.point_names, NAMES)
     links = {FRAME: FRAME} | fresh(data.draw, m.moving, [str(n) for n in range(1, 16)])
     guides = fresh(data.draw, list(m.guides), ["x", "v", "z1", "Q9"])
     before, after = unread(variant), course.solve(renamed(variant, points, links, guides))
-    assert [g.kind for g in after.structure.groups] == [g.kind for g in before.structure.groups]
+    assert [g.kind for g in after.lever.structure.groups] == [g.kind for g in before.lever.structure.groups]
     expected, found = numbers(before), numbers(after)
     assert expected.keys() == found.keys()
     for key, value in expected.items():
@@ -168,11 +171,11 @@ def test_names_change_no_result(variant, data):
 @given(angle=st.floats(-3, 3), x=st.floats(-0.3, 0.3), y=st.floats(-0.3, 0.3))
 def test_place_of_the_drawing_changes_no_result(variant, angle, x, y):
     before = plain(variant)
-    scaled = replace(variant, drawing=before.variant.drawing)
+    scaled = stating(variant, drawing=before.variant.lever.drawing)
     after = course.solve(moved(scaled, angle, complex(x, y)))
     expected, found = numbers(before), numbers(after)
     assert expected.keys() == found.keys()
-    omega = abs(before.kinematics.omega)
+    omega = abs(before.lever.kinematics.omega)
     for key, value in expected.items():
         alike = [np.abs(x).max() for other, x in expected.items() if other.split()[0] == key.split()[0]]
         # what is zero is rounding beside the largest of its kind, or beside what the driving link has

@@ -5,7 +5,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tmm_report.chapters.given import Loads
 from tmm_report.chapters.kinetostatics import solve as kinetostatics
 from tmm_report.chapters.kinetostatics.loads import (
     ByAngle,
@@ -13,6 +12,7 @@ from tmm_report.chapters.kinetostatics.loads import (
     ByPosition,
     Constant,
     Force,
+    Loads,
     Moment,
 )
 
@@ -22,7 +22,7 @@ TWELVE = tuple(float(x) for x in (5, 1, 4, 2, 8, 0, -3, 7, 6, 2, 9, 1))
 @pytest.fixture
 def at(compressor):
     """Magnitude of a law at point B at the angles turned, degrees."""
-    kinematics = compressor.kinematics
+    kinematics = compressor.lever.kinematics
 
     def magnitude(law, *degrees):
         turned = np.radians(degrees)
@@ -50,24 +50,27 @@ def test_by_angle_is_linear_between_and_periodic(at):
 
 
 def test_ranges_are_not_periodic(results):
-    cycle = results.kinematics.cycle
+    cycle = results.lever.kinematics.cycle
     if cycle.closed:
         return
     law = ByAngle((0.0, cycle.sweep), (1.0, 3.0))
     turned = np.array([0.0, cycle.sweep / 2, cycle.sweep])
-    found = kinetostatics.magnitude(law, results.kinematics, cycle.motion(turned), turned, None)
+    found = kinetostatics.magnitude(law, results.lever.kinematics, cycle.motion(turned), turned, None)
     assert found == pytest.approx([1, 2, 3])
     by_position = ByPosition((0.0, 1.0, 2.0))  # two table steps, then the last one holds
     step = cycle.sweep / 12
     turned = np.array([0.5, 1, 2, 12]) * step
-    found = kinetostatics.magnitude(by_position, results.kinematics, cycle.motion(turned), turned, None)
+    found = kinetostatics.magnitude(by_position, results.lever.kinematics, cycle.motion(turned), turned, None)
     assert found == pytest.approx([0.5, 1, 2, 2])
 
 
 def test_indicator_diagram(at, compressor):
     """x = displacement / stroke from the stated extreme; one curve a stroke."""
     law = ByDisplacement(1 + 0j, ((0.0, 100.0), (0.5, 0.0), (1.0, 0.0)), ((0.0, 900.0), (1.0, 500.0)))
-    S = compressor.kinematics.table.place("B").real[0] - compressor.kinematics.table.place("B").real
+    S = (
+        compressor.lever.kinematics.table.place("B").real[0]
+        - compressor.lever.kinematics.table.place("B").real
+    )
     x = S / 0.2
     expected = [np.interp(x[k], [0, 0.5, 1], [100, 0, 0]) if k < 6 else 900 - 400 * x[k] for k in range(12)]
     found = at(law, *range(0, 360, 30))
@@ -81,19 +84,19 @@ def test_indicator_diagram(at, compressor):
 def test_at_the_ends_of_the_stroke_the_stroke_that_begins_holds(results):
     """Whatever the rounding of the velocity's zero, and in every drawing."""
     law = ByDisplacement(1 + 0j, ((0.0, 1.0), (1.0, 2.0)), ((0.0, 3.0), (1.0, 4.0)))
-    for travel in results.kinematics.travels:
-        if travel.output.kind == "slider" and results.kinematics.cycle.closed:
+    for travel in results.lever.kinematics.travels:
+        if travel.output.kind == "slider" and results.lever.kinematics.cycle.closed:
             name, direction = travel.output.name, travel.output.direction
             far, near = travel.far.turned, travel.near.turned
             turned = np.array([0.3, far, near, 1.0])
-            motion = results.kinematics.cycle.motion(turned)
+            motion = results.lever.kinematics.cycle.motion(turned)
             aimed = replace(law, zero=direction)
-            found = kinetostatics.magnitude(aimed, results.kinematics, motion, turned, name)
+            found = kinetostatics.magnitude(aimed, results.lever.kinematics, motion, turned, name)
             assert found[1:3] == pytest.approx([1.0, 4.0])
 
 
 def test_along_and_against_the_motion(results):
-    kinematics = results.kinematics
+    kinematics = results.lever.kinematics
     point = next(p for p in kinematics.table.point_index if np.abs(kinematics.table.velocity(p)).max() > 0)
     link = kinematics.linkage.groups[0].links[0]
     given = Loads(
@@ -110,7 +113,7 @@ def test_along_and_against_the_motion(results):
 
 
 def test_what_stands_still_has_no_direction_of_motion(compressor):
-    kinematics = compressor.kinematics
+    kinematics = compressor.lever.kinematics
     given = Loads(0j, (Force("", "B", "against", Constant(2.0)),))
     load = kinetostatics.loading(given, kinematics, kinematics.table, kinematics.turned)
     expected = [0, 2, 2, 2, 2, 2, 0, 2, 2, 2, 2, 2, 0]
@@ -118,7 +121,7 @@ def test_what_stands_still_has_no_direction_of_motion(compressor):
 
 
 def test_a_load_at_a_shared_point_acts_on_the_slider(compressor):
-    motion = compressor.kinematics.table
+    motion = compressor.lever.kinematics.table
     assert kinetostatics.loaded_link(motion, "B") == "3"
     assert kinetostatics.loaded_link(motion, "A") == "1"
     assert kinetostatics.loaded_link(motion, "S2") == "2"

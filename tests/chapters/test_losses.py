@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tmm_report.chapters.friction import solve as friction
-from tmm_report.chapters.given import Friction, Rubbing
+from tmm_report.chapters.friction.given import Friction, Rubbing
 from tmm_report.mechanics.mechanism import FRAME
 
 STEP = 1e-4
@@ -12,7 +12,7 @@ STEP = 1e-4
 
 def rubbing_speed(results, loss) -> np.ndarray:
     """Relative speed in a pair at the table positions: turning by angular velocities, sliding by a difference."""
-    motion, cycle = results.kinematics.table, results.kinematics.cycle
+    motion, cycle = results.lever.kinematics.table, results.lever.kinematics.cycle
     one, other = loss.pair.links
     if loss.pair.kind == "R":
         return np.abs(motion.angular_velocity(one) - motion.angular_velocity(other))
@@ -27,15 +27,15 @@ def rubbing_speed(results, loss) -> np.ndarray:
         seen = (at - s.r[guide.link]) / s.u[guide.link] + s.o[guide.link]
         return np.real((seen - guide.through) * np.conj(guide.direction)) + 0 * turned
 
-    turned = results.kinematics.turned
+    turned = results.lever.kinematics.turned
     slope = (along(turned + STEP) - along(turned - STEP)) / (2 * STEP)
-    return np.abs(slope * results.kinematics.omega)
+    return np.abs(slope * results.lever.kinematics.omega)
 
 
 def test_power_by_hand(results):
     """f·R·(d/2)·|ω| in pivots, f·R·|v| in guides, every pair of the mechanism once."""
-    found, given = results.friction, results.variant.friction
-    forces = results.kinetostatics.table.statics
+    found, given = results.lever.friction, results.variant.lever.friction
+    forces = results.lever.kinetostatics.table.statics
     total = 0.0
     for loss in found.table.pairs:
         name = loss.pair.name
@@ -46,39 +46,39 @@ def test_power_by_hand(results):
         np.testing.assert_allclose(loss.power, power, rtol=1e-6, atol=1e-6 * np.abs(power).max() + 1e-12)
         total = total + power
     np.testing.assert_allclose(found.table.total, total, rtol=1e-6)
-    stated_pairs = [p for p in results.structure.pairs if given.guides or p.kind == "R"]
+    stated_pairs = [p for p in results.lever.structure.pairs if given.guides or p.kind == "R"]
     assert [loss.pair.key for loss in found.table.pairs] == [pair.key for pair in stated_pairs]
 
 
 def test_efficiency(results):
-    found = results.friction
+    found = results.lever.friction
     for losses in (found.table, found.diagram):
         assert (losses.total > 0).any()
         assert (losses.efficiency[np.isfinite(losses.efficiency)] <= 1).all()
         assert (losses.efficiency[np.isfinite(losses.efficiency)] >= 0).all()
-    driving = np.abs(results.kinetostatics.table.balancing * results.kinematics.omega)
+    driving = np.abs(results.lever.kinetostatics.table.balancing * results.lever.kinematics.omega)
     np.testing.assert_allclose(found.table.efficiency, driving / (driving + found.table.total))
     assert 0 < found.mean_efficiency < 1
     assert found.mean_power == pytest.approx(found.diagram.total[:-1].mean())
 
 
 def test_no_friction_loses_nothing(results):
-    found = friction.solve(Friction(Rubbing(0.0, 0.05), Rubbing(0.0)), results.kinetostatics)
+    found = friction.solve(Friction(Rubbing(0.0, 0.05), Rubbing(0.0)), results.lever.kinetostatics)
     assert not found.table.total.any()
     assert found.mean_efficiency == 1
-    assert len(found.table.pairs) == len(results.structure.pairs)
+    assert len(found.table.pairs) == len(results.lever.structure.pairs)
 
 
 def test_friction_of_no_pair(results):
-    found = friction.solve(Friction(), results.kinetostatics)
+    found = friction.solve(Friction(), results.lever.kinetostatics)
     assert found.table.pairs == ()
     assert found.table.total.shape == found.table.driving.shape
     assert found.mean_power == 0
 
 
 def test_power_is_proportional_to_coefficient_and_diameter(compressor):
-    once = friction.solve(Friction(Rubbing(0.1, 0.04)), compressor.kinetostatics)
-    twice = friction.solve(Friction(Rubbing(0.05, 0.16)), compressor.kinetostatics)
+    once = friction.solve(Friction(Rubbing(0.1, 0.04)), compressor.lever.kinetostatics)
+    twice = friction.solve(Friction(Rubbing(0.05, 0.16)), compressor.lever.kinetostatics)
     np.testing.assert_allclose(twice.table.total, 2 * once.table.total, rtol=1e-14)
     assert all(loss.pair.kind == "R" for loss in once.table.pairs)
 
@@ -86,7 +86,8 @@ def test_power_is_proportional_to_coefficient_and_diameter(compressor):
 def test_a_joints_own_friction_wins(compressor):
     own = Friction(Rubbing(0.1, 0.04), Rubbing(0.1), {"C": Rubbing(0.3, 0.06), "x": Rubbing(0.2)})
     found = {
-        loss.pair.name: loss.rubbing for loss in friction.solve(own, compressor.kinetostatics).table.pairs
+        loss.pair.name: loss.rubbing
+        for loss in friction.solve(own, compressor.lever.kinetostatics).table.pairs
     }
     assert found["C"] == Rubbing(0.3, 0.06)
     assert found["x"] == Rubbing(0.2)
@@ -95,6 +96,6 @@ def test_a_joints_own_friction_wins(compressor):
 
 def test_compressor_position_7(compressor):
     """Pivot D of position 7 by the printed numbers: R54 = 279.17 N, ω4 = 26.524 rad/s, f = 0.1, d = 50 mm."""
-    (loss,) = (loss for loss in compressor.friction.table.pairs if loss.pair.name == "D")
+    (loss,) = (loss for loss in compressor.lever.friction.table.pairs if loss.pair.name == "D")
     assert FRAME not in loss.pair.links
     assert loss.power[7] == pytest.approx(0.1 * 279.17 * 0.025 * 26.524, rel=1e-4)

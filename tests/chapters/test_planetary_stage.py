@@ -9,11 +9,13 @@ import pytest
 from markupsafe import Markup
 from pydantic import ValidationError
 
+from tmm_report.chapters.planetary import listing
 from tmm_report.chapters.planetary import quantities as tables
+from tmm_report.chapters.planetary.block import PlanetaryModel, build
+from tmm_report.chapters.planetary.draw import front
 from tmm_report.chapters.planetary.solve import Found, solve
 from tmm_report.chapters.planetary.view import PlanetaryView
 from tmm_report.figures.drawing import svg
-from tmm_report.figures.planetary import front, scale
 from tmm_report.i18n import Translator
 from tmm_report.mechanics import trains
 from tmm_report.mechanics.planetary import EXTERNAL
@@ -24,7 +26,6 @@ from tmm_report.problems import ProblemError
 from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template
-from tmm_report.variant.gears.planetary import PlanetaryModel, build
 
 SINGLE = {
     "kind": "planetary",
@@ -227,7 +228,7 @@ def test_printed_formulas_agree_with_what_was_found(found):
     else:
         assert [item.value for item in view.working()][-1] == pytest.approx(1e3 * found.sizes.working[3])
         assert view.tip_diameter().value == pytest.approx(1e3 * float(found.sizes.largest_satellite))
-    assert all(view.ring_tip(row).holds for row, _ in found.interference)
+    assert all(view.ring_tip(row).holds for row in found.rows.rings)
 
 
 def test_rejected_and_accepted_make_up_all(found):
@@ -241,7 +242,7 @@ def test_rejected_and_accepted_make_up_all(found):
 
 
 def test_the_picture_is_true_to_scale(found):
-    drawing, mm = front(found, "stage"), 1 / scale(found)
+    drawing, mm = front(found, "stage"), 1 / found.scale
     circles = {round(item.radius, 6) for item in drawing.items if hasattr(item, "radius")}
     wheels = (0, 1, 3) if found.scheme.single else (0, 1, 2, 3)
     for values in (found.sizes.trimmed, found.sizes.working):
@@ -255,9 +256,9 @@ def test_the_picture_is_true_to_scale(found):
 
 
 def test_the_list_of_all_candidates():
-    stage = given(**SINGLE)
-    table, found = tables.candidates(stage), solve(stage)
-    rows = list(tables.listing(table))
+    found = solve(given(**SINGLE))
+    table = listing.candidates(found)
+    rows = list(listing.listing(table))
     assert len(rows) == 1 + len(found.candidates.reasons)
     accepted = [row for row in rows[1:] if row.endswith("accepted")]
     assert len(accepted) == len(found.ranking) and rows[1:][: len(accepted)] == accepted

@@ -37,7 +37,7 @@ def size_of(m) -> float:
 
 
 def test_joints_meet_all_round(results):
-    m, s = results.variant.mechanism, results.kinematics.diagram.state
+    m, s = results.variant.lever.mechanism, results.lever.kinematics.diagram.state
     worst = 0.0
     for point in m.point_names:
         places = [s.world(link, m.links[link].points[point]) for link in m.links_at(point)]
@@ -51,9 +51,9 @@ def test_joints_meet_all_round(results):
 
 @pytest.mark.parametrize("factor", [1e-6, 1e3])  # a metre becomes a micrometre, a kilometre
 def test_size_changes_no_digit(results, factor):
-    usual = results.kinematics.diagram
+    usual = results.lever.kinematics.diagram
     other = kinematics.solve(
-        results.variant.positions, structure.solve(scaled(results.variant.mechanism, factor))
+        results.variant.lever.positions, structure.solve(scaled(results.variant.lever.mechanism, factor))
     ).diagram
     assert other.linkage.structure.formula == usual.linkage.structure.formula
     digits = 1e-11 / min(1.0, *(np.nanmin(sine) for sine in usual.sines.values()))

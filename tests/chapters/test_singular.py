@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from tmm_report import render, solve
+from tmm_report.course import loads
 from tmm_report.mechanics.assembly import assemble
 from tmm_report.mechanics.cycle import cycle_of
 from tmm_report.mechanics.mechanism import Driver, Link, Mechanism, ZeroAngle
-from tmm_report.variant import loads
 
 PARALLELOGRAM = """\
 language: en
@@ -37,9 +37,9 @@ def parallelogram():
 
 def test_the_parallelogram_stays_one_through_its_change_points(parallelogram):
     """Velocities in the change points are the limits; only plans and reactions do not exist there."""
-    k = parallelogram.kinematics
+    k = parallelogram.lever.kinematics
     assert k.singular == (0, 6, 12) and k.undefined == () and k.missing == ()
-    assert parallelogram.plans.singular == (0,) and parallelogram.force_plans.singular == (6,)
+    assert parallelogram.lever.plans.singular == (0,) and parallelogram.lever.force_plans.singular == (6,)
     omega = k.values["w_1"]
     np.testing.assert_allclose(k.values["w_3"], omega, rtol=1e-9)
     np.testing.assert_allclose(np.abs(k.values["v_B"]), 0.1 * np.abs(omega), rtol=1e-9)
@@ -50,7 +50,7 @@ def test_the_parallelogram_stays_one_through_its_change_points(parallelogram):
 def test_the_antiparallelogram_stays_one():
     """The other assembly: the rocker turns against the crank, and goes smoothly through both change points."""
     text = PARALLELOGRAM.replace("B: [300 mm, 100 mm]", "B: [220 mm, -60 mm]")
-    k = solve(loads(text)).kinematics
+    k = solve(loads(text)).lever.kinematics
     turns = np.unwrap(np.angle(k.diagram.turn("3")))
     assert turns[-1] - turns[0] == pytest.approx(2 * np.pi)  # the crank turns clockwise
     assert np.abs(np.diff(turns)).max() < 0.5
@@ -90,7 +90,7 @@ loads: {{}}
 
 
 def test_rod_equal_to_crank_goes_on_smoothly():
-    k = solve(loads(slider(0.1, 0.1))).kinematics
+    k = solve(loads(slider(0.1, 0.1))).lever.kinematics
     np.testing.assert_allclose(k.table.place("B"), 0.2 * np.cos(k.turned), atol=1e-12)
     np.testing.assert_allclose(k.values["v_B"].real, -2 * np.sin(k.turned), atol=1e-10)
     assert np.allclose(k.closest[0].changes, [np.pi / 2, 3 * np.pi / 2], atol=1e-9)
@@ -100,7 +100,7 @@ def test_rod_equal_to_crank_goes_on_smoothly():
 @pytest.mark.parametrize("ratio", [0.95, 0.999])
 def test_the_branch_never_changes_near_a_dead_point(ratio, count):
     text = slider(0.1 * ratio, 0.1) + f"positions: {{table: {count}}}\n"
-    k = solve(loads(text)).kinematics
+    k = solve(loads(text)).lever.kinematics
     ahead = k.table.place("B").real - k.table.place("A").real
     assert (ahead > 0).all() and k.closest[0].changes == ()
     assert k.closest[0].closeness.value == pytest.approx(np.sqrt(1 - ratio**2), rel=1e-9)
@@ -108,15 +108,15 @@ def test_the_branch_never_changes_near_a_dead_point(ratio, count):
 
 def test_unreachable_rod_is_told_with_its_cure(tmp_path):
     found = solve(loads(slider(0.1, 0.05)))
-    (gap,) = found.kinematics.gaps
+    (gap,) = found.lever.kinematics.gaps
     assert str(gap.text) == (
         "rod AB = 50 mm cannot reach guide x for 30.00° < φ < 150.00°, 210.00° < φ < 330.00° "
         "(φ is the angle of turn from position 0); joint A goes as far as 100 mm from its line: "
         "the rod needs at least 100 mm"
     )
-    missing = set(found.kinematics.missing)  # the limits themselves are positions too, to rounding
-    assert found.partial and {2, 3, 4, 8, 9, 10} <= missing <= {1, 2, 3, 4, 5, 7, 8, 9, 10, 11}
-    assert not solve(loads(slider(0.1, 0.05, "allow_partial: true"))).partial
+    missing = set(found.lever.kinematics.missing)  # the limits themselves are positions too, to rounding
+    assert found.lever.partial and {2, 3, 4, 8, 9, 10} <= missing <= {1, 2, 3, 4, 5, 7, 8, 9, 10, 11}
+    assert not solve(loads(slider(0.1, 0.05, "allow_partial: true"))).lever.partial
 
 
 def test_four_bar_that_jams():
@@ -131,7 +131,7 @@ mechanism:
   driver: {link: 1, speed: 1}
   assembly: {B: left of A-C}
 """
-    k = solve(loads(text)).kinematics
+    k = solve(loads(text)).lever.kinematics
     limit = np.arccos(0.7)  # 45.57°: the rod and the rocker in one line
     assert k.closest[0].limits == pytest.approx((limit, 2 * np.pi - limit), abs=1e-10)
     assert "together the links need at least 7200 mm" in str(k.gaps[0].text)
@@ -156,19 +156,19 @@ loads: {}
 def test_class_three_group_is_followed_to_its_limits():
     """With a longer crank the group reaches its limit: found exactly, and the positions that exist are solved."""
     whole = solve(loads(TRIAD.replace("CRANK", "50 mm")))
-    assert whole.structure.formula == "I(0,1) → III3(2,3,4,5)"
-    assert whole.kinematics.gaps == () and whole.kinetostatics.agrees
+    assert whole.lever.structure.formula == "I(0,1) → III3(2,3,4,5)"
+    assert whole.lever.kinematics.gaps == () and whole.lever.kinetostatics.agrees
     part = solve(loads(TRIAD.replace("CRANK", "140 mm")))
-    (gap,) = part.kinematics.gaps
+    (gap,) = part.lever.kinematics.gaps
     assert "group III3(2,3,4,5) cannot be assembled for " in str(gap.text)
-    assert 0 < len(part.kinematics.missing) < 13 and part.kinetostatics.agrees
+    assert 0 < len(part.lever.kinematics.missing) < 13 and part.lever.kinetostatics.agrees
     for end in gap.intervals[0]:
-        beside = part.kinematics.cycle.motion(np.array([end - 1e-7, end + 1e-7]))
+        beside = part.lever.kinematics.cycle.motion(np.array([end - 1e-7, end + 1e-7]))
         assert sorted(beside.closes) == [False, True]
 
 
 def test_no_huge_number_anywhere(parallelogram):
-    assert parallelogram.kinetostatics.agrees
+    assert parallelogram.lever.kinetostatics.agrees
     document = json.loads(render(parallelogram, "json")["results.json"])
     numbers = [
         x
@@ -201,7 +201,7 @@ mechanism:
   driver: {{link: 1, speed: 10, rotation: counter-clockwise}}
   assembly: {{B: right}}
 """
-    found = solve(loads(text)).kinematics
+    found = solve(loads(text)).lever.kinematics
     assert found.digits == digits and found.singular == ()
     expected = (
         -10
@@ -227,7 +227,7 @@ mechanism:
     3: {points: [A], slides: y}
   driver: {link: 1, speed: 1, rotation: counter-clockwise, zero: {angle: 30 deg}, range: 120 deg}
 """
-    k = solve(loads(text)).kinematics
+    k = solve(loads(text)).lever.kinematics
     assert k.missing == (6,)
     assert k.closest[0].parallel == pytest.approx((np.pi / 3,), abs=1e-9)
 
@@ -240,7 +240,7 @@ def test_a_lone_change_point_exists_but_has_no_velocities():
         .replace("O: [0, 0]}", "O: [0, 0], Q: [0, 0.02]}")
     )
     results = solve(loads(text))
-    k = results.kinematics
+    k = results.lever.kinematics
     assert k.missing == () and k.undefined == (9,)
     np.testing.assert_allclose(k.closest[0].corners, [3 * np.pi / 2], atol=1e-7)
     note = render(results, "html")["note.html"].decode()
@@ -250,5 +250,5 @@ def test_a_lone_change_point_exists_but_has_no_velocities():
 def test_a_slider_at_rest_has_no_dead_points():
     """Rod equal to crank from 90° on: the slider stays in the crank's pivot all round."""
     text = slider(0.1, 0.1).replace("counter-clockwise}", "counter-clockwise, zero: {angle: 90 deg}}")
-    (dead,) = solve(loads(text)).kinematics.dead
+    (dead,) = solve(loads(text)).lever.kinematics.dead
     assert dead.turned == ()

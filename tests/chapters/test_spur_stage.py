@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 
 from tmm_report.chapters.spur import solve as spur
 from tmm_report.chapters.spur.formulas import SpurFormulas
-from tmm_report.chapters.spur.quantities import tables, values
+from tmm_report.chapters.spur.quantities import book, tables, values
+from tmm_report.chapters.spur.sizes import choose_teeth
 from tmm_report.mechanics.spur import Rack
 from tmm_report.mechanics.trains import Train, speeds
 from tmm_report.problems import ProblemError
@@ -49,12 +50,12 @@ def test_chosen_teeth(distance, module, ratio, faster, internal):
     """The sum is at most 2 under its bound, never above it, and the ratio as near as whole teeth allow."""
     u = ratio + 0.5 if internal else -ratio
     stage = spur.Given(1 / u if faster else u, module, distance)
-    chosen = spur.choose_teeth(stage)
+    chosen = choose_teeth(stage)
     small, large = sorted(chosen.z)
     total = large - small if internal else large + small
-    assert -1e-6 <= chosen.bound - total <= 2 + 1e-6
-    assert small == math.floor(chosen.share * (1 + 1e-9))
-    if total + 1 <= chosen.bound - 1e-6 and chosen.bound - total < 2 - 1:
+    assert -1e-6 <= chosen.choice.bound - total <= 2 + 1e-6
+    assert small == math.floor(chosen.choice.share * (1 + 1e-9))
+    if total + 1 <= chosen.choice.bound - 1e-6 and chosen.choice.bound - total < 2 - 1:
         assert abs(large - abs(u) * small) <= 0.5 + 1e-9  # nothing forced it away from the ratio
 
 
@@ -110,7 +111,7 @@ def test_members_and_meshes(given_):
 
 def test_points_of_the_line_of_action():
     found = spur.solve(GUIDE)
-    at = found.points
+    at = found.path.points
     assert list(at) == ["A", "C", "P", "D", "B"]
     assert list(at.values()) == sorted(at.values())
     assert at["B"] - at["C"] == pytest.approx(found.pair.p_b) == pytest.approx(at["D"] - at["A"])
@@ -134,7 +135,7 @@ def test_margins_change_sign_at_their_limits():
 def test_an_involute_that_an_undercut_has_eaten_begins_later():
     """Deep undercut reaches the active profile, and the interference condition tells it."""
     found = spur.solve(replace(FREE, teeth=(10, 40), ratio=-4.0, shift=(-0.2, 0.5)))
-    start, lower = found.involute_starts[0], float(found.pair.rho_p[0])
+    start, lower = found.starts[0], float(found.pair.rho_p[0])
     assert start > 1e-3 and found.pair.rho_l[0] < 0
     assert {c.key for c in found.failed if c.wheel == "4"} >= {"undercut"}
     (interference,) = [c for c in found.conditions if c.key == "interference" and c.wheel == "4"]
@@ -236,7 +237,7 @@ def _formulas(view: SpurFormulas):
         yield formula, value
     if view.equalised:
         yield view.shortening(), pair.shortening
-    if not view.loose:
+    if not view.found.loose:
         yield view.rest(), (pair.x1, pair.x2)[1 - view.small]
         yield view.sum_of_distance(), pair.x_sum
         yield view.filled(), mm * pair.p_w
@@ -256,7 +257,7 @@ def _sliding(pair, where):
 
 @every_case
 def test_formulas_agree_with_the_solver(given_):
-    view = SpurFormulas(spur.solve(given_))
+    view = SpurFormulas(spur.solve(given_), "stage1")
     wrong = [
         f"{formula.result}: {formula.value}, solver {value}"
         for formula, value in _formulas(view)
@@ -265,10 +266,35 @@ def test_formulas_agree_with_the_solver(given_):
     assert wrong == []
 
 
+@every_case
+def test_formulas_say_where_their_value_stands(given_):
+    """The number that a formula's result refers to is its value, in the unit of print.
+
+    The sliding of a pair that cannot be made has no bound, and its formulas are not printed.
+    """
+    view = SpurFormulas(spur.solve(given_), "stage1")
+    wrong = [
+        f"{formula.ref}: {formula.value}, there {there}"
+        for formula, _ in _formulas(view)
+        if np.isfinite(there := _at(view, formula.ref)) or not view.found.beyond
+        if not np.isclose(formula.value, there, rtol=1e-9, atol=1e-9)
+    ]
+    assert wrong == []
+
+
+def _at(view, ref):
+    unit = ref.unit or "rad"  # of angles alone the unit of print is that of the results
+    if not ref.table:
+        value = view.part.book[ref.key]
+        return value.number(ref.unit or (unit if value.unit == "deg" else ""))
+    column = view.part.book.tables[ref.table][ref.key]
+    return column.number(ref.row, ref.unit or (unit if column.unit == "deg" else ""))
+
+
 def test_the_rule_s_formula():
-    view = SpurFormulas(spur.solve(GUIDE))
+    view = SpurFormulas(spur.solve(GUIDE), "stage1")
     assert agrees(view.least(), 3 / 17)
-    helical = SpurFormulas(spur.solve(CASES["helical"]))
+    helical = SpurFormulas(spur.solve(CASES["helical"]), "stage1")
     assert agrees(helical.least(), helical.pair.x1)
 
 
@@ -284,11 +310,19 @@ def test_tables(given_):
     numbers = {value.key: value.value for value in values(found, "stage1")}
     assert numbers["stage1_eps"] == pytest.approx(float(found.pair.eps))
     assert all(math.isfinite(number) for number in numbers.values())
-    readings, contour = (
-        {column.key: list(column.values) for column in table.columns}
-        for table in tables(found, "stage1")
-        if table.name in ("stage1_readings", "stage1_contour")
-    )
-    assert readings["key"][:2] == ["N1N2", "AB"] and max(readings["delta"]) < 5
-    assert contour["step"][0] == 0 and not contour["step"][2] < contour["step"][1] - 1e-9  # nan: none
-    assert contour[f"x_{given_.wheels[0]}"][0] == float(found.pair.x1)
+    of = book(found, "stage1").tables
+    readings, contour = of["stage1_readings"], of["stage1_contour"]
+    assert readings["key"].values[:2] == ["N1N2", "AB"] and max(readings["delta"].values) < 5
+    step = contour["step"].values
+    assert step[0] == 0 and not step[2] < step[1] - 1e-9  # nan: none
+    assert contour[f"x_{given_.wheels[0]}"].values[0] == float(found.pair.x1)
+    assert ("stage1_lacks" in of) == (not found.contour.feasible)
+
+
+def test_rows_of_different_units_are_printed_in_their_own():
+    of = book(spur.solve(GUIDE), "stage1").tables
+    conditions, readings = of["stage1_conditions"], of["stage1_readings"]
+    assert [conditions["unit"].values[row] for row in (1, 2, 4)] == ["", "m", ""]
+    assert conditions["limit"].number(2, "mm") == pytest.approx(1.8)
+    assert readings["graph"].number(5, "deg") == pytest.approx(34.5, abs=0.1)
+    assert (readings.ref("graph", 5, "rad").unit, readings.ref("graph", 5, "deg").unit) == ("", "deg")

@@ -3,10 +3,12 @@
 import pytest
 
 from tmm_report.chapters.drive import solve as drive
-from tmm_report.figures import drive as figures
+from tmm_report.chapters.drive.block import DriveModel, build
+from tmm_report.chapters.drive.draw import diagrams as figures
+from tmm_report.chapters.drive.draw.scheme import scheme
+from tmm_report.chapters.drive.draw.sketch import CLEAR
 from tmm_report.figures.drawing import Arrow, Path, Text
-from tmm_report.figures.gear_scheme import CLEAR, scheme
-from tmm_report.variant.gears import DriveModel, build
+from tmm_report.quantity.paper import ACCURACY
 
 STAGES = [
     {"kind": "planetary", "scheme": "sun-ring", "ratio": 6.56, "module": "5 mm", "satellites": 3}
@@ -17,7 +19,7 @@ STAGES = [
 
 @pytest.fixture(scope="module")
 def found():
-    return drive.solve(build(DriveModel.model_validate({"speed": "3000 rpm", "stages": STAGES})))
+    return drive.solve(build(DriveModel.model_validate({"speed": "3000 rpm", "stages": STAGES}), ACCURACY))
 
 
 @pytest.fixture(scope="module")

@@ -5,15 +5,13 @@ import xml.etree.ElementTree as ET
 import numpy as np
 import pytest
 
-from tmm_report.chapters.spur import contour as blocking
 from tmm_report.chapters.spur import solve as spur
-from tmm_report.chapters.spur.mesh import Mesh
-from tmm_report.chapters.spur.teeth_view import TeethView
-from tmm_report.figures.blocking import Plane, contour
+from tmm_report.chapters.spur.draw.contour import Plane, contour
+from tmm_report.chapters.spur.draw.mesh import ACTIVE, CONTACT, TEETH, mesh_drawing
+from tmm_report.chapters.spur.draw.zones import BEYOND, WIDE, pairs_at, zones
+from tmm_report.chapters.spur.view import SpurView
 from tmm_report.figures.dimensions import span, spread
 from tmm_report.figures.drawing import THICK, Arc, Path, Text, svg, tikz
-from tmm_report.figures.gearing import ACTIVE, CONTACT, TEETH, mesh_drawing
-from tmm_report.figures.zones import BEYOND, WIDE, pairs_at, zones
 from tmm_report.i18n import Translator
 from tmm_report.quantity.text import number
 from tmm_report.report.formats import Html
@@ -40,7 +38,7 @@ def found(request):
 
 @pytest.fixture(scope="module")
 def mesh(found):
-    return Mesh(found.pair, found.points)
+    return found.mesh
 
 
 @pytest.fixture(scope="module")
@@ -110,7 +108,7 @@ def test_zones_add_up_to_the_active_part(mesh):
 def test_zones_letter_what_lies_on_the_active_part(distance, letters):
     """Shifted far apart the wheels have a contact ratio under 1, and then no pitch point on AB."""
     found = spur.solve(spur.Given(-2, 0.006, distance, (14, 28)))
-    drawing = zones(Mesh(found.pair, found.points), num, str)
+    drawing = zones(found.mesh, num, str)
     left, _, right, _ = drawing.box
     assert right - left < WIDE + 2 * BEYOND + 5
     assert {text for text in texts(drawing) if text in "ACPDB"} == set(letters)
@@ -134,7 +132,7 @@ def test_pairs_in_mesh_are_the_contact_ratio_on_the_average(ratio):
 
 
 def test_the_contour_is_drawn_where_it_is(found):
-    seen = blocking.solve(found)
+    seen = found.contour
     plane = Plane(seen.window)
     drawing = contour(seen, found.given.wheels, num)
     borders = strokes(drawing, THICK)
@@ -148,8 +146,8 @@ def test_the_contour_is_drawn_where_it_is(found):
 def test_tips_that_cannot_pass_each_other_are_said_so_without_a_number():
     """A ring of 41 teeth has no room for the tips of a pinion of 40: an overlap of ∞° says nothing."""
     found = spur.solve(spur.Given(1.025, 0.005, None, (40, 41)))
-    view = TeethView(found, Page(Html(), Translator("en"), Numbering()), "pair")
-    told = [str(lack) for lack in view.lacks()]
+    view = SpurView(found, Page(Html(), Translator("en"), Numbering()), "pair")
+    told = [str(lack) for lack in view.drawings.lacks()]
     assert "the tips of the ring and the pinion cannot pass each other" in told
     assert not any("∞" in text or "inf" in text for text in told)
 

@@ -8,7 +8,7 @@ import pytest
 from schemes import mechanism
 
 from tmm_report.mechanics.assembly import assemble
-from tmm_report.mechanics.cycle import cycle_of
+from tmm_report.mechanics.cycle import Extreme, Slope, cycle_of, larger, least_and_greatest
 from tmm_report.mechanics.mechanism import Assembly, Driver, Guide, Link, Slide, ZeroAngle, ZeroExtreme
 from tmm_report.problems import ProblemError
 
@@ -96,7 +96,7 @@ def test_extremes_of_the_highest_derivative_by_slope():
     """A centred crank with a long rod: a = −ω²(r cos φ + …) is greatest at φ = π."""
     cycle = offset_crank(offset=0.0)
     acceleration = lambda motion: motion.acceleration("B").real  # noqa: E731
-    low, high = cycle.extremes(acceleration, cycle.slope(acceleration), noise=1e-9)
+    low, high = cycle.extremes(acceleration, Slope(acceleration))
     assert low.value == pytest.approx(-25 * R * (1 + R / L), rel=1e-12)
     assert low.turned == pytest.approx(0, abs=1e-6)
     fine = acceleration(cycle.motion(np.linspace(0, 2 * math.pi, 20001)))
@@ -142,3 +142,23 @@ def test_roots_of_a_constant():
     cycle = offset_crank()
     assert cycle.roots(lambda motion: np.ones(motion.shape)).size == 0
     assert cycle.roots(lambda motion: np.zeros(motion.shape)).size == 0
+
+
+def test_of_equal_extremes_the_first_is_named():
+    """Two greatest values that differ by a bit, and the end of the turn beside its beginning."""
+    values = np.array([np.nextafter(2.0, 3.0), -1.0, 2.0, -1.0 - 1e-15, np.nan])
+    turned = np.array([5.0, 6.28, 1.0, 0.0, 3.0])
+    low, high = least_and_greatest(values, turned)
+    assert (low.turned, high.turned) == (0.0, 1.0)
+    assert larger((Extreme(-2.0, 4.0), Extreme(np.nextafter(2.0, 3.0), 5.0))).turned == 4.0
+    assert larger((Extreme(-2.0, 4.0), Extreme(2.1, 5.0))).turned == 5.0
+
+
+def test_all_rates_together_are_each_alone():
+    """What is found in one go is what is found one at a time."""
+    cycle = offset_crank()
+    acceleration = lambda motion: motion.acceleration("B").real  # noqa: E731
+    rates = [speed, acceleration, Slope(acceleration)]
+    for together, rate in zip(cycle.roots_of(rates), rates, strict=True):
+        assert together == pytest.approx(cycle.roots(rate), abs=1e-9)
+        assert len(together) == 2

@@ -50,15 +50,15 @@ def ours(symbol: str) -> str:
 
 def structure_cells(results) -> Iterator[Cell]:
     for key in ("moving_links", "lower_pairs", "higher_pairs", "mobility"):
-        yield f"structure {key}", getattr(results.structure, key), PRINTED["structure"][key]
-    slides = {t.output.name: t for t in results.kinematics.travels}
+        yield f"structure {key}", getattr(results.lever.structure, key), PRINTED["structure"][key]
+    slides = {t.output.name: t for t in results.lever.kinematics.travels}
     for name in "BD":
         yield f"stroke {name}", slides[name].stroke, PRINTED["stroke_H"]
 
 
 def scale_cells(results) -> Iterator[Cell]:
-    scales, links = PRINTED["scales"], results.variant.mechanism.links
-    plans = results.plans
+    scales, links = PRINTED["scales"], results.variant.lever.mechanism.links
+    plans = results.lever.plans
     yield "mu_l", plans.length_scale, scales["length"]["mu_l_m_per_mm"]
     yield "mu_v", plans.velocity_scale, scales["velocity"]["mu_v"]
     yield "mu_a", plans.acceleration_scale, scales["acceleration"]["mu_a"]
@@ -72,7 +72,7 @@ def scale_cells(results) -> Iterator[Cell]:
 
 
 def plan_cells(results) -> Iterator[Cell]:
-    for drawn in results.plans.drawn:
+    for drawn in results.lever.plans.drawn:
         k = str(drawn.position)
         values = {**drawn.velocity.values, **drawn.acceleration.values}
         for block in ("plan_velocities", "plan_accelerations"):
@@ -83,27 +83,27 @@ def plan_cells(results) -> Iterator[Cell]:
 
 
 def analytical_cells(results) -> Iterator[Cell]:
-    values = results.kinematics.values
+    values = results.lever.kinematics.values
     for k, row in PRINTED["signed_angular"].items():
         for symbol, text in row.items():
             yield f"position {k} {symbol}", values[ours(symbol)][int(k)], text
-    slides = {t.output.name: t for t in results.kinematics.travels}
+    slides = {t.output.name: t for t in results.lever.kinematics.travels}
     for row in PRINTED["table3"]["rows"]:
         k = int(row[0])
         for column, text in zip(PRINTED["table3"]["columns"][1:], row[1:], strict=True):
             quantity, name = column.split("_")
             yield f"table 3 row {k} {column}", getattr(slides[name], quantity)[k], text
     for symbol, text in PRINTED["maxima_over_36_positions"].items():
-        yield f"maximum {symbol}", np.abs(results.kinematics.diagram_values[ours(symbol)]).max(), text
+        yield f"maximum {symbol}", np.abs(results.lever.kinematics.diagram_values[ours(symbol)]).max(), text
 
 
 def force_cells(results) -> Iterator[Cell]:
-    table = results.kinetostatics.table
+    table = results.lever.kinetostatics.table
     given = FORCES["given"]
     for link in "2345":
         yield f"G{link}", abs(table.loading.gravity[link][7]), given[f"G{link}"]
     # worked by hand in the guide and here: from accelerations written with five digits
-    (drawn,) = results.force_plans.drawn
+    (drawn,) = results.lever.force_plans.drawn
     written = {formula.result.base + formula.result.sub: abs(formula.written) for formula in drawn.inertia}
     assert written.keys() == {key for key in given if key[0] != "G"}
     for key, value in written.items():
@@ -112,11 +112,11 @@ def force_cells(results) -> Iterator[Cell]:
         yield f"balancing moment {k}", table.balancing[k], text
     yield "analytical moment", table.balancing[7], FORCES["analytical_balancing_moment_Nm"]
     greatest = PRINTED["balancing_moment_extremes_36"]["max_near_position_11"]
-    yield "greatest moment over 36", results.kinetostatics.extremes[1].value, greatest
+    yield "greatest moment over 36", results.lever.kinetostatics.extremes[1].value, greatest
 
 
 def force_plan_cells(results) -> Iterator[Cell]:
-    (drawn,) = results.force_plans.drawn
+    (drawn,) = results.lever.force_plans.drawn
     yield "graph moment", abs(drawn.balancing), FORCES["plan_balancing_moment_Nm"]
     (moment,) = (c for c in drawn.comparison if c.key == "M_bal")
     yield "error of the moment, %", abs(moment.delta), FORCES["error_percent"]
@@ -146,8 +146,8 @@ def test_every_printed_number(compressor):
 
 
 def test_structural_formula(compressor):
-    assert compressor.structure.formula.replace("→", "->") == PRINTED["structure"]["formula"]
-    assert [(g.kind, g.group_class) for g in compressor.structure.groups] == [(2, 2), (2, 2)]
+    assert compressor.lever.structure.formula.replace("→", "->") == PRINTED["structure"]["formula"]
+    assert [(g.kind, g.group_class) for g in compressor.lever.structure.groups] == [(2, 2), (2, 2)]
 
 
 def test_erratum_of_table_3_row_10():
@@ -167,7 +167,7 @@ def test_erratum_of_e4_in_position_7():
 
 def reactions(results) -> dict[str, float]:
     """Reactions of position 7 by the force plan, tangential components among them, N."""
-    (drawn,) = results.force_plans.drawn
+    (drawn,) = results.lever.force_plans.drawn
     values = {c.key.replace("_", ""): c.graph for c in drawn.comparison}
     for plan in drawn.plans[:2]:
         for formula in plan.moments:
@@ -200,7 +200,7 @@ def explained() -> dict[str, float]:
 
 
 def test_reactions_within_what_drawing_accuracy_explains(compressor):
-    exact = compressor.kinetostatics.table.statics.reactions
+    exact = compressor.lever.kinetostatics.table.statics.reactions
     sizes = {f"R{key.replace('-', '')}": abs(np.broadcast_to(r.force, (13,))[7]) for key, r in exact.items()}
     bounds, found = explained(), {}
     drawn = reactions(compressor)
@@ -208,7 +208,7 @@ def test_reactions_within_what_drawing_accuracy_explains(compressor):
         mine = sizes.get(name) or sizes.get(f"R{name[2]}{name[1]}") or drawn[name]
         found[name] = (abs(mine - float(text)), bounds[name])
     (arm,) = (
-        a.metres for plan in compressor.force_plans.drawn[0].plans for a in plan.arms if a.key == "R_42"
+        a.metres for plan in compressor.lever.force_plans.drawn[0].plans for a in plan.arms if a.key == "R_42"
     )
     found["hR42"] = (abs(arm - float(FORCES["lever_arms_m"]["hR42"])), bounds["hR42"])
     assert found.keys() == bounds.keys()
@@ -219,7 +219,7 @@ def test_reactions_within_what_drawing_accuracy_explains(compressor):
 
 
 def test_extremes_of_the_balancing_moment(compressor):
-    low, high = compressor.kinetostatics.extremes
+    low, high = compressor.lever.kinetostatics.extremes
     step = 2 * np.pi / 12
     assert (round(low.turned / step), round(high.turned / step)) == (8, 11)
     # -325 is read off the printed diagram
@@ -229,14 +229,14 @@ def test_extremes_of_the_balancing_moment(compressor):
 
 def test_printed_plan_values_as_a_students_readings(compressor):
     """`readings:` of the variant are the printed plan values, and each is within 5 %."""
-    given = compressor.variant.readings
+    given = compressor.variant.lever.readings
     for k in ("6", "7"):
         printed = {**PRINTED["plan_velocities"][k], **PRINTED["plan_accelerations"][k]}
         assert given[int(k)] == {ours(symbol): float(text) for symbol, text in printed.items()}
-    compared = [c for drawn in compressor.plans.drawn for c in drawn.readings]
+    compared = [c for drawn in compressor.lever.plans.drawn for c in drawn.readings]
     assert len(compared) == sum(len(row) for row in given.values())
     assert [c.key for c in compared if not c.ok] == []
-    assert compressor.plans.worst_reading < 0.1
+    assert compressor.lever.plans.worst_reading < 0.1
 
 
 def test_a_wrong_cell_is_found():
@@ -253,10 +253,13 @@ def test_given_data_are_the_guides(compressor, key):
     printed = [float(text) for text in PRINTED["input"][key]]
     variant = compressor.variant
     mine = {
-        "friction_coefficient": [variant.friction.pivots.coefficient, variant.friction.guides.coefficient],
-        "journal_diameter_m": [variant.friction.pivots.diameter],
-        "gas_force_B_N": list(variant.loads.forces[0].law.values),
-        "gas_force_D_N": list(variant.loads.forces[1].law.values),
+        "friction_coefficient": [
+            variant.lever.friction.pivots.coefficient,
+            variant.lever.friction.guides.coefficient,
+        ],
+        "journal_diameter_m": [variant.lever.friction.pivots.diameter],
+        "gas_force_B_N": list(variant.lever.loads.forces[0].law.values),
+        "gas_force_D_N": list(variant.lever.loads.forces[1].law.values),
     }[key]
     if key.startswith("gas"):
         assert mine == printed

@@ -63,7 +63,7 @@ def test_claim_for_t_10(found):
     assert (found.sun, found.largest, found.ring) == (34, 60, 136)
     assert [s.wheel for s in found.satellites] == ["2", "4", "5", "4'"]
     assert [s.belt for s in found.satellites] == pytest.approx([60, 98, 136, 183], abs=1e-9)
-    assert round(1e3 * min(gap for *_, gap in found.neighbours), 3) == 4.871
+    assert round(1e3 * min(pair.gap for pair in found.neighbours), 3) == 4.871
     assert not found.failed
 
 
@@ -92,7 +92,7 @@ def test_most_compact_set_with_all_satellites():
     assert (found.sun, found.largest, found.ring) == (26, 48, 104)
     assert found.judged.full == found.row and found.t == 14
     assert [(s.wheel, s.teeth) for s in found.satellites] == [("2", 48), ("4", 39), ("5", 30), ("4'", 39)]
-    assert round(1e3 * min(gap for *_, gap in found.neighbours), 3) == 0.482
+    assert round(1e3 * min(pair.gap for pair in found.neighbours), 3) == 0.482
     assert found.proof.overlap.max() == 0 and found.proof.clearance.min() >= 0
 
 

@@ -52,7 +52,7 @@ def rounded(value: float, text: str) -> Decimal:
 
 
 def teeth_cells(found: spur.Found) -> Iterator[Cell]:
-    yield "z_sum_bound", found.teeth.bound, SPUR["z_sum_bound"]
+    yield "z_sum_bound", found.teeth.choice.bound, SPUR["z_sum_bound"]
     for i, wheel in enumerate("45"):
         yield f"z{wheel}", found.teeth.z[i], SPUR[f"z{wheel}"]
         yield f"x{wheel}", (found.pair.x1, found.pair.x2)[i], SPUR[f"x{wheel}"]
@@ -82,7 +82,7 @@ def dimension_cells(found: spur.Found) -> Iterator[Cell]:
 
 
 def mesh_cells(found: spur.Found) -> Iterator[Cell]:
-    pair, zones, at = found.pair, SPUR["zones"], found.points
+    pair, zones, at = found.pair, SPUR["zones"], found.path.points
     yield "N1N2", 1e3 * pair.line, SPUR["N1N2"]
     yield "contact ratio", pair.eps, SPUR["contact_ratio"]
     yield "two pairs", 100 * pair.two_pairs, SPUR["two_pair_share_percent"]
@@ -132,7 +132,7 @@ def test_undercut_by_the_rule_and_exactly(found):
     (missed,) = found.failed
     assert (missed.key, missed.wheel) == ("undercut", "4")
     assert missed.margin == pytest.approx(3 / 17 - 0.18115555, abs=1e-8)
-    assert 0 < found.involute_starts[0] < 0.05e-3 < found.pair.rho_p[0]
+    assert 0 < found.starts[0] < 0.05e-3 < found.pair.rho_p[0]
 
 
 def test_the_limits_of_the_guide_are_met(found):

@@ -9,10 +9,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from conftest import read
+from conftest import read, stating
 
 from tmm_report import course
-from tmm_report.chapters.given import Loads, Positions
+from tmm_report.chapters.kinematics.given import Positions
+from tmm_report.chapters.kinetostatics.loads import Loads
 from tmm_report.mechanics import motion
 from tmm_report.mechanics.assembly import assemble
 
@@ -31,18 +32,18 @@ def press():
     """Every degree, no technological load."""
     variant = read("press")
     positions = Positions(table=360, diagram=36, plans=(), force_plan=())
-    return course.solve(replace(variant, positions=positions, loads=Loads(gravity=-9.8j), friction=None))
+    return course.solve(stating(variant, positions=positions, loads=Loads(gravity=-9.8j), friction=None))
 
 
 def test_structure(press):
-    assert press.structure.formula == "I(0,1) → IV2(2,3,4,5)"
-    (slider,) = [t for t in press.kinematics.travels if t.output.kind == "slider"]
+    assert press.lever.structure.formula == "I(0,1) → IV2(2,3,4,5)"
+    (slider,) = [t for t in press.lever.kinematics.travels if t.output.kind == "slider"]
     assert slider.stroke == pytest.approx(0.080, abs=1e-12)
 
 
 @pytest.mark.parametrize("angle", ROWS)
 def test_kinematics(press, angle):
-    k, motion = angle - 90, press.kinematics.table
+    k, motion = angle - 90, press.lever.kinematics.table
     phi3, s5, w3, v5 = ROWS[angle]
     assert np.angle(motion.turn("3")[k]) == pytest.approx(phi3, abs=1e-9)
     assert -motion.place("S5")[k].imag == pytest.approx(s5, abs=1e-10)
@@ -53,7 +54,7 @@ def test_kinematics(press, angle):
 
 def test_closed_forms_of_the_parallelogram(press):
     """Link 2 only translates; the slider is that of an offset slider-crank, e = 0 in the middle plane."""
-    motion = press.kinematics.table
+    motion = press.lever.kinematics.table
     phi = motion.phi
     drop = np.sqrt(0.09**2 - 0.0675**2)
     psi = np.arccos(-0.04 * np.cos(phi) / 0.185)  # the rods lean by the crank's displacement across the guide
@@ -66,12 +67,12 @@ def test_closed_forms_of_the_parallelogram(press):
 
 @pytest.mark.parametrize("angle", MOMENTS)
 def test_balancing_moment(press, angle):
-    assert press.kinetostatics.table.balancing[angle - 90] == pytest.approx(MOMENTS[angle], abs=2e-9)
+    assert press.lever.kinetostatics.table.balancing[angle - 90] == pytest.approx(MOMENTS[angle], abs=2e-9)
 
 
 def test_reactions(press):
     """Those that do not hang on where the mass centre of link 2 is, and the corrected reaction of the frame."""
-    force = press.kinetostatics.table.statics.force
+    force = press.lever.kinetostatics.table.statics.force
     assert force("1", "0")[0].imag == pytest.approx(38.69092, abs=1e-5)
     assert force("1", "0")[1].imag == pytest.approx(38.69226, abs=1e-5)
     assert force("1", "0")[1].real == pytest.approx(-0.000972, abs=1e-6)
@@ -84,7 +85,7 @@ def test_reactions(press):
 
 def test_crank_as_long_as_the_rods_passes_its_double_change_points():
     """Two changes fall together at 0 and 180°, where the singular value only touches zero: no endless small steps."""
-    mechanism = read("press").mechanism
+    mechanism = read("press").lever.mechanism
     crank = mechanism.links["1"]
     long = replace(crank, points={**crank.points, "B": 0.185 + 0j})
     linkage = assemble(replace(mechanism, links={**mechanism.links, "1": long}))

@@ -1,1 +1,1 @@
-"""Drawings in millimetres of paper (SVG, TikZ) and graphs with axes (matplotlib, only in `graphs`)."""
+"""Drawings in millimetres of paper (SVG, TikZ) and graphs with axes (matplotlib, only in `sheet`)."""

@@ -350,14 +350,16 @@ def _best(tag: Tag, segments: Sequence[Segment], taken: Sequence[Box]) -> Text:
     """The candidate that covers least; they come in the order of liking, so a clear one ends the search."""
     low, high = _heights(tag.parts)
     half = complex(width(tag.parts, tag.size) / 2, tag.size * (low + high) / 2)
-    near = _within(_around(tag, half), segments)
+    around = _around(tag, half)
+    near = _within(around, segments)
+    rivals = [box for box in taken if _shared(_grown(around, 2 * CLEAR), box)]
     wide, tall = half.real + CLEAR, half.imag + CLEAR
     best_cost, best = math.inf, (0j, 0j)
     for dislike, centre, off in _candidates(tag, half):
         if dislike >= best_cost:
             break
         box = (centre.real - wide, centre.imag - tall, centre.real + wide, centre.imag + tall)
-        cost = dislike + _covered(box, near) + 4 * sum(_shared(box, other) for other in taken)
+        cost = dislike + _covered(box, near) + 4 * sum([_shared(box, other) for other in rivals])
         if cost < best_cost:
             best_cost, best = cost, (centre, off)
     return _text_at(tag, *best, (high - low) / 2)
@@ -368,6 +370,10 @@ def _around(tag: Tag, half: complex) -> Box:
     xs, ys = [a.real for a in tag.anchors], [a.imag for a in tag.anchors]
     wide, tall = 2 * half.real + _RINGS[-1] * tag.gap, 2 * half.imag + _RINGS[-1] * tag.gap
     return min(xs) - wide, min(ys) - tall, max(xs) + wide, max(ys) + tall
+
+
+def _grown(box: Box, by: float) -> Box:
+    return box[0] - by, box[1] - by, box[2] + by, box[3] + by
 
 
 def _within(box: Box, segments: Sequence[Segment]) -> list[Segment]:

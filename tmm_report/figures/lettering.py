@@ -11,6 +11,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 from html import escape
 
+from tmm_report.quantity import symbols
+
 
 @dataclass(frozen=True)
 class Symbol:
@@ -35,6 +37,13 @@ def symbol(text: str, bar: bool = False) -> Symbol:
     if match := re.fullmatch(r"([^\d_^]+)(\d+)", text):
         return Symbol(match[1], match[2], bar=bar)
     return _marked(text, bar)
+
+
+def lettered(quantity: symbols.Symbol | None) -> Symbol | None:
+    """The symbol of a quantity as it is drawn."""
+    if quantity is None:
+        return None
+    return Symbol(quantity.base, quantity.sub, quantity.sup, bar=quantity.bar)
 
 
 def _marked(text: str, bar: bool) -> Symbol:

@@ -183,6 +183,8 @@ class Blocking:
 
     def nearest_at_distance(self, x: complex) -> complex | None:
         """The feasible point nearest to x among those of the same centre distance; None where there is none."""
+        if self.margin(x) >= 0:
+            return x
         along = (1 + 1j if self.internal else 1 - 1j) / np.sqrt(2)
         centre, reach = x, 2 * float(np.abs(self._coarse[0]).max())
         found: complex | None = None

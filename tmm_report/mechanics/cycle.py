@@ -2,24 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, assert_never
 
 import numpy as np
 
 from tmm_report.mechanics.mechanism import ZeroAngle, ZeroExtreme
 from tmm_report.mechanics.motion import Linkage, Motion, solve
 from tmm_report.mechanics.planar import dot
-from tmm_report.mechanics.roots import bracketed
+from tmm_report.mechanics.roots import Finder, bracketed, interpolated
 from tmm_report.mechanics.singular import Critical, criticals, settle
 from tmm_report.problems import N_, Message, ProblemError, mistake
 
 Array = Any
-Rate = Callable[[Motion], Array]
+Quantity = Callable[[Motion], Array]
 
 SEARCH = 720  # brackets of the root search over a turn; two extremes nearer than half a degree count as none
+NOISE = 1e-13  # rounding error of a solved rate, relative to its largest value, to which a root is found
+EQUAL = 1e-12  # values nearer than this part of the largest are one
+STEP = 1e-4  # rad, of the difference that stands for a derivative that is not solved for
+STEP_NOISE = 1e-9  # rounding error of such a difference
 FULL_TURN = 2 * np.pi
 
 
@@ -31,12 +35,37 @@ class Extreme:
     turned: float
 
 
+@dataclass(frozen=True, eq=False)
+class Slope:
+    """Derivative of a quantity by the angle turned, by central difference: good for finding extremes of the highest
+    derivative, whose own derivative is not solved for."""
+
+    of: Quantity
+
+
+Rate = Quantity | Slope
+
+
 def least_and_greatest(values: Array, turned: Array) -> tuple[Extreme, Extreme]:
     """Extremes among values (P,) at angles `turned`, rad; nan is passed over; of nothing but nan, nan."""
-    if not np.isfinite(values).any():
+    low, high = np.fmin.reduce(values), np.fmax.reduce(values)
+    if np.isnan(low):
         return Extreme(np.nan, np.nan), Extreme(np.nan, np.nan)
-    low, high = np.nanargmin(values), np.nanargmax(values)
-    return Extreme(float(values[low]), float(turned[low])), Extreme(float(values[high]), float(turned[high]))
+    alike = EQUAL * max(abs(low), abs(high))
+    return _first(values <= low + alike, values, turned), _first(values >= high - alike, values, turned)
+
+
+def larger(extremes: tuple[Extreme, Extreme]) -> Extreme:
+    """Of the least and the greatest value the one with the larger magnitude; of equal ones the first."""
+    first, second = sorted(extremes, key=lambda extreme: extreme.turned)
+    return second if abs(second.value) > abs(first.value) * (1 + EQUAL) else first
+
+
+def _first(alike: Array, values: Array, turned: Array) -> Extreme:
+    """Of values that rounding alone tells apart the first from position 0."""
+    at = np.flatnonzero(alike)
+    first = at[np.argmin(turned[at])]
+    return Extreme(float(values[first]), float(turned[first]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,41 +111,94 @@ class Cycle:
         grid = grid - (grid[1] / 2 if self.closed else 0.0)
         return grid, self.motion(grid)
 
-    def roots(self, rate: Rate, noise: float = 1e-13) -> Array:
-        """Angles turned, sorted, at which `rate` of the motion passes through zero, rad.
+    @cached_property
+    def _search_beside(self) -> Motion:
+        """The motion a step ahead of the angles of the search, then a step behind."""
+        grid = self._search[0]
+        return self.motion(np.concatenate([grid + STEP, grid - STEP]))
 
-        `noise`: rounding error of the rate, relative to its largest value, to which a root is found.
-        """
-        grid, motion = self._search
-        values = np.real(rate(motion))
-        signs = np.where(values == 0, 1.0, np.sign(values))  # a root on the grid itself ends its bracket
-        turns = np.flatnonzero(signs[:-1] * signs[1:] < 0)
-        if turns.size:
-            size = np.nanmax(np.abs(values), initial=0.0)
-            brackets = grid[turns], grid[turns + 1], values[turns]
-            found, left = bracketed(lambda x: np.real(rate(self.motion(x))), *brackets, noise=noise * size)
-            found = found[np.abs(left) <= 1e-6 * size]  # a pole changes sign too
-        else:
-            found = np.array([])
+    def roots(self, rate: Rate) -> Array:
+        """Angles turned, sorted, at which `rate` of the motion passes through zero, rad."""
+        return self.roots_of([rate])[0]
+
+    def roots_of(self, rates: Sequence[Rate], finder: Finder = interpolated) -> list[Array]:
+        """Roots of several rates, all found together: a motion of many angles costs hardly more than of one."""
+        values = [self._searched(rate) for rate in rates]
+        turns = [_changes_of_sign(row) for row in values]
+        sizes = [float(np.nanmax(np.abs(row), initial=0.0)) for row in values]
+        counts = [len(at) for at in turns]
+        parts = np.cumsum(counts)[:-1]
+
+        def sampled(x: Array) -> Array:
+            return np.concatenate(self._sampled(rates, np.split(x, parts)))
+
+        grid, at = self._search[0], np.concatenate(turns) if turns else np.array([], dtype=int)
+        if not at.size:
+            return [np.array([])] * len(rates)
+        noise = [
+            (STEP_NOISE if isinstance(rate, Slope) else NOISE) * size
+            for rate, size in zip(rates, sizes, strict=True)
+        ]
+        starts = np.concatenate([row[k] for row, k in zip(values, turns, strict=True)])
+        found, left = finder(sampled, grid[at], grid[at + 1], starts, np.repeat(noise, counts))
+        real = np.abs(left) <= 1e-6 * np.repeat(sizes, counts)  # a pole changes sign too
+        each = zip(np.split(found, parts), np.split(real, parts), strict=True)
+        return [self._within(roots[good]) for roots, good in each]
+
+    def _searched(self, rate: Rate) -> Array:
+        """A rate at the angles of the search."""
+        if not isinstance(rate, Slope):
+            return np.real(rate(self._search[1]))
+        return _difference(np.real(rate.of(self._search_beside)))
+
+    def _sampled(self, rates: Sequence[Rate], turned: Sequence[Array]) -> list[Array]:
+        """Each rate at its own angles turned, all from one motion."""
+        points = [
+            np.concatenate([x + STEP, x - STEP]) if isinstance(rate, Slope) else x
+            for rate, x in zip(rates, turned, strict=True)
+        ]
+        motion = self.motion(np.concatenate(points))
+        found, start = [], 0
+        for rate, x in zip(rates, points, strict=True):
+            values = np.real((rate.of if isinstance(rate, Slope) else rate)(motion))[start : start + len(x)]
+            found.append(_difference(values) if isinstance(rate, Slope) else values)
+            start += len(x)
+        return found
+
+    def _within(self, turned: Array) -> Array:
+        """Angles turned, ascending, within the cycle."""
         if self.closed:
-            found = np.mod(found, self.sweep)
-            found = np.where(np.minimum(found, self.sweep - found) < 1e-9, 0.0, found)  # a turn is no turn
-        return np.sort(found)
+            turned = np.mod(turned, self.sweep)
+            turned = np.where(
+                np.minimum(turned, self.sweep - turned) < 1e-9, 0.0, turned
+            )  # a turn is no turn
+        return np.sort(turned)
 
-    def swings(self, rate: Rate, size: Rate) -> Array:
-        """Roots of a rate that is more than rounding beside `size`; none of one that is zero all round."""
+    def moves(self, rate: Quantity, size: Quantity) -> bool:
+        """Whether a rate is more than rounding beside `size` anywhere."""
         motion = self._search[1]
-        moves = np.nanmax(np.abs(rate(motion)), initial=0.0) > 1e-9 * np.nanmax(
-            np.abs(size(motion)), initial=0.0
-        )
-        return self.roots(rate) if moves else np.array([])
+        largest = [np.nanmax(np.abs(of(motion)), initial=0.0) for of in (rate, size)]
+        return bool(largest[0] > 1e-9 * largest[1])
 
-    def extremes(self, value: Rate, rate: Rate, noise: float = 1e-13) -> tuple[Extreme, Extreme]:
+    def swings(self, rate: Quantity, size: Quantity) -> Array:
+        """Roots of a rate that is more than rounding beside `size`; none of one that is zero all round.
+
+        By regula falsi, as ever: position 0 is made of them, and all tables keep their last digits with it.
+        """
+        return self.roots_of([rate], bracketed)[0] if self.moves(rate, size) else np.array([])
+
+    def extremes(self, value: Quantity, rate: Rate) -> tuple[Extreme, Extreme]:
         """The least and the greatest `value` over the cycle; `rate` is its derivative by time or angle."""
+        return self.extremes_of([value], [self.roots(rate)])[0]
+
+    def extremes_of(
+        self, values: Sequence[Quantity], still: Sequence[Array]
+    ) -> list[tuple[Extreme, Extreme]]:
+        """The least and the greatest of several values, which stand still at the angles turned `still`."""
         ends = [0.0] if self.closed else [0.0, self.sweep]
-        where = np.concatenate([self.roots(rate, noise), ends, self._limits])
-        values = np.real(value(self.motion(where)))
-        return least_and_greatest(values, where)
+        where = [np.concatenate([roots, ends, self._limits]) for roots in still]
+        found = self._sampled(values, where)
+        return [least_and_greatest(row, x) for row, x in zip(found, where, strict=True)]
 
     @cached_property
     def _limits(self) -> Array:
@@ -126,16 +208,17 @@ class Cycle:
         turned = np.mod(turned.ravel(), FULL_TURN)
         return turned[turned <= self.sweep]
 
-    def slope(self, value: Rate, step: float = 1e-4) -> Rate:
-        """Derivative of a quantity by the angle turned, by central difference: good for finding extremes of the
-        highest derivative, whose own derivative is not solved for."""
 
-        def rate(motion: Motion) -> Array:
-            turned = (motion.phi - self.zero) * self.sense
-            ahead, behind = self.motion(turned + step), self.motion(turned - step)
-            return (np.real(value(ahead)) - np.real(value(behind))) / (2 * step)
+def _changes_of_sign(values: Array) -> Array:
+    """Where the next value has another sign, (N,) of int; a zero on the grid itself ends its bracket."""
+    signs = np.where(values == 0, 1.0, np.sign(values))
+    return np.flatnonzero(signs[:-1] * signs[1:] < 0)
 
-        return rate
+
+def _difference(values: Array) -> Array:
+    """Slope of values of which the first half stands a step ahead and the second a step behind."""
+    ahead, behind = np.split(values, 2)
+    return (ahead - behind) / (2 * STEP)
 
 
 def cycle_of(linkage: Linkage) -> Cycle:
@@ -144,13 +227,16 @@ def cycle_of(linkage: Linkage) -> Cycle:
     Raises ProblemError if position 0 does not exist.
     """
     zero = linkage.mechanism.driver.zero
-    if isinstance(zero, ZeroAngle):
-        smooth, critical = criticals(linkage, zero.angle)
-        return Cycle(smooth, zero.angle, critical)
-    smooth, critical = criticals(linkage, 0.0)
-    angle = _extreme_angle(smooth, zero)
-    if any(c.changes for c in critical):  # stated assemblies hold at position 0
-        smooth, critical = criticals(linkage, angle)
+    match zero:
+        case ZeroAngle(angle):
+            smooth, critical = criticals(linkage, angle)
+        case ZeroExtreme():
+            smooth, critical = criticals(linkage, 0.0)
+            angle = _extreme_angle(smooth, zero)
+            if any(c.changes for c in critical):  # stated assemblies hold at position 0
+                smooth, critical = criticals(linkage, angle)
+        case _:
+            assert_never(zero)
     return Cycle(smooth, angle, critical)
 
 

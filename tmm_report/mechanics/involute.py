@@ -100,6 +100,11 @@ def _inverse_small(v: Array) -> Array:
 
 
 def _polynomial(coefficients: tuple[float, ...], x: Array) -> Array:
+    if np.ndim(x) == 0:  # one number, without the cost of an array
+        value, one = coefficients[-1], float(x)
+        for coefficient in coefficients[-2::-1]:
+            value = value * one + coefficient
+        return value
     total = np.full_like(x, coefficients[-1])
     for coefficient in coefficients[-2::-1]:
         total *= x

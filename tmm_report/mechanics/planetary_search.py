@@ -188,10 +188,14 @@ def _single_row(task: Task) -> Array:
     """z2 = (z3 − z1)/2 rounded down, and its neighbours within the shifted difference."""
     axes = np.meshgrid(_whole(task.external), _whole(task.rings), indexing="ij")
     z1, z3 = (axis.ravel() for axis in axes)
-    found = [np.stack([z1, (z3 - z1) // 2 + step, (z3 - z1) // 2 + step, z3]) for step in (0, 1, -1)]
-    gaps = [np.abs(z[3] - z[0] - 2 * z[1]) for z in found]
-    near = [np.ones(len(z1), dtype=bool), gaps[1] <= task.shifted, gaps[2] <= task.shifted]
-    return np.concatenate([z[:, keep] for z, keep in zip(found, near, strict=True)], axis=1)
+    gap = z3 - z1
+    found = []
+    for step in (0, 1, -1):
+        z2 = gap // 2 + step
+        near = np.abs(gap - 2 * z2) <= task.shifted if step else slice(None)
+        found.append(np.stack([z1[near], z2[near], z3[near]]))
+    z1, z2, z3 = np.concatenate(found, axis=1)
+    return np.stack([z1, z2, z2, z3])
 
 
 def _two_rows(task: Task) -> Array:

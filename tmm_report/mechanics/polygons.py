@@ -14,11 +14,27 @@ import numpy as np
 
 Array = Any
 BLOCK = 16  # sides in a box
+BOUND = 100  # vertices of each polygon from which a first bound of their distance is found
 
 
 def overlap(one: Array, other: Array, opening: bool = False) -> float:
     """Area the two materials share, in the square of the unit of the vertices; 0 where they only touch."""
-    at, there = crossings(one, other)
+    return _overlap(one, other, crossings(one, other), opening)
+
+
+def clearance(one: Array, other: Array, opening: bool = False) -> float:
+    """Smallest distance between the boundaries; where they overlap, less the depth of the deepest vertex."""
+    return _clearance(one, other, crossings(one, other), opening)
+
+
+def overlap_and_clearance(one: Array, other: Array, opening: bool = False) -> tuple[float, float]:
+    """Both, from one search for the crossings."""
+    crossed = crossings(one, other)
+    return _overlap(one, other, crossed, opening), _clearance(one, other, crossed, opening)
+
+
+def _overlap(one: Array, other: Array, crossed: tuple[Array, Array], opening: bool) -> float:
+    at, there = crossed
     if not len(at):
         return _nested(one, other, opening)
     origin = one[int(at[0])]  # close by, so that nothing is lost to rounding
@@ -28,9 +44,8 @@ def overlap(one: Array, other: Array, opening: bool = False) -> float:
     return float(max(0.0, total + sign * sum(_fan(chain) for chain in _runs(other, there, one, True))))
 
 
-def clearance(one: Array, other: Array, opening: bool = False) -> float:
-    """Smallest distance between the boundaries; where they overlap, less the depth of the deepest vertex."""
-    at, there = crossings(one, other)
+def _clearance(one: Array, other: Array, crossed: tuple[Array, Array], opening: bool) -> float:
+    at, there = crossed
     if not len(at):
         return _distance(one, other) * (-1 if _nested(one, other, opening) else 1)
     sunk = [(chain[1:-1], other) for chain in _runs(one, at, other, not opening)]
@@ -93,9 +108,8 @@ def _fan(chain: Array) -> float:
 
 
 def _distance(one: Array, other: Array) -> float:
-    step = [max(1, len(p) // 300) for p in (one, other)]
-    bound = np.abs(one[:: step[0], None] - other[None, :: step[1]]).min()
-    i, j = _near(one, other, float(bound))
+    bound = _between_vertices(one, other)
+    i, j = _near(one, other, bound)
     ends = (one[i], _next(one, i)), (other[j], _next(other, j))
     return float(
         min(
@@ -103,6 +117,17 @@ def _distance(one: Array, other: Array) -> float:
             *(_to_side(a[0], *b).min() for a, b in ((ends[0], ends[1]), (ends[1], ends[0]))),
         )
     )
+
+
+def _between_vertices(one: Array, other: Array) -> float:
+    """A distance of two vertices, about the least: of some of them, then of the neighbours of the nearest two."""
+    step = [max(1, len(p) // BOUND) for p in (one, other)]
+    apart = np.abs(one[:: step[0], None] - other[None, :: step[1]])
+    near = np.unravel_index(np.argmin(apart), apart.shape)
+    mine, theirs = (
+        p[(k * s + np.arange(-s, s + 1)) % len(p)] for p, k, s in zip((one, other), near, step, strict=True)
+    )
+    return float(np.abs(mine[:, None] - theirs).min())
 
 
 def _depth(points: Array, polygon: Array) -> float:

@@ -8,6 +8,13 @@ from typing import Any
 import numpy as np
 
 Array = Any
+Finder = Callable[[Callable[[Array], Array], Array, Array, Array, Array], tuple[Array, Array]]
+"""f, low and high ends of brackets, f at the low ends, noise -> roots and f there."""
+
+TRIES = (
+    60  # evaluations after which a bracket is left as it is: bisection alone would have come to a few bits
+)
+FEW_BITS = 1e-15  # width of a bracket of angles, rad
 
 # central difference of eighth order: f' ≈ Σ c_k (f(x + kh) − f(x − kh)) / h
 DIFFERENCE = (4 / 5, -1 / 5, 4 / 105, -1 / 280)
@@ -30,14 +37,54 @@ def bracketed(
     Stops where |f| is within `noise`, its rounding error, or the bracket is a few bits wide.
     """
     f_high, x, fx = f(high), low, f_low
-    for _ in range(60):
+    for _ in range(TRIES):
         with np.errstate(invalid="ignore", divide="ignore"):
             step = (low * f_high - high * f_low) / (f_high - f_low)
         x = np.where((step > low) & (step < high), step, (low + high) / 2)
         fx = f(x)
-        if np.all((np.abs(fx) <= noise) | (high - low < 1e-15)):
+        if np.all((np.abs(fx) <= noise) | (high - low < FEW_BITS)):
             break
         left = np.sign(fx) == np.sign(f_low)
         low, f_low = np.where(left, x, low), np.where(left, fx, f_low / 2)
         high, f_high = np.where(left, high, x), np.where(left, f_high / 2, fx)
     return x, fx
+
+
+def interpolated(
+    f: Callable[[Array], Array], low: Array, high: Array, f_low: Array, noise: Array
+) -> tuple[Array, Array]:
+    """Roots in many brackets at once, (N,), and f there: inverse quadratic interpolation, guarded by bisection.
+
+    Stops where |f| is within `noise` (a number, or one a bracket), its rounding error, or the bracket is a few bits
+    wide. `f` is always asked for all brackets, those already done at their roots.
+    Source: Chandrupatla, Adv. Eng. Software 28 (1997) 145.
+    """
+    a, fa, b, fb = low, f_low, high, f(high)  # a: the newest point; b: the other end
+    with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+        x = (low * fb - high * fa) / (fb - fa)
+        x = np.where((x > low) & (x < high), x, (low + high) / 2)
+        for _ in range(TRIES):
+            fx = f(x)
+            same = np.sign(fx) == np.sign(fa)
+            c, fc = np.where(same, a, b), np.where(same, fa, fb)
+            b, fb = np.where(same, b, a), np.where(same, fb, fa)
+            a, fa = x, fx
+            done = (np.abs(fa) <= noise) | (np.abs(b - a) < FEW_BITS)
+            if done.all():
+                break
+            x = np.where(done, a, a + _inside(_interpolated(a, b, c, fa, fb, fc), b - a) * (b - a))
+    return a, fa
+
+
+def _interpolated(a: Array, b: Array, c: Array, fa: Array, fb: Array, fc: Array) -> Array:
+    """Part of the way from a to b at which the parabola x(f) through three points is 0; a half where it misleads."""
+    xi, phi = (a - b) / (c - b), (fa - fb) / (fc - fb)
+    good = (phi**2 < xi) & ((1 - phi) ** 2 < 1 - xi)
+    part = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb)
+    return np.where(good, part, 0.5)
+
+
+def _inside(part: Array, width: Array) -> Array:
+    """A part of a bracket that leaves a few bits at both its ends; a half for nan."""
+    least = np.minimum(FEW_BITS / 2 / np.abs(width), 0.5)
+    return np.where(np.isfinite(part), np.clip(part, least, 1 - least), 0.5)

@@ -23,13 +23,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from tmm_report.mechanics.involute import inv, inverse
-from tmm_report.mechanics.polygons import clearance, overlap
-from tmm_report.mechanics.roots import bracketed
+from tmm_report.mechanics.polygons import overlap_and_clearance
+from tmm_report.mechanics.roots import interpolated
 
 if TYPE_CHECKING:
     from tmm_report.mechanics.spur import Rack
@@ -116,6 +116,45 @@ def external(
 
     `tip` left out: the full height of the rack. A tooth that comes to a point below its tip circle ends in it.
     """
+    fillet, base_angle, theta, flank = _cut(z, m, x, rack, tip)
+    r, base, top = m * z / 2, flank.base, flank.top
+    root = r - fillet.deep - fillet.rho
+    fine, rise_top = tolerance or FINE * m, math.sqrt((top / base) ** 2 - 1)
+    half = np.concatenate(
+        [
+            _arc(top, 0.0, base_angle - rise_top + math.atan(rise_top), fine)[:-1],
+            _sampled(lambda u: involute(base, base_angle, u), rise_top, flank.rise, fine),
+            # moved into the metal by `fine`, for it is hollow and its chords would leave the metal
+            _sampled(replace(fillet, rho=fillet.rho + fine), theta, 0.0, fine)[1:],
+            _arc(root - fine, math.pi / z - fillet.wide / r, math.pi / z, fine)[1:],
+        ]
+    )
+    outline = _all_round(half, z)
+    return Wheel(z, outline, base, top, root, flank.junction, base_angle)
+
+
+class Flank(NamedTuple):
+    """Radii of the involute of a wheel as cut, m: base circle, where the involute begins and ends.
+
+    `rise`: tan of the pressure angle where it begins.
+    """
+
+    base: float
+    rise: float
+    top: float
+
+    @property
+    def junction(self) -> float:
+        return self.base * math.hypot(1, self.rise)
+
+
+def flank(z: int, m: float, x: float, rack: Rack, tip: float | None = None) -> Flank:
+    """The involute of a wheel cut by the rack, without its outline. Raises ValueError where none is left."""
+    return _cut(z, m, x, rack, tip)[3]
+
+
+def _cut(z: int, m: float, x: float, rack: Rack, tip: float | None) -> tuple[Trochoid, float, float, Flank]:
+    """The fillet, half the angle of a tooth on the base circle, the slope where the fillet ends, and the involute."""
     r, alpha = m * z / 2, rack.alpha
     base, base_angle = r * math.cos(alpha), base_half_angle(z, x, alpha)
     fillet = _trochoid(z, m, x, rack)
@@ -123,19 +162,7 @@ def external(
     top = min(tip or r + m * (rack.ha + x), base / math.cos(float(inverse(base_angle))))
     if base * math.hypot(1, rise) >= top:
         raise ValueError(f"a wheel of {z} teeth with the shift {x:g} m is undercut up to its tip circle")
-    root = r - fillet.deep - fillet.rho
-    fine, rise_top = tolerance or FINE * m, math.sqrt((top / base) ** 2 - 1)
-    half = np.concatenate(
-        [
-            _arc(top, 0.0, base_angle - rise_top + math.atan(rise_top), fine)[:-1],
-            _sampled(lambda u: involute(base, base_angle, u), rise_top, rise, fine),
-            # moved into the metal by `fine`, for it is hollow and its chords would leave the metal
-            _sampled(replace(fillet, rho=fillet.rho + fine), theta, 0.0, fine)[1:],
-            _arc(root - fine, math.pi / z - fillet.wide / r, math.pi / z, fine)[1:],
-        ]
-    )
-    outline = _all_round(half, z)
-    return Wheel(z, outline, base, top, root, base * math.hypot(1, rise), base_angle)
+    return fillet, base_angle, theta, Flank(base, rise, top)
 
 
 def base_half_angle(z: int, x: float, alpha: float) -> float:
@@ -170,7 +197,7 @@ def _junction(fillet: Trochoid, base: float, base_angle: float, alpha: float) ->
 
 def _root(f: Curve, low: float, high: float) -> float:
     ends = np.array([low]), np.array([high])
-    return float(bracketed(f, *ends, f(ends[0]), 0.0)[0][0])
+    return float(interpolated(f, *ends, f(ends[0]), 0.0)[0][0])
 
 
 # --- a wheel with internal teeth ---
@@ -282,8 +309,9 @@ def over_pitch(one: Wheel, other: Wheel, distance: float, count: int = 24) -> tu
     turns = one.pitch_angle * np.arange(count) / count
     first = one.placed(0.0, turns)
     second = other.placed(centre_beside(other, distance), mating_turn(one, other, turns))
-    pairs = [(a, b, other.internal) for a, b in zip(first, second, strict=True)]
-    return np.array([overlap(*pair) for pair in pairs]), np.array([clearance(*pair) for pair in pairs])
+    found = [overlap_and_clearance(a, b, other.internal) for a, b in zip(first, second, strict=True)]
+    shared, apart = np.array(found).T
+    return shared, apart
 
 
 def touching_turn(one: Wheel, other: Wheel, distance: float, turn: Array) -> Array:
@@ -309,8 +337,9 @@ def contact_ratio(one: Wheel, other: Wheel, distance: float, count: int = 2000) 
     """
     turns = one.pitch_angle * np.arange(-4 * count, 4 * count) / count
     alpha, centre = pressure_angle(one, other, distance), centre_beside(other, distance)
-    turned = touching_turn(one, other, distance, turns)
     first = _met(_flank_sides(one) * np.exp(1j * turns)[:, None], one.base, alpha)
+    turns, first = turns[np.isfinite(first)], first[np.isfinite(first)]
+    turned = touching_turn(one, other, distance, turns)
     second = _met(centre + _flank_sides(other) * np.exp(1j * turned)[:, None], one.base, alpha)
     base_pitch = one.pitch_angle * one.base
     return float(np.count_nonzero(np.abs(first - second) < 1e-3 * base_pitch)) / count

@@ -62,11 +62,13 @@ X_PART, Y_PART = N_("%(of)s, x component"), N_("%(of)s, y component")
 class Column:
     """A quantity at the rows of a table: (P,) numbers in its unit, or a list of texts.
 
-    `symbols`: of each row, where the rows are wheels or other things that name the symbol."""
+    `symbols`: of each row, where the rows are wheels or other things that name the symbol. `units`: of each row, where
+    the rows measure different things; they stand in the results in the column "unit" of the table."""
 
     quantity: Quantity
     values: Any
     symbols: Sequence[Symbol] = ()
+    units: Sequence[str] = ()
 
     @property
     def key(self) -> str:
@@ -91,6 +93,15 @@ class Column:
         """Its numbers (P,), in another unit if one is named."""
         numbers = np.asarray(self.values, dtype=float)
         return numbers * factor(self.unit, unit) if unit and unit != self.unit else numbers
+
+    def unit_of(self, row: int) -> str:
+        return self.units[row] if self.units else self.unit
+
+    def number(self, row: int, unit: str = "") -> float:
+        """The number of a row, in another unit if one is named."""
+        own = self.unit_of(row)
+        number = float(self.values[row])
+        return number * factor(own, unit) if unit and unit != own else number
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,24 +128,27 @@ class Table:
 
     def ref(self, key: str, row: int, unit: str = "", size: bool = False) -> Ref:
         """Where the number of a row stands; a position goes by its own number."""
-        own = self[key].unit
+        own = self[key].unit_of(row)
         at = int(self["position"].values[row]) if "position" in self else row
         return Ref(key, at, self.name, unit="" if unit == own else unit, size=size)
 
+    def by_key(self, key: str, column: str, position: int | None = None) -> Ref:
+        """Where a number stands in a table of which each row is a quantity with its key."""
+        return Ref(key, position, self.name, by=column)
+
     def var(self, key: str, row: int, unit: str = "", size: bool = False, digits: int | None = None) -> Var:
         """The number of a row, for a formula."""
-        column = self[key]
-        number = float(column.numbers(unit)[row])
-        ref = self.ref(key, row, unit, size)
-        return variable(column.quantity, number, unit, digits, ref, column.symbol(row))
+        column, ref = self[key], self.ref(key, row, unit, size)
+        own = unit or column.unit_of(row)
+        return variable(column.quantity, column.number(row, unit), own, digits, ref, column.symbol(row))
 
-    def formula(self, key: str, row: int, expression: Expr, unit: str = "", **form: Any) -> Formula:
-        """`symbol of the key` = expression, whose value stands in the row."""
-        column = self[key]
-        ref = self.ref(key, row, unit)
-        return Formula(
-            column.symbol(row), expression, unit or column.unit, ref=ref, meaning=column.meaning, **form
-        )
+    def formula(
+        self, key: str, row: int, expression: Expr, unit: str = "", size: bool = False, **form: Any
+    ) -> Formula:
+        """`symbol of the key` = expression, whose value, or `size`, stands in the row."""
+        column, ref = self[key], self.ref(key, row, unit, size)
+        own = unit or column.unit_of(row)
+        return Formula(column.symbol(row), expression, own, ref=ref, meaning=column.meaning, **form)
 
 
 @dataclass(frozen=True)
@@ -175,9 +189,9 @@ class Value:
         """The number, for a formula."""
         return variable(self.quantity, self.number(unit), unit, digits, self.ref(unit, size))
 
-    def formula(self, expression: Expr, unit: str = "", **form: Any) -> Formula:
-        """`symbol` = expression, whose value this is."""
-        ref = self.ref(unit)
+    def formula(self, expression: Expr, unit: str = "", size: bool = False, **form: Any) -> Formula:
+        """`symbol` = expression, whose value this is, or its `size`."""
+        ref = self.ref(unit, size)
         return Formula(self.symbol, expression, unit or self.unit, ref=ref, meaning=self.meaning, **form)
 
 

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 ROUND = (1.0, 2.0, 2.5, 4.0, 5.0)
+ACCURACY = 1e-5  # m of paper, of a drawing whose accuracy is not stated: lengths are read to it
 CAD = 1e-5  # m of paper: with this accuracy or better a drawing is made by computer
 
 
@@ -24,11 +25,23 @@ def rounded(x: Any, step: float) -> Any:
     """`x` (real or complex, number or array) rounded half up to a multiple of `step`; unchanged for step 0."""
     if step == 0:
         return x
+    if isinstance(x, float | complex):
+        return _rounded(x, step)
     if np.iscomplexobj(x):
         return rounded(np.real(x), step) + 1j * rounded(np.imag(x), step)
     size = np.floor(np.abs(x) / step * (1 + 1e-12) + 0.5)
     # multiples of 0.01 come out as the decimal number, not as 59.250000000000004
     return np.copysign(np.round(size * step, 12), x) + 0.0
+
+
+def _rounded(x: float | complex, step: float) -> float | complex:
+    """One number rounded as an array of it is, without the cost of an array; nan stays nan."""
+    if isinstance(x, complex):
+        return complex(_rounded(x.real, step), _rounded(x.imag, step))
+    if not math.isfinite(x):
+        return x
+    size = math.floor(abs(x) / step * (1 + 1e-12) + 0.5) * step
+    return math.copysign(round(size * 1e12) / 1e12, x) + 0.0
 
 
 class Pen:

@@ -61,9 +61,12 @@ def _printable(sign: str) -> bool:
     return " " <= sign <= "~" or "А" <= sign <= "я" or kazakh or sign in "ЁёІіЇїЄєҐґЎў«»—–…№"
 
 
+_NOT_XML = re.compile("[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")  # none of them can be printed
+
+
 def xml_escape(text: str) -> str:
     """User's text for HTML and XML: markup escaped, characters that XML forbids become "?"."""
-    return escape(re.sub("[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]", "?", text))
+    return escape(text if text.isprintable() else _NOT_XML.sub("?", text))
 
 
 @dataclass(frozen=True)
@@ -266,7 +269,7 @@ class MathML(Notation):
         return f"{gap}<mtext>{xml_escape(text)}</mtext>" if text else ""
 
     def operator(self, sign: str) -> str:
-        return f'<mo form="infix">{sign}</mo>'
+        return f'<mo form="infix">{sign.replace("<", "&lt;")}</mo>'
 
     def negative(self, text: str) -> str:
         return f'<mrow><mo form="prefix">−</mo>{text}</mrow>'

@@ -18,7 +18,10 @@ from tmm_report.i18n import NP_, Translator
 
 ZERO = 1e-9  # relative to the scale: anything smaller is the noise of a computation and prints as 0
 NUDGE = 1 + 1e-12
+EXACT_DIGITS = 12  # up to so many the error of a scaled number is below 1e-3, what CLEAR leaves to a half
+CLEAR = 0.499
 MINUS = "\N{MINUS SIGN}"
+_TENS = tuple(float(10**k) for k in range(23))  # the powers that a double holds exactly
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -78,7 +81,7 @@ def number(
 def round_significant(x: Any, digits: int) -> Any:
     """`x` (a number or an array) rounded half up to `digits` significant digits, as `number` prints it."""
     if isinstance(x, (int, float)):
-        return float(f"{x * NUDGE:.{digits - 1}e}") if math.isfinite(x) else x
+        return _rounded(x, digits)
     x = np.asarray(x, dtype=float)
     size = np.abs(x) * NUDGE
     known = np.isfinite(size) & (size > 0)
@@ -86,6 +89,23 @@ def round_significant(x: Any, digits: int) -> Any:
     up, down = 10.0 ** np.maximum(shift, 0), 10.0 ** np.maximum(-shift, 0)  # one of them is 1: both exact
     rounded = np.floor(size * up / down + 0.5) / up * down
     return np.where(known, np.copysign(rounded, x), x)
+
+
+def _rounded(x: float, digits: int) -> float:
+    """One number rounded as its text would be read.
+
+    By whole numbers and powers of ten that a double holds exactly, so that the one division rounds as reading text
+    does; where the scaled number is so near a half that its own rounding error could decide, by the text itself.
+    """
+    size = abs(x) * NUDGE
+    if digits <= EXACT_DIGITS and 1e-9 < size < 1e9:
+        shift = digits - 1 - math.floor(math.log10(size))
+        up, down = (_TENS[shift], 1.0) if shift >= 0 else (1.0, _TENS[-shift])
+        scaled = size * up / down
+        whole = math.floor(scaled + 0.5)
+        if abs(scaled - whole) < CLEAR:
+            return math.copysign(whole / up * down, x)
+    return float(f"{x * NUDGE:.{digits - 1}e}") if math.isfinite(x) else x
 
 
 def column(values: Iterable[float], digits: int = 5, decimal: str = ",") -> list[str]:

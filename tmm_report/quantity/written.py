@@ -1,30 +1,20 @@
-"""Numbers as they are written down by hand in a note, and the symbols of the values' keys."""
+"""Calculations by hand as a note shows them: numbers as they are written down, and what they are called."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, fields, replace
 
 from tmm_report.i18n import Translator
+from tmm_report.problems import N_, Message
 from tmm_report.quantity.formula import ATOM, POWER, Expr, Formula, Page, Piece, Symbol, Var
+from tmm_report.quantity.model import Quantity, Table, plain, text_column, variable
+from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Latex, MathML, notation, segment
 
 DIGITS = 5  # significant digits that a hand calculation carries
 PLACES = 3  # decimals are not carried beyond these, unless the largest value of the kind needs more
-
-BASES = {"w": "omega", "e": "epsilon"}
-UNITS = {"v": "m/s", "a": "m/s²", "w": "rad/s", "e": "rad/s²", "S": "m", "R": "N", "F": "N", "M": "N·m"}
-
-
-def symbol_of(key: str) -> Symbol:
-    """Symbol of a value's key: "v_BA", "a_BA_n", "w_2", "e_2", "R_24_t"."""
-    base, sub, sup = (*key.split("_"), "", "")[:3]
-    return Symbol(BASES.get(base, base), sub, sup)
-
-
-def unit_of(key: str) -> str:
-    return UNITS[key.removeprefix("Sigma")[0]]
 
 
 def decimals(size: float, digits: int = DIGITS) -> int:
@@ -32,43 +22,84 @@ def decimals(size: float, digits: int = DIGITS) -> int:
     return digits - 1 - math.floor(math.log10(size)) if size > 0 else digits
 
 
-def hand(key: str, expression: Expr, reference: float) -> Formula:
+def hand(quantity: Quantity, expression: Expr, reference: float = 0.0, ref: Ref | None = None) -> Formula:
     """A formula worked by hand from the numbers as printed: five digits, and no more decimals than `reference`,
     the leading value of its kind, needs (at least three)."""
-    trial = Formula(symbol_of(key), expression, unit_of(key), hand=True)
+    trial = _worked(quantity, expression, DIGITS, ref)
     size = abs(trial.written)
     most = max(PLACES, decimals(abs(reference)))
     digits = DIGITS - max(0, decimals(size) - most) if size > 0 else DIGITS
-    return Formula(symbol_of(key), expression, unit_of(key), digits=max(1, digits), hand=True)
+    return trial if digits == DIGITS else replace(trial, digits=max(1, digits))
 
 
-def laid_off(ends: str, expression: Expr) -> Formula:
+def laid_off(quantity: Quantity, expression: Expr, ref: Ref | None = None) -> Formula:
     """The length of a segment to be laid off, mm, by hand: no finer than a hundredth."""
-    trial = Formula(segment(ends), expression, "mm", hand=True)
+    trial = _worked(quantity, expression, DIGITS, ref)
     digits = DIGITS - max(0, decimals(abs(trial.written)) - 2)
-    return Formula(segment(ends), expression, "mm", digits=max(1, digits), hand=True)
+    return trial if digits == DIGITS else replace(trial, digits=max(1, digits))
 
 
-def number(symbol: Symbol | str, value: float, unit: str = "") -> Var:
-    """A number that stands in a hand calculation with all its written digits."""
-    return Var(symbol, value, unit, digits=DIGITS + 2)
+def _worked(quantity: Quantity, expression: Expr, digits: int, ref: Ref | None) -> Formula:
+    assert quantity.symbol is not None
+    return Formula(
+        quantity.symbol, expression, quantity.unit, digits, hand=True, ref=ref, meaning=quantity.meaning
+    )
 
 
-def length_of(ends: str, millimetres: float) -> Var:
-    """A segment of a drawing, mm, as read."""
-    return Var(segment(ends), millimetres, "mm", digits=DIGITS + 2)
+SEGMENT = Message(N_("length of a vector in the plan"))
 
 
-def reaction_key(by: str, on: str) -> str:
-    """ "R_12": force of link 1 on link 2; longer names are told apart by a comma."""
-    return f"R_{by}{on}" if len(by) == len(on) == 1 else f"R_{by},{on}"
+def segment_of(ends: str) -> Quantity:
+    """The length of a drawn segment, mm, named by its ends."""
+    return Quantity(ends, segment(ends), "mm", SEGMENT)
 
 
-def load_keys(points: Sequence[str]) -> list[str]:
-    """Symbols of stated forces: P_B; several at one point are numbered, P_B1, P_B2."""
-    return [
-        f"P_{p}" if points.count(p) == 1 else f"P_{p},{1 + points[:k].count(p)}" for k, p in enumerate(points)
-    ]
+class Worked:
+    """The numbers of one calculation by hand, each once, by key: what a table of the results lists.
+
+    `table`: its name there; `position`: the table position that is worked.
+    """
+
+    def __init__(self, table: str, position: int):
+        self.table, self.position = table, position
+        self.rows: dict[str, tuple[Quantity, float]] = {}
+
+    def ref(self, key: str) -> Ref:
+        return Ref(key, self.position, self.table, by="value")
+
+    def number(self, quantity: Quantity, value: float) -> Var:
+        """A number that stands in the calculation with all its written digits."""
+        self.rows.setdefault(quantity.key, (quantity, float(value)))
+        return variable(quantity, value, digits=DIGITS + 2, ref=self.ref(quantity.key))
+
+    def hand(self, quantity: Quantity, expression: Expr, reference: float = 0.0) -> Formula:
+        """`hand`, whose result is kept."""
+        return self._kept(quantity, hand(quantity, expression, reference, self.ref(quantity.key)))
+
+    def laid_off(self, quantity: Quantity, expression: Expr) -> Formula:
+        """`laid_off`, whose result is kept."""
+        return self._kept(quantity, laid_off(quantity, expression, self.ref(quantity.key)))
+
+    def _kept(self, quantity: Quantity, formula: Formula) -> Formula:
+        self.rows.setdefault(quantity.key, (quantity, formula.written))
+        return formula
+
+
+WORKED = N_("numbers worked by hand at position %(k)s")
+
+
+def worked_table(worked: Worked) -> Table:
+    """One row a number: its key finds it."""
+    quantities = [quantity for quantity, _ in worked.rows.values()]
+    return Table(
+        worked.table,
+        Message(WORKED, {"k": worked.position}),
+        (
+            text_column("key", Message(N_("quantity")), list(worked.rows)),
+            text_column("unit", Message(N_("its unit")), [quantity.unit for quantity in quantities]),
+            plain("value", "", Message(N_("its value")), [value for _, value in worked.rows.values()]),
+        ),
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,3 +126,24 @@ class Equation:
     def _print(self, form: Latex | MathML) -> str:
         pieces = list(self.expression.terms(Page(form, numbers=self.numbers)))
         return form.formula([*pieces, form.operator("=") + form.number(0, 1)])
+
+
+def explained(*formulas: Formula | Equation) -> Iterator[tuple[Symbol, Message, str]]:
+    """Symbol, meaning and unit of every quantity of the formulas in their order, of an equation of its unknowns."""
+    for formula in formulas:
+        if isinstance(formula, Formula) and formula.meaning is not None:
+            yield Var(formula.result, 0.0).sign, formula.meaning, formula.unit
+        for var in variables(formula.expression):
+            if var.meaning is not None and (isinstance(formula, Formula) or isinstance(var, Unknown)):
+                yield var.sign, var.meaning, var.unit
+
+
+def variables(node: Expr) -> Iterator[Var]:
+    """The variables of an expression, in their order."""
+    if isinstance(node, Var):
+        yield node
+        return
+    for item in fields(node):
+        child = getattr(node, item.name)
+        if isinstance(child, Expr):
+            yield from variables(child)

@@ -1,100 +1,64 @@
 """Results -> note: the chapters' templates rendered in one format and one language.
 
-    files = render(solve(variant), "html", Translator("ru"))     # {"note.html": b"..."}
+    files = render(parts, title, "html", Translator("ru"))     # {"note.html": b"..."}
 
-The numbers of sections, formulas, tables and figures are resolved here; a second pass is made only where a
-template refers to something that comes later.
+The templates are rendered once: what they refer to before it comes is marked, and numbered at the end.
 """
 
 from __future__ import annotations
 
 from base64 import b64encode
-from collections.abc import Mapping, Sequence
-from typing import Any, Literal, NamedTuple
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
 from markupsafe import Markup
 
+from tmm_report.chapters.title.given import Title
 from tmm_report.i18n import Translator
-from tmm_report.report import gears
-from tmm_report.report.force_tables import ForceTables
 from tmm_report.report.formats import Html, Tex
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template
-from tmm_report.report.pictures import Pictures
-from tmm_report.report.samples import Samples
-from tmm_report.report.special_tables import SpecialTables
-from tmm_report.report.tables import Tables
-from tmm_report.report.words import Words
+from tmm_report.report.part import Part
 from tmm_report.resources import data_root
 
 FORMATS: dict[str, type[Html] | type[Tex]] = {"html": Html, "tex": Tex}
 
 
-class Chapter(NamedTuple):
-    """A template and what it sees beside what every template sees."""
-
-    template: str
-    given: Mapping[str, Any] = {}
-
-
-def chapters(results: Any, page: Page) -> list[Chapter]:
-    """The chapters that were solved, in the order of the note."""
-    found = []
-    if results.has_mechanism:
-        found += [Chapter(name) for name in ("given", "structure", "kinematics", "plans")]
-        found += [Chapter(name) for name in ("kinetostatics", "friction") if getattr(results, name)]
-    views = gears.chapters(results, page)
-    found += [Chapter(name, {"view": view}) for name, view in views]
-    return [
-        *found,
-        Chapter("conclusions", {"gear_conclusions": gears.conclusions(views)}),
-        Chapter("references"),
-    ]
-
-
-def render(results: Any, fmt: Literal["html", "tex"], tr: Translator) -> dict[str, bytes]:
+def render(
+    make: Callable[[Page], Sequence[Part]], title: Title, fmt: str, tr: Translator
+) -> dict[str, bytes]:
     """File name -> content: "note.html" alone, or "note.tex" with the figures it reads."""
     page = Page(FORMATS[fmt](), tr, Numbering())
-    given, parts = _given(results, page), chapters(results, page)  # what they draw serves both passes
-    note = _pass(given, parts, page)
-    if page.numbering.missing:
-        page.numbering = Numbering(known=page.numbering.places)
-        note = _pass(given, parts, page)
-    if page.numbering.missing:
-        raise ValueError(f"the templates refer to what is not in the note: {sorted(page.numbering.missing)}")
-    return {f"note.{fmt}": note.encode(), **page.form.files}
+    parts = make(page)
+    return {f"note.{fmt}": _written(_given(title, page), parts, page).encode(), **page.form.files}
 
 
-def _pass(given: Mapping[str, Any], parts: Sequence[Chapter], page: Page) -> str:
-    """The note with the numbers that are known by now."""
+def _written(given: Mapping[str, Any], parts: Sequence[Part], page: Page) -> str:
     fmt = page.form.name
     given = {**given, "m": template(f"macros.{fmt}.j2").make_module(dict(given))}
     body = [
-        Markup(template(f"chapters/{chapter.template}.j2").render(given, **chapter.given))
-        for chapter in parts
+        *(Markup(template(f"chapters/{part.template}.j2").render(given, view=part.view)) for part in parts),
+        Markup(template("chapters/conclusions.j2").render(given, lines=_conclusions(parts))),
+        Markup(template("chapters/references.j2").render(given)),
     ]
-    title = Markup(template("chapters/title.j2").render(given))
-    return template(f"report.{fmt}.j2").render(given, title=title, body=body, **_own_files(fmt))
+    head = Markup(template("chapters/title.j2").render(given))
+    note = template(f"report.{fmt}.j2").render(given, head=head, body=body, **_own_files(fmt))
+    return page.numbering.resolved(note)
 
 
-def _given(results: Any, page: Page) -> dict[str, Any]:
+def _conclusions(parts: Sequence[Part]) -> list[Markup]:
+    """What the chapters say in the conclusions, each view once."""
+    return [
+        line
+        for view in dict.fromkeys(part.view for part in parts if part.concludes)
+        for line in view.conclusions()
+    ]
+
+
+def _given(title: Title, page: Page) -> dict[str, Any]:
     """What every template sees beside the macros `m`."""
     functions = ("t", "math", "sym", "value", "num", "unit", "listed")
-    lever = _lever(results, page) if results.has_mechanism else {}
-    return {"r": results, "page": page, **lever, **{name: getattr(page, name) for name in functions}}
-
-
-def _lever(results: Any, page: Page) -> dict[str, Any]:
-    """What the templates of the lever mechanism's chapters see."""
-    words = Words(results, page)
-    return {
-        "words": words,
-        "tables": Tables(results, page, words),
-        "forces": ForceTables(results, page, words),
-        "special": SpecialTables(results, page, words),
-        "pictures": Pictures(results, page.tr),
-        "samples": Samples(results),
-    }
+    return {"title": title, "page": page, **{name: getattr(page, name) for name in functions}}
 
 
 def _own_files(fmt: str) -> dict[str, Markup]:

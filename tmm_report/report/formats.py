@@ -28,13 +28,12 @@ class Mathematics(Protocol):
     def mathml(self, tr: Translator) -> str: ...
 
 
-MM_PER_INCH = 25.4
 PAGE = (165.0, 228.0)  # mm: the largest picture
 
 
 def percent(picture: Drawing | Graph) -> int:
     """To how many per cent of its size a picture is reduced to fit the page; 100: not at all."""
-    wide, tall = _size(picture)
+    wide, tall = picture.size
     if turned(picture):
         wide, tall = tall, wide
     return min(100, int(100 * min(PAGE[0] / wide, PAGE[1] / tall)))
@@ -42,26 +41,17 @@ def percent(picture: Drawing | Graph) -> int:
 
 def turned(picture: Drawing | Graph) -> bool:
     """Whether a drawing too wide for the page stands on its side in it, so that it keeps its scale or more of it."""
-    wide, tall = _size(picture)
+    wide, tall = picture.size
     upright, aside = min(PAGE[0] / wide, PAGE[1] / tall), min(PAGE[0] / tall, PAGE[1] / wide)
     return isinstance(picture, Drawing) and upright < 1 and aside > upright
 
 
-def _size(picture: Drawing | Graph) -> tuple[float, float]:
-    """Width and height, mm."""
-    if isinstance(picture, Drawing):
-        return picture.size
-    wide, tall = picture.figure.get_size_inches() * MM_PER_INCH
-    return float(wide), float(tall)
-
-
 @dataclass
 class Html:
-    """One self-contained file: pictures stand in it as svg. `made`: pictures by anchor, kept between passes."""
+    """One self-contained file: pictures stand in it as svg."""
 
     name = "html"
     files: dict[str, bytes] = field(default_factory=dict)
-    made: dict[str, Markup] = field(default_factory=dict)
 
     def escape(self, text: str) -> Markup:
         return Markup(xml_escape(text))
@@ -80,11 +70,8 @@ class Html:
         return Markup(text if size == 1 else f'<span style="font-size:{100 * size:.0f}%">{text}</span>')
 
     def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
-        if anchor not in self.made:
-            # the style sheet reduces what is larger than the page
-            drawn = svg(picture, turned(picture)) if isinstance(picture, Drawing) else picture.svg()
-            self.made[anchor] = Markup(drawn)
-        return self.made[anchor]
+        # the style sheet reduces what is larger than the page
+        return Markup(svg(picture, turned(picture)) if isinstance(picture, Drawing) else picture.svg())
 
 
 @dataclass
@@ -109,8 +96,7 @@ class Tex:
     def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
         drawn = isinstance(picture, Drawing)
         name = f"figures/{anchor}.{'tex' if drawn else 'pdf'}"
-        if name not in self.files:  # kept between passes
-            self.files[name] = tikz(picture).encode() if isinstance(picture, Drawing) else picture.pdf()
+        self.files[name] = tikz(picture).encode() if isinstance(picture, Drawing) else picture.pdf()
         command = f"\\{'input' if drawn else 'includegraphics'}{{{name}}}"
         command = f"\\rotatebox{{90}}{{{command}}}" if turned(picture) else command
         size = percent(picture) / 100

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Hashable, Iterable, Mapping
 from dataclasses import dataclass, field
+from secrets import token_hex
 from typing import Any, NamedTuple
 
 
@@ -22,21 +24,20 @@ class Section(NamedTuple):
     level: int
 
 
-UNKNOWN = Place("?", "unknown")
-
-
 @dataclass
 class Numbering:
-    """Counts one pass over the templates. `known`: label -> place from the pass before, for forward references.
+    """Counts as the templates are rendered, once.
 
     Figures and tables are numbered through, formulas by chapter. An anchor is made of kind and number alone, so
-    that nothing a user wrote gets into it.
+    that nothing a user wrote gets into it. What comes later than it is referred to is marked in the text and put in
+    by `resolved`; a mark is letters and digits, which every format leaves as they are, and begins with a secret of
+    this note's, so that no text of a user's is taken for one.
     """
 
-    known: Mapping[str, Place] = field(default_factory=dict)
     places: dict[str, Place] = field(default_factory=dict)
     sections: list[Section] = field(default_factory=list)
-    missing: set[str] = field(default_factory=set)
+    _awaited: dict[str, Place] = field(default_factory=dict)
+    _secret: str = field(default_factory=lambda: f"later{token_hex(16)}")
     _counts: dict[Hashable, int] = field(default_factory=dict)
     _explained: set[Hashable] = field(default_factory=set)
 
@@ -64,11 +65,21 @@ class Numbering:
         return self._keep(label, Place(number, f"{kind}{number}"))
 
     def place(self, label: str) -> Place:
-        """The place of a label, also of one that comes later; in the first pass an unknown one is noted."""
-        found = self.places.get(label) or self.known.get(label)
-        if found is None:
-            self.missing.add(label)
-        return found or UNKNOWN
+        """The place of a label; of one that comes later, marks that stand for it until `resolved`."""
+        if label in self.places:
+            return self.places[label]
+        if label not in self._awaited:
+            mark = f"{self._secret}x{len(self._awaited)}"
+            self._awaited[label] = Place(f"{mark}n", f"{mark}a")
+        return self._awaited[label]
+
+    def resolved(self, text: str) -> str:
+        """The rendered text with the numbers and anchors of what came later in place of their marks."""
+        if missing := sorted(self._awaited.keys() - self.places.keys()):
+            raise ValueError(f"the templates refer to what is not in the note: {missing}")
+        pairs = [(self._awaited[label], self.places[label]) for label in self._awaited]
+        marks = {mark: known for place, found in pairs for mark, known in zip(place, found, strict=True)}
+        return re.sub(rf"{self._secret}x\d+[na]", lambda mark: marks[mark[0]], text)
 
     def fresh(self, items: Iterable[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
         """Those of a "where" list's items that have not been explained before, by their "id"."""

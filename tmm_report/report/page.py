@@ -9,8 +9,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from functools import cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+import jinja2
 import numpy as np
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template, pass_context
 from jinja2.runtime import Context, Undefined
@@ -19,15 +20,21 @@ from markupsafe import Markup
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.graphs import Graph
 from tmm_report.i18n import Translator
-from tmm_report.quantity.formula import Inline, Var
-from tmm_report.quantity.model import Table, Value
+from tmm_report.problems import Message
+from tmm_report.quantity.formula import Formula, Inline, Var
+from tmm_report.quantity.model import Column, Table, Value
 from tmm_report.quantity.symbols import Symbol, math_symbol
 from tmm_report.quantity.text import column, number, unit_text
+from tmm_report.quantity.written import Equation, explained
 from tmm_report.report import layout
+from tmm_report.report.bytecode import bytecode_cache
 from tmm_report.report.formats import Format, percent
 from tmm_report.report.layout import Cell
 from tmm_report.report.numbering import Numbering
 from tmm_report.resources import data_root
+
+if TYPE_CHECKING:
+    from tmm_report.report.schemes import Schemes
 
 _VALUE = re.compile(r"%(?:\((\w+)\)[sd]|%)")
 
@@ -39,15 +46,23 @@ def _finalize(context: Context, value: Any) -> Any:
     return context["page"].text(value)
 
 
+TRIMMED = True  # blocks take their line's blanks and end with them
+
+
 @cache
 def environment() -> Environment:
+    compiled_as = (
+        f"jinja {getattr(jinja2, '__version__', '')}, escaped, finalized in context, trimmed {TRIMMED}"
+    )
     return Environment(
         loader=FileSystemLoader(data_root() / "templates"),
         undefined=StrictUndefined,
         autoescape=True,
         finalize=_finalize,
-        trim_blocks=True,
-        lstrip_blocks=True,
+        trim_blocks=TRIMMED,
+        lstrip_blocks=TRIMMED,
+        bytecode_cache=bytecode_cache(compiled_as),
+        auto_reload=False,
     )
 
 
@@ -60,6 +75,7 @@ class Page:
 
     def __init__(self, form: Format, tr: Translator, numbering: Numbering):
         self.form, self.tr, self.numbering = form, tr, numbering
+        self.schemes: Schemes | None = None
 
     def text(self, value: Any) -> Markup:
         """Anything for output: Markup as it is, other text escaped for the format."""
@@ -73,12 +89,49 @@ class Page:
         """A message translated and escaped, with values put in for %(name)s; of these, too, only Markup is trusted."""
         return self._filled(self.tr.gettext(message), values)
 
+    def explained(self, name: str, of: Value | Column, unit: str = "") -> dict[str, Any]:
+        """What a "where" list says of a quantity; `name`: by which it knows what was explained before."""
+        quantity = of.quantity
+        meaning = self.message(quantity.meaning)
+        return {"id": name, "symbol": quantity.symbol, "meaning": meaning, "unit": unit}
+
     def _filled(self, text: str, values: dict[str, Any]) -> Markup:
         out, end = [], 0
         for match in _VALUE.finditer(text):
             out += [self.text(text[end : match.start()]), self.text(values[match[1]] if match[1] else "%")]
             end = match.end()
         return Markup("").join([*out, self.text(text[end:])])
+
+    def message(self, message: Message) -> Markup:
+        """A message that brings its values, symbols among them."""
+        values = {
+            name: self.message(value) if isinstance(value, Message) else self._shown_value(value)
+            for name, value in message.values.items()
+        }
+        return self.t(message.text, **values)
+
+    def _shown_value(self, value: Any) -> Any:
+        return self.sym(value) if isinstance(value, Symbol) else value
+
+    def sentence(self, message: Message) -> Markup:
+        """A message whose numbers are ready texts, with the note's decimal sign."""
+        text = message.render(self.tr.gettext)
+        return self.text(re.sub(r"(?<=\d)\.(?=\d)", self.tr.decimal, text))
+
+    def where(self, *formulas: Formula | Equation) -> list[dict[str, Any]]:
+        """Items of a "where" list: every quantity of the formulas in their order, with its meaning and unit.
+
+        Segments differ only by their ends, which name themselves: one of them is explained for all.
+        """
+        return [
+            {
+                "symbol": sign,
+                "id": "segment" if sign.kind == "segment" else sign,
+                "meaning": self.message(meaning),
+                "unit": unit,
+            }
+            for sign, meaning, unit in explained(*formulas)
+        ]
 
     def percent(self, picture: Drawing | Graph) -> int:
         return percent(picture)
@@ -90,11 +143,14 @@ class Page:
         """The symbol of a key, "v_BA"."""
         return self.math(math_symbol(key) if isinstance(key, str) else key)
 
-    def value(self, key: str | Symbol | Var, value: float = 0.0, unit: str = "", digits: int = 5) -> Markup:
+    def value(
+        self, key: str | Symbol | Var, value: float = 0.0, unit: str = "", digits: int | None = None
+    ) -> Markup:
         """symbol = value unit; a value of unit "deg" is given in rad. A variable brings its own value and unit."""
         if isinstance(key, Var):
-            return self.math(Inline(key.sign, float(key.number), key.unit, key.digits or digits, key.ref))
-        return self.math(Inline(key, float(value), unit, digits))
+            digits = digits or key.digits or 5
+            return self.math(Inline(key.sign, float(key.number), key.unit, digits, key.ref))
+        return self.math(Inline(key, float(value), unit, digits or 5))
 
     def values(self, items: Iterable[tuple[str, float, str]], digits: int = 4) -> Markup:
         """Several `value`s: (symbol, value, unit), ..."""
@@ -151,7 +207,7 @@ class Page:
         if isinstance(of, Value):
             number, ref = of.number(unit), of.ref(unit, size)
         else:
-            number, ref = float(of[key].numbers(unit)[row]), of.ref(key, row, unit, size)
+            number, ref = of[key].number(row, unit), of.ref(key, row, unit, size)
         return Cell(self.num(abs(number) if size else number, digits, places, scale), ref)
 
     def word(self, text: str, table: Table, key: str, row: int) -> Cell:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
-from pydantic import BaseModel
+from pydantic import create_model
 from pydantic.json_schema import GenerateJsonSchema
 
+from tmm_report.variant.model import Block
+
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
-_REQUIRED = {"MechanismModel": ["frame", "links", "driver"]}
 
 
 class _Schema(GenerateJsonSchema):
@@ -27,11 +29,10 @@ class _Schema(GenerateJsonSchema):
 
     def model_schema(self, schema: Any) -> Any:
         made = super().model_schema(schema)
-        required = _REQUIRED.get(schema["cls"].__name__)  # the models let them be absent, `checks` does not
-        made["title"] = schema["cls"].__name__.removesuffix("Model")
-        return {**made, "required": required} if required else made
+        return {**made, "title": schema["cls"].__name__.removesuffix("Model")}
 
 
-def schema_of(model: type[BaseModel]) -> dict[str, Any]:
-    """Draft 2020-12, keys as they are written in the file."""
+def schema_of(blocks: Iterable[type[Block]], about: str) -> dict[str, Any]:
+    """Draft 2020-12, keys as they are written in the file; `about`: what a variant is, in a sentence."""
+    model = create_model("VariantModel", __base__=tuple(reversed([*blocks])), __doc__=about)
     return {"$schema": DIALECT, **model.model_json_schema(by_alias=True, schema_generator=_Schema)}

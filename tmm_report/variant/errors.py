@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any, get_args
 
 from pydantic import BaseModel, ValidationError
@@ -28,9 +28,13 @@ _TEXTS = {
 }
 
 
-def problems(error: ValidationError, data: Any) -> list[Problem]:
+Roots = Callable[[], Iterable[type[BaseModel]]]
+"""The blocks of the format, all of them: asked for only where a message names known keys, as some are slow to load."""
+
+
+def problems(error: ValidationError, data: Any, roots: Roots) -> list[Problem]:
     """One Problem for each of the errors that validating `data` gave."""
-    return [_problem(one, data) for one in error.errors(include_url=False)]
+    return [_problem(one, data, roots) for one in error.errors(include_url=False)]
 
 
 def near(word: str, known: Sequence[str]) -> Message | None:
@@ -40,16 +44,16 @@ def near(word: str, known: Sequence[str]) -> Message | None:
     return Message(N_("known: %(words)s"), {"words": shown(", ".join(known), 200)}) if known else None
 
 
-def _problem(error: Any, data: Any) -> Problem:
+def _problem(error: Any, data: Any, roots: Roots) -> Problem:
     path = data_path(error["loc"], data, error["type"] == "missing")
     kind, context = error["type"], error.get("ctx", {})
     cause = context.get("error")
     if isinstance(cause, WrongValue):
         return Problem(cause.wrong, cause.right, path)
     if kind == "missing":
-        return _missing(path)
+        return _missing(path, roots)
     if kind == "extra_forbidden":
-        right = near(str(path[-1]), sorted(_fields(path[:-1])))
+        right = near(str(path[-1]), sorted(_fields(path[:-1], roots)))
         return mistake(N_("unknown key %(key)s"), path, right, key=shown(path[-1]))
     if kind == "literal_error":
         return _not_a_word(error, path)
@@ -59,10 +63,10 @@ def _problem(error: Any, data: Any) -> Problem:
     return mistake(N_("the value does not fit: %(reason)s"), path, reason=shown(error["msg"], 120))
 
 
-def _missing(path: Path) -> Problem:
+def _missing(path: Path, roots: Roots) -> Problem:
     if isinstance(path[-1], int):
         return mistake(N_("a value of the list is missing"), path[:-1])
-    examples = getattr(_fields(path[:-1]).get(path[-1]), "examples", None)
+    examples = getattr(_fields(path[:-1], roots).get(path[-1]), "examples", None)
     right = (
         Message(N_("for example, %(example)s"), {"example": f"{path[-1]}: {examples[0]}"})
         if examples
@@ -92,11 +96,9 @@ def data_path(loc: Sequence[str | int], data: Any, missing: bool = False) -> Pat
     return tuple(path)
 
 
-def _fields(path: Path) -> dict[str, Any]:
+def _fields(path: Path, roots: Roots) -> dict[str, Any]:
     """Names (as written in the file) -> fields that the models allow at the path."""
-    from tmm_report.variant.whole import VariantModel  # every key of the format, gears with it
-
-    models = [VariantModel]
+    models = list(roots())
     for part in path:
         fields = [field for model in models for name, field in _named(model) if name == part]
         if fields:  # else a key of a mapping or an index: the same models lie under it

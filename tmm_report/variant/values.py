@@ -21,6 +21,7 @@ from tmm_report.quantity.units import DIMENSIONS, WrongValue
 
 NAME = r"[0-9A-Za-z\u0400-\u0481\u048a-\u052f][0-9A-Za-z\u0400-\u0481\u048a-\u052f'’]{0,11}"
 SIDES = {"right": 1 + 0j, "up": 1j, "left": -1 + 0j, "down": -1j}
+SENSES = {"counter-clockwise": 1, "clockwise": -1}
 SCALAR, LIST, MAP = "<scalar>", "<list>", "<map>"
 
 # What is larger is a slip of the pen, and overflows when it is squared or swallows the rest of the mechanism; SI.

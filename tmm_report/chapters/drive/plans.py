@@ -16,8 +16,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
+from tmm_report.chapters.drive.stages import Stage, member
 from tmm_report.chapters.plans.solve import Comparison
 from tmm_report.mechanics.trains import FRAME, Member, Mesh, Train
 from tmm_report.quantity.paper import Pen, round_scale, rounded
@@ -61,7 +62,8 @@ class Line(NamedTuple):
 @dataclass(frozen=True, eq=False)
 class Plans:
     """The constructed diagrams. `velocity`: of the spots by name, mm as read, signed; `axes`: m, y of each member's
-    axis; `sides`: of each stage, +1 where its satellites stand above the main axis; `accuracy` mm."""
+    axis; `sides`: of each stage, +1 where its satellites stand above the main axis; `first`: the spot of the input
+    member whose velocity is laid off; `accuracy` mm."""
 
     length_scale: float
     velocity_scale: float
@@ -72,6 +74,7 @@ class Plans:
     spots: tuple[Spot, ...]
     velocity: Mapping[str, float]
     lines: tuple[Line, ...]
+    first: Spot
     comparison: tuple[Comparison, ...] = ()
 
     @property
@@ -90,7 +93,7 @@ class Plans:
 
 
 def draw(
-    stages: Sequence[Any],
+    stages: Sequence[Stage],
     train: Train,
     known: Mapping[str, float],
     speed: Mapping[str, float],
@@ -117,6 +120,7 @@ def draw(
         spots,
         velocity,
         tuple(sheet.lines()),
+        sheet.farthest(stages[0].input),
     )
     return replace(plans, comparison=tuple(_compared(plans, analytic, speed)))
 
@@ -124,45 +128,40 @@ def draw(
 # --- where the members stand
 
 
-def placed(stages: Sequence[Any]) -> tuple[tuple[int, ...], dict[str, float]]:
+def placed(stages: Sequence[Stage]) -> tuple[tuple[int, ...], dict[str, float]]:
     """The side of each stage and the y of every member's axis, m.
 
     A planetary stage stands above the input shaft, else below its own axis; the driven shaft of a pair below.
     """
     main, sides, axes = 0.0, [], {}
     for stage in stages:
-        planetary = any(member.kind == "carrier" for member in stage.members)
+        planetary = any(one.kind == "carrier" for one in stage.members)
         side = 1 if planetary and main == 0 and 1 not in sides else -1
         sides.append(side)
-        start = _offset(stage, stage.input)
-        for member in stage.members:
-            axes[member.name] = main + side * (member.distance - start)
+        start = member(stage, stage.input).distance
+        for one in stage.members:
+            axes[one.name] = main + side * (one.distance - start)
         main = axes[stage.output]
     return tuple(sides), axes
 
 
-def _offset(stage: Any, name: str) -> float:
-    """Distance of a member's axis from the stage's main axis, m."""
-    return float(next(member.distance for member in stage.members if member.name == name))
-
-
-def _height(stages: Sequence[Any], axes: Mapping[str, float], sides: Sequence[int]) -> float:
+def _height(stages: Sequence[Stage], axes: Mapping[str, float], sides: Sequence[int]) -> float:
     """How tall the scheme is, m; of a planetary stage's ring only the half with the satellite is drawn."""
     reach = [0.0]
     for stage, side in zip(stages, sides, strict=True):
-        for member in stage.members:
-            if member.kind != "carrier":
-                reach.append(axes[member.name] + side * member.radius)
-                halved = member.kind == "ring" and member.name not in (stage.input, stage.output)
-                reach.append(axes[member.name] - (0 if halved else side * member.radius))
+        for one in stage.members:
+            if one.kind != "carrier":
+                reach.append(axes[one.name] + side * one.radius)
+                halved = one.kind == "ring" and one.name not in (stage.input, stage.output)
+                reach.append(axes[one.name] - (0 if halved else side * one.radius))
     return max(reach) - min(reach)
 
 
-def _spots(stages: Sequence[Any], axes: Mapping[str, float]) -> Iterator[Spot]:
+def _spots(stages: Sequence[Stage], axes: Mapping[str, float]) -> Iterator[Spot]:
     """Points of every stage: each mesh's pitch point, and after it the axis of its satellite."""
     letters = iter(_letters())
     for stage in stages:
-        by_name = {member.name: member for member in stage.members}
+        by_name = {one.name: one for one in stage.members}
         seen: list[float] = []
         for mesh in stage.meshes:
             yield Spot(next(letters), _contact(mesh, by_name, axes), (mesh.i, mesh.j), False)
@@ -185,7 +184,9 @@ def _contact(mesh: Mesh, by_name: Mapping[str, Member], axes: Mapping[str, float
     return axes[mesh.i] + (axes[mesh.j] - axes[mesh.i]) * ri / (ri - rj if mesh.internal else ri + rj)
 
 
-def _velocity(spot: Spot, by_name: Mapping[str, Member], axes: Mapping[str, float], speed: Any) -> float:
+def _velocity(
+    spot: Spot, by_name: Mapping[str, Member], axes: Mapping[str, float], speed: Mapping[str, float]
+) -> float:
     """Analytical velocity of a spot, m/s: of the axis of the first wheel there and about it."""
     wheel = by_name[spot.members[0]]
     turned = 0.0 if spot.axis else speed[wheel.name] * (spot.y - axes[wheel.name])
@@ -226,9 +227,14 @@ class _Sheet:
 
     def _lay_off(self, name: str, omega: float) -> None:
         """The velocity of the spot of the member farthest from its axis; the axis itself stands still."""
-        spot = max(self._of(self.train.by_name[name].body), key=lambda spot: abs(spot.y - self.axes[name]))
+        spot = self.farthest(name)
         arm = spot.y - self.axes[name]
         self._put(spot, omega * arm / self.scales["velocity"])
+
+    def farthest(self, name: str) -> Spot:
+        """The spot of a member that is farthest from its axis."""
+        spots = self._of(self.train.by_name[name].body)
+        return max(spots, key=lambda spot: abs(spot.y - self.axes[name]))
 
     def _put(self, spot: Spot, v: float) -> None:
         self.v.setdefault(spot.name, self.pen.place(complex(v, 0)).real)

@@ -12,36 +12,15 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
-from typing import Any, Protocol
+from typing import Any
 
 from tmm_report.chapters.drive.plans import Plans, Scales, draw
-from tmm_report.chapters.planetary import solve as planetary
+from tmm_report.chapters.drive.stages import Given as StageGiven
+from tmm_report.chapters.drive.stages import Stage, solve_all
 from tmm_report.chapters.spur import solve as spur
-from tmm_report.mechanics.trains import Loads, Member, Mesh, Train, loads, speeds
-from tmm_report.problems import N_, Message, Problem, ProblemError
-
-
-class Stage(Protocol):
-    """What the drive asks of a solved stage. `fixed`: members that stand still; `second`: a member driven besides."""
-
-    @property
-    def name(self) -> str: ...
-    @property
-    def ratio(self) -> float: ...
-    @property
-    def wanted(self) -> float: ...
-    @property
-    def members(self) -> tuple[Member, ...]: ...
-    @property
-    def meshes(self) -> tuple[Mesh, ...]: ...
-    @property
-    def input(self) -> str: ...
-    @property
-    def output(self) -> str: ...
-    @property
-    def fixed(self) -> tuple[str, ...]: ...
-    @property
-    def second(self) -> tuple[str, float] | None: ...
+from tmm_report.mechanics.trains import Loads, Train, loads, speeds
+from tmm_report.problems import N_, Message
+from tmm_report.quantity.paper import ACCURACY
 
 
 @dataclass(frozen=True)
@@ -50,10 +29,10 @@ class Given:
     shaft, N·m, None: all torques are found for 1 N·m; `accuracy`: m of paper; `scales`: of the diagrams."""
 
     speed: float
-    stages: tuple[spur.Given | planetary.Given, ...]
+    stages: tuple[StageGiven, ...]
     tolerance: float = 0.04
     torque: float | None = None
-    accuracy: float = 1e-5
+    accuracy: float = ACCURACY
     scales: Scales = field(default_factory=Scales)
 
 
@@ -63,7 +42,7 @@ class Found:
     outside; `plans`: the diagrams of linear and angular velocities."""
 
     given: Given
-    stages: tuple[Any, ...]
+    stages: tuple[Stage, ...]
     train: Train
     speed: Mapping[str, float]
     loads: Loads
@@ -71,11 +50,11 @@ class Found:
 
     @property
     def input(self) -> str:
-        return str(self.stages[0].input)
+        return self.stages[0].input
 
     @property
     def output(self) -> str:
-        return str(self.stages[-1].output)
+        return self.stages[-1].output
 
     @property
     def ratio(self) -> float:
@@ -131,6 +110,32 @@ class Found:
         """Members from which power is taken."""
         return [name for name, power in self.loads.power.items() if power < 0]
 
+    @property
+    def arm(self) -> float:
+        """Of the point whose velocity is laid off first, from the axis of the input member, m, signed."""
+        return self.plans.first.y - self.plans.axes[self.input]
+
+    @property
+    def losses(self) -> float:
+        """Power lost in all the meshes, W."""
+        return float(sum(self.loads.loss))
+
+    @property
+    def runs(self) -> bool:
+        """Whether the output turns: two inputs may hold it."""
+        return bool(self.speed[self.output])
+
+    @property
+    def graphical(self) -> float:
+        """The ratio at work by the segments of the plan of angular velocities."""
+        return self.plans.ratio(self.input, self.output)
+
+    @property
+    def graphical_error(self) -> float:
+        """(g − a)/(½ (g + a)), %, of the graphical ratio against the calculated one; nan where one is infinite."""
+        g, a = self.graphical, self.ratio
+        return 200 * (g - a) / (g + a) if math.isfinite(g + a) else math.nan
+
     def summary(self) -> list[Message]:
         """The main numbers in a sentence, and one for each thing that is wrong."""
         text = N_("gear drive: teeth %(teeth)s; ratio %(ratio)s, required %(wanted)s; efficiency %(eta)s")
@@ -159,7 +164,7 @@ class Found:
 
 def solve(given: Given) -> Found:
     """Solve the stages and the drive. Raises ProblemError with the mistakes of all the stages."""
-    stages = _stages(given)
+    stages = solve_all(given.stages)
     train = joined(stages)
     known = _known_speeds(given.speed, stages)
     speed = _cleaned(speeds(train, known, ("drive",)))
@@ -172,24 +177,6 @@ def _cleaned(speed: Mapping[str, Any]) -> dict[str, float]:
     """Speeds as numbers; what is rounding beside the largest is 0, for a member that stands still."""
     noise = 1e-12 * max(abs(float(value)) for value in speed.values())
     return {name: float(value) if abs(value) > noise else 0.0 for name, value in speed.items()}
-
-
-def _stages(given: Given) -> tuple[Any, ...]:
-    found: list[Any] = []
-    problems: list[Problem] = []
-    for k, stage in enumerate(given.stages):
-        try:
-            found.append(spur.solve(stage) if isinstance(stage, spur.Given) else planetary.solve(stage))
-        except ProblemError as error:
-            problems += [_placed(problem, k) for problem in error.problems]
-    if problems:
-        raise ProblemError(problems)
-    return tuple(found)
-
-
-def _placed(problem: Problem, stage: int) -> Problem:
-    """The problem of a stage with the stage's place in the variant before its own path."""
-    return replace(problem, path=("drive", "stages", stage, *problem.path))
 
 
 def joined(stages: Sequence[Stage]) -> Train:

@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
-import math
+from collections.abc import Sequence
 from functools import cached_property
-from typing import Any
+from typing import Any, assert_never
 
 from markupsafe import Markup
 
+from tmm_report.chapters.drive.draw.diagrams import kinematic_scheme, velocities
 from tmm_report.chapters.drive.formulas import DriveFormulas
 from tmm_report.chapters.drive.solve import Found
+from tmm_report.chapters.drive.stages import Stage
+from tmm_report.chapters.planetary import solve as planetary
 from tmm_report.chapters.spur import solve as spur
 from tmm_report.figures.drawing import Drawing
-from tmm_report.figures.drive import kinematic_scheme, velocities
 from tmm_report.problems import N_
+from tmm_report.quantity import model as quantity
 from tmm_report.quantity.formula import Formula
-from tmm_report.quantity.symbols import Symbol
-from tmm_report.quantity.written import symbol_of, unit_of
-from tmm_report.report.layout import Column, Table, numeric, worded
+from tmm_report.report.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.page import Page
 
 SCHEMES = {
@@ -27,56 +28,58 @@ SCHEMES = {
     "internal-internal": N_("planetary, double-row, two internal meshes"),
 }
 
-ABOUT = Symbol("omega", "", "(H)")  # about the carrier
-
 
 class DriveView(DriveFormulas):
     def __init__(self, found: Found, page: Page, label: str):
-        super().__init__(found)
+        super().__init__(found, label)
         self.page, self.label = page, label
-        self.t, self.num, self.sym = page.t, page.num, page.sym
+        self.t = page.t
 
     # ------------------------------------------------------------ what is given
 
     def given_table(self) -> Table:
         """Stages in the order of the power."""
+        table = self.of.table("stages")
         heads = [self.t(text) for text in (N_("Stage"), N_("Kind"), N_("Members"), N_("Required ratio"))]
         rows = [
-            [str(number), self.kind(stage), self._members(stage), self._wanted(stage)]
-            for number, stage in enumerate(self.found.stages, 1)
+            [
+                Cell(str(row + 1), table.ref("stage", row)),
+                self.kind(stage),
+                table["members"].values[row],
+                self.page.value(self.of_stage("u_required", row)),
+            ]
+            for row, stage in enumerate(self.found.stages)
         ]
         return worded(self.t("Stages of the drive"), heads, rows, [8, 40, 30, 22])
 
-    def kind(self, stage: Any) -> Markup:
-        if isinstance(stage, spur.Found):
-            return self.t("internal pair") if stage.given.internal else self.t("external pair")
-        text = self.t(SCHEMES[stage.scheme.name])
-        return Markup("{}, {}").format(text, self.t("differential")) if stage.second else text
+    def kind(self, stage: Stage) -> Markup:
+        match stage:
+            case spur.Found():
+                return self.t("internal pair") if stage.given.internal else self.t("external pair")
+            case planetary.Found():
+                text = self.t(SCHEMES[stage.scheme.name])
+                return self.page.listed([text, self.t("differential")]) if stage.second else text
+            case _:
+                assert_never(stage)
 
-    def _members(self, stage: Any) -> Markup:
-        return self.page.text("–".join(member.name for member in stage.members))
+    @property
+    def tolerance(self) -> Markup:
+        return self.page.shown(self.of["tolerance"])
 
-    def _wanted(self, stage: Any) -> Markup:
-        ratio = self.stage_ratio(stage, wanted=True)
-        return self.page.value(ratio.sign, stage.wanted)
+    def rpm(self, name: str) -> Markup:
+        """The frequency of rotation of a member."""
+        return self.page.shown(self.speeds_of, "n", self.place[name])
+
+    @property
+    def second(self) -> list[str]:
+        """Second inputs of differentials."""
+        return [stage.second[0] for stage in self.found.stages if stage.second]
 
     @property
     def carried(self) -> Markup | None:
         """The symbol of speeds about carriers; None without satellites."""
-        return self.sym(ABOUT) if any(m.carried_by for m in self.found.train.members) else None
-
-    def rpm(self, speed: float) -> float:
-        return speed * 30 / math.pi
-
-    @property
-    def losses(self) -> float:
-        """Power lost in all the meshes, W."""
-        return float(sum(self.found.loads.loss))
-
-    @property
-    def runs(self) -> bool:
-        """Whether the output turns: two inputs may hold it."""
-        return bool(self.found.speed[self.found.output])
+        any_carried = any(m.carried_by for m in self.found.train.members)
+        return self.page.sym(self.speeds_of["omega_rel"].symbol()) if any_carried else None
 
     @property
     def readable(self) -> bool:
@@ -95,85 +98,85 @@ class DriveView(DriveFormulas):
             for key, symbol, meaning, unit in items
         ]
 
-    @property
-    def second(self) -> list[tuple[str, float]]:
-        """Second inputs of differentials and their speeds, rad/s."""
-        return [stage.second for stage in self.found.stages if stage.second]
-
     # ------------------------------------------------------------ tables
 
-    def speeds_table(self) -> Table:
-        speed, members = self.found.speed, self.found.train.members
-        omega = [speed[m.name] for m in members]
-        about = iter(self.page.col([speed[m.name] - speed[m.carried_by] for m in members if m.carried_by]))
-        first = Column(self.t("Member"), [m.name for m in members], 8)
-        columns = [
-            Column(self.sym("z"), [str(m.teeth) if m.teeth else "—" for m in members]),
-            Column(self._head("omega", "rad/s"), self.page.col(omega), 11),
-            Column(self._head("n", "rpm"), self.page.col([self.rpm(w) for w in omega]), 11),
+    def _names(self, table: quantity.Table) -> Column:
+        """The members of a table."""
+        names = [
+            self.page.word(name, table, "member", row) for row, name in enumerate(table["member"].values)
         ]
-        if any(m.carried_by for m in members):
-            cells = [next(about) if m.carried_by else "—" for m in members]
-            columns.append(Column(self._head(ABOUT, "rad/s"), cells, 11))
-        return numeric(self.t("Speeds of all the members of the drive"), first, columns)
+        return Column(self.t("Member"), names, 8)
 
-    def _head(self, symbol: Symbol | str, unit: str) -> Markup:
-        return Markup("{}, {}").format(self.sym(symbol), self.page.text(self.page.unit(unit)))
+    def _of_members(self, key: str, names: Sequence[str], least: int) -> Column:
+        """Speeds of some of the members."""
+        table, rows = self.speeds_of, [self.place[name] for name in names]
+        texts = self.page.col(table[key].number(row) for row in rows)
+        cells = [Cell(text, table.ref(key, row)) for text, row in zip(texts, rows, strict=True)]
+        return Column(self.page.head(table[key].symbol(), table[key].unit), cells, least)
+
+    def speeds_table(self) -> Table:
+        table, members = self.speeds_of, self.found.train.members
+        teeth = [Cell(str(m.teeth), table.ref("z", row)) if m.teeth else "—" for row, m in enumerate(members)]
+        columns = [
+            Column(self.page.head(table["z"].symbol()), teeth),
+            self.page.column(table, "omega", least=11),
+            self.page.column(table, "n", least=11),
+        ]
+        if carried := [m.name for m in members if m.carried_by]:
+            some = self._of_members("omega_rel", carried, 11)
+            cells = iter(some.cells)
+            columns.append(some._replace(cells=[next(cells) if m.carried_by else "—" for m in members]))
+        return numeric(self.t("Speeds of all the members of the drive"), self._names(table), columns)
 
     def comparison_table(self) -> Table:
         """Velocities of the points and angular velocities by the diagrams and by calculation."""
-        rows = self.plans.comparison
+        table, page = self.of.table("comparison"), self.page
         heads = [
             self.t("Quantity"),
             self.t("By the diagrams"),
             self.t("By calculation"),
-            self._head("delta", "%"),
+            page.head(table["delta"].symbol(), table["delta"].unit),
         ]
-        cells = [
+        rows = [
             [
-                self._head(symbol_of(row.key), unit_of(row.key)),
-                self.num(row.graph),
-                self.num(row.analytic),
-                "—" if row.delta is None else self.num(row.delta, 3, places=2),
+                page.head(table["graph"].symbol(row), table["graph"].unit_of(row)),
+                page.cell(table, "graph", row),
+                page.cell(table, "analytic", row),
+                page.cell(table, "delta", row, digits=3, places=2),
             ]
-            for row in rows
+            for row in range(len(table))
         ]
         caption = self.t("Magnitudes of velocities and angular velocities by the diagrams and by calculation")
-        return worded(caption, heads, cells, [25, 25, 25, 25])
+        return worded(caption, heads, rows, [25, 25, 25, 25])
 
     def loads_table(self) -> Table:
         """External torques and powers; a positive power is supplied."""
-        found = self.found
-        names = list(found.loads.torque)
-        torque = [float(found.loads.torque[name]) for name in names]
-        power = [float(found.loads.power[name]) for name in names]
-        first = Column(self.t("Member"), names, 8)
+        table, page = self.of.table("loads"), self.page
         columns = [
-            Column(self._head("T", "N·m"), self.page.col(torque), 9),
-            Column(self._head("omega", "rad/s"), self.page.col([found.speed[name] for name in names]), 9),
-            Column(self._head("N", "W"), self.page.col(power), 9),
+            page.column(table, "T", least=9),
+            self._of_members("omega", table["member"].values, 9),
+            page.column(table, "N", least=9),
         ]
-        return numeric(self.t("External torques and powers"), first, columns)
+        return numeric(self.t("External torques and powers"), self._names(table), columns)
 
     def meshes_table(self) -> Table:
         """Direction of the power in every mesh."""
-        loads, rows = self.found.loads, []
-        parts = (self.found.train.meshes, loads.mesh_power, loads.loss)
-        for mesh, power, loss in zip(*parts, strict=True):
-            driving = mesh.i if power > 0 else mesh.j if power < 0 else "—"
-            text = f"{mesh.i}–{mesh.j}"
-            rows.append(
-                [
-                    text,
-                    mesh.carrier or "—",
-                    driving,
-                    self.num(abs(power)),
-                    self.num(loss, 4),
-                    self.num(mesh.efficiency, 4),
-                ]
-            )
-        heads = [self.t("Mesh"), self.t("Carrier"), self.t("Driving wheel"), self._head("N", "W")]
-        heads += [self._head(Symbol("N", "fr"), "W"), self.sym("eta")]
+        table, page = self.of.table("meshes"), self.page
+        rows = [
+            [
+                page.word(f"{mesh.i}–{mesh.j}", table, "mesh", row),
+                page.word(mesh.carrier or "—", table, "carrier", row),
+                page.word(table["driving"].values[row] or "—", table, "driving", row),
+                page.cell(table, "N", row, size=True),
+                page.cell(table, "N_fr", row, digits=4),
+                page.cell(table, "eta", row, digits=4),
+            ]
+            for row, mesh in enumerate(self.found.train.meshes)
+        ]
+        heads = [
+            *(self.t(text) for text in (N_("Mesh"), N_("Carrier"), N_("Driving wheel"))),
+            *(page.head(table[key].symbol(), table[key].unit) for key in ("N", "N_fr", "eta")),
+        ]
         return worded(self.t("Flow of the power through the meshes"), heads, rows, [12, 14, 22, 18, 18, 16])
 
     # ------------------------------------------------------------ pictures
@@ -196,15 +199,17 @@ class DriveView(DriveFormulas):
 
     def conclusions(self) -> list[Markup]:
         found = self.found
-        ratio = self.page.value(self._whole_symbol(), found.geared)
+        ratio = self.page.value(self.of["u_teeth"].var())
         text = self.t(
             "The ratio of the gear drive is %(ratio)s, its deviation from the required one is %(deviation)s %%.",
             ratio=ratio,
-            deviation=self.num(100 * found.deviation, 3),
+            deviation=self.page.shown(self.of["delta_u"], digits=3),
         )
         if found.locks:
             return [text, self.t("The drive locks itself: it cannot be driven from the input shaft.")]
         return [
             text,
-            self.t("The efficiency of the gear drive is %(eta)s.", eta=self.num(found.efficiency, 4)),
+            self.t(
+                "The efficiency of the gear drive is %(eta)s.", eta=self.page.shown(self.of["eta"], digits=4)
+            ),
         ]

@@ -10,9 +10,8 @@ from typing import Any
 import numpy as np
 
 from tmm_report.chapters.eccentric import mistakes
-from tmm_report.chapters.spur.solve import STANDARD
+from tmm_report.chapters.eccentric.given import Given
 from tmm_report.mechanics import eccentric as ecc
-from tmm_report.mechanics.spur import Rack
 from tmm_report.mechanics.wheels import least_teeth
 from tmm_report.problems import ProblemError
 
@@ -21,36 +20,6 @@ Array = Any
 COMMON_RING = 200  # teeth: larger rings are not looked at unless the ratio asks for them
 LARGEST_RING = 2000  # teeth: none is looked for beyond
 TURNS = np.array([1, 1, 1, -1])  # the second middle satellite stands below the axis
-
-
-@dataclass(frozen=True, eq=False)
-class Given:
-    """What is stated; lengths in m, `speed` in rad/s.
-
-    `ratio`: z3/z1, a magnitude; `teeth`: sun and ring, or sun, largest satellite and ring, in place of choosing them;
-    `clearance`: δ between the tip circles of neighbours; `backlash`: normal, of every mesh; `t`: the set of the family,
-    None: the most compact of those that hold most satellites; `satellites`: which of KINDS, None: as many as fit;
-    `most_ring`: largest ring looked at; `speed`: of the input.
-    """
-
-    module: float
-    ratio: Fraction | None = None
-    eccentricity: float | None = None
-    teeth: tuple[int, ...] | None = None
-    rack: Rack = STANDARD
-    clearance: float = 0.0
-    backlash: float = 0.0
-    t: int | None = None
-    satellites: tuple[str, ...] | None = None
-    most_ring: int | None = None
-    speed: float | None = None
-    name: str = ""
-
-    @property
-    def slack(self) -> float:
-        """The residue of assembly that the backlash takes up, pitches: half a backlash in each of two meshes."""
-        pitch = math.pi * self.module
-        return self.backlash / math.cos(self.rack.alpha) / pitch + ecc.EXACT
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,6 +59,18 @@ class Judged:
         """The most compact of the sets that hold most satellites round a sun of enough teeth; None: none holds any."""
         held = np.where(self.family.sun >= least_sun, self.held, 0)
         return int(np.flatnonzero(held == held.max())[-1]) if held.max() else None
+
+    def loose(self, slack: float) -> Array:
+        """Places of the sets whose middle satellites are whole but leave a residue over `slack`, pitches."""
+        middle = ecc.KINDS.index("middle")
+        whole = self.family.satellites[:, middle] % 1 == 0  # of half a tooth there is none to assemble
+        return np.flatnonzero(whole & (np.abs(self.residue[:, middle]) > slack))
+
+    def replaced(self, clearance: float) -> Array:
+        """Places of the sets in which the smallest satellite must stand in place of the largest."""
+        middle, smallest = ecc.KINDS.index("middle"), ecc.KINDS.index("smallest")
+        crowded = self.allowed[:, middle] & (self.closed <= clearance)
+        return np.flatnonzero(crowded & self.fit[:, middle] & self.fit[:, smallest])
 
     @property
     def full(self) -> int | None:

@@ -5,14 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from tmm_report.chapters.spur.rack_mistakes import of_rack
+from tmm_report.chapters.eccentric.given import Given
 from tmm_report.mechanics import eccentric as ecc
+from tmm_report.mechanics.rack_mistakes import of_rack
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
-
-if TYPE_CHECKING:
-    from tmm_report.chapters.eccentric.family import Given
 
 PATH = ("eccentric",)
 FEWEST = 6  # teeth

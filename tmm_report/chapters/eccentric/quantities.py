@@ -1,144 +1,165 @@
-"""Results of the eccentric epicyclic mechanism: the family, the satellites, the proof of the teeth, single numbers."""
+"""Every number of the eccentric epicyclic mechanism with its symbol, unit and meaning."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.eccentric.solve import CARRIER, RING, SUN, WHEELS, Found
+from tmm_report.chapters.eccentric.solve import RING, SUN, WHEELS, Found
+from tmm_report.chapters.eccentric.values import GAP, values
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.model import Table, Value, plain, plain_value
+from tmm_report.quantity.model import Book, Column, Quantity, Table, text_column
+from tmm_report.quantity.symbols import Symbol, math_symbol
+from tmm_report.quantity.wheel_words import dimension, of_wheel
+
+__all__ = ["GAP", "book", "tables", "values"]
+
+Array = Any
+
+NUMBER_OF_WHEEL = Message(N_("number of the wheel"))
+CONCERNED = Message(N_("wheels concerned"))
+TEETH = Quantity("z", Symbol("z"), "", Message(N_("number of teeth")))
 
 
-def tables(found: Found, prefix: str) -> Iterator[Table]:
-    yield _family(found, f"{prefix}_family")
-    yield _satellites(found, f"{prefix}_satellites")
-    yield _conditions(found, f"{prefix}_conditions")
-    yield _proof(found, f"{prefix}_teeth")
+def book(found: Found, prefix: str) -> Book:
+    """All that is said in numbers of the mechanism."""
+    return Book.of(tables(found, prefix), values(found, prefix))
+
+
+def tables(found: Found, prefix: str = "eccentric") -> Iterator[Table]:
+    parts = {
+        "family": (N_("Sets of teeth of the family"), _family),
+        "satellites": (N_("Positions of the satellites"), _satellites),
+        "conditions": (N_("Conditions of the mechanism"), _conditions),
+        "teeth": (N_("Overlap and clearance of the teeth over a full pitch"), _proof),
+        "wheels": (N_("Dimensions of the wheels"), _wheels),
+        "neighbours": (N_("Satellites that stand side by side"), _neighbours),
+    }
     if found.given.speed is not None:
-        yield _speeds(found, f"{prefix}_speeds")
+        parts["speeds"] = (N_("Angular velocities of the members"), _speeds)
+    for key, (meaning, columns) in parts.items():
+        yield Table(f"{prefix}_{key}", Message(meaning), tuple(columns(found)))
 
 
-def _family(found: Found, name: str) -> Table:
-    judged = found.judged
-    z = judged.family.satellites
-    text = N_("number of teeth of wheel %(wheel)s")
-    columns = [
-        plain("t", "", Message(N_("number of the set")), judged.family.t),
-        plain("z1", "", Message(text, {"wheel": SUN}), judged.family.sun),
-        plain("z2", "", Message(text, {"wheel": "2"}), z[:, 0]),
-        plain("z3", "", Message(text, {"wheel": RING}), judged.family.ring),
-        plain("z4", "", Message(text, {"wheel": "4"}), z[:, 1]),
-        plain("z5", "", Message(text, {"wheel": "5"}), z[:, 2]),
-        plain(
-            "residue_4",
-            "",
-            Message(N_("residue of assembly of the middle satellite, pitches")),
-            judged.residue[:, 1],
-        ),
-    ]
-    gap = N_("free distance between the tip circles of satellites %(pair)s")
-    for key, pair, values in (
-        ("gap_2_4", "2–4", judged.gap[:, 0, 1]),
-        ("gap_4_5", "4–5", judged.gap[:, 1, 2]),
-    ):
-        columns.append(plain(key, "m", Message(gap, {"pair": pair}), values))
+# --- the family
+
+
+def _family(found: Found) -> Iterator[Column]:
+    judged, family = found.judged, found.judged.family
+    z = family.satellites
+    yield Quantity("t", Symbol("t"), "", Message(N_("number of the set"))).column(family.t)
+    teeth = ((SUN, family.sun), ("2", z[:, 0]), (RING, family.ring), ("4", z[:, 1]), ("5", z[:, 2]))
+    for wheel, numbers in teeth:
+        text = Message(N_("number of teeth of wheel %(wheel)s"), {"wheel": wheel})
+        yield Quantity(f"z{wheel}", Symbol("z", wheel), "", text).column(numbers)
+    residue = Message(N_("residue of assembly of the middle satellite, pitches"))
+    yield Quantity("residue_4", math_symbol("epsilon_4"), "", residue).column(judged.residue[:, 1])
+    gaps = {("2", "4"): judged.gap[:, 0, 1], ("4", "5"): judged.gap[:, 1, 2]}
+    for (one, other), free in gaps.items():
+        gap = N_("free distance between the tip circles of satellites %(pair)s")
+        meaning = Message(gap, {"pair": f"{one}–{other}"})
+        symbol = Symbol(GAP, f"{one},{other}")
+        yield Quantity(f"gap_{one}_{other}", symbol, "m", meaning).column(free)
+    closed = N_("free distance between the tip circles of satellites 2–4 in closed form")
+    yield Quantity("closed_2_4", Symbol(GAP, "2,4"), "m", Message(closed)).column(judged.closed)
     held = [", ".join(w for w, fits in zip(WHEELS.values(), row, strict=True) if fits) for row in judged.fit]
-    columns.append(plain("satellites", "", Message(N_("satellites that go together")), held))
-    return Table(name, Message(N_("Sets of teeth of the family")), tuple(columns))
+    yield text_column("satellites", Message(N_("satellites that go together")), held)
 
 
-def _satellites(found: Found, name: str) -> Table:
+# --- the satellites of the chosen set
+
+
+def _satellites(found: Found) -> Iterator[Column]:
     all_ = found.satellites
-    centres = np.array([s.centre for s in all_])
-    columns = (
-        plain("wheel", "", Message(N_("number of the wheel")), [s.wheel for s in all_]),
-        plain("z", "", Message(N_("number of teeth")), [s.teeth for s in all_]),
-        plain("phi1", "deg", Message(N_("angle at the axis of the sun")), np.degrees([s.phi1 for s in all_])),
-        plain(
-            "phi3", "deg", Message(N_("angle at the axis of the ring")), np.degrees([s.phi3 for s in all_])
-        ),
-        plain("x", "m", Message(N_("x of the centre, from the axis of the sun")), centres.real),
-        plain("y", "m", Message(N_("y of the centre, from the axis of the sun")), centres.imag),
-        plain("L", "", Message(N_("pitches in the closed line of assembly")), [s.belt for s in all_]),
-        plain("residue", "", Message(N_("residue of assembly, pitches")), [s.residue for s in all_]),
-    )
-    return Table(name, Message(N_("Positions of the satellites")), columns)
+    names, centres = [s.wheel for s in all_], np.array([s.centre for s in all_])
+    yield text_column("wheel", NUMBER_OF_WHEEL, names)
+    yield Column(TEETH, [s.teeth for s in all_], [Symbol("z", name) for name in names])
+    for about, where, angles in (
+        ("1", N_("angle at the axis of the sun"), [s.phi1 for s in all_]),
+        ("3", N_("angle at the axis of the ring"), [s.phi3 for s in all_]),
+    ):
+        angle = Quantity(f"phi{about}", Symbol("phi", about), "deg", Message(where))
+        yield Column(angle, np.degrees(angles), [Symbol("phi", f"{about},{name}") for name in names])
+    text = Message(N_("x of the centre, from the axis of the sun"))
+    yield Quantity("x", Symbol("x"), "m", text).column(centres.real)
+    text = Message(N_("y of the centre, from the axis of the sun"))
+    yield Quantity("y", Symbol("y"), "m", text).column(centres.imag)
+    pitches = Quantity("L", Symbol("L"), "", Message(N_("pitches in the closed line of assembly")))
+    yield Column(pitches, [s.belt for s in all_], [Symbol("L", name) for name in names])
+    residue = Message(N_("residue of assembly, pitches"))
+    yield Quantity("residue", Symbol("epsilon"), "", residue).column([s.residue for s in all_])
+    arm = Quantity("l", Symbol("l"), "m", Message(N_("distance of the centre from the axis of the sun")))
+    yield Column(arm, [s.arm for s in all_], [Symbol("l", name) for name in names])
+    text = Message(N_("radius of curvature of the flank where the tip of the ring of full height touches it"))
+    curvature = Quantity("rho", Symbol("rho"), "m", text)
+    yield Column(curvature, [s.curvature for s in all_], [Symbol("rho", name) for name in names])
 
 
-def _conditions(found: Found, name: str) -> Table:
+def _neighbours(found: Found) -> Iterator[Column]:
+    """Each pair once, without its mirror image."""
+    pairs = found.near
+    index = [f"{pair.one.wheel},{pair.other.wheel}" for pair in pairs]
+    yield text_column("wheels", CONCERNED, [pair.wheels for pair in pairs])
+    distance = Quantity("l", Symbol("l"), "m", Message(N_("distance of the axes")))
+    yield Column(distance, [pair.distance for pair in pairs], [Symbol("l", name) for name in index])
+    gap = Quantity("gap", Symbol(GAP), "m", Message(N_("free distance between the tip circles")))
+    yield Column(gap, [pair.gap for pair in pairs], [Symbol(GAP, name) for name in index])
+
+
+# --- dimensions, conditions, proof, speeds
+
+
+def _wheels(found: Found) -> Iterator[Column]:
+    """The sun, the satellites that mirror no other, the ring."""
+    m, rack = found.given.module, found.given.rack
+    named = [(SUN, found.sun, 1), *((s.wheel, s.teeth, 1) for s in found.upper), (RING, found.ring, -1)]
+    names, z, out = [name for name, *_ in named], *(np.array(of) for of in list(zip(*named, strict=True))[1:])
+    tips = m * (z + 2 * out * rack.ha)
+    tips[-1] += 2 * found.cut
+    yield text_column("wheel", NUMBER_OF_WHEEL, names)
+    yield Column(TEETH, [int(n) for n in z], [Symbol("z", name) for name in names])
+    diameters = {
+        "d": m * z, "d_b": m * z * math.cos(rack.alpha), "d_a": tips,
+        "d_f": m * (z - 2 * out * (rack.ha + rack.c)),
+    }  # fmt: skip
+    for key, numbers in diameters.items():
+        of = dimension(key)
+        assert of.symbol is not None
+        yield Column(of, numbers, [of_wheel(of.symbol, name) for name in names])
+
+
+def _conditions(found: Found) -> Iterator[Column]:
     """Lengths in m; the rest are pure numbers."""
     rows = found.conditions
-    columns = (
-        plain("condition", "", Message(N_("condition")), [c.key for c in rows]),
-        plain("wheels", "", Message(N_("wheels concerned")), [c.wheel for c in rows]),
-        plain("value", "", Message(N_("value, SI")), [float(c.value) for c in rows]),
-        plain("limit", "", Message(N_("limit, SI")), [float(c.limit) for c in rows]),
-        plain(
-            "in_hand",
-            "",
-            Message(N_("in hand, SI; negative where the condition fails")),
-            [float(c.margin) for c in rows],
-        ),
-    )
-    return Table(name, Message(N_("Conditions of the mechanism")), columns)
+    units = ["m" if c.unit == "mm" else c.unit for c in rows]
+    yield text_column("condition", Message(N_("condition")), [c.key for c in rows])
+    yield text_column("wheels", CONCERNED, [c.wheel for c in rows])
+    yield text_column("unit", Message(N_("unit of the numbers in the row")), units)
+    for key, text, numbers in (
+        ("value", N_("value, SI"), [c.value for c in rows]),
+        ("limit", N_("limit, SI"), [c.limit for c in rows]),
+        ("in_hand", N_("in hand, SI; negative where the condition fails"), [c.margin for c in rows]),
+    ):
+        quantity = Quantity(key, None, "", Message(text))
+        yield Column(quantity, [float(x) for x in numbers], units=units)
 
 
-def _proof(found: Found, name: str) -> Table:
+def _proof(found: Found) -> Iterator[Column]:
     proof = found.proof
-    columns = (
-        plain(
-            "wheels", "", Message(N_("wheels concerned")), [f"{one}–{other}" for one, other in proof.meshes]
-        ),
-        plain(
-            "overlap",
-            "m²",
-            Message(N_("largest overlap of the teeth over a pitch")),
-            proof.overlap.max(axis=1),
-        ),
-        plain(
-            "clearance",
-            "m",
-            Message(N_("least clearance of the teeth over a pitch")),
-            proof.clearance.min(axis=1),
-        ),
-    )
-    return Table(name, Message(N_("Overlap and clearance of the teeth over a full pitch")), columns)
+    yield text_column("wheels", CONCERNED, [f"{one}–{other}" for one, other in proof.meshes])
+    overlap = Message(N_("largest overlap of the teeth over a pitch"))
+    yield Quantity("overlap", None, "m²", overlap).column(proof.overlap.max(axis=1))
+    clearance = Message(N_("least clearance of the teeth over a pitch"))
+    yield Quantity("clearance", None, "m", clearance).column(proof.clearance.min(axis=1))
 
 
-def _speeds(found: Found, name: str) -> Table:
-    cases = [(CARRIER, SUN), (RING, SUN), (SUN, RING)]
-    speeds = [found.speeds(stopped, driven) for stopped, driven in cases]
-    text = N_("angular velocity of member %(name)s")
-    columns = [plain("stopped", "", Message(N_("member stopped")), [stopped for stopped, _ in cases])]
-    columns += [
-        plain(f"omega_{key}", "rad/s", Message(text, {"name": key}), [case[key] for case in speeds])
-        for key in speeds[0]
-    ]
-    return Table(name, Message(N_("Angular velocities of the members")), tuple(columns))
-
-
-def values(found: Found, prefix: str) -> Iterator[Value]:
-    judged, row = found.judged, found.row
-    text = N_("free distance between the tip circles of satellites %(pair)s")
-    yield plain_value(
-        f"{prefix}_u", found.ratio, "", Message(N_("ratio of sun and ring with the axes stopped"))
-    )
-    yield plain_value(f"{prefix}_e", found.e, "m", Message(N_("eccentricity")))
-    yield plain_value(f"{prefix}_t", found.t, "", Message(N_("number of the set")))
-    yield plain_value(
-        f"{prefix}_z1", found.sun, "", Message(N_("number of teeth of wheel %(wheel)s"), {"wheel": SUN})
-    )
-    yield plain_value(
-        f"{prefix}_z3", found.ring, "", Message(N_("number of teeth of wheel %(wheel)s"), {"wheel": RING})
-    )
-    yield plain_value(f"{prefix}_satellites", len(found.satellites), "", Message(N_("number of satellites")))
-    yield plain_value(f"{prefix}_gap_2_4", float(judged.closed[row]), "m", Message(text, {"pair": "2–4"}))
-    overlap, clearance = float(found.proof.overlap.max()), float(found.proof.clearance.min())
-    yield plain_value(
-        f"{prefix}_overlap", overlap, "m²", Message(N_("largest overlap of the teeth over a pitch"))
-    )
-    yield plain_value(
-        f"{prefix}_clearance", clearance, "m", Message(N_("least clearance of the teeth over a pitch"))
-    )
+def _speeds(found: Found) -> Iterator[Column]:
+    motions = found.motions
+    yield text_column("stopped", Message(N_("member stopped")), [motion.stopped for motion in motions])
+    for name in motions[0].speed:
+        text = Message(N_("angular velocity of member %(name)s"), {"name": name})
+        speed = Quantity(f"omega_{name}", Symbol("omega", name), "rad/s", text)
+        yield speed.column([motion.speed[name] for motion in motions])

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from tmm_report.chapters.force_plans.drafting import ForceDrawn, draw
-from tmm_report.chapters.given import Drawing
 from tmm_report.chapters.kinetostatics.solve import Kinetostatics
+from tmm_report.chapters.plans.given import Drawing
 from tmm_report.chapters.plans.solve import Plans
 from tmm_report.quantity.paper import Pen
 

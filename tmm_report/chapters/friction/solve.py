@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.given import Friction, Rubbing
+from tmm_report.chapters.friction.given import Friction, Rubbing
 from tmm_report.chapters.kinetostatics.solve import Kinetostatics, Solved
 from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.planar import dot
@@ -54,6 +54,8 @@ class FrictionFound:
     """Found by `solve`: losses at the table positions 0..N and the diagram positions. `given`: by pair name."""
 
     given: Friction
+    turned: Array  # angles of the table positions, rad
+    diagram_turned: Array
     table: Losses
     diagram: Losses
 
@@ -70,7 +72,8 @@ class FrictionFound:
 
 
 def solve(given: Friction, kinetostatics: Kinetostatics) -> FrictionFound:
-    return FrictionFound(given, _losses(given, kinetostatics.table), _losses(given, kinetostatics.diagram))
+    table, diagram = kinetostatics.table, kinetostatics.diagram
+    return FrictionFound(given, table.turned, diagram.turned, _losses(given, table), _losses(given, diagram))
 
 
 def rubbing_of(given: Friction, pair: Pair) -> Rubbing | None:

@@ -5,13 +5,13 @@ Angles here are those of turn from position 0, rad, over one cycle.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
-from tmm_report.mechanics.cycle import Cycle, Extreme, Rate
+from tmm_report.mechanics.cycle import Cycle, Extreme, Quantity, Slope
 from tmm_report.mechanics.dyads import Dyad
 from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.planar import cross, unit
@@ -65,6 +65,17 @@ class Closest:
     corners: tuple[float, ...]
 
 
+class Moving(Protocol):
+    """An output as a function of the motion: its velocity, and a speed beside which that is more than rounding."""
+
+    @property
+    def name(self) -> str: ...
+
+    def velocity(self, motion: Motion) -> Array: ...
+
+    def size(self, motion: Motion) -> Array: ...
+
+
 @dataclass(frozen=True)
 class Dead:
     """Where an output link stands still: a dead point, were it to drive. `in_line`: links in one line there, if so."""
@@ -92,26 +103,37 @@ def gaps(cycle: Cycle) -> tuple[Gap, ...]:
 
 def closest(cycle: Cycle) -> tuple[Closest, ...]:
     """Of every group the position nearest to a singular one, exactly, and its singular positions."""
-    found = []
-    for critical in cycle.critical:
-        group, label = critical.group, critical.group.group.label
-
-        def sine(motion: Any, label: str = label) -> Array:
-            return motion.sines[label]
-
-        at = cycle.extremes(sine, cycle.slope(sine), noise=1e-9)[0]
-        zeros = [_turned(cycle, part) for part in (critical.changes, critical.limits, critical.parallel)]
-        if any(zeros):
-            at = Extreme(0.0, min(x for part in zeros for x in part))
-        corner = group.corner if isinstance(group, Dyad) else None
-        zeros.append(() if corner is None else _turned(cycle, (corner,)))
-        found.append(Closest(label, group.links, isinstance(group, Dyad), at, *zeros))
-    return tuple(found)
+    if not cycle.critical:
+        return ()
+    sines = [_sine_of(critical.group.group.label) for critical in cycle.critical]
+    extremes = cycle.extremes_of(sines, cycle.roots_of([Slope(sine) for sine in sines]))
+    return tuple(_closest(cycle, c, least) for c, (least, _) in zip(cycle.critical, extremes, strict=True))
 
 
-def dead(cycle: Cycle, name: str, velocity: Rate, size: Rate) -> Dead:
-    """Dead points of an output with this velocity, exactly; none of one that stands still beside `size` all round."""
-    turned = cycle.swings(velocity, size)
+def _sine_of(label: str) -> Quantity:
+    """The sine of a group's transmission angle, as a function of the motion."""
+    return lambda motion: motion.sines[label]
+
+
+def _closest(cycle: Cycle, critical: Critical, at: Extreme) -> Closest:
+    group = critical.group
+    zeros = [_turned(cycle, part) for part in (critical.changes, critical.limits, critical.parallel)]
+    if any(zeros):
+        at = Extreme(0.0, min(x for part in zeros for x in part))
+    corner = group.corner if isinstance(group, Dyad) else None
+    zeros.append(() if corner is None else _turned(cycle, (corner,)))
+    return Closest(group.group.label, group.links, isinstance(group, Dyad), at, *zeros)
+
+
+def dead(cycle: Cycle, outputs: Sequence[Moving]) -> tuple[Dead, ...]:
+    """Dead points of outputs, exactly; none of one that stands still beside its `size` all round."""
+    moving = [output for output in outputs if cycle.moves(output.velocity, output.size)]
+    found = dict(zip((o.name for o in moving), cycle.roots_of([o.velocity for o in moving]), strict=True))
+    still = [found.get(output.name, np.array([])) for output in outputs]
+    return tuple(_dead(cycle, output.name, turned) for output, turned in zip(outputs, still, strict=True))
+
+
+def _dead(cycle: Cycle, name: str, turned: Array) -> Dead:
     motion = cycle.motion(turned)
     lines = [_in_line(motion, k) for k in range(len(turned))]
     return Dead(name, tuple(turned.tolist()), tuple(lines))

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
 
 import numpy as np
 
-from tmm_report.chapters.given import Positions
+from tmm_report.chapters.kinematics.given import Positions
 from tmm_report.chapters.kinematics.limits import Closest, Dead, Gap, closest, dead, gaps
 from tmm_report.chapters.structure.solve import Structure
-from tmm_report.mechanics.cycle import Cycle, Extreme, cycle_of, least_and_greatest
+from tmm_report.mechanics.cycle import Cycle, Extreme, Slope, cycle_of, least_and_greatest
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.motion import SINGULAR, Linkage, Motion
 from tmm_report.mechanics.planar import dot
@@ -21,6 +21,7 @@ from tmm_report.mechanics.singular import settle
 from tmm_report.problems import N_, Message, ProblemError, mistake
 
 Array = Any
+Extremes = tuple[Extreme, Extreme]
 
 
 def digits_left(sine: Array) -> Array:
@@ -42,21 +43,22 @@ class Output:
 
     def rates(self, motion: Motion) -> tuple[Array, Array, Array]:
         """Coordinate, velocity and acceleration, (..., P): m or rad. A rocker's angle is within ±π."""
+        return self.coordinate(motion), self.velocity(motion), self.acceleration(motion)
+
+    def coordinate(self, motion: Motion) -> Array:
         if self.kind == "rocker":
-            sign = np.real(self.direction)
-            return (
-                np.angle(motion.turn(self.name)),
-                motion.angular_velocity(self.name) * sign,
-                (motion.angular_acceleration(self.name) * sign),
-            )
-        of = (motion.place, motion.velocity, motion.acceleration)
-        return tuple(dot(rate(self.name), self.direction) for rate in of)  # type: ignore[return-value]
+            return np.angle(motion.turn(self.name))
+        return dot(motion.place(self.name), self.direction)
 
     def velocity(self, motion: Motion) -> Array:
-        return self.rates(motion)[1]
+        if self.kind == "rocker":
+            return motion.angular_velocity(self.name) * np.real(self.direction)
+        return dot(motion.velocity(self.name), self.direction)
 
     def acceleration(self, motion: Motion) -> Array:
-        return self.rates(motion)[2]
+        if self.kind == "rocker":
+            return motion.angular_acceleration(self.name) * np.real(self.direction)
+        return dot(motion.acceleration(self.name), self.direction)
 
     def size(self, motion: Motion) -> Array:
         """A speed of the mechanism beside which the output's is more than rounding: m/s or rad/s."""
@@ -81,8 +83,8 @@ class Travel:
     stroke: float
     near: Extreme  # least displacement
     far: Extreme  # greatest displacement
-    V_extremes: tuple[Extreme, Extreme]
-    a_extremes: tuple[Extreme, Extreme]
+    V_extremes: Extremes
+    a_extremes: Extremes
     time_ratio: float | None
 
 
@@ -130,8 +132,7 @@ class Kinematics:
     @cached_property
     def dead(self) -> tuple[Dead, ...]:
         """Dead points of every output, were it to drive."""
-        outputs = (travel.output for travel in self.travels)
-        return tuple(dead(self.cycle, output.name, output.velocity, output.size) for output in outputs)
+        return dead(self.cycle, [travel.output for travel in self.travels])
 
     @property
     def omega(self) -> float:
@@ -151,7 +152,7 @@ def solve(positions: Positions, structure: Structure) -> Kinematics:
     undefined = settle(table)
     settle(diagram)
     flat = np.logical_or.reduce([undefined, *(sine <= SINGULAR for sine in table.sines.values())])
-    travels = tuple(_travel(cycle, output, table, diagram) for output in outputs(cycle.linkage))
+    travels = _travels(cycle, table, diagram)
     return Kinematics(
         cycle.linkage, cycle, positions, turned, table, diagram_turned, diagram, travels,
         _numbers(flat & table.closes), _numbers(undefined & table.closes), _numbers(~table.closes),
@@ -199,28 +200,44 @@ def _traced_point(linkage: Linkage, link: str) -> str | None:
     return next(iter([*joints, *points]), None)
 
 
-def _travel(cycle: Cycle, output: Output, table: Motion, diagram: Motion) -> Travel:
-    output = _pointed(output, diagram)
-    start = _first(output.rates(table)[0])
+def _travels(cycle: Cycle, table: Motion, diagram: Motion) -> tuple[Travel, ...]:
+    """The motion of every output, their extremes found all together."""
+    found = [_pointed(output, diagram) for output in outputs(cycle.linkage)]
+    if not found:
+        return ()
+    values = [value for o in found for value in (o.coordinate, o.velocity, o.acceleration)]
+    still = cycle.roots_of(
+        [rate for o in found for rate in (o.velocity, o.acceleration, Slope(o.acceleration))]
+    )
+    extremes = cycle.extremes_of(values, still)
+    return tuple(
+        _travel(cycle, output, table, diagram, still[3 * k], extremes[3 * k : 3 * k + 3])
+        for k, output in enumerate(found)
+    )
+
+
+def _travel(
+    cycle: Cycle, output: Output, table: Motion, diagram: Motion, stops: Array, extremes: Sequence[Extremes]
+) -> Travel:
+    """`stops`: angles turned at which the output stands still; `extremes` of coordinate, velocity, acceleration."""
     S, V, a = output.rates(table)
     dS, dV, da = output.rates(diagram)
+    start = _first(S)
     if output.kind == "rocker":  # the angle from position 0, without jumps of a turn
         reference = np.angle(np.exp(1j * start))
         S, dS = (_unwrapped(m.turn(output.name), reference) * output.direction.real for m in (table, diagram))
-        near, far = _rocker_extremes(cycle, output, reference)
+        near, far = _rocker_extremes(cycle, output, reference, stops)
     else:
         S, dS = S - start, dS - start
-        near, far = cycle.extremes(lambda m: output.rates(m)[0] - start, output.velocity)
+        near, far = (Extreme(float(x.value - start), x.turned) for x in extremes[0])
     # of one stroke there and one back, over a whole turn, only
-    strokes = cycle.closed and bool(np.all(table.closes)) and len(cycle.roots(output.velocity)) == 2
+    strokes = cycle.closed and bool(np.all(table.closes)) and len(stops) == 2
     back = (far.turned - near.turned) % cycle.sweep if strokes else None
     ratio = max(back, cycle.sweep - back) / min(back, cycle.sweep - back) if back else None
     return Travel(
         output=output, S=S, V=V, a=a, diagram_S=dS, diagram_V=dV, diagram_a=da,
         stroke=far.value - near.value, near=near, far=far,
-        V_extremes=cycle.extremes(output.velocity, output.acceleration),
-        a_extremes=cycle.extremes(output.acceleration, cycle.slope(output.acceleration), noise=1e-9),
-        time_ratio=ratio,
+        V_extremes=extremes[1], a_extremes=extremes[2], time_ratio=ratio,
     )  # fmt: skip
 
 
@@ -248,10 +265,9 @@ def _unwrapped(u: Array, reference: float) -> Array:
     return angle - _first(angle)
 
 
-def _rocker_extremes(cycle: Cycle, output: Output, reference: float) -> tuple[Extreme, Extreme]:
+def _rocker_extremes(cycle: Cycle, output: Output, reference: float, stops: Array) -> Extremes:
     """Extremes of a rocker's angle from position 0, rad, exact; of a full turn, its ends."""
-    roots = cycle.roots(output.velocity)
     fine = np.linspace(0, cycle.sweep, 361)
-    where = np.sort(np.concatenate([fine, roots]))
+    where = np.sort(np.concatenate([fine, stops]))
     angle = _unwrapped(cycle.motion(where).turn(output.name), reference)
     return least_and_greatest(angle, where)

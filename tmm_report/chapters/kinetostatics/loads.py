@@ -41,7 +41,8 @@ class ByDisplacement:
     back: tuple[tuple[float, float], ...]
 
 
-Law = Constant | ByPosition | ByAngle | ByDisplacement
+TurnLaw = Constant | ByPosition | ByAngle
+Law = TurnLaw | ByDisplacement  # an indicator diagram is of a point
 
 
 @dataclass(frozen=True)
@@ -61,4 +62,13 @@ class Moment:
     name: str
     on: str
     direction: int | Motion
-    law: Law
+    law: TurnLaw
+
+
+@dataclass(frozen=True)
+class Loads:
+    """Loads of the kinetostatics chapter. `gravity`: complex, m/s²; inertia comes from the links' masses."""
+
+    gravity: complex = -9.81j
+    forces: tuple[Force, ...] = ()
+    moments: tuple[Moment, ...] = ()

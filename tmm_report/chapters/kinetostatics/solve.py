@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, assert_never
 
 import numpy as np
 
-from tmm_report.chapters.given import Loads
 from tmm_report.chapters.kinematics.solve import Kinematics
 from tmm_report.chapters.kinetostatics.loads import (
     ByAngle,
@@ -18,6 +17,7 @@ from tmm_report.chapters.kinetostatics.loads import (
     Constant,
     Force,
     Law,
+    Loads,
     Moment,
 )
 from tmm_report.mechanics import statics
@@ -52,13 +52,15 @@ class Loading:
 
 @dataclass(frozen=True, eq=False)
 class Solved:
-    """Forces at one set of positions. `lever`: balancing moment by Zhukovsky's lever; `power`: by power balance;
-    `scale`: sum of the magnitudes of their terms, N m, by which disagreements are judged."""
+    """Forces at one set of positions. `powers`: of the loads, (rows, P), W (see `lever_terms`); `lever`: balancing
+    moment by Zhukovsky's lever; `power`: by power balance; `scale`: sum of the magnitudes of their terms, N m, by which
+    disagreements are judged."""
 
     motion: Motion
     turned: Array
     loading: Loading
     statics: Statics
+    powers: Array
     lever: Array
     power: Array
     scale: Array
@@ -128,7 +130,7 @@ class _Solver:
         # where all terms are next to nothing, rounding errors are judged by the rest of the cycle and by the energy
         # of the links, J = N m for a radian
         scale = np.maximum(scale, max(1e-3 * np.nanmax(scale), np.nanmax(kinetic_energy(motion))))
-        return Solved(motion, turned, load, replace(found, balancing=balancing), lever, power, scale)
+        return Solved(motion, turned, load, replace(found, balancing=balancing), terms, lever, power, scale)
 
 
 def loading(given: Loads, kinematics: Kinematics, motion: Motion, turned: Array) -> Loading:
@@ -173,15 +175,20 @@ def _moment(moment: Moment, kinematics: Kinematics, motion: Motion, turned: Arra
 def magnitude(law: Law, kinematics: Kinematics, motion: Motion, turned: Array, at: str | None) -> Array:
     """A law's magnitude at angles `turned`, (..., P)."""
     cycle = kinematics.cycle
-    if isinstance(law, Constant):
-        return np.full(motion.shape, law.value)
-    if isinstance(law, ByPosition):
-        angles = np.arange(len(law.values)) * (cycle.sweep / kinematics.positions.table)
-        return _interpolate(cycle, turned, angles, np.array(law.values))
-    if isinstance(law, ByAngle):
-        return _interpolate(cycle, turned, np.array(law.angles), np.array(law.values))
-    assert isinstance(law, ByDisplacement) and at is not None
-    return _indicated(law, cycle, motion, at)
+    match law:
+        case Constant(value):
+            return np.full(motion.shape, value)
+        case ByPosition(values):
+            angles = np.arange(len(values)) * (cycle.sweep / kinematics.positions.table)
+            return _interpolate(cycle, turned, angles, np.array(values))
+        case ByAngle(angles, values):
+            return _interpolate(cycle, turned, np.array(angles), np.array(values))
+        case ByDisplacement():
+            if at is None:
+                raise TypeError("a moment has no displacement: its law is by angle or by position")
+            return _indicated(law, cycle, motion, at)
+        case _:
+            assert_never(law)
 
 
 def _interpolate(cycle: Cycle, turned: Array, angles: Array, values: Array) -> Array:

@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.spur.rack_mistakes import of_rack
 from tmm_report.mechanics import planetary as p
 from tmm_report.mechanics.planetary_search import (
     LARGEST_SHIFTED,
@@ -25,6 +24,7 @@ from tmm_report.mechanics.planetary_search import (
     ratio_holds,
     search,
 )
+from tmm_report.mechanics.rack_mistakes import of_rack
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 
 Array = Any

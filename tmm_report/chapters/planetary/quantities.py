@@ -1,134 +1,296 @@
-"""Tables and values of a planetary stage, and the list of all combinations of teeth with the reasons of rejection."""
+"""Every number of a planetary stage with its symbol, unit and meaning."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from typing import Any
+from collections.abc import Iterator, Sequence
+from typing import Any, assert_never
 
 import numpy as np
 
-from tmm_report.chapters.planetary.limits import REASONS
-from tmm_report.chapters.planetary.solve import Found, Given, all_candidates
-from tmm_report.chapters.spur.wheel_words import DIAMETERS
+from tmm_report.chapters.planetary import listing
+from tmm_report.chapters.planetary.conditions import Condition
+from tmm_report.chapters.planetary.solve import Found, Given
 from tmm_report.mechanics import planetary as p
-from tmm_report.mechanics.planetary_search import Candidates, Reason, Task, multiples, ranked
+from tmm_report.mechanics.wheels import least_teeth
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.model import Column, Table, Value, plain, plain_value
+from tmm_report.quantity.gear_terms import HA
+from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, text_column
+from tmm_report.quantity.symbols import Symbol, both, math_symbol
+from tmm_report.quantity.wheel_words import DIAMETERS, dimension, of_wheel
 
 Array = Any
+# key, symbol (None of what is never written as one), unit, meaning, number
+Row = tuple[str, Symbol | None, str, Message, float]
 
 WHEELS = N_("dimensions of the wheels of stage %(name)s")
+MESHES = N_("meshes of stage %(name)s")
+CONDITIONS = N_("conditions of stage %(name)s")
 MOTIONS = N_("motions of stage %(name)s with each member held")
-SOLUTIONS = N_("teeth of stage %(name)s that satisfy every condition, best first")
-CANDIDATES = Message(N_("combinations of teeth: the solutions, best first, then those rejected"))
+
+TEETH = Quantity("z", Symbol("z"), "", Message(N_("number of teeth")))
+SHIFT = Quantity("x", Symbol("x"), "", Message(N_("shift coefficient")))
+FULL_TIP = Quantity("d_a_full", Symbol("d", "a"), "m", Message(N_("tip diameter of teeth of full height")))
+CROWN = Quantity("d_w", Symbol("d", "w"), "m", Message(N_("working diameter of the satellite in the mesh")))
+START = Quantity(
+    "rho_l",
+    Symbol("rho", "l"),
+    "m",
+    Message(N_("radius of curvature of the satellite where its involute begins")),
+)
+CUT = Quantity(
+    "d_a_cut",
+    Symbol("d", "a", "′"),
+    "m",
+    Message(N_("tip diameter of the ring cut down clear of the satellite's fillets")),
+)
+
+
+def book(found: Found, prefix: str) -> Book:
+    """All that is said in numbers of the stage."""
+    return Book.of(tables(found, prefix), values(found, prefix))
 
 
 def values(found: Found, prefix: str) -> Iterator[Value]:
     """The single numbers of the stage."""
-    numbers = (
-        ("u", found.ratio, "", N_("ratio of the stage, the second input at rest")),
-        ("u_basic", found.basic, "", N_("ratio with the carrier stopped, wheel 1 to wheel 3")),
-        ("delta_u", 100 * found.deviation, "%", N_("deviation of the ratio")),
-        ("k", float(found.satellites), "", N_("number of satellites")),
-        ("a_w", float(found.sizes.centre_distance), "m", N_("centre distance")),
-        ("gap", found.gap, "m", N_("gap between the tip circles of neighbouring satellites")),
-        ("assembly", float(found.assembly_number), "", N_("whole number of the assembly condition")),
-        ("eta", found.efficiency, "", N_("efficiency of the stage")),
-        ("solutions", float(len(found.ranking)), "", N_("how many solutions there are")),
-    )
-    for key, number, unit, meaning in numbers:
-        yield plain_value(f"{prefix}_{key}", number, unit, Message(meaning))
+    for rows in (_given(found.given), _ratio(found), _satellites(found), _assembly(found), _whole(found)):
+        for key, symbol, unit, meaning, number in rows:
+            yield Quantity(f"{prefix}_{key}", symbol, unit, meaning).value(float(number))
 
 
 def tables(found: Found, prefix: str) -> Iterator[Table]:
-    """Sizes, motions with each member held, the solutions."""
+    """Sizes, motions with each member held, the solutions; meshes, conditions, combinations that fail."""
     name = {"name": found.name}
     yield Table(f"{prefix}_wheels", Message(WHEELS, name), tuple(_wheels(found)))
     yield Table(f"{prefix}_motions", Message(MOTIONS, name), tuple(_motions(found)))
-    columns = _combinations(found.given.task, found.candidates, found.ranking)
-    yield Table(f"{prefix}_solutions", Message(SOLUTIONS, name), tuple(columns))
+    yield from listing.tables(found, prefix)
+    yield Table(f"{prefix}_rows", Message(MESHES, name), tuple(_rows(found)))
+    yield Table(f"{prefix}_conditions", Message(CONDITIONS, name), tuple(_conditions(found)))
+
+
+def ratio_symbol(given: Given, input: p.Member, output: p.Member) -> Symbol:
+    """u_1H^(3): of the input to the output with the third member held."""
+    return Symbol("u", *_between(given, input, output))
+
+
+def _between(given: Given, input: p.Member, output: p.Member) -> tuple[str, str]:
+    """Lower and upper index of what is said of a motion: 1H, (3)."""
+    (held,) = set(p.MEMBERS) - {input, output}
+    return both(given.member(input), given.member(output)), f"({given.member(held)})"
+
+
+# --- single numbers
+
+
+def _given(given: Given) -> Iterator[Row]:
+    task, carrier = given.task, given.names[-1]
+    wanted = N_("wanted ratio of the angular velocities of the input and the output")
+    yield "u_wanted", Symbol("u"), "", Message(wanted), task.ratio
+    allowed = Message(N_("allowed deviation of the ratio"))
+    yield "tolerance", Symbol("Delta", "u"), "%", allowed, 100 * task.tolerance
+    module = Message(N_("module"))
+    if one_module(given):
+        yield "m", Symbol("m"), "m", module, task.modules[0]
+    else:
+        for name, metres in zip(("I", "II"), task.modules, strict=True):
+            yield f"m_{name}", Symbol("m", name), "m", module, metres
+    yield "k_least", None, "", Message(N_("least number of satellites examined")), task.satellites[0]
+    yield "k_most", None, "", Message(N_("largest number of satellites examined")), task.satellites[-1]
+    stopped = Message(N_("efficiency of the stage with carrier %(carrier)s stopped"), {"carrier": carrier})
+    yield "eta_stopped", Symbol("eta", carrier), "", stopped, given.efficiency
+    height = Message(N_("coefficient of the height of the head"))
+    yield "ha", HA, "", height, task.rack.ha
+    angle = Message(N_("profile angle of the basic rack"))
+    yield "alpha", Symbol("alpha"), "deg", angle, np.degrees(task.rack.alpha)
+    for key, text, number in (
+        ("external_least", N_("least number of external teeth examined"), task.external[0]),
+        ("external_most", N_("largest number of external teeth examined"), task.external[1]),
+        ("rings_least", N_("least number of teeth of rings examined"), task.rings[0]),
+        ("rings_most", N_("largest number of teeth of rings examined"), task.rings[1]),
+    ):
+        yield key, None, "", Message(text), number
+
+
+def one_module(given: Given) -> bool:
+    """Whether both rows have the same module."""
+    return given.task.scheme.single or given.task.modules[0] == given.task.modules[1]
+
+
+def _ratio(found: Found) -> Iterator[Row]:
+    given, task = found.given, found.given.task
+    meaning = Message(N_("ratio of the stage, the second input at rest"))
+    yield "u", ratio_symbol(given, task.input, task.output), "", meaning, found.ratio
+    meaning = Message(N_("ratio with the carrier stopped, wheel 1 to wheel 3"))
+    yield "u_basic", ratio_symbol(given, "wheel1", "wheel3"), "", meaning, found.basic
+    meaning = Message(N_("ratio of wheel 1 to the carrier, wheel 3 at rest"))
+    yield "u_carrier", ratio_symbol(given, "wheel1", "carrier"), "", meaning, 1 - found.basic
+    meaning = Message(N_("deviation of the ratio"))
+    yield "delta_u", Symbol("Delta", "u"), "%", meaning, 100 * found.deviation
+    yield "combinations", None, "", listing.COUNT.meaning, len(found.candidates.reasons)
+    yield "solutions", None, "", Message(N_("how many solutions there are")), len(found.ranking)
+
+
+def _satellites(found: Found) -> Iterator[Row]:
+    yield "k", Symbol("k"), "", Message(N_("number of satellites")), found.satellites
+    distance = float(found.sizes.centre_distance)
+    yield "a_w", math_symbol("a_w"), "m", Message(N_("centre distance")), distance
+    apart = Message(N_("distance between the axes of neighbouring satellites"))
+    yield "apart", None, "m", apart, found.apart
+    gap = Message(N_("gap between the tip circles of neighbouring satellites"))
+    yield "gap", Symbol("Delta"), "m", gap, found.gap
+    least = Message(N_("least number of teeth that the rack does not undercut"))
+    yield "z_min", math_symbol("z_min"), "", least, found.least_teeth
+    rounded = Message(N_("least number of teeth as the course rounds it"))
+    yield "z_min_rounded", None, "", rounded, least_teeth(found.given.task.rack)
+
+
+def _assembly(found: Found) -> Iterator[Row]:
+    whole = Message(N_("whole number of the assembly condition"))
+    yield "assembly", Symbol("C"), "", whole, found.assembly_number
+    divisor = Message(N_("greatest common divisor of the teeth of the two crowns"))
+    if not found.scheme.single:
+        yield "divisor", Symbol("D"), "", divisor, np.gcd(found.teeth[1], found.teeth[2])
+    if not found.scheme.single and found.turns is not None:
+        turns = Message(N_("whole turns of the carrier in the usual form of the condition of assembly"))
+        yield "turns", Symbol("p"), "", turns, found.turns
+        usual = Message(N_("whole number of the usual form of the condition of assembly"))
+        yield "usual_assembly", Symbol("C"), "", usual, found.usual_assembly
+
+
+def _whole(found: Found) -> Iterator[Row]:
+    yield "eta", _motion_symbol(found), "", Message(N_("efficiency of the stage")), found.efficiency
+    force = N_(
+        "circumferential force on one satellite from wheel %(wheel)s for each newton metre of its moment"
+    )
+    one = found.given.member("wheel1")
+    yield "force", Symbol("F", "t" + one), "N/(N·m)", Message(force, {"wheel": one}), found.force_per_moment
+    yield "mu_l", math_symbol("mu_l"), "m/mm", Message(N_("scale of the drawing of the stage")), found.scale
+
+
+def _motion_symbol(found: Found) -> Symbol:
+    task = found.given.task
+    return Symbol("eta", *_between(found.given, task.input, task.output))
+
+
+# --- wheels and meshes
 
 
 def _wheels(found: Found) -> Iterator[Column]:
-    given, order = found.given, list(found.scheme.wheels)
-    names = (given.names[0], *given.crowns, given.names[-2])
-    yield plain("wheel", "", Message(N_("number of the wheel")), [names[i] for i in order])
-    yield plain("z", "", Message(N_("number of teeth")), [found.teeth[i] for i in order])
-    yield plain("x", "", Message(N_("shift coefficient")), found.sizes.shifts[order])
-    for key, meaning in DIAMETERS.items():
-        yield plain(key, "m", Message(meaning), found.sizes.diameters[key][order])
+    order = list(found.scheme.wheels)
+    names = [found.given.wheels[i] for i in order]
+    yield text_column("wheel", Message(N_("number of the wheel")), names)
+    yield _named(TEETH, [found.teeth[i] for i in order], names)
+    yield _named(SHIFT, found.sizes.shifts[order], names)
+    for key in DIAMETERS:
+        yield _named(dimension(key), found.sizes.diameters[key][order], names)
+    yield _named(FULL_TIP, found.sizes.tip[order], names)
+
+
+def _named(quantity: Quantity, values: Any, names: Sequence[str]) -> Column:
+    """A column of wheels: d_a in the head, d_a2 in the row of wheel 2."""
+    assert quantity.symbol is not None
+    return Column(quantity, values, [of_wheel(quantity.symbol, name) for name in names])
+
+
+def _rows(found: Found) -> Iterator[Column]:
+    """Of wheel 1 with its crown and of wheel 3 with the other."""
+    rows, sizes, names = found.rows, found.sizes, found.given.wheels
+    central, crowns = [names[0], names[3]], [names[1], names[2]]
+    pairs = [f"{names[0]}-{names[1]}", f"{names[2]}-{names[3]}"]
+    yield text_column("mesh", Message(N_("wheels in mesh")), pairs)
+    total = Message(N_("sum of the teeth of the wheels in mesh; with a ring, their difference"))
+    yield Quantity("z_sum", math_symbol("z_Sigma"), "", total).column(rows.teeth)
+    for key, unit, meaning, numbers in (
+        ("a", "m", N_("reference centre distance of the mesh that is opened"), sizes.pitch_distances),
+        ("alpha_w", "deg", N_("operating angle of that mesh"), np.degrees(sizes.angles)),
+    ):
+        yield Quantity(key, math_symbol(key), unit, Message(meaning)).column(numbers)
+    yield _shift_sums(found)
+    contact = Message(N_("contact ratio"))
+    yield Quantity("eps_alpha", math_symbol("epsilon_alpha"), "", contact).column(rows.contact)
+    yield _named(CROWN, sizes.working[1:3], crowns)
+    yield _named(START, rows.start, crowns)
+    yield from _rings(found, central)
+
+
+def _shift_sums(found: Found) -> Column:
+    """x_Σ of an external mesh, x_d of one with a ring."""
+    symbols = [math_symbol(_sum_key(row)) for row in found.scheme.rows]
+    meaning = Message(N_("sum of the shift coefficients in mesh; with a ring, their difference"))
+    return Column(Quantity("x_sum", symbols[0], "", meaning), found.sizes.shift_sums, symbols)
+
+
+def _sum_key(row: int) -> str:
+    return "x_Sigma" if row == p.EXTERNAL else "x_d"
+
+
+def _rings(found: Found, names: Sequence[str]) -> Iterator[Column]:
+    """What only meshes with a ring have."""
+    rows = found.rows
+    meaning = Message(N_("distance between the limit points of the line of action"))
+    yield Quantity("line", None, "m", meaning).column(rows.line)
+    meaning = Message(N_("radius of curvature at the tip of the ring of full height"))
+    yield Quantity("rho_a", None, "m", meaning).column(rows.curvature)
+    yield _named(CUT, rows.cut, names)
+
+
+# --- conditions
+
+
+def _conditions(found: Found) -> Iterator[Column]:
+    """One condition in each row, numbers in the row's own unit."""
+    of, names = found.conditions, found.given.wheels
+    yield text_column("condition", Message(N_("name of the condition")), [c.key for c in of])
+    wheels = ["-".join(names[wheel] for wheel in c.wheels) for c in of]
+    yield text_column("wheel", Message(N_("number of the wheel")), wheels)
+    yield text_column("unit", Message(N_("unit of the numbers in the row")), [c.unit for c in of])
+    symbols = [_condition_symbol(c, names) for c in of]
+    for key, text, numbers in (
+        ("value", N_("value"), [c.value for c in of]),
+        ("limit", N_("limit"), [c.limit for c in of]),
+        ("margin", N_("what is in hand"), [c.margin for c in of]),
+    ):
+        quantity = Quantity(key, None, "", Message(text))
+        yield Column(quantity, numbers, symbols, [c.unit for c in of])
+
+
+def _condition_symbol(of: Condition, names: Sequence[str]) -> Symbol:
+    match of.key:
+        case "ratio":
+            return Symbol("Delta", "u")
+        case "undercut":
+            return Symbol("z", names[of.wheels[0]])
+        case "tips":
+            return Symbol("Delta", "φ")
+        case "contact":
+            return math_symbol("epsilon_alpha")
+        case "gap":
+            return Symbol("Delta")
+        case _:
+            assert_never(of.key)
+
+
+# --- motions
 
 
 def _motions(found: Found) -> Iterator[Column]:
     motions, member = found.motions, found.given.member
-    for key, meaning, pick in (
+    for key, text, pick in (
         ("held", N_("member that is held"), lambda m: m.held),
         ("input", N_("input member"), lambda m: m.input),
         ("output", N_("output member"), lambda m: m.output),
     ):
-        yield plain(key, "", Message(meaning), [member(pick(motion)) for motion in motions])
+        yield text_column(key, Message(text), [member(pick(motion)) for motion in motions])
     for one in p.MEMBERS:
         about = Message(N_("speed of member %(name)s to that of the input"), {"name": member(one)})
-        yield plain(f"omega_{member(one)}", "", about, [motion.speed[one] for motion in motions])
+        speed = Quantity(f"omega_{member(one)}", Symbol("omega", member(one)), "", about)
+        yield speed.column([motion.speed[one] for motion in motions])
+    satellite = Symbol("omega", found.given.crowns[0])
     about = Message(N_("speed of the satellites to that of the input"))
-    yield plain("omega_satellite", "", about, [motion.satellite for motion in motions])
-    yield plain("u", "", Message(N_("ratio of the angular velocities")), [motion.ratio for motion in motions])
-    yield plain("eta", "", Message(N_("efficiency; not positive: locks")), [m.efficiency for m in motions])
-    way = N_("flow of the power, carrier stopped: 1 from wheel 1 to wheel 3, −1 back")
-    yield plain("power", "", Message(way), [motion.exponent for motion in motions])
-
-
-def _combinations(task: Task, found: Candidates, order: Array) -> Iterator[Column]:
-    """Teeth, satellites, ratio, deviation, of the candidates of the indices (n,)."""
-    z, k = found.teeth[:, order], found.satellites[order]
-    ratio = p.stage_ratio(p.basic_ratio(task.scheme, z), task.input, task.output)
-    for wheel, key in ((0, "z1"), (1, "z2"), (2, "z2'"), (3, "z3")):
-        if wheel != 2 or not task.scheme.single:
-            yield plain(key, "", Message(N_("number of teeth")), z[wheel])
-    yield plain("k", "", Message(N_("number of satellites; 0: any")), k)
-    yield plain("u", "", Message(N_("ratio of the angular velocities")), ratio)
-    yield plain("delta_u", "%", Message(N_("deviation of the ratio")), 100 * (ratio / task.ratio - 1))
-    repeats = multiples(z, np.maximum(k, 1)) & (k > 0)
-    about = N_("1: teeth of a central wheel are a multiple of the satellites' number")
-    yield plain("multiple", "", Message(about), repeats.astype(int))
-
-
-# --- every combination
-
-
-def candidates(given: Given) -> Table:
-    """Every combination of teeth judged: the solutions, best first, then the others, the nearest to success first."""
-    found = all_candidates(given)
-    good = ranked(given.task, found)
-    bad = np.flatnonzero(found.reasons != Reason.ACCEPTED)
-    z = found.teeth[:, bad]
-    ratio = p.stage_ratio(p.basic_ratio(given.task.scheme, z), given.task.input, given.task.output)
-    with np.errstate(invalid="ignore"):
-        miss = np.abs(ratio - given.task.ratio)
-    order = np.concatenate([good, bad[np.lexsort((miss, -found.reasons[bad].astype(int)))]])
-    verdict = found.reasons[order]
-    columns = (
-        *_combinations(given.task, found, order),
-        plain("verdict", "", Message(N_("why the combination is rejected")), verdict),
-    )
-    return Table("candidates", CANDIDATES, columns)
-
-
-def listing(table: Table, translate: Callable[[str], str] = str) -> Iterator[str]:
-    """The table of `candidates` as rows of text: a head, then one combination in each line."""
-    *numbers, verdict = table.columns
-    words = {int(reason): translate(text) for reason, text in REASONS.items()}
-    yield "".join(f"{column.key:>{_width(column.key)}}" for column in numbers)
-    formats = ["{:" + f"{_width(column.key)}{_form(column.key)}" + "}" for column in numbers]
-    line = "".join(formats) + "  {}"
-    rows = zip(*(np.asarray(column.values).tolist() for column in numbers), strict=True)
-    for row, code in zip(rows, np.asarray(verdict.values).tolist(), strict=True):
-        yield line.format(*row, words[code])
-
-
-def _width(key: str) -> int:
-    return 11 if key in ("u", "delta_u", "multiple") else 6
-
-
-def _form(key: str) -> str:
-    return {"u": ".5g", "delta_u": ".2f"}.get(key, "d")
+    yield Quantity("omega_satellite", satellite, "", about).column([motion.satellite for motion in motions])
+    yield listing.RATIO.column([motion.ratio for motion in motions])
+    about = Message(N_("efficiency; not positive: locks"))
+    eta = Quantity("eta", Symbol("eta"), "", about)
+    symbols = [Symbol("eta", *_between(found.given, motion.input, motion.output)) for motion in motions]
+    yield Column(eta, [motion.efficiency for motion in motions], symbols)
+    way = Message(N_("flow of the power, carrier stopped: 1 from wheel 1 to wheel 3, −1 back"))
+    yield Quantity("power", None, "", way).column([motion.exponent for motion in motions])

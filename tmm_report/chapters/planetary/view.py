@@ -2,29 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from functools import cached_property
-from typing import Any
+from typing import Any, assert_never
 
-import numpy as np
 from markupsafe import Markup
 
+from tmm_report.chapters.planetary.conditions import Condition
+from tmm_report.chapters.planetary.draw import front
 from tmm_report.chapters.planetary.formulas import PlanetaryFormulas
 from tmm_report.chapters.planetary.limits import REASONS
+from tmm_report.chapters.planetary.quantities import one_module
 from tmm_report.chapters.planetary.solve import Found, Motion
-from tmm_report.chapters.spur.terms import HA
-from tmm_report.chapters.spur.wheel_words import DIAMETERS
 from tmm_report.figures.drawing import Drawing
-from tmm_report.figures.planetary import front, scale
 from tmm_report.i18n import NP_
-from tmm_report.mechanics import planetary as p
-from tmm_report.mechanics.planetary_search import LEAST_CONTACT, multiples
+from tmm_report.mechanics.planetary import EXTERNAL
+from tmm_report.mechanics.planetary_search import Reason
 from tmm_report.problems import N_
+from tmm_report.quantity import model as quantity
 from tmm_report.quantity.symbols import Symbol
-from tmm_report.report.layout import Table, worded
+from tmm_report.quantity.wheel_words import DIAMETERS
+from tmm_report.report.layout import Cell, Table, worded
 from tmm_report.report.page import Page
 
 SHOWN = 10  # solutions in the table, besides the chosen one
+PLACES = {"ratio": 2, "undercut": 2, "tips": 3, "contact": 3, "gap": 2}  # decimals of the conditions
+UNITS = {"%": " %", "deg": "°", "": ""}  # as they are written after the numbers of the conditions
 
 SCHEMES = {
     "sun-ring": N_("single-row stage with an external and an internal mesh"),
@@ -37,9 +40,9 @@ INPUT = Symbol("omega", NP_("index", "in"))
 
 class PlanetaryView(PlanetaryFormulas):
     def __init__(self, found: Found, page: Page, label: str):
-        super().__init__(found)
+        super().__init__(found, label)
         self.page, self.label = page, label
-        self.t, self.num = page.t, page.num
+        self.t = page.t
 
     @property
     def title(self) -> str:
@@ -61,31 +64,85 @@ class PlanetaryView(PlanetaryFormulas):
 
     def given_values(self) -> Markup:
         """Wanted ratio, tolerance, module, satellites, efficiency, as they were given."""
-        task, value = self.task, self.page.value
-        counts = task.satellites
-        many = str(counts[0]) if len(counts) == 1 else f"{counts[0]}…{counts[-1]}"
-        modules = [self.m(0)] if self.one_module else [self.m(0), self.m(1)]
-        return self.page.listed(
+        page, of, listed = self.page, self.of, self.page.listed
+        counts = [page.shown(of[key]) for key in ("k_least", "k_most")]
+        many = listed(counts[: len(self.task.satellites)], "…")
+        modules = [self.m(0)] if one_module(self.given) else [self.m(0), self.m(1)]
+        return listed(
             [
-                value("u", task.ratio),
-                self.page.listed(
-                    [self.page.sym("Delta_u"), " ≤ ", self.num(100 * task.tolerance, 3), " %"], ""
-                ),
-                *(value(m.sign, m.number, "mm") for m in modules),
-                self.page.listed([self.page.sym("k"), " = ", many], ""),
-                value(Symbol("eta", self.carrier), self.given.efficiency),
+                page.value(of["u_wanted"].var()),
+                listed([page.sym(of["tolerance"].symbol), " ≤ ", self.tolerance, " %"], ""),
+                *(page.value(m) for m in modules),
+                listed([page.sym("k"), " = ", many], ""),
+                page.value(of["eta_stopped"].var()),
             ]
         )
 
+    @property
+    def tolerance(self) -> Markup:
+        return self.page.shown(self.of["tolerance"], digits=3)
+
+    def explained(self) -> list[dict[str, Any]]:
+        """What the given values are."""
+        names = {"u_wanted": "planetary:u", "tolerance": "planetary:Delta"}
+        names |= {"k": "planetary:k", "eta_stopped": "planetary:eta" + self.carrier}
+        said = {key: self.page.explained(name, self.of[key]) for key, name in names.items()}
+        module = self.page.explained("spur:m", self.of["m" if one_module(self.given) else "m_I"], "mm")
+        return [*(said[key] for key in ("u_wanted", "tolerance")), {**module, "symbol": "m"},
+                *(said[key] for key in ("k", "eta_stopped"))]  # fmt: skip
+
+    def explained_shift(self) -> list[dict[str, Any]]:
+        """What the formulas of profile shift are made of."""
+        row, table = self.opened, self.rows
+        outside = self.scheme.rows[row] == EXTERNAL
+        total = (
+            self.t("sum of the shift coefficients of the wheels")
+            if outside
+            else self.t("difference of the shift coefficients of the ring and the satellite")
+        )
+        return [
+            self.page.explained("planetary:a", table["a"], "mm"),
+            self.page.explained("planetary:alpha_w", table["alpha_w"]),
+            {
+                "id": f"planetary:x{self.scheme.rows[row]}",
+                "symbol": table["x_sum"].symbol(row),
+                "meaning": total,
+                "unit": "",
+            },
+        ]
+
     # ------------------------------------------------------------ the search
+
+    def ranges(self) -> dict[str, Markup]:
+        """The ranges of teeth that were examined."""
+        keys = {
+            "low": "external_least",
+            "high": "external_most",
+            "least": "rings_least",
+            "most": "rings_most",
+        }
+        return {name: self.page.shown(self.of[key]) for name, key in keys.items()}
 
     def rejected(self, caption: Any) -> Table:
         """How many candidates were rejected, by the first condition that fails."""
-        found = self.found.candidates
-        counts = [(reason, found.count(reason)) for reason in REASONS]
-        rows = [[self.t(REASONS[reason]), str(count)] for reason, count in counts if count]
-        rows.append([self.t("in all"), str(len(found.reasons))])
+        table = self.of.table("rejected")
+        rows: list[list[Any]] = [
+            [
+                self._word(REASONS[Reason[name.upper()]], table, "reason", row),
+                self._count(table, "combinations", row),
+            ]
+            for row, name in enumerate(table["reason"].values)
+        ]
+        total = self.of["combinations"]
+        rows.append([self.t("in all"), Cell(str(int(total.value)), total.ref())])
         return worded(caption, [self.t("Reason"), self.t("Combinations")], rows, (4, 1))
+
+    def _word(self, message: str, table: quantity.Table, key: str, row: int) -> Cell:
+        return self.page.word(self.page.tr.gettext(message), table, key, row)
+
+    def _count(self, table: quantity.Table, key: str, row: int) -> Cell:
+        """A whole number of a table, with all its digits."""
+        return Cell(str(int(table[key].values[row])), table.ref(key, row))
 
     @cached_property
     def places(self) -> list[int]:
@@ -96,111 +153,91 @@ class PlanetaryView(PlanetaryFormulas):
 
     def solutions(self, caption: Any) -> Table:
         """The best of the solutions, the chosen one marked."""
-        wheels = self.scheme.wheels
-        rows = [self._solution(place, wheels) for place in self.places]
+        table, page = self.of.table("solutions"), self.page
+        teeth = [key for key in ("z1", "z2", "z2'", "z3") if key in table]
+        rows = [
+            [
+                *(self._count(table, key, place) for key in ("place", *teeth, "k")),
+                page.cell(table, "u", place),
+                page.cell(table, "delta_u", place, places=2),
+                page.cell(table, "D", place, "mm"),
+                page.listed(self._remarks(place)),
+            ]
+            for place in self.places
+        ]
         heads = [
             self.t("No."),
-            *(self.page.sym(Symbol("z", self.wheels[wheel])) for wheel in wheels),
-            self.page.sym("k"),
-            self.page.sym("u"),
-            self.page.listed([self.page.sym("Delta_u"), "%"]),
-            self.page.listed([self.page.sym("D"), self.page.unit("mm")]),
+            *(page.head(table[key].symbol()) for key in (*teeth, "k", "u")),
+            page.listed([page.sym(table["delta_u"].symbol()), "%"]),
+            page.head(table["D"].symbol(), "mm"),
             self.t("Remark"),
         ]
-        return worded(caption, heads, rows, (1, *[1] * len(wheels), 0.8, 1.4, 1.2, 1.4, 3.4))
+        return worded(caption, heads, rows, (1, *[1] * len(teeth), 0.8, 1.4, 1.2, 1.4, 3.4))
 
-    def _solution(self, place: int, wheels: Sequence[int]) -> list[Any]:
-        found, index = self.found.candidates, self.found.ranking[place]
-        z, k = found.teeth[:, index], int(found.satellites[index])
-        ratio = float(p.stage_ratio(p.basic_ratio(self.scheme, z), self.task.input, self.task.output))
-        size = float(p.sizes(self.scheme, self.task.modules, self.task.rack, z).overall)
-        miss = 100 * (ratio / self.task.ratio - 1)
-        return [
-            str(place + 1),
-            *(str(int(z[wheel])) for wheel in wheels),
-            str(k),
-            self.num(ratio),
-            self.num(miss, places=2),
-            self.num(1e3 * size),
-            self.page.listed(self._remarks(place, z, k)),
-        ]
-
-    def _remarks(self, place: int, z: Any, k: int) -> Iterator[Markup]:
+    def _remarks(self, place: int) -> Iterator[Markup]:
+        of = self.found.solutions
         if place == self.found.chosen:
             yield self.t("chosen")
-        if p.coaxiality_gap(self.scheme, self.task.modules, z) > 1e-9:
+        if of.shifted[place]:
             yield self.t("with shift")
-        if multiples(z, k):
+        if of.of.multiple[place]:
             yield self.t("multiple of k")
 
     # ------------------------------------------------------------ conditions and sizes
 
     def conditions(self, caption: Any) -> Table:
         """Every condition of the chosen teeth: the value, the limit, what is in hand."""
-        rows = [[self.t(text, **names), *cells] for text, names, *cells in self._conditions()]
+        rows = [
+            [self._condition_name(of), *self._condition(of, row)]
+            for row, of in enumerate(self.found.conditions)
+        ]
         heads = [self.t("Condition"), self.t("Value"), self.t("Limit"), self.t("In hand")]
         return worded(caption, heads, rows, (5, 3, 2.4, 2))
 
-    def _conditions(self) -> Iterator[tuple[Any, ...]]:
-        task, found = self.task, self.found
-        miss, allowed = 100 * abs(found.deviation), 100 * task.tolerance
-        yield N_("ratio"), {}, *self._least("Delta_u", miss, allowed, " %", 2, above=False)
-        shifts = self.sizes.shifts
-        for wheel in self._outside:
-            least = float(p.least_teeth(task.rack, shifts[wheel]))
-            name = Symbol("z", self.wheels[wheel])
-            yield (
-                N_("no undercut of the teeth of wheel %(wheel)s"), {"wheel": self.wheels[wheel]},
-                *self._least(name, found.teeth[wheel], least, "", 2),
-            )  # fmt: skip
-        for row, margins in found.interference:
-            tips = float(np.degrees(margins.tips))
-            names = {"wheel": self.wheels[p.ROWS[row][0]]}
-            yield (
-                N_("no overlap of the tips in the mesh with ring %(wheel)s"), names,
-                *self._least(Symbol("Delta", "φ"), tips, 0.0, "°", 3),
-            )  # fmt: skip
-        for row in (0, 1):
-            ratio = float(p.contact_ratio(self.scheme, self.sizes, found.teeth, row))
-            pair = (self.wheels[0], self.wheels[1]) if row == 0 else (self.wheels[2], self.wheels[3])
-            yield (
-                N_("contact ratio of the pair %(pair)s"), {"pair": "-".join(pair)},
-                *self._least(Symbol("epsilon", "alpha"), ratio, LEAST_CONTACT, "", 3),
-            )  # fmt: skip
-        gap = [self.page.listed([self.num(1e3 * found.gap, places=2), self.page.unit("mm")], " ")] * 2
-        yield N_("gap between neighbouring satellites"), {}, gap[0], "> 0", gap[1]
+    def _condition_name(self, of: Condition) -> Markup:
+        wheels = [self.wheels[wheel] for wheel in of.wheels]
+        match of.key:
+            case "ratio":
+                return self.t("ratio")
+            case "undercut":
+                return self.t("no undercut of the teeth of wheel %(wheel)s", wheel=wheels[0])
+            case "tips":
+                return self.t("no overlap of the tips in the mesh with ring %(wheel)s", wheel=wheels[0])
+            case "contact":
+                return self.t("contact ratio of the pair %(pair)s", pair="-".join(wheels))
+            case "gap":
+                return self.t("gap between neighbouring satellites")
+            case _:
+                assert_never(of.key)
 
-    @property
-    def _outside(self) -> list[int]:
-        """Wheels with external teeth, the crown of a single row once."""
-        wheels = [k for k, kind in enumerate(p.kinds(self.scheme)) if kind == p.EXTERNAL]
-        return [k for k in wheels if k != 2 or not self.scheme.single]
-
-    def _least(
-        self, symbol: Symbol | str, value: float, limit: float, unit: str, places: int, above: bool = True
-    ) -> list[Any]:
-        sign, hand = ("≥ ", value - limit) if above else ("≤ ", limit - value)
-        shown = self.page.sym(symbol)
-        return [
-            self.page.listed([shown, " = ", self.num(value, places=places), unit], ""),
-            sign + self.num(limit, places=places) + unit,
-            self.num(hand, places=places) + unit,
-        ]
+    def _condition(self, of: Condition, row: int) -> list[Markup]:
+        """Value, limit and what is in hand, each with its unit."""
+        table, listed = self.of.table("conditions"), self.page.listed
+        if of.key == "gap":
+            gap = listed([self.page.shown(table, "value", row, "mm", places=2), self.page.unit("mm")], " ")
+            return [gap, listed(["> ", self.page.shown(table, "limit", row, "mm")], ""), gap]
+        value, limit, margin = (
+            listed([self.page.shown(table, key, row, places=PLACES[of.key]), UNITS[of.unit]], "")
+            for key in ("value", "limit", "margin")
+        )
+        symbol = self.page.sym(table["value"].symbol(row))
+        sign = "≥ " if of.least else "≤ "
+        return [listed([symbol, " = ", value], ""), listed([sign, limit], ""), margin]
 
     def dimensions(self, caption: Any) -> Table:
         """Diameters of all wheels and crowns, mm, and their shift coefficients."""
-        wheels = self.scheme.wheels
+        page, sized, wheels = self.page, self.sized, self.scheme.wheels
         rows = [
             [
                 self.t(text),
-                self.page.listed([self.page.sym(key), self.page.unit("mm")]),
+                page.head(sized[key].symbol(), "mm"),
                 *(self._diameter(key, wheel) for wheel in wheels),
             ]
             for key, text in DIAMETERS.items()
         ]
         if self.found.shifted:
-            cells = [self.num(float(self.sizes.shifts[wheel]), places=4) for wheel in wheels]
-            rows.insert(0, [self.t("shift coefficient"), self.page.sym("x"), *cells])
+            cells = [page.cell(sized, "x", row, places=4) for row in range(len(wheels))]
+            rows.insert(0, [self.t("shift coefficient"), page.head(sized["x"].symbol()), *cells])
         heads = [
             self.t("Dimension"),
             self.t("Symbol"),
@@ -208,47 +245,50 @@ class PlanetaryView(PlanetaryFormulas):
         ]
         return worded(caption, heads, rows, (4, 2, *[2] * len(wheels)))
 
-    def _diameter(self, key: str, wheel: int) -> str:
+    def _diameter(self, key: str, wheel: int) -> Any:
         """mm; the satellite of a single row with shift rolls on another circle in each mesh."""
-        diameters = 1e3 * self.sizes.diameters[key]
-        both = key == "d_w" and wheel == 1 and self.scheme.single and self.found.shifted
-        return "; ".join(self.num(float(diameters[i])) for i in ((1, 2) if both else (wheel,)))
+        if key == "d_w" and wheel == 1 and self.scheme.single and self.found.shifted:
+            return self.page.listed((self.page.shown(self.rows, "d_w", row, "mm") for row in (0, 1)), "; ")
+        return self.page.cell(self.sized, key, self.place(wheel), "mm")
 
     # ------------------------------------------------------------ motion
 
     def motions(self, caption: Any) -> Table:
         """Speeds of all members to the input's, ratio and efficiency, whichever is held; the third is the output."""
-        rows = [self._motion(motion) for motion in self.found.motions]
-        names = (self.one, self.crowns[0], self.three, self.carrier)
+        table = self.of.table("motions")
+        keys = (f"omega_{self.one}", "omega_satellite", f"omega_{self.three}", f"omega_{self.carrier}")
+        rows = [self._motion(motion, row, keys) for row, motion in enumerate(self.found.motions)]
         heads = [
             self.t("Held"),
             self.t("Input"),
-            *(self._relative(name) for name in names),
-            self.page.sym("u"),
-            self.page.sym("eta"),
+            *(self._relative(table[key]) for key in keys),
+            self.page.head(table["u"].symbol()),
+            self.page.head(table["eta"].symbol()),
             self.t("Power flow"),
         ]
         return worded(caption, heads, rows, (0.8, 0.8, 1.4, 1.4, 1.4, 1.4, 1.4, 1.2, 1.2))
 
-    def _relative(self, name: str) -> Markup:
-        return self.page.listed([self.page.sym(Symbol("omega", name)), self.page.sym(INPUT)], "/")
+    def _relative(self, speed: quantity.Column) -> Markup:
+        return self.page.listed([self.page.sym(speed.symbol()), self.page.sym(INPUT)], "/")
 
-    def _motion(self, motion: Motion) -> list[Any]:
-        name = self.given.member
-        speeds = (motion.speed["wheel1"], motion.satellite, motion.speed["wheel3"], motion.speed["carrier"])
-        way = (self.one, self.three) if motion.exponent > 0 else (self.three, self.one)
+    def _motion(self, motion: Motion, row: int, keys: tuple[str, ...]) -> list[Any]:
+        table, page = self.of.table("motions"), self.page
+        locks = self._word(N_("locks"), table, "eta", row)
         return [
-            *(name(member) for member in (motion.held, motion.input)),
-            *(self.num(speed, 4) for speed in speeds),
-            self.num(motion.ratio, 4),
-            self.t("locks") if motion.locks else self.num(motion.efficiency, places=4),
-            "→".join(way),
+            *(page.word(table[key].values[row], table, key, row) for key in ("held", "input")),
+            *(page.cell(table, key, row, digits=4) for key in (*keys, "u")),
+            locks if motion.locks else page.cell(table, "eta", row, places=4),
+            page.word("→".join(self._sense(motion)), table, "power", row),
         ]
+
+    def _sense(self, motion: Motion) -> tuple[str, str]:
+        """Which central wheel drives which in the stopped-carrier frame."""
+        return (self.one, self.three) if motion.exponent > 0 else (self.three, self.one)
 
     @property
     def sense(self) -> tuple[str, str]:
-        """Which central wheel drives which in the stopped-carrier frame, as the stage runs in the drive."""
-        return (self.one, self.three) if self.found.motion.exponent > 0 else (self.three, self.one)
+        """The same as the stage runs in the drive."""
+        return self._sense(self.found.motion)
 
     # ------------------------------------------------------------ picture
 
@@ -258,31 +298,18 @@ class PlanetaryView(PlanetaryFormulas):
 
     @property
     def scale(self) -> Markup:
-        return self.page.value("mu_l", scale(self.found), "m/mm")
+        return self.page.value(self.of["mu_l"].var())
 
     # ------------------------------------------------------------ what is said
 
-    @property
-    def eta_symbol(self) -> Symbol:
-        return Symbol("eta", self.carrier)
-
-    @property
-    def ha_symbol(self) -> Symbol:
-        return HA
-
-    @property
-    def rounded_least(self) -> str:
-        return str(int(p.least_teeth(self.task.rack, 0.0)))
-
     def chosen_teeth(self) -> Markup:
         """z1 = 20, z2 = 46, z3 = 112, k = 3."""
-        wheels = self.scheme.wheels
-        chosen = [self.page.value(self.z(wheel).sign, self.z(wheel).number) for wheel in wheels]
-        return self.page.listed([*chosen, self.page.value("k", self.found.satellites)])
+        chosen = [*(self.z(wheel) for wheel in self.scheme.wheels), self.k]
+        return self.page.listed(self.page.value(of) for of in chosen)
 
     def conclusions(self) -> list[Markup]:
         text = N_(
             "The planetary stage %(name)s has %(teeth)s; the deviation of its ratio is %(deviation)s %%."
         )
-        deviation = self.num(100 * self.found.deviation, 3)
+        deviation = self.page.shown(self.of["delta_u"], digits=3)
         return [self.t(text, name=self.title, teeth=self.chosen_teeth(), deviation=deviation)]

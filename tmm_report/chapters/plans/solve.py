@@ -15,9 +15,10 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.given import Drawing, Readings
 from tmm_report.chapters.kinematics.solve import Kinematics
 from tmm_report.chapters.plans.drafting import Plan, Scales, acceleration_plan, velocity_plan
+from tmm_report.chapters.plans.given import Drawing, Readings
+from tmm_report.mechanics.motion import Linkage
 from tmm_report.problems import N_, Message, ProblemError, mistake
 from tmm_report.quantity.paper import Pen, round_scale
 
@@ -65,6 +66,7 @@ class Plans:
     velocity_scale: float
     acceleration_scale: float
     accuracy: float
+    linkage: Linkage
     singular: tuple[int, ...]  # positions asked for, whose plans have no crossing point
 
     @property
@@ -87,7 +89,15 @@ def solve(drawing: Drawing, plans: Sequence[int], readings: Readings, kinematics
     scales = _scales(drawing, kinematics, regular)
     drawn = tuple(_draw(kinematics, k, scales, pen, readings.get(k, {})) for k in regular)
     singular = tuple(k for k in wanted if k not in regular)
-    return Plans(drawn, scales.length, scales.velocity, scales.acceleration, pen.read_step, singular)
+    return Plans(
+        drawn,
+        scales.length,
+        scales.velocity,
+        scales.acceleration,
+        pen.read_step,
+        kinematics.linkage,
+        singular,
+    )
 
 
 def _scales(drawing: Drawing, kinematics: Kinematics, positions: list[int]) -> Scales:

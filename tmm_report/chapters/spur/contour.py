@@ -3,21 +3,34 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import Any
 
-from tmm_report.chapters.spur import solve as spur
+from tmm_report.chapters.spur.conditions import CONTACT, POINTING
 from tmm_report.mechanics.blocking import Blocking, Lack, Line, Window
+from tmm_report.mechanics.spur import Pair
 
 Array = Any
 
 
 @dataclass(frozen=True, eq=False)
-class Found:
-    """Found by `solve`, what is asked for; points are x1 + i x2. `chosen`: the shifts taken."""
+class Contour:
+    """Points are x1 + i x2. `chosen`: the shifts taken; `lacks`: the limits that they break; `nearest`: the feasible
+    point nearest to them, `same_distance` the nearest of the same centre distance; None where there is none.
+
+    The lines of the plane serve the picture alone and take some ten times as long as all the rest: they are found when
+    it is drawn.
+    """
 
     blocking: Blocking
     chosen: complex
+    lacks: tuple[Lack, ...]
+    nearest: complex | None
+    same_distance: complex | None
+
+    @property
+    def feasible(self) -> bool:
+        return not self.lacks
 
     @cached_property
     def window(self) -> Window:
@@ -34,31 +47,16 @@ class Found:
         """The limits and the lines of equal quality in the window."""
         return self.blocking.lines(self.window, self.chosen)
 
-    @cached_property
-    def lacks(self) -> tuple[Lack, ...]:
-        """The limits that the chosen point breaks."""
-        return self.blocking.lacks(self.chosen)
 
-    @cached_property
-    def nearest(self) -> complex | None:
-        """The feasible point nearest to the chosen one; None where there is none."""
-        return self.blocking.nearest(self.chosen)
-
-    @cached_property
-    def nearest_at_distance(self) -> complex | None:
-        """The same among the points of the same centre distance."""
-        return self.blocking.nearest_at_distance(self.chosen)
-
-    @property
-    def feasible(self) -> bool:
-        return not self.lacks
-
-
-@lru_cache(maxsize=16)
-def solve(found: spur.Found) -> Found:
-    """The contour with the limits by which the stage itself is judged; kept for all who ask for it."""
-    pair, z = found.pair, found.teeth.z
-    blocking = Blocking(
-        z[0], z[1], pair.m, pair.rack, pair.beta, bool(pair.internal), spur.POINTING, spur.CONTACT
+def contour_of(pair: Pair) -> Contour:
+    """The contour with the limits by which the stage itself is judged."""
+    z1, z2 = int(pair.z1), int(pair.z2)
+    blocking = Blocking(z1, z2, pair.m, pair.rack, pair.beta, bool(pair.internal), POINTING, CONTACT)
+    chosen = complex(float(pair.x1), float(pair.x2))
+    return Contour(
+        blocking,
+        chosen,
+        blocking.lacks(chosen),
+        blocking.nearest(chosen),
+        blocking.nearest_at_distance(chosen),
     )
-    return Found(blocking, complex(float(pair.x1), float(pair.x2)))

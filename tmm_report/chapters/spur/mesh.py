@@ -1,4 +1,4 @@
-"""The mesh drawn on paper, in millimetres: where its wheels and points stand, and what is read off the drawing.
+"""The mesh on paper, in millimetres: where its wheels and points stand.
 
 The pitch point is at 0, the line of centres goes upwards, wheel `small` (of an internal pair the pinion) is below it
 and turns counter-clockwise where it drives. Contact moves along the line of action from A to B.
@@ -9,12 +9,11 @@ from __future__ import annotations
 import cmath
 import math
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.spur.solve import Found
 from tmm_report.mechanics import teeth
 from tmm_report.mechanics.involute import inv
 from tmm_report.mechanics.spur import Pair
@@ -22,39 +21,11 @@ from tmm_report.mechanics.teeth import Wheel
 
 Array = Any
 
-READ = 0.1  # mm: places are read off the drawing to it
 FIELD = (163.0, 110.0)  # mm: width of the drawing, height of the teeth of both wheels
 COLUMN, ROOM = 23.0, 6.0  # mm: beside the teeth for the labels of the circles, beside N1 and N2 for their own
 # millimetres of paper for one of the wheels: the scales of GOST 2.302
 SCALES = (100, 50, 40, 20, 10, 5, 4, 2.5, 2, 1, 0.5, 0.4, 0.25, 0.2, 0.1, 0.05, 0.04, 0.025, 0.02, 0.01)
 FINE = 2e-3  # mm of paper: how true the curves are
-
-
-@dataclass(frozen=True)
-class Reading:
-    """A value read off the drawing against the computed one; lengths m, angles rad, ratios pure.
-
-    `key`: N1N2, AB, AC, CD, DB, angle (of contact), pitch (angle of a tooth), ratio (of the two). `wheel` 0, 1 or None.
-    """
-
-    key: str
-    wheel: int | None
-    drawn: float
-    computed: float
-
-    @property
-    def error(self) -> float:
-        """Relative difference, as a share of the computed value."""
-        return abs(self.drawn - self.computed) / abs(self.computed)
-
-
-@dataclass(frozen=True)
-class Proof:
-    """Of the outlines over a full pitch: largest overlap, m², smallest clearance, m, and contact ratio, counted."""
-
-    overlap: float
-    clearance: float
-    ratio: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -160,8 +131,6 @@ class Mesh:
         """+1 where the wheel below turns counter-clockwise as the contact goes from A to B."""
         return 1 if self.place("B") > self.place("A") else -1
 
-    # ------------------------------------------------------------ what is read off
-
     def on_working_circle(self, i: int, place: float = 0.0, tooth: int = 0) -> complex:
         """Where the working flank of a wheel, as drawn by its chords, crosses the working circle; mm of paper."""
         working = float(self.pair.d_w[i]) / 2
@@ -170,46 +139,3 @@ class Mesh:
         far = np.abs(drawn - self.centre(i)) - self.radius(self.pair.d_w, i)
         k = int(np.flatnonzero(far[:-1] * far[1:] <= 0)[0])
         return complex(drawn[k] - far[k] * (drawn[k + 1] - drawn[k]) / (far[k + 1] - far[k]))
-
-    @cached_property
-    def readings(self) -> tuple[Reading, ...]:
-        """Segments of the line of action; angles of contact and of a tooth, and their ratio, on each wheel."""
-        p = self.pair
-        rows = [Reading("N1N2", None, self._segment("N1", "N2"), float(p.line))]
-        for ends in ("AB", "AC", "CD", "DB"):
-            exact = abs(self.places[ends[1]] - self.places[ends[0]])
-            rows.append(Reading(ends, None, self._segment(*ends), exact))
-        for i in (0, 1):
-            angle = self._angle(
-                i, self.on_working_circle(i, self.place("A")), self.on_working_circle(i, self.place("B"))
-            )
-            pitch = self._angle(i, self.on_working_circle(i), self.on_working_circle(i, tooth=1))
-            exact = 2 * math.pi / self.wheels[i].z
-            rows.append(Reading("angle", i, angle, exact * float(p.eps)))
-            rows.append(Reading("pitch", i, pitch, exact))
-            rows.append(Reading("ratio", i, angle / pitch, float(p.eps)))
-        return tuple(row for row in rows if abs(row.computed) > 1e-9)
-
-    @cached_property
-    def proof(self) -> Proof:
-        wheels = self.wheels[self.small], self.wheels[1 - self.small]
-        distance = float(self.pair.a_w)
-        shared, apart = teeth.over_pitch(*wheels, distance)
-        return Proof(float(shared.max()), float(apart.min()), teeth.contact_ratio(*wheels, distance))
-
-    def _segment(self, start: str, end: str) -> float:
-        return abs(_read(self.points[start]) - _read(self.points[end])) / self.mm
-
-    def _angle(self, i: int, start: complex, end: complex) -> float:
-        ends = [_read(z) - _read(self.centre(i)) for z in (start, end)]
-        return abs(cmath.phase(ends[1] / ends[0]))
-
-
-def _read(z: complex) -> complex:
-    return complex(round(z.real / READ), round(z.imag / READ)) * READ
-
-
-@lru_cache(maxsize=16)
-def mesh_of(found: Found) -> Mesh:
-    """The mesh of a stage; kept for the note in all its formats and for the tables."""
-    return Mesh(found.pair, found.points)

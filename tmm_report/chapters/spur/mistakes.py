@@ -8,15 +8,17 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmm_report.chapters.spur.rack_mistakes import of_rack
-from tmm_report.mechanics import shifts, spur, teeth
+from tmm_report.mechanics import shifts, spur
 from tmm_report.mechanics.involute import inverse
+from tmm_report.mechanics.rack_mistakes import of_rack
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 
 if TYPE_CHECKING:
-    from tmm_report.chapters.spur.solve import Given, Teeth
+    from tmm_report.chapters.spur.given import Given
+    from tmm_report.chapters.spur.sizes import Teeth
 
 Array = Any
+Starts = tuple[float, float]  # radii of curvature, m
 LEAST_TEETH = 6  # fewer cannot be cut with a usable tooth
 
 
@@ -35,6 +37,12 @@ def check_teeth(given: Given, chosen: Teeth) -> None:
 def check_pair(given: Given, pair: spur.Pair) -> None:
     """Raises ProblemError where there is no such pair: no such angle, teeth out of reach or overlapping."""
     if problems := list(_pair(given, pair)):
+        raise ProblemError(problems)
+
+
+def check_cut(given: Given, pair: spur.Pair, starts: Starts) -> None:
+    """Raises ProblemError where cutting would leave nothing to mesh with; `starts`: where the involutes begin."""
+    if problems := list(_uncut(given, pair, starts)):
         raise ProblemError(problems)
 
 
@@ -100,11 +108,9 @@ def _pair(given: Given, pair: spur.Pair) -> Iterator[Problem]:
         yield inside
     elif not _sound(pair):
         yield _no_contact(given, pair)
-    else:
-        yield from _uncut(given, pair)
 
 
-def _uncut(given: Given, pair: spur.Pair) -> Iterator[Problem]:
+def _uncut(given: Given, pair: spur.Pair, starts: Starts) -> Iterator[Problem]:
     """Wheels of which cutting would leave nothing to mesh with."""
     for i, wheel in enumerate(given.wheels):
         x = float((pair.x1, pair.x2)[i])
@@ -114,13 +120,13 @@ def _uncut(given: Given, pair: spur.Pair) -> Iterator[Problem]:
                 "with the shift %(x)s the spaces of ring %(wheel)s come to a point above their root circle"
             )
             yield mistake(wrong, ("shift",), right, x=_text(x), wheel=wheel)
-        elif pair.signs[i] > 0 and (start := involute_start(pair, i)) is None:
+        elif pair.signs[i] > 0 and math.isinf(starts[i]):
             right = Message(
                 N_("a shift of %(least)s or more"), {"least": f"{math.ceil(1e3 * pair.x_min[i]) / 1e3:g}"}
             )
             wrong = N_("with the shift %(x)s wheel %(wheel)s is undercut up to its tip circle")
             yield mistake(wrong, ("shift",), right, x=_text(x), wheel=wheel)
-        elif pair.signs[i] > 0 and start is not None and start >= _top(pair, i):
+        elif pair.signs[i] > 0 and starts[i] >= _top(pair, i):
             right = Message(N_("shifts between −0.5 and 1.5, or shift: rule"))
             wrong = N_("with the shift %(x)s no involute is left on the teeth of wheel %(wheel)s")
             yield mistake(wrong, ("shift",), right, x=_text(x), wheel=wheel)
@@ -136,22 +142,6 @@ def root_space(pair: spur.Pair, ring: int) -> float:
     """Width of the spaces of a ring at its root circle, m."""
     z = (pair.z1, pair.z2)[ring]
     return float(math.pi * pair.d_f[ring] / z - pair.thickness(pair.d_f)[ring])
-
-
-def involute_start(pair: spur.Pair, i: int) -> float | None:
-    """Radius of curvature where the involute of a wheel begins, m: above the fillet, or where an undercut has eaten it.
-
-    None where the undercut reaches the tip. A ring is taken as a rack would cut it.
-    """
-    lower = float(pair.rho_l[i])
-    if pair.signs[i] < 0 or lower >= 0:
-        return lower
-    z, x = int((pair.z1, pair.z2)[i]), float((pair.x1, pair.x2)[i])
-    try:
-        cut = teeth.external(z, float(pair.m_t), x * math.cos(pair.beta), pair.t, tip=float(pair.d_a[i]) / 2)
-    except ValueError:
-        return None
-    return math.sqrt(max(cut.junction**2 - cut.base**2, 0.0))
 
 
 def _apart(given: Given, pair: spur.Pair) -> Problem:

@@ -1,132 +1,222 @@
-"""Tables and values of a spur stage."""
+"""Every number of a spur stage that anyone can read: its key, symbol, unit and meaning."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.spur import contour as blocking
-from tmm_report.chapters.spur.mesh import mesh_of
 from tmm_report.chapters.spur.solve import Found
-from tmm_report.chapters.spur.wheel_words import DIAMETERS, TEETH
+from tmm_report.chapters.spur.values import values
+from tmm_report.mechanics.conditions import Condition
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.model import Column, Table, Value, plain, plain_value
+from tmm_report.quantity.model import Book, Column, Quantity, Table, text_column
+from tmm_report.quantity.symbols import Symbol, segment
+from tmm_report.quantity.wheel_words import DIAMETERS, TEETH, dimension, of_wheel
+
+__all__ = ["book", "tables", "values"]
 
 WHEELS = N_("dimensions of the wheels of pair %(name)s")
 CONDITIONS = N_("conditions of pair %(name)s")
 SLIDING = N_("specific sliding of pair %(name)s along the line of action")
+POINTS = N_("specific sliding of pair %(name)s at the points of the line of action")
 READINGS = N_("values read off the drawing of pair %(name)s against calculation")
 CONTOUR = N_(
     "shifts of pair %(name)s in the blocking contour: those chosen and the nearest that meet every limit"
 )
+LACKS = N_("limits of the blocking contour that the shifts of pair %(name)s break")
 
-# attribute of the pair, unit, meaning; one number for each wheel
+SI = {"mm": "m", "deg": "deg", "": ""}  # unit of print of a condition -> that of the results
+NUMBER_OF_WHEEL = Message(N_("number of the wheel"))
+UNIT_OF_ROW = Message(N_("unit of the numbers in the row"))
+
+# one number for each wheel, by its attribute of the pair
 DIMENSIONS = (
-    *((key, "m", meaning) for key, meaning in (DIAMETERS | TEETH).items()),
-    ("alpha_a", "deg", N_("profile angle at the tip")),
-    ("rho_a", "m", N_("radius of curvature of the profile at the tip")),
-    ("rho_p", "m", N_("radius of curvature at the lower point of the active profile")),
-    ("root_sliding", "", N_("specific sliding at the lower point of the active profile")),
-    ("tip_sliding", "", N_("specific sliding at the tip")),
-)
-# attribute of the pair, unit, meaning; one number for the pair
-VALUES = (
-    ("ratio", "", N_("ratio of the angular velocities")),
-    ("a", "m", N_("reference centre distance")),
-    ("a_w", "m", N_("centre distance")),
-    ("alpha_w", "deg", N_("operating pressure angle")),
-    ("x_sum", "", N_("sum of the shift coefficients (of an internal pair, their difference)")),
-    ("y", "", N_("coefficient of the shift of the centres")),
-    ("shortening", "", N_("coefficient of the shortening of the tips")),
-    ("p", "m", N_("pitch")),
-    ("p_b", "m", N_("base pitch")),
-    ("p_w", "m", N_("pitch on the working circles")),
-    ("backlash", "m", N_("backlash on the working circles")),
-    ("line", "m", N_("theoretical line of action, between its points of contact with the base circles")),
-    ("active", "m", N_("active part of the line of action")),
-    ("eps", "", N_("contact ratio")),
-    ("two_pairs", "", N_("share of the time in which two pairs are in mesh")),
+    *map(dimension, DIAMETERS | TEETH),
+    Quantity("alpha_a", Symbol("alpha", "a"), "deg", Message(N_("profile angle at the tip"))),
+    Quantity("rho_a", Symbol("rho", "a"), "m", Message(N_("radius of curvature of the profile at the tip"))),
+    Quantity(
+        "rho_p",
+        Symbol("rho", "p"),
+        "m",
+        Message(N_("radius of curvature at the lower point of the active profile")),
+    ),
+    Quantity(
+        "root_sliding",
+        Symbol("lambda", "p"),
+        "",
+        Message(N_("specific sliding at the lower point of the active profile")),
+    ),
+    Quantity("tip_sliding", Symbol("lambda", "a"), "", Message(N_("specific sliding at the tip"))),
 )
 
 
-def values(found: Found, prefix: str) -> Iterator[Value]:
-    """The single numbers of the pair."""
-    for key, unit, meaning in VALUES:
-        number = float(_in(unit, getattr(found.pair, key)))
-        yield plain_value(f"{prefix}_{key}", number, unit, Message(meaning))
+def book(found: Found, prefix: str) -> Book:
+    """All of the stage; every name begins with `prefix`."""
+    return Book.of(tables(found, prefix), values(found, prefix))
 
 
 def tables(found: Found, prefix: str) -> Iterator[Table]:
     """The wheels, conditions, specific sliding over the line of action, readings of the drawing, blocking contour."""
-    name = {"name": found.name}
-    yield Table(f"{prefix}_wheels", Message(WHEELS, name), tuple(_wheels(found)))
-    yield Table(f"{prefix}_conditions", Message(CONDITIONS, name), tuple(_conditions(found)))
-    yield Table(f"{prefix}_sliding", Message(SLIDING, name), tuple(_sliding(found)))
-    yield Table(f"{prefix}_readings", Message(READINGS, name), tuple(_readings(found)))
-    yield Table(f"{prefix}_contour", Message(CONTOUR, name), tuple(_contour(found)))
+    parts = {
+        "wheels": (WHEELS, _wheels), "conditions": (CONDITIONS, _conditions), "sliding": (SLIDING, _sliding),
+        "readings": (READINGS, _readings), "contour": (CONTOUR, _contour), "points": (POINTS, _points),
+        **({} if found.contour.feasible else {"lacks": (LACKS, _lacks)}),
+    }  # fmt: skip
+    for key, (meaning, columns) in parts.items():
+        yield Table(f"{prefix}_{key}", Message(meaning, {"name": found.name}), tuple(columns(found)))
 
 
-def _in(unit: str, value: Any) -> Any:
+def degrees(unit: str, value: Any) -> Any:
+    """An angle in the unit of the results; other values as they are."""
     return np.degrees(value) if unit == "deg" else value
 
 
+# ---------------------------------------------------------------- wheels
+
+
 def _wheels(found: Found) -> Iterator[Column]:
-    pair = found.pair
-    yield plain("wheel", "", Message(N_("number of the wheel")), list(found.given.wheels))
-    yield plain("z", "", Message(N_("number of teeth")), list(found.teeth.z))
-    yield plain("x", "", Message(N_("shift coefficient")), [float(pair.x1), float(pair.x2)])
-    yield plain("x_rule", "", Message(N_("least shift by the rule")), list(found.rule_shifts))
-    yield plain("x_min", "", Message(N_("exact least shift")), [float(x) for x in pair.x_min])
-    for key, unit, meaning in DIMENSIONS:
-        numbers = [float(_in(unit, value)) for value in getattr(pair, key)]
-        yield plain(key, unit, Message(meaning), numbers)
+    pair, names = found.pair, found.given.wheels
+    shift, least = Symbol("x"), Symbol("x", "min")
+    rows: tuple[tuple[Quantity, Sequence[Any]], ...] = (
+        (Quantity("z", Symbol("z"), "", Message(N_("number of teeth"))), found.teeth.z),
+        (Quantity("x", shift, "", Message(N_("shift coefficient"))), (float(pair.x1), float(pair.x2))),
+        (Quantity("x_rule", None, "", Message(N_("least shift by the rule"))), found.rule_shifts),
+        (Quantity("x_min", least, "", Message(N_("exact least shift"))), [float(x) for x in pair.x_min]),
+        *((of, [float(degrees(of.unit, x)) for x in getattr(pair, of.key)]) for of in DIMENSIONS),
+        (
+            Quantity(
+                "rho_l", Symbol("rho", "l"), "m", Message(N_("radius of curvature where the involute begins"))
+            ),
+            found.starts,
+        ),
+    )
+    yield text_column("wheel", NUMBER_OF_WHEEL, list(names))
+    for of, numbers in rows:
+        yield Column(of, list(numbers), [of_wheel(of.symbol, name) for name in names] if of.symbol else ())
+
+
+# ---------------------------------------------------------------- conditions
 
 
 def _conditions(found: Found) -> Iterator[Column]:
     of = found.conditions
-    yield plain("condition", "", Message(N_("name of the condition")), [c.key for c in of])
-    yield plain("wheel", "", Message(N_("number of the wheel")), [c.wheel for c in of])
-    yield plain("unit", "", Message(N_("unit of the numbers in the row")), [_SI[c.unit] for c in of])
+    units, symbols = [SI[c.unit] for c in of], [_symbol(c, bool(found.pair.beta > 0)) for c in of]
+    yield text_column("condition", Message(N_("name of the condition")), [c.key for c in of])
+    yield text_column("wheel", NUMBER_OF_WHEEL, [c.wheel for c in of])
+    yield text_column("unit", UNIT_OF_ROW, units)
     for key, meaning in (("value", N_("value")), ("limit", N_("limit")), ("margin", N_("what is in hand"))):
-        numbers = [float(_in(c.unit, getattr(c, key))) for c in of]
-        yield plain(key, "", Message(meaning), numbers)
-    yield plain("met", "", Message(N_("1 where the condition is met")), [int(c.met) for c in of])
+        numbers = [float(degrees(c.unit, getattr(c, key))) for c in of]
+        yield Column(Quantity(key, None, "", Message(meaning)), numbers, symbols, units)
+    met = Quantity("met", None, "", Message(N_("1 where the condition is met")))
+    yield met.column([int(c.met) for c in of])
 
 
-_SI = {"mm": "m", "deg": "deg", "": ""}  # lengths stand in the results in metres
+def _symbol(c: Condition, helical: bool) -> Symbol:
+    """What a condition is about."""
+    symbols = {
+        "undercut": Symbol("x"), "pointing": Symbol("s", "na" if helical else "a"),
+        "contact": Symbol("epsilon", "alpha"), "interference": Symbol("rho", "p"),
+        "fouling": Symbol("Delta", "phi"), "sliding": Symbol("lambda", "p"),
+    }  # fmt: skip
+    return of_wheel(symbols[c.key], c.wheel)
+
+
+# ---------------------------------------------------------------- line of action
 
 
 def _sliding(found: Found) -> Iterator[Column]:
-    at = found.sliding()
-    one, two = found.given.wheels
-    curvature = N_("radius of curvature of the profile of wheel %(wheel)s at the point of contact")
-    yield plain(f"rho_{one}", "m", Message(curvature, {"wheel": one}), at.rho)
+    at, (one, two) = found.path.along, found.given.wheels
+    yield _curvature(one).column(at.rho)
     for name, numbers in ((one, at.first), (two, at.second)):
-        meaning = Message(N_("specific sliding of wheel %(wheel)s"), {"wheel": name})
-        yield plain(f"lambda_{name}", "", meaning, numbers)
+        yield _slip(name).column(numbers)
+
+
+def _points(found: Found) -> Iterator[Column]:
+    path, (one, two) = found.path, found.given.wheels
+    text = Message(N_("A, B: ends of the active part; C, D: ends of two-pair contact; P: the pitch point"))
+    yield text_column("point", text, list(path.points))
+    for of, numbers in (
+        (_curvature(one), path.at.rho), (_curvature(two), path.mates),
+        (_slip(one), path.at.first), (_slip(two), path.at.second),
+    ):  # fmt: skip
+        yield of.column(numbers)
+
+
+def _curvature(wheel: str) -> Quantity:
+    text = N_("radius of curvature of the profile of wheel %(wheel)s at the point of contact")
+    return Quantity(f"rho_{wheel}", Symbol("rho", wheel), "m", Message(text, {"wheel": wheel}))
+
+
+def _slip(wheel: str) -> Quantity:
+    text = Message(N_("specific sliding of wheel %(wheel)s"), {"wheel": wheel})
+    return Quantity(f"lambda_{wheel}", Symbol("lambda", wheel), "", text)
+
+
+# ---------------------------------------------------------------- drawing of the mesh
+
+
+READ_SYMBOLS = {
+    "angle": Symbol("phi", "gamma"), "pitch": Symbol("tau"), "ratio": Symbol("epsilon", "alpha"),
+}  # fmt: skip
 
 
 def _readings(found: Found) -> Iterator[Column]:
     """Lengths in m, angles in rad."""
-    rows = mesh_of(found).readings
-    wheels = ["" if row.wheel is None else found.given.wheels[row.wheel] for row in rows]
-    yield plain("key", "", Message(N_("quantity")), [row.key for row in rows])
-    yield plain("wheel", "", Message(N_("number of the wheel")), wheels)
-    yield plain("graph", "", Message(N_("by the drawing, SI")), [row.drawn for row in rows])
-    yield plain("analytic", "", Message(N_("by calculation, SI")), [row.computed for row in rows])
-    yield plain("delta", "%", Message(N_("difference of the methods")), [100 * row.error for row in rows])
+    rows, names = found.readings, found.given.wheels
+    units = ["m" if row.wheel is None else "" if row.key == "ratio" else "rad" for row in rows]
+    wheels = ["" if row.wheel is None else names[row.wheel] for row in rows]
+    computed = [_read_symbol(row.key, wheel) for row, wheel in zip(rows, wheels, strict=True)]
+    read = [replace(s, sub="gr") if row.key == "ratio" else s for s, row in zip(computed, rows, strict=True)]
+    graph = Quantity("graph", None, "", Message(N_("by the drawing, SI")))
+    analytic = Quantity("analytic", None, "", Message(N_("by calculation, SI")))
+    delta = Quantity("delta", Symbol("delta"), "%", Message(N_("difference of the methods")))
+    yield text_column("key", Message(N_("quantity")), [row.key for row in rows])
+    yield text_column("wheel", NUMBER_OF_WHEEL, wheels)
+    yield Column(graph, [row.drawn for row in rows], read, units)
+    yield Column(analytic, [row.computed for row in rows], computed, units)
+    yield delta.column([100 * row.error for row in rows])
+    yield text_column("unit", UNIT_OF_ROW, units)
+
+
+def _read_symbol(key: str, wheel: str) -> Symbol:
+    """A segment is named by its ends; the contact ratio is one for both wheels."""
+    if not wheel:
+        return segment(key)
+    return READ_SYMBOLS[key] if key == "ratio" else of_wheel(READ_SYMBOLS[key], wheel)
+
+
+# ---------------------------------------------------------------- blocking contour
 
 
 def _contour(found: Found) -> Iterator[Column]:
-    of = blocking.solve(found)
-    points = {"chosen": of.chosen, "nearest": of.nearest, "same_distance": of.nearest_at_distance}
+    of = found.contour
+    points = {"chosen": of.chosen, "nearest": of.nearest, "same_distance": of.same_distance}
     missing = complex(np.nan, np.nan)
     shifts = np.array([missing if x is None else x for x in points.values()])
     meaning = N_("chosen; the nearest that meets every limit; the nearest of the same centre distance")
-    yield plain("point", "", Message(meaning), list(points))
+    yield text_column("point", Message(meaning), list(points))
     for name, numbers in zip(found.given.wheels, (shifts.real, shifts.imag), strict=True):
         about = Message(N_("shift coefficient of wheel %(wheel)s"), {"wheel": name})
-        yield plain(f"x_{name}", "", about, numbers)
-    yield plain("step", "", Message(N_("distance from the chosen shifts")), np.abs(shifts - of.chosen))
+        yield Quantity(f"x_{name}", Symbol("x", name), "", about).column(numbers)
+    step = Quantity("step", None, "", Message(N_("distance from the chosen shifts")))
+    yield step.column(np.abs(shifts - of.chosen))
+
+
+def _lacks(found: Found) -> Iterator[Column]:
+    """Thicknesses and radii in modules, angles in degrees."""
+    of = found.contour.lacks
+    units = ["deg" if lack.limit.kind == "fouling" else "" for lack in of]
+    wheels = [found.given.wheels[lack.limit.wheel - 1] if lack.limit.wheel else "" for lack in of]
+    numbers = ((lack.value, lack.limit.bound, lack.lack) for lack in of)
+    value, bound, wanting = zip(*numbers, strict=True)
+    yield text_column("limit", Message(N_("name of the limit")), [lack.limit.kind for lack in of])
+    yield text_column("wheel", NUMBER_OF_WHEEL, wheels)
+    yield text_column("unit", UNIT_OF_ROW, units)
+    for key, meaning, column in (
+        ("value", N_("value"), value), ("bound", N_("limit"), bound), ("lack", N_("what is wanting"), wanting),
+    ):  # fmt: skip
+        shown = [float(degrees(unit, x)) for unit, x in zip(units, column, strict=True)]
+        yield Column(Quantity(key, None, "", Message(meaning)), shown, units=units)

@@ -6,106 +6,39 @@ and internal pairs, straight and helical teeth. Artobolevsky, Theory of mechanis
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Literal
 
-import numpy as np
-
-from tmm_report.chapters.spur.mistakes import check, check_pair, check_teeth, involute_start
+from tmm_report.chapters.spur.conditions import conditions_of, involute_starts
+from tmm_report.chapters.spur.contour import Contour, contour_of
+from tmm_report.chapters.spur.given import EQUAL, STANDARD, Given
+from tmm_report.chapters.spur.mesh import Mesh
+from tmm_report.chapters.spur.mistakes import check, check_cut, check_pair, check_teeth
+from tmm_report.chapters.spur.path import Path, path_of
+from tmm_report.chapters.spur.readings import Proof, Reading, prove, read_off
+from tmm_report.chapters.spur.sizes import Teeth, choose_shifts, choose_teeth
 from tmm_report.mechanics import shifts, spur, trains
+from tmm_report.mechanics.conditions import Condition
+from tmm_report.mechanics.involute import inv
 from tmm_report.mechanics.spur import Pair, Rack
 
-Array = Any
-Rule = Literal["rule", "limit", "equal sliding"]
-EQUAL: Rule = "equal sliding"
-STANDARD = Rack()
-
-CONTACT = 1.05  # least contact ratio
-POINTING = 0.3  # least thickness of the tips, modules
-SLIDING = 6.0  # largest specific sliding: 3 for fast drives, up to 6 for slow ones
-SPARE = 2.0  # the sum of teeth may be this much below its bound
-EXACT = 1e-9  # relative: a margin of rounding is none
-ROUNDED = 1.5e-3  # shifts written with three decimals fill the distance
-
-
-@dataclass(frozen=True, eq=False)
-class Given:
-    """What a spur stage states; lengths in m, `helix` in rad.
-
-    `ratio`: ω1/ω2, negative for an external pair. `teeth` None: found from the centre distance; that None: found from
-    the shifts. `shift`: how the sum of shifts is divided, or both. `wheels`: their numbers in the drive, the driving
-    one first.
-    """
-
-    ratio: float
-    module: float
-    centre_distance: float | None = None
-    teeth: tuple[int, int] | None = None
-    wheels: tuple[str, str] = ("1", "2")
-    rack: Rack = STANDARD
-    helix: float = 0.0
-    width: float | None = None
-    shift: Rule | tuple[float, float] = "rule"
-    shortened: bool = True
-    efficiency: float = 0.98
-    name: str = ""
-
-    @property
-    def internal(self) -> bool:
-        return self.ratio > 0
-
-
-@dataclass(frozen=True)
-class Teeth:
-    """Numbers of teeth. `bound`: of their sum (internal: difference), 2 a_w cos β/m; `share`: the part of the smaller
-    wheel before rounding. None without a given centre distance."""
-
-    z: tuple[int, int]
-    bound: float | None = None
-    share: float | None = None
-
-    @property
-    def small(self) -> int:
-        """Which wheel is the smaller: 0 or 1."""
-        return int(self.z[1] < self.z[0])
-
-
-@dataclass(frozen=True)
-class Condition:
-    """A condition of a sound pair: `value` must be no less than `limit`, or no greater where not `least`.
-
-    `key`: undercut, pointing, contact, interference, fouling, sliding; `wheel`: its number, "" for the pair. Shifts and
-    ratios are pure numbers, lengths m, angles rad.
-    """
-
-    key: str
-    wheel: str
-    value: float
-    limit: float
-    unit: str = ""
-    least: bool = True
-
-    @property
-    def margin(self) -> float:
-        """What is in hand; negative where the condition fails."""
-        return self.value - self.limit if self.least else self.limit - self.value
-
-    @property
-    def met(self) -> bool:
-        return self.margin >= -EXACT * max(abs(self.limit), 1e-3)
+__all__ = ["EQUAL", "STANDARD", "Condition", "Found", "Given", "Rack", "solve"]
 
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """Found by `solve`. `pair`: all dimensions; `conditions`: in the order of the note."""
+    """Found by `solve`. `pair`: all dimensions; `path`: the line of action; `starts`: radii of curvature where the
+    involutes begin, m; `conditions`: in the order of the note; `mesh`: as it is drawn, `readings`: off that drawing."""
 
     given: Given
     teeth: Teeth
     pair: Pair
+    path: Path
+    starts: tuple[float, float]
     conditions: tuple[Condition, ...]
+    mesh: Mesh
+    readings: tuple[Reading, ...]
+    contour: Contour
 
     fixed: tuple[str, ...] = ()  # members that stand still, and a second input: none in this stage
     second: None = None
@@ -152,9 +85,33 @@ class Found:
             trains.Mesh(*self.given.wheels, internal=self.given.internal, efficiency=self.given.efficiency),
         )
 
+    # ------------------------------------------------------------ what is said of the pair
+
     @property
     def failed(self) -> tuple[Condition, ...]:
         return tuple(condition for condition in self.conditions if not condition.met)
+
+    def met_by_rule(self, condition: Condition) -> bool:
+        """Whether a wheel that is undercut, exactly, is not by the rule of the course."""
+        least = self.rule_shifts[self.given.wheels.index(condition.wheel)] if condition.wheel else 0.0
+        return condition.key == "undercut" and condition.value >= least - 1e-9
+
+    @property
+    def loose(self) -> bool:
+        """Whether the shifts leave backlash at the given distance."""
+        return bool(self.pair.backlash > 1e-6 * self.pair.m)
+
+    @property
+    def beyond(self) -> bool:
+        """Whether the contact passes an end of the line of action, where the sliding has no bound."""
+        return bool(min(self.pair.rho_p) <= 0)
+
+    @property
+    def two_zones(self) -> bool:
+        """Whether one and two pairs of teeth take turns."""
+        return bool(1 < self.pair.eps < 2)
+
+    # ------------------------------------------------------------ numbers beside those of the pair
 
     @cached_property
     def rule_shifts(self) -> tuple[float, float]:
@@ -162,26 +119,20 @@ class Found:
         return tuple(float(shifts.rule_shift(z, self.pair.rack, self.pair.beta)) for z in self.teeth.z)  # type: ignore[return-value]
 
     @cached_property
-    def points(self) -> dict[str, float]:
-        """Radii of curvature of wheel 1, m, at the points of the line of action in the order of their passing.
-
-        A, B: ends of the active part; D, C: one base pitch from them; P: the pitch point. Between A and C, D and B two
-        pairs of teeth are in mesh, where the contact ratio is over 1.
-        """
-        p = self.pair
-        begin, end, way = float(p.rho_p[0]), float(p.rho_a[0]), float(p.p_b) * float(p.signs[0])
-        places = {"A": begin, "C": end - way, "P": float(p.rho_w[0]), "D": begin + way, "B": end}
-        return {name: places[name] for name in "ACPDB"}
-
-    def sliding(self, count: int = 121) -> spur.Sliding:
-        """Specific sliding at `count` places over the whole active part of the line of action."""
-        return self.pair.sliding(np.linspace(self.points["A"], self.points["B"], count))
+    def involutes(self) -> tuple[float, float]:
+        """Involute functions of the profile angle (in the transverse section) and of the operating one."""
+        return float(inv(self.pair.t.alpha)), float(inv(self.pair.alpha_w))
 
     @cached_property
-    def involute_starts(self) -> tuple[float, float]:
-        """Radii of curvature where the involutes begin, m: above the fillet, or where an undercut has eaten them."""
-        starts = [involute_start(self.pair, i) for i in (0, 1)]
-        return tuple(math.inf if start is None else start for start in starts)  # type: ignore[return-value]
+    def needed(self) -> float:
+        """The sum of shifts that fills the distance without backlash."""
+        p = self.pair
+        return float(spur.shift_sum(p.z1, p.z2, p.m, p.rack, p.beta, p.a_w, p.internal))
+
+    @cached_property
+    def proof(self) -> Proof:
+        """By the outlines over a full pitch: as long as ten solutions, so it is made when it is asked for."""
+        return prove(self.mesh)
 
 
 def solve(given: Given) -> Found:
@@ -189,88 +140,12 @@ def solve(given: Given) -> Found:
     check(given)
     chosen = choose_teeth(given)
     check_teeth(given, chosen)
-    pair = _pair(given, chosen)
+    pair = choose_shifts(given, chosen)
     check_pair(given, pair)
-    found = Found(given, chosen, pair, ())
-    return replace(found, conditions=tuple(_conditions(found)))
-
-
-# ---------------------------------------------------------------- teeth
-
-
-def bound_of(given: Given) -> float:
-    """2 a_w cos β/m: the sum (internal: difference) of teeth that unshifted wheels would have at the distance."""
-    return 2 * (given.centre_distance or 0.0) * math.cos(given.helix) / given.module
-
-
-def choose_teeth(given: Given) -> Teeth:
-    """The given teeth; else the smaller wheel's share of the bound rounded down, the larger by the ratio.
-
-    The larger is changed, and the ratio with it, as far as is needed for the sum to be less than 2 under its bound.
-    """
-    large = max(abs(given.ratio), 1 / abs(given.ratio))  # ratio of the larger to the smaller
-    if given.centre_distance is None:
-        return Teeth(given.teeth or (0, 0))
-    bound = bound_of(given)
-    share = bound / (large - 1 if given.internal else large + 1)
-    if given.teeth is not None:
-        return Teeth(given.teeth, bound, share)
-    small = math.floor(share * (1 + EXACT))
-    sign = -1 if given.internal else 1
-    most = math.floor(bound * (1 + EXACT) - sign * small)
-    least = math.ceil(bound * (1 - EXACT) - SPARE - sign * small)
-    big = min(max(round(large * small), least), most)
-    return Teeth((small, big) if abs(given.ratio) >= 1 else (big, small), bound, share)
-
-
-# ---------------------------------------------------------------- shifts
-
-
-def _pair(given: Given, chosen: Teeth) -> Pair:
-    stated = given.shift if isinstance(given.shift, tuple) else None
-    x1, x2 = stated or _own_shifts(given, chosen)
-    settings = (*chosen.z, given.module, given.rack, given.helix)
-    if given.centre_distance is None:
-        pair = spur.meshed(*settings, x1, x2, given.internal, given.shortened)
-        return shifts.with_first_shift(pair, shifts.equal_sliding(pair)) if given.shift == EQUAL else pair
-    needed = spur.shift_sum(*settings, given.centre_distance, given.internal)
-    pair = Pair(*settings, x1, x2, given.centre_distance, given.internal, given.shortened)
-    if stated:
-        # shifts written with a few digits are meant to fill the distance
-        return shifts.filling(pair, 0, x1, needed) if abs(pair.x_sum - needed) <= ROUNDED else pair
-    pair = shifts.filling(pair, chosen.small, (x1, x2)[chosen.small], needed)
-    return shifts.with_first_shift(pair, shifts.equal_sliding(pair)) if given.shift == EQUAL else pair
-
-
-def _own_shifts(given: Given, chosen: Teeth) -> tuple[float, float]:
-    """What each external wheel needs of its own; a ring is shifted as its pinion."""
-    own = tuple(_least(given, z) for z in chosen.z)
-    return (own[chosen.small], own[chosen.small]) if given.internal else (own[0], own[1])
-
-
-def _least(given: Given, z: int) -> float:
-    if given.shift == "limit":
-        return max(float(spur.least_shift(z, given.rack, given.helix)), 0.0)
-    return float(shifts.rule_shift(z, given.rack, given.helix))
-
-
-# ---------------------------------------------------------------- conditions
-
-
-def _conditions(found: Found) -> Iterator[Condition]:
-    pair, names = found.pair, found.given.wheels
-    wheels = [i for i in (0, 1) if pair.signs[i] > 0]
-    for i in wheels:
-        yield Condition("undercut", names[i], float([pair.x1, pair.x2][i]), float(pair.x_min[i]))
-    for i in (0, 1):
-        yield Condition("pointing", names[i], float(pair.s_na[i]), POINTING * pair.m, "mm")
-    yield Condition("contact", "", float(pair.eps), CONTACT)
-    for i in (0, 1):
-        start = found.involute_starts[i]
-        yield Condition(
-            "interference", names[i], float(pair.rho_p[i]), start, "mm", least=bool(pair.signs[i] > 0)
-        )
-    if pair.internal:
-        yield Condition("fouling", "", float(pair.fouling), 0.0, "deg")
-    for i in (0, 1):
-        yield Condition("sliding", names[i], abs(float(pair.root_sliding[i])), SLIDING, least=False)
+    starts = involute_starts(pair)
+    check_cut(given, pair, starts)
+    path = path_of(pair)
+    conditions = tuple(conditions_of(pair, given.wheels, starts))
+    mesh = Mesh(pair, path.points)
+    readings = read_off(mesh, given.accuracy)
+    return Found(given, chosen, pair, path, starts, conditions, mesh, readings, contour_of(pair))

@@ -5,20 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from markupsafe import Markup
-
 from tmm_report.report.page import Page
+from tmm_report.report.part import Part
 
 
-def chapters(results: Any, page: Page) -> list[tuple[str, Any]]:
-    """(template, view) of every gear chapter that was solved, in the order of the note."""
-    return [*_drive(results.drive, page), *_eccentric(results.eccentric, page)]
-
-
-def conclusions(views: list[tuple[str, Any]]) -> list[Markup]:
-    """What the conclusions of the note say of the gears."""
-    said = dict.fromkeys(view for _, view in views)
-    return [line for view in said for line in view.conclusions()]
+def parts(found: Any, page: Page) -> Iterator[Part]:
+    """(template, view) of a gear chapter, in the order of the note."""
+    make = _eccentric if found.__class__.__module__.endswith("eccentric.solve") else _drive
+    yield from (Part(template, view) for template, view in make(found, page))
 
 
 def _drive(found: Any, page: Page) -> Iterator[tuple[str, Any]]:

@@ -27,11 +27,19 @@ def draw(found: Kinetostatics, position: int, length_scale: float, force_scale: 
     """
     sheet = Sheet(found, position, length_scale, force_scale, pen)
     plans = [_group(sheet, group) for group in reversed(sheet.motion.linkage.groups)]
+    sheet.begin()
     plan, moment = driver.plan(sheet)
     return ForceDrawn(
-        position, tuple(sheet.inertia), (*plans, plan), tuple(sheet.reduced), moment, tuple(sheet.comparison)
+        position,
+        tuple(sheet.inertia),
+        (*plans, plan),
+        tuple(sheet.reduced),
+        tuple(sheet.worked),
+        moment,
+        tuple(sheet.comparison),
     )
 
 
 def _group(sheet: Sheet, group: Dyad | HigherGroup) -> ForcePlan:
+    sheet.begin()
     return dyad.plan(sheet, group) if isinstance(group, Dyad) else system.plan(sheet, group)

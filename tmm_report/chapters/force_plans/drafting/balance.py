@@ -13,13 +13,16 @@ from typing import Any
 import numpy as np
 
 from tmm_report.chapters.force_plans.drafting.plan import Arm, Balance
-from tmm_report.chapters.force_plans.drafting.sheet import Sheet, plus
+from tmm_report.chapters.force_plans.drafting.sheet import Sheet, plus, symbol
+from tmm_report.chapters.force_plans.quantities import arm, moment_sum
+from tmm_report.chapters.kinetostatics.quantities import guide_moment, reaction, reaction_part
 from tmm_report.mechanics.higher import HigherGroup
 from tmm_report.mechanics.planar import cross
 from tmm_report.mechanics.structure import Pair
-from tmm_report.quantity.formula import Expr, Number, Symbol, Term, VectorEquation
+from tmm_report.quantity.formula import Expr, Formula, Number, Term, Var, VectorEquation
+from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.text import round_significant
-from tmm_report.quantity.written import DIGITS, Equation, Unknown, hand, number, reaction_key, symbol_of
+from tmm_report.quantity.written import DIGITS, Equation, Unknown
 
 Array = Any
 
@@ -29,9 +32,8 @@ class _Column:
     """An unknown: a force of 1 N along `along` (of the pair's first link on the second), or a moment (0)."""
 
     pair: Pair
-    symbol: Symbol
+    quantity: Quantity
     along: complex
-    unit: str
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,7 +41,7 @@ class Equilibrium:
     """Balances of the links, in their order; force of each pair's first link on the second, by pair key, complex N."""
 
     balances: tuple[Balance, ...]
-    solution: tuple[tuple[Symbol, float, str], ...]
+    solution: tuple[Var, ...]
     forces: Mapping[str, complex]
 
 
@@ -69,30 +71,34 @@ def equilibrium(sheet: Sheet, group: HigherGroup, arms: list[Arm]) -> Equilibriu
     forces = dict.fromkeys((pair.key for pair in pairs), 0j)
     for column, value in zip(system.columns, x, strict=True):
         forces[column.pair.key] += column.along * float(round_significant(value, DIGITS))
-    solution = tuple((c.symbol, float(value), c.unit) for c, value in zip(system.columns, x, strict=True))
+    solution = tuple(sheet.number(c.quantity, float(v)) for c, v in zip(system.columns, x, strict=True))
     return Equilibrium(balances, solution, forces)
 
 
 def _columns(sheet: Sheet, pair: Pair) -> list[_Column]:
-    key = reaction_key(*pair.links)
     if pair.kind == "R":
-        return [_Column(pair, symbol_of(f"{key}_x"), 1, "N"), _Column(pair, symbol_of(f"{key}_y"), 1j, "N")]
+        x, y = (reaction_part(*pair.links, axis) for axis in ("x", "y"))
+        return [_Column(pair, x, 1), _Column(pair, y, 1j)]
     normal = 1j * sheet.guide(pair)
-    return [_Column(pair, symbol_of(key), normal, "N"), _Column(pair, Symbol("M", key[2:]), 0, "N·m")]
+    return [_Column(pair, reaction(*pair.links), normal), _Column(pair, guide_moment(*pair.links), 0)]
 
 
 def _balance(sheet: Sheet, link: str, system: _System, arms: list[Arm]) -> Balance:
     """The three equations of a link: both projections of the forces, and the moments about its first joint."""
     about = min((c.pair for c in system.columns if link in c.pair.links), key=lambda pair: pair.kind == "P")
     place = sheet.joint(about)
-    loads = hand(f"SigmaM_{about.name}", sheet.moment_sum((link,), about.name, place, arms), 0.0)
+    loads = sheet.hand(moment_sum(about.name, (link,)), sheet.moment_sum((link,), about.name, place, arms))
     levers = [_lever(sheet, column, link, place) for column in system.columns]
     force = sum((a.vector for a in sheet.acting[link]), 0j)
     for part in (np.real, np.imag):
         system.add([_sense(c.pair, link) * float(part(c.along)) for c in system.columns], -float(part(force)))
     system.add(levers, -loads.written)
     return Balance(
-        link, about.name, _forces(sheet, link, system), loads, _moments(loads.written, levers, system)
+        link,
+        about.name,
+        _forces(sheet, link, system),
+        loads,
+        _moments(sheet, link, about.name, loads, levers, system),
     )
 
 
@@ -115,19 +121,23 @@ def _forces(sheet: Sheet, link: str, system: _System) -> VectorEquation:
     """Sum of the forces on a link."""
     pairs = dict.fromkeys(c.pair for c in system.columns if link in c.pair.links)
     reactions = [
-        Term(symbol_of(reaction_key(*p.links)), int(p.kind == "P"), negative=link == p.links[0])
-        for p in pairs
+        Term(symbol(reaction(*p.links)), int(p.kind == "P"), negative=link == p.links[0]) for p in pairs
     ]
     first, *others = sorted(reactions, key=lambda term: term.negative)
     return VectorEquation([[first, *sheet.terms(link), *others], []])
 
 
-def _moments(loads: float, levers: list[float], system: _System) -> Equation:
+def _moments(
+    sheet: Sheet, link: str, about: str, loads: Formula, levers: list[float], system: _System
+) -> Equation:
     """Sum of the moments on a link with its numbers."""
-    total: Expr | None = number("M", loads, "N·m") if loads else None
+    total: Expr | None = None
+    if loads.written:
+        total = sheet.number(moment_sum(about, (link,)), loads.written)
     for lever, column in zip(levers, system.columns, strict=True):
         if lever:
-            unknown = Unknown(column.symbol, np.nan)
-            term = number("h", abs(lever), "m") * unknown if column.along else unknown
+            of = column.quantity
+            unknown = Unknown(symbol(of), np.nan, of.unit, meaning=of.meaning)
+            term = sheet.number(arm(of, f"{about}_{link}"), abs(lever)) * unknown if column.along else unknown
             total = plus(total, term, lever)
     return Equation(total if total is not None else Number(0.0))

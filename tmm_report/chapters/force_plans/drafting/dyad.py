@@ -10,13 +10,17 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from tmm_report.chapters.force_plans.drafting.plan import Arm, ForcePlan, ForceStroke
-from tmm_report.chapters.force_plans.drafting.sheet import Sheet
+from tmm_report.chapters.force_plans.drafting.sheet import Sheet, symbol
+from tmm_report.chapters.force_plans.quantities import moment_sum
+from tmm_report.chapters.initial_data.quantities import length
+from tmm_report.chapters.kinetostatics.quantities import reaction, reaction_part
 from tmm_report.mechanics.dyads import Dyad
 from tmm_report.mechanics.planar import resolve, unit
 from tmm_report.mechanics.structure import Pair
-from tmm_report.quantity.formula import Formula, Symbol, Term, VectorEquation
+from tmm_report.quantity.formula import Formula, Term, VectorEquation
+from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.text import round_significant
-from tmm_report.quantity.written import DIGITS, hand, number, reaction_key, symbol_of
+from tmm_report.quantity.written import DIGITS
 
 Corners = tuple[complex, complex, complex]  # P0, P1, P2: before the loads of b, between, after those of a; mm
 
@@ -48,7 +52,7 @@ def plan(sheet: Sheet, d: Dyad) -> ForcePlan:
 def _lines(
     sheet: Sheet, d: Dyad, corners: Corners, mu: float, arms: list[Arm], moments: list[Formula]
 ) -> tuple[list[tuple[complex, complex]], dict[str, complex]]:
-    """The two lines that cross in X, and the tangential components laid off on the way, mm by key."""
+    """The two lines that cross in X, and the tangential components laid off on the way, mm by link."""
     P0, P1, P2 = corners
     A, B, C = (sheet.joint(pair) for pair in (d.outer_a, d.inner, d.outer_b))
     components: dict[str, complex] = {}
@@ -59,16 +63,14 @@ def _lines(
     ) -> complex:
         """Component of an outer reaction across its arm, from the moments about a joint; mm."""
         total = sheet.moment_sum(links, joint, about, arms)
-        size = number(
-            Symbol("l", joint + pair.name), float(round_significant(abs(at - about), DIGITS + 2)), "m"
-        )
-        key = f"{reaction_key(pair.other(link), link)}_t"
-        sum_of_moments = hand(f"SigmaM_{joint}", total, 0.0)
-        moment = number(sum_of_moments.result, sum_of_moments.written, "N·m")
-        formula = hand(key, -moment / size, 0.0)
+        arm = float(round_significant(abs(at - about), DIGITS + 2))
+        of = reaction_part(pair.other(link), link, "t")
+        sum_of_moments = sheet.hand(moment_sum(joint, tuple(links)), total)
+        moment = sheet.number(moment_sum(joint, tuple(links)), sum_of_moments.written)
+        formula = sheet.hand(of, -moment / sheet.number(length(joint + pair.name), arm))
         moments.extend((sum_of_moments, formula))
-        components[key] = sheet.pen.place(1j * unit(at - about) * formula.written / mu)
-        return components[key]
+        components[link] = sheet.pen.place(1j * unit(at - about) * formula.written / mu)
+        return components[link]
 
     def across(pair: Pair) -> complex:
         """Direction of a reaction across a guide."""
@@ -93,17 +95,18 @@ def _reaction_strokes(
     d: Dyad, corners: Corners, X: complex, components: Mapping[str, complex]
 ) -> list[ForceStroke]:
     P0, P1, P2 = corners
-    on_a, on_b, inner = _keys(d)
+    on_a, on_b, inner = _reactions(d)
+    (a_t, a_n), (b_t, b_n) = _parts(d.carrier_a, d.a), _parts(d.carrier_b, d.b)
     strokes = []
-    if (part := components.get(f"{on_a}_t")) is not None:
+    if (part := components.get(d.a)) is not None:
         strokes += [
-            ForceStroke(P2, P2 + part, f"{on_a}_t", "component"),
-            ForceStroke(P2 + part, X, f"{on_a}_n", "component"),
+            ForceStroke(P2, P2 + part, a_t, "component"),
+            ForceStroke(P2 + part, X, a_n, "component"),
         ]
-    if (part := components.get(f"{on_b}_t")) is not None:
+    if (part := components.get(d.b)) is not None:
         strokes += [
-            ForceStroke(X, P0 - part, f"{on_b}_n", "component"),
-            ForceStroke(P0 - part, P0, f"{on_b}_t", "component"),
+            ForceStroke(X, P0 - part, b_n, "component"),
+            ForceStroke(P0 - part, P0, b_t, "component"),
         ]
     return [
         *strokes,
@@ -113,27 +116,32 @@ def _reaction_strokes(
     ]
 
 
-def _keys(d: Dyad) -> tuple[str, str, str]:
+def _reactions(d: Dyad) -> tuple[Quantity, Quantity, Quantity]:
     """Outer reactions on a and on b, and the inner one, of b on a."""
-    return reaction_key(d.carrier_a, d.a), reaction_key(d.carrier_b, d.b), reaction_key(d.b, d.a)
+    return reaction(d.carrier_a, d.a), reaction(d.carrier_b, d.b), reaction(d.b, d.a)
+
+
+def _parts(by: str, on: str) -> tuple[Quantity, Quantity]:
+    """Tangential and normal component of a reaction."""
+    return reaction_part(by, on, "t"), reaction_part(by, on, "n")
 
 
 def _readings(sheet: Sheet, d: Dyad, corners: Corners, X: complex, mu: float) -> list[Formula]:
     """Reactions read off the plan."""
     P0, P1, P2 = corners
     vectors, pairs = (X - P2, P0 - X, P1 - X), (d.outer_a, d.outer_b, d.inner)
-    return [sheet.read(*row, mu) for row in zip(_keys(d), vectors, pairs, strict=True)]
+    return [sheet.read(*row, mu) for row in zip(_reactions(d), vectors, pairs, strict=True)]
 
 
 def _equation(sheet: Sheet, d: Dyad, components: Mapping[str, complex]) -> VectorEquation:
     """Sum of all forces of the group; in an RPP and RPR group the inner reaction has its own known direction."""
-    on_a, on_b, _ = _keys(d)
 
-    def reaction(key: str) -> list[Term]:
-        if f"{key}_t" in components:
-            return [Term(symbol_of(f"{key}_n"), 1), Term(symbol_of(f"{key}_t"), 2)]
-        pair = d.outer_a if key == on_a else d.outer_b
-        return [Term(symbol_of(key), 1 if pair.kind == "P" else 0)]
+    def outer(carrier: str, link: str, pair: Pair) -> list[Term]:
+        if link in components:
+            tangential, normal = _parts(carrier, link)
+            return [Term(symbol(normal), 1), Term(symbol(tangential), 2)]
+        return [Term(symbol(reaction(carrier, link)), 1 if pair.kind == "P" else 0)]
 
+    on_a, on_b = outer(d.carrier_a, d.a, d.outer_a), outer(d.carrier_b, d.b, d.outer_b)
     loads = [term for link in (d.a, d.b) for term in sheet.terms(link)]
-    return VectorEquation([[*reaction(on_a), *loads, *reversed(reaction(on_b))], []])
+    return VectorEquation([[*on_a, *loads, *reversed(on_b)], []])

@@ -7,28 +7,37 @@ from dataclasses import dataclass
 from typing import Literal
 
 from tmm_report.chapters.plans.solve import Comparison
-from tmm_report.quantity.formula import Formula, Symbol, VectorEquation
-from tmm_report.quantity.written import Equation
+from tmm_report.quantity.formula import Formula, Var, VectorEquation
+from tmm_report.quantity.model import Quantity
+from tmm_report.quantity.written import Equation, Worked
 
 Kind = Literal["gravity", "inertia", "load", "reaction", "component"]
 
 
 @dataclass(frozen=True)
 class Acting:
-    """A force on a link as it enters a plan: `key` of its symbol, complex N, world place of application, m."""
+    """A force on a link as it enters a plan: complex N, world place of application, m."""
 
-    key: str
+    quantity: Quantity
     kind: Kind
     vector: complex
     at: complex
+
+    @property
+    def key(self) -> str:
+        return self.quantity.key
 
 
 @dataclass(frozen=True)
 class Couple:
     """A moment on a link, N m, + counter-clockwise."""
 
-    key: str
+    quantity: Quantity
     value: float
+
+    @property
+    def key(self) -> str:
+        return self.quantity.key
 
 
 @dataclass(frozen=True)
@@ -37,18 +46,26 @@ class ForceStroke:
 
     start: complex
     end: complex
-    key: str
+    quantity: Quantity
     kind: Kind
+
+    @property
+    def key(self) -> str:
+        return self.quantity.key
 
 
 @dataclass(frozen=True)
 class Arm:
     """The arm of a force about a joint, read off the scheme: mm of paper, and m."""
 
-    key: str
+    force: Quantity
     about: str
     millimetres: float
     metres: float
+
+    @property
+    def key(self) -> str:
+        return self.force.key
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,7 +99,7 @@ class ForcePlan:
     strokes: tuple[ForceStroke, ...]
     readings: tuple[Formula, ...]
     balances: tuple[Balance, ...] = ()
-    solution: tuple[tuple[Symbol, float, str], ...] = ()
+    solution: tuple[Var, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,5 +125,6 @@ class ForceDrawn:
     inertia: tuple[Formula, ...]
     plans: tuple[ForcePlan, ...]
     reduced: tuple[Reduced, ...]
+    worked: tuple[Worked, ...]  # of the inertia forces, then of every plan
     balancing: float  # signed, N m, + counter-clockwise
     comparison: tuple[Comparison, ...]

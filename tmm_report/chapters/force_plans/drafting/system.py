@@ -10,11 +10,11 @@ from __future__ import annotations
 
 from tmm_report.chapters.force_plans.drafting.balance import equilibrium
 from tmm_report.chapters.force_plans.drafting.plan import Arm, ForcePlan, ForceStroke
-from tmm_report.chapters.force_plans.drafting.sheet import Sheet
+from tmm_report.chapters.force_plans.drafting.sheet import Sheet, symbol
+from tmm_report.chapters.kinetostatics.quantities import reaction
 from tmm_report.mechanics.higher import HigherGroup
 from tmm_report.mechanics.structure import Group, Pair
 from tmm_report.quantity.formula import Term, VectorEquation
-from tmm_report.quantity.written import reaction_key, symbol_of
 
 ONE_LINE = 1.0  # mm: lines nearer than this are one
 
@@ -26,7 +26,7 @@ def plan(sheet: Sheet, group: HigherGroup) -> ForcePlan:
     found = equilibrium(sheet, group, arms)
     polygon = _Polygon(sheet, group.group, {key: force / mu for key, force in found.forces.items()}, mu)
     pairs = (*group.group.outer, *group.group.inner)
-    readings = [sheet.read(reaction_key(*p.links), polygon.drawn[p.key], p, mu) for p in pairs]
+    readings = [sheet.read(reaction(*p.links), polygon.drawn[p.key], p, mu) for p in pairs]
     loads = {link: tuple(sheet.acting[link]) for link in group.links}
     couples = {link: tuple(sheet.couples[link]) for link in group.links}
     equation = VectorEquation([polygon.terms, []])
@@ -98,7 +98,7 @@ class _Polygon:
         self.terms += self.sheet.terms(link)
         for pair in (p for p in self.group.outer if link in p.links):
             self._reaction(pair, link)
-            self.terms.append(Term(symbol_of(reaction_key(*pair.links)), 2))
+            self.terms.append(Term(symbol(reaction(*pair.links)), 2))
         for child, pair in self.tree.onward(link):
             self._subtree(child, pair)
         for pair, far, _ in self.tree.back:
@@ -127,9 +127,9 @@ class _Polygon:
         first, second = (start, end) if sense > 0 else (end, start)
         if pair.key not in self.drawn:
             self.drawn[pair.key] = second - first
-            self.strokes.append(ForceStroke(first, second, reaction_key(*pair.links), "reaction"))
+            self.strokes.append(ForceStroke(first, second, reaction(*pair.links), "reaction"))
             return
-        old = next(s for s in self.strokes if s.key == reaction_key(*pair.links))
+        old = next(s for s in self.strokes if s.key == reaction(*pair.links).key)
         if abs(old.start - first) + abs(old.end - second) > ONE_LINE:
-            key = reaction_key(*(pair.links if sense > 0 else pair.links[::-1]))
-            self.strokes.append(ForceStroke(start, end, key, "reaction"))
+            one, other = pair.links if sense > 0 else pair.links[::-1]
+            self.strokes.append(ForceStroke(start, end, reaction(one, other), "reaction"))

@@ -19,22 +19,22 @@ __all__ = ["Plan", "Projections", "Scales", "Step", "acceleration_plan", "veloci
 
 def velocity_plan(motion: Motion, position: int, scales: Scales, pen: Pen) -> Plan:
     """Plan of velocities; `motion` at that one position, only its places are used."""
-    return _drafted(Sheet(motion, scales, pen, None), position)
+    return _drafted(Sheet(motion, position, scales, pen, None))
 
 
 def acceleration_plan(motion: Motion, position: int, scales: Scales, pen: Pen, velocity: Plan) -> Plan:
     """Plan of accelerations; normal and Coriolis parts come from the plan of velocities."""
-    return _drafted(Sheet(motion, scales, pen, velocity), position)
+    return _drafted(Sheet(motion, position, scales, pen, velocity))
 
 
-def _drafted(sheet: Sheet, position: int) -> Plan:
+def _drafted(sheet: Sheet) -> Plan:
     first = lead.formulas(sheet)
     steps = tuple(_step(sheet, r) for r in relations(sheet.linkage))
     sheet.copy_rates()
     turns = {link: image.turn for link, image in sheet.images.items()}
     return Plan(
-        sheet.kind, position, sheet.scale, sheet.pole, sheet.vertices, tuple(sheet.strokes), sheet.segments,
-        sheet.values, sheet.per_mm, first, steps, turns,
+        sheet.kind, sheet.worked.position, sheet.scale, sheet.pole, sheet.vertices, tuple(sheet.strokes),
+        sheet.segments, sheet.values, sheet.per_mm, first, steps, turns, sheet.worked,
     )  # fmt: skip
 
 

@@ -12,7 +12,7 @@ from tmm_report.mechanics.planar import unit
 from tmm_report.mechanics.relations import Branch
 from tmm_report.quantity.formula import Formula, Symbol, Term, Var
 from tmm_report.quantity.text import round_significant
-from tmm_report.quantity.written import DIGITS, laid_off, number, symbol_of
+from tmm_report.quantity.written import DIGITS, segment_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,18 +72,18 @@ def _bend(sheet: Sheet, branch: Branch, arm: complex, z: complex, start: str) ->
     """Lay the normal or Coriolis part off from the vertex `start` at `z`; the lettering of its end."""
     v = sheet.velocity
     assert v is not None
-    speed = number(symbol_of(branch.v_key), v.values[branch.v_key], "m/s")
+    speed = sheet.number(branch.v_key, v.values[branch.v_key])
     if branch.turns:
         key, size = branch.a_key("n"), speed**2 / length(sheet, branch, arm)
     else:
-        w = number(Symbol("omega", branch.link), v.values[f"w_{branch.link}"], "rad/s")
+        w = sheet.number(f"w_{branch.link}", v.values[f"w_{branch.link}"])
         key, size = branch.a_key("k"), 2 * w * speed
     count = 1 + sum(s.role == "bend" for s in sheet.strokes)
     letter = sheet.letter(f"{'n' if branch.turns else 'k'}{count}")
     z_bend = sheet.vertices[letter] = sheet.pen.place(z + bend(sheet, branch, arm) / sheet.scale)
     sheet.stroke(z, z_bend, key, "bend")
     value = sheet.write(key, size)
-    laid = laid_off(start + letter, number(symbol_of(key), value.written) / sheet.mu)
+    laid = sheet.worked.laid_off(segment_of(start + letter), sheet.number(key, value.written) / sheet.mu)
     sheet.segments[start + letter] = sheet.pen.read(z_bend - z)
     return letter, [value, laid]
 
@@ -97,7 +97,7 @@ def length(sheet: Sheet, branch: Branch, arm: complex) -> Var:
     given = (
         float(np.abs(points[branch.arm[1]] - points[branch.arm[0]])) if rigid else mm * sheet.scales.length
     )
-    return number(Symbol("l", "".join(branch.arm)), float(round_significant(given, DIGITS + 2)), "m")
+    return sheet.length("".join(branch.arm), float(round_significant(given, DIGITS + 2)))
 
 
 def rate_key(sheet: Sheet, branch: Branch) -> str:
@@ -113,7 +113,7 @@ def close(sheet: Sheet, line: Line, z: complex) -> list[Formula]:
         return []
     if bends(sheet, branch) and branch.start is not None:
         # the whole relative acceleration: other points of the link lie along it
-        sheet.stroke(line.z_start, z, f"a_{branch.pair}", "relative")
+        sheet.stroke(line.z_start, z, f"a_{branch.pair}", "relative", Symbol("a", branch.pair))
     role: Role = "relative" if sheet.kind == "v" else "rate"
     sheet.stroke(line.z_bend, z, key, "absolute" if line.letter == sheet.pole else role)
     return [sheet.read(key, line.letter, sheet.letter(branch.end))] if key not in sheet.values else []
@@ -126,16 +126,16 @@ def angular(sheet: Sheet, line: Line) -> list[Formula]:
         return []
     key = rate_key(sheet, branch)
     arm = length(sheet, branch, line.arm)
-    top = number(symbol_of(key), sheet.values[key])
+    top = sheet.number(key, sheet.values[key])
     return [sheet.write(sheet.rate(branch.link), top / arm, sheet.scale / float(arm.number))]
 
 
 def terms(sheet: Sheet, branch: Branch, known: int = 1) -> list[Term]:
     """A branch as a side of a vector equation. `known` of its last vector: 1 the direction, 2 the magnitude too."""
-    start = [Term(Symbol(sheet.kind, branch.start), known=2)] if branch.start else []
+    start = [Term(sheet.symbol(f"{sheet.kind}_{branch.start}"), known=2)] if branch.start else []
     along = "⟂ " + "".join(branch.arm) if branch.arm else f"∥ {branch.guide}"
-    rate = Term(symbol_of(rate_key(sheet, branch)), known, along)
+    rate = Term(sheet.symbol(rate_key(sheet, branch)), known, along)
     if not bends(sheet, branch):
         return [*start, rate]
     note = "∥ " + "".join(reversed(branch.arm)) if branch.arm else f"⟂ {branch.guide}"
-    return [*start, Term(symbol_of(branch.a_key("n" if branch.turns else "k")), 2, note), rate]
+    return [*start, Term(sheet.symbol(branch.a_key("n" if branch.turns else "k")), 2, note), rate]

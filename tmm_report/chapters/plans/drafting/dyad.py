@@ -11,7 +11,7 @@ from tmm_report.chapters.plans.drafting.sheet import Image, Sheet
 from tmm_report.mechanics.dyads import Dyad, Side, sides
 from tmm_report.mechanics.planar import resolve
 from tmm_report.mechanics.relations import Branch, Relation, turns_with
-from tmm_report.quantity.formula import Formula, Symbol, Term, VectorEquation
+from tmm_report.quantity.formula import Formula, Term, VectorEquation
 
 
 def step(sheet: Sheet, r: Relation) -> Step:
@@ -75,5 +75,5 @@ def _equation(sheet: Sheet, r: Relation) -> VectorEquation:
     """Vertex = left side = right side; a side that is the vertex's own vector, of known direction, comes first."""
     both = [terms(sheet, branch) for branch in (r.left, r.right)]
     own = [side for side in both if len(side) == 1]
-    first = own[:1] or [[Term(Symbol(sheet.kind, r.vertex))]]
+    first = own[:1] or [[Term(sheet.symbol(f"{sheet.kind}_{r.vertex}"))]]
     return VectorEquation([*first, *(side for side in both if side is not first[0])])

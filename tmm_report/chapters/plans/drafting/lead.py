@@ -8,9 +8,9 @@ import numpy as np
 
 from tmm_report.chapters.plans.drafting.branch import Line
 from tmm_report.chapters.plans.drafting.sheet import Image, Sheet
-from tmm_report.quantity.formula import Formula, Symbol
+from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.text import round_significant
-from tmm_report.quantity.written import DIGITS, laid_off, number
+from tmm_report.quantity.written import DIGITS, segment_of
 
 
 def formulas(sheet: Sheet) -> tuple[Formula, ...]:
@@ -40,15 +40,15 @@ def _without_pin(sheet: Sheet, link: str, pivot: complex) -> tuple[Formula, ...]
 
 def _of_pin(sheet: Sheet, link: str, pin: str, ends: str) -> tuple[Formula, Formula]:
     """The pin's velocity or acceleration, and the segment laid off for it."""
-    w = number(Symbol("omega", link), float(round_significant(abs(sheet.omega), DIGITS)), "rad/s")
+    w = sheet.number(f"w_{link}", float(round_significant(abs(sheet.omega), DIGITS)))
     arms = sheet.linkage.mechanism.links[link].points
     pivot = sheet.linkage.structure.driver_pair.name
-    length = number(Symbol("l", ends), float(np.abs(arms[pin] - arms[pivot])), "m")
+    length = sheet.length(ends, float(np.abs(arms[pin] - arms[pivot])))
     size = w * length if sheet.kind == "v" else w**2 * length
     value = sheet.write(f"{sheet.kind}_{pin}", size)
     sheet.reference = value.written
     name = sheet.pole + sheet.letter(pin)
-    laid = laid_off(name, size / sheet.mu)
+    laid = sheet.worked.laid_off(segment_of(name), size / sheet.mu)
     sheet.segments[name] = laid.written
     return value, laid
 
@@ -83,7 +83,5 @@ def _proportion(sheet: Sheet, link: str, name: str, line: Line) -> Formula | Non
         return None
     first = sheet.letter(line.branch.start) if line.branch.start else sheet.pole
     whole = sheet.segment(first, sheet.letter(end))
-    part, rod = (
-        number(Symbol("l", start + to), float(np.abs(points[to] - points[start])), "m") for to in (name, end)
-    )
-    return laid_off(first + sheet.letter(name), whole * part / rod)
+    part, rod = (sheet.length(start + to, float(np.abs(points[to] - points[start]))) for to in (name, end))
+    return sheet.worked.laid_off(segment_of(first + sheet.letter(name)), whole * part / rod)

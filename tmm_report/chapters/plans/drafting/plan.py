@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 from tmm_report.mechanics.structure import Group
-from tmm_report.quantity.formula import Formula, VectorEquation
+from tmm_report.quantity.formula import Formula, Symbol, VectorEquation
+from tmm_report.quantity.written import Worked
 
 Role = Literal[
     "absolute", "relative", "bend", "rate"
@@ -30,6 +31,7 @@ class Stroke:
     start: complex
     end: complex
     key: str
+    symbol: Symbol
     role: Role
 
 
@@ -74,6 +76,7 @@ class Plan:
     `scale`: m/s or m/s² per mm. `vertices`: lettering -> place, mm, the pole at 0. `segments`: lettering of the ends,
     "pb" -> length read, mm. `values`: key -> written magnitude, SI; `per_mm`: key -> value of 1 mm of paper.
     `lead`: formulas of the driving link. `turns`: link -> mm of plan per m of the link, complex.
+    `worked`: every number of the calculations.
     """
 
     kind: Literal["v", "a"]
@@ -88,6 +91,7 @@ class Plan:
     lead: tuple[Formula, ...]
     steps: tuple[Step, ...]
     turns: Mapping[str, complex]
+    worked: Worked
 
     def vector(self, key: str) -> complex:
         """A drawn vector by its key, mm."""

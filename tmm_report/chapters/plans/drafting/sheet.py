@@ -7,7 +7,10 @@ from typing import Literal
 
 import numpy as np
 
+from tmm_report.chapters.initial_data.quantities import length
+from tmm_report.chapters.kinematics.quantities import rates
 from tmm_report.chapters.plans.drafting.plan import Plan, Role, Scales, Stroke
+from tmm_report.chapters.plans.quantities import MU_A, MU_V
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.motion import Linkage, Motion
 from tmm_report.mechanics.relations import turning_links
@@ -15,7 +18,7 @@ from tmm_report.problems import N_, Message, ProblemError, mistake
 from tmm_report.quantity.formula import Expr, Formula, Symbol, Var
 from tmm_report.quantity.paper import Pen
 from tmm_report.quantity.text import round_significant
-from tmm_report.quantity.written import DIGITS, hand, length_of, number
+from tmm_report.quantity.written import DIGITS, Worked, segment_of
 
 
 @dataclass(frozen=True)
@@ -34,7 +37,7 @@ class Image:
 class Sheet:
     """One plan in the making. `velocity`: the plan of velocities, for one of accelerations."""
 
-    def __init__(self, motion: Motion, scales: Scales, pen: Pen, velocity: Plan | None):
+    def __init__(self, motion: Motion, position: int, scales: Scales, pen: Pen, velocity: Plan | None):
         self.motion, self.scales, self.pen, self.velocity = motion, scales, pen, velocity
         self.kind: Literal["v", "a"] = "v" if velocity is None else "a"
         self.scale = scales.velocity if velocity is None else scales.acceleration
@@ -47,7 +50,11 @@ class Sheet:
         self.values: dict[str, float] = {}
         self.per_mm: dict[str, float] = {}
         self.reference = 0.0
-        self.mu = number(Symbol("mu", self.kind), self.scale, f"({'m/s' if self.kind == 'v' else 'm/s²'})/mm")
+        self.worked = Worked(
+            f"{'velocity' if velocity is None else 'acceleration'}_plan_{position}", position
+        )
+        self.named = rates(motion.linkage)
+        self.mu = self.worked.number(MU_V if velocity is None else MU_A, self.scale)
         self.turning = turning_links(self.linkage)
         self.alike: dict[str, str] = {}  # link -> a link that turns as it does, whose rate is known
 
@@ -97,9 +104,12 @@ class Sheet:
         """Letter a point; one already drawn stays where it is."""
         return self.vertices.setdefault(self.letter(point), z)
 
-    def stroke(self, start: complex, end: complex, key: str, role: Role) -> None:
+    def stroke(
+        self, start: complex, end: complex, key: str, role: Role, symbol: Symbol | None = None
+    ) -> None:
+        """Draw a vector once. `symbol`: of one that is no quantity of the note."""
         if all(stroke.key != key for stroke in self.strokes):
-            self.strokes.append(Stroke(start, end, key, role))
+            self.strokes.append(Stroke(start, end, key, symbol or self.symbol(key), role))
 
     def absolute(self, point: str, z: complex) -> complex:
         """Letter a point and draw its vector from the pole."""
@@ -111,14 +121,28 @@ class Sheet:
         """The length of a segment between two vertices, read off the plan."""
         name = start + end
         self.segments.setdefault(name, self.pen.read(self.vertices[end] - self.vertices[start]))
-        return length_of(name, self.segments[name])
+        return self.worked.number(segment_of(name), self.segments[name])
 
     # ------------------------------------------------------------ values
+
+    def symbol(self, key: str) -> Symbol:
+        """How the quantity of a key is written."""
+        symbol = self.named[key].symbol
+        assert symbol is not None
+        return symbol
+
+    def number(self, key: str, value: float) -> Var:
+        """A rate in a calculation, by its key."""
+        return self.worked.number(self.named[key], value)
+
+    def length(self, ends: str, metres: float) -> Var:
+        """The length of a segment of the mechanism in a calculation."""
+        return self.worked.number(length(ends), metres)
 
     def write(self, key: str, expression: Expr, per_mm: float | None = None) -> Formula:
         """Calculate a value by hand and keep it as written. `per_mm`: the value of 1 mm of paper for it."""
         reference = self.reference if key[0] == self.kind else 0.0
-        formula = hand(key, expression, reference)
+        formula = self.worked.hand(self.named[key], expression, reference)
         self.values[key], self.per_mm[key] = abs(formula.written), self.scale if per_mm is None else per_mm
         return formula
 

@@ -29,8 +29,8 @@ from tmm_report.chapters.plans.drafting.sheet import Image, Sheet
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.relations import Branch, System, turns_with
 from tmm_report.mechanics.structure import Pair
-from tmm_report.quantity.formula import Formula, Symbol, Term, VectorEquation
-from tmm_report.quantity.written import laid_off, number, symbol_of
+from tmm_report.quantity.formula import Formula, Term, VectorEquation
+from tmm_report.quantity.written import segment_of
 
 Array = Any
 
@@ -198,10 +198,10 @@ def _known_rate(sheet: Sheet, system: System, line: Line) -> list[Formula]:
     if sheet.values[source] == 0:
         sheet.nothing(key)
         return []
-    rate = number(symbol_of(source), sheet.values[source], "rad/s" if sheet.kind == "v" else "rad/s²")
+    rate = sheet.number(source, sheet.values[source])
     value = sheet.write(key, rate * length(sheet, branch, line.arm))
     ends = line.letter + sheet.letter(branch.end)
-    laid = laid_off(ends, number(symbol_of(key), value.written) / sheet.mu)
+    laid = sheet.worked.laid_off(segment_of(ends), sheet.number(key, value.written) / sheet.mu)
     sheet.segment(line.letter, sheet.letter(branch.end))
     return [value, laid]
 
@@ -256,7 +256,7 @@ def _vector(sheet: Sheet, point: str, found: list[str]) -> list[Term]:
     """A point's own vector; nothing for a fixed one."""
     if sheet.letter(point) == sheet.pole:
         return []
-    return [Term(Symbol(sheet.kind, point), 0 if point in found else 2)]
+    return [Term(sheet.symbol(f"{sheet.kind}_{point}"), 0 if point in found else 2)]
 
 
 def _side(sheet: Sheet, system: System, branch: Branch, found: list[str]) -> list[Term]:

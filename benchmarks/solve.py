@@ -1,0 +1,48 @@
+"""A warm `solve` of the compressor, part by part, against one motion of 36 positions: how many motions a solve costs.
+
+    python benchmarks/solve.py
+
+Medians of rounds taking turns in one process. Printed, never asserted.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+from timing import interleaved
+
+import tmm_report
+from tmm_report.chapters.drive import solve as drive
+from tmm_report.chapters.force_plans import solve as force_plans
+from tmm_report.chapters.kinematics import solve as kinematics
+from tmm_report.chapters.kinetostatics import solve as kinetostatics
+from tmm_report.chapters.plans import solve as plans
+
+COMPRESSOR = Path(__file__).parents[1] / "variants" / "compressor.yaml"
+ROUNDS = 30
+
+
+def main() -> None:
+    variant = tmm_report.load(COMPRESSOR)
+    found = tmm_report.solve(variant)
+    turned = np.arange(36) * (2 * np.pi / 36)
+    positions, drawing = variant.positions, variant.drawing
+    parts = {
+        "motion of 36 positions": lambda: found.kinematics.cycle.motion(turned),
+        "kinematics": lambda: kinematics.solve(positions, found.structure),
+        "plans": lambda: plans.solve(drawing, positions.plans, variant.readings, found.kinematics),
+        "kinetostatics": lambda: kinetostatics.solve(variant.loads, found.kinematics),
+        "force plans": lambda: force_plans.solve(
+            drawing, positions.force_plan, found.kinetostatics, found.plans
+        ),
+        "gear drive": lambda: drive.solve(variant.drive),
+        "all": lambda: tmm_report.solve(variant),
+    }
+    taken = interleaved(parts, ROUNDS)
+    for name, seconds in taken.items():
+        print(f"{name:<24}{1e3 * seconds:8.2f} ms{seconds / taken['motion of 36 positions']:8.1f}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,53 @@
+"""Notes and results of the ready variants as the tests of the page read them, once a run.
+
+PAGE_VARIANTS="compressor press" in the environment looks at these variants alone.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from functools import cache
+from typing import Any
+from unittest.mock import patch
+
+from conftest import FILES, solved
+from conftest import read as variant
+from note import Note, read
+from notes import NAMES, note
+from once import once
+
+from tmm_report import render
+from tmm_report.report.formats import Tex
+
+CHOSEN = [name for name in NAMES if name in os.environ.get("PAGE_VARIANTS", " ".join(NAMES)).split()]
+ENGLISH = [name for name in ("compressor", "press", "hoist_drive", "eccentric") if name in CHOSEN]
+BOTH = [(name, "") for name in CHOSEN] + [(name, "en") for name in ENGLISH]
+LEVERS = [path.stem for path in FILES if path.stem in CHOSEN]
+
+
+def language(name: str, other: str = "") -> str:
+    """The variant's own language unless another is asked for."""
+    return other or variant(name).language
+
+
+@cache
+def html(name: str, other: str = "") -> Note:
+    return read(note(name, "html", language(name, other))["note.html"].decode())
+
+
+@once
+def tex(name: str, other: str = "") -> str:
+    """note.tex without its figures, which are the same drawings again."""
+    with patch.object(Tex, "picture", lambda self, picture, anchor: ""):
+        return render(solved(name), "tex", language(name, other))["note.tex"].decode()
+
+
+@cache
+def results(name: str, other: str = "") -> dict[str, Any]:
+    return json.loads(note(name, "json", language(name, other))["results.json"])
+
+
+def wrong(found: list[str]) -> None:
+    """One assertion for all that is wrong, in words."""
+    assert not found, f"{len(found)} wrong:\n" + "\n".join(found[:200])

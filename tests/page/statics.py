@@ -1,0 +1,215 @@
+"""Forces on the links as a note prints them: reactions by size and direction, weights, inertia, loads.
+
+Directions that a note does not print in numbers (of inertia forces and stated loads) and places of points are those of
+results.json.
+"""
+
+from __future__ import annotations
+
+import itertools
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+import yaml
+from note import Note
+from notes import VARIANTS
+from pages import BALANCING, by_positions, columns, rows_of, table_of
+
+
+class Force(NamedTuple):
+    """On a link, at a point (P,) of complex numbers, with its error; a couple beside it."""
+
+    name: str
+    link: str
+    at: np.ndarray | complex
+    value: np.ndarray
+    error: np.ndarray
+    moment: np.ndarray | float = 0.0
+    moment_error: np.ndarray | float = 0.0
+
+
+@dataclass(frozen=True)
+class Scheme:
+    """What a variant's file says of its links."""
+
+    points: dict[str, list[str]]
+    sliding: dict[str, str]  # link with a slider -> the slider's point
+    mass_centres: dict[str, str]
+    driver: str
+    gravity: float
+    loads: list[tuple[str, list[str]]]  # point of each stated force, in order, and the links it may act on
+
+
+def scheme(name: str) -> Scheme:
+    data = yaml.safe_load((VARIANTS / f"{name}.yaml").read_text("utf-8"))
+    links = {str(key): link for key, link in data["mechanism"]["links"].items()}
+    points = {key: [str(p) for p in link["points"]] for key, link in links.items()}
+    sliding = {}
+    for key, link in links.items():
+        if "slides" in link:
+            stated = link["slides"]
+            sliding[key] = (
+                str(stated.get("at", points[key][0])) if isinstance(stated, dict) else points[key][0]
+            )
+    centres = {
+        key: str(link.get("mass_centre", points[key][0])) for key, link in links.items() if "mass" in link
+    }
+    loads = data.get("loads") or {}
+    forces = [
+        (
+            str(f["at"]),
+            [str(f["on"])] if "on" in f else [k for k, own in points.items() if str(f["at"]) in own],
+        )
+        for f in loads.get("forces") or []
+    ]
+    gravity = loads.get("gravity", 0)
+    gravity = float(str(gravity["value"] if isinstance(gravity, dict) else gravity).split()[0])
+    return Scheme(points, sliding, centres, str(data["mechanism"]["driver"]["link"]), gravity, forces)
+
+
+def ends(symbol: str) -> tuple[str, str]:
+    """The two links of R_12 or R_10,11."""
+    sub = symbol.split("_", 1)[1]
+    one, other = sub.split(",") if "," in sub else (sub[: len(sub) // 2], sub[len(sub) // 2 :])
+    return one, other
+
+
+class Places:
+    """Points of the mechanism at the printed positions."""
+
+    def __init__(self, note: Note, document: dict[str, Any]):
+        self.found = table_of(document, "positions_table")
+        self.fixed = {}
+        for table in rows_of(note, "x", "y"):
+            if len(table.heads) == 3 and not by_positions(table):
+                for row in table.rows:
+                    assert row[1].printed and row[2].printed
+                    self.fixed[row[0].text] = complex(row[1].printed.value, row[2].printed.value)
+
+    def __getitem__(self, point: str) -> np.ndarray | complex:
+        if f"x_{point}" in self.found:
+            return self.found[f"x_{point}"] + 1j * self.found[f"y_{point}"]
+        return self.fixed.get(point, 0j)
+
+
+def pair_points(note: Note, drawn: Scheme) -> dict[frozenset[str], str]:
+    """Links of a pair -> the point where its reaction acts: the pivot, or the slider's own point."""
+    table = next(t for t in note.tables if len(t.heads) == 6 and t.heads[4].text in ("Class", "Класс"))
+    found = {}
+    for row in table.rows:
+        links = frozenset(row[1].text.split("–"))
+        sliders = [link for link in links if link in drawn.sliding]
+        revolute = row[3].text in ("revolute", "вращательная")
+        found[links] = row[2].text if revolute else drawn.sliding[slider_of(links, sliders)]
+    return found
+
+
+def slider_of(links: frozenset[str], sliders: list[str]) -> str:
+    """The link that slides: the one whose stated slide this is; beside the frame the other one."""
+    moving = [link for link in sorted(links) if link != "0"]
+    return moving[0] if len(moving) == 1 else (sliders[0] if len(sliders) == 1 else moving[0])
+
+
+def reactions(note: Note, drawn: Scheme, places: Places) -> Iterator[Force]:
+    """Each reaction on both of its links."""
+    found, at = columns(note), pair_points(note, drawn)
+    for symbol, entries in found.items():
+        if not re.fullmatch(r"R_[\d,]+", symbol):
+            continue
+        size = entries[0][1]
+        turned = found["α_" + symbol[2:]][0][1]
+        zero = size.values <= size.half
+        value = np.where(zero, 0, size.values * np.exp(1j * np.where(zero, 0, turned.values)))
+        error = size.half + np.where(zero, size.half, np.abs(size.values) * turned.half)
+        one, other = ends(symbol)
+        moment, off = 0.0 * size.values, 0.0 * size.values
+        if "M_" + symbol[2:] in found:
+            couple = found["M_" + symbol[2:]][-1][1]
+            moment, off = couple.values, couple.half
+        point = places[at[frozenset((one, other))]]
+        yield Force(symbol, other, point, value, error, moment, off)
+        yield Force(symbol, one, point, -value, error, -moment, off)
+
+
+def loads(note: Note, document: dict[str, Any], drawn: Scheme, places: Places) -> Iterator[Force]:
+    """Weights, inertia forces and couples, stated moments, the balancing moment."""
+    found, rates = columns(note), table_of(document, "rates_table")
+    acting = table_of(document, "loads_table")
+    count = len(rates["position"])
+    zeros = np.zeros(count)
+    for table in note.tables:
+        for j, head in enumerate(table.heads):
+            if head.symbol.startswith("G_") and not by_positions(table) and table.rows[0][j].printed:
+                weight, link = table.rows[0][j].printed, head.symbol[2:]
+                assert weight is not None
+                at = places[drawn.mass_centres[link]]
+                yield Force(head.symbol, link, at, zeros - 1j * weight.value, zeros + weight.half)
+    for symbol, entries in found.items():
+        column = entries[0][1]
+        inertia = re.fullmatch(r"([FM])_I([\d]+)", symbol)
+        stated = re.fullmatch(r"M_(\d+)(?:,\d+)?", symbol)
+        if inertia and inertia[1] == "F":
+            point = drawn.mass_centres[inertia[2]]
+            a = rates[f"a_{point}_x"] + 1j * rates[f"a_{point}_y"] if f"a_{point}_x" in rates else zeros + 0j
+            way = np.divide(-a, np.abs(a), out=np.zeros_like(a), where=np.abs(a) > 0)
+            yield Force(symbol, inertia[2], places[point], column.values * way, column.half)
+        elif inertia:
+            yield Force(symbol, inertia[2], 0j, zeros + 0j, zeros, column.values, column.half)
+        elif stated and len(stated[1]) == 1 and "R_" + stated[1] not in found:
+            for k, (_, one) in enumerate(entries, 1):  # sizes are printed, their signs stand in the results
+                key, rows = symbol if "," in symbol else f"{symbol},{k}", len(one.values)
+                couple = one.values * np.sign(acting[key][:rows])
+                yield Force(key, stated[1], 0j, zeros[:rows] + 0j, zeros[:rows], couple, one.half)
+        elif symbol in BALANCING:
+            yield Force(symbol, drawn.driver, 0j, zeros + 0j, zeros, column.values, column.half)
+
+
+def stated(note: Note, document: dict[str, Any], drawn: Scheme, places: Places) -> Iterator[list[Force]]:
+    """Each stated force on each of the links that share its point."""
+    found, table = columns(note), table_of(document, "loads_table")
+    seen: dict[str, int] = {}
+    for point, links in drawn.loads:
+        several = [at for at, _ in drawn.loads].count(point) > 1
+        seen[point] = seen.get(point, 0) + 1
+        key = f"P_{point},{seen[point]}" if several else f"P_{point}"
+        column = found[key][0][1]
+        vector = table[f"{key}_x"] + 1j * table[f"{key}_y"]
+        way = np.divide(vector, np.abs(vector), out=np.zeros_like(vector), where=np.abs(vector) > 0)
+        count = min(len(way), len(column.values))  # the last row, the first again, may be left out
+        value, half = column.values[:count] * way[:count], column.half[:count]
+        yield [Force(key, link, places[point], value, half) for link in links]
+
+
+def unbalanced(note: Note, document: dict[str, Any], name: str) -> list[str]:
+    """Links and positions at which the printed forces or moments do not add up to nothing."""
+    drawn = scheme(name)
+    places = Places(note, document)
+    sure = [*reactions(note, drawn, places), *loads(note, document, drawn, places)]
+    choices = list(stated(note, document, drawn, places))
+    tried = [list(_off([*sure, *chosen], drawn)) for chosen in itertools.product(*choices)]
+    return min(tried, key=len)
+
+
+def _off(forces: list[Force], drawn: Scheme) -> Iterator[str]:
+    for link in drawn.points:
+        mine = [force for force in forces if force.link == link]
+        count = min(len(np.atleast_1d(force.value)) for force in mine)
+        total = sum(force.value[:count] for force in mine)
+        error = sum(force.error[:count] for force in mine)
+        moment, off = np.zeros(count), np.zeros(count)
+        for force in mine:
+            at, couple, beside = (_rows(x, count) for x in (force.at, force.moment, force.moment_error))
+            moment = moment + np.imag(np.conj(at) * force.value[:count]) + couple
+            off = off + np.abs(at) * force.error[:count] + beside
+        for k in np.flatnonzero(np.abs(total) > error * 1.01 + 1e-9):
+            yield f"link {link}, position {k}: forces add up to {np.abs(total[k]):.5g} N, printed to {error[k]:.2g} N"
+        for k in np.flatnonzero(np.abs(moment) > off * 1.01 + 1e-9):
+            yield f"link {link}, position {k}: moments add up to {moment[k]:.5g} N·m, printed to {off[k]:.2g} N·m"
+
+
+def _rows(values: np.ndarray | complex, count: int) -> np.ndarray:
+    """The first rows; one value for all of them."""
+    return np.asarray(values)[:count] if np.ndim(values) else np.full(count, values)

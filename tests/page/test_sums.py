@@ -1,0 +1,237 @@
+"""Columns that are sums, products and quotients of others are so as they are printed; lever mechanisms."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from note import Cell, Note, Table, symbol_text
+from pages import BALANCING, Series, by_positions, columns, last_number, table_of, value_of
+from printed import Printed
+from reading import LEVERS, html, results, wrong
+
+TOTAL = ("Sum", "Сумма")
+
+
+def sized(cell: Cell) -> Printed:
+    """The number of a cell that must be one."""
+    assert cell.printed is not None, cell.text
+    return cell.printed
+
+
+def balancing(note: Note) -> list[Series]:
+    found = columns(note)
+    return [column for symbol in BALANCING for _, column in found.get(symbol, [])]
+
+
+# --- powers and the balancing moment ---
+
+
+def wrong_powers(note: Note, document: dict[str, Any]) -> Iterator[str]:
+    """The last row is the sum of the others; the balancing moment gives what the loads take."""
+    tables = [t for t in note.tables if t.rows and t.rows[-1][0].text in TOTAL and len(t.heads) == 2]
+    if not tables:
+        yield "no table of powers"
+    for table in tables:
+        *parts, total = [sized(row[1]) for row in table.rows]
+        off = total.half + sum(part.half for part in parts)
+        if abs(total.value - sum(part.value for part in parts)) > off:
+            yield f"{table.caption}: the sum is {sum(part.value for part in parts):.6g}, not {total.value}"
+        k, omega = last_number(table.caption), value_of(document, "omega")
+        for moment in balancing(note):
+            power, error = moment.values[k] * omega, moment.half[k] * abs(omega) + total.half
+            if abs(power + total.value) > error:
+                yield f"{table.caption}: the balancing moment gives {power:.6g} W to {total.value} W"
+
+
+def wrong_balance(note: Note) -> Iterator[str]:
+    """All methods print one moment."""
+    first, *others = balancing(note)
+    for other in others:
+        for k in np.flatnonzero(np.abs(first.values - other.values) > first.half + other.half):
+            yield f"balancing moments of position {k}: {first.values[k]} and {other.values[k]}"
+
+
+# --- friction ---
+
+
+def wrong_friction(note: Note, document: dict[str, Any]) -> Iterator[str]:
+    found = columns(note)
+    parts = [one for s, e in found.items() if re.fullmatch(r"P_(тр|fr).+", s) for _, one in e]
+    total = next((e[0][1] for s, e in found.items() if s in ("P_тр", "P_fr")), None)
+    drive = next((e[-1][1] for s, e in found.items() if re.fullmatch(r"P_\d+", s)), None)
+    if total is None:
+        return
+    both = sum(part.values for part in parts)
+    off = total.half + sum(part.half for part in parts)
+    for k in np.flatnonzero(np.abs(both - total.values) > off):
+        yield f"P_fr[{k}] is {total.values[k]}, its parts make {both[k]:.6g}"
+    if drive is None:
+        yield "no power of the driver"
+        return
+    moment, omega = balancing(note)[0], value_of(document, "omega")
+    count = min(len(moment.values), len(drive.values))
+    power = np.abs(moment.values[:count] * omega)  # of the driver or, where it brakes, of the loads
+    for k in np.flatnonzero(
+        np.abs(power - drive.values[:count]) > drive.half[:count] + moment.half[:count] * abs(omega)
+    ):
+        yield f"P_drive[{k}] is {drive.values[k]}, M omega is {power[k]:.6g}"
+    yield from wrong_efficiency(found["η"][0][1], drive, total)
+
+
+def wrong_efficiency(eta: Series, drive: Series, total: Series) -> Iterator[str]:
+    """What would be driven without losses to what is needed with them."""
+    size = np.abs(drive.values)
+    for k in np.flatnonzero(eta.known & (size > 0)):
+        expected = size[k] / (size[k] + total.values[k])
+        off = eta.half[k] + 2 * (drive.half[k] + total.half[k]) / size[k]
+        if abs(eta.values[k] - expected) > off:
+            yield f"eta[{k}] is {eta.values[k]}, of the powers {expected:.5g}"
+
+
+@pytest.mark.parametrize("name", LEVERS)
+def test_powers_balance(name):
+    note, document = html(name), results(name)
+    wrong([*wrong_powers(note, document), *wrong_balance(note), *wrong_friction(note, document)])
+
+
+# --- plans ---
+
+
+def scales(note: Note) -> dict[str, set[float]]:
+    """The scales that the note states; diagrams and a drive have some of their own beside those of the plans."""
+    found: dict[str, set[float]] = {}
+    for formula in note.formulas:
+        if formula.symbol.startswith("μ") and formula.result is not None:
+            found.setdefault(formula.symbol, set()).add(formula.result.value)
+    return found
+
+
+def wrong_segments(note: Note) -> Iterator[str]:
+    """A vector from the pole is its segment times the scale."""
+    found, scale, seen = columns_of_plans(note), scales(note), 0
+    for (symbol, k), segment in found.items():
+        for pole, letter, mu in (("p", "v", "μ_v"), ("π", "a", "μ_a")):
+            if not symbol.startswith(pole) or symbol == pole:
+                continue
+            value = found.get((f"{letter}_{symbol[1:].upper()}", k))
+            if value is None or symbol.startswith("pn") or symbol.startswith("πn"):
+                continue
+            seen += 1
+            if all(
+                abs(value.value - segment.value * x) > value.result_off + segment.half * x for x in scale[mu]
+            ):
+                yield f"{letter}_{symbol[1:].upper()} at {k} is {value.value} by {segment.value} mm and {scale[mu]}"
+    if not seen:
+        yield "no segments are printed"
+
+
+def columns_of_plans(note: Note) -> dict[tuple[str, int], Printed]:
+    """Symbol and position -> number, of the tables of plans."""
+    found = {}
+    for table in note.tables:
+        if table.heads[0].text in ("Position", "Положение"):
+            for row in table.rows:
+                for head, cell in zip(table.heads[1:], row[1:], strict=True):
+                    if cell.printed and head.symbol and row[0].printed:
+                        found.setdefault(
+                            (head.symbol.replace("_", ""), int(row[0].printed.value)), cell.printed
+                        )
+                        found[head.symbol, int(row[0].printed.value)] = cell.printed
+    return found
+
+
+def wrong_differences(note: Note) -> Iterator[str]:
+    """Of two values beside each other, the difference in per cent of their mean."""
+    for table in note.tables:
+        if len(table.heads) != 4 or "%" not in (table.heads[3].unit_text, table.heads[3].text[-1:]):
+            continue
+        for row in table.rows:
+            graph, analytic, delta = (cell.printed for cell in row[1:])
+            if graph is None or analytic is None or delta is None or not np.isfinite(delta.value):
+                continue
+            mean = 0.5 * (graph.value + analytic.value)
+            expected = 100 * (graph.value - analytic.value) / mean if mean else 0.0
+            off = 110 * (graph.result_off + analytic.result_off) / abs(mean) if mean else 0.0
+            half = 0.5 * 10.0 ** -max(2, delta.places) if delta.value == 0 else delta.half
+            plain = (
+                abs(abs(delta.value) - abs(expected))
+                if "drawing" in _way(table)
+                else abs(delta.value - expected)
+            )
+            if plain > half + off + 1e-9:
+                yield f"{table.caption}: {row[0].text} differs by {expected:.4g} %, not {delta.value}"
+
+
+def _way(table: Table) -> str:
+    """Readings off a drawing print the size of their difference."""
+    return "drawing" if re.search("drawing|чертеж", table.heads[1].text + table.caption) else "plan"
+
+
+def wrong_arms(note: Note) -> Iterator[str]:
+    """An arm is what is measured times the scale of lengths."""
+    scale = scales(note).get("μ_l", set())
+    for table in note.tables:
+        units = [head.unit_text or head.text.rsplit(", ", 1)[-1] for head in table.heads]
+        if units[2:] in (["mm", "m"], ["мм", "м"]):
+            for row in table.rows:
+                drawn, arm = sized(row[2]), sized(row[3])
+                if all(abs(arm.value - drawn.value * mu) > arm.result_off + 0.005 * mu for mu in scale):
+                    yield f"{table.caption}: {row[0].text} {arm.value} m, {drawn.value} mm by {scale}"
+
+
+@pytest.mark.parametrize("name", LEVERS)
+def test_plans_give_what_is_printed(name):
+    note = html(name)
+    wrong([*wrong_segments(note), *wrong_differences(note), *wrong_arms(note)])
+
+
+# --- extremes ---
+
+
+def wrong_extremes(note: Note, document: dict[str, Any]) -> Iterator[str]:
+    """No row of a table is beyond the printed extremes, and those are reached within the turn."""
+    found, seen = columns(note), 0
+    phi = table_of(document, "outputs_table")["phi"]
+    step = abs(math.degrees(math.remainder(phi[1] - phi[0], 2 * math.pi)))
+    for table in note.tables:
+        if len(table.heads) != 5 or not table.words or by_positions(table):
+            continue
+        for row in table.rows:
+            symbol = next(iter(_symbols(row[0])), "")
+            if symbol not in found or row[1].printed is None or row[3].printed is None:
+                continue
+            seen += 1
+            column = found[symbol][0][1]
+            unit = 1.0 if column.unit != "°" else np.pi / 180
+            low, high = sized(row[1]), sized(row[3])
+            if np.nanmin(column.values) < (low.value - low.half) * unit - column.half.max():
+                yield f"{table.caption}: {row[0].text} goes below {low.value}"
+            if np.nanmax(column.values) > (high.value + high.half) * unit + column.half.max():
+                yield f"{table.caption}: {row[0].text} goes above {high.value}"
+            yield from _misplaced(table, row, column, unit, step)
+    if not seen:
+        yield "no extremes are printed"
+
+
+def _misplaced(table: Table, row: list[Cell], column: Series, unit: float, step: float) -> Iterator[str]:
+    """An extreme at the angle of a position is that position's value."""
+    for value, angle in ((sized(row[1]), sized(row[2])), (sized(row[3]), sized(row[4]))):
+        k = angle.value / step
+        if abs(k - round(k)) < 1e-6 and round(k) < len(column.values):
+            off = value.half * unit + column.half[round(k)] + 1e-9
+            if abs(column.values[round(k)] - value.value * unit) > off:
+                yield f"{table.caption}: {row[0].text} is not {value.value} at {angle.value}°"
+
+
+def _symbols(cell: Cell) -> list[str]:
+    return [symbol_text(math) for math in cell.node.iter("math")]
+
+
+@pytest.mark.parametrize("name", LEVERS)
+def test_extremes_bound_the_rows(name):
+    wrong(list(wrong_extremes(html(name), results(name))))

@@ -1,0 +1,109 @@
+"""The course's records against the chapters' rooms: types, keys, order, what is loaded when; the public examples."""
+
+import doctest
+import subprocess
+import sys
+import typing
+from dataclasses import fields
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+from conftest import read, solved
+
+import tmm_report
+from tmm_report import course
+from tmm_report.variant.model import Block
+
+RECORDS = {"title": course.Variant, **dict.fromkeys(course.LEVER, course.LeverGiven)}
+RECORDS |= dict.fromkeys(course.OTHERS, course.Variant)
+OWN = ("lever", "places", "file")  # of the variant itself
+
+
+def types(record) -> dict[str, object]:
+    """The types of a record's fields; those of gears are imported for it."""
+    gears = {name: import_module(f"tmm_report.chapters.{name}.solve") for name in course.OTHERS}
+    return {one.name: eval(str(one.type), {**vars(course), **gears}) for one in fields(record)}
+
+
+def given(chapter: str) -> dict[str, object]:
+    """The types of what a chapter's block gives, by field of the record."""
+    kind = typing.get_type_hints(course.room(chapter, "block").given)["return"]
+    return typing.get_type_hints(kind) if typing.is_typeddict(kind) else {}
+
+
+@pytest.mark.parametrize("chapter", RECORDS)
+def test_what_a_block_gives_has_the_types_of_the_record(chapter):
+    """The one seam that the type checker does not see, as rooms are found by name."""
+    assert given(chapter).items() <= types(RECORDS[chapter]).items()
+
+
+def test_every_field_of_what_is_given_comes_from_one_block():
+    names = [name for chapter in RECORDS for name in given(chapter)]
+    fields_ = [*types(course.LeverGiven), *(name for name in types(course.Variant) if name not in OWN)]
+    assert sorted(names) == sorted(fields_)
+
+
+def test_every_key_of_the_file_belongs_to_one_block():
+    blocks = [course.room(chapter, "block").Block for chapter in RECORDS]
+    keys = [key for block in blocks for key in block.model_fields]
+    assert len(set(keys)) == len(keys) and set(keys) == course.schema()["properties"].keys()
+    assert all(issubclass(block, Block) and block.__doc__ for block in blocks)
+
+
+@pytest.mark.parametrize("chapter", course.OTHERS)
+def test_a_chapter_beside_the_levers_has_the_key_of_its_name(chapter):
+    assert [*course.room(chapter, "block").Block.model_fields] == [chapter]
+
+
+def test_no_public_type_is_any():
+    for record in (course.Variant, course.LeverGiven, course.LeverFound, course.Results):
+        assert not {name for name, kind in types(record).items() if "Any" in str(kind)}, record
+    for function in (tmm_report.load, tmm_report.solve, tmm_report.render):
+        assert function.__annotations__ and "Any" not in str(function.__annotations__)
+
+
+def test_solved_chapters_stand_in_the_order_of_the_note():
+    assert [name for name, _ in course.chapters(solved("compressor"))] == [*course.LEVER, "drive"]
+    assert [name for name, _ in course.chapters(solved("eccentric"))] == ["eccentric"]
+    bare = course.solve(course.Variant(course.LeverGiven(read("shaper").lever.mechanism)))
+    assert [name for name, _ in course.chapters(bare)] == ["structure", "kinematics", "plans"]
+
+
+# --- what is loaded
+
+
+def loaded(program: str) -> set[str]:
+    """Modules that a program has loaded at its end."""
+    program += "\nimport sys; print(*sys.modules)"
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    return set(done.stdout.split())
+
+
+SOLVED = "from tmm_report import load, render, solve; render(solve(load({!r})), 'json')"
+HEAVY = {"jinja2", "matplotlib", "scipy", "tmm_report.figures", "tmm_report.report"}
+
+
+def test_importing_the_package_loads_nothing_heavy():
+    assert not loaded("import tmm_report") & {"numpy", "pydantic", "yaml", "tmm_report.course", *HEAVY}
+
+
+def test_solving_a_lever_loads_no_gears_and_nothing_of_the_page():
+    modules = loaded(SOLVED.format(read("press").file))
+    assert not modules & HEAVY
+    gears = {f"tmm_report.chapters.{name}" for name in ("spur", "planetary", *course.OTHERS)}
+    assert not gears & modules
+    assert (
+        "tmm_report.chapters.friction.block" in modules
+    )  # the names are those of modules, so this test can fail
+
+
+# --- the public interface
+
+
+def test_the_examples_of_the_public_functions_run(monkeypatch):
+    monkeypatch.chdir(Path(read("compressor").file).parents[1])  # the examples name variants/compressor.yaml
+    found = {one.name: one for one in doctest.DocTestFinder().find(tmm_report, "tmm_report") if one.examples}
+    assert set(found) >= {"tmm_report", *(f"tmm_report.{name}" for name in tmm_report.__all__)}
+    runner = doctest.DocTestRunner()
+    assert not [name for name, one in found.items() if runner.run(one).failed]

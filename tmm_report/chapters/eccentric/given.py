@@ -1,0 +1,43 @@
+"""What an eccentric epicyclic mechanism states."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+
+from tmm_report.mechanics.eccentric import EXACT
+from tmm_report.mechanics.spur import Rack
+
+STANDARD = Rack()
+SUN, RING, CARRIER = "1", "3", "H"
+
+
+@dataclass(frozen=True, eq=False)
+class Given:
+    """What is stated; lengths in m, `speed` in rad/s.
+
+    `ratio`: z3/z1, a magnitude; `teeth`: sun and ring, or sun, largest satellite and ring, in place of choosing them;
+    `clearance`: δ between the tip circles of neighbours; `backlash`: normal, of every mesh; `t`: the set of the family,
+    None: the most compact of those that hold most satellites; `satellites`: which of KINDS, None: as many as fit;
+    `most_ring`: largest ring looked at; `speed`: of the input.
+    """
+
+    module: float
+    ratio: Fraction | None = None
+    eccentricity: float | None = None
+    teeth: tuple[int, ...] | None = None
+    rack: Rack = STANDARD
+    clearance: float = 0.0
+    backlash: float = 0.0
+    t: int | None = None
+    satellites: tuple[str, ...] | None = None
+    most_ring: int | None = None
+    speed: float | None = None
+    name: str = ""
+
+    @property
+    def slack(self) -> float:
+        """The residue of assembly that the backlash takes up, pitches: half a backlash in each of two meshes."""
+        pitch = math.pi * self.module
+        return self.backlash / math.cos(self.rack.alpha) / pitch + EXACT

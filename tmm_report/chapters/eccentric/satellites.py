@@ -1,0 +1,136 @@
+"""The satellites of the chosen set, as they are assembled, and how they stand beside each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from tmm_report.chapters.eccentric import mistakes
+from tmm_report.chapters.eccentric.family import Judged
+from tmm_report.chapters.eccentric.given import Given
+from tmm_report.mechanics import eccentric as ecc
+from tmm_report.mechanics.wheels import least_teeth
+
+Array = Any
+
+WHEELS = dict(zip(ecc.KINDS, ("2", "4", "5", "4'"), strict=True))
+
+
+@dataclass(frozen=True)
+class Satellite:
+    """An assembled satellite: `wheel` its number in the drawings, `kind` of KINDS or "" for any other. `arm`: from the
+    axis of the sun, m; `curvature`: of its flank where the tip of a ring of full height touches it, m."""
+
+    wheel: str
+    kind: str
+    teeth: int
+    phi1: float
+    phi3: float
+    belt: float
+    residue: float
+    centre: complex
+    curvature: float
+
+    @property
+    def arm(self) -> float:
+        return abs(self.centre)
+
+    @property
+    def below(self) -> bool:
+        """Whether it mirrors another above the axis."""
+        return self.wheel.endswith("'")
+
+
+@dataclass(frozen=True)
+class Neighbours:
+    """Two satellites side by side: `distance` of their axes and `gap` between their tip circles, m."""
+
+    one: Satellite
+    other: Satellite
+    distance: float
+    gap: float
+
+    @property
+    def wheels(self) -> str:
+        return f"{self.one.wheel}–{self.other.wheel}"
+
+
+def satellites(given: Given, judged: Judged, row: int, E: int) -> tuple[Satellite, ...]:
+    """Those asked for, or the largest set of all that touch both wheels."""
+    sun, ring = int(judged.family.sun[row]), int(judged.family.ring[row])
+    all_ = ecc.candidates(sun, ring, E)
+    kinds = _kinds(all_, sun, ring, E)
+    if given.satellites is not None:
+        wanted = {*given.satellites, *(["middle'"] if "middle" in given.satellites else [])}
+        picked = [i for i, kind in enumerate(kinds) if kind in wanted]
+    else:
+        alone = np.flatnonzero(_allowed(given, all_, ring))
+        gap = ecc.gaps(np.array(sun), all_.z[alone], all_.phi1[alone], given.module, given.rack.ha)
+        picked = [int(alone[i]) for i in ecc.largest_set(gap, given.clearance)]
+    if not picked:
+        raise mistakes.no_satellite(given, judged.family, judged.sound(least_teeth(given.rack)), set(kinds))
+    return tuple(_named(all_, picked, kinds, sun, ring, given))
+
+
+def _allowed(given: Given, all_: ecc.Candidates, ring: int) -> Array:
+    m, rack = given.module, given.rack
+    fine = (all_.z >= least_teeth(rack)) & (np.abs(all_.residue) <= given.slack)
+    return (
+        fine & (ecc.root_in_hand(ring, all_.z, m, rack) >= 0) & (ecc.tips_in_hand(ring, all_.z, m, rack) >= 0)
+    )
+
+
+def _kinds(all_: ecc.Candidates, sun: int, ring: int, E: int) -> list[str]:
+    """Which of KINDS each candidate is; "" for the others."""
+    above = all_.phi1 <= np.pi
+    names = {ring - sun + E: "largest", ring - sun - E: "smallest", ring - sun: "middle"}
+    return [
+        names.get(2 * int(z), "") + ("" if up or 2 * z != ring - sun else "'")
+        for z, up in zip(all_.z, above, strict=True)
+    ]
+
+
+def _named(
+    all_: ecc.Candidates, picked: list[int], kinds: list[str], sun: int, ring: int, given: Given
+) -> Iterator[Satellite]:
+    numbers = _numbers([(int(all_.z[i]), kinds[i], all_.phi1[i] <= np.pi) for i in picked])
+    largest = int(all_.z[0])
+    for i, wheel in zip(picked, numbers, strict=True):
+        z, phi1, phi3 = int(all_.z[i]), float(all_.phi1[i]), float(all_.phi3[i])
+        belt = float(ecc.belt(sun, ring, largest, z, phi1, phi3))
+        centre = complex(ecc.centres(sun, z, phi1, given.module))
+        curvature = float(ecc.root_in_hand(ring, z, given.module, given.rack))
+        yield Satellite(wheel, kinds[i], z, phi1, phi3, belt, float(all_.residue[i]), centre, curvature)
+
+
+def _numbers(wheels: list[tuple[int, str, bool]]) -> list[str]:
+    """2, 4, 5 for the known kinds, then 6, 7, … by the teeth; a stroke for the one below the axis."""
+    others = sorted({z for z, kind, _ in wheels if not kind}, reverse=True)
+    return [WHEELS.get(kind) or f"{6 + others.index(z)}{'' if up else chr(39)}" for z, kind, up in wheels]
+
+
+def neighbours(given: Given, sun: int, all_: tuple[Satellite, ...]) -> tuple[Neighbours, ...]:
+    """Every two satellites that stand side by side."""
+    pairs = list(zip(all_, (*all_[1:], all_[0]), strict=True)) if len(all_) > 2 else [all_] * (len(all_) - 1)
+    return tuple(_beside(given, sun, one, other) for one, other in pairs)
+
+
+def _beside(given: Given, sun: int, one: Satellite, other: Satellite) -> Neighbours:
+    z, phi = np.array([one.teeth, other.teeth]), np.array([one.phi1, other.phi1])
+    gap = ecc.gaps(np.array(sun), z, phi, given.module, given.rack.ha)[0, 1]
+    distance = ecc.distance(np.array(sun), z[0], z[1], phi[0] - phi[1], given.module)
+    return Neighbours(one, other, float(distance), float(gap))
+
+
+def unmirrored(pairs: tuple[Neighbours, ...]) -> tuple[Neighbours, ...]:
+    """Without the pairs that mirror another; the first of each is that of the smaller angle."""
+    seen: dict[frozenset[str], Neighbours] = {}
+    for pair in pairs:
+        seen.setdefault(frozenset(s.wheel.rstrip("'") for s in (pair.one, pair.other)), pair)
+    return tuple(
+        pair if pair.one.phi1 < pair.other.phi1 else Neighbours(pair.other, pair.one, pair.distance, pair.gap)
+        for pair in seen.values()
+    )

@@ -1,0 +1,18 @@
+"""The force plans as pictures."""
+
+from __future__ import annotations
+
+from tmm_report.chapters.force_plans.drafting import ForcePlan
+from tmm_report.chapters.force_plans.drafting.plan import Kind
+from tmm_report.figures.drawing import Drawing
+from tmm_report.figures.lettering import lettered
+from tmm_report.figures.plans import PlanVector, Style, plan
+
+STYLES: dict[Kind, Style] = {
+    "gravity": "force", "load": "force", "inertia": "inertia", "reaction": "reaction", "component": "component",
+}  # fmt: skip
+
+
+def force_picture(drawn: ForcePlan) -> Drawing:
+    vectors = [PlanVector(s.start, s.end, lettered(s.quantity.symbol), STYLES[s.kind]) for s in drawn.strokes]
+    return plan(vectors, {})

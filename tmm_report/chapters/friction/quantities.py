@@ -1,0 +1,90 @@
+"""The numbers of friction: coefficients, power lost in every pair, efficiency."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from tmm_report.chapters.friction.solve import FrictionFound, Losses, PairLoss
+from tmm_report.chapters.kinematics.quantities import where
+from tmm_report.chapters.kinetostatics.quantities import reaction
+from tmm_report.mechanics.structure import Pair
+from tmm_report.problems import N_, Message
+from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
+from tmm_report.quantity.symbols import Symbol
+
+GIVEN = Message(N_("friction in the kinematic pairs"))
+LOSSES = Message(N_("friction power and instantaneous efficiency"))
+
+COEFFICIENT = Quantity("f", Symbol("f"), "", Message(N_("coefficient of friction")))
+DIAMETER = Quantity("d", Symbol("d"), "m", Message(N_("diameter of the journal")))
+TOTAL = Quantity("P_fr", Symbol("P", "fr"), "W", Message(N_("friction power of all pairs")))
+DRIVING = Quantity("P_drive", Symbol("P", "1"), "W", Message(N_("power of the balancing moment, magnitude")))
+EFFICIENCY = Quantity("eta", Symbol("eta"), "", Message(N_("instantaneous efficiency")))
+MEAN_POWER = Quantity("P_fr_mean", None, "W", Message(N_("mean friction power")))
+MEAN_EFFICIENCY = Quantity("eta_mean", None, "", Message(N_("efficiency over the cycle")))
+
+
+def lost(pair: Pair) -> Quantity:
+    """Power of friction in a pair."""
+    of = {"pair": pair.name, "links": pair.key}
+    meaning = Message(N_("friction power in pair %(pair)s of links %(links)s"), of)
+    return Quantity(f"P_fr_{pair.key}", Symbol("P", f"fr{pair.name}"), "W", meaning)
+
+
+def rate(pair: Pair) -> Quantity:
+    """Relative angular velocity of the links of a pivot, sliding velocity of those of a guide."""
+    one, other = pair.links
+    if pair.kind == "P":
+        meaning = Message(N_("sliding velocity of links %(one)s and %(other)s"), {"one": one, "other": other})
+        return Quantity(f"v_rel_{pair.key}", Symbol("v", f"{one},{other}"), "m/s", meaning)
+    text = N_("relative angular velocity of links %(one)s and %(other)s")
+    meaning = Message(text, {"one": one, "other": other})
+    return Quantity(f"w_rel_{pair.key}", Symbol("omega", f"{one},{other}"), "rad/s", meaning)
+
+
+def pressing(pair: Pair) -> Quantity:
+    """Magnitude of the reaction that presses the links of a pair."""
+    force = reaction(*pair.links)
+    return Quantity(f"R_{pair.key}", force.symbol, force.unit, force.meaning)
+
+
+def tables(found: FrictionFound) -> Iterator[Table]:
+    yield _given(found.table.pairs)
+    for name, losses, turned in (
+        ("table", found.table, found.turned),
+        ("diagram", found.diagram, found.diagram_turned),
+    ):
+        yield Table(f"friction_{name}", LOSSES, (*where(turned), *_losses(losses)))
+
+
+def _given(losses: tuple[PairLoss, ...]) -> Table:
+    pairs = [loss.pair for loss in losses]
+    diameters = [math.nan if loss.rubbing.diameter is None else loss.rubbing.diameter for loss in losses]
+    return Table(
+        "friction_given",
+        GIVEN,
+        (
+            text_column("links", Message(N_("its links")), ["–".join(pair.links) for pair in pairs]),
+            text_column("name", Message(N_("point or guide")), [pair.name for pair in pairs]),
+            text_column("kind", Message(N_("R: revolute, P: prismatic")), [pair.kind for pair in pairs]),
+            COEFFICIENT.column([loss.rubbing.coefficient for loss in losses]),
+            DIAMETER.column(diameters),
+        ),
+    )
+
+
+def _losses(losses: Losses) -> Iterator[Column]:
+    for loss in losses.pairs:
+        yield lost(loss.pair).column(loss.power)
+    yield TOTAL.column(losses.total)
+    yield DRIVING.column(losses.driving)
+    yield EFFICIENCY.column(losses.efficiency)
+    for loss in losses.pairs:
+        yield pressing(loss.pair).column(loss.reaction)
+        yield rate(loss.pair).column(loss.rate)
+
+
+def values(found: FrictionFound) -> Iterator[Value]:
+    yield MEAN_POWER.value(found.mean_power)
+    yield MEAN_EFFICIENCY.value(found.mean_efficiency)

@@ -1,0 +1,134 @@
+"""View of the friction losses and the efficiency."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from markupsafe import Markup
+
+from tmm_report.chapters.friction import quantities as q
+from tmm_report.chapters.friction.solve import FrictionFound, PairLoss
+from tmm_report.chapters.kinetostatics import quantities as forces
+from tmm_report.chapters.kinetostatics.solve import Kinetostatics
+from tmm_report.figures.graphs import Curve, Graph
+from tmm_report.mechanics.structure import Pair
+from tmm_report.problems import N_
+from tmm_report.quantity.formula import Formula, Var
+from tmm_report.quantity.model import Book
+from tmm_report.quantity.ref import Ref
+from tmm_report.quantity.symbols import Symbol
+from tmm_report.report.diagrams import CycleGraphs
+from tmm_report.report.layout import Cell, Table, numeric, worded
+from tmm_report.report.page import Page
+from tmm_report.report.part import Part
+from tmm_report.report.words import PAIR_KINDS
+
+if TYPE_CHECKING:
+    from tmm_report.course import LeverFound
+
+
+def given(lever: LeverFound, page: Page) -> Iterator[Part]:
+    """What the initial data say of friction."""
+    if lever.friction is not None and lever.kinetostatics is not None:
+        yield Part(
+            "friction_given",
+            FrictionView(lever.friction, lever.kinetostatics, lever.sample, page),
+            concludes=False,
+        )
+
+
+def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
+    if lever.friction is not None and lever.kinetostatics is not None:
+        yield Part("friction", FrictionView(lever.friction, lever.kinetostatics, lever.sample, page))
+
+
+class FrictionView:
+    def __init__(self, found: FrictionFound, kinetostatics: Kinetostatics, position: int, page: Page):
+        self.found, self.position, self.page, self.t = found, position, page, page.t
+        self.kinetostatics = kinetostatics
+        self.book = Book.of(q.tables(found), q.values(found))
+        self.table = self.book.tables["friction_table"]
+
+    def conclusions(self) -> list[Markup]:
+        return [self.means()]
+
+    def means(self) -> Markup:
+        text = N_(
+            "The mean power of friction over the cycle is %(power)s W, the mean efficiency of the mechanism is %(eta)s."
+        )
+        power = self.page.shown(self.book["P_fr_mean"])
+        return self.t(text, power=power, eta=self.page.shown(self.book["eta_mean"], digits=4))
+
+    # ------------------------------------------------------------ tables
+
+    def stated(self, caption: Any) -> Table:
+        table = self.book.tables["friction_given"]
+        rows = [
+            [
+                self.page.word("–".join(pair.links), table, "links", row),
+                self.page.word(pair.name, table, "name", row), self.t(PAIR_KINDS[pair.kind]),
+                self.page.cell(table, "f", row), self._diameter(table, row, pair),
+            ]
+            for row, pair in enumerate(loss.pair for loss in self.found.table.pairs)
+        ]  # fmt: skip
+        heads = [
+            self.t("Links"), self.t("Point, guide"), self.t("Kind"), self.t("Friction coefficient"),
+            self.page.listed([self.t("Journal diameter"), self.page.unit("m")]),
+        ]  # fmt: skip
+        return worded(caption, heads, rows, (2, 2, 4, 3, 3))
+
+    def _diameter(self, table: Any, row: int, pair: Pair) -> Cell:
+        known = bool(self.found.table.pairs[row].rubbing.diameter)
+        return self.page.cell(table, "d", row) if known else Cell("—", table.ref("d", row))
+
+    def losses(self, caption: Any) -> Table:
+        """Power lost in each pair, in all of them, and the efficiency."""
+        keys = [*(q.lost(loss.pair).key for loss in self.found.table.pairs), "P_fr", "P_drive"]
+        columns = [self.page.column(self.table, key) for key in keys]
+        columns.append(self.page.column(self.table, "eta", digits=4))
+        return numeric(caption, self.page.positions(self.table), columns)
+
+    # ------------------------------------------------------------ formulas of the sample position
+
+    def sample(self) -> list[Formula]:
+        """Power lost in each pair."""
+        return [self._loss(row, loss) for row, loss in enumerate(self.found.table.pairs)]
+
+    def _loss(self, row: int, loss: PairLoss) -> Formula:
+        pair, k, stated = loss.pair, self.position, self.book.tables["friction_given"]
+        friction = stated.var("f", row) * self.table.var(q.pressing(pair).key, k)
+        if pair.kind == "R":
+            arm = (
+                stated.var("d", row)
+                if loss.rubbing.diameter
+                else Var("d", 0.0, "m", ref=stated.ref("d", row))
+            )
+            friction = friction * (arm / 2)
+        rate = self.table.var(q.rate(pair).key, k)
+        return self.table.formula(q.lost(pair).key, k, friction * rate)
+
+    def driving_power(self) -> Formula:
+        kinematics = self.kinetostatics.kinematics
+        balancing = Book.of(forces.tables(self.kinetostatics)).tables["balancing_table"]
+        link = kinematics.linkage.mechanism.driver.link
+        omega = Var(Symbol("omega", link), abs(kinematics.omega), "rad/s", ref=Ref("omega", size=True))
+        power = abs(balancing.var("M_bal", self.position)) * omega
+        return self.table.formula(
+            "P_drive", self.position, power, scale=float(self.found.table.driving.max())
+        )
+
+    def efficiency(self) -> Formula:
+        driving = self.table.var("P_drive", self.position)
+        lost = self.table.var("P_fr", self.position)
+        return self.table.formula("eta", self.position, driving / (driving + lost), digits=4)
+
+    # ------------------------------------------------------------ diagram
+
+    def diagram(self) -> Graph:
+        kinematics, losses = self.kinetostatics.kinematics, self.found.diagram
+        closed = kinematics.positions.table if kinematics.cycle.closed else 0
+        graphs = CycleGraphs(kinematics.diagram_turned, closed, self.page.tr)
+        curves = [Curve(losses.total, panel=0), Curve(losses.efficiency, panel=1)]
+        labels = [graphs.letter(Symbol("P", "fr"), "W"), graphs.letter(Symbol("eta"), "")]
+        return graphs.graph(curves, labels, join=False)

@@ -1,0 +1,171 @@
+"""What is given of a lever mechanism: its dimensions, fixed points and masses."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tmm_report.mechanics.mechanism import FRAME, Link, Mechanism
+from tmm_report.problems import N_, Message
+from tmm_report.quantity.model import Quantity, Table, Value, text_column
+from tmm_report.quantity.symbols import Symbol, segment
+from tmm_report.quantity.written import SEGMENT
+
+if TYPE_CHECKING:
+    from tmm_report.course import LeverFound
+
+LENGTH = N_("length of segment %(of)s")
+DIMENSIONS = Message(N_("dimensions of the links"))
+FIXED = Message(N_("coordinates of the fixed points"))
+MASSES = Message(N_("masses of the links, their mass centres and moments of inertia"))
+LINK = Message(N_("link"))
+
+X = Quantity("x", Symbol("x"), "m", Message(N_("x of the point")))
+Y = Quantity("y", Symbol("y"), "m", Message(N_("y of the point")))
+MASS = Quantity("m", Symbol("m"), "kg", Message(N_("mass of the link")))
+INERTIA = Quantity(
+    "J", Symbol("J"), "kg·m²", Message(N_("moment of inertia of the link about its mass centre"))
+)
+
+
+def length(ends: str) -> Quantity:
+    """Of the segment between two points, named by both."""
+    return Quantity(f"l_{ends}", Symbol("l", ends), "m", Message(LENGTH, {"of": ends}))
+
+
+def mass(link: str) -> Quantity:
+    return Quantity(f"m_{link}", Symbol("m", link), "kg", Message(N_("mass of link %(of)s"), {"of": link}))
+
+
+def inertia(link: str) -> Quantity:
+    text = N_("moment of inertia of link %(of)s about its mass centre")
+    return Quantity(f"J_{link}", Symbol("J", link), "kg·m²", Message(text, {"of": link}))
+
+
+def tables(lever: LeverFound) -> Iterator[Table]:
+    return given_tables(lever.given.mechanism)
+
+
+def values(lever: LeverFound) -> Iterator[Value]:
+    return given_values(lever.given.mechanism, lever.plans.length_scale)
+
+
+def given_tables(mechanism: Mechanism) -> Iterator[Table]:
+    yield _dimensions(mechanism)
+    fixed = mechanism.links[FRAME].points
+    places = np.array(list(fixed.values()), dtype=complex)
+    point = text_column("point", Message(N_("point")), list(fixed))
+    yield Table("fixed_points", FIXED, (point, X.column(places.real), Y.column(places.imag)))
+    if heavy := heavy_links(mechanism):
+        yield _masses(heavy)
+
+
+def sizes(points: Mapping[str, complex]) -> list[tuple[Quantity, float]]:
+    """Distances of a link's points from its first; where they are not in one line, also from each other, m."""
+    (first, start), *others = points.items()
+    found = [(length(first + name), abs(z - start)) for name, z in others]
+    if not _in_line(list(points.values())):
+        pairs = [(a, b) for i, a in enumerate(others) for b in others[i + 1 :]]
+        found += [(length(a + b), abs(z - w)) for (a, z), (b, w) in pairs]
+    return found
+
+
+def _in_line(points: list[complex]) -> bool:
+    arms = np.array(points[1:]) - points[0]
+    return bool(
+        np.all(np.abs((arms * np.conj(arms[0])).imag) <= 1e-9 * np.abs(arms[0]) * np.max(np.abs(arms)))
+    )
+
+
+def sized_links(mechanism: Mechanism) -> list[Link]:
+    """Moving links of two points or more."""
+    return [link for name, link in mechanism.links.items() if name != FRAME and len(link.points) > 1]
+
+
+def heavy_links(mechanism: Mechanism) -> list[Link]:
+    """Moving links with a mass or a moment of inertia."""
+    links = (link for name, link in mechanism.links.items() if name != FRAME)
+    return [link for link in links if link.mass or link.inertia]
+
+
+def _dimensions(mechanism: Mechanism) -> Table:
+    """One row a segment; its name finds it."""
+    rows = [(link.name, *size) for link in sized_links(mechanism) for size in sizes(link.points)]
+    return Table(
+        "dimensions",
+        DIMENSIONS,
+        (
+            text_column("key", Message(N_("segment")), [quantity.key for _, quantity, _ in rows]),
+            text_column("link", LINK, [link for link, _, _ in rows]),
+            Quantity("length", None, "m", Message(N_("its length"))).column([size for _, _, size in rows]),
+        ),
+    )
+
+
+def _masses(links: list[Link]) -> Table:
+    return Table(
+        "masses",
+        MASSES,
+        (
+            text_column("link", LINK, [link.name for link in links]),
+            MASS.column([float(link.mass) for link in links]),
+            text_column(
+                "mass_centre", Message(N_("mass centre")), [link.mass_centre or "" for link in links]
+            ),
+            INERTIA.column([float(link.inertia) for link in links]),
+        ),
+    )
+
+
+# ---------------------------------------------------------------- the driving link
+
+
+def given_values(mechanism: Mechanism, length_scale: float) -> Iterator[Value]:
+    yield speed(mechanism)
+    yield revolutions(mechanism)
+    yield from scale(mechanism, length_scale)
+
+
+def speed(mechanism: Mechanism) -> Value:
+    """Angular velocity of the driving link, + counter-clockwise."""
+    driver = mechanism.driver
+    meaning = Message(N_("angular velocity of the driving link"))
+    return Quantity("omega", Symbol("omega", driver.link), "rad/s", meaning).value(float(driver.omega))
+
+
+def revolutions(mechanism: Mechanism) -> Value:
+    """Rotational speed of the driving link, without its sense."""
+    meaning = Message(N_("rotational speed of the driving link"))
+    rpm = 30 * abs(float(mechanism.driver.omega)) / math.pi
+    return Quantity("n_1", Symbol("n"), "rpm", meaning).value(rpm)
+
+
+# ---------------------------------------------------------------- the scale of the scheme
+
+MU_L = Quantity("mu_l", Symbol("mu", "l"), "m/mm", Message(N_("scale of lengths")))
+
+
+def scale(mechanism: Mechanism, length_scale: float) -> Iterator[Value]:
+    """m/mm, and the length at which the driving link's arm is drawn."""
+    yield MU_L.value(length_scale)
+    if arm := driving_arm(mechanism):
+        ends, metres = arm
+        drawn = Quantity(f"drawn_{ends}", segment(ends), "mm", SEGMENT)
+        yield drawn.value(metres / length_scale)
+
+
+def driving_arm(mechanism: Mechanism) -> tuple[str, float] | None:
+    """Both ends and the length, m, of the driving link from its pivot to its first other point; None without one."""
+    points = mechanism.links[mechanism.driver.link].points
+    pivot = driving_pivot(mechanism)
+    pin = next((p for p in points if p != pivot), None)
+    return None if pin is None else (pivot + pin, abs(points[pin] - points[pivot]))
+
+
+def driving_pivot(mechanism: Mechanism) -> str:
+    """The fixed point about which the driving link turns."""
+    own = mechanism.links[mechanism.driver.link].points
+    return next(point for point in own if point in mechanism.links[FRAME].points)

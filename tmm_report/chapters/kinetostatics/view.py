@@ -1,0 +1,223 @@
+"""View of the kinetostatic analysis: loads, reactions, balancing moment and its checks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from markupsafe import Markup
+
+from tmm_report.chapters.kinetostatics import quantities as q
+from tmm_report.chapters.kinetostatics.draw import balancing_diagram, lever_picture
+from tmm_report.chapters.kinetostatics.solve import Kinetostatics
+from tmm_report.chapters.plans.solve import Plans
+from tmm_report.problems import N_
+from tmm_report.quantity.definition import Definition
+from tmm_report.quantity.formula import Formula, Var
+from tmm_report.quantity.model import Book
+from tmm_report.quantity.ref import Ref
+from tmm_report.quantity.symbols import Symbol
+from tmm_report.report.diagrams import CycleGraphs, Scale
+from tmm_report.report.layout import Cell, Column, Table, numeric, worded
+from tmm_report.report.page import Page
+from tmm_report.report.part import NEXT_CHAPTER, Part
+from tmm_report.report.words import force_direction, sense
+
+if TYPE_CHECKING:
+    from tmm_report.course import LeverFound
+
+WEIGHT = Definition("G", Var("m", 0.0) * Var("g", 0.0))
+POWER_BALANCE = Definition("M_bal", (Var("dT", 0.0) / Var("dt", 0.0) - Var("N", 0.0)) / Var("omega_1", 0.0))
+
+
+def given(lever: LeverFound, page: Page) -> Iterator[Part]:
+    """What the initial data say of the loads."""
+    found = lever.kinetostatics
+    if found is not None and (found.given.forces or found.given.moments):
+        yield Part(
+            "kinetostatics_given", KinetostaticsView(found, lever.plans, lever.sample, page), concludes=False
+        )
+
+
+def parts(lever: LeverFound, page: Page) -> Iterator[Part | None]:
+    if lever.kinetostatics is None:
+        return
+    view = KinetostaticsView(lever.kinetostatics, lever.plans, lever.sample, page)
+    yield Part("kinetostatics_loads", view)
+    yield NEXT_CHAPTER  # the force plans stand between the loads and the reactions
+    yield Part("kinetostatics", view)
+
+
+class KinetostaticsView:
+    weight, power_balance = WEIGHT, POWER_BALANCE
+
+    def __init__(self, found: Kinetostatics, plans: Plans, position: int, page: Page):
+        self.found, self.plans, self.position, self.page, self.t = found, plans, position, page, page.t
+        self.book = Book.of(q.tables(found), q.values(found))
+        kinematics = found.kinematics
+        closed = kinematics.positions.table if kinematics.cycle.closed else 0
+        self.graphs = CycleGraphs(kinematics.diagram_turned, closed, page.tr)
+        self.diagram, self.lever = (
+            balancing_diagram(found, self.graphs),
+            lever_picture(found, plans, position),
+        )
+
+    def conclusions(self) -> list[Markup]:
+        text = N_(
+            "The balancing moment varies from %(low)s N·m to %(high)s N·m over the cycle; Zhukovsky's lever and the "
+            "power balance confirm it within a relative difference of %(worst)s."
+        )
+        low, high = (self.page.shown(self.book[key]) for key in ("M_bal_min", "M_bal_max"))
+        found = self.found
+        worse = "lever" if found.worst_lever >= found.worst_power else "power"
+        worst = self.page.shown(self.book[f"{worse}_disagreement"], digits=2, scale=0)
+        return [self.t(text, low=low, high=high, worst=worst)]
+
+    # ------------------------------------------------------------ what is given
+
+    def stated(self, caption: Any) -> Table:
+        """The stated loads: symbol, name, what they act on, direction."""
+        given, table = self.found.given, self.book.tables["loads_given"]
+        on = [self.t("point %(point)s", point=force.at) for force in given.forces]
+        on += [self.t("link %(link)s", link=moment.on) for moment in given.moments]
+        ways = [force_direction(force.direction, self.page) for force in given.forces]
+        ways += [sense(moment.direction, self.page) for moment in given.moments]
+        quantities = [*q.forces(given.forces), *q.moments(given.moments)]
+        rows = [
+            [
+                self.page.sym(quantity.symbol or ""), self.page.word(table["name"].values[row], table, "name", row),
+                on[row], self.page.word(ways[row], table, "direction", row),
+            ]
+            for row, quantity in enumerate(quantities)
+        ]  # fmt: skip
+        heads = [self.t("Symbol"), self.t("Load"), self.t("Applied to"), self.t("Direction")]
+        return worded(caption, heads, rows, (2, 5, 4, 5))
+
+    def magnitudes(self, caption: Any) -> Table:
+        """Magnitudes of the stated loads at the table positions 0..N-1."""
+        given, table = self.found.given, self.book.tables["loads_table"]
+        count = self.found.kinematics.positions.table
+        columns = [
+            Column(
+                self.page.head(quantity.symbol or "", quantity.unit),
+                [self.page.cell(table, quantity.key, row, size=True) for row in range(count)],
+            )
+            for quantity in (*q.forces(given.forces), *q.moments(given.moments))
+        ]
+        return numeric(caption, self.page.positions(table, count), columns)
+
+    # ------------------------------------------------------------ loads
+
+    def weights(self, caption: Any) -> Table:
+        table = self.book.tables["loads_table"]
+        columns = []
+        for link in self.found.table.loading.gravity:
+            of = q.weight(link)
+            cell = self.page.cell(table, of.key, 0, size=True)
+            columns.append(Column(self.page.head(of.symbol or "", of.unit), [cell]))
+        return numeric(caption, columns[0], columns[1:])
+
+    def inertia(self, caption: Any) -> Table:
+        """Inertia forces, magnitudes, and couples at the table positions."""
+        table, loading = self.book.tables["loads_table"], self.found.table.loading
+        keys = [q.inertia_force(link).key for link in loading.inertia]
+        keys += [q.inertia_couple(link).key for link in loading.couples]
+        return numeric(caption, self.page.positions(table), [self.page.column(table, key) for key in keys])
+
+    # ------------------------------------------------------------ reactions
+
+    def reactions(self, caption: Any) -> Table:
+        return self._of_pairs(caption, [q.reaction(*pair).key for pair in self._pairs()])
+
+    def directions(self, caption: Any) -> Table:
+        """Angles of the reactions with the x axis, degrees; none where there is no force."""
+        return self._of_pairs(caption, [q.reaction_angle(*pair).key for pair in self._pairs()])
+
+    def _pairs(self) -> list[tuple[str, str]]:
+        return [reaction.pair.links for reaction in self.found.table.statics.reactions.values()]
+
+    def _of_pairs(self, caption: Any, keys: list[str]) -> Table:
+        table = self.book.tables["reactions_table"]
+        return numeric(caption, self.page.positions(table), [self.page.column(table, key) for key in keys])
+
+    @property
+    def in_guides(self) -> list[tuple[str, str]]:
+        """Links of the guides' reactions."""
+        reactions = self.found.table.statics.reactions.values()
+        return [reaction.pair.links for reaction in reactions if reaction.pair.kind == "P"]
+
+    @property
+    def central(self) -> bool:
+        """Whether the reactions of all guides pass through the points of their sliders."""
+        largest = float(np.nanmax(self.found.table.scale))
+        table = self.book.tables["reactions_table"]
+        moments = [np.asarray(table[q.guide_moment(*pair).key].values) for pair in self.in_guides]
+        return all(np.nanmax(np.abs(moment)) <= 1e-9 * largest for moment in moments)
+
+    def guide_points(self, caption: Any) -> Table:
+        """Moments of the reactions in guides, and where along the guide the force alone would act."""
+        keys = [
+            quantity.key
+            for pair in self.in_guides
+            for quantity in (q.guide_moment(*pair), q.guide_offset(*pair, ""))
+        ]
+        return self._of_pairs(caption, keys)
+
+    # ------------------------------------------------------------ balancing moment
+
+    def extreme(self, end: str) -> Markup:
+        """ "min" or "max"."""
+        return self.page.shown(self.book[f"M_bal_{end}"])
+
+    def turned(self, end: str) -> Markup:
+        """The angle of turn of an extreme, degrees."""
+        value = self.book[f"M_bal_{end}"]
+        assert value.at is not None
+        return self.page.said(
+            Cell(self.page.num(np.degrees(value.at), places=1), Ref(value.key, by="at_deg"))
+        )
+
+    def balancing(self, caption: Any) -> Table:
+        """The balancing moment by groups, by the lever and by power."""
+        table = self.book.tables["balancing_table"]
+        heads = [
+            self.t("from the force analysis"),
+            self.t("from the lever"),
+            self.t("from the power balance"),
+        ]
+        columns = []
+        for key, head in zip(("M_bal", "M_lever", "M_power"), heads, strict=True):
+            column = self.page.column(table, key, least=20)
+            columns.append(column._replace(head=self.page.listed([column.head, head])))
+        return numeric(caption, self.page.positions(table), columns)
+
+    def scales(self) -> list[Scale]:
+        return self.graphs.scales(self.diagram, [("mu_M", "N·m/mm")])
+
+    # ------------------------------------------------------------ checks
+
+    def powers(self, caption: Any) -> Table:
+        """Powers of all loads at the sample position, and their sum."""
+        table, k = self.book.tables["powers_table"], self.position
+        rows = []
+        for loads in q.loads_of_powers(self.found):
+            key = q.power(loads).key
+            size = abs(float(table[key].values[k]))
+            symbols = self.page.listed(self.page.sym(load.symbol or "") for load in loads)
+            rows.append([symbols, self.page.cell(table, key, k, scale=max(1.0, size))])
+        rows.append([self.t("Sum"), self.page.cell(table, "N_sum", k)])
+        heads = [self.t("Loads"), self.page.listed([self.t("Power"), self.page.unit("W")])]
+        return worded(caption, heads, rows, (1, 1))
+
+    def lever_formula(self) -> Formula:
+        """The balancing moment from the sum of powers, at the sample position."""
+        total = self.book.tables["powers_table"].var("N_sum", self.position)
+        omega = self.found.kinematics.omega
+        link = self.found.kinematics.linkage.mechanism.driver.link
+        speed = Var(Symbol("omega", link), omega, "rad/s", ref=Ref("omega"))
+        return self.book.tables["balancing_table"].formula("M_lever", self.position, -total / speed)
+
+    def disagreement(self, of: str) -> Markup:
+        """The worst of the "lever" or of the "power" balance."""
+        return self.page.shown(self.book[f"{of}_disagreement"], digits=2, scale=0)

@@ -1,0 +1,39 @@
+"""The block `mechanism` of a variant: its models, what they become, what its parts say wrong of one another."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TypedDict
+
+from pydantic import Field
+
+from tmm_report.chapters.structure.block.build import mechanism
+from tmm_report.chapters.structure.block.checks import Names, check, names, no_link, no_point, stated, without
+from tmm_report.chapters.structure.block.models import MechanismModel
+from tmm_report.mechanics.mechanism import FRAME, Mechanism
+from tmm_report.problems import Problem
+from tmm_report.variant import model
+from tmm_report.variant.model import Read
+
+__all__ = [
+    "FRAME", "Block", "Given", "Names", "given", "mistakes", "names", "no_link", "no_point", "stated", "without",
+]  # fmt: skip
+
+
+class Block(model.Block):
+    """The lever mechanism."""
+
+    mechanism: MechanismModel = Field(default_factory=MechanismModel)
+
+
+class Given(TypedDict):
+    mechanism: Mechanism
+
+
+def given(read: Read) -> Given:
+    return {"mechanism": mechanism(read.block(Block).mechanism)}
+
+
+def mistakes(read: Read) -> Iterator[Problem]:
+    if stated(read):
+        yield from check(read.block(Block).mechanism, read)

@@ -1,0 +1,114 @@
+"""The block `mechanism` -> Mechanism. Only a link's geometry can fail here, and `checks` tries it first."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Mapping
+
+from tmm_report.chapters.structure.block import models as m
+from tmm_report.mechanics.mechanism import (
+    FRAME,
+    Assembly,
+    Driver,
+    Guide,
+    Link,
+    Mechanism,
+    Slide,
+    ZeroAngle,
+    ZeroExtreme,
+)
+from tmm_report.problems import N_, Message
+from tmm_report.quantity.units import WrongValue
+from tmm_report.variant.values import SENSES, SIDES, unit_vector
+
+
+def mechanism(model: m.MechanismModel) -> Mechanism:
+    frame = Link(FRAME, {name: complex(*place) for name, place in model.frame.items()})
+    links = {FRAME: frame, **{name: link(name, part) for name, part in model.links.items()}}
+    return Mechanism(
+        links=links,
+        driver=driver(model.driver),  # type: ignore[arg-type]  # checks: there is one
+        guides={name: guide(name, part, links[part.link]) for name, part in model.guides.items()},
+        slides=tuple(
+            slide(name, one, links[name]) for name, part in model.links.items() for one in slides_of(part)
+        ),
+        assembly=tuple(Assembly(key, choice) for key, choice in model.assembly.items()),
+        sketch={name: complex(*place) for name, place in model.sketch.items()},
+    )
+
+
+def link(name: str, model: m.LinkModel) -> Link:
+    places = link_places(model)
+    centre = model.mass_centre or (next(iter(places)) if model.mass and len(places) == 1 else None)
+    return Link(name, places, mass=model.mass, mass_centre=centre, inertia=model.inertia)
+
+
+def link_places(model: m.LinkModel) -> dict[str, complex]:
+    """The link's points in its axes, m. Raises WrongValue where a triangle does not close."""
+    if isinstance(model.points, list):
+        return {model.points[0]: 0j}
+    placed: dict[str, complex] = {}
+    for name, written in model.points.items():
+        placed[name] = place(written, placed)
+    return placed
+
+
+def place(written: float | tuple[float, float] | m.Triangle, placed: Mapping[str, complex]) -> complex:
+    """A point's place in the link's axes, m; `placed`: the link's points before it."""
+    if isinstance(written, m.Triangle):
+        return triangle(written, placed)
+    return complex(*written) if isinstance(written, tuple) else complex(written)
+
+
+def triangle(model: m.Triangle, placed: Mapping[str, complex]) -> complex:
+    """The third corner: `along` the side from the first point and `off` it, left of it positive.
+
+    Raises WrongValue for a corner that is not placed yet and for lengths that make no triangle.
+    """
+    (first, from_first), (second, from_second) = model.from_.items()
+    for name in (first, second):
+        if name not in placed:
+            wrong = N_("the point %(name)s is not placed on this link before")
+            raise WrongValue(Message(wrong, {"name": name}), Message(N_("give its place above")))
+    side = placed[second] - placed[first]
+    along = (from_first**2 - from_second**2 + abs(side) ** 2) / (2 * abs(side)) if side else math.inf
+    square = from_first**2 - along**2
+    if not square >= -1e-9 * abs(side) ** 2:
+        values = {"a": first, "b": second, "length": f"{abs(side):.6g}"}
+        wrong = N_("the triangle does not close: %(a)s and %(b)s are %(length)s m apart")
+        right = Message(N_("the longest side must be shorter than the other two together"))
+        raise WrongValue(Message(wrong, values), right)
+    off = math.sqrt(max(square, 0.0)) * (1 if model.side == "left" else -1)
+    return placed[first] + side / abs(side) * complex(along, off)
+
+
+def guide(name: str, model: m.GuideModel, carrier: Link) -> Guide:
+    if isinstance(model.through, str):
+        return Guide(name, model.link, carrier.points[model.through], unit_vector(model.angle or 0.0))
+    start, end = (carrier.points[point] for point in model.through)
+    return Guide(name, model.link, start, unit_vector(cmath.phase(end - start)))
+
+
+def slides_of(model: m.LinkModel) -> list[m.SlideModel]:
+    """The link's slides, one or many, written short or long."""
+    written = model.slides if isinstance(model.slides, list) else [model.slides] if model.slides else []
+    return [m.SlideModel(guide=one) if isinstance(one, str) else one for one in written]
+
+
+def slide(name: str, model: m.SlideModel, own: Link) -> Slide:
+    at = model.at or next(iter(own.points))
+    return Slide(name, model.guide, own.points[at], unit_vector(model.angle))
+
+
+def driver(model: m.DriverModel) -> Driver:
+    speed = model.speed if model.speed is not None else 2 * math.pi / (model.period or math.inf)
+    return Driver(model.link, SENSES[model.rotation] * speed, zero(model.zero), model.range)
+
+
+def zero(model: m.ZeroModel | None) -> ZeroAngle | ZeroExtreme:
+    if model is None or model.angle is not None:
+        return ZeroAngle(model.angle or 0.0 if model else 0.0)
+    if model.point is not None:
+        return ZeroExtreme(point=model.point, direction=SIDES[str(model.extreme)])
+    return ZeroExtreme(link=model.link, direction=complex(1 if model.extreme == "counter-clockwise" else -1))

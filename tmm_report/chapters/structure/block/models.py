@@ -1,0 +1,153 @@
+"""The block `mechanism` as pydantic models."""
+
+import math
+from typing import Annotated, Literal
+
+from pydantic import ConfigDict, Field, Tag, model_validator
+
+from tmm_report.problems import N_, Message
+from tmm_report.quantity.units import WrongValue
+from tmm_report.variant.model import Model
+from tmm_report.variant.values import (
+    LIST,
+    MAP,
+    SCALAR,
+    SIDES,
+    Angle,
+    Choice,
+    Distance,
+    GroupName,
+    Inertia,
+    KeyName,
+    Length,
+    Mass,
+    Name,
+    Period,
+    Point,
+    Range,
+    Speed,
+    Turn,
+    by_shape,
+)
+
+
+class Triangle(Model):
+    """A point of a link found by its distances from two points of the same link placed before it."""
+
+    from_: dict[KeyName, Distance] = Field(
+        alias="from",
+        min_length=2,
+        max_length=2,
+        description="two points: distance",
+        examples=["{A: 75 mm, B: 100 mm}"],
+    )
+    side: Literal["left", "right"] = Field(
+        description="the side, seen going from the first point to the second"
+    )
+
+
+Place = Annotated[
+    Annotated[Length, Tag(SCALAR)] | Annotated[Point, Tag(LIST)] | Annotated[Triangle, Tag(MAP)],
+    by_shape(N_("75 mm, [75 mm, 10 mm] or {from: {A: 75 mm, B: 100 mm}, side: left}")),
+]
+
+
+class SlideModel(Model):
+    """The link slides along a guide."""
+
+    guide: Name = Field(description="the guide's name", examples=["x"])
+    at: Name | None = Field(
+        default=None, description="the link's point on the guide; left out, its first point"
+    )
+    angle: Angle = Field(default=0.0, description="the guide's angle in the axes of the sliding link")
+
+
+_SLIDE = by_shape(N_("the name of a guide, {guide: x, at: B} or a list of these"))
+OneSlide = Annotated[Annotated[Name, Tag(SCALAR)] | Annotated[SlideModel, Tag(MAP)], _SLIDE]
+Slides = Annotated[
+    Annotated[Name, Tag(SCALAR)] | Annotated[SlideModel, Tag(MAP)] | Annotated[list[OneSlide], Tag(LIST)],
+    _SLIDE,
+]
+Points = Annotated[
+    Annotated[dict[KeyName, Place], Field(min_length=1), Tag(MAP)]
+    | Annotated[list[Name], Field(min_length=1, max_length=1), Tag(LIST)],
+    by_shape(N_("{A: 0, B: 300 mm}, or [B] for a link of one point")),
+]
+Through = Annotated[
+    Annotated[Name, Tag(SCALAR)] | Annotated[list[Name], Field(min_length=2, max_length=2), Tag(LIST)],
+    by_shape(N_("a point, or two: [P, Q]")),
+]
+
+
+class LinkModel(Model):
+    """A moving rigid link. Links that have a point of the same name are joined there by a pivot."""
+
+    points: Points = Field(description="its points, in its own axes", examples=["{A: 0, B: 300 mm}"])
+    mass: Mass = 0.0
+    mass_centre: Name | None = Field(default=None, description="the point that is the mass centre")
+    inertia: Inertia = Field(default=0.0, description="about the mass centre")
+    slides: Slides | None = Field(default=None, description="the guide or guides the link slides along")
+
+
+class GuideModel(Model):
+    """A straight line along which links slide, carried by the frame or by a moving link."""
+
+    through: Through = Field(description="a point of the line, or two, P to Q", examples=["O"])
+    angle: Angle | None = Field(default=None, description="in the axes of the carrier; left out, 0")
+    link: Name = Field(default="0", description="the link that carries the guide; left out, the frame")
+
+
+class ZeroModel(Model):
+    """Position 0, from which positions are counted."""
+
+    angle: Angle | None = Field(default=None, description="of the driving link's x axis")
+    point: Name | None = Field(default=None, description="the point that is at its extreme")
+    link: Name | None = Field(default=None, description="the rocker that is at its extreme")
+    extreme: Literal["right", "left", "up", "down", "clockwise", "counter-clockwise"] | None = None
+
+    @model_validator(mode="after")
+    def one_way(self) -> "ZeroModel":
+        given = [self.angle, self.point, self.link]
+        words = SIDES if self.point is not None else ("clockwise", "counter-clockwise")
+        wanted = self.extreme is None if self.angle is not None else self.extreme in words
+        if sum(part is not None for part in given) == 1 and wanted:
+            return self
+        right = N_("{angle: 30 deg}, {point: B, extreme: right} or {link: 3, extreme: clockwise}")
+        raise WrongValue(Message(N_("position 0 is not stated in one way")), Message(right))
+
+
+class DriverModel(Model):
+    """The driving link: it turns about a fixed point at constant speed."""
+
+    link: Name = Field(description="the driving link", examples=["1"])
+    speed: Speed | None = Field(default=None, description="rad/s or rpm")
+    period: Period | None = Field(default=None, description="the time of one turn")
+    rotation: Turn = Field(default="counter-clockwise", description="the sense of rotation")
+    zero: ZeroModel | None = Field(default=None, description="position 0; left out, the angle 0")
+    range: Range = Field(2 * math.pi, description="how far it turns")
+
+    @model_validator(mode="after")
+    def one_speed(self) -> "DriverModel":
+        if (self.speed is None) == (self.period is None):
+            wrong = Message(N_("the speed must be stated once"))
+            raise WrongValue(wrong, Message(N_("either speed: 1200 rpm or period: 0.05 s")))
+        return self
+
+
+class MechanismModel(Model):
+    """The mechanism as its drawing shows it. Groups of links are found by the program."""
+
+    # the parts that every mechanism has may be absent here, to check the rest all the same: `checks` wants them
+    model_config = ConfigDict(json_schema_extra={"required": ["frame", "links", "driver"]})
+
+    frame: dict[KeyName, Point] = Field(default={}, description="fixed points, in the axes of the drawing")
+    guides: dict[KeyName, GuideModel] = Field(default={})
+    links: dict[KeyName, LinkModel] = Field(default={}, description="the moving links")
+    driver: DriverModel | None = None
+    assembly: dict[GroupName, Choice] = Field(
+        default={},
+        description="which of two ways a group is assembled, by its inner point (B) or its links (2-3)",
+    )
+    sketch: dict[KeyName, Point] = Field(
+        default={}, description="rough places of points in some one position"
+    )

@@ -1,0 +1,162 @@
+"""`tmm-report solve`: a variant's note written into a folder, and what was found in a few lines."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from tmm_report import load
+from tmm_report import solve as solve_variant
+from tmm_report.commands.files import FORMATS, combinations, render, write
+from tmm_report.commands.talk import Talk, failure, unwritable, written
+from tmm_report.course import LeverFound, Results
+from tmm_report.problems import N_, Message
+
+NO_TEX = N_(
+    "no PDF: pdflatex is not installed. Windows: install MiKTeX (miktex.org). Debian, Ubuntu: apt install "
+    "texlive-latex-recommended texlive-pictures texlive-lang-cyrillic cm-super. macOS: MacTeX"
+)
+
+
+def run(
+    variant: Path,
+    folder: Path | None,
+    formats: str,
+    language: str | None,
+    talk: Talk,
+    *,
+    combinations_too: bool = False,
+    pdf: bool = False,
+    open_note: bool = False,
+) -> bool:
+    """Whether everything asked for was made and every check held. Raises ProblemError."""
+    wanted = chosen(formats, open_note)
+    folder = folder or Path(f"{variant.stem}-note")
+    loaded = load(variant)
+    talk.speak(language or loaded.language)
+    results = solve_variant(loaded)
+    files = _made(results, wanted, language, talk)
+    if combinations_too:
+        files |= combinations(results, language)
+    no_pdf = _add_pdf(results, language, files, talk) if pdf else []
+    _write(folder, files)
+    good = summary(results, talk)
+    talk.tell(written(*(folder / name for name in _shown(files))))
+    for line in no_pdf:
+        talk.warn(line)
+    if open_note:
+        _open(folder / "note.html")
+    return good and not no_pdf
+
+
+def chosen(formats: str, open_note: bool = False) -> list[str]:
+    """The formats that a text names; a note that is to be opened is made. Raises ProblemError."""
+    wanted = list(dict.fromkeys(part.strip().lower() for part in formats.split(",") if part.strip()))
+    unknown = [part for part in wanted if part not in FORMATS]
+    if unknown or not wanted:
+        text = N_("--format: unknown %(words)s; known: %(known)s")
+        raise failure(text, words=", ".join(unknown) or "''", known=", ".join(FORMATS))
+    return [*wanted, "html"] if open_note and "html" not in wanted else wanted
+
+
+def _made(results: Results, formats: Sequence[str], language: str | None, talk: Talk) -> dict[str, bytes]:
+    """The files of the formats."""
+    files: dict[str, bytes] = {}
+    for fmt in formats:
+        talk.stage(Message(N_("writing %(format)s"), {"format": fmt}))
+        files |= render(results, fmt, language)
+    return files
+
+
+def _add_pdf(
+    results: Results, language: str | None, files: dict[str, bytes], talk: Talk
+) -> list[Message | str]:
+    """Add note.pdf to the files; what went wrong, a line each, if it could not be made."""
+    from tmm_report.commands.pdf import NoTex, TexFailed, compile_pdf
+
+    talk.stage(Message(N_("compiling the PDF")))
+    source = files if "note.tex" in files else render(results, "tex", language)
+    try:
+        files["note.pdf"] = compile_pdf({name: text for name, text in source.items() if name != "note.html"})
+    except NoTex:
+        return [Message(NO_TEX)]
+    except TexFailed as error:
+        said = Message(N_("no PDF: pdflatex stopped. The end of its log:"))
+        return [said, *str(error).split("\n")]
+    return []
+
+
+def _write(folder: Path, files: dict[str, bytes]) -> None:
+    try:
+        write(folder, files)
+    except OSError as error:
+        raise unwritable(folder, error) from None
+
+
+def _shown(files: dict[str, bytes]) -> list[str]:
+    """The files, of folders only the name."""
+    parts = sorted({name.split("/")[0] for name in files if "/" in name})
+    return [name for name in files if "/" not in name] + [part + "/" for part in parts]
+
+
+def _open(note: Path) -> None:
+    import webbrowser
+
+    webbrowser.open(note.resolve().as_uri())
+
+
+# ---------------------------------------------------------------- what was found
+
+
+def summary(results: Results, talk: Talk) -> bool:
+    """Tell what was found; whether every check held."""
+    good = _lever(results.lever, talk) if results.lever else True
+    for found in (results.drive, results.eccentric):
+        for message in found.summary() if found is not None else ():
+            talk.tell(message)
+    return good
+
+
+def _lever(lever: LeverFound, talk: Talk) -> bool:
+    """Tell what was found of the lever mechanism; whether every check held."""
+    talk.tell(lever.structure.formula)
+    _differences(lever, talk)
+    if lever.plans.singular:
+        text = N_("no plans at singular positions: %(numbers)s")
+        talk.tell(Message(text, {"numbers": ", ".join(map(str, lever.plans.singular))}))
+    _gaps(lever, talk)
+    return _balance(lever, talk) and not lever.partial
+
+
+def _differences(lever: LeverFound, talk: Talk) -> None:
+    """How far the drawn plans, and a student's own readings, are from the exact solution."""
+    plans, forces = lever.plans, lever.force_plans
+    worst = max(plans.worst, forces.worst if forces else 0.0)
+    text = N_("largest difference of the graph-analytical method: %(percent).3g %%")
+    talk.tell(Message(text, {"percent": worst}))
+    if any(drawn.readings for drawn in plans.drawn):
+        text = N_("largest difference of the student's readings: %(percent).3g %%")
+        talk.tell(Message(text, {"percent": plans.worst_reading}))
+
+
+def _gaps(lever: LeverFound, talk: Talk) -> None:
+    """Over which part of the cycle the mechanism cannot be assembled: an error where that is not meant so."""
+    for gap in lever.kinematics.gaps:
+        if lever.partial:
+            talk.warn(Message(N_("error: %(what)s"), {"what": gap.text}))
+        else:
+            talk.tell(gap.text)
+
+
+def _balance(lever: LeverFound, talk: Talk) -> bool:
+    """How well the ways to the balancing moment agree; whether they do."""
+    forces = lever.kinetostatics
+    if forces is None:
+        return True
+    text = N_(
+        "checks of the balancing moment, relative disagreement: lever %(lever).1e, power balance %(power).1e"
+    )
+    talk.tell(Message(text, {"lever": forces.worst_lever, "power": forces.worst_power}))
+    if not forces.agrees:
+        talk.warn(Message(N_("error: the checks of the balancing moment disagree by more than 1e-9")))
+    return forces.agrees

@@ -1,0 +1,62 @@
+"""The languages of the note and of messages, a row a language. Everything that lists languages takes them from here.
+
+A language is its row here, and its files in templates/: locale/<code>/LC_MESSAGES/tmm_report.po (with the .mo that
+tools/messages.py makes of it; the plural rule stands in its head), locale/<code>/glossary.yaml and new/<code>.yaml.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Literal
+
+from tmm_report.problems import N_, Message, Problem, ProblemError, shown
+
+DecimalSign = Literal["comma", "point"]
+SIGNS: dict[DecimalSign, str] = {"comma": ",", "point": "."}
+
+
+@dataclass(frozen=True)
+class Language:
+    """One language.
+
+    `code`: ISO 639-1, that of --lang, of the key `language` and of HTML. `babel`: its name in LaTeX, `beside`: the
+    language whose words a note has beside its own. `ids`: its texts are the message ids, without a catalogue.
+    """
+
+    code: str
+    name: str
+    decimal: DecimalSign
+    babel: str
+    beside: str = "english"
+    ids: bool = False
+
+    @property
+    def babel_options(self) -> str:
+        return f"{self.beside},main={self.babel}"
+
+
+LANGUAGES = {
+    row.code: row
+    for row in (
+        Language("ru", "русский", "comma", babel="russian"),
+        Language("en", "English", "point", babel="english", beside="russian", ids=True),
+    )
+}
+DEFAULT = "ru"  # of a variant that states none
+FALLBACK = "en"  # of messages, where the user's language is not among ours
+
+
+def language(code: str) -> Language:
+    """The row of a language. Raises ProblemError with the languages there are."""
+    if code in LANGUAGES:
+        return LANGUAGES[code]
+    wrong = Message(N_("there is no language %(code)s"), {"code": shown(code) or "''"})
+    right = Message(N_("known: %(words)s"), {"words": ", ".join(LANGUAGES)})
+    raise ProblemError([Problem(wrong, right)])
+
+
+def of_locale(name: str) -> str:
+    """The code of a system's language, such as "ru_RU.UTF-8" or "Russian_Russia.1251"; FALLBACK for a foreign one."""
+    word = re.split(r"[_.@-]", name.lower())[0]
+    return next((row.code for row in LANGUAGES.values() if word in (row.code, row.babel)), FALLBACK)

@@ -1,0 +1,54 @@
+"""The explanatory note: the views of the chapters that were solved, in the order of the course."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from types import ModuleType
+from typing import Any
+
+from tmm_report.course import INITIAL_DATA, LEVER, Results, chapters, room
+from tmm_report.i18n import Translator
+from tmm_report.report import gears
+from tmm_report.report import render as render_parts
+from tmm_report.report.page import Page
+from tmm_report.report.part import NEXT_CHAPTER, Part
+
+Found = (
+    Any  # the record of a lever mechanism, or the Found of another chapter: what the chapter's own view takes
+)
+
+
+def render(results: Results, fmt: str, tr: Translator) -> dict[str, bytes]:
+    """File name -> content: "note.html" alone, or "note.tex" with the figures it reads."""
+    return render_parts(lambda page: list(parts(results, page)), results.variant.title, fmt, tr)
+
+
+def parts(results: Results, page: Page) -> Iterator[Part]:
+    """The parts of the note. What chapters say of their own data stands behind the initial data."""
+    views = [(room(name, "view"), found) for name, found in _solved(results)]
+    waiting = iter(views)
+    for view, found in waiting:
+        yield from _of_chapter(view, found, waiting, page)
+        if view is room(INITIAL_DATA, "view"):
+            for other, its in views:
+                yield from other.given(its, page) if hasattr(other, "given") else ()
+
+
+def _solved(results: Results) -> Iterator[tuple[str, Found]]:
+    if results.lever is not None:
+        yield INITIAL_DATA, results.lever
+    for name, found in chapters(results):
+        yield name, results.lever if name in LEVER else found
+
+
+def _of_chapter(
+    view: ModuleType, found: Found, waiting: Iterator[tuple[ModuleType, Found]], page: Page
+) -> Iterator[Part]:
+    if not hasattr(view, "parts"):
+        yield from gears.parts(found, page)
+        return
+    for part in view.parts(found, page):
+        if part is not NEXT_CHAPTER:
+            yield part
+        elif (inner := next(waiting, None)) is not None:
+            yield from _of_chapter(*inner, waiting, page)

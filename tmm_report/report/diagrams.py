@@ -1,0 +1,54 @@
+"""Diagrams over the cycle of a lever mechanism: what all chapters that draw them share."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from tmm_report.figures.graphs import Curve, Graph, graph
+from tmm_report.i18n import Translator
+from tmm_report.mechanics.cycle import Extreme
+from tmm_report.quantity.model import Quantity
+from tmm_report.quantity.symbols import GREEK, Symbol
+from tmm_report.quantity.text import unit_text
+
+Array = Any
+Scale = tuple[str, float, str]  # symbol, value of 1 mm, its unit
+
+
+class CycleGraphs:
+    """`turned`: angles of the diagram positions, rad; `positions`: how many are numbered on the axis."""
+
+    def __init__(self, turned: Array, positions: int, tr: Translator):
+        self.turned, self.positions, self.tr = turned, positions, tr
+
+    def graph(self, curves: Sequence[Curve], labels: Sequence[str], join: bool = True) -> Graph:
+        return graph(
+            curves, np.degrees(self.turned), f"φ, {unit_text('deg', self.tr.language)}", labels,
+            positions=self.positions, comma=self.tr.decimal == ",", join=join,
+        )  # fmt: skip
+
+    def label(self, quantity: Quantity, unit: str = "") -> str:
+        """The letter of a quantity and its unit, for an axis: the figure's caption says of what."""
+        assert quantity.symbol is not None
+        return self.letter(Symbol(quantity.symbol.base), unit or quantity.unit)
+
+    def letter(self, symbol: Symbol, unit: str) -> str:
+        """A symbol as plain text and its unit."""
+        text = GREEK.get(symbol.base, symbol.base) + self.tr.pgettext("index", symbol.sub)
+        return f"{text}, {unit_text(unit, self.tr.language)}" if unit else text
+
+    def scales(self, drawn: Graph, names: Sequence[tuple[str, str]]) -> list[Scale]:
+        """What 1 mm along the axis of the angle and along the axis of each panel stands for."""
+        found = [("mu_phi", drawn.panels[0].x_scale, "°/mm")]
+        for (name, unit), panel in zip(names, drawn.panels, strict=True):
+            found.append((name, panel.y_scale, unit))
+        return found
+
+
+def points(extremes: Sequence[Extreme], factor: float = 1.0) -> list[tuple[float, float]]:
+    """Extremes as points of a graph: angle of turn, degrees, and value."""
+    return [(math.degrees(extreme.turned), float(extreme.value * factor)) for extreme in extremes]

@@ -1,0 +1,29 @@
+"""A part of the note: a template and the view of a chapter that it prints."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple, Protocol
+
+from markupsafe import Markup
+
+
+class View(Protocol):
+    """What a chapter's template prints."""
+
+    def conclusions(self) -> Sequence[Markup]:
+        """What the conclusions of the note say of the chapter."""
+
+
+class Part(NamedTuple):
+    """`template`: of templates/chapters, without ".j2"; several parts may print one view.
+
+    `concludes`: whether the view speaks in the conclusions on behalf of its chapter.
+    """
+
+    template: str
+    view: View
+    concludes: bool = True
+
+
+NEXT_CHAPTER = None  # among the parts of a chapter: here stand those of the next one

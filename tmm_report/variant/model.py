@@ -1,0 +1,90 @@
+"""What the blocks of a variant are made of, and what the room of a block offers the reader."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, ClassVar, Protocol, TypeVar
+
+from pydantic import BaseModel, ConfigDict
+
+from tmm_report.problems import Problem
+from tmm_report.yamlread import Path
+
+
+class Model(BaseModel):
+    """A mapping of the file: other keys than its fields are mistakes."""
+
+    model_config = ConfigDict(
+        extra="forbid", allow_inf_nan=False, hide_input_in_errors=True, defer_build=True, frozen=True
+    )
+
+
+class Block(Model):
+    """The keys of a variant that one chapter owns, as fields."""
+
+    AS_WRITTEN: ClassVar[frozenset[str]] = frozenset()
+    """Keys whose mapping holds texts: a number there stays as it was written, group 21.10 is not 21.1."""
+    HOLES: ClassVar[frozenset[Path]] = frozenset()
+    """Lists in which a wrong item leaves a hole, None, so that the others keep their numbers."""
+    ALONE: ClassVar[bool] = False
+    """Whether a variant may have this block and no lever mechanism."""
+
+
+B = TypeVar("B", bound=Block)
+
+
+@dataclass(frozen=True, eq=False)
+class Read:
+    """A variant as it was read: each chapter's block, and beside it the plain data of the file.
+
+    A part that is wrong in itself is missing from the blocks and its path is in `broken`. Names are therefore taken
+    from `data`, right or wrong: a point whose length is mistyped is still a known point.
+    """
+
+    data: Mapping[str, Any]
+    broken: frozenset[Path]
+    blocks: Mapping[type[Block], Block]
+
+    def block(self, kind: type[B]) -> B:
+        """A chapter's block; of what the file leaves out, the default."""
+        found = self.blocks.get(kind)
+        return found if isinstance(found, kind) else kind.model_construct()
+
+    @property
+    def alone(self) -> bool:
+        """Whether the file has a block that is a variant without a lever mechanism."""
+        return any(key in self.data for block in self.blocks if block.ALONE for key in block.model_fields)
+
+    def is_broken(self, key: str) -> bool:
+        """Whether something is wrong under a key of the file."""
+        return any(path[:1] == (key,) for path in self.broken)
+
+
+class Room(Protocol):
+    """What `chapters.<name>.block` offers."""
+
+    @property
+    def Block(self) -> type[Block]: ...
+
+    def given(self, read: Read) -> Mapping[str, object]:
+        """What the chapter is given, SI, by the names of the fields of the course's record."""
+
+    def mistakes(self, read: Read) -> Iterator[Problem]:
+        """What the parts that are right in themselves say wrong about one another."""
+
+
+@dataclass(frozen=True, eq=False)
+class Rooms:
+    """The rooms of all blocks. `others` are loaded only for a file with a key that none of `usual` owns."""
+
+    usual: Sequence[Room]
+    others: Callable[[], Sequence[Room]]
+
+    def owning(self, keys: set[str]) -> list[Room]:
+        """The rooms that a file with these keys needs."""
+        known = {key for room in self.usual for key in room.Block.model_fields}
+        return [*self.usual] if keys <= known else self.all()
+
+    def all(self) -> list[Room]:
+        return [*self.usual, *self.others()]
