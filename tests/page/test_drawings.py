@@ -57,8 +57,9 @@ def read_off(document: dict[str, Any], letter: str, k: int, mu: float) -> list[f
     return [value / mu for key, value in entries if key.startswith(letter) and value is not None]
 
 
-def near(one: complex, other: complex) -> bool:
-    return abs(one - other) <= NEAR + SHARE * max(abs(one), abs(other), 30.0)
+def near(one: complex, other: complex, size: float = 30.0) -> bool:
+    """Within what readings add up to beside vectors of this size."""
+    return abs(one - other) <= NEAR + SHARE * max(abs(one), abs(other), size)
 
 
 def wrong_plan(where: str, drawn: Picture, expected: dict[str, complex], sizes: list[float]) -> Iterator[str]:
