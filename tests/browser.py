@@ -21,8 +21,9 @@ import pytest
 from conftest import read
 from notes import note, program
 from once import once
-from tmm_report.assemblies_page import find, page
 
+from tmm_report.commands.assemblies_page import page
+from tmm_report.commands.ways import find
 from tmm_report.i18n import Translator
 
 OPTIONS = [

@@ -58,7 +58,7 @@ def as_json(results: Results, tr: Translator) -> bytes:
         return {
             "key": c.key,
             **_written(c.quantity),
-            **({"symbols": [str(symbol) for symbol in c.symbols]} if c.symbols else {}),
+            **({"symbols": [str(symbol) for symbol in c.symbols]} if len(c.symbols) else {}),
             "unit": c.unit,
             "meaning": c.meaning.render(tr.gettext),
             "values": _plain(c.values),

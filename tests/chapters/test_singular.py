@@ -9,6 +9,9 @@ import pytest
 
 from tmm_report import render, solve
 from tmm_report.course import loads
+from tmm_report.mechanics.assembly import assemble
+from tmm_report.mechanics.cycle import cycle_of
+from tmm_report.mechanics.mechanism import Driver, Link, Mechanism, ZeroAngle
 
 PARALLELOGRAM = """\
 language: en
@@ -52,6 +55,21 @@ def test_the_antiparallelogram_stays_one():
     assert turns[-1] - turns[0] == pytest.approx(2 * np.pi)  # the crank turns clockwise
     assert np.abs(np.diff(turns)).max() < 0.5
     assert np.isfinite(k.values["w_3"]).all()
+
+
+@pytest.mark.parametrize("turn", np.linspace(-0.018, 0.018, 10))
+def test_no_change_point_is_lost_at_the_seam_of_the_turn(turn):
+    """The parallelogram turned a little: its change points lie on either side of the driver's angle 0."""
+    u = np.exp(1j * turn)
+    links = {
+        "0": Link("0", {"O": 0j, "C": 0.3 * u}),
+        "1": Link("1", {"O": 0j, "A": 0.1 + 0j}),
+        "2": Link("2", {"A": 0j, "B": 0.3 + 0j}),
+        "3": Link("3", {"C": 0j, "B": 0.1 + 0j}),
+    }
+    sketch = {"A": 0.1j * u, "B": (0.3 + 0.1j) * u}
+    (found,) = cycle_of(assemble(Mechanism(links, Driver("1", 1.0, ZeroAngle(0.0)), sketch=sketch))).critical
+    assert found.changes == pytest.approx(np.sort(np.mod([turn, turn + np.pi], 2 * np.pi)), abs=1e-9)
 
 
 def slider(crank, rod, extra=""):

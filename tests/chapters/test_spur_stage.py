@@ -10,8 +10,10 @@ from hypothesis import strategies as st
 
 from tmm_report.chapters.spur import solve as spur
 from tmm_report.chapters.spur.formulas import SpurFormulas
+from tmm_report.chapters.spur.mesh import Mesh
 from tmm_report.chapters.spur.quantities import book, tables, values
 from tmm_report.chapters.spur.sizes import choose_teeth
+from tmm_report.mechanics.blocking import Blocking
 from tmm_report.mechanics.spur import Rack
 from tmm_report.mechanics.trains import Train, speeds
 from tmm_report.problems import ProblemError
@@ -317,6 +319,23 @@ def test_tables(given_):
     assert step[0] == 0 and not step[2] < step[1] - 1e-9  # nan: none
     assert contour[f"x_{given_.wheels[0]}"].values[0] == float(found.pair.x1)
     assert ("stage1_lacks" in of) == (not found.contour.feasible)
+
+
+def test_the_numbers_of_the_results_are_found_in_solving(monkeypatch):
+    """What the tables and formulas show stands in what was found: nothing is sought when they are written."""
+    found = spur.solve(CASES["helical"])
+    assert found.proof.clearance > 0
+
+    def sought(*_, **__):
+        raise AssertionError("sought while writing")
+
+    for name in ("lacks", "nearest", "nearest_at_distance", "region", "lines"):
+        monkeypatch.setattr(Blocking, name, sought)
+    monkeypatch.setattr(Mesh, "on_working_circle", sought)
+    assert len(book(found, "stage1").tables) >= 6
+    assert [
+        list(part) for part in (SpurFormulas(found, "stage1").path(), SpurFormulas(found, "s").slidings())
+    ]
 
 
 def test_rows_of_different_units_are_printed_in_their_own():

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from tmm_report.mechanics import spur, teeth
 from tmm_report.mechanics.blocking import Blocking
+from tmm_report.mechanics.polygons import clearance
 from tmm_report.mechanics.spur import Rack
 
 RACK = Rack()
@@ -170,7 +171,7 @@ def test_a_touching_flank_stays_touching_where_there_is_backlash():
     one, other = teeth.external(20, 1.0, 0.1, RACK), teeth.external(31, 1.0, 0.15, RACK)
     for turn in (-0.05, 0.0, 0.1):
         touching = teeth.touching_turn(one, other, float(pair.a_w), turn)
-        gap = teeth.clearance(one.placed(0, turn), other.placed(float(pair.a_w), touching))
+        gap = clearance(one.placed(0, turn), other.placed(float(pair.a_w), touching))
         assert -1e-9 < gap < 4 * teeth.FINE
 
 

@@ -82,7 +82,7 @@ def whole_number(node: Element) -> Figure | None:
         return whole_number(node[0])
     if node.tag == "mn":
         text = node.text or ""
-    elif node.tag == "mrow":
+    elif node.tag == "mrow" and (len(node) > 1 or mark_of(node) is not None):
         text = _row_text(node)
     else:
         return None
@@ -165,6 +165,11 @@ class Formula:
     @property
     def symbol(self) -> str:
         return "".join(symbol_text(node) for node in self.sides[0])
+
+    @cached_property
+    def names(self) -> list[str]:
+        """What each side is called: one that is a sum or a product is named by nothing."""
+        return ["".join(symbol_text(node) for node in side) for side in self.sides]
 
     @cached_property
     def numbers(self) -> list[list[Figure]]:

@@ -15,6 +15,7 @@ from conftest import FILES, solved
 from conftest import read as variant
 from note import Note, read
 from notes import NAMES, note
+from once import once
 
 from tmm_report import render
 from tmm_report.report.formats import Tex
@@ -35,7 +36,7 @@ def html(name: str, other: str = "") -> Note:
     return read(note(name, "html", language(name, other))["note.html"].decode())
 
 
-@cache
+@once
 def tex(name: str, other: str = "") -> str:
     """note.tex without its figures, which are the same drawings again."""
     with patch.object(Tex, "picture", lambda self, picture, anchor: ""):

@@ -17,6 +17,7 @@ from printed import NONE, Printed, Unit, number, unit
 from reading import BOTH, html, results, wrong
 
 Where = Any  # a number, a text or None of results.json, with its unit and symbol
+PICTURE = "picture"  # the scale of a picture is held against what is drawn, in test_drawings
 COARSE = ("%", "°")  # printed to two decimals, however small
 
 
@@ -28,6 +29,8 @@ def found(document: dict[str, Any], mark: Mark) -> tuple[Any, str, str]:
     """Value, unit and symbol that a mark names. Raises Unknown."""
     if mark.key == "pi":
         return math.pi, "rad", "π"
+    if mark.table == PICTURE:
+        return None, "", ""
     if not mark.table:
         for entry in document["values"]:
             if entry["key"] == mark.key and mark.by:
@@ -63,7 +66,8 @@ def _of_row(columns: dict[str, Any], mark: Mark) -> tuple[Any, str, str]:
     place = rows.index(mark.row)
     own = columns["unit"]["values"][place] if "unit" in columns and not column["unit"] else column["unit"]
     symbols = column.get("symbols") or []
-    symbol = symbols[place] if place < len(symbols) else column.get("symbol", "")
+    # the column's own symbol heads it; a row's stands in formulas
+    symbol = "|".join(dict.fromkeys([column.get("symbol", ""), *symbols[place : place + 1]]))
     return column["values"][place], own, symbol
 
 
@@ -152,6 +156,8 @@ def wrong_cells(note: Note, document: dict[str, Any]) -> Iterator[str]:
         printed = number(digits)
         if value is None and cell.text.startswith("≈"):  # a difference of what is nothing in both
             continue
+        if mark.table == PICTURE or (digits == "0" and noise(document, mark, value)):
+            continue
         if printed is None or isinstance(value, str):
             yield from wrong_text(where, cell, mark, value)
             continue
@@ -161,15 +167,16 @@ def wrong_cells(note: Note, document: dict[str, Any]) -> Iterator[str]:
         problem = differs(printed, half, shown or NONE, value, own, mark.size)
         if problem:
             yield f"{where} {text} marked {mark}: {problem}"
-        elif head.symbol and symbol and not mark.by and not _written(head.symbol, symbol, document, mark):
+        elif head.symbol and symbol and not named(head.symbol, symbol) and not mark.by:
             yield f"{where} marked {mark}: its symbol is {symbol}"
 
 
-def _written(head: str, symbol: str, document: dict[str, Any], mark: Mark) -> bool:
-    """Whether a column's head is the symbol of the cell; where rows are wheels, it is that of the whole column."""
-    columns = document["tables"][mark.table]["columns"] if mark.table else []
-    whole = [column.get("symbol", "") for column in columns if column["key"] == mark.key]
-    return letters(head) in {letters(one) for one in (symbol, *whole)}
+def noise(document: dict[str, Any], mark: Mark, value: Any) -> bool:
+    """Whether a number is rounding beside the largest of its column, and so prints 0."""
+    columns = document["tables"].get(mark.table, {"columns": []})["columns"]
+    column = next((column["values"] for column in columns if column["key"] == mark.key), [])
+    sizes = [abs(one) for one in column if isinstance(one, int | float)]
+    return isinstance(value, int | float) and abs(value) <= 1e-9 * max(sizes, default=0.0)
 
 
 DIRECTIONS = {
@@ -207,15 +214,19 @@ def wrong_text(where: str, cell: Cell, mark: Mark, value: Any) -> Iterator[str]:
 WRITTEN = {"bal": "ур", "fr": "тр", "gr": "гр", "an": "ан", "in": "вх", "out": "вых"}
 
 
+def named(printed: str, symbols: str) -> bool:
+    """Whether a printed symbol is one of those, parted by |."""
+    return any(letters(printed) == letters(symbol) for symbol in symbols.split("|") if symbol)
+
+
 def letters(symbol: str) -> str:
     """Letters and digits of a symbol however its indices are written, in whatever language."""
-    capitals = "|".join(name for name in GREEK if name[:1].isupper())  # Δy: a capital stands before a letter
-    runs = rf"{capitals}|[a-zA-Z]+" if capitals else r"[a-zA-Z]+"
-    text = re.sub(runs, lambda run: GREEK.get(run[0], run[0]), symbol.replace("'", "′"))
+    text = re.sub(_NAMES, lambda run: GREEK[run[0]], symbol.replace("'", "′"))
     text = re.sub("|".join(WRITTEN.values()), lambda word: _ENGLISH[word[0]], text)
     return "".join(sign for sign in text if sign.isalnum() or sign == "′")
 
 
+_NAMES = "|".join(sorted(GREEK, key=len, reverse=True))
 _ENGLISH = {word: name for name, word in WRITTEN.items()}
 
 
@@ -240,6 +251,8 @@ def _wrong_number(formula: Formula, figure: Figure, last: bool, document: dict[s
     except Unknown as unknown:
         yield f"{where}: {unknown}"
         return
+    if mark.table == PICTURE:
+        return
     text = formula.unit_text if last else "°" if figure.degrees else (mark.unit or own)
     printed = figure.printed
     problem = differs(
@@ -252,13 +265,9 @@ def _wrong_number(formula: Formula, figure: Figure, last: bool, document: dict[s
     )
     if problem:
         yield f"{where}: {problem}"
-    elif last and symbol and _is_named(formula) and letters(formula.symbol) != letters(symbol):
+    sums = re.search(r"[+−·=]", formula.names[0])  # the left side is an expression of its own
+    if not problem and last and symbol and not sums and not any(named(n, symbol) for n in formula.names):
         yield f"{where}: its symbol is {symbol}"
-
-
-def _is_named(formula: Formula) -> bool:
-    """Whether a symbol stands on the left, not an expression, as in a condition."""
-    return len(formula.sides[0]) == 1 and formula.sides[0][0].tag not in ("mfrac", "msqrt")
 
 
 def wrong_spans(note: Note, document: dict[str, Any]) -> Iterator[str]:

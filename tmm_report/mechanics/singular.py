@@ -113,7 +113,8 @@ def _of_dyad(before: Linkage, d: Dyad, grid: Array, s: State, edges: list[float]
 
 
 def _minima(of: Callable[[Array], Array], grid: Array, values: Array) -> Array:
-    """Where the margin is least beside its neighbours and near zero."""
+    """Where the margin is least beside its neighbours and near zero; after a turn the grid begins anew."""
+    grid, values = np.append(grid, grid[1] + FULL_TURN), np.append(values, values[1])
     middle, left, right = values[1:-1], values[:-2], values[2:]
     near = np.flatnonzero((middle <= left) & (middle < right) & (np.abs(middle) < SOON)) + 1
     if not near.size:
@@ -126,7 +127,7 @@ def _minima(of: Callable[[Array], Array], grid: Array, values: Array) -> Array:
     first, last = rate(low), rate(high)
     inside = (first < 0) & (last > 0)
     found = bracketed(rate, low[inside], high[inside], first[inside], noise=1e-15)[0]
-    return found
+    return np.where(found < grid[-2], found, found - FULL_TURN)
 
 
 def _crossings(of: Callable[[Array], Array], grid: Array, values: Array) -> Array:

@@ -5,7 +5,7 @@
     wide = ring(112, 0.005, 0.0, rack)
     pinion.placed(centre, turn)                                 # (..., N) complex, m
     turn2 = mating_turn(pinion, wheel, turn1, direction)        # no backlash at the working centre distance
-    overlap(outline1, outline2); clearance(outline1, outline2)  # m², m; of wheels as `placed` gives them
+    overlap(outline1, outline2); clearance(outline1, outline2)  # of `polygons`, m², m; wheels as `placed` gives them
     over_pitch(pinion, wheel, distance, count)                  # both at `count` positions over a pitch
     touching_turn(pinion, wheel, distance, turn1)               # the same where there is backlash: flanks touch
     contact_ratio(pinion, wheel, distance)                      # counted from the outlines

@@ -77,8 +77,9 @@ class Worked:
         return self._kept(quantity, hand(quantity, expression, reference, self.ref(quantity.key)))
 
     def laid_off(self, quantity: Quantity, expression: Expr) -> Formula:
-        """`laid_off`, whose result is kept."""
-        return self._kept(quantity, laid_off(quantity, expression, self.ref(quantity.key)))
+        """`laid_off`, whose result is kept beside the length that is then read."""
+        own = replace(quantity, key=f"laid_{quantity.key}")
+        return self._kept(own, laid_off(own, expression, self.ref(own.key)))
 
     def _kept(self, quantity: Quantity, formula: Formula) -> Formula:
         self.rows.setdefault(quantity.key, (quantity, formula.written))

@@ -11,12 +11,13 @@ import numpy as np
 from tmm_report.figures.graphs import Curve, Graph, graph
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.cycle import Extreme
+from tmm_report.quantity.formula import Var
 from tmm_report.quantity.model import Quantity
+from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import GREEK, Symbol
 from tmm_report.quantity.text import unit_text
 
 Array = Any
-Scale = tuple[str, float, str]  # symbol, value of 1 mm, its unit
 
 
 class CycleGraphs:
@@ -41,12 +42,17 @@ class CycleGraphs:
         text = GREEK.get(symbol.base, symbol.base) + self.tr.pgettext("index", symbol.sub)
         return f"{text}, {unit_text(unit, self.tr.language)}" if unit else text
 
-    def scales(self, drawn: Graph, names: Sequence[tuple[str, str]]) -> list[Scale]:
+    def scales(self, drawn: Graph, names: Sequence[tuple[str, str]]) -> list[Var]:
         """What 1 mm along the axis of the angle and along the axis of each panel stands for."""
-        found = [("mu_phi", drawn.panels[0].x_scale, "°/mm")]
+        found = [scale_of("mu_phi", drawn.panels[0].x_scale, "°/mm")]
         for (name, unit), panel in zip(names, drawn.panels, strict=True):
-            found.append((name, panel.y_scale, unit))
+            found.append(scale_of(name, panel.y_scale, unit))
         return found
+
+
+def scale_of(name: str, value: float, unit: str) -> Var:
+    """The scale of a picture: it stands in no results but on the picture itself."""
+    return Var(name, float(value), unit, digits=4, ref=Ref(name, table="picture"))
 
 
 def points(extremes: Sequence[Extreme], factor: float = 1.0) -> list[tuple[float, float]]:

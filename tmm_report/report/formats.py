@@ -17,7 +17,7 @@ from tmm_report.figures.graphs import Graph
 from tmm_report.i18n import Translator
 from tmm_report.quantity.ref import Ref, attributes, without_attributes
 from tmm_report.quantity.symbols import GREEK, latex_escape, xml_escape
-from tmm_report.report.layout import Cell
+from tmm_report.report.layout import Cell, Words
 
 
 class Mathematics(Protocol):
@@ -62,7 +62,7 @@ class Html:
 
     def data(self, cell: Any) -> Markup:
         """The same of a table's cell, as attributes of its element."""
-        return Markup(attributes(cell.ref) if isinstance(cell, Cell) else "")
+        return Markup(attributes(cell.ref) if isinstance(cell, Cell | Words) else "")
 
     def math(self, item: Mathematics, tr: Translator, display: bool = False) -> Markup:
         text = item.mathml(tr)

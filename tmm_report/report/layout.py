@@ -7,6 +7,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
+from markupsafe import Markup
+
 from tmm_report.quantity.ref import Ref
 
 TEXT_WIDTH = 165.0  # mm, of A4 between margins of 30 and 15 mm
@@ -23,6 +25,17 @@ class Cell(str):
     ref: Ref
 
     def __new__(cls, text: str, ref: Ref) -> Cell:
+        cell = super().__new__(cls, text)
+        cell.ref = ref
+        return cell
+
+
+class Words(Markup):
+    """Ready words that stand for a number or a text of the results."""
+
+    ref: Ref
+
+    def __new__(cls, text: Markup, ref: Ref) -> Words:
         cell = super().__new__(cls, text)
         cell.ref = ref
         return cell

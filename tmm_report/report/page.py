@@ -29,7 +29,7 @@ from tmm_report.quantity.written import Equation, explained
 from tmm_report.report import layout
 from tmm_report.report.bytecode import bytecode_cache
 from tmm_report.report.formats import Format, percent
-from tmm_report.report.layout import Cell
+from tmm_report.report.layout import Cell, Words
 from tmm_report.report.numbering import Numbering
 from tmm_report.resources import data_root
 
@@ -152,9 +152,9 @@ class Page:
             return self.math(Inline(key.sign, float(key.number), key.unit, digits, key.ref))
         return self.math(Inline(key, float(value), unit, digits or 5))
 
-    def values(self, items: Iterable[tuple[str, float, str]], digits: int = 4) -> Markup:
-        """Several `value`s: (symbol, value, unit), ..."""
-        return self.listed(self.value(key, value, unit, digits) for key, value, unit in items)
+    def values(self, items: Iterable[Var]) -> Markup:
+        """Several `value`s."""
+        return self.listed(self.value(item) for item in items)
 
     def num(self, x: float, digits: int = 5, places: int | None = None, scale: float = 1.0) -> str:
         return number(float(x), digits, self.tr.decimal, places, scale)
@@ -210,9 +210,10 @@ class Page:
             number, ref = of[key].number(row, unit), of.ref(key, row, unit, size)
         return Cell(self.num(abs(number) if size else number, digits, places, scale), ref)
 
-    def word(self, text: str, table: Table, key: str, row: int) -> Cell:
+    def word(self, text: str | Markup, table: Table, key: str, row: int) -> Cell | Words:
         """A translated word or a name that stands for a cell of the results."""
-        return Cell(text, table.ref(key, row))
+        ref = table.ref(key, row)
+        return Words(text, ref) if isinstance(text, Markup) else Cell(text, ref)
 
     def shown(self, of: Value | Table, *args: Any, **form: Any) -> Markup:
         """`cell` in running text."""

@@ -13,6 +13,8 @@ from tmm_report.figures.scheme import Arrays, groups_apart, positions_scheme, sc
 from tmm_report.mechanics.mechanism import FRAME, Mechanism
 from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.structure import Group
+from tmm_report.quantity.formula import Var
+from tmm_report.report.diagrams import scale_of
 from tmm_report.report.formats import percent
 from tmm_report.report.page import Page
 
@@ -54,6 +56,10 @@ class Schemes:
         driver = self.mechanism.driver.link
         named = [(f"I(0,{driver})", (FRAME, driver)), *((group.label, group.links) for group in groups)]
         return groups_apart(self.mechanism, places, turns, named, position)
+
+    def scale_var(self) -> Var:
+        """mu_l with the scale at which the schemes are drawn."""
+        return scale_of("mu_l", self.scale, "m/mm")
 
     @cached_property
     def scale(self) -> float:

@@ -115,7 +115,7 @@ def _masses(links: list[Link]) -> Table:
             text_column(
                 "mass_centre", Message(N_("mass centre")), [link.mass_centre or "" for link in links]
             ),
-            INERTIA.column([float(link.inertia) for link in links]),
+            INERTIA.column([float(link.inertia) or math.nan for link in links]),
         ),
     )
 

@@ -126,10 +126,7 @@ class InitialData:
             self.page.word(name or "—", table, "mass_centre", row)
             for row, name in enumerate(table["mass_centre"].values)
         ]
-        inertias = [
-            self.page.cell(table, "J", row) if value else Cell("—", table.ref("J", row))
-            for row, value in enumerate(table["J"].values)
-        ]
+        inertias = [self.page.cell(table, "J", row) for row in range(len(table))]
         columns = [
             self._single(table, "m"),
             Column(self.t("Mass centre"), centres, least=11),

@@ -10,7 +10,8 @@ from tmm_report.chapters.kinematics.quantities import motion_of
 from tmm_report.chapters.kinematics.solve import Kinematics, Travel
 from tmm_report.figures.graphs import Curve, Graph
 from tmm_report.i18n import Translator
-from tmm_report.report.diagrams import CycleGraphs, Scale, points
+from tmm_report.quantity.formula import Var
+from tmm_report.report.diagrams import CycleGraphs, points
 
 SCALES = {
     "slider": (("mu_S", "m/mm"), ("mu_V", "(m/s)/mm"), ("mu_a", "(m/s²)/mm")),
@@ -53,5 +54,5 @@ class Diagrams:
         speeds = [np.nanmax(np.abs(motion.velocity(point)), initial=0.0) for point in names]
         return float(max(speeds) / abs(self.found.omega))
 
-    def scales(self, travel: Travel) -> list[Scale]:
+    def scales(self, travel: Travel) -> list[Var]:
         return self.graphs.scales(self.travel(travel), SCALES[travel.output.kind])

@@ -176,12 +176,12 @@ def _stated(found: Kinetostatics) -> Table:
 
 
 def _way(direction: complex | int | str) -> str:
-    """A direction as a text: "along", "against", degrees, "+1" or "-1"."""
+    """A direction as a text: "along", "against", degrees, "counter-clockwise" or "clockwise"."""
     match direction:
         case str():
             return direction
         case int():
-            return f"{direction:+d}"
+            return "counter-clockwise" if direction > 0 else "clockwise"
         case _:
             return f"{math.degrees(math.atan2(direction.imag, direction.real)):.10g}"
 

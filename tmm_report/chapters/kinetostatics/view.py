@@ -18,7 +18,7 @@ from tmm_report.quantity.formula import Formula, Var
 from tmm_report.quantity.model import Book
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol
-from tmm_report.report.diagrams import CycleGraphs, Scale
+from tmm_report.report.diagrams import CycleGraphs
 from tmm_report.report.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.page import Page
 from tmm_report.report.part import NEXT_CHAPTER, Part
@@ -192,7 +192,7 @@ class KinetostaticsView:
             columns.append(column._replace(head=self.page.listed([column.head, head])))
         return numeric(caption, self.page.positions(table), columns)
 
-    def scales(self) -> list[Scale]:
+    def scales(self) -> list[Var]:
         return self.graphs.scales(self.diagram, [("mu_M", "N·m/mm")])
 
     # ------------------------------------------------------------ checks

@@ -22,7 +22,7 @@ from tmm_report.problems import N_
 from tmm_report.quantity import model as quantity
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.wheel_words import DIAMETERS
-from tmm_report.report.layout import Cell, Table, worded
+from tmm_report.report.layout import Cell, Table, Words, worded
 from tmm_report.report.page import Page
 from tmm_report.report.part import Part
 
@@ -143,7 +143,7 @@ class PlanetaryView(PlanetaryFormulas):
         rows.append([self.t("in all"), Cell(str(int(total.value)), total.ref())])
         return worded(caption, [self.t("Reason"), self.t("Combinations")], rows, (4, 1))
 
-    def _word(self, message: str, table: quantity.Table, key: str, row: int) -> Cell:
+    def _word(self, message: str, table: quantity.Table, key: str, row: int) -> Cell | Words:
         return self.page.word(self.page.tr.gettext(message), table, key, row)
 
     def _count(self, table: quantity.Table, key: str, row: int) -> Cell:

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 
 from tmm_report.chapters.spur.quantities import book
 from tmm_report.chapters.spur.solve import Found
-from tmm_report.mechanics import shifts
 from tmm_report.quantity.formula import (
     PI,
     Expr,
@@ -192,7 +191,7 @@ class SpurFormulas:
         """The smaller wheel's shift by the rule by which it was taken."""
         if self.found.given.shift == "limit":
             return self._exact("x")
-        least = Number(shifts.rule_teeth(self.pair.rack))
+        least = Number(self.part["z_rule"].value)
         z: Expr = self.z(self.small)
         z = z / cos(self.beta) ** 3 if self.helical else z
         value = (least - z) / least

@@ -111,6 +111,11 @@ class Found:
         """Whether one and two pairs of teeth take turns."""
         return bool(1 < self.pair.eps < 2)
 
+    @property
+    def apart(self) -> bool:
+        """Whether the outlines of the teeth share no area but that of rounding."""
+        return self.proof.overlap < 1e-6 * self.pair.m**2
+
     # ------------------------------------------------------------ numbers beside those of the pair
 
     @cached_property

@@ -123,11 +123,6 @@ class TeethView:
             "ratio": shown(self.part["eps_counted"], digits=4),
         }
 
-    @property
-    def apart(self) -> bool:
-        """Whether the outlines share no area but that of rounding."""
-        return self.found.proof.overlap < 1e-6 * self.found.pair.m**2
-
     # ------------------------------------------------------------ the blocking contour
 
     def contour(self) -> Drawing:

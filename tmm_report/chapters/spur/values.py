@@ -63,7 +63,8 @@ def _given(found: Found) -> Iterator[Row]:
     yield "alpha", Symbol("alpha"), "deg", N_("profile angle of the basic rack"), rack.alpha
     yield "ha", HA, "", N_("coefficient of the height of the head"), rack.ha
     yield "c", C, "", N_("coefficient of the radial clearance"), rack.c
-    yield "beta", Symbol("beta"), "deg", N_("helix angle"), given.helix
+    if given.helix:
+        yield "beta", Symbol("beta"), "deg", N_("helix angle"), given.helix
     if given.width is not None:
         yield "b", Symbol("b"), "m", N_("face width"), given.width
 
@@ -77,26 +78,22 @@ def _teeth(found: Found) -> Iterator[Row]:
     text = N_("what the sum of the numbers of teeth (of an internal pair, their difference) must not exceed")
     yield "u", Symbol("u"), "", N_("required ratio of the larger number of teeth to the smaller"), choice.u
     yield "z_bound", bound, "", text, choice.bound
-    yield (
-        "z_share",
-        Symbol("z", names[small]),
-        "",
-        N_("teeth of the smaller wheel before rounding"),
-        choice.share,
-    )
-    large = Symbol("z", names[1 - small])
-    yield "z_larger", large, "", N_("teeth of the larger wheel by the ratio, before rounding"), choice.larger
+    smaller = N_("teeth of the smaller wheel before rounding")
+    larger = N_("teeth of the larger wheel by the ratio, before rounding")
+    yield "z_share", Symbol("z", names[small]), "", smaller, choice.share
+    yield "z_larger", Symbol("z", names[1 - small]), "", larger, choice.larger
     spare = N_("what the numbers of teeth leave of their bound")
     yield "z_spare", Symbol("Delta", "z"), "", spare, choice.spare
 
 
 def _section(found: Found) -> Iterator[Row]:
-    """The transverse section, and the involute functions of both angles."""
-    p, plain = found.pair, found.pair.beta == 0
-    yield "m_t", Symbol("m", "t"), "m", N_("module of the transverse section"), p.m_t
-    yield "alpha_t", Symbol("alpha", "t"), "deg", N_("profile angle in the transverse section"), p.t.alpha
+    """The transverse section of helical teeth, and the involute functions of both angles."""
+    p, helical = found.pair, found.pair.beta > 0
+    if helical:
+        yield "m_t", Symbol("m", "t"), "m", N_("module of the transverse section"), p.m_t
+        yield "alpha_t", Symbol("alpha", "t"), "deg", N_("profile angle in the transverse section"), p.t.alpha
     profile, operating = found.involutes
-    name = Symbol("inv α", "" if plain else "t")
+    name = Symbol("inv α", "t" if helical else "")
     yield "inv_alpha", name, "", N_("involute function of the profile angle"), profile
     yield "inv_alpha_w", Symbol("inv α", "w"), "", N_("involute function of the operating angle"), operating
 
@@ -106,7 +103,8 @@ def _shifts(found: Found) -> Iterator[Row]:
     sum_ = Symbol("x", "d" if p.internal else "Sigma")
     needed = N_("sum of the shifts (of an internal pair, their difference) that leaves no backlash")
     least = N_("least number of teeth without undercut, by the rule")
-    yield "x_needed", sum_, "", needed, found.needed
+    if found.loose:
+        yield "x_needed", sum_, "", needed, found.needed
     yield "z_rule", Symbol("z", "min"), "", least, shifts.rule_teeth(p.rack)
     yield "backlash_n", Symbol("j", "n"), "m", N_("backlash along the line of action"), p.normal_backlash
 

@@ -19,7 +19,7 @@ from tmm_report.problems import N_, Message
 from tmm_report.quantity import model
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.wheel_words import DIAMETERS, TEETH, of_wheel
-from tmm_report.report.layout import Cell, Table, worded
+from tmm_report.report.layout import Cell, Table, Words, worded
 from tmm_report.report.page import Page
 from tmm_report.report.part import Part
 
@@ -99,7 +99,7 @@ class SpurView(SpurFormulas):
         heads = [self.t("Wheel"), self.page.sym("z"), *least, self.t("shift taken")]
         return worded(caption, heads, rows, (1, 1, 2, 2, 2))
 
-    def _wheel(self, i: int) -> Cell:
+    def _wheel(self, i: int) -> Cell | Words:
         return self.page.word(self.names[i], self.wheels, "wheel", i)
 
     def _shift(self, key: str, i: int) -> Cell:

@@ -7,7 +7,7 @@ Of a pivot both projections of the force of its first link on the second are unk
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -80,7 +80,9 @@ def _columns(sheet: Sheet, pair: Pair) -> list[_Column]:
         x, y = (reaction_part(*pair.links, axis) for axis in ("x", "y"))
         return [_Column(pair, x, 1), _Column(pair, y, 1j)]
     normal = 1j * sheet.guide(pair)
-    return [_Column(pair, reaction(*pair.links), normal), _Column(pair, guide_moment(*pair.links), 0)]
+    # read off the plan, the reaction comes out once more
+    solved = replace(reaction(*pair.links), key=f"{reaction(*pair.links).key}_solved")
+    return [_Column(pair, solved, normal), _Column(pair, guide_moment(*pair.links), 0)]
 
 
 def _balance(sheet: Sheet, link: str, system: _System, arms: list[Arm]) -> Balance:
