@@ -80,7 +80,7 @@ def test_results_are_strict_json_with_units_and_meanings(tmp_path):
         document = json.loads((tmp_path / "results.json").read_text(encoding="utf-8"), parse_constant=refuse)
         columns = [c for table in document["tables"].values() for c in table["columns"]]
         assert all(
-            c["meaning"] and set(c) - {"symbol"} == {"key", "unit", "meaning", "values"} for c in columns
+            c["meaning"] and set(c) - {"symbol", "symbols"} == {"key", "unit", "meaning", "values"} for c in columns
         )
         for table in document["tables"].values():
             assert len({len(c["values"]) for c in table["columns"]}) == 1
