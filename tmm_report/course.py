@@ -23,6 +23,7 @@ from tmm_report.chapters.kinetostatics import solve as kinetostatics
 from tmm_report.chapters.kinetostatics.loads import Loads
 from tmm_report.chapters.plans import solve as plans
 from tmm_report.chapters.plans.given import Drawing, Readings
+from tmm_report.chapters.reduction import solve as reduction
 from tmm_report.chapters.structure import solve as structure
 from tmm_report.chapters.title.given import Title
 from tmm_report.languages import DEFAULT, DecimalSign
@@ -46,6 +47,7 @@ class LeverGiven:
     readings: Readings = field(default_factory=dict)
     loads: Loads | None = None
     friction: Friction | None = None
+    reduction: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,6 +76,7 @@ class LeverFound:
     kinetostatics: kinetostatics.Kinetostatics | None = None
     force_plans: force_plans.ForcePlans | None = None
     friction: friction.FrictionFound | None = None
+    reduction: reduction.Reduction | None = None
 
     @property
     def sample(self) -> int:
@@ -126,6 +129,7 @@ def solve_lever(given: LeverGiven) -> LeverFound:
         forces,
         force_plans.solve(given.drawing, given.positions.force_plan, forces, drawn) if forces else None,
         friction.solve(given.friction, forces) if given.friction and forces else None,
+        reduction.solve(motion, forces) if given.reduction else None,
     )
 
 

@@ -30,7 +30,7 @@ def parts(results: Results, page: Page) -> Iterator[Part]:
         yield from _of_chapter(view, found, waiting, page)
         if view is room(INITIAL_DATA, "view"):
             for other, its in views:
-                yield from other.given(its, page) if hasattr(other, "given") else ()
+                yield from other.given_parts(its, page) if hasattr(other, "given_parts") else ()
 
 
 def _solved(results: Results) -> Iterator[tuple[str, Found]]:

@@ -167,3 +167,26 @@ def test_points_of_schemes_are_at_their_scale(name):
         if len(missing) > len(points) // 3:  # a point within a bar is no corner
             found.append(f"{anchor} {caption[:50]}: {missing} are not at their places")
     wrong(found if seen else ["no schemes"])
+
+
+# --- Zhukovsky's lever ---
+
+
+@pytest.mark.parametrize("name", LEVERS)
+def test_forces_of_the_lever_point_their_way(name):
+    """The plan is turned by 90°, the forces are not."""
+    note, document, found = html(name), results(name), []
+    for figure in note.root.iter("figure"):
+        caption = text_of(figure.find("figcaption"))  # type: ignore[arg-type]
+        k = position_of(caption)
+        if k is None or not ("Жуковск" in caption or "Zhukovsky" in caption):
+            continue
+        drawn = picture(note.drawings[figure.get("id") or ""])
+        ways = [np.angle(tip - start) for start, tip in drawn.arrows if abs(tip - start) > 9]
+        table = table_of(document, "loads_table")
+        for key in table:
+            if f"{key}_x" in table and abs(table[key][k]) > 1e-9:
+                way = np.angle(complex(table[f"{key}_x"][k], table[f"{key}_y"][k]))
+                if not any(abs(np.angle(np.exp(1j * (way - one)))) < 0.01 for one in ways):
+                    found.append(f"{caption[:40]}: {key} points to {np.degrees(way):.1f}°, no arrow does")
+    wrong(found)

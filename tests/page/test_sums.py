@@ -13,7 +13,9 @@ from note import Cell, Note, Table, symbol_text
 from pages import BALANCING, Series, by_positions, columns, last_number, table_of, value_of
 from printed import Printed
 from reading import LEVERS, html, results, wrong
+from statics import Scheme, scheme
 
+Rows = dict[str, np.ndarray]
 TOTAL = ("Sum", "Сумма")
 
 
@@ -46,6 +48,36 @@ def wrong_powers(note: Note, document: dict[str, Any]) -> Iterator[str]:
             power, error = moment.values[k] * omega, moment.half[k] * abs(omega) + total.half
             if abs(power + total.value) > error:
                 yield f"{table.caption}: the balancing moment gives {power:.6g} W to {total.value} W"
+
+
+def wrong_parts(note: Note, document: dict[str, Any]) -> Iterator[str]:
+    """The power of each load is that of its force on its point or of its couple on its link."""
+    loads, rates = table_of(document, "loads_table"), table_of(document, "rates_table")
+    drawn = scheme(document["name"])
+    for table in note.tables:
+        if not (table.rows and table.rows[-1][0].text in TOTAL and len(table.heads) == 2):
+            continue
+        k = last_number(table.caption)
+        for row in table.rows[:-1]:
+            printed, power = sized(row[1]), 0.0
+            for symbol in _symbols(row[0]):
+                power += _power(symbol, loads, rates, drawn, k)
+            if abs(power - printed.value) > printed.result_off + 1e-9:
+                yield f"{table.caption}: {row[0].text} gives {power:.6g} W, not {printed.value}"
+
+
+def _power(symbol: str, loads: Rows, rates: Rows, drawn: Scheme, k: int) -> float:
+    kind, _, of = symbol.partition("_")
+    if kind == "M":
+        couple = loads[symbol] if symbol in loads else loads[f"{symbol},1"]
+        return float(couple[k] * rates[f"w_{of.removeprefix('I').split(',')[0]}"][k])
+    point = of.split(",")[0] if kind == "P" else drawn.mass_centres[of.removeprefix("I")]
+    moving = f"v_{point}_x" in rates
+    return (
+        sum(float(loads[f"{symbol}_{axis}"][k] * rates[f"v_{point}_{axis}"][k]) for axis in "xy")
+        if moving
+        else 0.0
+    )
 
 
 def wrong_balance(note: Note) -> Iterator[str]:
@@ -83,6 +115,25 @@ def wrong_friction(note: Note, document: dict[str, Any]) -> Iterator[str]:
     yield from wrong_efficiency(found["η"][0][1], drive, total)
 
 
+def wrong_rubbing(note: Note, document: dict[str, Any]) -> Iterator[str]:
+    """What a pivot loses: coefficient, reaction, half the diameter, relative angular velocity."""
+    table = next(
+        (t for t in note.tables if len(t.heads) == 5 and t.heads[4].text.endswith((", m", ", м"))), None
+    )
+    reactions, rates = table_of(document, "reactions_table"), table_of(document, "rates_table")
+    lost = table_of(document, "friction_table")
+    for row in table.rows if table else ():
+        one, other = row[0].text.split("–")
+        if row[4].printed is None or not np.isfinite(row[4].printed.value):
+            continue
+        size = reactions.get(f"R_{one}{other}", reactions.get(f"R_{other}{one}"))
+        turning = rates.get(f"w_{other}", 0.0) - (rates.get(f"w_{one}", 0.0) if one != "0" else 0.0)
+        power = sized(row[3]).value * size * sized(row[4]).value / 2 * np.abs(turning)
+        found = lost[f"P_fr_{one}-{other}"]
+        for k in np.flatnonzero(np.abs(found - power) > 1e-4 * np.nanmax(power, initial=0.0) + 1e-9):
+            yield f"P_fr_{one}-{other}[{k}] is {found[k]:.6g}, f R d/2 omega is {power[k]:.6g}"
+
+
 def wrong_efficiency(eta: Series, drive: Series, total: Series) -> Iterator[str]:
     """What would be driven without losses to what is needed with them."""
     size = np.abs(drive.values)
@@ -96,7 +147,8 @@ def wrong_efficiency(eta: Series, drive: Series, total: Series) -> Iterator[str]
 @pytest.mark.parametrize("name", LEVERS)
 def test_powers_balance(name):
     note, document = html(name), results(name)
-    wrong([*wrong_powers(note, document), *wrong_balance(note), *wrong_friction(note, document)])
+    found = [*wrong_powers(note, document), *wrong_parts(note, {**document, "name": name})]
+    wrong([*found, *wrong_balance(note), *wrong_friction(note, document), *wrong_rubbing(note, document)])
 
 
 # --- plans ---

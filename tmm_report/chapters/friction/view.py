@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from tmm_report.course import LeverFound
 
 
-def given(lever: LeverFound, page: Page) -> Iterator[Part]:
+def given_parts(lever: LeverFound, page: Page) -> Iterator[Part]:
     """What the initial data say of friction."""
     if lever.friction is not None and lever.kinetostatics is not None:
         yield Part(

@@ -10,7 +10,7 @@ import numpy as np
 
 from tmm_report.mechanics.mechanism import FRAME, Link, Mechanism
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.model import Quantity, Table, Value, text_column
+from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
 from tmm_report.quantity.symbols import Symbol, segment
 from tmm_report.quantity.written import SEGMENT
 
@@ -111,11 +111,15 @@ def _masses(links: list[Link]) -> Table:
         MASSES,
         (
             text_column("link", LINK, [link.name for link in links]),
-            MASS.column([float(link.mass) for link in links]),
+            Column(MASS, [float(link.mass) for link in links], [Symbol("m", link.name) for link in links]),
             text_column(
                 "mass_centre", Message(N_("mass centre")), [link.mass_centre or "" for link in links]
             ),
-            INERTIA.column([float(link.inertia) or math.nan for link in links]),
+            Column(
+                INERTIA,
+                [float(link.inertia) or math.nan for link in links],
+                [Symbol("J", link.name) for link in links],
+            ),
         ),
     )
 

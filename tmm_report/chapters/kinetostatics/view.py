@@ -31,7 +31,7 @@ WEIGHT = Definition("G", Var("m", 0.0) * Var("g", 0.0))
 POWER_BALANCE = Definition("M_bal", (Var("dT", 0.0) / Var("dt", 0.0) - Var("N", 0.0)) / Var("omega_1", 0.0))
 
 
-def given(lever: LeverFound, page: Page) -> Iterator[Part]:
+def given_parts(lever: LeverFound, page: Page) -> Iterator[Part]:
     """What the initial data say of the loads."""
     found = lever.kinetostatics
     if found is not None and (found.given.forces or found.given.moments):

@@ -6,7 +6,8 @@ from collections.abc import Mapping, Sequence
 
 from tmm_report.chapters.drive.draw.scheme import scheme
 from tmm_report.chapters.drive.draw.sketch import Sketch
-from tmm_report.chapters.drive.plans import Line, Plans
+from tmm_report.chapters.drive.plans import Plans
+from tmm_report.chapters.drive.sheet import Line
 from tmm_report.chapters.drive.stages import Stage
 from tmm_report.figures.drawing import AXIS, NORMAL, THIN, Arrow, Drawing, Item, Pen, Tag, dot, line
 from tmm_report.figures.lettering import Parts, joined, symbol

@@ -1,0 +1,143 @@
+"""Tables of gears: what is a quotient, product or difference of other cells is so; speeds obey Willis."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from note import Note, Table
+from pages import rows_of
+from printed import Printed, unit
+from reading import CHOSEN, LEVERS, html, results, wrong
+
+GEARS = [name for name in CHOSEN if name not in LEVERS or name == "compressor"]
+
+
+def at(table: Table, symbol: str) -> int:
+    return next(j for j, head in enumerate(table.heads) if head.symbol == symbol)
+
+
+def cells(table: Table, *symbols: str) -> Iterator[tuple[str, list[Printed]]]:
+    """Of each row the name and the numbers under these symbols, where all are numbers."""
+    for row in table.rows:
+        found = [row[at(table, symbol)].printed for symbol in symbols]
+        if all(x is not None and math.isfinite(x.value) for x in found):
+            yield row[0].text, [x for x in found if x is not None]
+
+
+def differs(one: float, other: float, *off: float) -> bool:
+    return abs(one - other) > sum(off) + 1e-9
+
+
+def wrong_speeds(note: Note, document: dict[str, Any]) -> Iterator[str]:
+    for table in rows_of(note, "ω", "n"):
+        for name, (omega, n) in cells(table, "ω", "n"):
+            if differs(n.value, omega.value * 30 / math.pi, n.half, omega.half * 10):
+                yield f"n of {name} is {n.value}, 30 ω/π is {omega.value * 30 / math.pi:.6g}"
+    for table in rows_of(note, "T", "ω", "N"):
+        total = 0.0
+        for name, (torque, omega, power) in cells(table, "T", "ω", "N"):
+            total += power.value
+            off = torque.half * abs(omega.value) + omega.half * abs(torque.value) + power.half
+            if differs(power.value, torque.value * omega.value, off):
+                yield f"N of {name} is {power.value}, T ω is {torque.value * omega.value:.6g}"
+        lost = next((sum(n.value for _, (n,) in cells(t, "N_тр")) for t in rows_of(note, "N_тр")), None)
+        lost = next((sum(n.value for _, (n,) in cells(t, "N_fr")) for t in rows_of(note, "N_fr")), lost)
+        if lost is not None and differs(total, lost, 0.02 * len(table.rows)):
+            yield f"supplied powers add up to {total:.5g} W, {lost:.5g} W are lost"
+
+
+def wrong_meshes(note: Note, document: dict[str, Any]) -> Iterator[str]:
+    for table in note.tables:
+        symbols = [head.symbol for head in table.heads]
+        if symbols[-3:] not in (["N", "N_тр", "η"], ["N", "N_fr", "η"]):
+            continue
+        flows = {c["key"]: c["values"] for c in document["tables"]["drive_meshes"]["columns"]}
+        for row, flow in zip(table.rows, flows["N"], strict=True):
+            power, lost, eta = (cell.printed for cell in row[-3:])
+            assert power and lost and eta
+            if differs(eta.value, 1 - lost.value / power.value, eta.half, lost.half / power.value + 1e-4):
+                yield f"η of {row[0].text} is {eta.value}, by the powers {1 - lost.value / power.value:.5g}"
+            one, other = row[0].text.split("–")
+            if row[2].text != (one if flow > 0 else other):
+                yield f"{row[0].text} is driven by {row[2].text}, its power is {flow}"
+
+
+def wrong_wheels(note: Note) -> Iterator[str]:
+    """Diameters in proportion to teeth; tips beyond pitch circles beyond roots, a ring's the other way round."""
+    for table in rows_of(note, "z", "d", "d_b"):
+        rows = list(cells(table, "z", "d", "d_b", "d_a", "d_f"))
+        for (one, a), (other, b) in itertools.pairwise(rows):
+            for symbol, i in (("d", 1), ("d_b", 2)):
+                off = a[i].off / a[0].value + b[i].off / b[0].value
+                if differs(a[i].value / a[0].value, b[i].value / b[0].value, off):
+                    yield f"{symbol} of {one} and {other} are not as their teeth"
+
+
+def wrong_family(note: Note) -> Iterator[str]:
+    """Willis: the speeds about the carrier keep their ratio, whichever member is stopped."""
+    for table in note.tables:
+        symbols = [head.symbol for head in table.heads]
+        if not {"ω_H", "ω_1"} <= {symbol.split("/")[0] for symbol in symbols} and "ω_H" not in symbols:
+            continue
+        members = [s for s in symbols if s.startswith("ω_") and not s.startswith("ω_H")]
+        carrier = next((s for s in symbols if s.startswith("ω_H")), None)
+        if carrier is None or len(members) < 2:
+            continue
+        rows = [numbers for _, numbers in cells(table, carrier, *members)]
+        for i in range(2, len(members) + 1):
+            found = {}
+            for k, (held, first, *others) in enumerate(rows):
+                about, other = first.value - held.value, others[i - 2].value - held.value
+                found[k] = (other, about, held.half + others[i - 2].half, held.half + first.half)
+            (a, b, da, db), *rest = found.values()
+            for c, d, dc, dd in rest:
+                off = abs(a) * dd + abs(d) * da + abs(b) * dc + abs(c) * db
+                if abs(a * d - b * c) > off * 1.01 + 1e-9:
+                    yield f"{table.caption}: {members[i - 1]} and {members[0]} about the carrier"
+
+
+def wrong_margins(note: Note, document: dict[str, Any]) -> Iterator[str]:
+    """What is in hand is the difference of value and limit."""
+    for name, table in document["tables"].items():
+        columns = {c["key"]: c["values"] for c in table["columns"]}
+        hand = columns.get("margin", columns.get("in_hand"))
+        if hand is None or "limit" not in columns or "value" not in columns:
+            continue
+        for k, (value, limit, margin) in enumerate(
+            zip(columns["value"], columns["limit"], hand, strict=True)
+        ):
+            if None not in (value, limit, margin) and differs(
+                abs(margin), abs(value - limit), 1e-9 * abs(limit)
+            ):
+                yield f"{name} row {k}: {value} and {limit} leave {margin}"
+            met = columns.get("met")
+            if met and margin is not None and bool(met[k]) != (margin >= -1e-9):
+                yield f"{name} row {k}: met is {met[k]}, in hand {margin}"
+
+
+@pytest.mark.parametrize("name", GEARS)
+def test_tables_of_gears_agree_with_themselves(name):
+    note, document = html(name), results(name)
+    found = [*wrong_speeds(note, document), *wrong_meshes(note, document), *wrong_wheels(note)]
+    wrong([*found, *wrong_family(note), *wrong_margins(note, document)])
+
+
+@pytest.mark.parametrize("name", GEARS)
+def test_ratio_is_the_product_of_the_stages(name):
+    document = results(name)
+    if "drive_stages" in document["tables"]:
+        columns = {c["key"]: c["values"] for c in document["tables"]["drive_stages"]["columns"]}
+        whole = {entry["key"]: entry["value"] for entry in document["values"]}
+        assert math.isclose(whole["drive_u_teeth"], math.prod(columns["u"]), rel_tol=1e-9)
+        assert math.isclose(whole["drive_eta"], math.prod(columns["eta"]), rel_tol=1e-9)
+
+
+def test_units_of_the_gears_are_known():
+    for name in GEARS[:1]:
+        for table in html(name).tables:
+            for head in table.heads:
+                assert not head.unit_text or unit(head.unit_text) is not None

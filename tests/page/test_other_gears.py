@@ -1,0 +1,63 @@
+"""Gears that no ready variant has: what is printed of them stands in the results, as of the ready ones."""
+
+import json
+from functools import cache
+
+import pytest
+from note import read
+from reading import wrong
+from test_against_results import unmarked, wrong_cells, wrong_formulas, wrong_spans
+
+from tmm_report import render, solve
+from tmm_report.course import loads
+
+SUN = "kind: planetary, scheme: sun-ring, module: 5 mm, input: sun"
+TWO = "kind: planetary, module: 4 mm, satellites: [2, 4], fixed: wheel3"
+DRIVES = {
+    "differential, two modules": [
+        f"{SUN}, ratio: 6.56, satellites: 3, teeth: [20, 46, 112], output: carrier, "
+        "second: {member: ring, speed: 500 rpm}",
+        "kind: planetary, module: [5 mm, 4 mm], satellites: [2, 4], scheme: external-internal, ratio: 12, "
+        "input: wheel1, output: carrier, fixed: wheel3",
+    ],
+    "opened by shift, ordinary": [
+        f"{SUN}, ratio: 6.56, satellites: [2, 5], tolerance: 5 %, teeth: [20, 46, 110], coaxiality: shift, "
+        "output: carrier, fixed: ring",
+        f"{SUN}, ratio: -5.6, satellites: 3, output: ring, fixed: carrier",
+    ],
+    "two rows alike": [
+        f"{TWO}, scheme: external-external, ratio: -20, input: carrier, output: wheel1",
+        f"{TWO}, scheme: internal-internal, ratio: 40, input: carrier, output: wheel1",
+    ],
+}
+ECCENTRICS = {
+    "no middle satellite": "ratio: 4, eccentricity: 17 mm, backlash: 0.4 mm",
+    "crowded": "ratio: 4, eccentricity: 18 mm, t: 16, clearance: 1 mm, speed: 100 rpm",
+    "undercut": "teeth: [14, 40, 76]",
+}
+TEXTS = {
+    name: "drive:\n  speed: 3000 rpm\n  torque: 10 N*m\n  stages:\n"
+    + "".join(f"    - {{{stage}}}\n" for stage in stages)
+    for name, stages in DRIVES.items()
+} | {name: f"eccentric: {{{block}, module: 2 mm}}\n" for name, block in ECCENTRICS.items()}
+
+
+@cache
+def made(name: str):
+    """The note and results.json."""
+    found = solve(loads("language: en\n" + TEXTS[name]))
+    return read(render(found, "html")["note.html"].decode()), json.loads(
+        render(found, "json")["results.json"]
+    )
+
+
+@pytest.mark.parametrize("name", TEXTS)
+def test_marked_numbers_are_those_of_the_results(name):
+    note, document = made(name)
+    assert len(note.marked) > 200
+    wrong([*wrong_cells(note, document), *wrong_formulas(note, document), *wrong_spans(note, document)])
+
+
+@pytest.mark.parametrize("name", TEXTS)
+def test_every_printed_number_is_marked(name):
+    wrong(list(unmarked(made(name)[0])))

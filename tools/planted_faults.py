@@ -1,0 +1,157 @@
+"""Plant wrong outputs one at a time and see that a test notices: `python tools/planted_faults.py [part of a name ...]`.
+
+Every fault of tools/faults.py is an edit in a copy of the program; the tests of the page and those that the fault names
+run there on one or two variants. A fault that makes no test fail that did not fail before survives: its name is printed
+and the exit code is 1; so it is where an edit does not find its text. Golden texts are left out, for they only say
+that something changed: `--golden` lets them look too.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache
+from pathlib import Path
+from queue import SimpleQueue
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path[:0] = [str(ROOT / "tools")]
+from faults import FAULTS, Fault  # noqa: E402
+
+COPIED = ("tmm_report", "templates", "variants", "tests", "tools", "pyproject.toml", "README.md", "docs")
+FAILED = re.compile(r"^(?:FAILED|ERROR) (\S+)", re.M)
+
+
+class Misplaced(LookupError):
+    """An edit that does not find its text exactly once."""
+
+
+def copy(folder: Path) -> Path:
+    """The program without its history and caches."""
+    for name in COPIED:
+        source, target = ROOT / name, folder / name
+        if source.is_dir():
+            shutil.copytree(source, target, ignore=shutil.ignore_patterns("__pycache__", ".*cache"))
+        elif source.exists():
+            shutil.copy(source, target)
+    return folder
+
+
+def failing(folder: Path, variants: str, tests: tuple[str, ...], golden: bool) -> frozenset[str]:
+    """The tests that fail in a copy, those that cannot even be collected among them."""
+    command = [
+        sys.executable,
+        "-m",
+        "pytest",
+        "-q",
+        "-p",
+        "no:cacheprovider",
+        "--tb=no",
+        "-rfE",
+        "tests/page",
+        *tests,
+    ]
+    if not golden:
+        command += ["--ignore", "tests/page/test_golden_text.py"]
+    added = {"PYTHONPATH": str(folder), "PAGE_VARIANTS": variants, "PYTHONDONTWRITEBYTECODE": "1"}
+    done = subprocess.run(command, cwd=folder, env=os.environ | added, capture_output=True, text=True)
+    if done.returncode not in (0, 1) and not FAILED.search(done.stdout):
+        return frozenset({f"pytest ended with {done.returncode}: {done.stdout[-300:]}"})
+    return frozenset(FAILED.findall(done.stdout))
+
+
+def planted(folder: Path, fault: Fault) -> str:
+    """Make the edit; the text as it was. Raises Misplaced."""
+    path = folder / fault.file
+    text = path.read_text("utf-8") if path.exists() else ""
+    if text.count(fault.old) != 1:
+        raise Misplaced(f"its text stands {text.count(fault.old)} times in {fault.file}")
+    path.write_text(text.replace(fault.old, fault.new), "utf-8")
+    return text
+
+
+def placed(fault: Fault) -> bool:
+    """Whether an edit finds its text in the program as it is."""
+    path = ROOT / fault.file
+    return path.exists() and path.read_text("utf-8").count(fault.old) == 1
+
+
+class Planter:
+    """Copies of the program, one for each worker, and what fails in them before anything is planted."""
+
+    def __init__(self, folders: list[Path], golden: bool):
+        self.golden = golden
+        self.free: SimpleQueue[Path] = SimpleQueue()
+        for folder in folders:
+            self.free.put(folder)
+        self.before = cache(self._before)
+
+    def _before(self, variants: str, tests: tuple[str, ...]) -> frozenset[str]:
+        folder = self.free.get()
+        try:
+            return failing(folder, variants, tests, self.golden)
+        finally:
+            self.free.put(folder)
+
+    def told(self, fault: Fault) -> tuple[Fault, list[str], str]:
+        """A fault, the tests that notice it, and what is wrong with the edit."""
+        before = self.before(fault.variants, fault.tests)
+        folder = self.free.get()
+        try:
+            text = planted(folder, fault)
+            try:
+                return fault, sorted(failing(folder, fault.variants, fault.tests, self.golden) - before), ""
+            finally:
+                (folder / fault.file).write_text(text, "utf-8")
+        except Misplaced as misplaced:
+            return fault, [], str(misplaced)
+        finally:
+            self.free.put(folder)
+
+
+def run(faults: list[Fault], jobs: int, golden: bool) -> Iterator[tuple[Fault, list[str], str]]:
+    with tempfile.TemporaryDirectory() as temporary, ThreadPoolExecutor(jobs) as pool:
+        folders = [copy(Path(temporary) / f"copy{k}") for k in range(jobs)]
+        planter = Planter(folders, golden)
+        for variants, tests in {(fault.variants, fault.tests): None for fault in faults}:
+            planter.before(variants, tests)
+        yield from pool.map(planter.told, faults)
+
+
+def main(arguments: list[str]) -> int:
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("names", nargs="*", help="parts of names: only these faults")
+    parser.add_argument("--jobs", type=int, default=1, help="copies that are tested at the same time")
+    parser.add_argument("--golden", action="store_true", help="golden texts look too")
+    parser.add_argument("--check", action="store_true", help="only see that every edit finds its text")
+    options = parser.parse_args(arguments)
+    chosen = [f for f in FAULTS if not options.names or any(part in f.name for part in options.names)]
+    if options.check:
+        lost = [
+            f
+            for f in chosen
+            if not (ROOT / f.file).exists() or (ROOT / f.file).read_text("utf-8").count(f.old) != 1
+        ]
+        for fault in lost:
+            print(f"misplaced: {fault.name}: {fault.file}")
+        return 1 if lost else 0
+    survived = 0
+    for fault, noticed, misplaced in run(chosen, options.jobs, options.golden):
+        by = ", ".join(sorted({test.split("::")[-1].split("[")[0] for test in noticed}))
+        print(f"{misplaced or by or 'SURVIVED'} <- {fault.name}", flush=True)
+        survived += not noticed
+    print(f"{len(chosen)} planted, {len(chosen) - survived} noticed, {survived} survived")
+    return 1 if survived else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
