@@ -14,7 +14,7 @@ import pytest
 from notes import VARIANTS, program
 from typer.testing import CliRunner
 
-from tmm_report import languages, render, solve, variant
+from tmm_report import course, languages, load, render, solve, variant
 from tmm_report.cli import app
 from tmm_report.i18n import Translator
 from tmm_report.languages import LANGUAGES, SIGNS, Language, language, of_locale
@@ -58,7 +58,7 @@ def of_starting_variant(row: Language) -> Iterator[str]:
         yield f"new/{row.code}.yaml"
         return
     try:
-        started = variant.load(file)
+        started = load(file)
         solve(started)
     except ProblemError as error:
         yield f"new/{row.code}.yaml: {error}"
@@ -265,7 +265,7 @@ def test_the_language_of_a_system(name, code):
 
 
 def test_help_and_schema_list_the_languages():
-    assert variant.schema()["properties"]["language"]["enum"] == [*LANGUAGES]
+    assert course.schema()["properties"]["language"]["enum"] == [*LANGUAGES]
     for command in ("solve", "new", "gallery", "assemblies"):
         assert " or ".join(LANGUAGES) in run(command, "--help").output
     assert languages.DEFAULT in LANGUAGES and languages.FALLBACK in LANGUAGES

@@ -20,6 +20,7 @@ import numpy as np
 
 from tmm_report import load, render, solve
 from tmm_report.course import Results
+from tmm_report.languages import DEFAULT
 from tmm_report.results import tables, values
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -138,7 +139,7 @@ TEXTS = {
     "press": "ru en",
     "hoist_drive": "ru en",
     "eccentric": "ru en",
-    "crank_rocker": "ru",
+    "crank_rocker": DEFAULT,
 }
 
 
