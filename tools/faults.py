@@ -66,8 +66,9 @@ FAULTS = (
     Fault("weights printed of the wrong link", STATICS + "view.py",
           "cell = self.page.cell(table, of.key, 0, size=True)",
           'cell = self.page.cell(table, "G_3", 0, size=True)'),
-    Fault("columns of the balancing moment under each other's heads", STATICS + "view.py",
-          'zip(("M_bal", "M_lever", "M_power"), heads', 'zip(("M_bal", "lever_disagreement", "M_power"), heads'),
+    Fault("the unit of the results over converted numbers", PAGE,
+          "self.head(column.symbol(), unit or column.unit), cells, least)",
+          "self.head(column.symbol(), column.unit), cells, least)"),
     Fault("forces of the lever reversed", STATICS + "draw.py",
           "arrow = force / abs(force)", "arrow = -force / abs(force)"),
     # --- kinematics ---

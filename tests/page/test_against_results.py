@@ -92,7 +92,7 @@ def exactness(printed: Printed, places: int, unit_text: str, aligned: bool = Fal
     than it shows.
     """
     if printed.value == 0:
-        return 0.5 * 10.0**-places if places else 0.005 if unit_text in COARSE else 1e-6
+        return 0.5 * 10.0**-places if places or aligned else 0.005 if unit_text in COARSE else 1e-6
     if (
         printed.places > 1
         or printed.digits > 3
@@ -161,7 +161,7 @@ def wrong_cells(note: Note, document: dict[str, Any]) -> Iterator[str]:
         problem = differs(printed, half, shown or NONE, value, own, mark.size)
         if problem:
             yield f"{where} {text} marked {mark}: {problem}"
-        elif head.symbol and symbol and letters(head.symbol) != letters(symbol) and not mark.by:
+        elif head.symbol and symbol and not mark.by and not same_symbol(head.symbol, symbol, document, mark):
             yield f"{where} marked {mark}: its symbol is {symbol}"
 
 
@@ -210,6 +210,32 @@ def letters(symbol: str) -> str:
 _ENGLISH = {word: name for name, word in WRITTEN.items()}
 
 
+def same_symbol(written: str, symbol: str, document: dict[str, Any], mark: Mark) -> bool:
+    """Whether a written symbol is that of the results; a row of wheels or stages adds its own index, d_b -> d_b4."""
+    seen, rest = letters(written), letters(symbol)
+    if seen == rest or not mark.table:
+        return seen == rest or " " in symbol  # a function, inv α
+    added = ""
+    for sign in seen:
+        if rest.startswith(sign):
+            rest = rest[1:]
+        else:
+            added += sign
+    names = [
+        c["values"] for c in document["tables"][mark.table]["columns"] if c["key"] in ("wheel", "member")
+    ]
+    row = letters(names[0][mark.row or 0]) if names and mark.table != "drive_comparison" else ""
+    return not rest and (added == row if row else bool(re.fullmatch(r"[\dH′]+", added)))
+
+
+def _written(formula: Formula) -> list[str]:
+    """The symbols that stand alone on a side: v = …, or ω_4 = ω_H = …"""
+    found = [list(symbols(side)) for side in formula.sides[:-1]]
+    return [
+        one[0] for side, one in zip(formula.sides, found, strict=False) if len(one) == 1 and len(side) == 1
+    ]
+
+
 # --- formulas and running text ---
 
 
@@ -243,7 +269,12 @@ def _wrong_number(formula: Formula, figure: Figure, last: bool, document: dict[s
     )
     if problem:
         yield f"{where}: {problem}"
-    elif last and symbol and letters(formula.symbol) != letters(symbol):
+    elif (
+        last
+        and symbol
+        and (own := _written(formula))
+        and not any(same_symbol(one, symbol, document, mark) for one in own)
+    ):
         yield f"{where}: its symbol is {symbol}"
 
 
