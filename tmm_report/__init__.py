@@ -71,7 +71,7 @@ def render(
     >>> "tables/balancing_table.csv" in render(results, "csv")
     True
 
-    `language`: of the note, that of the variant unless another is named, by its code in `languages`.
+    `language`: of the note, that of the variant unless another of `languages` is named.
     """
     from tmm_report.commands.files import render as make
 
