@@ -11,10 +11,13 @@ from typing import Any
 from xml.etree.ElementTree import Element
 
 import pytest
+from babel.messages.pofile import read_po
 from latex import GREEK
 from note import Cell, Figure, Formula, Head, Mark, Note, Table, mark_of, symbols, text_of
 from printed import NONE, Printed, Unit, number, unit
 from reading import BOTH, html, results, wrong
+
+from tmm_report.resources import data_root
 
 Where = Any  # a number, a text or None of results.json, with its unit and symbol
 PICTURE = "picture"  # the scale of a picture is held against what is drawn, in test_drawings
@@ -163,7 +166,8 @@ def wrong_cells(note: Note, document: dict[str, Any]) -> Iterator[str]:
             continue
         text = beside or unit_text
         shown = unit(text) if text else NONE
-        half = exactness(printed, places, text, not table.words)
+        zero_of_whole = printed.value == 0 and table.whole(table.heads.index(head))
+        half = 0.5 if zero_of_whole else exactness(printed, places, text, not table.words)
         problem = differs(printed, half, shown or NONE, value, own, mark.size)
         if problem:
             yield f"{where} {text} marked {mark}: {problem}"
@@ -172,11 +176,13 @@ def wrong_cells(note: Note, document: dict[str, Any]) -> Iterator[str]:
 
 
 def noise(document: dict[str, Any], mark: Mark, value: Any) -> bool:
-    """Whether a number is rounding beside the largest of its column, and so prints 0."""
+    """Whether a number is less than half a unit of the fifth digit of its column's largest, and so prints 0."""
     columns = document["tables"].get(mark.table, {"columns": []})["columns"]
     column = next((column["values"] for column in columns if column["key"] == mark.key), [])
-    sizes = [abs(one) for one in column if isinstance(one, int | float)]
-    return isinstance(value, int | float) and abs(value) <= 1e-9 * max(sizes, default=0.0)
+    largest = max((abs(one) for one in column if isinstance(one, int | float)), default=0.0)
+    if not isinstance(value, int | float) or not largest:
+        return False
+    return abs(value) <= 0.5 * 10.0 ** (math.floor(math.log10(largest)) - 4)
 
 
 DIRECTIONS = {
@@ -211,7 +217,12 @@ def wrong_text(where: str, cell: Cell, mark: Mark, value: Any) -> Iterator[str]:
 
 
 # index words and Greek letters as the page writes them
-WRITTEN = {"bal": "ур", "fr": "тр", "gr": "гр", "an": "ан", "in": "вх", "out": "вых"}
+def _index_words() -> dict[str, str]:
+    with (data_root() / "templates/locale/ru/LC_MESSAGES/tmm_report.po").open("rb") as file:
+        return {entry.id: entry.string for entry in read_po(file) if entry.context == "index"}
+
+
+WRITTEN = _index_words()
 
 
 def named(printed: str, symbols: str) -> bool:
