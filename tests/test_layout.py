@@ -217,7 +217,12 @@ def _calls(node: ast.expr, names: tuple[str, ...]) -> bool:
 
 
 TRY = """
+from importlib import import_module
+from pkgutil import walk_packages
+import tmm_report
 from tmm_report import course, load, render, solve
+for module in walk_packages(tmm_report.__path__, "tmm_report."):
+    module.name.endswith("__main__") or import_module(module.name)
 assert course.__file__.startswith({folder!r})
 results = solve(load({variant!r}))
 files = render(results, "html") | render(results, "json")
