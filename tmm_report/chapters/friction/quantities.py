@@ -30,7 +30,9 @@ def lost(pair: Pair, pairs: Sequence[Pair]) -> Quantity:
     of = {"pair": pair.name, "links": pair.key}
     meaning = Message(N_("friction power in pair %(pair)s of links %(links)s"), of)
     shared = [other.name for other in pairs].count(pair.name) > 1
-    index = f"fr{pair.name},{both(*pair.links)}" if shared else f"fr{pair.name}"
+    # a small letter, as of a guide x, would be read as one word with the index
+    index = f"fr,{pair.name}" if pair.name[:1].islower() else f"fr{pair.name}"
+    index = f"{index},{both(*pair.links)}" if shared else index
     return Quantity(f"P_fr_{pair.key}", Symbol("P", index), "W", meaning)
 
 
