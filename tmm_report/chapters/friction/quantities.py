@@ -18,8 +18,8 @@ LOSSES = Message(N_("friction power and instantaneous efficiency"))
 
 COEFFICIENT = Quantity("f", Symbol("f"), "", Message(N_("coefficient of friction")))
 DIAMETER = Quantity("d", Symbol("d"), "m", Message(N_("diameter of the journal")))
-TOTAL = Quantity("P_fr", Symbol("P", "fr"), "W", Message(N_("friction power of all pairs")))
-DRIVING = Quantity("P_drive", Symbol("P", "1"), "W", Message(N_("power of the balancing moment, magnitude")))
+TOTAL = Quantity("P_fr", Symbol("P", "fr"), "W", Message(N_("power of friction in all the pairs")))
+DRIVING = Quantity("P_drive", Symbol("P", "1"), "W", Message(N_("power of the balancing moment")))
 EFFICIENCY = Quantity("eta", Symbol("eta"), "", Message(N_("instantaneous efficiency")))
 MEAN_POWER = Quantity("P_fr_mean", None, "W", Message(N_("mean friction power")))
 MEAN_EFFICIENCY = Quantity("eta_mean", None, "", Message(N_("efficiency over the cycle")))
@@ -30,7 +30,9 @@ def lost(pair: Pair, pairs: Sequence[Pair]) -> Quantity:
     of = {"pair": pair.name, "links": pair.key}
     meaning = Message(N_("friction power in pair %(pair)s of links %(links)s"), of)
     shared = [other.name for other in pairs].count(pair.name) > 1
-    index = f"fr{pair.name},{both(*pair.links)}" if shared else f"fr{pair.name}"
+    # a small letter, as of a guide x, would be read as one word with the index
+    index = f"fr,{pair.name}" if pair.name[:1].islower() else f"fr{pair.name}"
+    index = f"{index},{both(*pair.links)}" if shared else index
     return Quantity(f"P_fr_{pair.key}", Symbol("P", index), "W", meaning)
 
 

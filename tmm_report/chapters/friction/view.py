@@ -61,6 +61,12 @@ class FrictionView:
         power = self.page.shown(self.book["P_fr_mean"])
         return self.t(text, power=power, eta=self.page.shown(self.book["eta_mean"], digits=4))
 
+    def explained(self, key: str) -> dict[str, Any]:
+        """An item of a "where" list."""
+        table = self.book.tables["friction_given"]
+        column = table[key] if key in table else self.table[key]
+        return self.page.explained(key, column, column.unit)
+
     # ------------------------------------------------------------ tables
 
     def stated(self, caption: Any) -> Table:
