@@ -29,7 +29,7 @@ from tmm_report.chapters.structure import solve as structure
 from tmm_report.chapters.title.given import Title
 from tmm_report.languages import DEFAULT, DecimalSign
 from tmm_report.mechanics.mechanism import Mechanism
-from tmm_report.problems import Problem
+from tmm_report.problems import Message, Problem
 
 if TYPE_CHECKING:  # the gear chapters are loaded only for a variant that has gears
     from tmm_report.chapters.drive import solve as drive
@@ -159,6 +159,11 @@ def chapters(results: Results) -> Iterator[tuple[str, Any]]:
     for names, record in ((LEVER, results.lever), (OTHERS, results)):
         found = ((name, getattr(record, name)) for name in names if record is not None)
         yield from ((name, one) for name, one in found if one is not None)
+
+
+def summary(results: Results) -> Iterator[Message]:
+    """The main numbers of the chapters beside the lever's, in sentences."""
+    yield from (line for name, found in chapters(results) if name in OTHERS for line in found.summary())
 
 
 def room(chapter: str, name: str) -> Any:

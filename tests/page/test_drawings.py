@@ -140,9 +140,11 @@ SHORT = 5.0  # mm: components may be as short as the errors of their sums
 def closes(drawn: list[complex], known: list[complex]) -> bool:
     """Forces of the results make up the drawing; what is none of them are components of one of them."""
     others = [vector for vector in drawn if not any(near(vector, force) for force in known)]
+    # a short component may be like some force
+    parts = [*others, *(vector for vector in drawn if abs(vector) < SHORT)]
     return all(
         abs(one) < SHORT
-        or any(near(one + other, force) for other in others if other is not one for force in known)
+        or any(near(one + other, force) for other in parts if other is not one for force in known)
         for one in others
     )
 

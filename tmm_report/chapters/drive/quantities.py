@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import assert_never
 
@@ -53,6 +53,13 @@ def values(found: Found, prefix: str = "drive") -> Iterator[Value]:
             yield Quantity(f"{prefix}_{key}", symbol, unit, Message(meaning)).value(float(number))
     for number, stage in enumerate(found.stages, 1):
         yield from stage_values(stage, f"stage{number}")
+
+
+def listings(found: Found, say: Callable[[str], str]) -> Iterator[tuple[str, list[str]]]:
+    """Of every planetary stage, all the combinations of teeth that were judged and why most were rejected."""
+    for number, stage in enumerate(found.stages, 1):
+        if isinstance(stage, planetary.Found):
+            yield f"stage{number}_combinations", planetary_quantities.judged(stage, say)
 
 
 def stage_book(stage: Stage, prefix: str) -> Book:
