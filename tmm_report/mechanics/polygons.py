@@ -14,7 +14,7 @@ import numpy as np
 
 Array = Any
 Boxes = tuple[Array, Array, Array, Array]  # left, bottom, right, top
-BLOCK = 16  # sides in a box
+BLOCK = 8  # sides in a box
 BOUND = 100  # vertices of each polygon from which a first bound of their distance is found
 
 
@@ -124,12 +124,12 @@ def _distance(one: Array, other: Array, boxes: tuple[Boxes, Boxes]) -> float:
 def _between_vertices(one: Array, other: Array) -> float:
     """A distance of two vertices, about the least: of some of them, then of the neighbours of the nearest two."""
     step = [max(1, len(p) // BOUND) for p in (one, other)]
-    apart = np.abs(one[:: step[0], None] - other[None, :: step[1]])
+    apart = _square(one[:: step[0], None] - other[None, :: step[1]])
     near = np.unravel_index(np.argmin(apart), apart.shape)
     mine, theirs = (
         p[(k * s + np.arange(-s, s + 1)) % len(p)] for p, k, s in zip((one, other), near, step, strict=True)
     )
-    return float(np.abs(mine[:, None] - theirs).min())
+    return float(np.sqrt(_square(mine[:, None] - theirs).min()))
 
 
 def _depth(points: Array, polygon: Array) -> float:
@@ -139,8 +139,13 @@ def _depth(points: Array, polygon: Array) -> float:
 
 def _to_side(point: Array, start: Array, end: Array) -> Array:
     along = end - start
-    part = ((point - start) * along.conj()).real / np.maximum(np.abs(along) ** 2, 1e-300)
+    part = ((point - start) * along.conj()).real / np.maximum(_square(along), 1e-300)
     return np.abs(point - start - np.clip(part, 0, 1) * along)
+
+
+def _square(vectors: Array) -> Array:
+    """Of their lengths: several times as fast as the lengths."""
+    return vectors.real**2 + vectors.imag**2
 
 
 def _near(one: Array, other: Array, boxes: tuple[Boxes, Boxes], reach: float) -> tuple[Array, Array]:
