@@ -27,17 +27,19 @@ def main() -> None:
     variant = tmm_report.load(COMPRESSOR)
     found = tmm_report.solve(variant)
     turned = np.arange(36) * (2 * np.pi / 36)
-    positions, drawing = variant.positions, variant.drawing
+    given, lever = variant.lever, found.lever
+    positions, drawing = given.positions, given.drawing
     parts = {
-        "motion of 36 positions": lambda: found.kinematics.cycle.motion(turned),
-        "kinematics": lambda: kinematics.solve(positions, found.structure),
-        "plans": lambda: plans.solve(drawing, positions.plans, variant.readings, found.kinematics),
-        "kinetostatics": lambda: kinetostatics.solve(variant.loads, found.kinematics),
+        "motion of 36 positions": lambda: lever.kinematics.cycle.motion(turned),
+        "kinematics": lambda: kinematics.solve(positions, lever.structure),
+        "plans": lambda: plans.solve(drawing, positions.plans, given.readings, lever.kinematics),
+        "kinetostatics": lambda: kinetostatics.solve(given.loads, lever.kinematics),
         "force plans": lambda: force_plans.solve(
-            drawing, positions.force_plan, found.kinetostatics, found.plans
+            drawing, positions.force_plan, lever.kinetostatics, lever.plans
         ),
         "gear drive": lambda: drive.solve(variant.drive),
         "all": lambda: tmm_report.solve(variant),
+        "all, and results.json": lambda: tmm_report.render(tmm_report.solve(variant), "json"),
     }
     taken = interleaved(parts, ROUNDS)
     for name, seconds in taken.items():

@@ -322,6 +322,23 @@ def test_the_command_line_alone_loads_nothing_heavy():
     assert done.stdout.split() == rooms
 
 
+def test_a_file_loads_only_the_gear_rooms_that_it_has(tmp_path):
+    program = (
+        "import sys; from tmm_report.cli import main\n"
+        "try: main()\nexcept SystemExit: pass\n"
+        "print(*sorted(m.split('.')[2] for m in sys.modules if m.startswith('tmm_report.chapters.')\n"
+        "    and m.endswith('.block')), 'plugins', __import__('os').environ['PYDANTIC_DISABLE_PLUGINS'])"
+    )
+    file = VARIANTS / "hoist_drive.yaml"
+    arguments = ["solve", str(file), "--format", "json", "-o", str(tmp_path)]
+    done = subprocess.run(
+        [sys.executable, "-c", program, *arguments], capture_output=True, text=True, check=True
+    )
+    loaded = done.stdout.splitlines()[-1].split()
+    assert "drive" in loaded and "eccentric" not in loaded
+    assert loaded[-1] in ("__all__", "1", "true")
+
+
 def test_what_is_being_done_is_shown_on_a_terminal_and_wiped(monkeypatch, capsys):
     from tmm_report.cli import _Console
     from tmm_report.problems import Message

@@ -107,6 +107,16 @@ def test_a_feasible_point_is_its_own_nearest():
     assert REFERENCE.lacks(0.4 + 0.4j) == () and REFERENCE.nearest(0.4 + 0.4j) == 0.4 + 0.4j
 
 
+@pytest.mark.parametrize(
+    "blocking", [Blocking(14, 28, 6e-3, Rack()), Blocking(20, 60, 4e-3, Rack(), internal=True)]
+)
+def test_a_point_is_feasible_where_no_margin_is_negative(blocking):
+    plane = grid(3.0, 61)
+    good = blocking.feasible(plane)
+    assert good.any()
+    np.testing.assert_array_equal(good, blocking.margin(plane) >= 0)
+
+
 def test_no_region_at_all():
     case = Blocking(6, 6, 1.0, Rack(), least_ratio=1.5)
     assert case.nearest(0j) is None and case.region(case.window(0j)) == ()
