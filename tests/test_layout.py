@@ -23,6 +23,7 @@ from conftest import ALL_FILES, solved
 
 from tmm_report import course
 from tmm_report.cli import app
+from tmm_report.results import tables
 
 grimp = pytest.importorskip("grimp")
 
@@ -216,7 +217,12 @@ def _calls(node: ast.expr, names: tuple[str, ...]) -> bool:
 
 
 TRY = """
+from importlib import import_module
+from pkgutil import walk_packages
+import tmm_report
 from tmm_report import course, load, render, solve
+for module in walk_packages(tmm_report.__path__, "tmm_report."):
+    module.name.endswith("__main__") or import_module(module.name)
 assert course.__file__.startswith({folder!r})
 results = solve(load({variant!r}))
 files = render(results, "html") | render(results, "json")
@@ -249,3 +255,22 @@ def test_a_chapter_taken_out_is_missed_by_nothing(chapter, tmp_path):
     assert done.returncode == 0, done.stderr
     *found, size = done.stdout.split()
     assert chapter not in found and "kinematics" in found and int(size) > 10_000
+
+
+# --- documents
+
+
+@pytest.mark.parametrize("name", ["compressor", "hoist_drive", "eccentric", "piston_pump", "press"])
+def test_every_table_of_the_results_is_described(name):
+    """Numbers of positions, groups and stages stand for all of them."""
+    described = re.findall(r"`([^`\s]+)`", (ROOT / "docs" / "results.md").read_text("utf-8"))
+    known = {re.sub(r"\d+", "#", word) for word in described}
+    assert {re.sub(r"\d+", "#", table.name) for table in tables(solved(name))} - known == set()
+
+
+def test_the_readme_of_the_code_names_every_room():
+    text = (ROOT / "tmm_report" / "README.md").read_text("utf-8")
+    rooms = {file.name.removesuffix(".py") for file in (ROOT / "tmm_report").iterdir()}
+    rooms -= {"__init__", "__main__", "__pycache__", "README.md", "py.typed"}
+    assert not [room for room in rooms if f"{room}.py`" not in text and f"`{room}/" not in text]
+    assert not [chapter for chapter in ORDER if not re.search(rf"\b{chapter}\b", text)]

@@ -10,6 +10,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, fields
+from functools import partial
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
@@ -194,11 +195,12 @@ def schema() -> dict[str, Any]:
 
 
 def _rooms() -> Rooms:
-    """The blocks of all chapters; those of the gears are loaded only for a file that has them."""
+    """The blocks of all chapters; that of a gear chapter is loaded only for a file that has it."""
     from tmm_report.variant.model import Rooms
 
     return Rooms(
-        [room(name, "block") for name in ("title", *LEVER)], lambda: [room(name, "block") for name in OTHERS]
+        [room(name, "block") for name in ("title", *LEVER)],
+        {name: partial(room, name, "block") for name in OTHERS},
     )
 
 

@@ -43,7 +43,7 @@ def tables(found: Found, prefix: str = "drive") -> Iterator[Table]:
     yield Table(f"{prefix}_loads", LOADS, _loads(found))
     yield Table(f"{prefix}_meshes", MESHES, _meshes(found))
     for number, stage in enumerate(found.stages, 1):
-        yield from stage_book(stage, f"stage{number}").tables.values()
+        yield from stage_tables(stage, f"stage{number}")
 
 
 def values(found: Found, prefix: str = "drive") -> Iterator[Value]:
@@ -52,7 +52,7 @@ def values(found: Found, prefix: str = "drive") -> Iterator[Value]:
         for key, symbol, unit, meaning, number in rows:
             yield Quantity(f"{prefix}_{key}", symbol, unit, Message(meaning)).value(float(number))
     for number, stage in enumerate(found.stages, 1):
-        yield from stage_book(stage, f"stage{number}").values.values()
+        yield from stage_values(stage, f"stage{number}")
 
 
 def listings(found: Found, say: Callable[[str], str]) -> Iterator[tuple[str, list[str]]]:
@@ -64,11 +64,25 @@ def listings(found: Found, say: Callable[[str], str]) -> Iterator[tuple[str, lis
 
 def stage_book(stage: Stage, prefix: str) -> Book:
     """All that is said in numbers of one stage."""
+    return Book.of(stage_tables(stage, prefix), stage_values(stage, prefix))
+
+
+def stage_tables(stage: Stage, prefix: str) -> Iterator[Table]:
     match stage:
         case spur.Found():
-            return spur_quantities.book(stage, prefix)
+            return spur_quantities.tables(stage, prefix)
         case planetary.Found():
-            return planetary_quantities.book(stage, prefix)
+            return planetary_quantities.tables(stage, prefix)
+        case _:
+            assert_never(stage)
+
+
+def stage_values(stage: Stage, prefix: str) -> Iterator[Value]:
+    match stage:
+        case spur.Found():
+            return spur_quantities.values(stage, prefix)
+        case planetary.Found():
+            return planetary_quantities.values(stage, prefix)
         case _:
             assert_never(stage)
 
