@@ -79,9 +79,11 @@ def test_results_are_strict_json_with_units_and_meanings(tmp_path):
 
         document = json.loads((tmp_path / "results.json").read_text(encoding="utf-8"), parse_constant=refuse)
         columns = [c for table in document["tables"].values() for c in table["columns"]]
+        optional = {"symbol", "symbols"}  # of the column, of its rows
         assert all(
-            c["meaning"] and set(c) - {"symbol"} == {"key", "unit", "meaning", "values"} for c in columns
+            c["meaning"] and set(c) - optional == {"key", "unit", "meaning", "values"} for c in columns
         )
+        assert all(len(c["symbols"]) == len(c["values"]) for c in columns if "symbols" in c)
         for table in document["tables"].values():
             assert len({len(c["values"]) for c in table["columns"]}) == 1
             assert len({c["key"] for c in table["columns"]}) == len(table["columns"])

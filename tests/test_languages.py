@@ -14,12 +14,14 @@ import pytest
 from notes import VARIANTS, program
 from typer.testing import CliRunner
 
-from tmm_report import languages, render, solve, variant
+from tmm_report import languages, load, render, solve
 from tmm_report.cli import app
+from tmm_report.course import schema
 from tmm_report.i18n import Translator
 from tmm_report.languages import LANGUAGES, SIGNS, Language, language, of_locale
 from tmm_report.problems import Message, ProblemError
 from tmm_report.quantity.text import UNITS
+from tmm_report.variant import new
 
 ROOT = Path(__file__).resolve().parent.parent
 TEMPLATES = ROOT / "templates"
@@ -58,7 +60,7 @@ def of_starting_variant(row: Language) -> Iterator[str]:
         yield f"new/{row.code}.yaml"
         return
     try:
-        started = variant.load(file)
+        started = load(file)
         solve(started)
     except ProblemError as error:
         yield f"new/{row.code}.yaml: {error}"
@@ -220,7 +222,7 @@ def test_the_library_refuses_as_the_command_does(compressor):
     for refused in (
         lambda: language("uk"),
         lambda: render(compressor, "json", "uk"),
-        lambda: variant.new("uk"),
+        lambda: new("uk"),
         lambda: Translator("uk").gettext("Contents"),
         lambda: Translator("uk").decimal,
     ):
@@ -265,7 +267,7 @@ def test_the_language_of_a_system(name, code):
 
 
 def test_help_and_schema_list_the_languages():
-    assert variant.schema()["properties"]["language"]["enum"] == [*LANGUAGES]
+    assert schema()["properties"]["language"]["enum"] == [*LANGUAGES]
     for command in ("solve", "new", "gallery", "assemblies"):
         assert " or ".join(LANGUAGES) in run(command, "--help").output
     assert languages.DEFAULT in LANGUAGES and languages.FALLBACK in LANGUAGES

@@ -14,13 +14,13 @@ from jinja2 import Template
 from markupsafe import Markup
 from notes import NAMES, note
 
+from tmm_report.chapters.structure.naming import link_name
 from tmm_report.i18n import Translator
-from tmm_report.report import render
+from tmm_report.note import render
 from tmm_report.report.formats import Html, Tex, pieces, tex_escape, widest
 from tmm_report.report.layout import TEXT_WIDTH, Column, numeric, worded
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, environment
-from tmm_report.report.words import Words
 
 HOSTILE = '</p><script>alert(1)</script> \\input{/etc/passwd} {{ 7*7 }} {% raw %} 100% & $x^2$ #1 a_b ~ "q"'
 
@@ -238,8 +238,9 @@ LINKS = {
 
 @pytest.mark.parametrize("name", LINKS)
 def test_links_are_named_by_their_motion(name):
-    words = Words(results(name).lever, page())
-    assert [words.name(link) for link in results(name).variant.lever.mechanism.moving] == LINKS[name]
+    lever = results(name).lever
+    links = lever.given.mechanism.moving
+    assert [link_name(lever.structure, lever.kinematics.diagram, link).name for link in links] == LINKS[name]
 
 
 def test_conclusions_have_the_actual_figures():

@@ -71,7 +71,7 @@ def render(
     >>> "tables/balancing_table.csv" in render(results, "csv")
     True
 
-    `language`: of the note, that of the variant unless another is named; "ru" or "en".
+    `language`: of the note, that of the variant unless another of `languages` is named.
     """
     from tmm_report.commands.files import render as make
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, fields
+from functools import partial
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
@@ -28,7 +29,7 @@ from tmm_report.chapters.structure import solve as structure
 from tmm_report.chapters.title.given import Title
 from tmm_report.languages import DEFAULT, DecimalSign
 from tmm_report.mechanics.mechanism import Mechanism
-from tmm_report.problems import Problem
+from tmm_report.problems import Message, Problem
 
 if TYPE_CHECKING:  # the gear chapters are loaded only for a variant that has gears
     from tmm_report.chapters.drive import solve as drive
@@ -160,6 +161,11 @@ def chapters(results: Results) -> Iterator[tuple[str, Any]]:
         yield from ((name, one) for name, one in found if one is not None)
 
 
+def summary(results: Results) -> Iterator[Message]:
+    """The main numbers of the chapters beside the lever's, in sentences."""
+    yield from (line for name, found in chapters(results) if name in OTHERS for line in found.summary())
+
+
 def room(chapter: str, name: str) -> Any:
     """A module of a chapter's folder by its name: "block", "quantities" or "view". Loaded when it is asked for."""
     return import_module(f"tmm_report.chapters.{chapter}.{name}")
@@ -189,11 +195,12 @@ def schema() -> dict[str, Any]:
 
 
 def _rooms() -> Rooms:
-    """The blocks of all chapters; those of the gears are loaded only for a file that has them."""
+    """The blocks of all chapters; that of a gear chapter is loaded only for a file that has it."""
     from tmm_report.variant.model import Rooms
 
     return Rooms(
-        [room(name, "block") for name in ("title", *LEVER)], lambda: [room(name, "block") for name in OTHERS]
+        [room(name, "block") for name in ("title", *LEVER)],
+        {name: partial(room, name, "block") for name in OTHERS},
     )
 
 

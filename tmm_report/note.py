@@ -7,6 +7,7 @@ from types import ModuleType
 from typing import Any
 
 from tmm_report.course import INITIAL_DATA, LEVER, Results, chapters, room
+from tmm_report.figures.drawing import Drawing
 from tmm_report.i18n import Translator
 from tmm_report.report import render as render_parts
 from tmm_report.report.page import Page
@@ -31,6 +32,12 @@ def parts(results: Results, page: Page) -> Iterator[Part]:
         if view is room(INITIAL_DATA, "view"):
             for other, its in views:
                 yield from other.given_parts(its, page) if hasattr(other, "given_parts") else ()
+
+
+def picture(results: Results, page: Page) -> Drawing:
+    """What shows the whole at a glance: the picture of the first chapter that has one."""
+    views = ((room(name, "view"), found) for name, found in _solved(results))
+    return next(view.picture(found, page) for view, found in views if hasattr(view, "picture"))
 
 
 def _solved(results: Results) -> Iterator[tuple[str, Found]]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import csv
 import io
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from types import ModuleType
 from typing import Any
 
@@ -41,6 +41,13 @@ def book(results: Results) -> Book:
     for _, quantities, chapter in _rooms(results):
         found = found | Book.of(quantities.tables(chapter), quantities.values(chapter))
     return found
+
+
+def listings(results: Results, say: Callable[[str], str]) -> Iterator[tuple[str, list[str]]]:
+    """Name and lines of what is too long for the note and for the tables: all that a search has judged."""
+    for _, quantities, found in _rooms(results):
+        if hasattr(quantities, "listings"):
+            yield from quantities.listings(found, say)
 
 
 def _rooms(results: Results) -> Iterator[tuple[str, ModuleType, Any]]:

@@ -73,6 +73,21 @@ def test_three_teeth_of_each_wheel_with_their_working_flanks(drawing, mesh):
         assert np.abs(np.diff(angles)) == pytest.approx(mesh.wheels[i].pitch_angle)
 
 
+def test_working_flanks_lie_on_the_teeth(drawing):
+    """Each flank is drawn on an outline, to the steps in which that is drawn, mm."""
+    outlines = strokes(drawing, TEETH)
+    for i in (0, 1):
+        for flank in strokes(drawing, ACTIVE[i]):
+            assert min(max(distance(z, outline) for z in flank) for outline in outlines) < 0.03
+
+
+def distance(z, line):
+    """From a polyline, mm."""
+    start, along = line[:-1], np.diff(line)
+    share = np.clip(((z - start) * along.conj()).real / np.maximum(np.abs(along) ** 2, 1e-12), 0, 1)
+    return np.abs(z - start - share * along).min()
+
+
 def test_every_circle_has_its_radius_on_paper_and_its_label(drawing, mesh, found):
     radii = [(item.centre, item.radius) for item in drawing.items if isinstance(item, Arc)]
     for i, name in enumerate(found.given.wheels):

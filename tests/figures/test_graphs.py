@@ -11,8 +11,7 @@ import pytest
 from conftest import solved
 
 pytest.importorskip("matplotlib")
-from tmm_report.report.pictures import Pictures
-
+from tmm_report.chapters.kinematics.draw import Diagrams
 from tmm_report.figures.axes import round_ticks
 from tmm_report.figures.graphs import VALUE, Curve, _drawn_points, _freest, _positions, _values, graph
 from tmm_report.figures.lettering import width
@@ -122,16 +121,14 @@ def test_drawn_millimetres_times_the_scale_are_the_values():
 
 @pytest.mark.parametrize("name", ["crank_rocker", "slider_crank_offset"])
 def test_scales_told_under_the_diagrams_are_those_they_are_drawn_at(name):
-    found = solved(name)
-    pictures, travel = Pictures(found, Translator("ru")), found.kinematics.travels[0]
+    found = solved(name).lever.kinematics
+    diagrams, travel = Diagrams(found, Translator("ru")), found.travels[0]
     angle = np.degrees(1) if travel.output.kind == "rocker" else 1.0
     values = (travel.diagram_S * angle, travel.diagram_V, travel.diagram_a)
-    (_, across, _), *scales = pictures.travel_scales(travel)
-    for line, y, (_, scale, _) in zip(lines(pictures.travel(travel).svg()), values, scales, strict=True):
-        assert np.ptp(line[:, 0]) * across == pytest.approx(
-            np.degrees(found.kinematics.cycle.sweep), rel=1e-6
-        )
-        assert np.ptp(line[:, 1]) * scale == pytest.approx(np.ptp(y), rel=1e-5)
+    across, *scales = diagrams.scales(travel)
+    for line, y, scale in zip(lines(diagrams.travel(travel).svg()), values, scales, strict=True):
+        assert np.ptp(line[:, 0]) * across.number == pytest.approx(np.degrees(found.cycle.sweep), rel=1e-6)
+        assert np.ptp(line[:, 1]) * scale.number == pytest.approx(np.ptp(y), rel=1e-5)
 
 
 def test_a_curve_breaks_where_it_has_no_value():

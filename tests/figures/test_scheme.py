@@ -11,16 +11,8 @@ from mechanisms import CASES, compressor, four_bar, offset_slider, rotated, scot
 from tmm_report.figures.bodies import Motion, bodies
 from tmm_report.figures.drawing import Circle, Path, Text, svg, tikz
 from tmm_report.figures.marks import JOINT
-from tmm_report.figures.scheme import (
-    AWAY,
-    GROUPS_PAGE,
-    LEADER,
-    SMALL,
-    groups_apart,
-    positions_scheme,
-    scheme,
-    standard_scale,
-)
+from tmm_report.figures.scheme import GROUPS_PAGE, groups_apart, positions_scheme, scheme, standard_scale
+from tmm_report.figures.superposed import AWAY, LEADER, SMALL
 from tmm_report.mechanics.mechanism import Link
 
 GROUPS = [("I (0,1)", ("0", "1")), ("II (2,3)", ("2", "3"))]

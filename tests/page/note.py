@@ -13,7 +13,7 @@ from functools import cached_property
 from typing import NamedTuple
 from xml.etree.ElementTree import Element, fromstring
 
-from printed import Printed, Unit, number, unit
+from printed import LEAST, Printed, Unit, number, unit
 
 _SVG = re.compile(r"<svg.*?</svg>", re.S)
 _MAIN = re.compile(r"<main>.*</main>", re.S)
@@ -279,6 +279,11 @@ class Table:
     def places(self, j: int) -> int:
         """Decimals of a column: those of the cell that has most."""
         return max((cell.printed.places for cell in self.column(j) if cell.printed), default=0)
+
+    def whole(self, j: int) -> bool:
+        """Whether a column of numbers is rounded to whole ones: its largest has its digits without decimals."""
+        cells = [cell.printed for cell in self.column(j) if cell.printed]
+        return not self.words and not self.places(j) and any(cell.digits >= LEAST for cell in cells)
 
 
 @dataclass(frozen=True, eq=False)

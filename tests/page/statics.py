@@ -170,6 +170,8 @@ def loads(note: Note, document: dict[str, Any], drawn: Scheme, places: Places) -
 def stated(note: Note, document: dict[str, Any], drawn: Scheme, places: Places) -> Iterator[list[Force]]:
     """Each stated force on each of the links that share its point."""
     found, table = columns(note), table_of(document, "loads_table")
+    given = {c["key"]: c["values"] for c in document["tables"].get("loads_given", {"columns": []})["columns"]}
+    ways = dict(zip(given.get("key", ()), given.get("direction", ()), strict=True))
     seen: dict[str, int] = {}
     for point, links in drawn.loads:
         several = [at for at, _ in drawn.loads].count(point) > 1
@@ -177,10 +179,19 @@ def stated(note: Note, document: dict[str, Any], drawn: Scheme, places: Places) 
         key = f"P_{point},{seen[point]}" if several else f"P_{point}"
         column = found[key][0][1]
         vector = table[f"{key}_x"] + 1j * table[f"{key}_y"]
-        way = np.divide(vector, np.abs(vector), out=np.zeros_like(vector), where=np.abs(vector) > 0)
+        way = _way(ways[key], vector, column.values)
         count = min(len(way), len(column.values))  # the last row, the first again, may be left out
         value, half = column.values[:count] * way[:count], column.half[:count]
         yield [Force(key, link, places[point], value, half) for link in links]
+
+
+def _way(stated_: str, vector: np.ndarray, printed: np.ndarray) -> np.ndarray:
+    """Unit direction that a load states: fixed, or that of its point's motion, in which a printed plus acts."""
+    if stated_ not in ("along", "against"):
+        return np.full_like(vector, np.exp(1j * np.radians(float(stated_))))
+    unit = np.divide(vector, np.abs(vector), out=np.zeros_like(vector), where=np.abs(vector) > 0)
+    count = min(len(unit), len(printed))
+    return unit[:count] * np.where(printed[:count] < 0, -1, 1)
 
 
 def unbalanced(note: Note, document: dict[str, Any], name: str) -> list[str]:

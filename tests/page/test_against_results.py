@@ -166,7 +166,8 @@ def wrong_cells(note: Note, document: dict[str, Any]) -> Iterator[str]:
             continue
         text = beside or unit_text
         shown = unit(text) if text else NONE
-        half = exactness(printed, places, text, not table.words)
+        zero_of_whole = printed.value == 0 and table.whole(table.heads.index(head))
+        half = 0.5 if zero_of_whole else exactness(printed, places, text, not table.words)
         problem = differs(printed, half, shown or NONE, value, own, mark.size)
         if problem:
             yield f"{where} {text} marked {mark}: {problem}"

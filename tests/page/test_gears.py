@@ -100,6 +100,35 @@ def wrong_family(note: Note) -> Iterator[str]:
                     yield f"{table.caption}: {members[i - 1]} and {members[0]} about the carrier"
 
 
+def wrong_motions(document: dict[str, Any]) -> Iterator[str]:
+    """The ratio of a motion is the input's speed to the output's."""
+    for name, table in document["tables"].items():
+        columns = {c["key"]: c["values"] for c in table["columns"]}
+        if not name.endswith("_motions") or not {"input", "output", "u"} <= columns.keys():
+            continue
+        for k, (one, other, u) in enumerate(
+            zip(columns["input"], columns["output"], columns["u"], strict=True)
+        ):
+            out = columns[f"omega_{other}"][k]
+            if u is not None and abs(u * out - columns[f"omega_{one}"][k]) > 1e-9 * abs(u * out):
+                yield f"{name} row {k}: u is {u}, the output turns at {out}"
+
+
+def wrong_teeth(document: dict[str, Any]) -> Iterator[str]:
+    """About the axes of an eccentric mechanism all wheels roll: satellites and ring against the sun."""
+    if "eccentric_speeds" not in document["tables"]:
+        return
+    teeth = {c["key"]: c["values"] for c in document["tables"]["eccentric_satellites"]["columns"]}
+    count = dict(zip(teeth["wheel"], teeth["z"], strict=True))
+    whole = {entry["key"]: entry["value"] for entry in document["values"]}
+    speeds = {c["key"]: c["values"] for c in document["tables"]["eccentric_speeds"]["columns"]}
+    for wheel, z in {**count, "3": whole["eccentric_z3"]}.items():
+        for k, held in enumerate(speeds["omega_H"]):
+            about, sun = speeds[f"omega_{wheel}"][k] - held, speeds["omega_1"][k] - held
+            if abs(about * z + sun * whole["eccentric_z1"]) > 1e-9 * abs(about * z):
+                yield f"wheel {wheel}, row {k}: {about:.6g} about the axes, the sun {sun:.6g}"
+
+
 def wrong_margins(note: Note, document: dict[str, Any]) -> Iterator[str]:
     """What is in hand is the difference of value and limit."""
     for name, table in document["tables"].items():
@@ -123,6 +152,7 @@ def wrong_margins(note: Note, document: dict[str, Any]) -> Iterator[str]:
 def test_tables_of_gears_agree_with_themselves(name):
     note, document = html(name), results(name)
     found = [*wrong_speeds(note, document), *wrong_meshes(note, document), *wrong_wheels(note)]
+    found += [*wrong_motions(document), *wrong_teeth(document)]
     wrong([*found, *wrong_family(note), *wrong_margins(note, document)])
 
 

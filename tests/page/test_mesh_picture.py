@@ -9,7 +9,6 @@ from xml.etree.ElementTree import fromstring
 
 import pytest
 from note import text_of
-from pages import table_of
 from picture import SVG
 from printed import number
 from reading import BOTH, html, results, wrong

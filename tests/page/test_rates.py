@@ -161,6 +161,19 @@ def wrong_relative(document: dict[str, Any]) -> Iterator[str]:
                 yield from _unlike(f"a_{pair}", sums, vector(f"a_{one}") - vector(f"a_{other}"))
 
 
+def wrong_coriolis(document: dict[str, Any]) -> Iterator[str]:
+    """The size of a Coriolis acceleration is 2 ω v with the angular velocity of a link."""
+    rates = table_of(document, "rates_table")
+    for key, found in rates.items():
+        pair = key.removeprefix("a_").removesuffix("_k")
+        if key == f"a_{pair}_k" and f"v_{pair}" in rates:
+            turning = [np.abs(values) for name, values in rates.items() if name.startswith("w_")]
+            if not any(
+                np.allclose(found, 2 * w * rates[f"v_{pair}"], atol=1e-8 * found.max()) for w in turning
+            ):
+                yield f"{key} is not 2 ω v_{pair} of any link"
+
+
 def _unlike(name: str, one: np.ndarray, other: np.ndarray) -> Iterator[str]:
     scale = max(1e-6, float(np.nanmax(np.abs(one), initial=0.0)))
     for k in np.flatnonzero(np.abs(one - other) > 1e-8 * scale):
@@ -170,4 +183,11 @@ def _unlike(name: str, one: np.ndarray, other: np.ndarray) -> Iterator[str]:
 @pytest.mark.parametrize("name", LEVERS)
 def test_motion_in_the_results_agrees_with_itself(name):
     document = results(name)
-    wrong([*wrong_vectors(document), *wrong_motion(document), *wrong_relative(document)])
+    wrong(
+        [
+            *wrong_vectors(document),
+            *wrong_motion(document),
+            *wrong_relative(document),
+            *wrong_coriolis(document),
+        ]
+    )

@@ -40,18 +40,11 @@ def render(results: Results, fmt: str, language: str | None = None) -> dict[str,
 
 
 def combinations(results: Results, language: str | None = None) -> dict[str, bytes]:
-    """Of every planetary stage, all the combinations of teeth that were judged and why most were rejected, as text."""
-    if results.drive is None:
-        return {}
-    from tmm_report.chapters.planetary import solve as planetary
-    from tmm_report.chapters.planetary.listing import candidates, listing
+    """All that was judged in a search and why most was rejected, as text: the combinations of teeth of a stage."""
+    from tmm_report.results import listings
 
-    say, files = translator(results.variant, language).gettext, {}
-    for number, stage in enumerate(results.drive.stages, 1):
-        if isinstance(stage, planetary.Found):
-            text = "\n".join(listing(candidates(stage), say)) + "\n"
-            files[f"tables/stage{number}_combinations.txt"] = text.encode()
-    return files
+    found = listings(results, translator(results.variant, language).gettext)
+    return {f"tables/{name}.txt": ("\n".join(lines) + "\n").encode() for name, lines in found}
 
 
 def write(folder: Path, files: Mapping[str, bytes]) -> list[Path]:

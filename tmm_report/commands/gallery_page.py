@@ -13,18 +13,16 @@ from urllib.parse import quote
 
 from markupsafe import Markup
 
-from tmm_report.chapters.drive.draw.diagrams import kinematic_scheme
-from tmm_report.chapters.eccentric.draw.assembled import assembled
-from tmm_report.course import LeverFound, Results
+from tmm_report.course import LeverFound, Results, summary
 from tmm_report.figures.drawing import Drawing, polygon, svg
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.cycle import Extreme, larger
 from tmm_report.mechanics.structure import ROMAN
+from tmm_report.note import picture as drawing_of
 from tmm_report.problems import Message, Problem
 from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template
-from tmm_report.report.schemes import schemes_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,8 +76,7 @@ class Entry:
     @property
     def gears(self) -> list[Message]:
         """What was found of its gears."""
-        chapters = (self.results.drive, self.results.eccentric) if self.results is not None else ()
-        return [message for found in chapters if found is not None for message in found.summary()]
+        return [*summary(self.results)] if self.results is not None else []
 
     @cached_property
     def balancing(self) -> Extreme | None:
@@ -111,20 +108,8 @@ def picture(entry: Entry, tr: Translator) -> dict[str, bytes]:
     """The scheme as the note draws it, on white, by its name; nothing for what is not solved."""
     if entry.results is None:
         return {}
-    drawn = replace(_drawing(entry, tr), title=entry.topic)
+    drawn = replace(drawing_of(entry.results, Page(Html(), tr, Numbering())), title=entry.topic)
     return {entry.picture: (svg(_on_white(drawn)) + "\n").encode()}
-
-
-def _drawing(entry: Entry, tr: Translator) -> Drawing:
-    if entry.lever is not None:
-        page = Page(Html(), tr, Numbering())
-        return schemes_of(entry.lever, page).one(entry.lever.sample)
-    assert entry.results is not None
-    if entry.results.drive is not None:
-        found = entry.results.drive
-        return kinematic_scheme(found.stages, found.plans, found.speed, entry.topic)
-    assert entry.results.eccentric is not None
-    return assembled(entry.results.eccentric, Page(Html(), tr, Numbering()).num)
 
 
 def _on_white(drawing: Drawing) -> Drawing:

@@ -10,6 +10,7 @@ from tmm_report import solve as solve_variant
 from tmm_report.commands.files import FORMATS, combinations, render, write
 from tmm_report.commands.talk import Talk, failure, unwritable, written
 from tmm_report.course import LeverFound, Results
+from tmm_report.course import summary as in_short
 from tmm_report.problems import N_, Message
 
 NO_TEX = N_(
@@ -111,9 +112,8 @@ def _open(note: Path) -> None:
 def summary(results: Results, talk: Talk) -> bool:
     """Tell what was found; whether every check held."""
     good = _lever(results.lever, talk) if results.lever else True
-    for found in (results.drive, results.eccentric):
-        for message in found.summary() if found is not None else ():
-            talk.tell(message)
+    for message in in_short(results):
+        talk.tell(message)
     return good
 
 

@@ -13,30 +13,34 @@ from typing import Any
 import numpy as np
 
 Array = Any
+Boxes = tuple[Array, Array, Array, Array]  # left, bottom, right, top
 BLOCK = 16  # sides in a box
 BOUND = 100  # vertices of each polygon from which a first bound of their distance is found
 
 
 def overlap(one: Array, other: Array, opening: bool = False) -> float:
     """Area the two materials share, in the square of the unit of the vertices; 0 where they only touch."""
-    return _overlap(one, other, crossings(one, other), opening)
+    return overlap_and_clearance(one, other, opening)[0]
 
 
 def clearance(one: Array, other: Array, opening: bool = False) -> float:
     """Smallest distance between the boundaries; where they overlap, less the depth of the deepest vertex."""
-    return _clearance(one, other, crossings(one, other), opening)
+    return overlap_and_clearance(one, other, opening)[1]
 
 
 def overlap_and_clearance(one: Array, other: Array, opening: bool = False) -> tuple[float, float]:
     """Both, from one search for the crossings."""
-    crossed = crossings(one, other)
-    return _overlap(one, other, crossed, opening), _clearance(one, other, crossed, opening)
+    boxes = _boxes(one), _boxes(other)
+    crossed = _crossings(one, other, boxes)
+    if not len(crossed[0]):
+        shared = _nested(one, other, opening)
+        return shared, _distance(one, other, boxes) * (-1 if shared else 1)
+    return _overlap(one, other, crossed, opening), 0.0 - _sunk(one, other, crossed, opening)
 
 
 def _overlap(one: Array, other: Array, crossed: tuple[Array, Array], opening: bool) -> float:
+    """Area between boundaries that cross."""
     at, there = crossed
-    if not len(at):
-        return _nested(one, other, opening)
     origin = one[int(at[0])]  # close by, so that nothing is lost to rounding
     one, other = one - origin, other - origin
     sign = -1 if opening else 1
@@ -44,18 +48,17 @@ def _overlap(one: Array, other: Array, crossed: tuple[Array, Array], opening: bo
     return float(max(0.0, total + sign * sum(_fan(chain) for chain in _runs(other, there, one, True))))
 
 
-def _clearance(one: Array, other: Array, crossed: tuple[Array, Array], opening: bool) -> float:
+def _sunk(one: Array, other: Array, crossed: tuple[Array, Array], opening: bool) -> float:
+    """How deep the deepest vertex is in the other material, where the boundaries cross."""
     at, there = crossed
-    if not len(at):
-        return _distance(one, other) * (-1 if _nested(one, other, opening) else 1)
     sunk = [(chain[1:-1], other) for chain in _runs(one, at, other, not opening)]
     sunk += [(chain[1:-1], one) for chain in _runs(other, there, one, True)]
-    return 0.0 - max((_depth(points, sides) for points, sides in sunk if len(points)), default=0.0)
+    return max((_depth(points, sides) for points, sides in sunk if len(points)), default=0.0)
 
 
-def crossings(one: Array, other: Array) -> tuple[Array, Array]:
+def _crossings(one: Array, other: Array, boxes: tuple[Boxes, Boxes]) -> tuple[Array, Array]:
     """Where the boundaries cross, on each of them: index of the side and the part of it passed, (K,), ascending."""
-    i, j = _near(one, other, 0.0)
+    i, j = _near(one, other, boxes, 0.0)
     start, along = one[i], _next(one, i) - one[i]
     gap, across = other[j] - start, _next(other, j) - other[j]
     turn = _cross(along, across)
@@ -67,12 +70,11 @@ def crossings(one: Array, other: Array) -> tuple[Array, Array]:
 
 def inside(points: Array, polygon: Array) -> Array:
     """Whether each of the points (K,) lies inside, by the number of sides to the right of it."""
-    low, high = polygon, np.roll(polygon, -1)
-    y = points.imag[:, None]
-    straddles = (low.imag <= y) != (high.imag <= y)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        x = low.real + (y - low.imag) * (high - low).real / (high - low).imag
-    return np.count_nonzero(straddles & (x > points.real[:, None]), axis=1) % 2 == 1
+    below = np.append(polygon, polygon[0]).imag <= points.imag[:, None]
+    k, side = np.nonzero(below[:, :-1] != below[:, 1:])  # the few that a horizontal through the point meets
+    low, along, point = polygon[side], _next(polygon, side) - polygon[side], points[k]
+    x = low.real + (point.imag - low.imag) * along.real / along.imag
+    return np.bincount(k[x > point.real], minlength=len(points)) % 2 == 1
 
 
 def area(polygon: Array) -> float:
@@ -107,9 +109,9 @@ def _fan(chain: Array) -> float:
     return float(_cross(chain[:-1], chain[1:]).sum() / 2)
 
 
-def _distance(one: Array, other: Array) -> float:
+def _distance(one: Array, other: Array, boxes: tuple[Boxes, Boxes]) -> float:
     bound = _between_vertices(one, other)
-    i, j = _near(one, other, bound)
+    i, j = _near(one, other, boxes, bound)
     ends = (one[i], _next(one, i)), (other[j], _next(other, j))
     return float(
         min(
@@ -141,10 +143,10 @@ def _to_side(point: Array, start: Array, end: Array) -> Array:
     return np.abs(point - start - np.clip(part, 0, 1) * along)
 
 
-def _near(one: Array, other: Array, reach: float) -> tuple[Array, Array]:
+def _near(one: Array, other: Array, boxes: tuple[Boxes, Boxes], reach: float) -> tuple[Array, Array]:
     """Indices of the pairs of sides whose blocks' boxes come within `reach` of each other."""
-    mine, theirs = _boxes(one), _boxes(other)
-    first, second = _meeting(mine, _box(other), reach), _meeting(theirs, _box(one), reach)
+    mine, theirs = boxes
+    first, second = _meeting(mine, _around(theirs), reach), _meeting(theirs, _around(mine), reach)
     low, high = (box[:, None] for box in _taken(mine, first)), (box[None] for box in _taken(theirs, second))
     a, b = np.nonzero(_meet(tuple(low), tuple(high), reach))
     k = np.arange(BLOCK)
@@ -154,18 +156,21 @@ def _near(one: Array, other: Array, reach: float) -> tuple[Array, Array]:
     return i[known], j[known]
 
 
-Boxes = tuple[Array, Array, Array, Array]  # left, bottom, right, top
-
-
 def _boxes(polygon: Array) -> Boxes:
-    count = -(-len(polygon) // BLOCK)
-    rows = np.minimum(np.arange(count)[:, None] * BLOCK + np.arange(BLOCK + 1), len(polygon))
-    points = polygon[rows % len(polygon)]
-    return points.real.min(1), points.imag.min(1), points.real.max(1), points.imag.max(1)
+    starts = np.arange(0, len(polygon), BLOCK)
+
+    def ends(pick: np.ufunc, x: Array) -> Array:
+        """Of each block, whose last side ends where the next one starts."""
+        return pick(pick.reduceat(x, starts), np.append(x[starts[1:]], x[0]))
+
+    x, y = polygon.real.copy(), polygon.imag.copy()
+    return ends(np.minimum, x), ends(np.minimum, y), ends(np.maximum, x), ends(np.maximum, y)
 
 
-def _box(polygon: Array) -> Boxes:
-    return polygon.real.min(), polygon.imag.min(), polygon.real.max(), polygon.imag.max()
+def _around(boxes: Boxes) -> Boxes:
+    """The box of them all."""
+    left, bottom, right, top = boxes
+    return left.min(), bottom.min(), right.max(), top.max()
 
 
 def _taken(boxes: Boxes, which: Array) -> Iterator[Array]:

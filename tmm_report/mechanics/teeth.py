@@ -337,10 +337,10 @@ def contact_ratio(one: Wheel, other: Wheel, distance: float, count: int = 2000) 
     """
     turns = one.pitch_angle * np.arange(-4 * count, 4 * count) / count
     alpha, centre = pressure_angle(one, other, distance), centre_beside(other, distance)
-    first = _met(_flank_sides(one) * np.exp(1j * turns)[:, None], one.base, alpha)
+    first = _met(_flank_sides(one), turns, 0.0, one.base, alpha)
     turns, first = turns[np.isfinite(first)], first[np.isfinite(first)]
     turned = touching_turn(one, other, distance, turns)
-    second = _met(centre + _flank_sides(other) * np.exp(1j * turned)[:, None], one.base, alpha)
+    second = _met(_flank_sides(other), turned, centre, one.base, alpha)
     base_pitch = one.pitch_angle * one.base
     return float(np.count_nonzero(np.abs(first - second) < 1e-3 * base_pitch)) / count
 
@@ -357,13 +357,18 @@ def _flank_sides(wheel: Wheel) -> Array:
     return half[(climbs[:-1] | climbs[1:]) & (radii > low - slack) & (radii < high + slack)]
 
 
-def _met(flanks: Array, base: float, alpha: float) -> Array:
-    """How far along the line of action, from N1, each of the flanks (P, N) meets it, m; nan where it does not."""
-    seen = (flanks - base * np.exp(-1j * alpha)) / (1j * np.exp(-1j * alpha))
-    low, high = seen[:, :-1], seen[:, 1:]
-    crosses = (low.imag > 0) != (high.imag > 0)
-    k = np.arange(len(seen)), np.argmax(crosses, axis=1)
-    a, b = low[k], high[k]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        place = a.real - a.imag * (b - a).real / (b - a).imag
-    return np.where(crosses.any(axis=1), place, np.nan)
+def _met(flank: Array, turns: Array, centre: float, base: float, alpha: float) -> Array:
+    """How far along the line of action, from N1, a flank (N,) turned about `centre` by `turns` (P,) meets it, m, (P,);
+    nan where it does not."""
+    # in axes turned by α the line of action is x = base
+    turn, aside, middle = np.exp(1j * (turns + alpha)), centre * np.exp(1j * alpha), flank.mean()
+    near = np.nonzero(np.abs((aside + turn * middle).real - base) <= np.abs(flank - middle).max())[0]
+    turn = turn[near]  # of a million vertices a third, and of those only the x
+    x = np.multiply.outer(turn.real, flank.real) - np.multiply.outer(turn.imag, flank.imag)
+    behind = x < base - aside.real
+    crosses = behind[:, :-1] != behind[:, 1:]
+    met, side = np.nonzero(crosses.any(axis=1))[0], np.argmax(crosses, axis=1)
+    a, b = (aside + turn[met] * flank[side[met] + k] for k in (0, 1))
+    place = np.full(len(turns), np.nan)
+    place[near[met]] = a.imag + (base - a.real) * (b - a).imag / (b - a).real
+    return place

@@ -58,17 +58,10 @@ class Quantity:
 X_PART, Y_PART = N_("%(of)s, x component"), N_("%(of)s, y component")
 
 
-@dataclass(frozen=True, eq=False)
-class Column:
-    """A quantity at the rows of a table: (P,) numbers in its unit, or a list of texts.
-
-    `symbols`: of each row, where the rows are wheels or other things that name the symbol. `units`: of each row, where
-    the rows measure different things; they stand in the results in the column "unit" of the table."""
+class OfQuantity:
+    """What has a quantity: its key, unit and meaning."""
 
     quantity: Quantity
-    values: Any
-    symbols: Sequence[Symbol] = ()
-    units: Sequence[str] = ()
 
     @property
     def key(self) -> str:
@@ -81,6 +74,19 @@ class Column:
     @property
     def meaning(self) -> Message:
         return self.quantity.meaning
+
+
+@dataclass(frozen=True, eq=False)
+class Column(OfQuantity):
+    """A quantity at the rows of a table: (P,) numbers in its unit, or a list of texts.
+
+    `symbols`: of each row, where the rows are wheels or other things that name the symbol. `units`: of each row, where
+    the rows measure different things; they stand in the results in the column "unit" of the table."""
+
+    quantity: Quantity
+    values: Any
+    symbols: Sequence[Symbol] = ()
+    units: Sequence[str] = ()
 
     def symbol(self, row: int | None = None) -> Symbol:
         """Raises ValueError for a column of texts."""
@@ -152,24 +158,12 @@ class Table:
 
 
 @dataclass(frozen=True)
-class Value:
+class Value(OfQuantity):
     """A single number in its quantity's unit; `at`: the angle turned from position 0 at which it holds, rad."""
 
     quantity: Quantity
     value: float
     at: float | None = None
-
-    @property
-    def key(self) -> str:
-        return self.quantity.key
-
-    @property
-    def unit(self) -> str:
-        return self.quantity.unit
-
-    @property
-    def meaning(self) -> Message:
-        return self.quantity.meaning
 
     @property
     def symbol(self) -> Symbol:

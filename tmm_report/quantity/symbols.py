@@ -8,7 +8,6 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache
-from html import escape
 from typing import Literal
 
 from tmm_report.i18n import NP_, Translator
@@ -46,9 +45,20 @@ INDEX_WORDS = (
     NP_("index", "min"),
 )
 _KEY = re.compile(r"(vec:)?([^_^]+)(?:_([^_^]*))?(?:[_^](.*))?", re.DOTALL)
-_RUN = re.compile(
-    "|".join(name for name in GREEK if name[0].isupper()) + r"|[A-Z]+|[a-z]+|\d+|[^\W\d_]+|['′]+|.", re.DOTALL
-)  # one kind of letter or sign at a time
+
+
+# Compiled for the first symbol that is written, not on import: together they take as long as all the rest of this file.
+@cache
+def _run() -> re.Pattern[str]:
+    """One kind of letter or sign at a time."""
+    greek = "|".join(name for name in GREEK if name[0].isupper())
+    return re.compile(greek + r"|[A-Z]+|[a-z]+|\d+|[^\W\d_]+|['′]+|.", re.DOTALL)
+
+
+@cache
+def _not_xml() -> re.Pattern[str]:
+    """Signs that XML forbids; none of them can be printed."""
+    return re.compile("[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
 def latex_escape(text: str) -> str:
@@ -61,12 +71,12 @@ def _printable(sign: str) -> bool:
     return " " <= sign <= "~" or "А" <= sign <= "я" or kazakh or sign in "ЁёІіЇїЄєҐґЎў«»—–…№"
 
 
-_NOT_XML = re.compile("[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")  # none of them can be printed
+_MARKUP = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#x27;"})
 
 
 def xml_escape(text: str) -> str:
     """User's text for HTML and XML: markup escaped, characters that XML forbids become "?"."""
-    return escape(text if text.isprintable() else _NOT_XML.sub("?", text))
+    return (text if text.isprintable() else _not_xml().sub("?", text)).translate(_MARKUP)
 
 
 @dataclass(frozen=True)
@@ -143,7 +153,7 @@ class Notation:
 
     def text(self, text: str) -> str:
         """A whole index: runs of point names (italic), digits, words (upright), Greek letters by name."""
-        return "".join(self.run(GREEK.get(run, run)) for run in _RUN.findall(text))
+        return "".join(self.run(GREEK.get(run, run)) for run in _run().findall(text))
 
     def word(self, run: str) -> str:
         return self.tr.pgettext("index", run)

@@ -13,12 +13,11 @@ from typing import Any
 
 from markupsafe import Markup
 
-from tmm_report.chapters.title.given import Title
 from tmm_report.i18n import Translator
 from tmm_report.report.formats import Html, Tex
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template
-from tmm_report.report.part import Part
+from tmm_report.report.part import Part, Title
 from tmm_report.resources import data_root
 
 FORMATS: dict[str, type[Html] | type[Tex]] = {"html": Html, "tex": Tex}

@@ -15,6 +15,13 @@ class View(Protocol):
         """What the conclusions of the note say of the chapter."""
 
 
+class Title(Protocol):
+    """What the title page says; its template knows the rest."""
+
+    @property
+    def topic(self) -> str: ...
+
+
 class Part(NamedTuple):
     """`template`: of templates/chapters, without ".j2"; several parts may print one view.
 

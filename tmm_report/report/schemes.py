@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,19 +15,6 @@ from tmm_report.mechanics.structure import Group
 from tmm_report.quantity.formula import Var
 from tmm_report.report.diagrams import scale_of
 from tmm_report.report.formats import percent
-from tmm_report.report.page import Page
-
-if TYPE_CHECKING:
-    from tmm_report.course import LeverFound
-
-
-def schemes_of(lever: LeverFound, page: Page) -> Schemes:
-    """The schemes of the note, made once for all its chapters."""
-    if page.schemes is None:
-        k = lever.kinematics
-        count = len(k.turned) - (1 if k.cycle.closed else 0)
-        page.schemes = Schemes(lever.given.mechanism, k.table, k.diagram, count, lever.plans.length_scale)
-    return page.schemes
 
 
 class Schemes:

@@ -76,15 +76,17 @@ class Room(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class Rooms:
-    """The rooms of all blocks. `others` are loaded only for a file with a key that none of `usual` owns."""
+    """The rooms of all blocks. `others`: how those are loaded that most files do without, by the key of their block."""
 
     usual: Sequence[Room]
-    others: Callable[[], Sequence[Room]]
+    others: Mapping[str, Callable[[], Room]]
 
     def owning(self, keys: set[str]) -> list[Room]:
-        """The rooms that a file with these keys needs."""
-        known = {key for room in self.usual for key in room.Block.model_fields}
-        return [*self.usual] if keys <= known else self.all()
+        """The rooms that a file with these keys needs; all of them where nobody owns a key, to find the nearest."""
+        rest = keys - {key for room in self.usual for key in room.Block.model_fields}
+        if not rest <= self.others.keys():
+            return self.all()
+        return [*self.usual, *(load() for key, load in self.others.items() if key in rest)]
 
     def all(self) -> list[Room]:
-        return [*self.usual, *self.others()]
+        return [*self.usual, *(load() for load in self.others.values())]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import assert_never
 
@@ -43,7 +43,7 @@ def tables(found: Found, prefix: str = "drive") -> Iterator[Table]:
     yield Table(f"{prefix}_loads", LOADS, _loads(found))
     yield Table(f"{prefix}_meshes", MESHES, _meshes(found))
     for number, stage in enumerate(found.stages, 1):
-        yield from stage_book(stage, f"stage{number}").tables.values()
+        yield from stage_tables(stage, f"stage{number}")
 
 
 def values(found: Found, prefix: str = "drive") -> Iterator[Value]:
@@ -52,16 +52,37 @@ def values(found: Found, prefix: str = "drive") -> Iterator[Value]:
         for key, symbol, unit, meaning, number in rows:
             yield Quantity(f"{prefix}_{key}", symbol, unit, Message(meaning)).value(float(number))
     for number, stage in enumerate(found.stages, 1):
-        yield from stage_book(stage, f"stage{number}").values.values()
+        yield from stage_values(stage, f"stage{number}")
+
+
+def listings(found: Found, say: Callable[[str], str]) -> Iterator[tuple[str, list[str]]]:
+    """Of every planetary stage, all the combinations of teeth that were judged and why most were rejected."""
+    for number, stage in enumerate(found.stages, 1):
+        if isinstance(stage, planetary.Found):
+            yield f"stage{number}_combinations", planetary_quantities.judged(stage, say)
 
 
 def stage_book(stage: Stage, prefix: str) -> Book:
     """All that is said in numbers of one stage."""
+    return Book.of(stage_tables(stage, prefix), stage_values(stage, prefix))
+
+
+def stage_tables(stage: Stage, prefix: str) -> Iterator[Table]:
     match stage:
         case spur.Found():
-            return spur_quantities.book(stage, prefix)
+            return spur_quantities.tables(stage, prefix)
         case planetary.Found():
-            return planetary_quantities.book(stage, prefix)
+            return planetary_quantities.tables(stage, prefix)
+        case _:
+            assert_never(stage)
+
+
+def stage_values(stage: Stage, prefix: str) -> Iterator[Value]:
+    match stage:
+        case spur.Found():
+            return spur_quantities.values(stage, prefix)
+        case planetary.Found():
+            return planetary_quantities.values(stage, prefix)
         case _:
             assert_never(stage)
 

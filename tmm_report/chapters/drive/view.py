@@ -22,6 +22,7 @@ from tmm_report.report.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.page import Page
 from tmm_report.report.part import Inner, Part
 
+SCHEME = N_("Kinematic scheme of the drive")
 SCHEMES = {
     "sun-ring": N_("planetary, single-row, external and internal mesh"),
     "external-external": N_("planetary, double-row, two external meshes"),
@@ -47,6 +48,11 @@ def _chapter(stage: Stage) -> str:
             return "planetary"
         case _:
             assert_never(stage)
+
+
+def picture(found: Found, page: Page) -> Drawing:
+    """The drive at a glance, for a list of many."""
+    return kinematic_scheme(found.stages, found.plans, found.speed, str(page.t(SCHEME)))
 
 
 class DriveView(DriveFormulas):
@@ -204,9 +210,7 @@ class DriveView(DriveFormulas):
     @cached_property
     def scheme(self) -> Drawing:
         found = self.found
-        return kinematic_scheme(
-            found.stages, found.plans, found.speed, str(self.t("Kinematic scheme of the drive"))
-        )
+        return kinematic_scheme(found.stages, found.plans, found.speed, str(self.t(SCHEME)))
 
     @cached_property
     def diagrams(self) -> Drawing:

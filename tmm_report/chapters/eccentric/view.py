@@ -34,6 +34,11 @@ def parts(found: Found, page: Page) -> Iterator[Part]:
     yield Part("eccentric", EccentricView(found, page, "eccentric"))
 
 
+def picture(found: Found, page: Page) -> Drawing:
+    """The mechanism at a glance, for a list of many."""
+    return assembled.assembled(found, page.num)
+
+
 class EccentricView(EccentricFormulas):
     def __init__(self, found: Found, page: Page, label: str):
         super().__init__(found, label)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from tmm_report.chapters.friction.solve import FrictionFound, Losses, PairLoss
 from tmm_report.chapters.kinematics.quantities import where
-from tmm_report.chapters.kinetostatics.quantities import reaction
+from tmm_report.chapters.kinetostatics.quantities import both, reaction
 from tmm_report.mechanics.structure import Pair
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
@@ -18,18 +18,22 @@ LOSSES = Message(N_("friction power and instantaneous efficiency"))
 
 COEFFICIENT = Quantity("f", Symbol("f"), "", Message(N_("coefficient of friction")))
 DIAMETER = Quantity("d", Symbol("d"), "m", Message(N_("diameter of the journal")))
-TOTAL = Quantity("P_fr", Symbol("P", "fr"), "W", Message(N_("friction power of all pairs")))
-DRIVING = Quantity("P_drive", Symbol("P", "1"), "W", Message(N_("power of the balancing moment, magnitude")))
+TOTAL = Quantity("P_fr", Symbol("P", "fr"), "W", Message(N_("power of friction in all the pairs")))
+DRIVING = Quantity("P_drive", Symbol("P", "1"), "W", Message(N_("power of the balancing moment")))
 EFFICIENCY = Quantity("eta", Symbol("eta"), "", Message(N_("instantaneous efficiency")))
 MEAN_POWER = Quantity("P_fr_mean", None, "W", Message(N_("mean friction power")))
 MEAN_EFFICIENCY = Quantity("eta_mean", None, "", Message(N_("efficiency over the cycle")))
 
 
-def lost(pair: Pair) -> Quantity:
-    """Power of friction in a pair."""
+def lost(pair: Pair, pairs: Sequence[Pair]) -> Quantity:
+    """Power of friction in a pair; its index is the point or guide, of `pairs` that share one also the links."""
     of = {"pair": pair.name, "links": pair.key}
     meaning = Message(N_("friction power in pair %(pair)s of links %(links)s"), of)
-    return Quantity(f"P_fr_{pair.key}", Symbol("P", f"fr{pair.name}"), "W", meaning)
+    shared = [other.name for other in pairs].count(pair.name) > 1
+    # a small letter, as of a guide x, would be read as one word with the index
+    index = f"fr,{pair.name}" if pair.name[:1].islower() else f"fr{pair.name}"
+    index = f"{index},{both(*pair.links)}" if shared else index
+    return Quantity(f"P_fr_{pair.key}", Symbol("P", index), "W", meaning)
 
 
 def rate(pair: Pair) -> Quantity:
@@ -75,8 +79,9 @@ def _given(losses: tuple[PairLoss, ...]) -> Table:
 
 
 def _losses(losses: Losses) -> Iterator[Column]:
+    pairs = [loss.pair for loss in losses.pairs]
     for loss in losses.pairs:
-        yield lost(loss.pair).column(loss.power)
+        yield lost(loss.pair, pairs).column(loss.power)
     yield TOTAL.column(losses.total)
     yield DRIVING.column(losses.driving)
     yield EFFICIENCY.column(losses.efficiency)

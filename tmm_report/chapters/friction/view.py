@@ -49,6 +49,7 @@ class FrictionView:
         self.kinetostatics = kinetostatics
         self.book = Book.of(q.tables(found), q.values(found))
         self.table = self.book.tables["friction_table"]
+        self.pairs = [loss.pair for loss in found.table.pairs]
 
     def conclusions(self) -> list[Markup]:
         return [self.means()]
@@ -59,6 +60,12 @@ class FrictionView:
         )
         power = self.page.shown(self.book["P_fr_mean"])
         return self.t(text, power=power, eta=self.page.shown(self.book["eta_mean"], digits=4))
+
+    def explained(self, key: str) -> dict[str, Any]:
+        """An item of a "where" list."""
+        table = self.book.tables["friction_given"]
+        column = table[key] if key in table else self.table[key]
+        return self.page.explained(key, column, column.unit)
 
     # ------------------------------------------------------------ tables
 
@@ -84,7 +91,7 @@ class FrictionView:
 
     def losses(self, caption: Any) -> Table:
         """Power lost in each pair, in all of them, and the efficiency."""
-        keys = [*(q.lost(loss.pair).key for loss in self.found.table.pairs), "P_fr", "P_drive"]
+        keys = [*(q.lost(loss.pair, self.pairs).key for loss in self.found.table.pairs), "P_fr", "P_drive"]
         columns = [self.page.column(self.table, key) for key in keys]
         columns.append(self.page.column(self.table, "eta", digits=4))
         return numeric(caption, self.page.positions(self.table), columns)
@@ -106,7 +113,7 @@ class FrictionView:
             )
             friction = friction * (arm / 2)
         rate = self.table.var(q.rate(pair).key, k)
-        return self.table.formula(q.lost(pair).key, k, friction * rate)
+        return self.table.formula(q.lost(pair, self.pairs).key, k, friction * rate)
 
     def driving_power(self) -> Formula:
         kinematics = self.kinetostatics.kinematics

@@ -10,6 +10,7 @@ import numpy as np
 from markupsafe import Markup
 
 from tmm_report.chapters.initial_data import quantities as q
+from tmm_report.chapters.schemes import schemes_of
 from tmm_report.figures.drawing import Drawing
 from tmm_report.mechanics.mechanism import FRAME, Guide, Mechanism, ZeroAngle
 from tmm_report.problems import N_
@@ -18,7 +19,7 @@ from tmm_report.quantity.model import Book, Quantity, variable
 from tmm_report.report.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.page import Page
 from tmm_report.report.part import Part
-from tmm_report.report.schemes import Schemes, schemes_of
+from tmm_report.report.schemes import Schemes
 from tmm_report.report.words import sense
 
 if TYPE_CHECKING:
@@ -31,6 +32,11 @@ def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
     yield Part(
         "initial_data", InitialData(lever.given.mechanism, schemes_of(lever, page), lever.sample, page)
     )
+
+
+def picture(lever: LeverFound, page: Page) -> Drawing:
+    """The mechanism at a glance, for a list of many."""
+    return schemes_of(lever, page).one(lever.sample)
 
 
 class InitialData:

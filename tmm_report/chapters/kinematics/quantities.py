@@ -108,7 +108,7 @@ def _places(motion: Motion) -> Iterator[Column]:
 # ---------------------------------------------------------------- velocities and accelerations
 
 POINT = {"v": N_("velocity of point %(of)s"), "a": N_("acceleration of point %(of)s")}
-LINK = {"w": N_("angular velocity of link %(of)s"), "e": N_("angular acceleration of link %(of)s")}
+LINK = {"w": N_("angular velocity of link %(name)s"), "e": N_("angular acceleration of link %(name)s")}
 RELATIVE = N_("velocity of point %(one)s relative to point %(other)s")
 PARTS = {
     "n": N_("normal acceleration of point %(one)s relative to point %(other)s"),
@@ -128,7 +128,7 @@ def point_rate(letter: str, point: str) -> Quantity:
 
 def link_rate(letter: str, link: str) -> Quantity:
     """Angular velocity "w" or acceleration "e" of a link."""
-    meaning = Message(LINK[letter], {"of": link})
+    meaning = Message(LINK[letter], {"name": link})
     return Quantity(f"{letter}_{link}", Symbol(BASES[letter], link), UNITS[letter], meaning)
 
 

@@ -13,6 +13,7 @@ from tmm_report.chapters.kinematics import quantities as q
 from tmm_report.chapters.kinematics.draw import Diagrams
 from tmm_report.chapters.kinematics.limits import Closest
 from tmm_report.chapters.kinematics.solve import Kinematics, Travel
+from tmm_report.chapters.schemes import schemes_of
 from tmm_report.figures.drawing import Drawing
 from tmm_report.mechanics.cycle import larger
 from tmm_report.mechanics.dyads import Dyad
@@ -25,7 +26,7 @@ from tmm_report.quantity.ref import Ref
 from tmm_report.report.layout import Cell, Table, numeric, worded
 from tmm_report.report.page import Page
 from tmm_report.report.part import Part
-from tmm_report.report.schemes import Schemes, schemes_of
+from tmm_report.report.schemes import Schemes
 from tmm_report.report.words import group_label, group_name
 
 if TYPE_CHECKING:

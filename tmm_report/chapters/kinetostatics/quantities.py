@@ -23,6 +23,7 @@ if TYPE_CHECKING:  # the solver's own names are taken from here
 Array = Any
 
 GIVEN = Message(N_("the stated loads: what they act on and their directions"))
+STATED = Message(N_("the stated loads along their stated directions; negative: against them"))
 LOADS = Message(N_("loads: weights, inertia forces and couples, stated forces and moments"))
 REACTIONS = Message(N_("reactions in all pairs"))
 BALANCING = Message(N_("balancing moment by groups, by Zhukovsky's lever and by power balance"))
@@ -144,6 +145,7 @@ def tables(found: Kinetostatics) -> Iterator[Table]:
     given = found.given
     if given.forces or given.moments:
         yield _stated(found)
+        yield Table("stated_table", STATED, (*where(found.table.turned), *_along(found)))
     yield Table("powers_table", POWERS, (*where(found.table.turned), *_powers(found, found.table)))
     for name, solved in (("table", found.table), ("diagram", found.diagram)):
         at = where(solved.turned)
@@ -173,6 +175,12 @@ def _stated(found: Kinetostatics) -> Table:
         text_column(key, Message(text), [row[i] for row in rows]) for i, (key, text) in enumerate(texts)
     )
     return Table("loads_given", GIVEN, tuple(columns))
+
+
+def _along(found: Kinetostatics) -> Iterator[Column]:
+    quantities = [*forces(found.given.forces), *moments(found.given.moments)]
+    for quantity, values in zip(quantities, found.table.loading.stated, strict=True):
+        yield quantity.column(values)
 
 
 def _way(direction: complex | int | str) -> str:

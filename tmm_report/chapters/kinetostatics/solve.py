@@ -40,7 +40,8 @@ class Loading:
     """All loads at some positions: vectors (..., P), N and N m.
 
     `gravity`, `inertia`: link -> force at its mass centre; `couples`: link -> inertia couple; `forces`: the stated
-    forces by order; `moments`: the stated moments by order.
+    forces by order; `moments`: the stated moments by order; `stated`: the forces, then the moments, along their stated
+    directions, with the sign of their laws.
     """
 
     gravity: Mapping[str, Array]
@@ -48,6 +49,7 @@ class Loading:
     couples: Mapping[str, Array]
     forces: tuple[Array, ...]
     moments: tuple[Array, ...]
+    stated: tuple[Array, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -138,6 +140,8 @@ def loading(given: Loads, kinematics: Kinematics, motion: Motion, turned: Array)
     links = [link for name, link in motion.linkage.mechanism.links.items() if name != FRAME]
     heavy = [link for link in links if link.mass_centre is not None and np.any(link.mass)]
     one = np.ones(motion.shape)
+    forces = [_force(force, kinematics, motion, turned) for force in given.forces]
+    moments = [_moment(moment, kinematics, motion, turned) for moment in given.moments]
     return Loading(
         gravity={link.name: link.mass * given.gravity * one for link in heavy},
         inertia={link.name: -link.mass * motion.acceleration(str(link.mass_centre)) for link in heavy},
@@ -146,30 +150,33 @@ def loading(given: Loads, kinematics: Kinematics, motion: Motion, turned: Array)
             for link in links
             if np.any(link.inertia)
         },
-        forces=tuple(_force(force, kinematics, motion, turned) for force in given.forces),
-        moments=tuple(_moment(moment, kinematics, motion, turned) for moment in given.moments),
+        forces=tuple(vector for vector, _ in forces),
+        moments=tuple(couple for couple, _ in moments),
+        stated=tuple(along for _, along in (*forces, *moments)),
     )
 
 
-def _force(force: Force, kinematics: Kinematics, motion: Motion, turned: Array) -> Array:
+def _force(force: Force, kinematics: Kinematics, motion: Motion, turned: Array) -> tuple[Array, Array]:
+    """The vector, and how much of it lies along its stated direction: less than nothing where the law says so."""
     size = magnitude(force.law, kinematics, motion, turned, force.at)
-    if isinstance(force.direction, str):
-        velocity = motion.velocity(force.at)
-        # standing still has no direction of motion: no force along it
-        speed = np.abs(velocity)
-        still = speed <= 1e-12 * np.nanmax(speed, initial=0.0)
-        along = np.where(still, 0.0, velocity / np.where(still, 1.0, speed))
-        return size * (along if force.direction == "along" else -along)
-    return size * force.direction
+    if not isinstance(force.direction, str):
+        return size * force.direction, size
+    velocity = motion.velocity(force.at)
+    # standing still has no direction of motion: no force along it
+    speed = np.abs(velocity)
+    still = speed <= 1e-12 * np.nanmax(speed, initial=0.0)
+    along = np.where(still, 0.0, velocity / np.where(still, 1.0, speed))
+    return size * (along if force.direction == "along" else -along), np.where(still, 0.0, size)
 
 
-def _moment(moment: Moment, kinematics: Kinematics, motion: Motion, turned: Array) -> Array:
+def _moment(moment: Moment, kinematics: Kinematics, motion: Motion, turned: Array) -> tuple[Array, Array]:
+    """The moment, + counter-clockwise, and how much of it is in its stated sense."""
     size = magnitude(moment.law, kinematics, motion, turned, None)
-    if isinstance(moment.direction, str):
-        rate = motion.angular_velocity(moment.on)
-        sense = np.where(np.abs(rate) <= 1e-12 * np.nanmax(np.abs(rate), initial=0.0), 0.0, np.sign(rate))
-        return size * (sense if moment.direction == "along" else -sense)
-    return size * moment.direction
+    if not isinstance(moment.direction, str):
+        return size * moment.direction, size
+    rate = motion.angular_velocity(moment.on)
+    sense = np.where(np.abs(rate) <= 1e-12 * np.nanmax(np.abs(rate), initial=0.0), 0.0, np.sign(rate))
+    return size * (sense if moment.direction == "along" else -sense), size * np.abs(sense)
 
 
 def magnitude(law: Law, kinematics: Kinematics, motion: Motion, turned: Array, at: str | None) -> Array:

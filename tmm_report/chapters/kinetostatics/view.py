@@ -95,17 +95,21 @@ class KinetostaticsView:
         return worded(caption, heads, rows, (2, 5, 4, 5))
 
     def magnitudes(self, caption: Any) -> Table:
-        """Magnitudes of the stated loads at the table positions 0..N-1."""
-        given, table = self.found.given, self.book.tables["loads_table"]
-        count = self.found.kinematics.positions.table
+        """The stated loads along their directions at the table positions 0..N-1."""
+        table, count = self.book.tables["stated_table"], self.found.kinematics.positions.table
         columns = [
             Column(
-                self.page.head(quantity.symbol or "", quantity.unit),
-                [self.page.cell(table, quantity.key, row, size=True) for row in range(count)],
+                self.page.head(column.symbol(), column.unit),
+                [self.page.cell(table, column.key, row) for row in range(count)],
             )
-            for quantity in (*q.forces(given.forces), *q.moments(given.moments))
+            for column in table.columns[2:]
         ]
         return numeric(caption, self.page.positions(table, count), columns)
+
+    @property
+    def reversed(self) -> bool:
+        """Whether a load acts against its stated direction somewhere."""
+        return any(bool(np.any(values < 0)) for values in self.found.table.loading.stated)
 
     # ------------------------------------------------------------ loads
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any, assert_never
 
 import numpy as np
@@ -65,6 +65,11 @@ def tables(found: Found, prefix: str) -> Iterator[Table]:
     yield from listing.tables(found, prefix)
     yield Table(f"{prefix}_rows", Message(MESHES, name), tuple(_rows(found)))
     yield Table(f"{prefix}_conditions", Message(CONDITIONS, name), tuple(_conditions(found)))
+
+
+def judged(found: Found, say: Callable[[str], str]) -> list[str]:
+    """Every combination of teeth that was examined, a line each, with what became of it in words that `say` gives."""
+    return list(listing.listing(listing.candidates(found), say))
 
 
 def ratio_symbol(given: Given, input: p.Member, output: p.Member) -> Symbol:

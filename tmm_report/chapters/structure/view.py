@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
 
+from tmm_report.chapters.schemes import schemes_of
 from tmm_report.chapters.structure import quantities as q
 from tmm_report.chapters.structure.naming import link_name
 from tmm_report.chapters.structure.solve import Structure
@@ -20,7 +21,7 @@ from tmm_report.quantity.model import Book, Value
 from tmm_report.report.layout import Table, worded
 from tmm_report.report.page import Page
 from tmm_report.report.part import Part
-from tmm_report.report.schemes import Schemes, schemes_of
+from tmm_report.report.schemes import Schemes
 from tmm_report.report.words import PAIR_KINDS, group_name, roman, structural_formula
 
 if TYPE_CHECKING:

@@ -1,0 +1,300 @@
+"""Primitives of a drawing, mm of paper: lines, arcs, arrows, lettering, each written as SVG and as TikZ.
+
+Each knows its outline (polylines, mm), its shifted copy, its SVG and its TikZ; a place is one complex number, y up.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import Literal
+
+from tmm_report.figures.lettering import Parts, svg_parts, tex_parts, width, xml_text
+
+Box = tuple[float, float, float, float]  # left, bottom, right, top
+
+TEXT = 3.2  # height of lettering, mm
+HEAD = 3.0  # length of an arrowhead, mm
+
+COLOURS = {
+    "black": "000000",
+    "grey": "7F7F7F",
+    "blue": "1B4F9C",
+    "red": "B3261E",
+    "green": "1E6B3A",
+    "pale": "C9D6E8",
+    "white": "FFFFFF",
+}
+
+
+@dataclass(frozen=True)
+class Pen:
+    """How a line is drawn: width and dashes in mm, a colour of COLOURS."""
+
+    width: float
+    colour: str = "black"
+    dash: tuple[float, ...] = ()
+
+
+THICK = Pen(0.6)
+NORMAL = Pen(0.35)
+THIN = Pen(0.18)
+DASHED = Pen(0.25, dash=(2.0, 1.0))
+AXIS = Pen(0.18, dash=(5.0, 1.0, 0.6, 1.0))
+
+
+_ROUND = tuple(cmath.rect(1, math.pi * i / 8) for i in range(17))
+
+
+@dataclass(frozen=True)
+class Path:
+    """Polylines drawn as one: a line, a polyline, a polygon (`closed`), a hatching of many strokes."""
+
+    strokes: tuple[tuple[complex, ...], ...]
+    pen: Pen | None = NORMAL
+    fill: str = ""
+    closed: bool = False
+    opacity: float = 1.0  # of the fill
+
+    def outline(self) -> list[tuple[complex, ...]]:
+        return [(*stroke, stroke[0]) if self.closed else stroke for stroke in self.strokes]
+
+    def moved(self, by: complex) -> Path:
+        return replace(self, strokes=tuple(tuple(z + by for z in stroke) for stroke in self.strokes))
+
+    def svg(self) -> str:
+        end = "Z" if self.closed else ""
+        d = "".join("M" + "L".join(map(_svg_point, stroke)) + end for stroke in self.strokes)
+        return f'<path d="{d}"{_svg_look(self.pen, self.fill, self.opacity)}/>'
+
+    def tikz(self) -> str:
+        end = " -- cycle" if self.closed else ""
+        strokes = " ".join(" -- ".join(map(tikz_point, stroke)) + end for stroke in self.strokes)
+        return rf"\path[{_tikz_look(self.pen, self.fill, self.opacity)}] {strokes};"
+
+
+@dataclass(frozen=True)
+class Circle:
+    centre: complex
+    radius: float
+    pen: Pen | None = NORMAL
+    fill: str = ""
+
+    def outline(self) -> list[tuple[complex, ...]]:
+        return [tuple(self.centre + self.radius * turn for turn in _ROUND)]
+
+    def moved(self, by: complex) -> Circle:
+        return replace(self, centre=self.centre + by)
+
+    def svg(self) -> str:
+        x, y = written(self.centre.real), written(-self.centre.imag)
+        return f'<circle cx="{x}" cy="{y}" r="{written(self.radius)}"{_svg_look(self.pen, self.fill, 1.0)}/>'
+
+    def tikz(self) -> str:
+        look = _tikz_look(self.pen, self.fill, 1.0)
+        return rf"\path[{look}] {tikz_point(self.centre)} circle[radius={written(self.radius)}];"
+
+
+@dataclass(frozen=True)
+class Arc:
+    """An arc from angle `start` to `end`, rad, counter-clockwise when end > start; less than a full turn."""
+
+    centre: complex
+    radius: float
+    start: float
+    end: float
+    pen: Pen = NORMAL
+
+    def at(self, angle: float) -> complex:
+        return self.centre + cmath.rect(self.radius, angle)
+
+    def outline(self) -> list[tuple[complex, ...]]:
+        count = 2 + int(abs(self.end - self.start) / 0.1)
+        step = (self.end - self.start) / (count - 1)
+        return [tuple(self.at(self.start + step * i) for i in range(count))]
+
+    def moved(self, by: complex) -> Arc:
+        return replace(self, centre=self.centre + by)
+
+    def svg(self) -> str:
+        r, large, sweep = (
+            written(self.radius),
+            int(abs(self.end - self.start) > math.pi),
+            int(self.end < self.start),
+        )
+        d = f"M{_svg_point(self.at(self.start))}A{r} {r} 0 {large} {sweep} {_svg_point(self.at(self.end))}"
+        return f'<path d="{d}"{_svg_look(self.pen, "", 1.0)}/>'
+
+    def tikz(self) -> str:
+        angles = f"start angle={math.degrees(self.start):.4f},end angle={math.degrees(self.end):.4f}"
+        arc = f"arc[{angles},radius={written(self.radius)}]"
+        return rf"\path[{_tikz_look(self.pen, '', 1.0)}] {tikz_point(self.at(self.start))} {arc};"
+
+
+@dataclass(frozen=True)
+class Arrow:
+    """A segment from `start` to `end` with a filled head, never longer than a quarter of the segment.
+
+    `of`: key of the quantity that it shows, "" where there is none.
+    """
+
+    start: complex
+    end: complex
+    pen: Pen = NORMAL
+    head: float = HEAD
+    of: str = ""
+
+    def parts(self) -> tuple[Path, Path]:
+        """The shaft, which stops inside the head to keep the tip sharp, and the head; its tip is `end`."""
+        along = self.end - self.start
+        length = abs(along)
+        head = min(self.head, length / 4)
+        unit = along / length
+        base = self.end - head * unit
+        pen = self.pen if self.pen.width <= 0.3 * head else replace(self.pen, width=0.3 * head)
+        wing = 0.17j * head * unit
+        shaft = Path(((self.start, base + 0.3 * head * unit),), pen)
+        return shaft, Path(((self.end, base + wing, base - wing),), None, pen.colour, closed=True)
+
+    def outline(self) -> list[tuple[complex, ...]]:
+        return [(self.start, self.end), *self.parts()[1].outline()]
+
+    def moved(self, by: complex) -> Arrow:
+        return replace(self, start=self.start + by, end=self.end + by)
+
+    def svg(self) -> str:
+        shaft, head = self.parts()
+        drawn = shaft.svg() + head.svg()
+        return f'<g data-q="{xml_text(self.of)}">{drawn}</g>' if self.of else drawn
+
+    def tikz(self) -> str:
+        shaft, head = self.parts()
+        return shaft.tikz() + "\n" + head.tikz()
+
+
+@dataclass(frozen=True)
+class Text:
+    """Lettering at a place: its middle in height, its left (-1), middle (0) or right end (1) by `align`."""
+
+    at: complex
+    parts: Parts
+    size: float = TEXT
+    align: Literal[-1, 0, 1] = -1
+    colour: str = "black"
+
+    @property
+    def baseline(self) -> complex:
+        return self.at - 0.35j * self.size
+
+    @property
+    def box(self) -> Box:
+        wide = width(self.parts, self.size)
+        left = self.at.real - wide * (1 + self.align) / 2
+        low, high = heights(self.parts)
+        base = self.baseline.imag
+        return left, base - low * self.size, left + wide, base + high * self.size
+
+    def outline(self) -> list[tuple[complex, ...]]:
+        x0, y0, x1, y1 = self.box
+        return [(complex(x0, y0), complex(x1, y0), complex(x1, y1), complex(x0, y1))]
+
+    def moved(self, by: complex) -> Text:
+        return replace(self, at=self.at + by)
+
+    def svg(self) -> str:
+        x, y = written(self.baseline.real), written(-self.baseline.imag)
+        anchor = ("", ' text-anchor="middle"', ' text-anchor="end"')[self.align + 1]
+        size = f' font-size="{self.size}"' if self.size != TEXT else ""
+        fill = f' fill="#{COLOURS[self.colour]}"' if self.colour != "black" else ""
+        return f'<text x="{x}" y="{y}"{anchor}{size}{fill}>{svg_parts(self.parts, self.size)}</text>'
+
+    def tikz(self) -> str:
+        anchor = ("base west", "base", "base east")[self.align + 1]
+        # a whole number of points, for the fonts of TeX come in these
+        look = (
+            rf"anchor={anchor},text={tikz_colour(self.colour)},font=\drawingfont{{{self.size / 0.3515:.0f}}}"
+        )
+        return rf"\node[{look}] at {tikz_point(self.baseline)} {{{tex_parts(self.parts)}}};"
+
+
+Item = Path | Circle | Arc | Arrow | Text
+
+
+def line(start: complex, end: complex, pen: Pen = NORMAL) -> Path:
+    return Path(((start, end),), pen)
+
+
+def polyline(points: Iterable[complex], pen: Pen = NORMAL) -> Path:
+    return Path((tuple(points),), pen)
+
+
+def polygon(
+    points: Iterable[complex], pen: Pen | None = NORMAL, fill: str = "", opacity: float = 1.0
+) -> Path:
+    return Path((tuple(points),), pen, fill, True, opacity)
+
+
+def dot(at: complex, radius: float = 0.6, colour: str = "black") -> Circle:
+    return Circle(at, radius, None, colour)
+
+
+def hatching(start: complex, end: complex, side: complex, pen: Pen = THIN, step: float = 1.5) -> Path:
+    """Strokes along the line from `start` to `end`, slanting to the side of the unit vector `side`, mm."""
+    along = (end - start) / abs(end - start)
+    stroke = step * (side - along)
+    count = max(2, round(abs(end - start) / step))
+    feet = [start + along * abs(end - start) * (i + 1) / count for i in range(count)]
+    return Path(tuple((foot, foot + stroke) for foot in feet), pen)
+
+
+def heights(parts: Parts) -> tuple[float, float]:
+    """Depth below and height above the baseline, in sizes of the text."""
+    symbols = [part for part in parts if not isinstance(part, str)]
+    low = 0.38 if any(s.sub for s in symbols) else 0.22
+    high = 0.92 if any(s.sup or s.bar for s in symbols) else 0.76
+    return low, high
+
+
+# --- how a number, a place and a pen are written ---
+
+
+def written(value: float) -> str:
+    """To a thousandth of a mm, without a tail of zeros and without -0."""
+    return f"{round(value, 3) + 0.0:.7g}"
+
+
+def _svg_point(z: complex) -> str:
+    return f"{round(z.real, 3) + 0.0:.7g} {round(-z.imag, 3) + 0.0:.7g}"
+
+
+@lru_cache
+def _svg_look(pen: Pen | None, fill: str, opacity: float) -> str:
+    look = f' fill="#{COLOURS[fill]}"' if fill else ""
+    look += f' fill-opacity="{opacity:g}"' if opacity < 1 else ""
+    if pen is not None:
+        look += f' stroke="#{COLOURS[pen.colour]}" stroke-width="{written(pen.width)}"'
+        look += f' stroke-dasharray="{" ".join(map(written, pen.dash))}"' if pen.dash else ""
+    return look
+
+
+def tikz_point(z: complex) -> str:
+    return f"({written(z.real)},{written(z.imag)})"
+
+
+def tikz_colour(name: str) -> str:
+    return "drawing" + name
+
+
+@lru_cache
+def _tikz_look(pen: Pen | None, fill: str, opacity: float) -> str:
+    look = [f"fill={tikz_colour(fill)}"] if fill else []
+    look += [f"fill opacity={opacity:g}"] if opacity < 1 else []
+    if pen is not None:
+        look += [f"draw={tikz_colour(pen.colour)}", f"line width={written(pen.width)}mm"]
+    if pen is not None and pen.dash:
+        pairs = zip(pen.dash[::2], pen.dash[1::2], strict=True)
+        look += ["dash pattern=" + " ".join(f"on {written(on)}mm off {written(off)}mm" for on, off in pairs)]
+    return ",".join(look)
