@@ -41,12 +41,14 @@ BEYOND = 8.0  # how far a construction line runs past both its ends, mm
 
 @dataclass(frozen=True)
 class PlanVector:
-    """One vector of a plan, mm of paper. A construction line (a known direction) has no arrowhead."""
+    """One vector of a plan, mm of paper; `of`: key of its quantity. A construction line (a known direction) has no
+    arrowhead."""
 
     start: complex
     end: complex
     label: Part | None = None
     style: Style = "relative"
+    of: str = ""
 
 
 def plan(
@@ -72,7 +74,7 @@ def plan(
 def _drawn(vector: PlanVector) -> Item:
     pen = PENS[vector.style]
     if vector.style != "construction":
-        return Arrow(vector.start, vector.end, pen)
+        return Arrow(vector.start, vector.end, pen, of=vector.of)
     beyond = BEYOND * (vector.end - vector.start) / abs(vector.end - vector.start)
     return line(vector.start - beyond, vector.end + beyond, pen)
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Literal
 
-from tmm_report.figures.lettering import Parts, svg_parts, tex_parts, width
+from tmm_report.figures.lettering import Parts, svg_parts, tex_parts, width, xml_text
 
 Box = tuple[float, float, float, float]  # left, bottom, right, top
 
@@ -136,12 +136,16 @@ class Arc:
 
 @dataclass(frozen=True)
 class Arrow:
-    """A segment from `start` to `end` with a filled head, never longer than a quarter of the segment."""
+    """A segment from `start` to `end` with a filled head, never longer than a quarter of the segment.
+
+    `of`: key of the quantity that it shows, "" where there is none.
+    """
 
     start: complex
     end: complex
     pen: Pen = NORMAL
     head: float = HEAD
+    of: str = ""
 
     def parts(self) -> tuple[Path, Path]:
         """The shaft, which stops inside the head to keep the tip sharp, and the head; its tip is `end`."""
@@ -163,7 +167,8 @@ class Arrow:
 
     def svg(self) -> str:
         shaft, head = self.parts()
-        return shaft.svg() + head.svg()
+        drawn = shaft.svg() + head.svg()
+        return f'<g data-q="{xml_text(self.of)}">{drawn}</g>' if self.of else drawn
 
     def tikz(self) -> str:
         shaft, head = self.parts()

@@ -14,5 +14,7 @@ STYLES: dict[Kind, Style] = {
 
 
 def force_picture(drawn: ForcePlan) -> Drawing:
-    vectors = [PlanVector(s.start, s.end, lettered(s.quantity.symbol), STYLES[s.kind]) for s in drawn.strokes]
+    vectors = [
+        PlanVector(s.start, s.end, lettered(s.quantity.symbol), STYLES[s.kind], s.key) for s in drawn.strokes
+    ]
     return plan(vectors, {})

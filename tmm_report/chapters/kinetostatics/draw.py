@@ -34,11 +34,11 @@ def lever_picture(found: Kinetostatics, plans: Plans, position: int) -> Drawing 
     loads = [load for load in _loads_at(found, position) if abs(load[3]) > 0]
     largest = max((abs(force) for *_, force in loads), default=1.0)
     turn = 1j * min(1.0, LEVER / max(map(abs, drawn.vertices.values())))
-    vectors = [PlanVector(turn * s.start, turn * s.end) for s in drawn.strokes]
+    vectors = [PlanVector(turn * s.start, turn * s.end, of=s.key) for s in drawn.strokes]
     for of, style, point, force in loads:
         z = 0j if point in frame else turn * drawn.vector(f"v_{point}")
         arrow = force / abs(force) * (10 + 20 * abs(force) / largest)
-        vectors.append(PlanVector(z, z + arrow, lettered(of.symbol), style))
+        vectors.append(PlanVector(z, z + arrow, lettered(of.symbol), style, of.key))
     return plan(vectors, {name: turn * z for name, z in drawn.vertices.items()}, pole=drawn.pole)
 
 

@@ -15,7 +15,7 @@ STYLES: dict[Role, Style] = {
 
 def plan_picture(drawn: Plan) -> Drawing:
     """A plan of velocities or accelerations, at its scale."""
-    vectors = [PlanVector(s.start, s.end, lettered(s.symbol), _style(s)) for s in drawn.strokes]
+    vectors = [PlanVector(s.start, s.end, lettered(s.symbol), _style(s), s.key) for s in drawn.strokes]
     return plan(vectors, drawn.vertices, pole=drawn.pole)
 
 

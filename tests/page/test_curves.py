@@ -1,0 +1,138 @@
+"""Curves of diagrams against results.json, read by the figures beside their axes; printed scales against the axes."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from curves import Curve, curves
+from note import Note, text_of
+from pages import table_of
+from printed import number, unit
+from reading import BOTH, CHOSEN, LEVERS, html, results, wrong
+
+CLOSE = 2e-4  # of the height of a curve: figures of four digits beside the ticks
+MOTION = {"S": "S", "V": "V", "a": "A", "ψ": "psi", "ω": "omega", "ε": "epsilon"}
+OTHERS = {
+    "Mур": ("balancing", "M_bal"), "Mbal": ("balancing", "M_bal"), "Pтр": ("friction", "P_fr"),
+    "Pfr": ("friction", "P_fr"), "η": ("friction", "eta"), "Iпр": ("reduced_inertia", "I_red"),
+    "Ired": ("reduced_inertia", "I_red"), "Mпр": ("reduced_moment", "M_red"), "Mred": ("reduced_moment", "M_red"),
+}  # fmt: skip
+SCALES = {
+    "mu_S": "S",
+    "mu_V": "V",
+    "mu_a": "a",
+    "mu_psi": "ψ",
+    "mu_omega": "ω",
+    "mu_epsilon": "ε",
+    "mu_M": "M",
+}
+
+
+def graphs(note: Note) -> Iterator[tuple[str, list[Curve]]]:
+    """Captions of the graphs and their curves."""
+    for figure in note.root.iter("figure"):
+        svg = note.drawings[figure.get("id") or ""]
+        caption = figure.find("figcaption")
+        if "stroke-width: 1.1" in svg and caption is not None:
+            yield text_of(caption), curves(svg)
+
+
+def column(curve: Curve, caption: str) -> tuple[str, str]:
+    """Which table of the results a curve over the cycle shows, and which column."""
+    if curve.axis.letter in MOTION:
+        return "outputs", f"{MOTION[curve.axis.letter]}_{caption.split()[-1]}"
+    return OTHERS[curve.axis.letter]
+
+
+def wrong_curve(curve: Curve, caption: str, document: dict[str, Any], which: str) -> Iterator[str]:
+    """At each position of the table or of the diagram."""
+    name, key = column(curve, caption)
+    table = table_of(document, f"{name}_{which}")
+    of = unit(curve.axis.unit)
+    assert of is not None
+    height = np.ptp(curve.values) or 1.0
+    seen = 0
+    for phi, value in zip(np.degrees(table["phi"]), table[key] / of.factor, strict=True):
+        k = int(np.argmin(np.abs(curve.turned - phi)))
+        if math.isfinite(value) and abs(curve.turned[k] - phi) < 1e-3:
+            seen += 1
+            if abs(curve.values[k] - value) > CLOSE * height:
+                yield f"{caption}: {key} at {phi:.4g}° is drawn as {curve.values[k]:.5g}, it is {value:.5g}"
+    if seen < 12:
+        yield f"{caption}: only {seen} points of {key} are drawn"
+
+
+@pytest.mark.parametrize("name", LEVERS)
+def test_diagrams_over_the_cycle(name):
+    document, found, seen = results(name), [], set()
+    for caption, drawn in graphs(html(name)):
+        for curve in drawn:
+            if curve.axis.letter != "λ":
+                seen.add(column(curve, caption)[1])
+                for which in ("table", "diagram"):
+                    found += wrong_curve(curve, caption, document, which)
+    wanted = {f"{letter}_{key[2:]}" for key in outputs(document) for letter in ("S", "V", "A")}
+    wanted |= {f"{letter}_{key[4:]}" for key in rockers(document) for letter in ("psi", "omega", "epsilon")}
+    wrong([*found, *(f"{key} is not drawn" for key in wanted - seen)])
+
+
+def outputs(document: dict[str, Any]) -> list[str]:
+    return [key for key in table_of(document, "outputs_table") if key.startswith("S_")]
+
+
+def rockers(document: dict[str, Any]) -> list[str]:
+    return [key for key in table_of(document, "outputs_table") if key.startswith("psi_")]
+
+
+@pytest.mark.parametrize(("name", "language"), [of for of in BOTH if of[0] in LEVERS])
+def test_printed_scales_are_those_of_the_axes(name, language):
+    """What 1 mm of a diagram stands for, each letter's in the order of the diagrams."""
+    note, found = html(name, language), []
+    drawn = [curve for _, panels in graphs(note) for curve in panels]
+    stated: dict[str, list[tuple[float, float]]] = {}
+    for node in note.root.iter():
+        printed = number(text_of(node)) if node.get("data-t") == "picture" else None
+        if printed is not None:
+            stated.setdefault(node.get("data-q", ""), []).append((printed.value, printed.half))
+    for key, letter in SCALES.items():
+        scales = [curve.axis.scale for curve in drawn if bare(curve.axis.letter) == letter]
+        for (value, half), scale in zip(stated.get(key, []), scales, strict=False):
+            if abs(value - scale) > half + CLOSE * scale:
+                found.append(f"{key} is printed as {value}, the axis has {scale:.5g}")
+        if len(stated.get(key, [])) > len(scales):
+            found.append(f"{key} is printed {len(stated[key])} times, drawn {len(scales)} times")
+    wrong(found if stated else ["no scales"])
+
+
+def bare(letter: str) -> str:
+    """Without the index of the balancing moment; other moments have no printed scale."""
+    return "M" if letter in ("Mур", "Mbal") else letter
+
+
+def sliding(document: dict[str, Any], wheels: list[str]) -> dict[str, np.ndarray]:
+    """The table of a pair."""
+    tables = (table_of(document, key) for key in document["tables"] if key.endswith("sliding"))
+    return next(table for table in tables if {f"lambda_{wheel}" for wheel in wheels} <= set(table))
+
+
+@pytest.mark.parametrize("name", CHOSEN)
+def test_diagrams_of_sliding(name):
+    """Specific sliding of both wheels along the line of action."""
+    document, found = results(name), []
+    for caption, drawn in graphs(html(name)):
+        if drawn[0].axis.letter == "λ":
+            wheels = re.findall(r"[\w']+", caption)[-2:]
+            table = sliding(document, wheels)
+            rho = 1e3 * table[f"rho_{wheels[0]}"]
+            for wheel, curve in zip(wheels, drawn, strict=True):
+                order = np.argsort(rho)
+                drawn_at = np.interp(rho[order], curve.turned, curve.values)
+                worst = np.abs(drawn_at - table[f"lambda_{wheel}"][order]).max()
+                if worst > 1e-3 * np.ptp(curve.values):
+                    found.append(f"{caption}: λ of {wheel} is drawn {worst:.3g} off")
+    wrong(found)
