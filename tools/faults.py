@@ -123,15 +123,14 @@ FAULTS = (
     Fault("diameter of a journal for its radius", FRICTION + "solve.py",
           "(rubbing.diameter or 0.0) / 2", "(rubbing.diameter or 0.0) / 1"),
     Fault("names of the pairs' losses swapped", FRICTION + "quantities.py",
-          "for loss in losses.pairs:\n        yield lost(loss.pair).column(loss.power)",
-          "for loss, of in zip(losses.pairs, losses.pairs[::-1], strict=True):\n"
-          "        yield lost(of.pair).column(loss.power)"),
+          "yield lost(loss.pair, pairs).column(loss.power)",
+          "yield lost(pairs[-1 - pairs.index(loss.pair)], pairs).column(loss.power)"),
     # --- drawings ---
     Fault("vertices of a plan mislettered", "tmm_report/chapters/plans/draw.py",
           "plan(vectors, drawn.vertices,",
           "plan(vectors, dict(zip(drawn.vertices, reversed(drawn.vertices.values()))),"),
     Fault("arrows reversed", "tmm_report/figures/plans.py",
-          "Arrow(vector.start, vector.end, pen)", "Arrow(vector.end, vector.start, pen)"),
+          "Arrow(vector.start, vector.end, pen,", "Arrow(vector.end, vector.start, pen,"),
     Fault("vectors of a plan twice as long", "tmm_report/chapters/plans/draw.py",
           "PlanVector(s.start, s.end,", "PlanVector(2 * s.start, 2 * s.end,"),
     Fault("forces of a plan reversed", "tmm_report/chapters/force_plans/draw.py",
@@ -140,7 +139,7 @@ FAULTS = (
           "self.scale, position, zero)", "self.scale, position - 1, zero)"),
     Fault("a scheme at another scale than stated", "tmm_report/report/schemes.py",
           "turns, self.scale, position, zero)", "turns, 2 * self.scale, position, zero)"),
-    Fault("drawings upside down", "tmm_report/figures/drawing.py",
+    Fault("drawings upside down", "tmm_report/figures/primitives.py",
           "_number(self.centre.real), _number(-self.centre.imag)",
           "_number(self.centre.real), _number(self.centre.imag)"),
     # --- text and mathematics ---
