@@ -136,21 +136,19 @@ def main(arguments: list[str]) -> int:
     options = parser.parse_args(arguments)
     chosen = [f for f in FAULTS if not options.names or any(part in f.name for part in options.names)]
     if options.check:
-        lost = [
-            f
-            for f in chosen
-            if not (ROOT / f.file).exists() or (ROOT / f.file).read_text("utf-8").count(f.old) != 1
-        ]
+        lost = [fault for fault in chosen if not placed(fault)]
         for fault in lost:
             print(f"misplaced: {fault.name}: {fault.file}")
+        print(f"{len(chosen)} faults, {len(lost) or 'none'} misplaced")
         return 1 if lost else 0
-    survived = 0
+    survivors = []
     for fault, noticed, misplaced in run(chosen, options.jobs, options.golden):
         by = ", ".join(sorted({test.split("::")[-1].split("[")[0] for test in noticed}))
         print(f"{misplaced or by or 'SURVIVED'} <- {fault.name}", flush=True)
-        survived += not noticed
-    print(f"{len(chosen)} planted, {len(chosen) - survived} noticed, {survived} survived")
-    return 1 if survived else 0
+        survivors += [] if noticed else [fault.name]
+    print(f"{len(chosen)} planted, {len(chosen) - len(survivors)} noticed")
+    print("survivors: " + "; ".join(survivors) if survivors else "no survivor")
+    return 1 if survivors else 0
 
 
 if __name__ == "__main__":
