@@ -10,6 +10,7 @@ import re
 import sys
 from collections.abc import Iterator
 from datetime import UTC, datetime
+from functools import cache
 from pathlib import Path
 
 import yaml
@@ -32,8 +33,13 @@ VALUES = re.compile(r"%\(\w+\)")
 UNDATED = datetime(2000, 1, 1, tzinfo=UTC)  # a date would change the file at every run
 
 
-def extracted() -> Iterator[tuple[str, str | tuple[str, ...], str | None]]:
+@cache
+def extracted() -> tuple[tuple[str, str | tuple[str, ...], str | None], ...]:
     """(file, message id, context) of every text of the program and its templates."""
+    return tuple(_extracted())
+
+
+def _extracted() -> Iterator[tuple[str, str | tuple[str, ...], str | None]]:
     for folder, pattern, method, options in SOURCES:
         found = extract_from_dir(
             ROOT / folder, [(pattern, method)], {pattern: options}, KEYWORDS, directory_filter=lambda _: True

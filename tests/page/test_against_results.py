@@ -284,7 +284,7 @@ def _wrong_number(formula: Formula, figure: Figure, last: bool, document: dict[s
 def wrong_spans(note: Note, document: dict[str, Any]) -> Iterator[str]:
     """Numbers in running text, with the unit that follows them."""
     for parent in note.root.iter():
-        if parent.tag != "td":
+        if parent.tag != "td" and any(node.tag == "span" for node in parent):
             yield from _wrong_in(parent, f"{text_of(parent)[:60]!r}", "", document)
 
 

@@ -105,6 +105,14 @@ class Blocking:
         least = np.min(self._margins(x), axis=0)
         return np.where(np.isfinite(least), least, -1.0)
 
+    def feasible(self, x: Array) -> Array:
+        """Whether the points (...) break no limit."""
+        # most of a plane is undercut, behind straight lines: no pair need be made there to see it
+        low = self._lowest
+        good = (x.real >= low.real) & (x.imag >= low.imag)
+        good[good] = self.margin(x[good]) >= 0
+        return good
+
     def _margins(self, x: Array) -> Array:
         """(limits, ...)."""
         pair = self.pair(x)
@@ -131,8 +139,14 @@ class Blocking:
 
     def _uncut(self, x: complex) -> complex:
         """The point nearest to x without undercut, whatever the other limits."""
+        low = self._lowest
+        return complex(max(x.real, low.real), max(x.imag, low.imag))
+
+    @cached_property
+    def _lowest(self) -> complex:
+        """The least shifts without undercut; −∞ of a ring."""
         least = {limit.wheel: limit.bound for limit in self.limits if limit.kind == "undercut"}
-        return complex(max(x.real, least.get(1, -np.inf)), max(x.imag, least.get(2, -np.inf)))
+        return complex(least.get(1, -np.inf), least.get(2, -np.inf))
 
     def _nearest_on(self, piece: Array, x: complex) -> Iterator[complex]:
         """The nearest vertex of a closed piece of the boundary, and what is nearer on the two sides that meet there."""
@@ -190,7 +204,7 @@ class Blocking:
         found: complex | None = None
         while reach > 1e-10:
             net = centre + along * reach * np.linspace(-1, 1, 1025)
-            good = net[self.margin(net) >= 0]
+            good = net[self.feasible(net)]
             good = good if found is None else np.append(good, found)
             if not good.size:
                 return None
@@ -206,7 +220,7 @@ class Blocking:
         half = SMALLEST
         while True:
             grid = _grid((-half * (1 + 1j), half * (1 + 1j)), COARSE)
-            good = self.margin(grid) >= 0
+            good = self.feasible(grid)
             edges = good[0].any() or good[-1].any() or good[:, 0].any() or good[:, -1].any()
             if half >= LARGEST or (good.any() and not edges):
                 return grid, good

@@ -60,8 +60,10 @@ def inv(alpha: Array) -> Array:
     near = np.abs(alpha) < SMALL
     if near.all():
         return _inv_small(alpha)
-    far = np.tan(alpha) - alpha
-    return np.where(near, _inv_small(np.where(near, alpha, 0.0)), far)[()]
+    found = np.tan(alpha) - alpha
+    if near.any():
+        found[near] = _inv_small(alpha[near])
+    return found
 
 
 def inverse(v: Array) -> Array:

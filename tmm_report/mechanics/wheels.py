@@ -217,7 +217,11 @@ class Wheels:
 
     def _thickness(self, i: int, d: Array) -> Array:
         alpha = arccos(self.d_b[i] / d)
-        return d * (self.s[i] / self.d[i] + self.signs[i] * (inv(self.t.alpha) - inv(alpha)))
+        return d * (self.s[i] / self.d[i] + self.signs[i] * (self._inv_alpha - inv(alpha)))
+
+    @cached_property
+    def _inv_alpha(self) -> float:
+        return inv(self.t.alpha)
 
     @cached_property
     def s(self) -> Both:

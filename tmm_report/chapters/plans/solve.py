@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.chapters.kinematics.quantities import rates
 from tmm_report.chapters.kinematics.solve import Kinematics
 from tmm_report.chapters.plans.drafting import Plan, Scales, acceleration_plan, velocity_plan
 from tmm_report.chapters.plans.given import Drawing, Readings
@@ -103,16 +104,18 @@ def solve(drawing: Drawing, plans: Sequence[int], readings: Readings, kinematics
 def _scales(drawing: Drawing, kinematics: Kinematics, positions: list[int]) -> Scales:
     """The stated scales, or round ones that keep the longest vector of these positions on the paper."""
 
-    def longest(letter: str) -> float:
-        rows = [np.abs(x[positions]) for key, x in kinematics.values.items() if key.startswith(letter + "_")]
+    named = rates(kinematics.linkage)
+
+    def longest(unit: str) -> float:
+        rows = [np.abs(x[positions]) for key, x in kinematics.values.items() if named[key].unit == unit]
         return float(np.nanmax(rows)) if positions else 0.0
 
     places = kinematics.diagram.places
     size = max(np.nanmax(part) - np.nanmin(part) for part in (places.real, places.imag))
     return Scales(
         drawing.length or round_scale(float(size), PAPER),
-        drawing.velocity or round_scale(longest("v"), PAPER),
-        drawing.acceleration or round_scale(longest("a"), PAPER),
+        drawing.velocity or round_scale(longest("m/s"), PAPER),
+        drawing.acceleration or round_scale(longest("m/s²"), PAPER),
     )
 
 

@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 
 from tmm_report.chapters.initial_data.quantities import length
-from tmm_report.chapters.kinematics.quantities import rates
+from tmm_report.chapters.kinematics.quantities import UNITS, rates
 from tmm_report.chapters.plans.drafting.plan import Plan, Role, Scales, Stroke
 from tmm_report.chapters.plans.quantities import MU_A, MU_V
 from tmm_report.mechanics.mechanism import FRAME
@@ -141,7 +141,7 @@ class Sheet:
 
     def write(self, key: str, expression: Expr, per_mm: float | None = None) -> Formula:
         """Calculate a value by hand and keep it as written. `per_mm`: the value of 1 mm of paper for it."""
-        reference = self.reference if key[0] == self.kind else 0.0
+        reference = self.reference if self.named[key].unit == UNITS[self.kind] else 0.0
         formula = self.worked.hand(self.named[key], expression, reference)
         self.values[key], self.per_mm[key] = abs(formula.written), self.scale if per_mm is None else per_mm
         return formula
