@@ -242,6 +242,12 @@ FAULTS = (
     # --- the wrong root ---
     Fault("the other assembly of a dyad", MECHANICS + "dyads.py",
           "x = (distance * distance + (pp - abs(q) ** 2)) / (2 * distance)",
-          "x = (distance * distance - (pp - abs(q) ** 2)) / (2 * distance)", "crank_rocker",
-          ("tests/test_golden.py",)),
+          "x = (distance * distance - (pp - abs(q) ** 2)) / (2 * distance)", "crank_rocker"),
+    Fault("the other root of every dyad", MECHANICS + "dyads.py",
+          "            return self.sign\n", "            return -self.sign\n"),
+    Fault("a root kept past a change point", MECHANICS + "dyads.py",
+          "np.where(passed % 2 == 0, self.sign, -self.sign)", "np.where(passed % 2 == 0, self.sign, self.sign)",
+          "parallelogram_drive"),
+    Fault("position 0 at the other extreme", MECHANICS + "cycle.py",
+          "roots[np.argmax(reached)]", "roots[np.argmin(reached)]"),
 )  # fmt: skip
