@@ -222,7 +222,7 @@ FAULTS = (
     Fault("base circles by the sine", MECHANICS + "wheels.py",
           "self.d[i] * np.cos(self.t.alpha)", "self.d[i] * np.sin(self.t.alpha)", "hoist_drive"),
     Fault("involutes of a thickness added for subtracted", MECHANICS + "wheels.py",
-          "(inv(self.t.alpha) - inv(alpha))", "(inv(self.t.alpha) + inv(alpha))", "hoist_drive"),
+          "(self._inv_alpha - inv(alpha))", "(self._inv_alpha + inv(alpha))", "hoist_drive"),
     Fault("working circles by the wrong angle", MECHANICS + "wheels.py",
           "self.d_b[i] / np.cos(self.alpha_w)", "self.d_b[i] / np.cos(self.t.alpha)", "hoist_drive",
           ("tests/mechanics/test_spur.py",)),
