@@ -18,6 +18,7 @@ CLOCKWISE = ("по часовой стрелке", " clockwise")
 COUNTER = ("против часовой стрелки", "counter-clockwise")
 RIGHT_ANGLES = {"вправо": 0, "to the right": 0, "влево": 180, "to the left": 180, "вверх": 90, "upwards": 90}
 RIGHT_ANGLES |= {"вниз": -90, "downwards": -90}
+SLANTING = re.compile(r"([−-]?\d+(?:[.,]\d+)?)°")
 AGAINST, ALONG = ("против", "against"), ("по движению", "по вращению", "along", "в сторону", "по направлению")
 
 
@@ -47,42 +48,68 @@ def stated(note: Note) -> Iterator[tuple[str, str]]:
 
 
 def wrong_directions(note: Note, document: dict[str, Any]) -> Iterator[str]:
-    loads, rates = table_of(document, "loads_table"), table_of(document, "rates_table")
-    for symbol, words in stated(note):
-        key = f"{symbol[0]}_{symbol[1:]}"
-        if key + "_x" in loads:
-            vector = loads[key + "_x"] + 1j * loads[key + "_y"]
-            point = symbol[1:].split(",")[0]
-            velocity = rates.get(f"v_{point}_x", 0 * vector.real) + 1j * rates.get(
-                f"v_{point}_y", 0 * vector.real
-            )
-            yield from _unlike(f"{symbol} {words}", words, vector, velocity)
-        else:
-            couple = loads.get(key, loads.get(f"{key},1"))
-            if couple is None:
-                yield f"{symbol} is no load of the results"
-                continue
-            yield from _unlike(
-                f"{symbol} {words}", words, couple + 0j, rates[f"w_{symbol[1:].split(',')[0]}"] + 0j
-            )
-
-
-def _unlike(where: str, words: str, vector: np.ndarray, motion: np.ndarray) -> Iterator[str]:
-    """Positions at which a load does not act as the words say."""
-    acting = np.abs(vector) > 1e-9 * np.nanmax(np.abs(vector), initial=1e-30)
-    power = (np.conj(vector) * motion).real
-    if words in RIGHT_ANGLES:
-        off = acting & (np.abs(np.angle(vector * np.exp(-1j * math.radians(RIGHT_ANGLES[words])))) > 1e-6)
-    elif any(words == said.strip() for said in CLOCKWISE + COUNTER):
-        off = acting & ((vector.real > 0) != any(said in words for said in COUNTER))
-    elif words.startswith(AGAINST):
-        off = acting & (power > 1e-9 * np.nanmax(np.abs(power), initial=0.0))
-    elif words.startswith(ALONG):
-        off = acting & (power < -1e-9 * np.nanmax(np.abs(power), initial=0.0))
-    else:
+    """A load is as long along the direction said as is stated, with its sign, at every position."""
+    if "stated_table" not in document["tables"]:
         return
-    if off.any() and (off == acting).all():  # a law may turn negative: a suction, a spring
-        yield f"{where}: acts {np.unique(np.round(vector, 3))}"
+    along, rates = table_of(document, "stated_table"), table_of(document, "rates_table")
+    said = dict(stated(note))
+    for key in list(along)[2:]:
+        words = next((said.pop(symbol) for symbol in _symbols(key) if symbol in said), None)
+        if words is None:
+            yield f"{key} is stated by no row of the note, there are {list(said)}"
+            continue
+        vector, motion = _acting(document, rates, key)
+        yield from _unlike(f"{key} {words}", words, vector, motion, along[key])
+    yield from (f"{symbol} is no load of the results" for symbol in said)
+
+
+def _symbols(key: str) -> list[str]:
+    """How a load may be written: one moment alone without its number."""
+    symbol = key.replace("_", "", 1)
+    return [symbol, symbol.removesuffix(",1")]
+
+
+def _acting(
+    document: dict[str, Any], rates: dict[str, np.ndarray], key: str
+) -> tuple[np.ndarray, np.ndarray]:
+    """A force or couple, and the velocity of its point or link."""
+    loads, of = table_of(document, "loads_table"), key[2:].split(",")[0]
+    if key + "_x" not in loads:
+        return loads[key] + 0j, rates[f"w_{of}"] + 0j
+    vector = loads[key + "_x"] + 1j * loads[key + "_y"]
+    if f"v_{of}_x" not in rates:
+        return vector, 0 * vector
+    return vector, rates[f"v_{of}_x"] + 1j * rates[f"v_{of}_y"]
+
+
+def _direction(words: str, motion: np.ndarray) -> np.ndarray | None:
+    """The unit direction that words say, nan where nothing moves; a couple's is its sign."""
+    if words in RIGHT_ANGLES:
+        return np.full_like(motion, np.exp(1j * math.radians(RIGHT_ANGLES[words])))
+    if match := SLANTING.search(words):
+        return np.full_like(
+            motion, np.exp(1j * math.radians(float(match[1].replace("−", "-").replace(",", "."))))
+        )
+    if any(words == said.strip() for said in CLOCKWISE + COUNTER):
+        return np.full_like(motion, 1 if any(said in words for said in COUNTER) else -1)
+    moving = np.abs(motion) > 1e-9 * np.nanmax(np.abs(motion), initial=0.0)
+    unit = np.divide(motion, np.abs(motion), out=np.full_like(motion, np.nan), where=moving)
+    if words.startswith(AGAINST):
+        return -unit
+    return unit if words.startswith(ALONG) else None
+
+
+def _unlike(
+    where: str, words: str, vector: np.ndarray, motion: np.ndarray, along: np.ndarray
+) -> Iterator[str]:
+    """Positions at which a load does not act as the words and its signed magnitude say."""
+    way = _direction(words, motion)
+    if way is None:
+        yield f"{where}: a direction that nobody understands"
+        return
+    size = max(1e-9, np.nanmax(np.abs(vector), initial=0.0))
+    for k in np.flatnonzero(np.abs(vector - along * way) > 1e-6 * size):
+        yield f"{where}, position {k}: acts {vector[k]:.5g}, is stated {along[k]:.5g}"
 
 
 @pytest.mark.parametrize("name", LEVERS)
