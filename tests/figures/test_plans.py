@@ -34,6 +34,13 @@ def test_arrows_are_the_vectors_in_millimetres():
     assert arrows[(0, 80)].width > arrows[(60 + 40j, 80)].width
 
 
+def test_a_vector_says_of_which_quantity_it_is():
+    vectors = [PlanVector(0, 60, None, "force", 'P_<"&'), PlanVector(60, 60 + 40j)]
+    groups = [node for node in ET.fromstring(svg(plan(vectors, {}))).iter() if node.get("data-q")]
+    assert [group.get("data-q") for group in groups] == ['P_<"&']
+    assert [path.tag.rpartition("}")[2] for path in groups[0]] == ["path", "path"]
+
+
 def test_a_vector_without_length_is_left_out_with_its_label():
     assert Symbol("v", "0") not in [p for i in drawn().items if isinstance(i, Text) for p in i.parts]
 

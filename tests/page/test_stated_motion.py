@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Iterator
 from typing import Any
@@ -71,3 +72,22 @@ def test_position_0_and_assembly_are_as_stated(name):
     data = yaml.safe_load((VARIANTS / f"{name}.yaml").read_text("utf-8"))["mechanism"]
     document = results(name)
     wrong([*wrong_zero(data["driver"]["zero"], document), *wrong_assembly(data, html(name), document)])
+
+
+def wrong_lengths(document: dict[str, Any], note: Note, data: dict[str, Any]) -> Iterator[str]:
+    """Points of a link keep their given distances at every position."""
+    columns = {c["key"]: c["values"] for c in document["tables"]["dimensions"]["columns"]}
+    places = Places(note, document)
+    for key, link, length in zip(columns["key"], columns["link"], columns["length"], strict=True):
+        points = [str(point) for point in data["links"].get(link, data["links"].get(int(link)))["points"]]
+        ends = [(a, b) for a, b in itertools.permutations(points, 2) if key == f"l_{a}{b}"]
+        for a, b in ends:
+            off = np.abs(np.abs(places[b] - places[a]) - length)
+            if np.nanmax(off, initial=0.0) > 1e-9:
+                yield f"{key} = {length} m is {np.nanmax(off):.3g} m off at position {np.nanargmax(off)}"
+
+
+@pytest.mark.parametrize("name", LEVERS)
+def test_links_keep_their_lengths(name):
+    data = yaml.safe_load((VARIANTS / f"{name}.yaml").read_text("utf-8"))["mechanism"]
+    wrong(list(wrong_lengths(results(name), html(name), data)))
