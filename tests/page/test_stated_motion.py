@@ -77,9 +77,9 @@ def test_position_0_and_assembly_are_as_stated(name):
 def wrong_lengths(document: dict[str, Any], note: Note, data: dict[str, Any]) -> Iterator[str]:
     """Points of a link keep their given distances at every position."""
     columns = {c["key"]: c["values"] for c in document["tables"]["dimensions"]["columns"]}
-    places = Places(note, document)
+    links, places = {str(key): of for key, of in data["links"].items()}, Places(note, document)
     for key, link, length in zip(columns["key"], columns["link"], columns["length"], strict=True):
-        points = [str(point) for point in data["links"].get(link, data["links"].get(int(link)))["points"]]
+        points = [str(point) for point in links[link]["points"]]
         ends = [(a, b) for a, b in itertools.permutations(points, 2) if key == f"l_{a}{b}"]
         for a, b in ends:
             off = np.abs(np.abs(places[b] - places[a]) - length)
