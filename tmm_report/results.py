@@ -18,7 +18,7 @@ import numpy as np
 from tmm_report.course import INITIAL_DATA, Results, chapters, room
 from tmm_report.i18n import Translator
 from tmm_report.jsontext import indented
-from tmm_report.quantity.model import Book, Column, Quantity, Table, Value
+from tmm_report.quantity.model import Column, Quantity, Table, Value
 
 __all__ = ["Column", "Table", "Value", "as_csv", "as_json", "tables", "values"]
 
@@ -27,35 +27,27 @@ FORMAT = 1
 
 def tables(results: Results) -> list[Table]:
     """All tables of a variant's results."""
-    return [table for _, quantities, found in _rooms(results) for table in quantities.tables(found)]
+    return [table for quantities, found in _rooms(results) for table in quantities.tables(found)]
 
 
 def values(results: Results) -> list[Value]:
     """The single numbers of a variant's results."""
-    return [value for _, quantities, found in _rooms(results) for value in quantities.values(found)]
-
-
-def book(results: Results) -> Book:
-    """Every number of the results by its name. Raises ValueError for one that is defined twice."""
-    found = Book()
-    for _, quantities, chapter in _rooms(results):
-        found = found | Book.of(quantities.tables(chapter), quantities.values(chapter))
-    return found
+    return [value for quantities, found in _rooms(results) for value in quantities.values(found)]
 
 
 def listings(results: Results, say: Callable[[str], str]) -> Iterator[tuple[str, list[str]]]:
     """Name and lines of what is too long for the note and for the tables: all that a search has judged."""
-    for _, quantities, found in _rooms(results):
+    for quantities, found in _rooms(results):
         if hasattr(quantities, "listings"):
             yield from quantities.listings(found, say)
 
 
-def _rooms(results: Results) -> Iterator[tuple[str, ModuleType, Any]]:
-    """Name, quantities and Found of every chapter that was solved; a room is loaded only where it is needed."""
+def _rooms(results: Results) -> Iterator[tuple[ModuleType, Any]]:
+    """Quantities and Found of every chapter that was solved; a room is loaded only where it is needed."""
     if results.lever is not None:
-        yield INITIAL_DATA, room(INITIAL_DATA, "quantities"), results.lever
+        yield room(INITIAL_DATA, "quantities"), results.lever
     for name, found in chapters(results):
-        yield name, room(name, "quantities"), found
+        yield room(name, "quantities"), found
 
 
 def as_json(results: Results, tr: Translator) -> bytes:

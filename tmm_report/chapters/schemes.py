@@ -13,8 +13,6 @@ if TYPE_CHECKING:
 
 def schemes_of(lever: LeverFound, page: Page) -> Schemes:
     """The schemes of the note, made once for all its chapters."""
-    if page.schemes is None:
-        k = lever.kinematics
-        count = len(k.turned) - (1 if k.cycle.closed else 0)
-        page.schemes = Schemes(lever.given.mechanism, k.table, k.diagram, count, lever.plans.length_scale)
-    return page.schemes
+    k = lever.kinematics
+    count = len(k.turned) - (1 if k.cycle.closed else 0)
+    return page.once(Schemes, lever.given.mechanism, k.table, k.diagram, count, lever.plans.length_scale)

@@ -38,6 +38,13 @@ class Quantity:
     unit: str
     meaning: Message
 
+    @property
+    def sign(self) -> Symbol:
+        """The symbol. Raises ValueError for what is never written as one."""
+        if self.symbol is None:
+            raise ValueError(f"{self.key} has no symbol")
+        return self.symbol
+
     def column(self, values: Array | Texts) -> Column:
         """Its numbers (P,), or a list of texts, one for each row of a table."""
         return Column(self, values)
@@ -90,10 +97,7 @@ class Column(OfQuantity):
 
     def symbol(self, row: int | None = None) -> Symbol:
         """Raises ValueError for a column of texts."""
-        found = self.symbols[row] if self.symbols and row is not None else self.quantity.symbol
-        if found is None:
-            raise ValueError(f"{self.key} has no symbol")
-        return found
+        return self.symbols[row] if self.symbols and row is not None else self.quantity.sign
 
     def numbers(self, unit: str = "") -> Array:
         """Its numbers (P,), in another unit if one is named."""
@@ -168,9 +172,7 @@ class Value(OfQuantity):
     @property
     def symbol(self) -> Symbol:
         """Raises ValueError for a quantity that is never written as a symbol."""
-        if self.quantity.symbol is None:
-            raise ValueError(f"{self.key} has no symbol")
-        return self.quantity.symbol
+        return self.quantity.sign
 
     def number(self, unit: str = "") -> float:
         """The number, in another unit if one is named."""
@@ -198,14 +200,11 @@ def variable(
     symbol: Symbol | None = None,
 ) -> Var:
     """A quantity's number, in `unit` where it is not its own, as a variable of a formula."""
-    sign = symbol or quantity.symbol
-    if sign is None:
-        raise ValueError(f"{quantity.key} has no symbol")
     unit = unit or quantity.unit
     number = abs(number) if ref is not None and ref.size else number
     # a formula is evaluated in radians and printed in degrees
     number = math.radians(number) if unit == "deg" else number
-    return Var(sign, number, unit, digits, ref, quantity.meaning)
+    return Var(symbol or quantity.sign, number, unit, digits, ref, quantity.meaning)
 
 
 @dataclass(frozen=True, eq=False)
@@ -219,13 +218,6 @@ class Book:
     def of(cls, tables: Iterable[Table] = (), values: Iterable[Value] = ()) -> Book:
         return cls({table.name: table for table in tables}, {value.key: value for value in values})
 
-    def __or__(self, other: Book) -> Book:
-        """Both together. Raises ValueError where a name stands in both: a number has one home."""
-        twice = (self.tables.keys() & other.tables.keys()) | (self.values.keys() & other.values.keys())
-        if twice:
-            raise ValueError(f"defined twice: {', '.join(sorted(twice))}")
-        return Book(self.tables | other.tables, self.values | other.values)
-
     def __getitem__(self, key: str) -> Value:
         return self.values[key]
 
@@ -238,8 +230,3 @@ def text_column(key: str, meaning: Message, texts: Texts) -> Column:
 def plain(key: str, unit: str, meaning: Message, values: Any) -> Column:
     """A column that is never written as a symbol."""
     return Column(Quantity(key, None, unit, meaning), values)
-
-
-def plain_value(key: str, value: float, unit: str, meaning: Message, at: float | None = None) -> Value:
-    """A value that is never written as a symbol."""
-    return Value(Quantity(key, None, unit, meaning), value, at)

@@ -40,9 +40,8 @@ def laid_off(quantity: Quantity, expression: Expr, ref: Ref | None = None) -> Fo
 
 
 def _worked(quantity: Quantity, expression: Expr, digits: int, ref: Ref | None) -> Formula:
-    assert quantity.symbol is not None
     return Formula(
-        quantity.symbol, expression, quantity.unit, digits, hand=True, ref=ref, meaning=quantity.meaning
+        quantity.sign, expression, quantity.unit, digits, hand=True, ref=ref, meaning=quantity.meaning
     )
 
 

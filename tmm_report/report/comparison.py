@@ -17,7 +17,7 @@ def comparison_table(
     """`table`: of the results, a row a quantity, with "graph", "analytic" and "delta"; `named`: its quantities."""
     rows = [
         [
-            page.head(named[key].symbol or key, named[key].unit),
+            page.head(named[key].sign, named[key].unit),
             *(Cell(page.num(table[by].values[row]), table.by_key(key, by, position)) for by in ("graph", "analytic")),
             Cell(_delta(page, table["delta"].values[row]), table.by_key(key, "delta", position)),
         ]

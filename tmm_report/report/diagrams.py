@@ -34,8 +34,7 @@ class CycleGraphs:
 
     def label(self, quantity: Quantity, unit: str = "") -> str:
         """The letter of a quantity and its unit, for an axis: the figure's caption says of what."""
-        assert quantity.symbol is not None
-        return self.letter(Symbol(quantity.symbol.base), unit or quantity.unit)
+        return self.letter(Symbol(quantity.sign.base), unit or quantity.unit)
 
     def letter(self, symbol: Symbol, unit: str) -> str:
         """A symbol as plain text and its unit."""

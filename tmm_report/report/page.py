@@ -7,9 +7,9 @@ the macros `m` and the functions of `Page`.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import Any, ParamSpec, TypeVar
 
 import jinja2
 import numpy as np
@@ -33,9 +33,8 @@ from tmm_report.report.layout import Cell, Words
 from tmm_report.report.numbering import Numbering
 from tmm_report.resources import data_root
 
-if TYPE_CHECKING:
-    from tmm_report.report.schemes import Schemes
-
+P = ParamSpec("P")
+T = TypeVar("T")
 _VALUE = re.compile(r"%(?:\((\w+)\)[sd]|%)")
 
 
@@ -75,7 +74,14 @@ class Page:
 
     def __init__(self, form: Format, tr: Translator, numbering: Numbering):
         self.form, self.tr, self.numbering = form, tr, numbering
-        self.schemes: Schemes | None = None
+        self._made: dict[tuple[Any, ...], Any] = {}
+
+    def once(self, make: Callable[P, T], *arguments: P.args, **named: P.kwargs) -> T:
+        """What `make` gives of these arguments: made once a note, however many of its chapters ask for it."""
+        key = (make, *arguments, *named.items())
+        if key not in self._made:
+            self._made[key] = make(*arguments, **named)
+        return self._made[key]
 
     def text(self, value: Any) -> Markup:
         """Anything for output: Markup as it is, other text escaped for the format."""
@@ -143,14 +149,10 @@ class Page:
         """The symbol of a key, "v_BA"."""
         return self.math(math_symbol(key) if isinstance(key, str) else key)
 
-    def value(
-        self, key: str | Symbol | Var, value: float = 0.0, unit: str = "", digits: int | None = None
-    ) -> Markup:
-        """symbol = value unit; a value of unit "deg" is given in rad. A variable brings its own value and unit."""
-        if isinstance(key, Var):
-            digits = digits or key.digits or 5
-            return self.math(Inline(key.sign, float(key.number), key.unit, digits, key.ref))
-        return self.math(Inline(key, float(value), unit, digits or 5))
+    def value(self, of: Var, digits: int | None = None) -> Markup:
+        """symbol = value unit."""
+        digits = digits or of.digits or 5
+        return self.math(Inline(of.sign, float(of.number), of.unit, digits, of.ref))
 
     def values(self, items: Iterable[Var]) -> Markup:
         """Several `value`s."""

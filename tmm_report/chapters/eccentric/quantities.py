@@ -127,8 +127,7 @@ def _wheels(found: Found) -> Iterator[Column]:
     }  # fmt: skip
     for key, numbers in diameters.items():
         of = dimension(key)
-        assert of.symbol is not None
-        yield Column(of, numbers, [of_wheel(of.symbol, name) for name in names])
+        yield Column(of, numbers, [of_wheel(of.sign, name) for name in names])
 
 
 def _conditions(found: Found) -> Iterator[Column]:

@@ -30,17 +30,15 @@ WORST = Quantity(
 
 def arm(force: Quantity, about: str) -> Quantity:
     """Arm of a force about a point."""
-    assert force.symbol is not None
-    name = force.symbol
+    name = force.sign
     symbol = Symbol("h", name.base + name.sub, name.sup)
     return Quantity(f"h_{force.key}_{about}", symbol, "m", Message(N_("arm of force %(of)s"), {"of": name}))
 
 
 def drawn_length(force: Quantity) -> Quantity:
     """Length of a reaction's vector in the plan."""
-    assert force.symbol is not None
     text = N_("length of the vector of reaction %(of)s in the plan")
-    symbol = Symbol("L", force.symbol.base + force.symbol.sub, force.symbol.sup)
+    symbol = Symbol("L", force.sign.base + force.sign.sub, force.sign.sup)
     return Quantity(f"L_{force.key}", symbol, "mm", Message(text, {"of": force.symbol}))
 
 

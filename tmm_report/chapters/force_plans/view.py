@@ -78,7 +78,7 @@ class ForcePlansView:
         arms = [arm for plan in drawn.plans for arm in plan.arms]
         rows = [
             [
-                self.page.sym(arm.force.symbol or ""), self.page.word(arm.about, table, "about", row),
+                self.page.sym(arm.force.sign), self.page.word(arm.about, table, "about", row),
                 self.page.cell(table, "arm_mm", row, digits=7), self.page.cell(table, "arm", row),
             ]
             for row, arm in enumerate(arms)

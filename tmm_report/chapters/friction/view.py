@@ -30,17 +30,19 @@ if TYPE_CHECKING:
 
 def given_parts(lever: LeverFound, page: Page) -> Iterator[Part]:
     """What the initial data say of friction."""
-    if lever.friction is not None and lever.kinetostatics is not None:
-        yield Part(
-            "friction_given",
-            FrictionView(lever.friction, lever.kinetostatics, lever.sample, page),
-            concludes=False,
-        )
+    if (view := _view(lever, page)) is not None:
+        yield Part("friction_given", view, concludes=False)
 
 
 def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
-    if lever.friction is not None and lever.kinetostatics is not None:
-        yield Part("friction", FrictionView(lever.friction, lever.kinetostatics, lever.sample, page))
+    if (view := _view(lever, page)) is not None:
+        yield Part("friction", view)
+
+
+def _view(lever: LeverFound, page: Page) -> FrictionView | None:
+    if lever.friction is None or lever.kinetostatics is None:
+        return None
+    return page.once(FrictionView, lever.friction, lever.kinetostatics, lever.sample, page)
 
 
 class FrictionView:
@@ -117,7 +119,7 @@ class FrictionView:
 
     def driving_power(self) -> Formula:
         kinematics = self.kinetostatics.kinematics
-        balancing = Book.of(forces.tables(self.kinetostatics)).tables["balancing_table"]
+        balancing = self.page.once(forces.book, self.kinetostatics).tables["balancing_table"]
         link = kinematics.linkage.mechanism.driver.link
         omega = Var(Symbol("omega", link), abs(kinematics.omega), "rad/s", ref=Ref("omega", size=True))
         power = abs(balancing.var("M_bal", self.position)) * omega

@@ -14,7 +14,7 @@ from tmm_report.mechanics.cycle import Extreme
 from tmm_report.mechanics.motion import Linkage, Motion
 from tmm_report.mechanics.relations import Branch, moving_points, relations, turning_links
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
+from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, text_column
 from tmm_report.quantity.symbols import Symbol
 
 Array = Any
@@ -32,6 +32,11 @@ PHI = Quantity("phi", Symbol("phi"), "deg", Message(N_("angle turned by the driv
 def where(turned: Array) -> tuple[Column, Column]:
     """The first columns of a table by positions: their numbers and the angle turned, rad."""
     return POSITION.column(list(range(len(turned)))), PHI.column(np.degrees(turned))
+
+
+def book(found: Kinematics) -> Book:
+    """All that the chapter says in numbers."""
+    return Book.of(tables(found), values(found))
 
 
 def tables(found: Kinematics) -> Iterator[Table]:

@@ -69,7 +69,7 @@ class KinematicsView:
     def __init__(self, found: Kinematics, schemes: Schemes, position: int, partial: bool, page: Page):
         self.found, self.schemes, self.position, self.page = found, schemes, position, page
         self.partial, self.t = partial, page.t
-        self.book = Book.of(q.tables(found), q.values(found))
+        self.book = page.once(q.book, found)
         self.diagrams = Diagrams(found, page.tr)
 
     def conclusions(self) -> list[Markup]:
@@ -233,7 +233,7 @@ class KinematicsView:
                 (self.page.cell(end, unit=unit, scale=max(1.0, size)), self._at(end, 2))
                 for end in (low, high)
             ]
-            rows.append([self.page.head(quantity.symbol or "", unit or quantity.unit), *ends[0], *ends[1]])
+            rows.append([self.page.head(quantity.sign, unit or quantity.unit), *ends[0], *ends[1]])
         heads = [
             self.t("Quantity"), self.t("Least value"), self.t("at the angle of turn,\N{NO-BREAK SPACE}°"),
             self.t("Greatest value"), self.t("at the angle of turn,\N{NO-BREAK SPACE}°"),

@@ -13,7 +13,7 @@ from tmm_report.chapters.kinematics.quantities import where
 from tmm_report.mechanics.statics import Reaction
 from tmm_report.mechanics.structure import Pair
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
+from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, text_column
 from tmm_report.quantity.symbols import Symbol
 
 if TYPE_CHECKING:  # the solver's own names are taken from here
@@ -139,6 +139,11 @@ def guide_offset(by: str, on: str, guide: str) -> Quantity:
 
 
 # ---------------------------------------------------------------- tables
+
+
+def book(found: Kinetostatics) -> Book:
+    """All that the chapter says in numbers."""
+    return Book.of(tables(found), values(found))
 
 
 def tables(found: Kinetostatics) -> Iterator[Table]:

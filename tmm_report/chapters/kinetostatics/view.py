@@ -15,7 +15,6 @@ from tmm_report.chapters.plans.solve import Plans
 from tmm_report.problems import N_
 from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Formula, Var
-from tmm_report.quantity.model import Book
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.diagrams import CycleGraphs
@@ -35,18 +34,20 @@ def given_parts(lever: LeverFound, page: Page) -> Iterator[Part]:
     """What the initial data say of the loads."""
     found = lever.kinetostatics
     if found is not None and (found.given.forces or found.given.moments):
-        yield Part(
-            "kinetostatics_given", KinetostaticsView(found, lever.plans, lever.sample, page), concludes=False
-        )
+        yield Part("kinetostatics_given", _view(found, lever, page), concludes=False)
 
 
 def parts(lever: LeverFound, page: Page) -> Iterator[Part | None]:
     if lever.kinetostatics is None:
         return
-    view = KinetostaticsView(lever.kinetostatics, lever.plans, lever.sample, page)
+    view = _view(lever.kinetostatics, lever, page)
     yield Part("kinetostatics_loads", view)
     yield NEXT_CHAPTER  # the force plans stand between the loads and the reactions
     yield Part("kinetostatics", view)
+
+
+def _view(found: Kinetostatics, lever: LeverFound, page: Page) -> KinetostaticsView:
+    return page.once(KinetostaticsView, found, lever.plans, lever.sample, page)
 
 
 class KinetostaticsView:
@@ -54,7 +55,7 @@ class KinetostaticsView:
 
     def __init__(self, found: Kinetostatics, plans: Plans, position: int, page: Page):
         self.found, self.plans, self.position, self.page, self.t = found, plans, position, page, page.t
-        self.book = Book.of(q.tables(found), q.values(found))
+        self.book = page.once(q.book, found)
         kinematics = found.kinematics
         closed = kinematics.positions.table if kinematics.cycle.closed else 0
         self.graphs = CycleGraphs(kinematics.diagram_turned, closed, page.tr)
@@ -86,7 +87,7 @@ class KinetostaticsView:
         quantities = [*q.forces(given.forces), *q.moments(given.moments)]
         rows = [
             [
-                self.page.sym(quantity.symbol or ""), self.page.word(table["name"].values[row], table, "name", row),
+                self.page.sym(quantity.sign), self.page.word(table["name"].values[row], table, "name", row),
                 on[row], self.page.word(ways[row], table, "direction", row),
             ]
             for row, quantity in enumerate(quantities)
@@ -119,7 +120,7 @@ class KinetostaticsView:
         for link in self.found.table.loading.gravity:
             of = q.weight(link)
             cell = self.page.cell(table, of.key, 0, size=True)
-            columns.append(Column(self.page.head(of.symbol or "", of.unit), [cell]))
+            columns.append(Column(self.page.head(of.sign, of.unit), [cell]))
         return numeric(caption, columns[0], columns[1:])
 
     def inertia(self, caption: Any) -> Table:
@@ -208,7 +209,7 @@ class KinetostaticsView:
         for loads in q.loads_of_powers(self.found):
             key = q.power(loads).key
             size = abs(float(table[key].values[k]))
-            symbols = self.page.listed(self.page.sym(load.symbol or "") for load in loads)
+            symbols = self.page.listed(self.page.sym(load.sign) for load in loads)
             rows.append([symbols, self.page.cell(table, key, k, scale=max(1.0, size))])
         rows.append([self.t("Sum"), self.page.cell(table, "N_sum", k)])
         heads = [self.t("Loads"), self.page.listed([self.t("Power"), self.page.unit("W")])]

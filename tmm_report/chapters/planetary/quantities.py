@@ -192,8 +192,7 @@ def _wheels(found: Found) -> Iterator[Column]:
 
 def _named(quantity: Quantity, values: Any, names: Sequence[str]) -> Column:
     """A column of wheels: d_a in the head, d_a2 in the row of wheel 2."""
-    assert quantity.symbol is not None
-    return Column(quantity, values, [of_wheel(quantity.symbol, name) for name in names])
+    return Column(quantity, values, [of_wheel(quantity.sign, name) for name in names])
 
 
 def _rows(found: Found) -> Iterator[Column]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from tmm_report.chapters.kinematics.quantities import POSITION, rates
+from tmm_report.chapters.kinematics.quantities import POSITION
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, Value, plain, text_column
 from tmm_report.quantity.symbols import Symbol
@@ -44,7 +44,7 @@ def values(found: Plans) -> Iterator[Value]:
 
 def tables(found: Plans) -> Iterator[Table]:
     """Of every plan what was worked by hand; of all the segments and values; the comparison of every position."""
-    named = rates(found.linkage)
+    named = found.named
     for drawn in found.drawn:
         for plan in (drawn.velocity, drawn.acceleration):
             yield worked_table(plan.worked)

@@ -17,9 +17,8 @@ import numpy as np
 
 from tmm_report.chapters.kinematics.quantities import rates
 from tmm_report.chapters.kinematics.solve import Kinematics
-from tmm_report.chapters.plans.drafting import Plan, Scales, acceleration_plan, velocity_plan
+from tmm_report.chapters.plans.drafting import Named, Plan, Scales, acceleration_plan, velocity_plan
 from tmm_report.chapters.plans.given import Drawing, Readings
-from tmm_report.mechanics.motion import Linkage
 from tmm_report.problems import N_, Message, ProblemError, mistake
 from tmm_report.quantity.paper import Pen, round_scale
 
@@ -67,7 +66,7 @@ class Plans:
     velocity_scale: float
     acceleration_scale: float
     accuracy: float
-    linkage: Linkage
+    named: Named  # the rates of the note by key
     singular: tuple[int, ...]  # positions asked for, whose plans have no crossing point
 
     @property
@@ -87,8 +86,9 @@ def solve(drawing: Drawing, plans: Sequence[int], readings: Readings, kinematics
     wanted = sorted({*plans, *readings})
     regular = [k for k in wanted if k not in (*kinematics.singular, *kinematics.missing)]
     pen = Pen(drawing.accuracy)
-    scales = _scales(drawing, kinematics, regular)
-    drawn = tuple(_draw(kinematics, k, scales, pen, readings.get(k, {})) for k in regular)
+    named = rates(kinematics.linkage)
+    scales = _scales(drawing, kinematics, regular, named)
+    drawn = tuple(_draw(kinematics, k, scales, pen, named, readings.get(k, {})) for k in regular)
     singular = tuple(k for k in wanted if k not in regular)
     return Plans(
         drawn,
@@ -96,15 +96,13 @@ def solve(drawing: Drawing, plans: Sequence[int], readings: Readings, kinematics
         scales.velocity,
         scales.acceleration,
         pen.read_step,
-        kinematics.linkage,
+        named,
         singular,
     )
 
 
-def _scales(drawing: Drawing, kinematics: Kinematics, positions: list[int]) -> Scales:
+def _scales(drawing: Drawing, kinematics: Kinematics, positions: list[int], named: Named) -> Scales:
     """The stated scales, or round ones that keep the longest vector of these positions on the paper."""
-
-    named = rates(kinematics.linkage)
 
     def longest(unit: str) -> float:
         rows = [np.abs(x[positions]) for key, x in kinematics.values.items() if named[key].unit == unit]
@@ -119,10 +117,12 @@ def _scales(drawing: Drawing, kinematics: Kinematics, positions: list[int]) -> S
     )
 
 
-def _draw(kinematics: Kinematics, k: int, scales: Scales, pen: Pen, readings: Mapping[str, float]) -> Drawn:
+def _draw(
+    kinematics: Kinematics, k: int, scales: Scales, pen: Pen, named: Named, readings: Mapping[str, float]
+) -> Drawn:
     motion = kinematics.cycle.motion(kinematics.turned[k : k + 1])
-    velocity = velocity_plan(motion, k, scales, pen)
-    acceleration = acceleration_plan(motion, k, scales, pen, velocity)
+    velocity = velocity_plan(motion, k, scales, pen, named)
+    acceleration = acceleration_plan(motion, k, scales, pen, named, velocity)
     found = {**velocity.values, **acceleration.values}
     per_mm = {**velocity.per_mm, **acceleration.per_mm}
     analytic = {key: float(np.abs(kinematics.values[key][k])) for key in found}

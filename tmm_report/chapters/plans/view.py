@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
 
-from tmm_report.chapters.kinematics.quantities import rates
 from tmm_report.chapters.plans import quantities as q
 from tmm_report.chapters.plans.drafting import Plan, Projections
 from tmm_report.chapters.plans.draw import plan_picture
@@ -41,7 +40,7 @@ class PlansView:
 
     def __init__(self, found: Plans, page: Page):
         self.found, self.page, self.t = found, page, page.t
-        self.named = rates(found.linkage)
+        self.named = found.named
         self.book = Book.of(q.tables(found), q.values(found))
         self.picture = cache(self._picture)
 
@@ -72,7 +71,7 @@ class PlansView:
 
     def symbols(self, projections: Projections) -> Markup:
         """The unknowns of a group's equations."""
-        return self.page.listed(self.page.sym(self.named[key].symbol or key) for key in projections.unknown)
+        return self.page.listed(self.page.sym(self.named[key].sign) for key in projections.unknown)
 
     def _picture(self, plan: Plan) -> Drawing:
         return plan_picture(plan)

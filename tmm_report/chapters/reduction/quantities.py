@@ -40,9 +40,8 @@ def part(link: str) -> Quantity:
 
 def share(load: Quantity) -> Quantity:
     """Of a load in the reduced moment of the forces."""
-    assert load.symbol is not None
     meaning = Message(N_("part in the reduced moment of the forces: %(load)s"), {"load": load.meaning})
-    symbol = Symbol("M", f"{RED},{load.symbol.base}{load.symbol.sub}")
+    symbol = Symbol("M", f"{RED},{load.sign.base}{load.sign.sub}")
     return Quantity(f"M_red_{load.key}", symbol, "N·m", meaning)
 
 

@@ -15,6 +15,7 @@ from tmm_report.chapters.reduction.solve import Reduction
 from tmm_report.figures.graphs import Curve, Graph
 from tmm_report.mechanics.relations import moving_points, turning_links
 from tmm_report.problems import N_
+from tmm_report.quantity import model
 from tmm_report.quantity.formula import Expr, Formula
 from tmm_report.quantity.model import Book
 from tmm_report.report.diagrams import CycleGraphs, points
@@ -77,9 +78,9 @@ class ReductionView:
     def _given(self) -> Book:
         return Book.of(initial.given_tables(self.mechanism), [initial.speed(self.mechanism)])
 
-    @cached_property
-    def _rates(self) -> Any:
-        return Book.of(rates.tables(self.found.kinematics)).tables["rates_table"]
+    @property
+    def _rates(self) -> model.Table:
+        return self.page.once(rates.book, self.found.kinematics).tables["rates_table"]
 
     @property
     def _omega(self) -> Expr:

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from tmm_report.chapters.force_plans.drafting.plan import Arm, Balance
-from tmm_report.chapters.force_plans.drafting.sheet import Sheet, plus, symbol
+from tmm_report.chapters.force_plans.drafting.sheet import Sheet, plus
 from tmm_report.chapters.force_plans.quantities import arm, moment_sum
 from tmm_report.chapters.kinetostatics.quantities import guide_moment, reaction, reaction_part
 from tmm_report.mechanics.higher import HigherGroup
@@ -123,7 +123,7 @@ def _forces(sheet: Sheet, link: str, system: _System) -> VectorEquation:
     """Sum of the forces on a link."""
     pairs = dict.fromkeys(c.pair for c in system.columns if link in c.pair.links)
     reactions = [
-        Term(symbol(reaction(*p.links)), int(p.kind == "P"), negative=link == p.links[0]) for p in pairs
+        Term(reaction(*p.links).sign, int(p.kind == "P"), negative=link == p.links[0]) for p in pairs
     ]
     first, *others = sorted(reactions, key=lambda term: term.negative)
     return VectorEquation([[first, *sheet.terms(link), *others], []])
@@ -139,7 +139,7 @@ def _moments(
     for lever, column in zip(levers, system.columns, strict=True):
         if lever:
             of = column.quantity
-            unknown = Unknown(symbol(of), np.nan, of.unit, meaning=of.meaning)
+            unknown = Unknown(of.sign, np.nan, of.unit, meaning=of.meaning)
             term = sheet.number(arm(of, f"{about}_{link}"), abs(lever)) * unknown if column.along else unknown
             total = plus(total, term, lever)
     return Equation(total if total is not None else Number(0.0))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tmm_report.chapters.force_plans.drafting.plan import Arm, ForcePlan, ForceStroke
-from tmm_report.chapters.force_plans.drafting.sheet import Sheet, symbol
+from tmm_report.chapters.force_plans.drafting.sheet import Sheet
 from tmm_report.chapters.kinetostatics.quantities import BALANCING_MOMENT, reaction
 from tmm_report.chapters.plans.solve import PAPER, Comparison
 from tmm_report.mechanics.mechanism import FRAME
@@ -24,7 +24,7 @@ def plan(sheet: Sheet) -> tuple[ForcePlan, float]:
     exact, largest = float(sheet.solved.balancing[sheet.k]), max(_sizes(sheet), default=0.0)
     floor = largest * sheet.mu_l * sheet.pen.read_step
     sheet.comparison.append(Comparison(BALANCING_MOMENT.key, abs(formula.written), abs(exact), floor))
-    equation = VectorEquation([[*sheet.terms(link), Term(symbol(of), 0)], []])
+    equation = VectorEquation([[*sheet.terms(link), Term(of.sign, 0)], []])
     loads, couples = {link: tuple(sheet.acting[link])}, {link: tuple(sheet.couples[link])}
     drawn = ForcePlan(
         f"I(0,{link})",

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from tmm_report.chapters.force_plans.drafting.plan import Arm, ForcePlan, ForceStroke
-from tmm_report.chapters.force_plans.drafting.sheet import Sheet, symbol
+from tmm_report.chapters.force_plans.drafting.sheet import Sheet
 from tmm_report.chapters.force_plans.quantities import moment_sum
 from tmm_report.chapters.initial_data.quantities import length
 from tmm_report.chapters.kinetostatics.quantities import reaction, reaction_part
@@ -139,8 +139,8 @@ def _equation(sheet: Sheet, d: Dyad, components: Mapping[str, complex]) -> Vecto
     def outer(carrier: str, link: str, pair: Pair) -> list[Term]:
         if link in components:
             tangential, normal = _parts(carrier, link)
-            return [Term(symbol(normal), 1), Term(symbol(tangential), 2)]
-        return [Term(symbol(reaction(carrier, link)), 1 if pair.kind == "P" else 0)]
+            return [Term(normal.sign, 1), Term(tangential.sign, 2)]
+        return [Term(reaction(carrier, link).sign, 1 if pair.kind == "P" else 0)]
 
     on_a, on_b = outer(d.carrier_a, d.a, d.outer_a), outer(d.carrier_b, d.b, d.outer_b)
     loads = [term for link in (d.a, d.b) for term in sheet.terms(link)]

@@ -29,7 +29,7 @@ from tmm_report.mechanics.planar import cross, unit
 from tmm_report.mechanics.statics import Reaction
 from tmm_report.mechanics.structure import Group, Pair
 from tmm_report.quantity.formula import Expr, Formula, Number, Term, Var
-from tmm_report.quantity.model import Quantity, Symbol
+from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.paper import Pen, round_scale
 from tmm_report.quantity.text import round_significant
 from tmm_report.quantity.written import DIGITS, Worked
@@ -193,7 +193,7 @@ class Sheet:
 
     def terms(self, link: str) -> list[Term]:
         """The loads of a link in a vector equation."""
-        return [Term(symbol(a.quantity), 2) for a in self.acting[link]]
+        return [Term(a.quantity.sign, 2) for a in self.acting[link]]
 
     # ------------------------------------------------------------ reactions
 
@@ -232,12 +232,6 @@ class Sheet:
         full = replace(found, moment=np.broadcast_to(found.moment, self.solved.motion.shape))
         offset = float(np.broadcast_to(full.offset, self.solved.motion.shape)[self.k])
         return self.guide(pair) * offset if np.isfinite(offset) else 0j
-
-
-def symbol(quantity: Quantity) -> Symbol:
-    """How a force is written in a vector equation."""
-    assert quantity.symbol is not None
-    return quantity.symbol
 
 
 def plus(total: Expr | None, term: Expr, sense: float) -> Expr:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from tmm_report.chapters.force_plans.drafting.balance import equilibrium
 from tmm_report.chapters.force_plans.drafting.plan import Arm, ForcePlan, ForceStroke
-from tmm_report.chapters.force_plans.drafting.sheet import Sheet, symbol
+from tmm_report.chapters.force_plans.drafting.sheet import Sheet
 from tmm_report.chapters.kinetostatics.quantities import reaction
 from tmm_report.mechanics.higher import HigherGroup
 from tmm_report.mechanics.structure import Group, Pair
@@ -98,7 +98,7 @@ class _Polygon:
         self.terms += self.sheet.terms(link)
         for pair in (p for p in self.group.outer if link in p.links):
             self._reaction(pair, link)
-            self.terms.append(Term(symbol(reaction(*pair.links)), 2))
+            self.terms.append(Term(reaction(*pair.links).sign, 2))
         for child, pair in self.tree.onward(link):
             self._subtree(child, pair)
         for pair, far, _ in self.tree.back:

@@ -9,22 +9,24 @@ from __future__ import annotations
 
 from tmm_report.chapters.plans.drafting import dyad, lead, system
 from tmm_report.chapters.plans.drafting.plan import Plan, Projections, Scales, Step
-from tmm_report.chapters.plans.drafting.sheet import Sheet
+from tmm_report.chapters.plans.drafting.sheet import Named, Sheet
 from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.relations import Relation, System, relations
 from tmm_report.quantity.paper import Pen
 
-__all__ = ["Plan", "Projections", "Scales", "Step", "acceleration_plan", "velocity_plan"]
+__all__ = ["Named", "Plan", "Projections", "Scales", "Step", "acceleration_plan", "velocity_plan"]
 
 
-def velocity_plan(motion: Motion, position: int, scales: Scales, pen: Pen) -> Plan:
-    """Plan of velocities; `motion` at that one position, only its places are used."""
-    return _drafted(Sheet(motion, position, scales, pen, None))
+def velocity_plan(motion: Motion, position: int, scales: Scales, pen: Pen, named: Named) -> Plan:
+    """Plan of velocities; `motion` at that one position, only its places are used; `named`: the rates of the note."""
+    return _drafted(Sheet(motion, position, scales, pen, named, None))
 
 
-def acceleration_plan(motion: Motion, position: int, scales: Scales, pen: Pen, velocity: Plan) -> Plan:
+def acceleration_plan(
+    motion: Motion, position: int, scales: Scales, pen: Pen, named: Named, velocity: Plan
+) -> Plan:
     """Plan of accelerations; normal and Coriolis parts come from the plan of velocities."""
-    return _drafted(Sheet(motion, position, scales, pen, velocity))
+    return _drafted(Sheet(motion, position, scales, pen, named, velocity))
 
 
 def _drafted(sheet: Sheet) -> Plan:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 
 from tmm_report.chapters.initial_data.quantities import length
-from tmm_report.chapters.kinematics.quantities import UNITS, rates
+from tmm_report.chapters.kinematics.quantities import UNITS
 from tmm_report.chapters.plans.drafting.plan import Plan, Role, Scales, Stroke
 from tmm_report.chapters.plans.quantities import MU_A, MU_V
 from tmm_report.mechanics.mechanism import FRAME
@@ -16,9 +17,12 @@ from tmm_report.mechanics.motion import Linkage, Motion
 from tmm_report.mechanics.relations import turning_links
 from tmm_report.problems import N_, Message, ProblemError, mistake
 from tmm_report.quantity.formula import Expr, Formula, Symbol, Var
+from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.paper import Pen
 from tmm_report.quantity.text import round_significant
 from tmm_report.quantity.written import DIGITS, Worked, segment_of
+
+Named = Mapping[str, Quantity]  # velocities, accelerations and angular rates by key
 
 
 @dataclass(frozen=True)
@@ -37,7 +41,9 @@ class Image:
 class Sheet:
     """One plan in the making. `velocity`: the plan of velocities, for one of accelerations."""
 
-    def __init__(self, motion: Motion, position: int, scales: Scales, pen: Pen, velocity: Plan | None):
+    def __init__(
+        self, motion: Motion, position: int, scales: Scales, pen: Pen, named: Named, velocity: Plan | None
+    ):
         self.motion, self.scales, self.pen, self.velocity = motion, scales, pen, velocity
         self.kind: Literal["v", "a"] = "v" if velocity is None else "a"
         self.scale = scales.velocity if velocity is None else scales.acceleration
@@ -53,7 +59,7 @@ class Sheet:
         self.worked = Worked(
             f"{'velocity' if velocity is None else 'acceleration'}_plan_{position}", position
         )
-        self.named = rates(motion.linkage)
+        self.named = named
         self.mu = self.worked.number(MU_V if velocity is None else MU_A, self.scale)
         self.turning = turning_links(self.linkage)
         self.alike: dict[str, str] = {}  # link -> a link that turns as it does, whose rate is known
@@ -127,9 +133,7 @@ class Sheet:
 
     def symbol(self, key: str) -> Symbol:
         """How the quantity of a key is written."""
-        symbol = self.named[key].symbol
-        assert symbol is not None
-        return symbol
+        return self.named[key].sign
 
     def number(self, key: str, value: float) -> Var:
         """A rate in a calculation, by its key."""
