@@ -294,3 +294,10 @@ def test_what_was_not_solved_is_left_out(less, fmt):
 @pytest.mark.parametrize("fmt", ["html", "tex"])
 def test_same_results_give_the_same_bytes(fmt):
     assert render(results("shaper"), fmt, Translator("ru")) == note("shaper", fmt, "ru")
+
+
+def test_what_several_chapters_ask_for_is_made_once_a_note():
+    shown = page()
+    first = shown.once(list, "ab")
+    assert first is shown.once(list, "ab") and first == ["a", "b"]
+    assert shown.once(list, "cd") == ["c", "d"] and page().once(list, "ab") is not first
