@@ -5,7 +5,7 @@ from dataclasses import replace
 from functools import cache
 
 import numpy as np
-from conftest import examples, stating, unread
+from conftest import examples, read, stating, unread
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
 
@@ -165,6 +165,16 @@ def test_names_change_no_result(variant, data):
     for key, value in expected.items():
         np.testing.assert_array_equal(found[key], value, err_msg=key)
     assert drawn(after) == drawn(before)
+
+
+def test_a_point_may_be_called_as_the_end_of_a_bend_is():
+    """k2 is the end of a Coriolis acceleration in the plan, and here also the point of link 2 under joint k."""
+    variant = read("hacksaw")
+    m = variant.lever.mechanism
+    points = {point: "k" if point == "A" else point for point in m.point_names}
+    links = {**{link: link for link in (FRAME, *m.moving)}, "3": "2", "2": "3"}
+    after = course.solve(renamed(variant, points, links, {guide: guide for guide in m.guides}))
+    assert drawn(after) == drawn(unread(variant))
 
 
 @few

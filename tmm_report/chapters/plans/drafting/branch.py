@@ -79,7 +79,7 @@ def _bend(sheet: Sheet, branch: Branch, arm: complex, z: complex, start: str) ->
         w = sheet.number(f"w_{branch.link}", v.values[f"w_{branch.link}"])
         key, size = branch.a_key("k"), 2 * w * speed
     count = 1 + sum(s.role == "bend" for s in sheet.strokes)
-    letter = sheet.letter(f"{'n' if branch.turns else 'k'}{count}")
+    letter = sheet.letter_of_bend(f"{'n' if branch.turns else 'k'}{count}")
     z_bend = sheet.vertices[letter] = sheet.pen.place(z + bend(sheet, branch, arm) / sheet.scale)
     sheet.stroke(z, z_bend, key, "bend")
     value = sheet.write(key, size)

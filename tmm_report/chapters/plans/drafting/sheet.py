@@ -97,11 +97,15 @@ class Sheet:
     def letter(self, point: str) -> str:
         """Lettering of a point in the plan: its small letter, primed if that is taken (by the pole, say)."""
         if point not in self.letters:
-            small = point.lower()
+            small = point.strip().lower()
             while small in self.letters.values():
                 small += "'"
             self.letters[point] = small
         return self.letters[point]
+
+    def letter_of_bend(self, name: str) -> str:
+        """Lettering of the end of a normal or Coriolis part, n1, k2: no point's, though one be called so."""
+        return self.letter(f" {name}")
 
     def has(self, point: str) -> bool:
         return self.letter(point) in self.vertices
