@@ -21,9 +21,9 @@ OWN = ("lever", "places", "file")  # of the variant itself
 
 
 def types(record) -> dict[str, object]:
-    """The types of a record's fields; those of gears are imported for it."""
-    gears = {name: import_module(f"tmm_report.chapters.{name}.solve") for name in course.OTHERS}
-    return {one.name: eval(str(one.type), {**vars(course), **gears}) for one in fields(record)}
+    """The types of a record's fields; those of chapters that are loaded only where they are asked for are imported."""
+    late = {name: import_module(f"tmm_report.chapters.{name}.solve") for name in (*course.OTHERS, "readings")}
+    return {one.name: eval(str(one.type), {**vars(course), **late}) for one in fields(record)}
 
 
 def given(chapter: str) -> dict[str, object]:

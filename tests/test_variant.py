@@ -69,7 +69,7 @@ def test_compressor():
     assert (v.lever.friction.pivots.coefficient, v.lever.friction.pivots.diameter) == (0.1, 0.05)
     assert (v.lever.positions.plans, v.lever.positions.force_plan) == ((6, 7), (7,))
     assert (v.lever.drawing.accuracy, v.lever.drawing.force) == (1e-5, {"4-5": 10, "2-3": 20})
-    assert v.lever.readings[7]["v_B"] == 4.444
+    assert v.lever.readings[7]["v_B"] == (4.444, "")
     assert (v.title.variant, v.title.year, v.language, v.decimal_sign) == ("1", "2026", "ru", "comma")
 
 

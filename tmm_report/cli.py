@@ -35,6 +35,11 @@ Language = Annotated[
     str | None,
     typer.Option("--lang", help=f"Language of the note and of messages: {' or '.join(languages.LANGUAGES)}."),
 ]
+Jobs = Annotated[
+    int | None,
+    typer.Option("--jobs", help="Processes; by default as many as there are cores.", show_default=False),
+]
+Seconds = Annotated[float, typer.Option("--seconds", help="A variant that takes longer is given up.")]
 VariantFile = Annotated[Path, typer.Argument(help="The variant, a YAML file.", show_default=False)]
 
 
@@ -164,6 +169,171 @@ def assemblies(
         from tmm_report.commands.assemblies import run
 
         done = run(variant, angle, output, lang, console)
+    _exit(done)
+
+
+@app.command()
+def batch(
+    places: Annotated[
+        list[str],
+        typer.Argument(help="Variants: files, folders, patterns or ZIP archives; with --table a template."),
+    ],
+    output: Annotated[Path, typer.Option("-o", "--output", help="Folder for all that is made.")],
+    table: Annotated[
+        Path | None,
+        typer.Option("--table", help="CSV or XLSX: a variant a row, made from the template."),
+    ] = None,
+    formats: Annotated[
+        str, typer.Option("--format", help="Any of html,tex,json,csv, joined by commas.")
+    ] = "html,json",
+    jobs: Jobs = None,
+    resume: Annotated[bool, typer.Option("--resume", help="Go on with a run that was stopped.")] = False,
+    seconds: Seconds = 60.0,
+    cluster: Annotated[
+        str | None,
+        typer.Option(
+            "--cluster", help="Address of a Dask scheduler, tcp://host:8786; or local.", show_default=False
+        ),
+    ] = None,
+    lang: Language = None,
+) -> None:
+    """Solve and write up many variants; what was done already is not done again with --resume."""
+    with _console(lang) as console:
+        console.stage(Message(N_("looking for variants")))
+        from tmm_report.commands.batch.run import run
+
+        done = run(
+            places, output, formats, lang, console,
+            jobs=jobs, resume=resume, seconds=seconds, cluster=cluster, table=table,
+        )  # fmt: skip
+    _exit(done)
+
+
+@app.command()
+def grade(
+    variants: Annotated[str, typer.Argument(help="The variants: a file, folder, pattern or ZIP archive.")],
+    answers: Annotated[
+        list[str] | None,
+        typer.Argument(
+            help="What was handed in: YAML, CSV, XLSX, folders or ZIP archives.", show_default=False
+        ),
+    ] = None,
+    output: Annotated[Path, typer.Option("-o", "--output", help="Folder for marks and feedback.")] = Path(
+        "marks"
+    ),
+    rubric: Annotated[
+        Path | None,
+        typer.Option("--rubric", help="YAML: what is asked and what it is worth.", show_default=False),
+    ] = None,
+    template: Annotated[
+        Path | None,
+        typer.Option(
+            "--template",
+            help="Write the sheet that students fill in, .xlsx, .csv or .yaml; a folder: one a variant.",
+            show_default=False,
+        ),
+    ] = None,
+    table: Annotated[
+        Path | None, typer.Option("--table", help="The table of parameters, where variants are a template.")
+    ] = None,
+    roster: Annotated[
+        Path | None,
+        typer.Option(
+            "--roster", help="CSV or XLSX: id, name, email, moodle_id, canvas_id.", show_default=False
+        ),
+    ] = None,
+    title: Annotated[str, typer.Option("--title", help="Name of the column in Canvas.")] = "TMM",
+    show_answers: Annotated[
+        bool, typer.Option("--answers", help="Feedback gives the right numbers, too.")
+    ] = False,
+    jobs: Jobs = None,
+    seconds: Seconds = 60.0,
+    lang: Language = None,
+) -> None:
+    """Mark students' own numbers: feedback for each, a gradebook and statistics for the teacher."""
+    with _console(lang) as console:
+        console.stage(Message(N_("solving")))
+        if template is not None:
+            from tmm_report.commands.grade.sheet import run as write_sheet
+
+            done = write_sheet(variants, template, console.language, console, rubric=rubric, table=table)
+        else:
+            from tmm_report.commands.grade.run import run
+
+            done = run(
+                [variants], answers or [], output, lang, console.language, console,
+                rubric=rubric, roster=roster, table=table, title=title, show=show_answers, jobs=jobs, seconds=seconds,
+            )  # fmt: skip
+    _exit(done)
+
+
+@app.command()
+def check(
+    samples: Annotated[Path, typer.Argument(help="Folder with variants and their stored results.")],
+    update: Annotated[
+        bool, typer.Option("--update", help="Store what is found now; look at the difference first.")
+    ] = False,
+    junit: Annotated[
+        Path | None,
+        typer.Option("--junit", help="Also write JUnit XML for a CI service.", show_default=False),
+    ] = None,
+    lang: Language = None,
+) -> None:
+    """Solve sample variants anew and compare numbers and notes with what is stored; exit code 1 on a difference."""
+    with _console(lang) as console:
+        console.stage(Message(N_("solving")))
+        from tmm_report.commands.check.run import run
+
+        done = run(samples, update=update, junit=junit, language=console.language, talk=console)
+    _exit(done)
+
+
+@app.command()
+def assign(
+    ranges: Annotated[Path, typer.Argument(help="YAML: a template and the ranges of its parameters.")],
+    count: Annotated[
+        int | None, typer.Option("-n", "--count", help="How many variants.", show_default=False)
+    ] = None,
+    seed: Annotated[int, typer.Option("--seed", help="The same seed draws the same variants.")] = 1,
+    students: Annotated[
+        Path | None,
+        typer.Option(
+            "--students", help="A list of students: CSV, XLSX or a name a line.", show_default=False
+        ),
+    ] = None,
+    output: Annotated[Path, typer.Option("-o", "--output", help="The table, .csv or .xlsx.")] = Path(
+        "assignments.csv"
+    ),
+    variants: Annotated[
+        Path | None,
+        typer.Option("--variants", help="Also write a variant a student into a folder.", show_default=False),
+    ] = None,
+    lang: Language = None,
+) -> None:
+    """Draw individual variants from ranges, every one solvable, no two alike, as a table a row a student."""
+    with _console(lang) as console:
+        console.stage(Message(N_("drawing variants")))
+        from tmm_report.commands.assign import run
+
+        done = run(ranges, count, seed, students, output, variants, lang, console)
+    _exit(done)
+
+
+@app.command()
+def explain(
+    variant: VariantFile,
+    quantity: Annotated[str, typer.Argument(help="Its key or symbol: v_B, R12, M_bal.", show_default=False)],
+    position: Annotated[
+        int | None, typer.Argument(help="The position, of what goes by positions.", show_default=False)
+    ] = None,
+    lang: Language = None,
+) -> None:
+    """Print how a quantity is derived, with numbers."""
+    with _console(lang) as console:
+        console.stage(Message(N_("solving")))
+        from tmm_report.commands.explain import run
+
+        done = run(variant, quantity, position, lang, console)
     _exit(done)
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from functools import partial
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
@@ -23,7 +23,8 @@ from tmm_report.chapters.kinematics.given import Positions
 from tmm_report.chapters.kinetostatics import solve as kinetostatics
 from tmm_report.chapters.kinetostatics.loads import Loads
 from tmm_report.chapters.plans import solve as plans
-from tmm_report.chapters.plans.given import Drawing, Readings
+from tmm_report.chapters.plans.given import Drawing
+from tmm_report.chapters.readings.given import Readings
 from tmm_report.chapters.reduction import solve as reduction
 from tmm_report.chapters.structure import solve as structure
 from tmm_report.chapters.title.given import Title
@@ -31,9 +32,10 @@ from tmm_report.languages import DEFAULT, DecimalSign
 from tmm_report.mechanics.mechanism import Mechanism
 from tmm_report.problems import Message, Problem
 
-if TYPE_CHECKING:  # the gear chapters are loaded only for a variant that has gears
+if TYPE_CHECKING:  # the gear chapters, and readings, are loaded only for a variant that has them
     from tmm_report.chapters.drive import solve as drive
     from tmm_report.chapters.eccentric import solve as eccentric
+    from tmm_report.chapters.readings import solve as readings
     from tmm_report.variant.model import Read, Rooms
 
 
@@ -78,6 +80,7 @@ class LeverFound:
     force_plans: force_plans.ForcePlans | None = None
     friction: friction.FrictionFound | None = None
     reduction: reduction.Reduction | None = None
+    readings: readings.ReadingsFound | None = None
 
     @property
     def sample(self) -> int:
@@ -106,23 +109,33 @@ class Results:
     eccentric: eccentric.Found | None = None
 
 
-def solve(variant: Variant) -> Results:
-    """Solve a variant chapter by chapter. Raises ProblemError with what cannot be solved and why."""
+@dataclass(frozen=True, eq=False)
+class Moved:
+    """What is found of a lever mechanism that was solved together with others of its kind (see `stack`)."""
+
+    structure: structure.Structure
+    kinematics: kinematics.Kinematics
+    kinetostatics: kinetostatics.Kinetostatics | None
+
+
+def solve(variant: Variant, moved: Moved | None = None) -> Results:
+    """Solve a variant chapter by chapter, but for what is found already. Raises ProblemError with what cannot be
+    solved and why."""
     return Results(
         variant,
-        lever=solve_lever(variant.lever) if variant.lever else None,
+        lever=solve_lever(variant.lever, moved) if variant.lever else None,
         drive=_drive(variant.drive) if variant.drive else None,
         eccentric=_eccentric(variant.eccentric) if variant.eccentric else None,
     )
 
 
-def solve_lever(given: LeverGiven) -> LeverFound:
+def solve_lever(given: LeverGiven, moved: Moved | None = None) -> LeverFound:
     """The chapters of a lever mechanism. Raises ProblemError."""
-    links = structure.solve(given.mechanism)
-    motion = kinematics.solve(given.positions, links)
-    drawn = plans.solve(given.drawing, given.positions.plans, given.readings, motion)
-    forces = kinetostatics.solve(given.loads, motion) if given.loads else None
-    return LeverFound(
+    links = moved.structure if moved else structure.solve(given.mechanism)
+    motion = moved.kinematics if moved else kinematics.solve(given.positions, links)
+    drawn = plans.solve(given.drawing, given.positions.plans, motion)
+    forces = moved.kinetostatics if moved else _forces(given.loads, motion)
+    found = LeverFound(
         given,
         links,
         motion,
@@ -132,6 +145,25 @@ def solve_lever(given: LeverGiven) -> LeverFound:
         friction.solve(given.friction, forces) if given.friction and forces else None,
         reduction.solve(motion, forces) if given.reduction else None,
     )
+    return replace(found, readings=_readings(found)) if given.readings else found
+
+
+def _forces(given: Loads | None, motion: kinematics.Kinematics) -> kinetostatics.Kinetostatics | None:
+    return kinetostatics.solve(given, motion) if given else None
+
+
+def _readings(found: LeverFound) -> readings.ReadingsFound:
+    """A student may have read any number of the chapters before."""
+    from tmm_report.chapters.readings.solve import solve
+
+    before = ((name, getattr(found, name)) for name in LEVER)
+    tables = [
+        (name, table)
+        for name, chapter in before
+        if chapter is not None
+        for table in room(name, "quantities").tables(chapter)
+    ]
+    return solve(found.given.readings, found.plans, tables)
 
 
 def _drive(given: drive.Given) -> drive.Found:

@@ -74,6 +74,8 @@ def mistake(
 def shown(value: object, limit: int = 40) -> str:
     """A foreign text fit for a message: no control, format or direction characters, at most `limit` long."""
     text = str(value)[: limit + 1]
+    if len(text) <= limit and text.isascii() and text.isprintable():
+        return text
     clean = "".join("\N{REPLACEMENT CHARACTER}" if _hidden(char) else char for char in text)
     return clean if len(text) <= limit else clean[: limit - 1] + "…"
 

@@ -9,7 +9,8 @@ from __future__ import annotations
 import csv
 import io
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from itertools import islice
 from types import ModuleType
 from typing import Any
 
@@ -17,11 +18,12 @@ import numpy as np
 
 from tmm_report.course import INITIAL_DATA, Results, chapters, room
 from tmm_report.i18n import Translator
-from tmm_report.jsontext import indented
+from tmm_report.jsontext import Pieces, framed, indented, members_of, number_lists
 from tmm_report.quantity.model import Column, Quantity, Table, Value
 
 __all__ = ["Column", "Table", "Value", "as_csv", "as_json", "tables", "values"]
 
+Array = Any
 FORMAT = 1
 
 
@@ -52,42 +54,92 @@ def _rooms(results: Results) -> Iterator[tuple[ModuleType, Any]]:
 
 def as_json(results: Results, tr: Translator) -> bytes:
     """results.json: every number with its key, unit and meaning; missing numbers are null."""
-
-    def column(c: Column) -> dict[str, Any]:
-        return {
-            "key": c.key,
-            **_written(c.quantity),
-            **({"symbols": [str(symbol) for symbol in c.symbols]} if len(c.symbols) else {}),
-            "unit": c.unit,
-            "meaning": c.meaning.render(tr.gettext),
-            "values": _plain(c.values),
-        }
-
-    def value(v: Value) -> dict[str, Any]:
-        at = {} if v.at is None else {"at_deg": _finite(math.degrees(v.at))}
-        return {
-            "key": v.key,
-            **_written(v.quantity),
-            "value": _finite(v.value),
-            "unit": v.unit,
-            "meaning": v.meaning.render(tr.gettext),
-            **at,
-        }
-
     document = {
         "format": FORMAT,
         "title": _title(results),
         **_structure(results),
-        "values": [value(v) for v in values(results)],
-        "tables": {
-            t.name: {"meaning": t.meaning.render(tr.gettext), "columns": [column(c) for c in t.columns]}
-            for t in tables(results)
-        },
+        "values": [_value(value, tr) for value in values(results)],
     }
-    return (indented(document) + "\n").encode()
+    members = [[member.encode()] for member in members_of(document, 0)]
+    members.append([b'"tables": ', *_tables(tables(results), tr)])
+    return b"".join([*framed(b"{}", members, 0), b"\n"])
 
 
-def _written(quantity: Quantity) -> dict[str, str]:
+def _value(value: Value, tr: Translator) -> dict[str, Any]:
+    at = {} if value.at is None else {"at_deg": _finite(math.degrees(value.at))}
+    return {
+        "key": value.key,
+        **_symbol(value.quantity),
+        "value": _finite(value.value),
+        "unit": value.unit,
+        "meaning": value.meaning.render(tr.gettext),
+        **at,
+    }
+
+
+DEPTH = 4  # at which a column stands in the document
+
+
+def _tables(every: Sequence[Table], tr: Translator) -> Pieces:
+    """Tables by their names."""
+    columns = iter(_columns([column for table in every for column in table.columns], tr))
+    items = []
+    for table in every:
+        name, meaning = indented(table.name), indented(table.meaning.render(tr.gettext))
+        own = framed(b"[]", list(islice(columns, len(table.columns))), DEPTH - 1)
+        inside = framed(b"{}", [[f'"meaning": {meaning}'.encode()], [b'"columns": ', *own]], DEPTH - 2)
+        items.append([f"{name}: ".encode(), *inside])
+    return framed(b"{}", items, DEPTH - 3)
+
+
+def _columns(columns: Sequence[Column], tr: Translator) -> Iterator[Pieces]:
+    """The columns of all tables: their numbers are written all at once, what their quantities say is kept."""
+    rows = [_only_numbers(column.values) for column in columns]
+    lists = number_lists([row for row in rows if row is not None], DEPTH + 1)
+    for column, row in zip(columns, rows, strict=True):
+        written = next(lists) if row is not None else indented(_plain(column.values), DEPTH + 1).encode()
+        yield [_said(column, tr), written, b"\n" + b" " * DEPTH + b"}"]
+
+
+def _said(column: Column, tr: Translator) -> bytes:
+    """The beginning of a column: its key, symbol, unit and meaning; kept, as many columns are of one quantity."""
+    if len(column.symbols):
+        return _heading(column.quantity, tr, symbols=[str(symbol) for symbol in column.symbols])
+    said = column.quantity.said
+    if tr.language not in said:
+        said[tr.language] = _once(column.quantity, tr)
+    return said[tr.language]
+
+
+HEADINGS: dict[tuple[Any, ...], bytes] = {}
+MANY = 4096
+
+
+def _once(quantity: Quantity, tr: Translator) -> bytes:
+    """The heading of a quantity, kept for those of other variants that are named and meant as it is."""
+    meaning = quantity.meaning
+    values = ((name, type(value), value) for name, value in meaning.values.items())
+    same = (tr.language, quantity.key, quantity.symbol, quantity.unit, meaning.text, *values)
+    try:
+        known = HEADINGS.get(same)
+    except TypeError:  # a meaning within a meaning
+        return _heading(quantity, tr)
+    if known is None:
+        known = _heading(quantity, tr)
+        if len(HEADINGS) >= MANY:
+            HEADINGS.clear()
+        HEADINGS[same] = known
+    return known
+
+
+def _heading(quantity: Quantity, tr: Translator, **symbols: list[str]) -> bytes:
+    meaning = quantity.meaning.render(tr.gettext)
+    said = {"key": quantity.key, **_symbol(quantity), **symbols, "unit": quantity.unit, "meaning": meaning}
+    indent = "\n" + " " * (DEPTH + 1)
+    return f'{{{indent}{f",{indent}".join(members_of(said, DEPTH))},{indent}"values": '.encode()
+
+
+def _symbol(quantity: Quantity) -> dict[str, str]:
     """The symbol of a quantity that is written as one."""
     return {} if quantity.symbol is None else {"symbol": str(quantity.symbol)}
 
@@ -103,11 +155,15 @@ def _title(results: Results) -> Mapping[str, str]:
     return {name: text for name, text in vars(results.variant.title).items() if text}
 
 
+def _only_numbers(column: Any) -> Array | None:
+    """A column of nothing but floating numbers as an array (P,), else None."""
+    if isinstance(column, np.ndarray):
+        return column if column.dtype == float else None
+    return np.array(column, dtype=float) if {float, np.float64}.issuperset(map(type, column)) else None
+
+
 def _plain(column: Iterable[Any]) -> list[Any]:
-    """A column for JSON: null for nan and infinity, and no negative zero."""
-    if isinstance(column, np.ndarray) and column.dtype == float:
-        whole = (column + 0.0).tolist()
-        return whole if np.isfinite(column).all() else [_finite(x) for x in whole]
+    """Another column for JSON: null for nan and infinity, and no negative zero."""
     return [x if isinstance(x, str | int) else _finite(float(x)) for x in column]
 
 

@@ -65,7 +65,7 @@ def located(problem: Problem, places: Mapping[Path, Place], file: str) -> Proble
 def read(path: str | os.PathLike[str], soft: list[Problem] | None = None) -> Document:
     """Read a regular file; see `loads`. Links, devices, pipes and folders are refused, never waited on."""
     file = file_label(path)
-    return loads(_bytes(path, file), file, soft)
+    return loads(opened(path, file, BYTES), file, soft)
 
 
 def file_label(path: str | os.PathLike[str]) -> str:
@@ -73,7 +73,23 @@ def file_label(path: str | os.PathLike[str]) -> str:
     return shown(os.fsencode(path).decode("utf-8", "backslashreplace"), 1000)
 
 
-def _bytes(path: str | os.PathLike[str], file: str) -> bytes:
+def opened(path: str | os.PathLike[str], file: str, limit: int) -> bytes:
+    """The content of a regular file of at most `limit` bytes; `file` is how messages name it.
+
+    Links, devices, pipes and folders are refused, never waited on. Raises ProblemError.
+    """
+    with stream(path, file) as source:
+        try:
+            content = source.read(limit + 1)
+        except OSError as error:
+            raise ProblemError([replace(_unopened(error), file=file)]) from None
+    if len(content) > limit:
+        raise ProblemError([replace(_larger(limit), file=file)])
+    return content
+
+
+def stream(path: str | os.PathLike[str], file: str) -> BinaryIO:
+    """A regular file opened as `opened` does it, for those who read only parts of it. Raises ProblemError."""
     flags = os.O_RDONLY
     for name in ("O_NOFOLLOW", "O_NONBLOCK", "O_CLOEXEC", "O_BINARY"):  # not every system has each
         flags |= getattr(os, name, 0)
@@ -83,15 +99,18 @@ def _bytes(path: str | os.PathLike[str], file: str) -> bytes:
         descriptor = os.open(path, flags)
     except (OSError, ValueError) as error:  # ValueError: a NUL in the name
         raise ProblemError([replace(_unopened(error), file=file)]) from None
-    with _opened(descriptor, file) as stream:
-        return stream.read(BYTES + 1)
+    return _regular(descriptor, file)
 
 
-def _opened(descriptor: int, file: str) -> BinaryIO:
+def _regular(descriptor: int, file: str) -> BinaryIO:
     if stat.S_ISREG(os.fstat(descriptor).st_mode):
         return os.fdopen(descriptor, "rb")
     os.close(descriptor)
     raise ProblemError([replace(mistake(N_("this is not a regular file")), file=file)])
+
+
+def _larger(limit: int) -> Problem:
+    return mistake(N_("the file is larger than %(limit)s kB"), limit=limit // 1024)
 
 
 def _unopened(error: OSError | ValueError) -> Problem:
@@ -128,7 +147,7 @@ def _printable(problem: Problem, file: str) -> Problem:
 def _text(source: str | bytes) -> str:
     size = len(source) if isinstance(source, bytes) else len(source.encode("utf-8", "surrogatepass"))
     if size > BYTES:
-        raise ProblemError([mistake(N_("the file is larger than %(limit)s kB"), limit=BYTES // 1024)])
+        raise ProblemError([_larger(BYTES)])
     text = _decoded(source) if isinstance(source, bytes) else source
     text = text.removeprefix("\ufeff")
     if bad := _CONTROL.search(text):

@@ -255,7 +255,7 @@ def wrong_extremes(note: Note, document: dict[str, Any]) -> Iterator[str]:
             continue
         for row in table.rows:
             symbol = next(iter(_symbols(row[0])), "")
-            if symbol not in found or row[1].printed is None or row[3].printed is None:
+            if symbol not in found or any(cell.printed is None for cell in row[1:]):
                 continue
             seen += 1
             column = found[symbol][0][1]

@@ -232,11 +232,11 @@ def test_printed_plan_values_as_a_students_readings(compressor):
     given = compressor.variant.lever.readings
     for k in ("6", "7"):
         printed = {**PRINTED["plan_velocities"][k], **PRINTED["plan_accelerations"][k]}
-        assert given[int(k)] == {ours(symbol): float(text) for symbol, text in printed.items()}
-    compared = [c for drawn in compressor.lever.plans.drawn for c in drawn.readings]
+        assert given[int(k)] == {ours(symbol): (float(text), "") for symbol, text in printed.items()}
+    compared = [one for rows in compressor.lever.readings.rows.values() for one in rows]
     assert len(compared) == sum(len(row) for row in given.values())
     assert [c.key for c in compared if not c.ok] == []
-    assert compressor.lever.plans.worst_reading < 0.1
+    assert compressor.lever.readings.worst < 0.1
 
 
 def test_a_wrong_cell_is_found():

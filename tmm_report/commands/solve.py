@@ -12,6 +12,7 @@ from tmm_report.commands.talk import Talk, failure, unwritable, written
 from tmm_report.course import LeverFound, Results
 from tmm_report.course import summary as in_short
 from tmm_report.problems import N_, Message
+from tmm_report.variant import locate
 
 NO_TEX = N_(
     "no PDF: pdflatex is not installed. Windows: install MiKTeX (miktex.org). Debian, Ubuntu: apt install "
@@ -111,13 +112,13 @@ def _open(note: Path) -> None:
 
 def summary(results: Results, talk: Talk) -> bool:
     """Tell what was found; whether every check held."""
-    good = _lever(results.lever, talk) if results.lever else True
+    good = _lever(results, results.lever, talk) if results.lever else True
     for message in in_short(results):
         talk.tell(message)
     return good
 
 
-def _lever(lever: LeverFound, talk: Talk) -> bool:
+def _lever(results: Results, lever: LeverFound, talk: Talk) -> bool:
     """Tell what was found of the lever mechanism; whether every check held."""
     talk.tell(lever.structure.formula)
     _differences(lever, talk)
@@ -125,18 +126,28 @@ def _lever(lever: LeverFound, talk: Talk) -> bool:
         text = N_("no plans at singular positions: %(numbers)s")
         talk.tell(Message(text, {"numbers": ", ".join(map(str, lever.plans.singular))}))
     _gaps(lever, talk)
-    return _balance(lever, talk) and not lever.partial
+    own = _own_numbers(results, talk)
+    return _balance(lever, talk) and own and not lever.partial
 
 
 def _differences(lever: LeverFound, talk: Talk) -> None:
-    """How far the drawn plans, and a student's own readings, are from the exact solution."""
+    """How far the drawn plans are from the exact solution."""
     plans, forces = lever.plans, lever.force_plans
     worst = max(plans.worst, forces.worst if forces else 0.0)
     text = N_("largest difference of the graph-analytical method: %(percent).3g %%")
     talk.tell(Message(text, {"percent": worst}))
-    if any(drawn.readings for drawn in plans.drawn):
-        text = N_("largest difference of the student's readings: %(percent).3g %%")
-        talk.tell(Message(text, {"percent": plans.worst_reading}))
+
+
+def _own_numbers(results: Results, talk: Talk) -> bool:
+    """How far a student's own numbers are from the exact solution, the wrong ones one by one; whether none is wrong."""
+    found = results.lever.readings if results.lever else None
+    if found is None:
+        return True
+    text = N_("largest difference of the student's readings: %(percent).3g %%")
+    talk.tell(Message(text, {"percent": found.worst}))
+    for one in found.wrong:
+        talk.warn(locate(one.problem, results.variant))
+    return not found.wrong
 
 
 def _gaps(lever: LeverFound, talk: Talk) -> None:

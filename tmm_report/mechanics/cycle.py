@@ -9,7 +9,7 @@ from typing import Any, assert_never
 
 import numpy as np
 
-from tmm_report.mechanics.mechanism import ZeroAngle, ZeroExtreme
+from tmm_report.mechanics.mechanism import Scalar, ZeroAngle, ZeroExtreme
 from tmm_report.mechanics.motion import Linkage, Motion, solve
 from tmm_report.mechanics.planar import dot
 from tmm_report.mechanics.roots import Finder, bracketed, interpolated
@@ -73,7 +73,7 @@ class Cycle:
     """Position 0 and the sweep of the driving link: positions are numbered in the sense of rotation."""
 
     linkage: Linkage
-    zero: float  # angle of the driving link in position 0, rad
+    zero: Scalar  # angle of the driving link in position 0, rad
     critical: tuple[Critical, ...] = ()  # singular positions of the groups, by the driver's angle
 
     @property
@@ -104,7 +104,7 @@ class Cycle:
         return motion
 
     @cached_property
-    def _search(self) -> tuple[Array, Motion]:
+    def search(self) -> tuple[Array, Motion]:
         """Angles turned that bracket the roots, and the motion there."""
         grid = np.linspace(0.0, self.sweep, SEARCH + 1)
         # half a step aside, so that a root at position 0 falls inside a bracket and not on its edge
@@ -114,7 +114,7 @@ class Cycle:
     @cached_property
     def _search_beside(self) -> Motion:
         """The motion a step ahead of the angles of the search, then a step behind."""
-        grid = self._search[0]
+        grid = self.search[0]
         return self.motion(np.concatenate([grid + STEP, grid - STEP]))
 
     def roots(self, rate: Rate) -> Array:
@@ -123,16 +123,16 @@ class Cycle:
 
     def roots_of(self, rates: Sequence[Rate], finder: Finder = interpolated) -> list[Array]:
         """Roots of several rates, all found together: a motion of many angles costs hardly more than of one."""
-        values = [self._searched(rate) for rate in rates]
-        turns = [_changes_of_sign(row) for row in values]
+        values = [self.searched(rate) for rate in rates]
+        turns = [changes_of_sign(row) for row in values]
         sizes = [float(np.nanmax(np.abs(row), initial=0.0)) for row in values]
         counts = [len(at) for at in turns]
         parts = np.cumsum(counts)[:-1]
 
         def sampled(x: Array) -> Array:
-            return np.concatenate(self._sampled(rates, np.split(x, parts)))
+            return np.concatenate(self.sampled(rates, np.split(x, parts)))
 
-        grid, at = self._search[0], np.concatenate(turns) if turns else np.array([], dtype=int)
+        grid, at = self.search[0], np.concatenate(turns) if turns else np.array([], dtype=int)
         if not at.size:
             return [np.array([])] * len(rates)
         noise = [
@@ -143,29 +143,30 @@ class Cycle:
         found, left = finder(sampled, grid[at], grid[at + 1], starts, np.repeat(noise, counts))
         real = np.abs(left) <= 1e-6 * np.repeat(sizes, counts)  # a pole changes sign too
         each = zip(np.split(found, parts), np.split(real, parts), strict=True)
-        return [self._within(roots[good]) for roots, good in each]
+        return [self.within(roots[good]) for roots, good in each]
 
-    def _searched(self, rate: Rate) -> Array:
+    def searched(self, rate: Rate) -> Array:
         """A rate at the angles of the search."""
         if not isinstance(rate, Slope):
-            return np.real(rate(self._search[1]))
+            return np.real(rate(self.search[1]))
         return _difference(np.real(rate.of(self._search_beside)))
 
-    def _sampled(self, rates: Sequence[Rate], turned: Sequence[Array]) -> list[Array]:
+    def sampled(self, rates: Sequence[Rate], turned: Sequence[Array]) -> list[Array]:
         """Each rate at its own angles turned, all from one motion."""
         points = [
-            np.concatenate([x + STEP, x - STEP]) if isinstance(rate, Slope) else x
+            np.concatenate([x + STEP, x - STEP], axis=-1) if isinstance(rate, Slope) else x
             for rate, x in zip(rates, turned, strict=True)
         ]
-        motion = self.motion(np.concatenate(points))
+        motion = self.motion(np.concatenate(points, axis=-1))
         found, start = [], 0
         for rate, x in zip(rates, points, strict=True):
-            values = np.real((rate.of if isinstance(rate, Slope) else rate)(motion))[start : start + len(x)]
+            end = start + x.shape[-1]
+            values = np.real((rate.of if isinstance(rate, Slope) else rate)(motion))[..., start:end]
             found.append(_difference(values) if isinstance(rate, Slope) else values)
-            start += len(x)
+            start = end
         return found
 
-    def _within(self, turned: Array) -> Array:
+    def within(self, turned: Array) -> Array:
         """Angles turned, ascending, within the cycle."""
         if self.closed:
             turned = np.mod(turned, self.sweep)
@@ -176,7 +177,7 @@ class Cycle:
 
     def moves(self, rate: Quantity, size: Quantity) -> bool:
         """Whether a rate is more than rounding beside `size` anywhere."""
-        motion = self._search[1]
+        motion = self.search[1]
         largest = [np.nanmax(np.abs(of(motion)), initial=0.0) for of in (rate, size)]
         return bool(largest[0] > 1e-9 * largest[1])
 
@@ -197,7 +198,7 @@ class Cycle:
         """The least and the greatest of several values, which stand still at the angles turned `still`."""
         ends = [0.0] if self.closed else [0.0, self.sweep]
         where = [np.concatenate([roots, ends, self._limits]) for roots in still]
-        found = self._sampled(values, where)
+        found = self.sampled(values, where)
         return [least_and_greatest(row, x) for row, x in zip(found, where, strict=True)]
 
     @cached_property
@@ -209,7 +210,7 @@ class Cycle:
         return turned[turned <= self.sweep]
 
 
-def _changes_of_sign(values: Array) -> Array:
+def changes_of_sign(values: Array) -> Array:
     """Where the next value has another sign, (N,) of int; a zero on the grid itself ends its bracket."""
     signs = np.where(values == 0, 1.0, np.sign(values))
     return np.flatnonzero(signs[:-1] * signs[1:] < 0)
@@ -217,7 +218,7 @@ def _changes_of_sign(values: Array) -> Array:
 
 def _difference(values: Array) -> Array:
     """Slope of values of which the first half stands a step ahead and the second a step behind."""
-    ahead, behind = np.split(values, 2)
+    ahead, behind = np.split(values, 2, axis=-1)
     return (ahead - behind) / (2 * STEP)
 
 
@@ -232,7 +233,7 @@ def cycle_of(linkage: Linkage) -> Cycle:
             smooth, critical = criticals(linkage, angle)
         case ZeroExtreme():
             smooth, critical = criticals(linkage, 0.0)
-            angle = _extreme_angle(smooth, zero)
+            angle = extreme_angle(smooth, zero)
             if any(c.changes for c in critical):  # stated assemblies hold at position 0
                 smooth, critical = criticals(linkage, angle)
         case _:
@@ -240,10 +241,10 @@ def cycle_of(linkage: Linkage) -> Cycle:
     return Cycle(smooth, angle, critical)
 
 
-def _extreme_angle(linkage: Linkage, zero: ZeroExtreme) -> float:
+def extreme_angle(linkage: Linkage, zero: ZeroExtreme) -> float:
     """Driver angle of the extreme position that is to be position 0, rad."""
     start = Cycle(linkage, 0.0)
-    if not start._search[1].closes.any():
+    if not start.search[1].closes.any():
         return 0.0  # that no position exists is said later, with the reason
     if zero.point is not None:
         point, direction = zero.point, zero.direction

@@ -6,13 +6,14 @@ Arrays are (..., P): variants, then positions of the driving link.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from tmm_report.mechanics.dyads import Dyad, State, dyad
+from tmm_report.mechanics.each import one
 from tmm_report.mechanics.higher import HigherGroup, Known
 from tmm_report.mechanics.mechanism import FRAME, Mechanism
 from tmm_report.mechanics.planar import is_zero
@@ -183,6 +184,21 @@ def solve(linkage: Linkage, phi: Array, omega: Array | None = None) -> Motion:
             group.move(s)
     shape = np.broadcast_shapes(linkage.axes, np.shape(phi), np.shape(omega))
     return Motion(linkage, phi, omega, s, shape)
+
+
+def apart(motion: Motion, linkages: Sequence[Linkage]) -> list[Motion]:
+    """The motions of variants that were solved together, each with the linkage that it has by itself."""
+    parts = {item.name: getattr(motion.state, item.name) for item in fields(State)}
+    return [
+        Motion(
+            linkage,
+            one(motion.phi, v),
+            one(motion.omega, v),
+            State(**{name: one(part, v) for name, part in parts.items()}),
+            motion.shape[1:],
+        )
+        for v, linkage in enumerate(linkages)
+    ]
 
 
 def known_motion(before: Linkage) -> Known:

@@ -30,19 +30,23 @@ def slope(f: Callable[[Array], Array], x: Array, step: float) -> Array:
 
 
 def bracketed(
-    f: Callable[[Array], Array], low: Array, high: Array, f_low: Array, noise: float
+    f: Callable[[Array], Array], low: Array, high: Array, f_low: Array, noise: float | Array
 ) -> tuple[Array, Array]:
-    """Roots in many brackets at once, and f there: regula falsi with Illinois' halving of a stale end.
+    """Roots in many brackets at once, (..., N), and f there: regula falsi with Illinois' halving of a stale end.
 
-    Stops where |f| is within `noise`, its rounding error, or the bracket is a few bits wide.
+    A row of brackets stops where |f| of all is within `noise`, its rounding error, or the bracket a few bits wide.
     """
     f_high, x, fx = f(high), low, f_low
+    over = np.zeros((*np.shape(low)[:-1], 1), dtype=bool)
     for _ in range(TRIES):
         with np.errstate(invalid="ignore", divide="ignore"):
             step = (low * f_high - high * f_low) / (f_high - f_low)
-        x = np.where((step > low) & (step < high), step, (low + high) / 2)
+        step = np.where((step > low) & (step < high), step, (low + high) / 2)
+        x = np.where(over, x, step)
         fx = f(x)
-        if np.all((np.abs(fx) <= noise) | (high - low < FEW_BITS)):
+        done = (np.abs(fx) <= noise) | (high - low < FEW_BITS)
+        over = over | done.all(axis=-1, keepdims=True)
+        if over.all():
             break
         left = np.sign(fx) == np.sign(f_low)
         low, f_low = np.where(left, x, low), np.where(left, fx, f_low / 2)
@@ -53,10 +57,10 @@ def bracketed(
 def interpolated(
     f: Callable[[Array], Array], low: Array, high: Array, f_low: Array, noise: Array
 ) -> tuple[Array, Array]:
-    """Roots in many brackets at once, (N,), and f there: inverse quadratic interpolation, guarded by bisection.
+    """Roots in many brackets at once, (..., N), and f there: inverse quadratic interpolation, guarded by bisection.
 
     Stops where |f| is within `noise` (a number, or one a bracket), its rounding error, or the bracket is a few bits
-    wide. `f` is always asked for all brackets, those already done at their roots.
+    wide. `f` is always asked for all brackets, those already done at their roots, which they keep.
     Source: Chandrupatla, Adv. Eng. Software 28 (1997) 145.
     """
     a, fa, b, fb = low, f_low, high, f(high)  # a: the newest point; b: the other end

@@ -81,6 +81,21 @@ def criticals(linkage: Linkage, told_at: float) -> tuple[Linkage, tuple[Critical
     return before, tuple(found)
 
 
+def regular(linkage: Linkage, count: int) -> Array:
+    """Of `count` variants solved together, which keep away from singular positions all round, (count,) of bool: of
+    their groups `criticals` finds nothing."""
+    grid = (np.arange(SEARCH + 1) - 0.5) * (FULL_TURN / SEARCH)
+    found = np.ones(count, dtype=bool)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        s = drive(linkage, grid)
+        for group in linkage.groups:
+            if not isinstance(group, Dyad):
+                return np.zeros(count, dtype=bool)
+            found &= np.broadcast_to(margin(s, group), (count, grid.size)).min(axis=-1) >= SOON
+            group.place(s)
+    return found
+
+
 def _passed(changes: tuple[float, ...], told_at: float, sense: int) -> tuple[tuple[float, ...], float | None]:
     """The change points that are passed smoothly, and the one that is not: of an odd number the last before the turn is
     over, or the next turn would begin in the other assembly."""

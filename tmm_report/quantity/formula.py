@@ -378,7 +378,7 @@ class Formula:
         """What is printed before rounding, over all positions; differs from `value` only by hand."""
         return self.expression.evaluate(self.digits) if self.hand else self.value
 
-    @property
+    @cached_property
     def written(self) -> float:
         """The printed result at the sample position, rounded to `digits`, in SI (rad for "deg")."""
         value = at(self.shown, self.index)

@@ -11,10 +11,10 @@ symbol, unit and meaning from there; a printed number keeps a `Ref`, by which it
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
-from typing import Any
+from functools import cached_property, lru_cache
+from typing import Any, ParamSpec, TypeVar, cast
 
 import numpy as np
 
@@ -26,6 +26,13 @@ from tmm_report.quantity.units import factor
 
 Array = Any
 Texts = Sequence[str]
+Names = ParamSpec("Names")
+Made = TypeVar("Made")
+
+
+def kept(make: Callable[Names, Made]) -> Callable[Names, Made]:
+    """What makes quantities of names, so that it makes each once: what is found out about a quantity stays with it."""
+    return cast(Callable[Names, Made], lru_cache(maxsize=1024)(make))
 
 
 @dataclass(frozen=True)
@@ -56,13 +63,27 @@ class Quantity:
     def vector(self, values: Array) -> Iterator[Column]:
         """Size and both components of complex values (P,)."""
         yield self.column(np.abs(values))
-        for axis, text, part in (("x", X_PART, np.real), ("y", Y_PART, np.imag)):
-            symbol = self.symbol and replace(self.symbol, sup=",".join(filter(None, (self.symbol.sup, axis))))
-            component = Quantity(f"{self.key}_{axis}", symbol, self.unit, Message(text, {"of": self.meaning}))
+        for component, (_, _, part) in zip(self.components, AXES, strict=True):
             yield component.column(part(values))
+
+    @cached_property
+    def components(self) -> tuple[Quantity, Quantity]:
+        """Its projections on x and y, as quantities."""
+        x, y = (self._component(axis, text) for axis, text, _ in AXES)
+        return x, y
+
+    def _component(self, axis: str, text: str) -> Quantity:
+        symbol = self.symbol and replace(self.symbol, sup=",".join(filter(None, (self.symbol.sup, axis))))
+        return Quantity(f"{self.key}_{axis}", symbol, self.unit, Message(text, {"of": self.meaning}))
+
+    @cached_property
+    def said(self) -> dict[str, bytes]:
+        """What was written of it into results.json, by the language: kept by who writes."""
+        return {}
 
 
 X_PART, Y_PART = N_("%(of)s, x component"), N_("%(of)s, y component")
+AXES = (("x", X_PART, np.real), ("y", Y_PART, np.imag))
 
 
 class OfQuantity:
@@ -224,9 +245,15 @@ class Book:
 
 def text_column(key: str, meaning: Message, texts: Texts) -> Column:
     """A column of names or other texts."""
-    return Column(Quantity(key, None, "", meaning), texts)
+    return plain(key, "", meaning, texts)
 
 
 def plain(key: str, unit: str, meaning: Message, values: Any) -> Column:
     """A column that is never written as a symbol."""
-    return Column(Quantity(key, None, unit, meaning), values)
+    quantity = Quantity(key, None, unit, meaning) if meaning.values else _of_text(key, unit, meaning.text)
+    return Column(quantity, values)
+
+
+@kept
+def _of_text(key: str, unit: str, text: str) -> Quantity:
+    return Quantity(key, None, unit, Message(text))

@@ -117,6 +117,47 @@ def parse(value: object, dimension: str) -> float:
     return number * factor
 
 
+def measured(value: object) -> tuple[float, str]:
+    """The number and the unit of a value as it is written, "" for none. Raises WrongValue for what is no number."""
+    wanted = DIMENSIONS["number"]
+    if isinstance(value, bool) or not isinstance(value, int | float | str):
+        raise _not_a_number(value, wanted)
+    number, unit = _split(value, wanted) if isinstance(value, str) else (_float(value), "")
+    if not math.isfinite(number):
+        raise _not_a_number(value, wanted)
+    return number, unit.strip()
+
+
+def between(given: str, wanted: str) -> float:
+    """By what a number in a unit as a person writes it is multiplied to be in the other: ("мм/с", "m/s") -> 0.001.
+
+    Raises WrongValue for an unknown unit, or one that measures something else.
+    """
+    if given.strip() == wanted:
+        return 1.0
+    asked = Dimension(N_("a number"), _NONE, wanted, f"12,3 {wanted}".strip())
+    (size, exponents), (own, needed) = (_quotients(text, asked) for text in (given, wanted))
+    if not (_agree(exponents, needed) or _agree(needed, exponents)):
+        text = N_("%(given)s does not measure what is asked: expected %(unit)s")
+        raise WrongValue(Message(text, {"given": shown(given), "unit": wanted or "1"}))
+    return size / own
+
+
+def _quotients(text: str, asked: Dimension) -> tuple[float, Exponents]:
+    """Factor and exponents of a unit with any number of quotients: `(m/s)/mm`, `N/(N·m)`; "" is a plain number."""
+    plain = text.strip().translate(_PLAIN)
+    if not plain:
+        return 1.0, _NONE
+    if len(plain) > 40:
+        raise _unknown_unit(text, asked)
+    over, *under = plain.replace("(", "").replace(")", "").replace("**", "^").split("/")
+    factor, total = (1.0, _NONE) if over.strip() in ("", "1") else _product(over, 1, text, asked)
+    for part in under:
+        size, exponents = _product(part, -1, text, asked)
+        factor, total = factor * size, _sum(total, exponents)
+    return factor, total
+
+
 def _float(value: float) -> float:
     try:
         return float(value)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from tmm_report.quantity import model
@@ -15,14 +15,7 @@ def comparison_table(
     page: Page, caption: Any, table: model.Table, named: Mapping[str, Quantity], position: int
 ) -> Table:
     """`table`: of the results, a row a quantity, with "graph", "analytic" and "delta"; `named`: its quantities."""
-    rows = [
-        [
-            page.head(named[key].sign, named[key].unit),
-            *(Cell(page.num(table[by].values[row]), table.by_key(key, by, position)) for by in ("graph", "analytic")),
-            Cell(_delta(page, table["delta"].values[row]), table.by_key(key, "delta", position)),
-        ]
-        for row, key in enumerate(table["key"].values)
-    ]  # fmt: skip
+    rows = _compared(page, table, named, position, "≈ 0")
     heads = [
         page.t("Quantity"), page.t("Graph-analytical method"), page.t("Analytical method"),
         page.t("Difference, %%"),
@@ -30,6 +23,37 @@ def comparison_table(
     return worded(caption, heads, rows, (3, 3, 3, 2))
 
 
-def _delta(page: Page, delta: float) -> str:
-    """nan: both are zero within the reading."""
-    return page.num(delta, places=2) if delta == delta else "≈ 0"
+def own_numbers_table(
+    page: Page,
+    caption: Any,
+    table: model.Table,
+    named: Mapping[str, Quantity],
+    position: int,
+    said: Sequence[Any],
+) -> Table:
+    """The same of a student's own numbers, with what is `said` of each in the last column."""
+    rows = _compared(page, table, named, position, "—")
+    heads = [
+        page.t("Quantity"), page.t("Own value"), page.t("Analytical method"), page.t("Difference, %%"),
+        page.t("Result"),
+    ]  # fmt: skip
+    return worded(caption, heads, [[*row, one] for row, one in zip(rows, said, strict=True)], (3, 3, 3, 2, 4))
+
+
+def _compared(
+    page: Page, table: model.Table, named: Mapping[str, Quantity], position: int, without: str
+) -> list[list[Any]]:
+    """Quantity, both values and the difference; `without`: what is printed where there is none."""
+    return [
+        [
+            page.head(named[key].sign, named[key].unit),
+            *(Cell(page.num(table[by].values[row]), table.by_key(key, by, position)) for by in ("graph", "analytic")),
+            Cell(_delta(page, table["delta"].values[row], without), table.by_key(key, "delta", position)),
+        ]
+        for row, key in enumerate(table["key"].values)
+    ]  # fmt: skip
+
+
+def _delta(page: Page, delta: float, without: str) -> str:
+    """Without one, nan, both are zero within the reading, or their signs are opposite."""
+    return page.num(delta, places=2) if delta == delta else without

@@ -189,6 +189,9 @@ Name = Annotated[str, Reads(_name, _NAME)]
 KeyName = Annotated[str, Reads(_name, {"type": "string", "pattern": f"^{NAME}$"})]
 GroupName = Annotated[str, Field(max_length=60)]
 ReadingKey = Annotated[str, Field(max_length=40)]
+Reading = Annotated[
+    tuple[float, str], Reads(units.measured, {"type": ["number", "string"], "examples": ["4.44 m/s"]})
+]
 PositionKey = Annotated[str, Field(pattern=r"^[0-9]{1,3}$")]
 Text = Annotated[str, Reads(_free_text, {"type": ["string", "number", "boolean", "null"], "maxLength": 200})]
 Label = Annotated[str, Reads(_free_text, {"type": ["string", "number"], "maxLength": 200})]

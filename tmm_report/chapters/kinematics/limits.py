@@ -105,17 +105,17 @@ def closest(cycle: Cycle) -> tuple[Closest, ...]:
     """Of every group the position nearest to a singular one, exactly, and its singular positions."""
     if not cycle.critical:
         return ()
-    sines = [_sine_of(critical.group.group.label) for critical in cycle.critical]
+    sines = [sine_of(critical.group.group.label) for critical in cycle.critical]
     extremes = cycle.extremes_of(sines, cycle.roots_of([Slope(sine) for sine in sines]))
-    return tuple(_closest(cycle, c, least) for c, (least, _) in zip(cycle.critical, extremes, strict=True))
+    return tuple(nearest(cycle, c, least) for c, (least, _) in zip(cycle.critical, extremes, strict=True))
 
 
-def _sine_of(label: str) -> Quantity:
+def sine_of(label: str) -> Quantity:
     """The sine of a group's transmission angle, as a function of the motion."""
     return lambda motion: motion.sines[label]
 
 
-def _closest(cycle: Cycle, critical: Critical, at: Extreme) -> Closest:
+def nearest(cycle: Cycle, critical: Critical, at: Extreme) -> Closest:
     group = critical.group
     zeros = [_turned(cycle, part) for part in (critical.changes, critical.limits, critical.parallel)]
     if any(zeros):
@@ -130,11 +130,17 @@ def dead(cycle: Cycle, outputs: Sequence[Moving]) -> tuple[Dead, ...]:
     moving = [output for output in outputs if cycle.moves(output.velocity, output.size)]
     found = dict(zip((o.name for o in moving), cycle.roots_of([o.velocity for o in moving]), strict=True))
     still = [found.get(output.name, np.array([])) for output in outputs]
-    return tuple(_dead(cycle, output.name, turned) for output, turned in zip(outputs, still, strict=True))
+    return tuple(
+        dead_points(cycle, output.name, turned) for output, turned in zip(outputs, still, strict=True)
+    )
 
 
-def _dead(cycle: Cycle, name: str, turned: Array) -> Dead:
-    motion = cycle.motion(turned)
+def dead_points(cycle: Cycle, name: str, turned: Array) -> Dead:
+    return told(name, turned, cycle.motion(turned))
+
+
+def told(name: str, turned: Array, motion: Motion) -> Dead:
+    """Dead points of an output at angles turned, and which links lie in line there, by the motion there."""
     lines = [_in_line(motion, k) for k in range(len(turned))]
     return Dead(name, tuple(turned.tolist()), tuple(lines))
 

@@ -14,7 +14,7 @@ from tmm_report.mechanics.cycle import Extreme
 from tmm_report.mechanics.motion import Linkage, Motion
 from tmm_report.mechanics.relations import Branch, moving_points, relations, turning_links
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, text_column
+from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, kept, text_column
 from tmm_report.quantity.symbols import Symbol
 
 Array = Any
@@ -70,12 +70,14 @@ ROCKER = (
 
 def motion_of(output: Output) -> tuple[Quantity, Quantity, Quantity]:
     """Displacement, velocity and acceleration of an output."""
-    rows = SLIDER if output.kind == "slider" else ROCKER
+    return _motion_of(output.kind, output.name)
+
+
+@kept
+def _motion_of(kind: str, name: str) -> tuple[Quantity, Quantity, Quantity]:
     displacement, velocity, acceleration = (
-        Quantity(
-            f"{key}_{output.name}", Symbol(base, output.name), unit, Message(text, {"name": output.name})
-        )
-        for key, base, unit, text in rows
+        Quantity(f"{key}_{name}", Symbol(base, name), unit, Message(text, {"name": name}))
+        for key, base, unit, text in (SLIDER if kind == "slider" else ROCKER)
     )
     return displacement, velocity, acceleration
 
@@ -97,17 +99,36 @@ def _places(motion: Motion) -> Iterator[Column]:
             ("x", N_("x of point %(name)s"), place.real),
             ("y", N_("y of point %(name)s"), place.imag),
         ):
-            meaning = Message(text, {"name": point})
-            yield Quantity(f"{axis}_{point}", Symbol(axis, point), "m", meaning).column(values)
+            yield coordinate(axis, text, point).column(values)
     for link in turning_links(motion.linkage):
-        meaning = Message(N_("angle of link %(name)s from the x axis"), {"name": link})
-        angle = Quantity(f"phi_{link}", Symbol("phi", link), "deg", meaning)
-        yield angle.column(np.degrees(np.angle(motion.turn(link))))
+        yield angle(link).column(np.degrees(np.angle(motion.turn(link))))
     for label, sine in motion.sines.items():
-        of = {"group": label}
-        yield Quantity(f"sin_{label}", None, "", Message(CLOSENESS, of)).column(sine)
-        digits = Message(N_("decimal digits that remain in group %(group)s"), of)
-        yield Quantity(f"digits_{label}", None, "", digits).column(digits_left(sine))
+        near, digits = nearness(label)
+        yield near.column(sine)
+        yield digits.column(digits_left(sine))
+
+
+@kept
+def coordinate(axis: str, text: str, point: str) -> Quantity:
+    """x or y of a point."""
+    return Quantity(f"{axis}_{point}", Symbol(axis, point), "m", Message(text, {"name": point}))
+
+
+@kept
+def angle(link: str) -> Quantity:
+    meaning = Message(N_("angle of link %(name)s from the x axis"), {"name": link})
+    return Quantity(f"phi_{link}", Symbol("phi", link), "deg", meaning)
+
+
+@kept
+def nearness(group: str) -> tuple[Quantity, Quantity]:
+    """Closeness of a group to a singular position, and the digits that remain there."""
+    of = {"group": group}
+    digits = Message(N_("decimal digits that remain in group %(group)s"), of)
+    return (
+        Quantity(f"sin_{group}", None, "", Message(CLOSENESS, of)),
+        Quantity(f"digits_{group}", None, "", digits),
+    )
 
 
 # ---------------------------------------------------------------- velocities and accelerations
@@ -125,12 +146,14 @@ BASES = {"w": "omega", "e": "epsilon"}
 UNITS = {"v": "m/s", "a": "m/s²", "w": "rad/s", "e": "rad/s²"}
 
 
+@kept
 def point_rate(letter: str, point: str) -> Quantity:
     """Velocity "v" or acceleration "a" of a point."""
     meaning = Message(POINT[letter], {"of": point})
     return Quantity(f"{letter}_{point}", Symbol(letter, point), UNITS[letter], meaning)
 
 
+@kept
 def link_rate(letter: str, link: str) -> Quantity:
     """Angular velocity "w" or acceleration "e" of a link."""
     meaning = Message(LINK[letter], {"name": link})
@@ -153,7 +176,12 @@ def rates(linkage: Linkage) -> dict[str, Quantity]:
     return known
 
 
-def _of_branch(branch: Branch) -> Iterator[Quantity]:
+@kept
+def _of_branch(branch: Branch) -> tuple[Quantity, ...]:
+    return tuple(_branch_rates(branch))
+
+
+def _branch_rates(branch: Branch) -> Iterator[Quantity]:
     for point in (branch.start, branch.end):
         if point is not None:
             yield from (point_rate("v", point), point_rate("a", point))
@@ -191,19 +219,21 @@ def _exact(c: Closest) -> Iterator[tuple[str, str, float, float]]:
         yield from ((kind, c.group, turned, 0.0) for turned in angles)
 
 
+NEAR = Quantity("closeness", None, "", Message(N_("closeness to a singular position, 1 … 0")))
+DIGITS = Quantity("digits", None, "", Message(N_("decimal digits that remain")))
+
+
 def _special(found: Kinematics) -> tuple[Column, ...]:
     """Exact angles of turn at which something is singular: one row each."""
     rows = list(special_rows(found))
     kinds, of = [row[0] for row in rows], [row[1] for row in rows]
     turned, closeness = [row[2] for row in rows], [row[3] for row in rows]
-    near = Quantity("closeness", None, "", Message(N_("closeness to a singular position, 1 … 0")))
-    digits = Quantity("digits", None, "", Message(N_("decimal digits that remain")))
     return (
         text_column("kind", Message(N_("closest, change, limit, parallel (guides) or dead (point)")), kinds),
         text_column("of", Message(N_("the group, or the output link")), of),
         PHI.column(np.degrees(turned)),
-        near.column(closeness),
-        digits.column(digits_left(np.array(closeness, dtype=float))),
+        NEAR.column(closeness),
+        DIGITS.column(digits_left(np.array(closeness, dtype=float))),
     )
 
 

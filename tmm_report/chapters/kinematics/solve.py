@@ -12,7 +12,7 @@ import numpy as np
 from tmm_report.chapters.kinematics.given import Positions
 from tmm_report.chapters.kinematics.limits import Closest, Dead, Gap, closest, dead, gaps
 from tmm_report.chapters.structure.solve import Structure
-from tmm_report.mechanics.cycle import Cycle, Extreme, Slope, cycle_of, least_and_greatest
+from tmm_report.mechanics.cycle import Cycle, Extreme, Quantity, Rate, Slope, cycle_of, least_and_greatest
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.motion import SINGULAR, Linkage, Motion
 from tmm_report.mechanics.planar import dot
@@ -59,6 +59,16 @@ class Output:
         if self.kind == "rocker":
             return motion.angular_acceleration(self.name) * np.real(self.direction)
         return dot(motion.acceleration(self.name), self.direction)
+
+    @property
+    def values(self) -> tuple[Quantity, ...]:
+        """What has extremes."""
+        return self.coordinate, self.velocity, self.acceleration
+
+    @property
+    def stops(self) -> tuple[Rate, ...]:
+        """The derivatives of `values`."""
+        return self.velocity, self.acceleration, Slope(self.acceleration)
 
     def size(self, motion: Motion) -> Array:
         """A speed of the mechanism beside which the output's is more than rounding: m/s or rad/s."""
@@ -143,11 +153,9 @@ class Kinematics:
 def solve(positions: Positions, structure: Structure) -> Kinematics:
     """Positions that cannot be assembled are nan. Raises ProblemError where none can."""
     cycle = cycle_of(structure.linkage)
-    turned = np.arange(positions.table + 1) * (cycle.sweep / positions.table)
-    diagram_turned = np.arange(positions.diagram + 1) * (cycle.sweep / positions.diagram)
-    # position N of a full turn is position 0: solved as such, so that both print the same digits
-    table = cycle.motion(np.where(cycle.closed & (turned >= cycle.sweep), 0.0, turned))
-    diagram = cycle.motion(np.where(cycle.closed & (diagram_turned >= cycle.sweep), 0.0, diagram_turned))
+    (turned, table), (diagram_turned, diagram) = (
+        steps(cycle, count) for count in (positions.table, positions.diagram)
+    )
     _must_close(cycle, table, diagram)
     undefined = settle(table)
     settle(diagram)
@@ -157,6 +165,13 @@ def solve(positions: Positions, structure: Structure) -> Kinematics:
         cycle.linkage, cycle, positions, turned, table, diagram_turned, diagram, travels,
         _numbers(flat & table.closes), _numbers(undefined & table.closes), _numbers(~table.closes),
     )  # fmt: skip
+
+
+def steps(cycle: Cycle, count: int) -> tuple[Array, Motion]:
+    """Angles turned at `count` equal steps, rad, the last included, and the motion there."""
+    turned = np.arange(count + 1) * (cycle.sweep / count)
+    # position N of a full turn is position 0: solved as such, so that both print the same digits
+    return turned, cycle.motion(np.where(cycle.closed & (turned >= cycle.sweep), 0.0, turned))
 
 
 def _numbers(mask: Array) -> tuple[int, ...]:
@@ -202,21 +217,19 @@ def _traced_point(linkage: Linkage, link: str) -> str | None:
 
 def _travels(cycle: Cycle, table: Motion, diagram: Motion) -> tuple[Travel, ...]:
     """The motion of every output, their extremes found all together."""
-    found = [_pointed(output, diagram) for output in outputs(cycle.linkage)]
+    found = [pointed(output, diagram) for output in outputs(cycle.linkage)]
     if not found:
         return ()
-    values = [value for o in found for value in (o.coordinate, o.velocity, o.acceleration)]
-    still = cycle.roots_of(
-        [rate for o in found for rate in (o.velocity, o.acceleration, Slope(o.acceleration))]
-    )
+    values = [value for output in found for value in output.values]
+    still = cycle.roots_of([rate for output in found for rate in output.stops])
     extremes = cycle.extremes_of(values, still)
     return tuple(
-        _travel(cycle, output, table, diagram, still[3 * k], extremes[3 * k : 3 * k + 3])
+        travel(cycle, output, table, diagram, still[3 * k], extremes[3 * k : 3 * k + 3])
         for k, output in enumerate(found)
     )
 
 
-def _travel(
+def travel(
     cycle: Cycle, output: Output, table: Motion, diagram: Motion, stops: Array, extremes: Sequence[Extremes]
 ) -> Travel:
     """`stops`: angles turned at which the output stands still; `extremes` of coordinate, velocity, acceleration."""
@@ -241,7 +254,7 @@ def _travel(
     )  # fmt: skip
 
 
-def _pointed(output: Output, diagram: Motion) -> Output:
+def pointed(output: Output, diagram: Motion) -> Output:
     """A slider's displacement is positive towards the farther end of its stroke from position 0."""
     if output.kind == "rocker":
         return output

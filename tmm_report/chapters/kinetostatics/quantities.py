@@ -13,7 +13,7 @@ from tmm_report.chapters.kinematics.quantities import where
 from tmm_report.mechanics.statics import Reaction
 from tmm_report.mechanics.structure import Pair
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, text_column
+from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, kept, text_column
 from tmm_report.quantity.symbols import Symbol
 
 if TYPE_CHECKING:  # the solver's own names are taken from here
@@ -44,15 +44,18 @@ TOTAL_POWER = Quantity("N_sum", Symbol("SigmaN"), "W", Message(N_("sum of the po
 # ---------------------------------------------------------------- loads
 
 
+@kept
 def weight(link: str) -> Quantity:
     return Quantity(f"G_{link}", Symbol("G", link), "N", Message(N_("weight of link %(of)s"), {"of": link}))
 
 
+@kept
 def inertia_force(link: str) -> Quantity:
     meaning = Message(N_("inertia force of link %(of)s"), {"of": link})
     return Quantity(f"F_I{link}", Symbol("F", f"I{link}"), "N", meaning)
 
 
+@kept
 def inertia_couple(link: str) -> Quantity:
     meaning = Message(N_("inertia couple of link %(of)s"), {"of": link})
     return Quantity(f"M_I{link}", Symbol("M", f"I{link}"), "N·m", meaning)
@@ -61,11 +64,12 @@ def inertia_couple(link: str) -> Quantity:
 def forces(given: Sequence[Force]) -> list[Quantity]:
     """The stated forces in their order: P_B; several at one point are numbered, P_B,1, P_B,2."""
     at = [force.at for force in given]
-    return [_force(force, _numbered(at, k)) for k, force in enumerate(given)]
+    return [_force(force.at, force.name, _numbered(at, k)) for k, force in enumerate(given)]
 
 
-def _force(force: Force, index: str) -> Quantity:
-    meaning = Message(N_("force on point %(at)s: %(name)s"), {"at": force.at, "name": force.name})
+@kept
+def _force(at: str, name: str, index: str) -> Quantity:
+    meaning = Message(N_("force on point %(at)s: %(name)s"), {"at": at, "name": name})
     return Quantity(f"P_{index}", Symbol("P", index), "N", meaning)
 
 
@@ -73,14 +77,15 @@ def moments(given: Sequence[Moment]) -> list[Quantity]:
     """The stated moments in their order: M_3; several on one link are numbered in the symbol, M_3,1, M_3,2."""
     on = [moment.on for moment in given]
     return [
-        Quantity(
-            f"M_{moment.on},{k}",
-            Symbol("M", moment.on if on.count(moment.on) == 1 else f"{moment.on},{k}"),
-            "N·m",
-            Message(N_("moment on link %(on)s: %(name)s"), {"on": moment.on, "name": moment.name}),
-        )
+        _moment(moment.on, moment.name, k, moment.on if on.count(moment.on) == 1 else f"{moment.on},{k}")
         for k, moment in enumerate(given, 1)
     ]
+
+
+@kept
+def _moment(on: str, name: str, k: int, index: str) -> Quantity:
+    meaning = Message(N_("moment on link %(on)s: %(name)s"), {"on": on, "name": name})
+    return Quantity(f"M_{on},{k}", Symbol("M", index), "N·m", meaning)
 
 
 def _numbered(names: Sequence[str], k: int) -> str:
@@ -103,18 +108,21 @@ def both(by: str, on: str) -> str:
     return f"{by}{on}" if len(by) == len(on) == 1 else f"{by},{on}"
 
 
+@kept
 def reaction(by: str, on: str) -> Quantity:
     """Force of link `by` on link `on`."""
     meaning = Message(N_("reaction of link %(one)s on link %(other)s"), {"one": by, "other": on})
     return Quantity(f"R_{both(by, on)}", Symbol("R", both(by, on)), "N", meaning)
 
 
+@kept
 def reaction_part(by: str, on: str, part: str) -> Quantity:
     """Its projection "x", "y" or its tangential or normal component "t", "n"."""
     meaning = Message(PARTS[part], {"one": by, "other": on})
     return Quantity(f"R_{both(by, on)}_{part}", Symbol("R", both(by, on), part), "N", meaning)
 
 
+@kept
 def reaction_angle(by: str, on: str) -> Quantity:
     meaning = Message(
         N_("angle of the reaction of link %(one)s on link %(other)s with the x axis"),
@@ -123,6 +131,7 @@ def reaction_angle(by: str, on: str) -> Quantity:
     return Quantity(f"alpha_{both(by, on)}", Symbol("alpha", both(by, on)), "deg", meaning)
 
 
+@kept
 def guide_moment(by: str, on: str) -> Quantity:
     meaning = Message(
         N_("moment of the reaction of link %(one)s on link %(other)s in their guide"),
@@ -131,6 +140,7 @@ def guide_moment(by: str, on: str) -> Quantity:
     return Quantity(f"M_{both(by, on)}", Symbol("M", both(by, on)), "N·m", meaning)
 
 
+@kept
 def guide_offset(by: str, on: str, guide: str) -> Quantity:
     meaning = Message(
         N_("where the reaction acts along guide %(pair)s, from the slider's point"), {"pair": guide}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, assert_never
@@ -31,6 +31,9 @@ from tmm_report.mechanics.statics import Load, Statics
 from tmm_report.problems import N_, Message, ProblemError, mistake
 
 Array = Any
+
+Stated = tuple[Sequence[tuple[Array, Array]], Sequence[tuple[Array, Array]]]
+"""Of every stated force, then of every moment: the vector (..., P), and how much of it is along its direction."""
 
 TOLERANCE = 1e-9  # relative disagreement of the checks above which something is wrong
 
@@ -107,41 +110,59 @@ class Kinetostatics:
 
 
 def solve(given: Loads, kinematics: Kinematics) -> Kinetostatics:
-    solver = _Solver(given, kinematics)
     with np.errstate(invalid="ignore", divide="ignore"):  # singular positions are nan
-        table = solver.at(kinematics.table, kinematics.turned)
-        diagram = solver.at(kinematics.diagram, kinematics.diagram_turned)
+        sets = (
+            (kinematics.table, kinematics.turned),
+            (kinematics.diagram, kinematics.diagram_turned),
+        )
+        table, diagram = (
+            at(given, motion, turned, stated(given, kinematics, motion, turned)) for motion, turned in sets
+        )
     return Kinetostatics(given, kinematics, table, diagram)
 
 
-@dataclass(frozen=True, eq=False)
-class _Solver:
-    given: Loads
-    kinematics: Kinematics
+def at(given: Loads, motion: Motion, turned: Array, loads: Stated) -> Solved:
+    """Forces at the positions of `motion`, angles `turned` from position 0, rad, under the stated loads there."""
+    load = loaded(given, motion, loads)
+    found = statics.solve(motion, resultants(given, motion, load))
+    terms = lever_terms(given, motion, load)
+    omega = motion.state.w[motion.linkage.mechanism.driver.link]
+    power = (_kinetic_power(motion) - external_power(given, motion, load)) / omega
+    lever = -np.sum(terms, axis=0) / omega
+    # at a change point reactions are nothing, but the powers have a limit, and so has the moment
+    balancing = np.where(np.isfinite(found.balancing), found.balancing, lever)
+    scale = np.sum(np.abs(terms), axis=0) / abs(omega) + np.abs(balancing)
+    # where all terms are next to nothing, rounding errors are judged by the rest of the cycle and by the energy
+    # of the links, J = N m for a radian
+    rest, energy = 1e-3 * _largest(scale), _largest(kinetic_energy(motion))
+    scale = np.maximum(scale, np.where(energy > rest, energy, rest))
+    return Solved(motion, turned, load, replace(found, balancing=balancing), terms, lever, power, scale)
 
-    def at(self, motion: Motion, turned: Array) -> Solved:
-        load = loading(self.given, self.kinematics, motion, turned)
-        found = statics.solve(motion, resultants(self.given, motion, load))
-        terms = lever_terms(self.given, motion, load)
-        omega = motion.state.w[motion.linkage.mechanism.driver.link]
-        power = (_kinetic_power(motion) - external_power(self.given, motion, load)) / omega
-        lever = -np.sum(terms, axis=0) / omega
-        # at a change point reactions are nothing, but the powers have a limit, and so has the moment
-        balancing = np.where(np.isfinite(found.balancing), found.balancing, lever)
-        scale = np.sum(np.abs(terms), axis=0) / abs(omega) + np.abs(balancing)
-        # where all terms are next to nothing, rounding errors are judged by the rest of the cycle and by the energy
-        # of the links, J = N m for a radian
-        scale = np.maximum(scale, max(1e-3 * np.nanmax(scale), np.nanmax(kinetic_energy(motion))))
-        return Solved(motion, turned, load, replace(found, balancing=balancing), terms, lever, power, scale)
+
+def _largest(values: Array) -> Array:
+    """The largest of all positions, (..., 1)."""
+    return np.nanmax(values, axis=-1, keepdims=True)
+
+
+def stated(given: Loads, kinematics: Kinematics, motion: Motion, turned: Array) -> Stated:
+    """The stated forces and moments at the positions of `motion`, angles `turned` from position 0, rad."""
+    return (
+        [_force(force, kinematics, motion, turned) for force in given.forces],
+        [_moment(moment, kinematics, motion, turned) for moment in given.moments],
+    )
 
 
 def loading(given: Loads, kinematics: Kinematics, motion: Motion, turned: Array) -> Loading:
     """Evaluate every load at the positions of `motion`, angles `turned` from position 0, rad."""
+    return loaded(given, motion, stated(given, kinematics, motion, turned))
+
+
+def loaded(given: Loads, motion: Motion, loads: Stated) -> Loading:
+    """The stated loads with weights, inertia forces and couples."""
     links = [link for name, link in motion.linkage.mechanism.links.items() if name != FRAME]
     heavy = [link for link in links if link.mass_centre is not None and np.any(link.mass)]
     one = np.ones(motion.shape)
-    forces = [_force(force, kinematics, motion, turned) for force in given.forces]
-    moments = [_moment(moment, kinematics, motion, turned) for moment in given.moments]
+    forces, moments = loads
     return Loading(
         gravity={link.name: link.mass * given.gravity * one for link in heavy},
         inertia={link.name: -link.mass * motion.acceleration(str(link.mass_centre)) for link in heavy},
@@ -313,5 +334,12 @@ def _kinetic_power(motion: Motion) -> Array:
     k = np.arange(1, len(DIFFERENCE) + 1).reshape(-1, *(1,) * len(motion.shape))
     phi = np.stack([motion.phi + k * step, motion.phi - k * step])
     energy = kinetic_energy(solve_motion(motion.linkage, phi))
-    slope = np.tensordot(np.array(DIFFERENCE), energy[0] - energy[1], axes=1) / step
-    return slope * omega
+    return _summed(energy[0] - energy[1]) / step * omega
+
+
+def _summed(rows: Array) -> Array:
+    """The sum of rows (N, ..., P) of a difference: of many variants each by itself, as the order in which products are
+    added depends on how many there are."""
+    if rows.ndim == 2:
+        return np.tensordot(np.array(DIFFERENCE), rows, axes=1)
+    return np.array([_summed(np.ascontiguousarray(rows[:, v])) for v in range(rows.shape[1])])

@@ -1,13 +1,13 @@
-"""The blocks `drawing` and `readings` of a variant."""
+"""The block `drawing` of a variant."""
 
 from collections.abc import Iterator
 from typing import Annotated, TypedDict
 
 from pydantic import Field, Tag
 
-from tmm_report.chapters.kinematics.block import beyond_the_table, undrawn
-from tmm_report.chapters.plans.given import Drawing, Readings
-from tmm_report.chapters.structure.block import stated, without
+from tmm_report.chapters.kinematics.block import undrawn
+from tmm_report.chapters.plans.given import Drawing
+from tmm_report.chapters.structure.block import stated
 from tmm_report.problems import N_, Problem
 from tmm_report.quantity.paper import ACCURACY
 from tmm_report.variant import model
@@ -17,9 +17,6 @@ from tmm_report.variant.values import (
     SCALAR,
     Accuracy,
     GroupName,
-    Number,
-    PositionKey,
-    ReadingKey,
     Scale,
     by_shape,
 )
@@ -47,17 +44,13 @@ class DrawingModel(Model):
 
 
 class Block(model.Block):
-    """How the plans are drawn, and what a student read off them."""
+    """How the plans are drawn."""
 
     drawing: DrawingModel = Field(default_factory=DrawingModel)
-    readings: dict[PositionKey, dict[ReadingKey, Number]] = Field(
-        default={}, description="a student's own readings, SI: position -> symbol -> number"
-    )
 
 
 class Given(TypedDict):
     drawing: Drawing
-    readings: Readings
 
 
 def given(read: Read) -> Given:
@@ -66,16 +59,9 @@ def given(read: Read) -> Given:
     drawing = Drawing(
         block.drawing.accuracy, scales.length, scales.velocity, scales.acceleration, scales.force
     )
-    return {
-        "drawing": drawing,
-        "readings": {int(position): symbols for position, symbols in block.readings.items()},
-    }
+    return {"drawing": drawing}
 
 
 def mistakes(read: Read) -> Iterator[Problem]:
-    if not stated(read):
-        yield from without(read, "readings")
-        return
-    yield from undrawn("plans", read)
-    for position in read.block(Block).readings:
-        yield from beyond_the_table(int(position), ("readings", position), read)
+    if stated(read):
+        yield from undrawn("plans", read)

@@ -1,4 +1,4 @@
-"""What is given to the plans: how they are drawn, and a student's own readings."""
+"""What is given to the plans: how they are drawn."""
 
 from __future__ import annotations
 
@@ -6,8 +6,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from tmm_report.quantity.paper import ACCURACY
-
-Readings = Mapping[int, Mapping[str, float]]  # table position -> symbol key ("v_BA", "e_2") -> SI value
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from tmm_report.quantity.written import segment_of, worked_table
 
 if TYPE_CHECKING:  # drafting takes the names of its quantities from here
     from tmm_report.chapters.plans.drafting import Plan, Projections
-    from tmm_report.chapters.plans.solve import Comparison, Drawn, Plans
+    from tmm_report.chapters.plans.solve import Drawn, Plans
 
 MU_V = Quantity("mu_v", Symbol("mu", "v"), "(m/s)/mm", Message(N_("scale of the velocity plan")))
 MU_A = Quantity("mu_a", Symbol("mu", "a"), "(m/s²)/mm", Message(N_("scale of the acceleration plan")))
@@ -26,7 +26,6 @@ WORST = Quantity(
 )
 
 COMPARISON = Message(N_("graph-analytical method against the analytical one"))
-READINGS = Message(N_("the student's own readings against the analytical method"))
 SEGMENTS = Message(N_("segments measured in the plans"))
 VALUES = Message(N_("values read off the plans"))
 EQUATIONS = Message(N_("equations of the contours of a group in projections on the axes, and their solution"))
@@ -56,8 +55,6 @@ def tables(found: Plans) -> Iterator[Table]:
     for drawn in found.drawn:
         unit = {key: quantity.unit for key, quantity in named.items()}.__getitem__
         yield comparison(f"comparison_{drawn.position}", COMPARISON, drawn.comparison, unit)
-        if drawn.readings:
-            yield comparison(f"readings_{drawn.position}", READINGS, drawn.readings, unit)
 
 
 def plans_of(drawn: Sequence[Drawn], kind: str) -> list[Plan]:
@@ -84,7 +81,20 @@ def _all(names: Iterable[Iterable[str]]) -> list[str]:
     return list(dict.fromkeys(name for some in names for name in some))
 
 
-def comparison(name: str, meaning: Message, rows: Sequence[Comparison], unit: Callable[[str], str]) -> Table:
+class Compared(Protocol):
+    """One value by two methods; `delta`: %, None where there is none."""
+
+    @property
+    def key(self) -> str: ...
+    @property
+    def graph(self) -> float: ...
+    @property
+    def analytic(self) -> float: ...
+    @property
+    def delta(self) -> float | None: ...
+
+
+def comparison(name: str, meaning: Message, rows: Sequence[Compared], unit: Callable[[str], str]) -> Table:
     """One row a quantity: its key finds it."""
     deltas = [math.nan if row.delta is None else row.delta for row in rows]
     columns = (

@@ -8,18 +8,15 @@ Source: Artobolevsky, Theory of mechanisms and machines, ch. 4; Frolov (ed.), Th
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from difflib import get_close_matches
-from typing import Any
 
 import numpy as np
 
 from tmm_report.chapters.kinematics.quantities import rates
 from tmm_report.chapters.kinematics.solve import Kinematics
 from tmm_report.chapters.plans.drafting import Named, Plan, Scales, acceleration_plan, velocity_plan
-from tmm_report.chapters.plans.given import Drawing, Readings
-from tmm_report.problems import N_, Message, ProblemError, mistake
+from tmm_report.chapters.plans.given import Drawing
 from tmm_report.quantity.paper import Pen, round_scale
 
 PAPER = 150.0  # mm: a round scale is chosen so that the longest vector is at most this
@@ -48,13 +45,12 @@ class Comparison:
 
 @dataclass(frozen=True, eq=False)
 class Drawn:
-    """Both plans of one position, compared with the analytical method and with the student's own readings."""
+    """Both plans of one position, compared with the analytical method."""
 
     position: int
     velocity: Plan
     acceleration: Plan
     comparison: tuple[Comparison, ...]
-    readings: tuple[Comparison, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,19 +72,15 @@ class Plans:
             (abs(c.delta) for d in self.drawn for c in d.comparison if c.delta is not None), default=0.0
         )
 
-    @property
-    def worst_reading(self) -> float:
-        return max((abs(c.delta) for d in self.drawn for c in d.readings if c.delta is not None), default=0.0)
 
-
-def solve(drawing: Drawing, plans: Sequence[int], readings: Readings, kinematics: Kinematics) -> Plans:
-    """Construct the plans of the table positions `plans`. Raises ProblemError for unknown keys of readings."""
-    wanted = sorted({*plans, *readings})
+def solve(drawing: Drawing, plans: Sequence[int], kinematics: Kinematics) -> Plans:
+    """Construct the plans of the table positions `plans`."""
+    wanted = sorted(set(plans))
     regular = [k for k in wanted if k not in (*kinematics.singular, *kinematics.missing)]
     pen = Pen(drawing.accuracy)
     named = rates(kinematics.linkage)
     scales = _scales(drawing, kinematics, regular, named)
-    drawn = tuple(_draw(kinematics, k, scales, pen, named, readings.get(k, {})) for k in regular)
+    drawn = tuple(_draw(kinematics, k, scales, pen, named) for k in regular)
     singular = tuple(k for k in wanted if k not in regular)
     return Plans(
         drawn,
@@ -117,9 +109,7 @@ def _scales(drawing: Drawing, kinematics: Kinematics, positions: list[int], name
     )
 
 
-def _draw(
-    kinematics: Kinematics, k: int, scales: Scales, pen: Pen, named: Named, readings: Mapping[str, float]
-) -> Drawn:
+def _draw(kinematics: Kinematics, k: int, scales: Scales, pen: Pen, named: Named) -> Drawn:
     motion = kinematics.cycle.motion(kinematics.turned[k : k + 1])
     velocity = velocity_plan(motion, k, scales, pen, named)
     acceleration = acceleration_plan(motion, k, scales, pen, named, velocity)
@@ -131,22 +121,4 @@ def _draw(
     comparison = tuple(
         Comparison(key, found[key], analytic[key], per_mm[key] * pen.read_step) for key in read
     )
-    _known_keys(k, readings, found)
-    # a student's readings are by hand: what is below 1 mm of the plan is nothing
-    own = tuple(Comparison(key, abs(value), analytic[key], per_mm[key]) for key, value in readings.items())
-    return Drawn(k, velocity, acceleration, comparison, own)
-
-
-def _known_keys(position: int, readings: Mapping[str, float], known: Mapping[str, Any]) -> None:
-    problems = []
-    for key in readings:
-        if key not in known:
-            alike = [name for name in known if name.casefold() == key.casefold()]
-            near = alike or get_close_matches(key, known, n=1)
-            right = Message(N_("did you mean %(near)s?"), {"near": near[0]}) if near else None
-            right = right or Message(N_("known ones: %(keys)s"), {"keys": ", ".join(known)})
-            problems.append(
-                mistake(N_("this plan has no value %(key)s"), ("readings", position, key), right, key=key)
-            )
-    if problems:
-        raise ProblemError(problems)
+    return Drawn(k, velocity, acceleration, comparison)

@@ -117,7 +117,3 @@ class PlansView:
     def comparison(self, caption: Any, drawn: Drawn) -> Table:
         table = self.book.tables[f"comparison_{drawn.position}"]
         return comparison_table(self.page, caption, table, self.named, drawn.position)
-
-    def readings(self, caption: Any, drawn: Drawn) -> Table:
-        table = self.book.tables[f"readings_{drawn.position}"]
-        return comparison_table(self.page, caption, table, self.named, drawn.position)

@@ -1,0 +1,106 @@
+"""A student's own numbers at home: any quantity by positions, with units; a wrong one is named, with its cause."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+import yaml
+from conftest import read
+from notes import VARIANTS
+from typer.testing import CliRunner
+
+from tmm_report import course, render
+from tmm_report.cli import app
+from tmm_report.problems import ProblemError
+
+TEXT = (VARIANTS / "compressor.yaml").read_text("utf-8")
+
+
+def own(readings: dict) -> course.Results:
+    """The compressor with these readings, solved."""
+    data = yaml.safe_load(TEXT)
+    data.pop("drive")
+    return course.solve(
+        course.loads(yaml.safe_dump(data | {"readings": readings}, allow_unicode=True), "v.yaml")
+    )
+
+
+def wrong(readings: dict) -> dict[str, str]:
+    """Name -> what is said of each wrong one."""
+    return {one.written: one.problem.text() for one in own(readings).lever.readings.wrong}
+
+
+def test_the_guides_numbers_are_right():
+    found = course.solve(read("compressor")).lever.readings
+    assert sum(map(len, found.rows.values())) == 44 and not found.wrong and not found.causes
+    assert found.worst < 0.02
+
+
+def test_any_quantity_by_positions_may_be_read_in_any_unit():
+    readings = {
+        7: {
+            "R_12": "5,086 кН",
+            "M_bal": 164.3,
+            "w_2": "351.3 rpm",
+            "S_B": "190.8 mm",
+            "F_I2": 1935.5,
+            "ω4": 26.52,
+        }
+    }
+    assert wrong(readings) == {}
+
+
+@pytest.mark.parametrize(
+    ("readings", "said"),
+    [
+        ({"v_B": 4444}, "millimetres given for metres"),
+        ({"v_B": -4.444}, "the sign is opposite"),
+        ({"w_2": 351.3, "w_4": 253.3}, "rpm given for rad/s"),
+        ({"G_2": 1.5}, "mass given for weight"),
+        ({"v_B": 5.0}, "differs from the analytical value by 11.8 %"),
+        ({"V_B": 4.444}, "the sign is opposite"),
+    ],
+)
+def test_a_wrong_number_is_named_with_its_likely_cause(readings, said):
+    found = wrong({7: readings})
+    assert set(found) == set(readings) and all(said in text for text in found.values()), found
+
+
+def test_what_cannot_be_meant_is_refused_all_at_once_with_its_place():
+    with pytest.raises(ProblemError) as error:
+        own({7: {"v_b": 1, "v_Q": 2, "a_B": "3 mm", "a_D": "many"}})
+    told = [problem.text() for problem in error.value.problems]
+    assert len(told) == 1 and "a_D" in told[0]  # what cannot be read stops before anything is solved
+    with pytest.raises(ProblemError) as error:
+        own({7: {"v_b": 1, "v_Q": 2, "a_B": "3 mm"}})
+    told = [problem.text() for problem in error.value.problems]
+    assert len(told) == 3 and any("write one of V_B, v_B" in text for text in told)
+
+
+def test_readings_draw_no_plans():
+    assert [drawn.position for drawn in own({3: {"v_B": 12.566}}).lever.plans.drawn] == [6, 7]
+
+
+def test_the_terminal_names_each_with_its_line_and_ends_with_1(tmp_path):
+    file = tmp_path / "v.yaml"
+    file.write_text(
+        TEXT[: TEXT.index("\nreadings:")] + "\nreadings:\n  7: {v_B: 4.444, v_D: 6818}\n", "utf-8"
+    )
+    line = file.read_text("utf-8").split("\n").index("  7: {v_B: 4.444, v_D: 6818}") + 1
+    done = CliRunner().invoke(
+        app, ["solve", str(file), "-o", str(tmp_path / "out"), "--format", "json", "--lang", "en"]
+    )
+    assert done.exit_code == 1
+    assert f":{line}:19: readings.7.v_D: differs from the analytical value" in done.output
+    assert "millimetres given for metres" in done.output and "readings.7.v_B" not in done.output
+
+
+def test_the_note_names_them_too():
+    results = own({7: {"v_B": 4444, "v_D": 6.818}})
+    for language, said in (("en", "millimetres given for metres"), ("ru", "миллиметр")):
+        note = render(results, "html", language)["note.html"].decode()
+        assert said in note
+        assert note.count('data-t="readings_7"') == 6
+    silent = replace(results.lever, readings=None)
+    assert "readings_7" not in render(replace(results, lever=silent), "html")["note.html"].decode()

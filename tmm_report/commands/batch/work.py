@@ -1,0 +1,134 @@
+"""What is done with a list of variants, in a process of its own: read, solved together, rendered, written.
+
+Every variant has its folder, which appears whole: it is made in another place and renamed.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
+from pathlib import Path
+
+from tmm_report.commands.batch import record
+from tmm_report.commands.batch.inputs import Task
+from tmm_report.commands.files import render
+from tmm_report.commands.solve import summary
+from tmm_report.course import Results, Variant, loads
+from tmm_report.problems import Message, Problem, ProblemError
+from tmm_report.running.journal import Record
+from tmm_report.stack import solve_each
+from tmm_report.variant import locate
+
+PARTS = ".parts"  # where folders are made, beside the finished ones
+
+
+def work(
+    tasks: Sequence[Task], *, output: Path, formats: Sequence[str], language: str | None
+) -> Iterator[tuple[int, Record]]:
+    """The record of each task, once its folder is there."""
+    solved = solved_together([loaded(task) for task in tasks])
+    for index, (task, found) in enumerate(zip(tasks, solved, strict=True)):
+        yield index, _done(task, found, output, formats, language)
+
+
+def loaded(task: Task) -> Variant | ProblemError:
+    """The variant of a task, or its mistakes."""
+    if task.problems:
+        return ProblemError([*task.problems])
+    try:
+        return loads(task.content, task.label)
+    except ProblemError as error:
+        return error
+
+
+def solved_together(variants: Sequence[Variant | ProblemError]) -> Iterator[Results | ProblemError]:
+    """What is found of each, or its mistakes with their places; those that could not be read keep theirs."""
+    solved = solve_each([variant for variant in variants if isinstance(variant, Variant)])
+    for variant in variants:
+        yield variant if isinstance(variant, ProblemError) else _located(next(solved), variant)
+
+
+def _located(found: Results | ProblemError, variant: Variant) -> Results | ProblemError:
+    if isinstance(found, ProblemError):
+        return ProblemError([locate(problem, variant) for problem in found.problems])
+    return found
+
+
+def _done(
+    task: Task, found: Results | ProblemError, output: Path, formats: Sequence[str], language: str | None
+) -> Record:
+    """Write what was found of a variant; what an earlier text of it gave is taken away where this one gives nothing."""
+    try:
+        if isinstance(found, ProblemError):
+            take_away(output, task.id)
+            return record.failed(task, record.WRONG, found.problems)
+        return _written(task, found, output, formats, language)
+    except OSError as error:
+        reason = record.why("unwritable", reason=error.strerror or type(error).__name__)
+        return record.failed(task, record.LOST, [Problem(reason, file=task.label)])
+
+
+def _written(
+    task: Task, results: Results, output: Path, formats: Sequence[str], language: str | None
+) -> Record:
+    """Raises OSError."""
+    files: dict[str, bytes] = {}
+    for fmt in formats:
+        files |= render(results, fmt, language)
+    heard = _Heard()
+    good = summary(results, heard)
+    _place(output, task.id, files)
+    return record.finished(task, results, heard.warned, good, files)
+
+
+class _Heard:
+    """Keeps what the checks of a variant warn of."""
+
+    def __init__(self) -> None:
+        self.warned: list[Message] = []
+
+    def speak(self, language: str) -> None: ...
+
+    def stage(self, doing: Message) -> None: ...
+
+    def tell(self, line: Message | str) -> None: ...
+
+    def warn(self, line: Message | Problem | str) -> None:
+        if isinstance(line, Problem):
+            line = line.wrong
+        self.warned.append(line if isinstance(line, Message) else Message("%(what)s", {"what": line}))
+
+
+# ---------------------------------------------------------------- folders
+
+
+def _place(output: Path, id: str, files: Mapping[str, bytes]) -> None:
+    """The folder of a variant with these files alone, whole or not at all. Raises OSError."""
+    part = output / PARTS / f"{id}-{os.getpid()}"
+    _clear(part)
+    for name, content in files.items():
+        target = part / name
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_bytes(content)
+    take_away(output, id)
+    os.replace(part, output / id)
+
+
+def take_away(output: Path, id: str) -> None:
+    """Remove the folder of a variant: it goes at once, then its files. Raises OSError."""
+    old = output / PARTS / f"{id}-{os.getpid()}-old"
+    _clear(old)
+    old.parent.mkdir(exist_ok=True)
+    with suppress(FileNotFoundError):
+        os.replace(output / id, old)
+        _clear(old)
+
+
+def _clear(path: Path) -> None:
+    """Remove a folder, a file or a link, if it is there. Raises OSError."""
+    if path.is_symlink() or path.is_file():
+        path.unlink()
+    elif path.exists():
+        shutil.rmtree(path)

@@ -1,0 +1,1 @@
+"""`tmm-report grade`: what it reads, marks and hands out."""

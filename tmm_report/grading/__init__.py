@@ -1,0 +1,1 @@
+"""Students' own numbers against the solution: read, judged, their mistakes named, marks; no page and no file."""

@@ -1,0 +1,39 @@
+"""What can be asked of a solved variant: its columns of numbers, by table and key."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from tmm_report.course import INITIAL_DATA, Results, chapters, room
+from tmm_report.judging import asked
+from tmm_report.judging.model import Asked, Name
+from tmm_report.quantity.model import Quantity
+
+
+def expected(results: Results) -> dict[Name, Asked]:
+    """Every column of numbers of a solved variant that a student may be asked for, in the order of the note."""
+    return {one.name: one for chapter, found in _rooms(results) for one in _of_chapter(chapter, found)}
+
+
+def reversed_reactions(results: Results) -> list[tuple[Quantity, Name]]:
+    """The reaction of link b on link a, which is as great as that of a on b: where the column asked stands."""
+    if results.lever is None or results.lever.kinetostatics is None:
+        return []
+    reaction = room("kinetostatics", "quantities").reaction
+    pairs = [pair.links for pair in results.lever.structure.pairs]
+    both = [(one, other) for pair in pairs for one, other in (pair, pair[::-1])]
+    return [(reaction(b, a), ("reactions_table", reaction(a, b).key)) for a, b in both]
+
+
+def _rooms(results: Results) -> Iterator[tuple[str, object]]:
+    if results.lever is not None:
+        yield INITIAL_DATA, results.lever
+    yield from chapters(results)
+
+
+def _of_chapter(chapter: str, found: object) -> Iterator[Asked]:
+    quantities = room(chapter, "quantities")
+    for table in quantities.tables(found):
+        yield from asked.of_table(table, chapter)
+    for value in quantities.values(found):
+        yield from asked.of_value(value, chapter)

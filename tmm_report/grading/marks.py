@@ -1,0 +1,289 @@
+"""One student's work marked: every cell judged, what follows from a wrong value found, mistakes named, points given."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from tmm_report.course import Results
+from tmm_report.grading import rubric as rubrics
+from tmm_report.grading.expected import expected
+from tmm_report.grading.follow import Follow, carried
+from tmm_report.grading.model import (
+    Answers,
+    Asked,
+    Cause,
+    Digest,
+    Expected,
+    Judged,
+    Marked,
+    MarkedColumn,
+    Name,
+    Rule,
+)
+from tmm_report.grading.rubric import Rubric
+from tmm_report.judging.asked import of_motion
+from tmm_report.judging.diagnose import diagnose
+from tmm_report.judging.diagnose.variants import Others
+from tmm_report.judging.judge import default_floor, judge, takes_magnitudes
+
+Array = Any
+
+LONGEST = 50.0  # mm, of the longest vector of a plan: a coarser scale than that is no excuse
+SCALE_OF = {"m": "mu_l", "m/s": "mu_v", "m/s²": "mu_a", "N": "mu_F"}
+WRONG = (Rule.OFF, Rule.SIGN)
+MOST = (
+    0.7  # of the wrong cells of a mistake: if more of them follow from another value, that one is the mistake
+)
+OF_WRITING = ("mm for m", "shifted", "reversed", "swapped", "variant")
+"""Mistakes that are made in writing numbers down, not in working them out: nothing follows from those."""
+# how far along the course a number is found; within a stage by its unit
+STAGES = {
+    "positions_table": 0, "outputs_table": 1, "rates_table": 1,
+    "loads_table": 2, "reactions_table": 3, "balancing_table": 4,
+}  # fmt: skip
+UNITS = ("m", "deg", "rad", "m/s", "rad/s", "m/s²", "rad/s²", "N", "N·m")
+
+
+def grade(
+    results: Results,
+    answers: Answers,
+    rubric: Rubric,
+    asked: Expected | None = None,
+    others: Others | None = None,
+) -> Marked:
+    """Mark a student's answers. `asked`: `expected(results)`, if it is at hand; `others`: the solutions of the other
+    variants, to tell whose numbers these are."""
+    work = _Work(results, expected(results) if asked is None else asked, answers, rubric)
+    found = diagnose(answers, work.asked, work.judged, limit=rubric.limit, others=others, floors=work.floors)
+    work = replace(work, mistakes=tuple(found))
+    causes = tuple(cause for cause in found if cause.kind == "variant" or not work.follows(cause))
+    columns = {name: work.column(name, causes) for name in work.judged}
+    points = math.fsum(float(column.points.sum()) for column in columns.values())
+    title = {key: str(text) for key, text in vars(results.variant.title).items() if text}
+    return Marked(
+        answers.id,
+        title,
+        results.variant.language,
+        answers,
+        columns,
+        causes,
+        tuple(_cents(points + work.gain(cause, columns)) for cause in causes),
+        _cents(points),
+        rubric.points,
+    )
+
+
+def closed(results: Results) -> bool:
+    """Whether the last position of the tables is position 0 again."""
+    return results.lever is not None and bool(results.lever.kinematics.cycle.closed)
+
+
+def _cents(points: float) -> float:
+    """Points as they are written: to a hundredth, half up."""
+    return math.floor(points * 100 + 0.5 + 1e-9) / 100
+
+
+@dataclass(frozen=True, eq=False)
+class _Work:
+    """A student's work beside the solution."""
+
+    results: Results
+    asked: Expected
+    answers: Answers
+    rubric: Rubric
+    mistakes: tuple[Cause, ...] = ()
+    _carried: dict[Name, tuple[str, ...]] = field(default_factory=dict)
+
+    @cached_property
+    def worth(self) -> Mapping[Name, Array]:
+        return rubrics.worth(self.rubric, self.asked, closed(self.results))
+
+    @cached_property
+    def order(self) -> Mapping[Name, tuple[int, int, int]]:
+        """Where along the course each column is found."""
+        return {name: _rank(one, place) for place, (name, one) in enumerate(self.asked.items())}
+
+    # ------------------------------------------------------------ cells
+
+    @cached_property
+    def judged(self) -> dict[Name, Judged]:
+        """Every column that is asked or answered, in the order of the note."""
+        return {
+            name: self._judged(name)
+            for name in self.asked
+            if name in self.worth or name in self.answers.columns
+        }
+
+    def _judged(self, name: Name) -> Judged:
+        one, answered = self.asked[name], self.answers.columns.get(name)
+        if answered is None:
+            nothing = np.full(len(one.rows), np.nan)
+            return judge(one, nothing, np.zeros(len(one.rows), dtype=bool), limit=self.rubric.limit)
+        return self.judge(one, answered.values, answered.given)
+
+    def judge(self, one: Asked, values: Array, given: Array) -> Judged:
+        free = not self.rubric.strict(one.table) and not of_motion(one)
+        return judge(
+            one,
+            values,
+            given,
+            limit=self.rubric.limit_of(one.table),
+            floor=self.floor(one),
+            magnitudes=free and takes_magnitudes(one, values),
+        )
+
+    def floor(self, one: Asked) -> float:
+        """What cannot be read off the plan: `reading` mm at the student's own scale, else of a vector of `LONGEST`.
+
+        A scale at which the longest vector of the plan would be shorter than that is not believed.
+        """
+        scale = self.answers.scales.get(SCALE_OF.get(one.unit, ""))
+        if scale is None or not one.by_position:
+            return default_floor(one, self.rubric.reading)
+        return self.rubric.reading * min(scale, self.largest[one.table, one.unit] / LONGEST)
+
+    @cached_property
+    def floors(self) -> Mapping[Name, float]:
+        return {name: self.floor(self.asked[name]) for name in self.answers.columns}
+
+    @cached_property
+    def largest(self) -> Mapping[tuple[str, str], float]:
+        """The greatest number of each unit in each table."""
+        found: dict[tuple[str, str], float] = {}
+        for one in self.asked.values():
+            found[one.table, one.unit] = max(found.get((one.table, one.unit), 0.0), one.largest)
+        return found
+
+    # ------------------------------------------------------------ what follows from a wrong value
+
+    @cached_property
+    def followed(self) -> Mapping[str, Sequence[Follow]]:
+        """What each column would be, were it worked from the student's own values; nothing where all is right."""
+        wrong = any(rule in WRONG for one in self.judged.values() for rule in one.rules)
+        if self.results.lever is None or not wrong:
+            return {}
+        columns = self.answers.columns.items()
+        return carried(self.results, {name[1]: one.values for name, one in columns if name[0] in STAGES})
+
+    @cached_property
+    def wrong(self) -> Mapping[str, tuple[tuple[int, int, int], Array]]:
+        """Key of a wrong column by positions -> where along the course it is found, and where it is wrong, (P,)."""
+        return {
+            name[1]: (self.order[name], np.array([rule in WRONG for rule in judged.rules]))
+            for name, judged in self.judged.items()
+            if self.asked[name].by_position and any(rule in WRONG for rule in judged.rules)
+        }
+
+    def carried(self, name: Name) -> tuple[str, ...]:
+        if name not in self._carried:
+            self._carried[name] = self._found_carried(name)
+        return self._carried[name]
+
+    def _found_carried(self, name: Name) -> tuple[str, ...]:
+        """(P,): the key of the wrong value from which a wrong cell follows rightly, "" elsewhere."""
+        one, found = self.asked[name], [""] * len(self.asked[name].rows)
+        if not one.by_position or one.key not in self.wrong:
+            return tuple(found)
+        answered, wrong = self.answers.columns[name], self.wrong[one.key][1]
+        for follow in self.followed.get(one.key, ()):
+            again = self.judge(replace(one, values=follow.values), answered.values, answered.given)
+            # noughts all along follow from each other, and from nothing that a student did
+            some = np.abs(follow.values) > self.floor(one)
+            for k in np.flatnonzero(wrong & again.ok & some):
+                found[k] = found[k] or self.source(follow, int(k), self.order[name])
+        return tuple(found)
+
+    def follows(self, cause: Cause) -> bool:
+        """Whether most of what a mistake would explain follows from other wrong values."""
+        pairs = [
+            pair
+            for name in cause.names
+            for pair in zip(self.judged[name].rules, self.carried(name), strict=True)
+        ]
+        sources = [source for rule, source in pairs if rule in WRONG]
+        return sum(map(bool, sources)) > MOST * len(sources)
+
+    def source(self, follow: Follow, k: int, order: tuple[int, int, int]) -> str:
+        """The wrong value that a cell follows from. A value follows from earlier ones alone, or two wrong ones would
+        excuse each other."""
+        for key in follow.sources:
+            earlier, wrong = self.wrong.get(key, ((9, 9, 0), None))
+            if wrong is not None and wrong[k] and earlier < order:
+                return key
+        return ""
+
+    # ------------------------------------------------------------ points
+
+    def column(self, name: Name, causes: Sequence[Cause]) -> MarkedColumn:
+        one, judged = self.asked[name], self.judged[name]
+        follows = self.carried(name)
+        pairs = zip(judged.rules, follows, strict=True)
+        rules = tuple(Rule.CARRIED if source else rule for rule, source in pairs)
+        worth = self.worth.get(name, np.zeros(len(one.rows)))
+        return MarkedColumn(
+            one, self.answers.columns.get(name), judged, rules, follows,
+            worth * self.share(name, judged, rules, causes), worth,
+        )  # fmt: skip
+
+    def share(self, name: Name, judged: Judged, rules: Sequence[Rule], causes: Sequence[Cause]) -> Array:
+        """Part of its points that each cell gets, (P,)."""
+        share = np.where(judged.ok, 1.0, 0.0)
+        share[[rule is Rule.CARRIED for rule in rules]] = self.rubric.carried
+        for cause in causes if self.rubric.named else ():
+            if name in cause.mended:
+                share = np.where(self.mended(name, cause), np.maximum(share, self.rubric.named), share)
+        return share
+
+    def mended(self, name: Name, cause: Cause) -> Array:
+        """Where a column is right once a mistake is undone, (P,) of bool."""
+        values = cause.mended[name]
+        return self.judge(self.asked[name], values, np.isfinite(values)).ok
+
+    def gain(self, cause: Cause, columns: Mapping[Name, MarkedColumn]) -> float:
+        """Points that the work would have more without a mistake."""
+        gains = [
+            float(
+                np.maximum(columns[name].worth * self.mended(name, cause) - columns[name].points, 0.0).sum()
+            )
+            for name in cause.mended
+        ]
+        return math.fsum(gains)
+
+
+def _rank(one: Asked, place: int) -> tuple[int, int, int]:
+    unit = UNITS.index(one.unit) if one.unit in UNITS else len(UNITS)
+    return STAGES.get(one.table, len(STAGES)), unit, place
+
+
+def digest(marked: Marked) -> Digest:
+    """What gradebook and statistics keep of a marked work."""
+    cells: dict[tuple[str, str, str], tuple[float, str]] = {}
+    right: dict[tuple[str, str, str], float] = {}
+    for (table, key), column in marked.columns.items():
+        given = column.answered.given if column.answered is not None else False
+        for k in np.flatnonzero((column.worth > 0) | column.judged.asked & given):
+            at = table, key, column.asked.rows[k]
+            number = column.answered.values[k] if column.answered is not None else math.nan
+            cells[at] = float(number), str(column.rules[k])
+            right[at] = float(column.asked.values[k])
+    return Digest(
+        marked.id,
+        marked.title.get("student", ""),
+        marked.title.get("group", ""),
+        marked.title.get("variant", ""),
+        marked.points,
+        marked.worth,
+        cells,
+        right,
+        tuple((cause.kind, cause.detail, tuple(key for _, key in cause.names)) for cause in marked.causes),
+        columns={
+            name: (float(column.points.sum()), float(column.worth.sum()))
+            for name, column in marked.columns.items()
+        },
+    )

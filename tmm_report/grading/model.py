@@ -1,0 +1,82 @@
+"""What marking speaks of beside `judging.model`: a marked work, and what is kept of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from tmm_report.judging.model import (
+    KINDS,
+    RIGHT,
+    Answered,
+    Answers,
+    Asked,
+    Cause,
+    Expected,
+    Judged,
+    Name,
+    Rule,
+)
+
+__all__ = [
+    "KINDS", "RIGHT", "Answered", "Answers", "Asked", "Cause", "Digest", "Expected", "Judged", "Marked",
+    "MarkedColumn", "Name", "Rule",
+]  # fmt: skip
+
+Array = Any
+
+
+@dataclass(frozen=True, eq=False)
+class MarkedColumn:
+    """One column with its points. `answered` is None where the student left the whole column out.
+
+    `rules`: (P,) after carried values were looked for. `carried`: (P,) the key of the quantity from whose wrong value
+    a cell follows rightly, "" elsewhere. `points`, `worth`: (P,).
+    """
+
+    asked: Asked
+    answered: Answered | None
+    judged: Judged
+    rules: tuple[Rule, ...]
+    carried: tuple[str, ...]
+    points: Array
+    worth: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Marked:
+    """One student's work, marked. `points` of `worth`; `would`: the points without each of `causes`."""
+
+    id: str
+    title: Mapping[str, str]  # of the variant: student, group, variant, …
+    language: str
+    answers: Answers
+    columns: Mapping[Name, MarkedColumn]
+    causes: tuple[Cause, ...]
+    would: tuple[float, ...]
+    points: float
+    worth: float
+
+
+@dataclass(frozen=True)
+class Digest:
+    """What is kept of one marked work for gradebook and statistics; it is small, and goes from process to process.
+
+    `cells`: (table, key, row label) -> (the student's number in the quantity's unit, the rule that decided); nan where
+    there is none. `right`: the same cells -> the solution's numbers. `causes`: (kind, detail, keys of the columns).
+    `failed`: why the work could not be marked, fit to be shown; then all else is empty. `columns`: (table, key) ->
+    (points, worth).
+    """
+
+    id: str
+    student: str = ""
+    group: str = ""
+    variant: str = ""
+    points: float = 0.0
+    worth: float = 0.0
+    cells: Mapping[tuple[str, str, str], tuple[float, str]] = field(default_factory=dict)
+    right: Mapping[tuple[str, str, str], float] = field(default_factory=dict)
+    causes: tuple[tuple[str, str, tuple[str, ...]], ...] = ()
+    failed: tuple[str, ...] = ()
+    columns: Mapping[tuple[str, str], tuple[float, float]] = field(default_factory=dict)

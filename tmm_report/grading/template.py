@@ -1,0 +1,134 @@
+"""A sheet for students to fill in: the cells that are asked, with keys, meanings and units, as XLSX, CSV or YAML."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from tmm_report.grading.model import Asked, Expected, Name
+from tmm_report.i18n import Translator
+from tmm_report.intake import writing
+from tmm_report.problems import N_, Message
+from tmm_report.quantity.text import unit_text
+
+Array = Any
+Row = Sequence[str | float | int | None]
+
+SCALES = (
+    ("mu_l", "m/mm", N_("scale of lengths of the student's own drawing")),
+    ("mu_v", "(m/s)/mm", N_("scale of the student's own plan of velocities")),
+    ("mu_a", "(m/s²)/mm", N_("scale of the student's own plan of accelerations")),
+    ("mu_F", "N/mm", N_("scale of the student's own plan of forces")),
+)
+FORMATS = (".xlsx", ".csv", ".yaml")
+
+
+def template(asked: Expected, worth: Mapping[Name, Array], suffix: str, tr: Translator) -> dict[str, bytes]:
+    """Ending of the file's name -> content: one file, of CSV one for each kind of table."""
+    tables = _tables(asked, worth)
+    match suffix:
+        case ".xlsx":
+            sheets = {name: list(_sheet(columns, rows, tr)) for name, (columns, rows) in tables.items()}
+            return {".xlsx": writing.xlsx_bytes({**sheets, "values": list(_values(asked, worth, tr))})}
+        case ".csv":
+            return _csv(asked, worth, tables, tr)
+        case ".yaml":
+            return {".yaml": "".join(_yaml(asked, worth, tables, tr)).encode()}
+        case _:
+            raise ValueError(f"no template as {suffix!r}")
+
+
+Tables = Mapping[str, tuple[list[Asked], list[str]]]
+
+
+def _tables(asked: Expected, worth: Mapping[Name, Array]) -> dict[str, tuple[list[Asked], list[str]]]:
+    """Table -> its columns and the labels of its rows in which something is asked."""
+    found: dict[str, tuple[list[Asked], list[str]]] = {}
+    for table in dict.fromkeys(name[0] for name in worth if name[0]):
+        columns = [asked[name] for name in worth if name[0] == table]
+        some = np.logical_or.reduce([worth[one.name] > 0 for one in columns])
+        found[table] = columns, [row for row, here in zip(columns[0].rows, some, strict=True) if here]
+    return found
+
+
+def _head(one: Asked, tr: Translator) -> str:
+    unit = unit_text(one.unit, tr.language)
+    return f"{one.key}, {unit}" if unit else one.key
+
+
+def _sheet(columns: Sequence[Asked], rows: Sequence[str], tr: Translator) -> Iterator[Row]:
+    first = "position" if columns[0].by_position else "row"
+    yield [first, *(_head(one, tr) for one in columns)]
+    for row in rows:
+        yield [int(row) if columns[0].by_position else row, *(None for _ in columns)]
+
+
+def _values(asked: Expected, worth: Mapping[Name, Array], tr: Translator) -> Iterator[Row]:
+    """A line a single number; then the scales of the student's own plans."""
+    yield ["key", "value", "unit", "meaning"]
+    for name in worth:
+        if not name[0]:
+            one = asked[name].quantity
+            yield [one.key, None, unit_text(one.unit, tr.language), one.meaning.render(tr.gettext)]
+    for key, unit, meaning in SCALES:
+        yield [key, None, unit_text(unit, tr.language), tr.gettext(meaning)]
+
+
+def _csv(asked: Expected, worth: Mapping[Name, Array], tables: Tables, tr: Translator) -> dict[str, bytes]:
+    """One file of all that goes by positions; one of each other table, and one of the single numbers."""
+    wide = [one for columns, _ in tables.values() for one in columns if one.by_position]
+    files = {}
+    if wide:
+        rows = sorted(
+            {int(row) for columns, rows in tables.values() if columns[0].by_position for row in rows}
+        )
+        files[".csv"] = writing.csv_bytes(_sheet(wide, [str(row) for row in rows], tr), tr.decimal)
+    for name, (columns, labels) in tables.items():
+        if not columns[0].by_position:
+            files[f"-{name}.csv"] = writing.csv_bytes(_sheet(columns, labels, tr), tr.decimal)
+    files["-values.csv"] = writing.csv_bytes(_values(asked, worth, tr), tr.decimal)
+    return files
+
+
+def _yaml(asked: Expected, worth: Mapping[Name, Array], tables: Tables, tr: Translator) -> Iterator[str]:
+    """Lines of a YAML file with the numbers left out."""
+    yield f"# {tr.gettext(HOW)}\n"
+    for name, (columns, rows) in tables.items():
+        yield f"\n{name}:\n"
+        for one in columns:
+            yield f"  # {_head(one, tr)}: {_one_line(one.quantity.meaning.render(tr.gettext))}\n"
+        keys = ", ".join(f"{json.dumps(one.key, ensure_ascii=False)}: " for one in columns)
+        for row in rows:
+            yield f"  {json.dumps(row, ensure_ascii=False)}: {{{keys}}}\n"
+    single = [asked[name] for name in worth if not name[0]]
+    if single:
+        yield "\nvalues:\n"
+        for one in single:
+            meaning = _one_line(one.quantity.meaning.render(tr.gettext))
+            yield f"  {json.dumps(one.key, ensure_ascii=False)}:  # {_head(one, tr)}: {meaning}\n"
+    yield "\nscales:\n"
+    for key, unit, text in SCALES:
+        yield f"  {key}:  # {unit_text(unit, tr.language)}: {tr.gettext(text)}\n"
+
+
+HOW = N_(
+    "Write the numbers behind the colons; 4,44 and 4.44 are the same. What is left out counts as no answer."
+)
+
+
+def _one_line(text: str) -> str:
+    return " ".join(text.split())
+
+
+def different(templates: Mapping[str, bytes]) -> Message | None:
+    """Why one sheet will not do for all variants: those that ask for other cells than the first; None if it does."""
+    first = next(iter(templates.values()), b"")
+    others = [id for id, content in templates.items() if content != first]
+    if not others:
+        return None
+    text = N_("%(count)s of the variants ask for other cells than the first: %(names)s")
+    names = ", ".join(others[:5]) + ("…" if len(others) > 5 else "")
+    return Message(text, {"count": len(others), "names": names})

@@ -1,0 +1,141 @@
+"""Tables from outside, CSV and XLSX alike: a head and rows of text with their places, under limits.
+
+Numbers come as text with all their digits; `cells.number` reads them. Every sheet is a rectangle: short rows are
+filled up with empty cells.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from itertools import islice
+from pathlib import PurePosixPath
+from typing import Any
+
+from tmm_report.intake import delimited, workbook
+from tmm_report.intake.writing import unguarded
+from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
+
+BYTES = 2**20  # of a CSV file; more where more rows are allowed
+ROWS = 2000
+COLUMNS = 120
+CHARACTERS = 200  # of a cell
+SHEETS = 60
+_FAULTS = 20  # that many faulty rows of a sheet are told
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """A cell's text without spaces around it, and where it stands: line of the file or row of the sheet, column."""
+
+    text: str
+    line: int
+    column: int
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """`label` names it in messages; `line` is that of its head. `notes`: what was odd and could be passed over."""
+
+    name: str
+    label: str
+    header: tuple[str, ...]
+    rows: tuple[tuple[Cell, ...], ...]
+    line: int = 1
+    notes: tuple[Problem, ...] = ()
+
+
+@dataclass(frozen=True)
+class Stream:
+    """A sheet read row by row, once: a row, or what is wrong with it."""
+
+    label: str
+    header: tuple[str, ...]
+    rows: Iterator[tuple[Cell, ...] | Problem]
+    line: int = 1
+    notes: tuple[Problem, ...] = ()
+
+
+def read_sheets(label: str, name: str, content: bytes, *, rows: int = ROWS) -> list[Sheet]:
+    """The sheets of a file, of CSV one; `name` is the file's, its suffix says which kind. Sheets without a cell are
+    left out.
+
+    Raises ProblemError for what is larger than allowed, broken or hostile, with the places of all faulty rows.
+    """
+    return [_sheet(name, stream) for name, stream in _streams(label, name, content, rows)]
+
+
+def stream_csv(label: str, content: bytes, *, rows: int = ROWS) -> Stream:
+    """A CSV file row by row, for tables too large to be held. Raises ProblemError, and `rows` too, for a row after
+    which there is no reading on."""
+    if len(content) > BYTES * max(1, rows // ROWS):
+        limit = BYTES * max(1, rows // ROWS) // 1024
+        raise _refused(label, N_("the file is larger than %(limit)s kB"), limit=limit)
+    text, notes = delimited.decoded(label, content)
+    lines = delimited.rows(label, text, CHARACTERS)
+    return _stream(label, ((line, [unguarded(cell) for cell in row]) for line, row in lines), rows, notes)
+
+
+def _streams(label: str, name: str, content: bytes, rows: int) -> Iterator[tuple[str, Stream]]:
+    path = PurePosixPath(name)
+    suffix = path.suffix.lower()
+    if suffix == ".csv":
+        yield path.stem, stream_csv(label, content, rows=rows)
+    elif suffix == ".xlsx":
+        limits = workbook.Limits(rows=rows, columns=COLUMNS, characters=CHARACTERS, sheets=SHEETS)
+        for title, place, lines, notes in workbook.worksheets(label, content, limits):
+            yield title, _stream(place, iter(lines), rows, notes)
+    else:
+        raise _refused(label, N_("the file is none of %(kinds)s"), kinds="*.csv, *.xlsx")
+
+
+def _sheet(name: str, stream: Stream) -> Sheet:
+    """The whole of a sheet. Raises ProblemError with its first faulty rows."""
+    kept = []
+    faults: list[Problem] = []
+    for row in stream.rows:
+        faults.append(row) if isinstance(row, Problem) else kept.append(row)
+        if len(faults) >= _FAULTS:
+            break
+    if faults:
+        raise ProblemError(faults)
+    return Sheet(name, stream.label, stream.header, tuple(kept), stream.line, stream.notes)
+
+
+def _stream(label: str, lines: Iterator[delimited.Row], rows: int, notes: Iterable[Problem]) -> Stream:
+    line, head = next(lines, (1, []))
+    header = tuple(_trimmed([cell.strip() for cell in head]))
+    if len(header) > COLUMNS:
+        raise _refused(label, N_("the table has more than %(limit)s columns"), line, limit=COLUMNS)
+    return Stream(label, header, _rows(label, lines, len(header), rows), line, tuple(notes))
+
+
+def _rows(
+    label: str, lines: Iterator[delimited.Row], width: int, rows: int
+) -> Iterator[tuple[Cell, ...] | Problem]:
+    for line, row in islice(lines, rows):
+        texts = _trimmed([cell.strip() for cell in row])
+        if len(texts) > width:
+            yield replace(_WIDE, file=label, line=line, column=width + 1)
+            continue
+        texts += [""] * (width - len(texts))
+        yield tuple(Cell(text, line, column) for column, text in enumerate(texts, 1))
+    if following := next(lines, None):
+        raise _refused(label, N_("the table has more than %(limit)s rows"), following[0], limit=rows)
+
+
+_WIDE = mistake(
+    N_("the row has more cells than the table's head"),
+    right=Message(N_("a decimal comma needs ; between cells")),
+)
+
+
+def _trimmed(texts: list[str]) -> list[str]:
+    """Without the empty cells at the end."""
+    while texts and not texts[-1]:
+        texts.pop()
+    return texts
+
+
+def _refused(label: str, text: str, line: int | None = None, **values: Any) -> ProblemError:
+    return ProblemError([replace(mistake(text, **values), file=label, line=line)])

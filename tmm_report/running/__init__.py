@@ -1,0 +1,1 @@
+"""Many pieces of work over processes or a cluster; nothing of mechanisms is known here."""
