@@ -102,6 +102,14 @@ def test_a_failed_check_is_told_and_its_note_is_written(tmp_path):
     assert "gap.yaml: error: rod AB = 90 mm cannot reach guide x" in talk.warned[0]
 
 
+def test_a_wrong_number_of_the_students_own_is_told_with_its_place(tmp_path):
+    text = re.sub(r"\bv_C: [\d.]+", "v_C: 99", (VARIANTS / "compressor.yaml").read_text("utf-8"))
+    batch([write(tmp_path / "one", own=text)], tmp_path / "out")
+    (row,) = rows(tmp_path / "out")
+    assert row["status"] == "check"
+    assert re.search(r"own\.yaml:\d+:\d+: readings\.\d+\.v_C: ", row["messages"])
+
+
 def test_many_variants_go_over_several_pages(tmp_path, monkeypatch):
     monkeypatch.setattr(page, "ROWS", 2)
     monkeypatch.setattr(command, "work", batch_chores.trivial)
@@ -179,6 +187,72 @@ def test_a_table_gives_a_variant_a_row(tmp_path):
 # ---------------------------------------------------------------- accidents
 
 
+def test_a_row_that_turned_wrong_has_no_old_note(tmp_path):
+    talk, head = Heard(), "id;mechanism.driver.speed\n"
+    table = tmp_path / "rows.csv"
+    template = tmp_path / "one.yaml"
+    template.write_text(TEXT, "utf-8")
+    table.write_text(head + "v1;60 rpm\nv2;90 rpm\nv3;90 rpm\n", "utf-8")
+    batch([template], tmp_path / "out", table=table)
+    assert (tmp_path / "out" / "v3" / "results.json").is_file()
+    table.write_text(head + "v1;60 rpm\nv2;90 kg\nv3;\n", "utf-8")
+    batch([template], tmp_path / "out", talk=talk, table=table, resume=True)
+    assert statuses(tmp_path / "out") == {"v1": "done", "v2": "wrong", "v3": "wrong"}
+    assert not (tmp_path / "out" / "v2").exists() and not (tmp_path / "out" / "v3").exists()
+    told = "\n".join(talk.warned)
+    assert "rows.csv:3: mechanism.driver.speed" in told  # the line of the table, none of the template
+
+
+def test_a_table_without_rows_is_a_mistake(tmp_path):
+    (tmp_path / "one.yaml").write_text(TEXT, "utf-8")
+    (tmp_path / "rows.csv").write_text("id;mechanism.driver.speed\n", "utf-8")
+    with pytest.raises(ProblemError, match=r"rows\.csv: the table is empty"):
+        batch([tmp_path / "one.yaml"], tmp_path / "out", table=tmp_path / "rows.csv")
+
+
+@given(st.lists(st.sampled_from(["Ann", "Ann-2", "Ann-3", "ann-3", "Ann-3-3", "row-4"]), max_size=9))
+def test_rows_never_share_a_folder(tmp_path_factory, names):
+    folder = tmp_path_factory.mktemp("rows")
+    (folder / "one.yaml").write_text(TEXT, "utf-8")
+    lines = [f"{name};60 rpm" for name in [*names, "Ann"]]
+    (folder / "rows.csv").write_text("\n".join(["student;mechanism.driver.speed", *lines]), "utf-8")
+    ids = [task.id.casefold() for task in inputs([str(folder / "one.yaml")], folder / "rows.csv", []).tasks]
+    assert len(ids) == len(names) + 1 and len(set(ids)) == len(ids)
+
+
+# ---------------------------------------------------------------- what stands in the output folder already
+
+
+def test_variants_and_notes_in_one_folder_lose_no_variant(source, tmp_path):
+    (source / "petrov").mkdir()
+    (source / "petrov" / "work.yaml").write_text(TEXT, "utf-8")
+    (source / "anna.yaml.yaml").write_text(TEXT, "utf-8")
+    before, talk = tree(source), Heard()
+    assert not batch([source], source, talk=talk)
+    assert before.items() <= tree(source).items()
+    found = statuses(source)
+    assert found["petrov"] == found["anna.yaml"] == "lost" and found["boris"] == "done"
+    assert "petrov/work.yaml is not of the batch; move it away" in "\n".join(talk.warned)
+
+
+@pytest.mark.parametrize("text", [TEXT, TEXT.replace("links:", "link:")], ids=["solved", "wrong"])
+def test_a_folder_of_somebody_else_is_never_removed(tmp_path, text):
+    (tmp_path / "out").mkdir()
+    own = write(tmp_path / "out" / "anna", thesis="mine")
+    batch([write(tmp_path / "in", anna=text)], tmp_path / "out")
+    assert tree(own) == {"thesis.yaml": b"mine"} and statuses(tmp_path / "out") == {"anna": "lost"}
+
+
+def test_what_tex_and_systems_leave_beside_a_note_stops_nothing(tmp_path):
+    source = write(tmp_path / "in", anna=TEXT)
+    batch([source], tmp_path / "out")
+    for name in ("note.pdf", "note.aux", ".DS_Store"):
+        (tmp_path / "out" / "anna" / name).write_text("x")
+    write(source, anna=student("Another"))
+    assert batch([source], tmp_path / "out", resume=True)
+    assert list(tree(tmp_path / "out" / "anna")) == ["results.json"]
+
+
 def test_variants_that_kill_hang_and_raise_are_lost_alone(tmp_path, monkeypatch):
     monkeypatch.setattr(command, "work", batch_chores.work)
     names = ("anna", "hangs", "kills", "raises", "vera")
@@ -229,6 +303,12 @@ def test_a_mistake_is_told_alike_before_and_after_the_journal(given_problems):
 )
 def test_time_left_is_read_as_a_clock(seconds, said):
     assert progress.clock(seconds) == said
+
+
+def test_before_the_first_is_done_it_is_said_how_many_there_are(tmp_path):
+    talk = Heard()
+    batch([write(tmp_path / "in", anna=TEXT, boris=TEXT)], tmp_path / "out", talk=talk)
+    assert talk.stages[0] == "0 of 2, 0 a second, — left"
 
 
 def test_progress_tells_rate_and_time_left_at_most_five_times_a_second(monkeypatch):

@@ -279,6 +279,17 @@ def test_a_stored_file_without_its_variant_is_a_difference_and_is_kept(folder):
     assert any("eccentric.expected.json has no variant: put eccentric.yaml back" in line for line in lines)
     assert not check(folder, update=True)[0]
     assert (folder / f"eccentric{stored.SUFFIX}").exists() and (folder / f"other{stored.SUFFIX}").exists()
+    assert "nothing to store: no sample differs" not in check(folder, update=True)[1]
+
+
+def test_what_is_said_of_a_broken_stored_file_mends_it(folder):
+    path = folder / f"eccentric{stored.SUFFIX}"
+    before = path.read_bytes()
+    path.write_bytes(before[:-9])
+    with pytest.raises(ProblemError, match="remove it, then store anew: tmm-report check --update"):
+        check(folder, update=True)
+    path.unlink()
+    assert check(folder, update=True)[0] and path.read_bytes() == before
 
 
 @pytest.mark.parametrize("name", ["missing", "empty"])

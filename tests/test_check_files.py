@@ -57,6 +57,7 @@ def folder(tmp_path):
         b'{"format": 1, "tables": {"t": {"c": 1}}}',
         b'{"format": 1, "structure": "x"}',
         b'{"format": 1, "structure": [1]}',
+        b'{"format": 1, "structure": [' + b'"| a |", "z", ' * 200_000 + b'"z"]}',
         b'{"format": 1, "language": "xx"}',
         b'{"format": 1, "values": {"a": 1, "a": 2}}',
         b'{"format": 1, "tables": {"' + b"x" * 10_000 + b'\\u202e": 1}}',

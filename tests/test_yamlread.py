@@ -128,6 +128,8 @@ HOSTILE = {
     "sexagesimal": "'a: 1' + ':59' * 60_000", "indents": "''.join(' ' * i + 'a:\\n' for i in range(700))",
     "brackets in lines": "'[\\n' * 100_000", "quotes": "'a: \"' + '\\\\n' * 100_000", "huge": "'a' * 10_000_000",
     "closed": "'[' * 20_000 + ']' * 20_000", "keys": "'[a]: ' * 40_000",
+    "marks": "'a: x' + '\\u0301\\u0316' * 60_000", "marks of a key": "'? x' + '\\u0301\\u0316' * 60_000",
+    "marks made of marks": "'a: ' + '\\u0f73' * 80_000",
 }  # fmt: skip
 
 
@@ -151,6 +153,14 @@ def attempt(text, name):
     )
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.splitlines() == list(HOSTILE)
+
+
+def test_marks_upon_letters_are_composed_up_to_a_limit():
+    assert yamlread.loads("й: " + "и\u0306" * 1000).data == {"й": "й" * 1000}
+    limit = yamlread.MARKS
+    assert len(yamlread.loads("a: " + ("x" + "\u0316" * limit) * 20).data["a"]) == 20 * (limit + 1)
+    (problem,) = refusal("b: 1\na: " + ("x" + "\u0316" * (limit + 1)) * 20)
+    assert problem.text() == "f.yaml:2:4: a: more than 30 marks stand upon one letter"
 
 
 def test_too_many_values_and_too_large_a_file():

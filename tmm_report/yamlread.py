@@ -16,6 +16,7 @@ import stat
 import unicodedata
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from itertools import groupby
 from typing import Any, BinaryIO
 
 import yaml
@@ -26,6 +27,7 @@ BYTES = 256 * 1024
 DEPTH = 16
 EVENTS = 20_000
 DIGITS = 40  # the longest text of a number
+MARKS = 30  # in a row upon one letter
 
 Path = tuple[str | int, ...]
 Place = tuple[int, int]
@@ -301,4 +303,24 @@ def _checked_text(event: Any, path: Path) -> str:
     if bad := _CONTROL.search(event.value):  # from an escape in quotes
         text = N_("the character U+%(code)s is not allowed")
         raise _stop(text, _start(event), path, code=f"{ord(bad.group()):04X}")
-    return unicodedata.normalize("NFC", event.value)
+    try:
+        return composed(event.value)
+    except ValueError:
+        text = N_("more than %(limit)s marks stand upon one letter")
+        raise _stop(text, _start(event), path, limit=MARKS) from None
+
+
+def composed(text: str) -> str:
+    """The composed form (NFC) of a text of any length.
+
+    Raises ValueError where more than `MARKS` marks follow one another: to put n of them in order takes n² steps.
+    """
+    if len(text) > 10 * MARKS and not text.isascii():
+        runs = (sum(1 for _ in run) for is_mark, run in groupby(text, _is_mark) if is_mark)
+        if any(length > MARKS for length in runs):
+            raise ValueError("marks")
+    return unicodedata.normalize("NFC", text)
+
+
+def _is_mark(char: str) -> bool:
+    return unicodedata.category(char).startswith("M")

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 from conftest import solved
+from notes import VARIANTS
 
 from tmm_report.grading.answers import NOTES, read
 from tmm_report.grading.expected import expected, reversed_reactions
+from tmm_report.grading.rubric import Rubric
 from tmm_report.intake.writing import csv_bytes, xlsx_bytes
 
 
@@ -131,3 +136,80 @@ def test_what_is_no_number_is_no_answer(value, asked):
 def test_a_scale_that_is_none_is_noted(scale, asked):
     found = answers(f"scales: {{mu_v: {scale}}}", asked)
     assert not found.scales and len(found.notes) == 1
+
+
+HOSTILE = """
+import random, resource, sys
+from tmm_report import load, solve
+from tmm_report.grading.answers import NOTES, read
+from tmm_report.grading.expected import expected
+from tmm_report.intake.writing import csv_bytes, xlsx_bytes
+
+asked = expected(solve(load(sys.argv[1])))
+of = random.Random(1)
+keys = [key for _, key in asked]
+def near():
+    return of.choice(keys) + "".join(of.choices("abωφ₁²", k=3))
+def sheet(width, rows):
+    return [["k", *(near() for _ in range(width))], *[["1", *["1"] * width]] * rows]
+def nonsense():
+    return [["k", *("".join(of.choices("abωφ₁²vBd", k=60)) for _ in range(119))], [1] * 120]
+files = {
+    "near.xlsx": xlsx_bytes({f"s{n}": sheet(119, 1) for n in range(60)}),
+    "far.xlsx": xlsx_bytes({f"s{n}": nonsense() for n in range(60)}),
+    "short.xlsx": xlsx_bytes({f"s{n}": [["k", *map(str, range(119))], *[["1"]] * 990] for n in range(5)}),
+    "keys.csv": csv_bytes([["key", "value", "unit"], *[[near() * 9, 1, near() * 9] for _ in range(1999)]], "."),
+    "rows.yaml": ("v_B: {" + ", ".join(f"{near()}: 1" for _ in range(9000)) + "}").encode(),
+}
+with open("/proc/self/statm") as stream:
+    own = int(stream.read().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (own + 300 * 2**20,) * 2)
+for name, content in files.items():
+    begun = int(resource.getrusage(resource.RUSAGE_SELF).ru_utime)
+    resource.setrlimit(resource.RLIMIT_CPU, (begun + 12, resource.RLIM_INFINITY))  # a machine with others on it is slow
+    found = read([(name, content)], "ivanov", asked)
+    assert len(found.notes) <= NOTES + 1
+    print(name)
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="limits of a process as Linux has them")
+def test_thousands_of_names_that_nobody_asked_for_cost_neither_memory_nor_time():
+    done = subprocess.run(
+        [sys.executable, "-X", "utf8", "-c", HOSTILE, str(VARIANTS / "compressor.yaml")],
+        capture_output=True,
+        text=True,
+        timeout=300,
+    )
+    assert done.returncode == 0, done.stderr[-2000:]
+    assert done.stdout.split() == ["near.xlsx", "far.xlsx", "short.xlsx", "keys.csv", "rows.yaml"]
+
+
+# ---------------------------------------------------------------- sheets as courses and people lay them out
+
+LAID = {
+    "positions from 01": "position;v_B;w_2\n06;0;-41,9\n07;4,444;-36,8\n",
+    "words before the number": "Положение;v_B;w_2\nпол. 6;0;-41,9\n№ 7;4,444;-36,8\n",
+    "a quantity a line": "Положение;6;7;8\nv_B, м/с;0;4,444;1\nω2, 1/с;-41,9;-36,8;2\n",
+    "units under the head": "position;v_B;w_2\n;мм/с;1/с\n6;0;-41,9\n7;4444;-36,8\n",
+    "a name before the position": "ФИО;№ положения;v_B;w_2\nИванов;6;0;-41,9\nИванов;7;4,444;-36,8\n",
+}
+
+
+@pytest.mark.parametrize("text", LAID.values(), ids=LAID)
+def test_a_table_may_be_laid_out_in_many_ways(text, asked):
+    found = answers(text, asked, "a.csv")
+    assert number(found, "v_B") == pytest.approx(4.444) and number(found, "w_2") == pytest.approx(-36.8)
+    assert not [note for note in found.notes if note.key or "row" in str(note.wrong)]
+
+
+def test_of_two_columns_of_one_name_that_which_counts_is_meant(asked):
+    """z of the wheels, and of the list of speeds, which a sheet of both names alike."""
+    text = "row,z\n1,20\n2,30\n3,40\n"
+    found = read([("all.csv", text.encode())], "x", asked, (), Rubric().asks)
+    assert ("stage1_wheels", "z") in found.columns and ("drive_speeds", "z") not in found.columns
+
+
+def test_n_is_a_speed_and_no_head_of_positions(asked):
+    found = answers("row,z,n\n1,20,3000\n", asked, "drive_speeds.csv")
+    assert number(found, "n", 0, "drive_speeds") == 3000 and not found.notes

@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from conftest import solved
 
+from tmm_report.course import loads, solve
 from tmm_report.grading import rubric as rubrics
 from tmm_report.grading.expected import expected
 from tmm_report.grading.marks import digest, grade
 from tmm_report.grading.model import RIGHT, Answered, Answers, Rule
 from tmm_report.grading.rubric import Rubric
+from tmm_report.judging.diagnose.variants import prepared
+
+VARIANTS = Path(__file__).parents[2] / "variants"
 
 
 @pytest.fixture(scope="module")
@@ -138,3 +144,91 @@ def test_a_digest_keeps_the_cells_that_are_asked_or_answered(asked):
     assert found.points == 100 and found.cells["rates_table", "v_B", "7"][1] == "limit"
     assert found.right["rates_table", "v_B", "7"] == pytest.approx(4.4437, abs=1e-4)
     assert found.columns["rates_table", "v_B"][0] == pytest.approx(found.columns["rates_table", "v_B"][1])
+
+
+# ---------------------------------------------------------------- points that nobody earned
+
+
+def everything(asked, value) -> dict:
+    """All that is asked by positions answered with one and the same number."""
+    return {name: np.full(len(one.rows), value) for name, one in asked.items() if one.by_position}
+
+
+@pytest.mark.parametrize("name", ["compressor", "press", "forging", "crank_rocker"])
+@pytest.mark.parametrize("value", [0.0, 1.0, 1234.5, 1e300])
+def test_one_number_in_every_cell_earns_next_to_nothing(name, value):
+    """Of a press all forces but two are nothing beside the greatest: noughts in all cells had half of the points."""
+    own = expected(solved(name))
+    found = marked(own, everything(own, value), name=name, keep=lambda column: own[column].by_position)
+    assert found.points < 8
+
+
+def test_a_nought_among_numbers_is_still_right(asked):
+    name = ("outputs_table", "V_B")
+    values = np.round(asked[name].values, 1)
+    found = marked(asked, {name: values})
+    assert found.columns[name].rules[0] is Rule.ZERO and found.points == 100
+
+
+def test_a_wrong_column_keeps_its_noughts(asked):
+    name = ("outputs_table", "V_B")
+    assert marked(asked, {name: -asked[name].values}).columns[name].rules[0] in RIGHT
+
+
+def test_nothing_follows_from_one_number_all_along(asked):
+    """R_12 = R_01 = 7777 N everywhere: made up, not taken further."""
+    changes = {("reactions_table", key): np.full(13, 7777.0) for key in ("R_12", "R_01")}
+    found = marked(asked, changes, keep=without_components)
+    assert Rule.CARRIED not in found.columns["reactions_table", "R_01"].rules
+
+
+def test_weights_are_not_read_off_a_plan_however_coarse_its_scale(asked):
+    name = ("loads_table", "G_2")
+    found = marked(asked, {name: np.zeros(13)}, scales={"mu_F": 1e6})
+    assert set(found.columns[name].rules) == {Rule.OFF}
+
+
+def test_numbers_of_another_variant_do_not_follow_from_each_other(asked):
+    """They are consistent, as they would be with a datum read wrongly; but they are somebody's."""
+    text = (VARIANTS / "compressor.yaml").read_text("utf-8").replace("A: 100 mm", "A: 112 mm")
+    other = expected(solve(loads(text)))
+    changes = {name: other[name].values for name in asked if asked[name].by_position}
+    own = marked(asked, changes, keep=without_components)
+    known = grade(
+        solved("compressor"), answered(asked, changes, keep=without_components), Rubric(), asked,
+        prepared({"petrov": other}),
+    )  # fmt: skip
+    assert [cause.kind for cause in known.causes] == ["variant"] and known.would == (100.0,)
+    assert known.points < 60 < own.points
+
+
+# ---------------------------------------------------------------- points that nobody should lose
+
+
+def test_who_numbers_the_positions_from_1_to_12_has_position_0_in_the_last_row(asked):
+    answers = answered(asked)
+    for one in answers.columns.values():
+        if len(one.values) == 13:
+            one.values[0], one.given[0] = np.nan, False
+    assert grade(solved("compressor"), answers, Rubric(), asked).points == 100
+
+
+def test_millimetres_in_all_columns_are_named_though_velocities_follow_from_places():
+    own = expected(solved("quick_return"))
+    names = [name for name, one in own.items() if one.by_position and one.unit in ("m", "m/s", "m/s²")]
+    changes = {name: own[name].values * 1000 for name in names if without_components(name)}
+    found = marked(own, changes, name="quick_return", keep=without_components)
+    assert [cause.kind for cause in found.causes] == ["mm for m"] and found.would == (100.0,)
+
+
+def test_a_mistake_is_named_where_it_was_made_and_not_where_it_was_taken_further():
+    """All reactions twice too great: the first is the mistake, and of the others those that follow are not named."""
+    own = expected(solved("shaper"))
+    names = [name for name, one in own.items() if name[0] == "reactions_table" and name[1][:2] == "R_"]
+    changes = {name: own[name].values * 2 for name in names}
+    found = marked(own, changes, name="shaper", keep=without_components)
+    (cause,) = found.causes
+    assert cause.kind == "factor" and ("reactions_table", "R_34") in cause.names
+    sizes = [name for name in names if without_components(name)]
+    followed = [name for name in sizes if all(found.columns[name].carried)]
+    assert followed and not set(followed) & set(cause.names)

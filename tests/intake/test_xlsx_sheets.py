@@ -242,13 +242,37 @@ BOMBS = {
     "a row of numbers": (lambda: parts(padded(cells("<c><v>1</v></c>" * 450_000))), "[(120, 0)]"),
     "strings": (lambda: parts(cells(), padded(strings(*[""] * 1_200_000), "<si>")), "[]"),
     "a long text": (lambda: parts(cells(inline("a" * 15_000_000))), "packed more than 100 times"),
-    "a long text with noise": (lambda: parts(padded(cells(inline("a" * 9_000_000)))), "longer than 200 characters"),
+    "a long text with noise": (lambda: parts(padded(cells(inline("a" * 900_000)))), "longer than 200 characters"),
     "elements in elements": (lambda: parts(padded("<a>" * 2_500_000 + "<sheetData>")), "too many cells"),
     "attributes": (lambda: parts(padded(cells(f"<c {' '.join(f'a{n}=_' for n in range(400_000))}/>"))), "broken"),
     "parts": (lambda: {**parts(cells()), **{f"xl/{n}.xml": b"" for n in range(25_000)}}, "more than 20000 files"),
     "large parts": (lambda: {**parts(cells()), **{f"xl/{n}.bin": bytes(9 * 2**20) for n in range(8)}}, "100 times"),
     "large together": (
         lambda: {**parts(cells()), **{f"xl/{n}.bin": os.urandom(2**14) * 90 for n in range(15)}}, "larger than 20 MB",
+    ),
+    "quoted attributes": (
+        lambda: parts(cells("<c" + "".join(f' a{n:x}=">"' for n in range(1_500_000)) + "/>")), "is broken",
+    ),
+    "spaces in numbers": (
+        lambda: parts(padded(cells(*[f"<c><v>{' ' * 198}x</v></c>" * 119] * 700))), "(119, 699)",
+    ),
+    "short rows": (
+        lambda: parts(
+            cells("".join(map(inline, map(str, range(120)))), *["<c><v>1</v></c>"] * 2000), names=tuple("abcdefghij"),
+        ), "too many cells",
+    ),
+    "one large sheet many times": (
+        lambda: parts(
+            padded("<worksheet>" + f"<x>{' ' * 900_000}</x>" * 19 + "</worksheet>", "<worksheet>"), names=("S",) * 60,
+        ), "again and again",
+    ),
+    "brackets in formats": (
+        lambda: parts(
+            cells(),
+            styles=padded(f'<styleSheet xmlns="{MAIN}">'
+            + "".join(f'<numFmt numFmtId="{n}" formatCode="{"[" * 200}"/>' for n in range(75_000))
+            + "</styleSheet>", "<numFmt"),
+        ), "[]",
     ),
 }  # fmt: skip
 

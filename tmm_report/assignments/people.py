@@ -6,6 +6,7 @@ import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import islice
 
 from tmm_report import yamlread
 from tmm_report.assignments.lines import plain, table, texts, wrong
@@ -67,7 +68,7 @@ def students(path: str | os.PathLike[str]) -> list[Person]:
     is_text = os.fspath(path).lower().endswith(".txt")
     fields, rows = (["student"], _names(path, file)) if is_text else _table(path, file)
     problems: list[Problem] = []
-    found = [person(fields, row, file, problems) for row in rows]
+    found = [person(fields, row, file, problems) for row in islice(rows, MOST + 1)]
     found = [one for one in found if one.student]
     if len(found) > MOST or not found:
         text = (
@@ -93,7 +94,7 @@ def _counted(found: Sequence[Person]) -> list[Person]:
 def _names(path: str | os.PathLike[str], file: str) -> Iterable[Row]:
     content, _ = decoded(file, yamlread.opened(path, file, BYTES * 4))
     rows = enumerate(content.decode().splitlines(), 1)
-    return [(number, [name]) for number, name in rows]
+    return ((number, [name]) for number, name in rows if name.strip())
 
 
 def _table(path: str | os.PathLike[str], file: str) -> tuple[list[str], Iterable[Row]]:

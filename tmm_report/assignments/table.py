@@ -47,7 +47,7 @@ class Columns:
 def variants_of(template: File, table: File) -> Iterator[Made]:
     """The variants of a table's rows, lazily. `template`: a variant, or the ranges file from which it was drawn.
 
-    Raises ProblemError with what is wrong of the template and of the table's head before the first row is read.
+    Raises ProblemError with what is wrong of the template and of the table's head, or where it has no rows.
     """
     document = yamlread.read(template)
     stated: Sequence[Parameter] = ()
@@ -58,7 +58,11 @@ def variants_of(template: File, table: File) -> Iterator[Made]:
         base = ranges.template_of(document, template)
     stream = lines.table(table)
     columns = _columns(stream, base, stated, yamlread.file_label(table))
-    return _made(stream.rows, columns, form(base, columns.all))
+    made = _made(stream.rows, columns, form(base, columns.all))
+    first = next(made, None)
+    if first is None:
+        raise ProblemError([wrong(columns.file, None, N_("the table is empty"))])
+    return itertools.chain([first], made)
 
 
 # ---------------------------------------------------------------- the head
@@ -129,12 +133,12 @@ def _made(rows: Iterator[tuple[sheets.Cell, ...] | Problem], columns: Columns, b
         try:
             row = next(rows, None)
         except ProblemError as error:  # from here on the file is no table
-            yield f"v{count:03}", columns.file, error
+            yield _free(f"row-{count}", count, taken), columns.file, error
             return
         if row is None:
             return
         if isinstance(row, Problem):
-            yield f"v{count:03}", f"{columns.file}:{row.line}", ProblemError([row])
+            yield _free(f"row-{row.line}", count, taken), f"{columns.file}:{row.line}", ProblemError([row])
         else:
             yield _one((row[0].line, texts(row)), count, columns, blank, taken)
 
@@ -166,9 +170,13 @@ def _named(
         problems.append(
             wrong(file, row[0], N_("the id %(id)s stands in the table twice"), right, id=shown(who.id))
         )
-    again = safe(f"{wanted[:48]}-{count}")
-    taken.add(_trace(again))
-    return replace(who, id=again)
+    return replace(who, id=_free(safe(f"{wanted[:40]}-{count}"), count, taken))
+
+
+def _free(wanted: str, count: int, taken: set[bytes]) -> str:
+    """The output name, or one made of it that no row before has."""
+    names = (wanted + f"-{count}" * more for more in itertools.count())
+    return next(name for name in names if _is_new(name, taken))
 
 
 def _is_new(name: str, taken: set[bytes]) -> bool:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from tmm_report.course import Results
+from tmm_report.grading.expected import reversed_reactions
 from tmm_report.problems import N_, Message, Problem, ProblemError, shown
 from tmm_report.quantity.model import Column, Quantity, Table
 from tmm_report.quantity.naming import one, resolve
@@ -59,8 +60,16 @@ def find(results: Results, text: str, position: int | None) -> Target:
     by_position = [target for target in every if target.by_position]
     if position is None or not resolve(key, [target.quantity for target in by_position]):
         by_position = [*(target for target in every if not target.by_position), *by_position]
-    quantity = one(key, [target.quantity for target in by_position], ("quantity",))
+    known = [target.quantity for target in by_position]
+    quantity = one(key if resolve(key, known) else _turned(results, key), known, ("quantity",))
     return _placed(next(target for target in by_position if target.quantity is quantity), position)
+
+
+def _turned(results: Results, key: str) -> str:
+    """Of the reaction of link b on link a that of a on b, which the results have; any other name as it is."""
+    both = reversed_reactions(results)
+    meant = resolve(key, [quantity for quantity, _ in both])
+    return next((name[1] for quantity, name in both if [quantity] == meant), key)
 
 
 def _all(results: Results, table: str) -> Iterator[Target]:

@@ -9,7 +9,7 @@ import numpy as np
 from tmm_report.commands.derivation import Derivation
 from tmm_report.commands.explain_target import Target, is_text
 from tmm_report.i18n import Translator
-from tmm_report.problems import N_
+from tmm_report.problems import N_, Message
 from tmm_report.quantity.formula import Page, Var
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.text import number
@@ -41,7 +41,8 @@ def _title(target: Target, tr: Translator) -> str:
     title = f"{symbol} – {said(target.quantity.meaning, tr)}"
     if target.position is None:
         return title
-    return f"{title}, {tr.gettext(N_('position %(k)s')) % {'k': target.position}}"
+    at = Message(N_("position %(k)s"), {"k": target.position})
+    return f"{title}, {at.render(tr.gettext)}"
 
 
 def _derived(derivation: Derivation, own: bool, tr: Translator) -> Iterator[str]:

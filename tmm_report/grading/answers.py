@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -29,6 +29,8 @@ from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.units import WrongValue, between
 
 POSITION_HEADS = ("position", "положение", "становище", "орналасу", "k", "n", "№", "pos", "пол")
+POSITION_WORDS = ("position", "положени", "становищ")  # within a head: № положения
+ROW_WORDS = re.compile(r"(?:position|pos|положение|пол|становище|№|n|k)?[\s.:=№]*0*(\d{1,3})")
 KEY_HEADS = ("key", "quantity", "величина", "обозначение", "позначення")
 VALUE_HEADS = ("value", "значение", "число", "значення")
 UNIT_HEADS = ("unit", "единица", "ед", "единицы", "одиниця")
@@ -39,6 +41,7 @@ ABOUT = (
     "group",
     "title",
 )  # what a file says of its writer: who he is, the teacher's list says
+FEW_POSITIONS = 2  # columns named by numbers: as many of them are positions
 LARGEST_SCALE = 1e9
 NOTES = 50  # more of them are counted, not told
 
@@ -56,17 +59,22 @@ class Entry:
 
 
 def read(
-    files: Sequence[tuple[str, bytes]], id: str, asked: Expected, also: Sequence[tuple[Quantity, Name]] = ()
+    files: Sequence[tuple[str, bytes]],
+    id: str,
+    asked: Expected,
+    also: Sequence[tuple[Quantity, Name]] = (),
+    counts: Callable[[Asked], bool] = lambda one: True,
 ) -> Answers:
     """The answers of one student, of which there may be several files: (label, content) each.
 
-    `also`: other quantities whose numbers are those of a column asked, R₅₄ for R₄₅.
+    `also`: other quantities whose numbers are those of a column asked, R₅₄ for R₄₅. `counts`: whether a column is worth
+    points: of several that a name can mean, z of the wheels or of a list of speeds, such a one is meant.
 
     What is wrong in them is among the notes: a cell, or a file that cannot be read at all.
     """
     notes: list[Problem] = []
     entries = [entry for label, content in files for entry in _readable(label, content, notes)]
-    wanted = _Wanted(asked, also)
+    wanted = _Wanted(asked, also, counts)
     scales = _scales(entries, notes)
     columns = _columns(entries, wanted, notes)
     return Answers(id, columns, scales, tuple(_few(notes)))
@@ -111,12 +119,44 @@ def _of_sheet(sheet: sheets.Sheet) -> Iterator[Entry]:
             stated = row[unit].text if unit is not None else ""
             yield _entry(sheet, row[key].text, stated, None, row[value])
         return
-    label = _first(names, POSITION_HEADS)
-    label = 0 if label is None else label
-    for row in sheet.rows:
+    if len(names) > FEW_POSITIONS and all(map(_is_position, filter(None, names[1:]))):
+        yield from _of_lying(sheet, names)
+        return
+    label = _label(names)
+    rows = list(sheet.rows)
+    if rows and _are_units(rows[0], label):
+        below = [cells.header(f"x ({cell.text})")[1] for cell in rows.pop(0)]
+        heads = [(name, own or unit_) for (name, own), unit_ in zip(heads, below, strict=False)]
+    for row in rows:
         for (name, unit_), cell, index in zip(heads, row, range(len(row)), strict=False):
-            if index != label and name:
+            if index != label and name and cell.text:
                 yield _entry(sheet, name, unit_, row[label].text.strip(), cell)
+
+
+def _of_lying(sheet: sheets.Sheet, positions: Sequence[str]) -> Iterator[Entry]:
+    """A table with a line a quantity and a column a position, as courses print them."""
+    for row in sheet.rows:
+        name, unit = cells.header(row[0].text)
+        for position, cell in zip(positions[1:], row[1:], strict=False):
+            if name and position:
+                yield _entry(sheet, name, unit, position, cell)
+
+
+def _are_units(row: Sequence[sheets.Cell], label: int) -> bool:
+    """Whether the line under the head says the units: no position, no number, some words."""
+    texts = [cell.text for cell in row if not cells.is_blank(cell.text)]
+    return not row[label].text.strip() and bool(texts) and all(math.isnan(cells.number(x)) for x in texts)
+
+
+def _label(names: Sequence[str]) -> int:
+    """The column that names the rows: that of the positions, else the first."""
+    known = _first(names, POSITION_HEADS)
+    if known and len(names[known]) == 1:  # n is a quantity, too: speed
+        known = 0
+    if known is None:
+        with_word = (i for i, name in enumerate(names) if any(word in name for word in POSITION_WORDS))
+        known = next(with_word, 0)
+    return known
 
 
 def _entry(sheet: sheets.Sheet, quantity: str, unit: str, row: str | None, cell: sheets.Cell) -> Entry:
@@ -213,8 +253,11 @@ def _is_position(key: str) -> bool:
 class _Wanted:
     """Finds the column asked that a name means. Names are remembered: a sheet has as many cells a name as positions."""
 
-    def __init__(self, asked: Expected, also: Sequence[tuple[Quantity, Name]]):
+    def __init__(
+        self, asked: Expected, also: Sequence[tuple[Quantity, Name]], counts: Callable[[Asked], bool]
+    ):
         self.asked = asked
+        self.counts = counts
         self.tables = {table for table, _ in asked}
         self.keys: dict[str, list[Asked]] = {}
         for one in sorted(asked.values(), key=lambda one: not one.by_position):
@@ -224,30 +267,38 @@ class _Wanted:
             if quantity.key not in self.keys and name in asked:
                 self.keys[quantity.key] = [asked[name]]
                 self.quantities.append(quantity)
+        labels = {table: one.rows for (table, _), one in asked.items()}
         self.rows = {
-            table: {_plain(row): index for index, row in enumerate(one.rows)}
-            for (table, _), one in asked.items()
+            table: {_plain(row): index for index, row in enumerate(rows)} for table, rows in labels.items()
         }
         self.known: dict[tuple[str, str], tuple[Asked, ...]] = {}
-        self.usual: dict[
-            tuple[str, str], Asked
-        ] = {}  # of a sheet's column, the column by positions that it meant
+        # of a sheet's column, the column by positions that it meant
+        self.usual: dict[tuple[str, str], Asked] = {}
 
     def find(self, sheet: str, name: str) -> tuple[Asked, ...]:
         """The columns that the name can mean: in the sheet's own table, else those by positions first."""
         if (sheet, name) not in self.known:
             found = [one for quantity in self.meant(sheet, name) for one in self.keys[quantity.key]]
-            if sheet in self.tables:
-                found = [one for one in found if one.table == sheet] or found
-            self.known[sheet, name] = tuple(sorted(found, key=lambda one: not one.by_position))
+            table = self.table(sheet)
+            found = [one for one in found if one.table == table] or found
+            self.known[sheet, name] = tuple(
+                sorted(found, key=lambda one: (not one.by_position, not self.counts(one)))
+            )
         return self.known[sheet, name]
+
+    def table(self, sheet: str) -> str | None:
+        """The table that a sheet is named by; `sheet-stage1_wheels`, as templates are, is `stage1_wheels`."""
+        named = sheet if sheet in self.tables else sheet.rpartition("-")[2]
+        return named if named in self.tables else None
 
     def meant(self, sheet: str, name: str) -> list[Quantity]:
         """Of V_B, the velocity of a slider along its guide, and v_B, that of its plan, VB is the latter: so guides
         write it."""
+        if name in self.keys:  # as sheets made by `template` have it
+            return [self.keys[name][0].quantity]
         meant = naming.resolve(name, self.quantities)
         motion = [one for one in meant if name != one.key and all(map(of_motion, self.keys[one.key]))]
-        if motion and not sheet.startswith("outputs_"):
+        if motion and not (self.table(sheet) or "").startswith("outputs_"):
             small = [
                 one
                 for one in naming.resolve(name[:1].lower() + name[1:], self.quantities)
@@ -273,6 +324,8 @@ class _Wanted:
             single = [one for one in found if one.table == ""]
             return (single[0], 0) if len(single) == 1 else None
         row = _row(entry.row)
+        if not any(row in self.rows[one.table] for one in found if one.table):
+            row = _position(row)
         here = [one for one in found if one.table and row in self.rows[one.table]]
         if not here or (
             len(here) > 1 and here[0].key != here[1].key and here[1].by_position == here[0].by_position
@@ -291,6 +344,12 @@ def _row(text: str) -> str:
     """The label of a row: of a position its number, "7.0" and "7" alike."""
     plain = _plain(text)
     return plain.partition(".")[0].partition(",")[0] if re.fullmatch(r"\d{1,3}[.,]0+", plain) else plain
+
+
+def _position(row: str) -> str:
+    """The number of a position in "01", "пол. 1" and "№ 1"; what is none stays as it is."""
+    found = ROW_WORDS.fullmatch(row)
+    return found[1] if found else row
 
 
 # ---------------------------------------------------------------- columns
@@ -342,7 +401,8 @@ def _unknown(entry: Entry, wanted: _Wanted, told: set[tuple[str, str]], notes: l
     key = (entry.quantity, (entry.row or "") if known else "")
     if key not in told:
         told.add(key)
-        notes.append(_note(entry, _why(entry, wanted, known)))
+        told_of = len(notes) < NOTES  # the others are counted: what they were near to is not looked for
+        notes.append(_note(entry, _why(entry, wanted, known) if told_of else mistake("%(more)s", more="…")))
 
 
 def _why(entry: Entry, wanted: _Wanted, known: Sequence[Asked]) -> Problem:

@@ -15,6 +15,7 @@ from tmm_report.grading import rubric as rubrics
 from tmm_report.grading.expected import expected
 from tmm_report.grading.follow import Follow, carried
 from tmm_report.grading.model import (
+    Answered,
     Answers,
     Asked,
     Cause,
@@ -30,6 +31,7 @@ from tmm_report.grading.rubric import Rubric
 from tmm_report.judging.asked import of_motion
 from tmm_report.judging.diagnose import diagnose
 from tmm_report.judging.diagnose.variants import Others
+from tmm_report.judging.diagnose.words import of_some
 from tmm_report.judging.judge import default_floor, judge, takes_magnitudes
 
 Array = Any
@@ -40,8 +42,11 @@ WRONG = (Rule.OFF, Rule.SIGN)
 MOST = (
     0.7  # of the wrong cells of a mistake: if more of them follow from another value, that one is the mistake
 )
+FEW = 3  # answered cells: fewer of them may be alike by chance
+ALIKE, VARIED = 0.02, 0.2  # of the greatest number of a column: it stays the same; it clearly does not
 OF_WRITING = ("mm for m", "shifted", "reversed", "swapped", "variant")
-"""Mistakes that are made in writing numbers down, not in working them out: nothing follows from those."""
+"""Mistakes that are made in writing numbers down, not in working them out: they are named also where the columns,
+mistaken alike, follow from one another."""
 # how far along the course a number is found; within a stage by its unit
 STAGES = {
     "positions_table": 0, "outputs_table": 1, "rates_table": 1,
@@ -59,10 +64,10 @@ def grade(
 ) -> Marked:
     """Mark a student's answers. `asked`: `expected(results)`, if it is at hand; `others`: the solutions of the other
     variants, to tell whose numbers these are."""
-    work = _Work(results, expected(results) if asked is None else asked, answers, rubric)
-    found = diagnose(answers, work.asked, work.judged, limit=rubric.limit, others=others, floors=work.floors)
-    work = replace(work, mistakes=tuple(found))
-    causes = tuple(cause for cause in found if cause.kind == "variant" or not work.follows(cause))
+    asked = expected(results) if asked is None else asked
+    answers = _full_turn(answers, asked) if closed(results) else answers
+    work = _Work(results, asked, answers, rubric, others)
+    causes = tuple(cause for one in work.mistakes if (cause := work.made(one)) is not None)
     columns = {name: work.column(name, causes) for name in work.judged}
     points = math.fsum(float(column.points.sum()) for column in columns.values())
     title = {key: str(text) for key, text in vars(results.variant.title).items() if text}
@@ -84,6 +89,21 @@ def closed(results: Results) -> bool:
     return results.lever is not None and bool(results.lever.kinematics.cycle.closed)
 
 
+def _full_turn(answers: Answers, asked: Expected) -> Answers:
+    """The same where position 0 is answered by the last one alone, which it is: who numbers from 1 to 12 says 12."""
+    columns = {name: _begun(one) if asked[name].by_position else one for name, one in answers.columns.items()}
+    return replace(answers, columns=columns)
+
+
+def _begun(one: Answered) -> Answered:
+    if one.given[0] or not one.given[-1]:
+        return one
+    values, given = one.values.copy(), one.given.copy()
+    values[0], given[0] = values[-1], True
+    texts, places = (one.texts[-1], *one.texts[1:]), (one.places[-1], *one.places[1:])
+    return replace(one, values=values, given=given, texts=texts, places=places)
+
+
 def _cents(points: float) -> float:
     """Points as they are written: to a hundredth, half up."""
     return math.floor(points * 100 + 0.5 + 1e-9) / 100
@@ -97,8 +117,14 @@ class _Work:
     asked: Expected
     answers: Answers
     rubric: Rubric
-    mistakes: tuple[Cause, ...] = ()
+    others: Others | None = None
     _carried: dict[Name, tuple[str, ...]] = field(default_factory=dict)
+
+    @cached_property
+    def mistakes(self) -> Sequence[Cause]:
+        """What has likely gone wrong, by whole columns."""
+        answers, limit = self.answers, self.rubric.limit
+        return diagnose(answers, self.asked, self.judged, limit=limit, others=self.others, floors=self.floors)
 
     @cached_property
     def worth(self) -> Mapping[Name, Array]:
@@ -123,9 +149,21 @@ class _Work:
     def _judged(self, name: Name) -> Judged:
         one, answered = self.asked[name], self.answers.columns.get(name)
         if answered is None:
-            nothing = np.full(len(one.rows), np.nan)
-            return judge(one, nothing, np.zeros(len(one.rows), dtype=bool), limit=self.rubric.limit)
-        return self.judge(one, answered.values, answered.given)
+            return _unanswered(one)
+        judged = self.judge(one, answered.values, answered.given)
+        return _nothing_said(judged) if self.is_idle(name, judged) else judged
+
+    def is_idle(self, name: Name, judged: Judged) -> bool:
+        """Whether a column is one of noughts where the solution has numbers: none of these is right, and at most half
+        as many numbers are anything at all. Some noughts are then right by chance."""
+        one, values = self.asked[name], np.abs(self.answers.columns[name].values)
+        if not one.by_position or one.angle or one.whole or np.isfinite(values).sum() < FEW:
+            return False
+        floor = self.floor(one)
+        wanted = np.isfinite(one.values) & (self.worth.get(name, np.ones(len(values))) > 0)
+        loud = wanted & (np.abs(one.values) > floor)
+        said = wanted & (values > floor)
+        return bool(loud.any() and not judged.ok[loud].any() and 2 * said.sum() <= loud.sum())
 
     def judge(self, one: Asked, values: Array, given: Array) -> Judged:
         free = not self.rubric.strict(one.table) and not of_motion(one)
@@ -141,10 +179,12 @@ class _Work:
     def floor(self, one: Asked) -> float:
         """What cannot be read off the plan: `reading` mm at the student's own scale, else of a vector of `LONGEST`.
 
-        A scale at which the longest vector of the plan would be shorter than that is not believed.
+        A scale at which the longest vector of the plan would be shorter than that is not believed. What does not
+        change, as weights, is worked out and not read off.
         """
         scale = self.answers.scales.get(SCALE_OF.get(one.unit, ""))
-        if scale is None or not one.by_position:
+        same = np.ptp(np.abs(one.values)) <= 1e-9 * one.largest
+        if scale is None or same or not one.by_position:
             return default_floor(one, self.rubric.reading)
         return self.rubric.reading * min(scale, self.largest[one.table, one.unit] / LONGEST)
 
@@ -180,7 +220,24 @@ class _Work:
             if self.asked[name].by_position and any(rule in WRONG for rule in judged.rules)
         }
 
+    @cached_property
+    def unchanging(self) -> frozenset[str]:
+        """Keys of wrong columns with one number all along where the solution has many: it comes from nowhere, and
+        nothing follows from it."""
+        return frozenset(
+            name[1]
+            for name, column in self.answers.columns.items()
+            if name[1] in self.wrong and _is_unchanging(self.asked[name], column.values)
+        )
+
+    @cached_property
+    def anothers(self) -> frozenset[Name]:
+        """Columns with the numbers of another variant: they follow from its data, not from the student's values."""
+        return frozenset(name for cause in self.mistakes if cause.kind == "variant" for name in cause.names)
+
     def carried(self, name: Name) -> tuple[str, ...]:
+        if name in self.anothers:
+            return ("",) * len(self.asked[name].rows)
         if name not in self._carried:
             self._carried[name] = self._found_carried(name)
         return self._carried[name]
@@ -191,7 +248,11 @@ class _Work:
         if not one.by_position or one.key not in self.wrong:
             return tuple(found)
         answered, wrong = self.answers.columns[name], self.wrong[one.key][1]
+        if one.key in self.unchanging:
+            return tuple(found)
         for follow in self.followed.get(one.key, ()):
+            if not self.unchanging.isdisjoint(follow.sources):
+                continue
             again = self.judge(replace(one, values=follow.values), answered.values, answered.given)
             # noughts all along follow from each other, and from nothing that a student did
             some = np.abs(follow.values) > self.floor(one)
@@ -199,12 +260,16 @@ class _Work:
                 found[k] = found[k] or self.source(follow, int(k), self.order[name])
         return tuple(found)
 
-    def follows(self, cause: Cause) -> bool:
-        """Whether most of what a mistake would explain follows from other wrong values."""
+    def made(self, cause: Cause) -> Cause | None:
+        """A mistake where it was made: without the columns that follow from others, where most of it follows."""
+        if cause.kind in OF_WRITING or not self.follows(cause.names):
+            return cause
+        return of_some(cause, [name for name in cause.names if not self.follows([name])], self.asked)
+
+    def follows(self, names: Sequence[Name]) -> bool:
+        """Whether most of what is wrong in some columns follows from other wrong values."""
         pairs = [
-            pair
-            for name in cause.names
-            for pair in zip(self.judged[name].rules, self.carried(name), strict=True)
+            pair for name in names for pair in zip(self.judged[name].rules, self.carried(name), strict=True)
         ]
         sources = [source for rule, source in pairs if rule in WRONG]
         return sum(map(bool, sources)) > MOST * len(sources)
@@ -254,6 +319,27 @@ class _Work:
             for name in cause.mended
         ]
         return math.fsum(gains)
+
+
+def _unanswered(one: Asked) -> Judged:
+    """A column that was left out."""
+    rules = [Rule.NO_ANSWER if number else Rule.NOT_ASKED for number in np.isfinite(one.values).tolist()]
+    return Judged(np.full(len(rules), np.nan), tuple(rules))
+
+
+def _nothing_said(judged: Judged) -> Judged:
+    """The same, where what is right by what can be read is not."""
+    nothing = (Rule.FLOOR, Rule.ZERO)
+    return replace(judged, rules=tuple(Rule.OFF if rule in nothing else rule for rule in judged.rules))
+
+
+def _is_unchanging(one: Asked, values: Array) -> bool:
+    """Whether numbers (P,) are alike where those of the solution are not."""
+    both = np.isfinite(values) & np.isfinite(one.values)
+    if both.sum() < FEW or one.angle:
+        return False
+    mine, right = np.abs(values[both]), np.abs(one.values[both])
+    return bool(np.ptp(mine) <= ALIKE * mine.max() and np.ptp(right) > VARIED * right.max())
 
 
 def _rank(one: Asked, place: int) -> tuple[int, int, int]:

@@ -10,6 +10,7 @@ from tmm_report.problems import N_, Message, ProblemError, mistake
 from tmm_report.yamlread import file_label, opened
 
 BYTES = 5 * 2**20
+ROWS = 100_000  # of a sheet: a contest has more students than a table has positions
 KEYS = ("name", "email", "moodle_id", "canvas_id", "canvas_login", "section")
 HEADS = {
     "id": "id",
@@ -25,7 +26,7 @@ def roster(path: Path) -> Roster:
     """id -> what the list says of the student, from a CSV or XLSX file with a column `id`. Raises ProblemError."""
     label = file_label(path)
     found: dict[str, dict[str, str]] = {}
-    for sheet in sheets.read_sheets(label, path.name, opened(path, label, BYTES)):
+    for sheet in sheets.read_sheets(label, path.name, opened(path, label, BYTES), rows=ROWS):
         names = [cells.header(head)[0].strip().casefold() for head in sheet.header]
         keys = [HEADS.get(name, name) for name in names]
         if "id" not in keys:

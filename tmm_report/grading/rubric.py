@@ -7,6 +7,7 @@ table share the table's, and the cells of a column the column's. A weight left o
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Any, Literal
@@ -35,6 +36,7 @@ Weights = Annotated[
     by_shape(N_("a list of keys, or keys with weights: {v_B: 2}")),
 ]
 Signs = Literal["free", "strict"]
+SCALES = ("mu_l", "mu_v", "mu_a", "mu_F")
 VALUES = "values"  # single numbers, of whatever chapter, share the points as a chapter of their own
 
 
@@ -105,6 +107,15 @@ class Rubric:
         """Allowed difference in a table, %."""
         rule = (self.tables or {}).get(table)
         return self.limit if rule is None or rule.limit is None else rule.limit
+
+    def asks(self, one: Asked) -> bool:
+        """Whether a column is worth anything."""
+        return _column_weight(self, one) > 0
+
+    @property
+    def asks_of_plans(self) -> bool:
+        """Whether it names tables of what is read off drawings: these have the number of a position, arms_7."""
+        return any(re.search(r"_\d+$", table) for table in self.tables or {})
 
     def strict(self, table: str) -> bool:
         """Whether a number without its sign is wrong."""
@@ -217,7 +228,9 @@ def _table_weight(rubric: Rubric, table: str) -> float:
 
 
 def _column_weight(rubric: Rubric, one: Asked) -> float:
-    """0 of a column that is not asked."""
+    """0 of a column that is not asked. The scales of plans are everybody's own."""
+    if not one.table and one.key in SCALES:
+        return 0.0
     if not one.table:
         return (rubric.values or {}).get(one.key, 0.0)
     if rubric.tables is None:

@@ -23,6 +23,7 @@ SCALES = (
     ("mu_a", "(m/s²)/mm", N_("scale of the student's own plan of accelerations")),
     ("mu_F", "N/mm", N_("scale of the student's own plan of forces")),
 )
+WIDEST = 100  # columns of one file of CSV
 FORMATS = (".xlsx", ".csv", ".yaml")
 
 
@@ -78,16 +79,18 @@ def _values(asked: Expected, worth: Mapping[Name, Array], tr: Translator) -> Ite
 
 
 def _csv(asked: Expected, worth: Mapping[Name, Array], tables: Tables, tr: Translator) -> dict[str, bytes]:
-    """One file of all that goes by positions; one of each other table, and one of the single numbers."""
+    """One file of all that goes by positions, one a table where it would be too wide or have a key twice; one of each
+    other table, and one of the single numbers."""
     wide = [one for columns, _ in tables.values() for one in columns if one.by_position]
     files = {}
-    if wide:
+    together = len(wide) <= WIDEST and len({one.key for one in wide}) == len(wide)
+    if wide and together:
         rows = sorted(
             {int(row) for columns, rows in tables.values() if columns[0].by_position for row in rows}
         )
         files[".csv"] = writing.csv_bytes(_sheet(wide, [str(row) for row in rows], tr), tr.decimal)
     for name, (columns, labels) in tables.items():
-        if not columns[0].by_position:
+        if not (together and columns[0].by_position):
             files[f"-{name}.csv"] = writing.csv_bytes(_sheet(columns, labels, tr), tr.decimal)
     files["-values.csv"] = writing.csv_bytes(_values(asked, worth, tr), tr.decimal)
     return files

@@ -10,7 +10,6 @@ import io
 import re
 import stat
 import struct
-import unicodedata
 import zipfile
 import zlib
 from collections.abc import Callable
@@ -18,6 +17,7 @@ from dataclasses import dataclass, replace
 from typing import Any, BinaryIO
 
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake, shown
+from tmm_report.yamlread import composed
 
 MEMBER = 5 * 2**20
 TOTAL = 200 * 2**20
@@ -180,7 +180,11 @@ def _name(info: zipfile.ZipInfo) -> str:
     name = info.orig_filename
     if not info.flag_bits & _UTF8_FLAG:
         name = _guessed(name.encode("cp437", "replace"))
-    return unicodedata.normalize("NFC", name.replace("\\", "/"))
+    name = name.replace("\\", "/")
+    try:
+        return composed(name)
+    except ValueError:  # such a name is nobody's: it is not worth the time to compose it
+        return name
 
 
 def _guessed(name: bytes) -> str:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import io
 import posixpath
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
@@ -19,7 +20,9 @@ from tmm_report.problems import N_, Message, ProblemError, mistake, shown
 BYTES = 5 * 2**20  # of the file
 UNPACKED = 20 * 2**20  # of all its parts
 ELEMENTS = 1_000_000  # of XML, in all parts that are read
+TAG = 2**20  # bytes from one element to the next
 
+_HUGE = re.compile(rb"<[^<]{%d}" % TAG)
 _OLD = b"\xd0\xcf\x11\xe0"  # what workbooks begin with that are encrypted, or in the format before XLSX
 
 
@@ -54,7 +57,7 @@ class Parts:
     """The parts of a workbook by their paths, and what is left of the budget of elements."""
 
     def __init__(self, label: str, content: bytes):
-        self.label, self.left = label, ELEMENTS
+        self.label, self.left, self.unread = label, ELEMENTS, UNPACKED
         if content.startswith(_OLD):
             right = Message(N_("save it as .xlsx without a password"))
             raise self.refused(N_("the workbook has a password or an old format"), right)
@@ -103,7 +106,12 @@ class Parts:
         member = self.members.get(path.lower())
         if member is None:
             return
+        self.unread -= member.size
+        if self.unread < 0:
+            raise self.refused(N_("the workbook reads its parts again and again, as no honest one does"))
         data = archive.content(self.stream, member, f"{self.label}:{shown(path, 200)}")
+        if _HUGE.search(data):
+            raise self.refused(N_("the workbook is broken: its part %(part)s"), part=shown(path))
         parser = expat.ParserCreate()
         parser.buffer_text = True
         parser.StartDoctypeDeclHandler = self.doctype

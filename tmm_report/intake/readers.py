@@ -22,7 +22,7 @@ _DATES = {
 }  # numbers of Excel's own date formats
 _ESCAPED = re.compile("_x([0-9A-Fa-f]{4})_")
 _HIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f\ud800-\udfff\ufffe\uffff]")
-_STORED = re.compile(r"\s*[-+]?[0-9]{0,40}\.?[0-9]{0,40}([eE][-+]?[0-9]{1,5})?\s*")
+_STORED = re.compile(r"[-+]?[0-9]{0,40}\.?[0-9]{0,40}([eE][-+]?[0-9]{1,5})?")
 _DIGITS = "0123456789"
 _TOLD = 20  # notes of a sheet
 _ABOVE = 20  # so many rows may stand above those counted: a title, blank ones, the head
@@ -122,7 +122,7 @@ class Styles(Reader):
 
 def _dated(code: str) -> bool:
     """Whether a number format has a day, month, year, hour or second outside quotes, brackets and escapes."""
-    bare = re.sub(r'"[^"]*"|\[[^\]]*\]|\\.|_.', "", code[:200])
+    bare = re.sub(r'"[^"]*"|\[[^\]\[]*\]|\\.|_.', "", code[:200])
     return bool(re.search("[dmyhs]", bare, re.IGNORECASE)) and "general" not in bare.lower()
 
 
@@ -255,7 +255,7 @@ def _number(text: str) -> str:
 
 
 def _finite(text: str) -> float:
-    if not _STORED.fullmatch(text):
+    if not _STORED.fullmatch(text.strip()):
         return math.nan
     try:
         value = float(text)

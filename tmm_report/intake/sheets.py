@@ -20,6 +20,7 @@ BYTES = 2**20  # of a CSV file; more where more rows are allowed
 ROWS = 2000
 COLUMNS = 120
 CHARACTERS = 200  # of a cell
+CELLS = 600_000  # of all sheets of a file, with the empty ones that fill up short rows
 SHEETS = 60
 _FAULTS = 20  # that many faulty rows of a sheet are told
 
@@ -62,7 +63,14 @@ def read_sheets(label: str, name: str, content: bytes, *, rows: int = ROWS) -> l
 
     Raises ProblemError for what is larger than allowed, broken or hostile, with the places of all faulty rows.
     """
-    return [_sheet(name, stream) for name, stream in _streams(label, name, content, rows)]
+    found: list[Sheet] = []
+    for title, stream in _streams(label, name, content, rows):
+        found.append(_sheet(title, stream, CELLS - sum(_size(sheet) for sheet in found)))
+    return found
+
+
+def _size(sheet: Sheet) -> int:
+    return len(sheet.rows) * len(sheet.header)
 
 
 def stream_csv(label: str, content: bytes, *, rows: int = ROWS) -> Stream:
@@ -89,12 +97,14 @@ def _streams(label: str, name: str, content: bytes, rows: int) -> Iterator[tuple
         raise _refused(label, N_("the file is none of %(kinds)s"), kinds="*.csv, *.xlsx")
 
 
-def _sheet(name: str, stream: Stream) -> Sheet:
-    """The whole of a sheet. Raises ProblemError with its first faulty rows."""
+def _sheet(name: str, stream: Stream, most: int) -> Sheet:
+    """The whole of a sheet of at most so many cells. Raises ProblemError with its first faulty rows."""
     kept = []
     faults: list[Problem] = []
     for row in stream.rows:
         faults.append(row) if isinstance(row, Problem) else kept.append(row)
+        if len(kept) * len(stream.header) > most:
+            raise _refused(stream.label, N_("the workbook has too many cells"))
         if len(faults) >= _FAULTS:
             break
     if faults:

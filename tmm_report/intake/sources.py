@@ -242,6 +242,8 @@ def _tail(item: _Found) -> str:
 
 
 def _key(item: _Found) -> str:
+    if item.member is not None:  # a//b and a/b are two names there
+        return f"file {Path(item.place).as_posix()}/{item.name}"
     return "file " + Path(item.place, item.name).as_posix()
 
 

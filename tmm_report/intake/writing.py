@@ -17,6 +17,7 @@ from typing import Any
 Value = str | float | int | None
 
 _FORMULA = tuple("=+-@\t\r\n＝＋－＠")
+_BEGUN = re.compile(r"[\s\u00ad\u200b-\u200f\u202a-\u202e\u2060-\u2069\ufeff]*[=+\-@\t\r\n＝＋－＠]")
 _INNER = re.compile("([,;\t\r\n][\"']?)([=+\\-@＝＋－＠])")
 _HIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f\ud800-\udfff\ufffe\uffff]")
 _ESCAPE = re.compile("_(?=x[0-9A-Fa-f]{4}_)")
@@ -60,12 +61,12 @@ def guarded(text: str) -> str:
     """Text that no spreadsheet takes for a formula, neither the whole nor what follows a sign by which a
     spreadsheet of another country would part it."""
     inner = _INNER.sub(r"\1'\2", text)
-    return "'" + inner if inner.startswith(_FORMULA) or inner.lstrip().startswith(_FORMULA) else inner
+    return "'" + inner if _BEGUN.match(inner) else inner
 
 
 def unguarded(text: str) -> str:
     """The text without the apostrophe that `guarded` puts in front."""
-    return text[1:] if text[:1] == "'" and text[1:].lstrip().startswith(_FORMULA) else text
+    return text[1:] if text[:1] == "'" and _BEGUN.match(text, 1) else text
 
 
 def _clean(text: str) -> str:

@@ -20,7 +20,8 @@ OWN = re.compile(r"_*(index(-\d+)?\.html|summary\.csv|journal\.jsonl)", re.I)
 @dataclass(frozen=True)
 class Task:
     """One variant: `number` in the order of the input, its folder, how messages name it, its text, its key in the
-    journal. `problems`: why there is no text of it."""
+    journal. `problems`: why there is no text of it. `filled`: the text is a template that was filled in, so that lines
+    and columns of it are nobody's."""
 
     number: int
     id: str
@@ -28,6 +29,7 @@ class Task:
     content: bytes
     key: str
     problems: tuple[Problem, ...] = ()
+    filled: bool = False
 
 
 @dataclass(frozen=True)
@@ -90,7 +92,7 @@ def _from_table(places: Sequence[str], table: Path) -> Given:
         id, label, content = made
         if isinstance(content, ProblemError):
             return Task(number, id, label, b"", "", tuple(content.problems))
-        return Task(number, id, label, content, "")
+        return Task(number, id, label, content, "", filled=True)
 
     rows = variants_of(Path(places[0]), table)
     return Given((read(*one) for one in enumerate(rows)), None)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -32,11 +33,11 @@ def failed(task: Task, status: str, problems: Iterable[Problem], trace: str = ""
 
 
 def finished(
-    task: Task, results: Results, warned: Iterable[Message], good: bool, files: Mapping[str, bytes]
+    task: Task, results: Results, warned: Iterable[Problem], good: bool, files: Mapping[str, bytes]
 ) -> Record:
     """Of a variant that was solved and written. `warned`: what its checks say."""
     title, lever = results.variant.title, results.lever
-    problems = [Problem(message, file=task.label) for message in warned]
+    problems = [replace(problem, file=task.label) for problem in warned]
     return _record(task, DONE if good else CHECK, problems) | {
         **{name: text for name in TITLE if (text := " ".join(getattr(title, name).split()))},
         "language": results.variant.language,
@@ -131,7 +132,9 @@ WHY = {
     "memory": N_("it asks for more memory than there is"),
     "error": N_("an error of the program: %(error)s"),
     "unwritable": N_("its folder cannot be written: %(reason)s"),
+    "foreign": N_("its folder cannot be written: %(place)s is not of the batch"),
 }
+ELSEWHERE = Message(N_("move it away, or name another folder for the output"))
 
 
 def why(kind: str, **values: object) -> Message:

@@ -6,7 +6,7 @@ import os
 import shutil
 from array import array
 from collections.abc import Iterator, Sequence
-from contextlib import closing
+from contextlib import closing, suppress
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -14,7 +14,7 @@ from typing import Any
 from tmm_report.commands.batch import page, record, summary
 from tmm_report.commands.batch.inputs import Given, Task, inputs
 from tmm_report.commands.batch.progress import Progress
-from tmm_report.commands.batch.work import PARTS, take_away, work
+from tmm_report.commands.batch.work import PARTS, Foreign, take_away, work
 from tmm_report.commands.solve import chosen
 from tmm_report.commands.talk import Talk, failure, unwritable, written
 from tmm_report.i18n import Translator
@@ -120,6 +120,7 @@ class _Batch:
 
     def go(self, running: Any) -> None:
         """Do what is not done. Stopped by Ctrl-C, it says how to go on, and passes it on."""
+        self.talk.stage(self.progress.line(0.0))  # until the first is done, which takes processes to start
         try:
             with closing(running(self._waiting(), self.given.count)) as results:
                 for task, found in results:
@@ -135,6 +136,7 @@ class _Batch:
         for task in self.given.tasks:
             self.order.append(-1)
             if task.problems:
+                self._take_away(task)
                 self._keep(task, record.failed(task, record.WRONG, task.problems))
                 self.progress.done()
             elif (place := self._known(task)) is not None:
@@ -153,10 +155,14 @@ class _Batch:
 
     def _lost(self, task: Task, lost: Lost) -> Record:
         """What is told of a variant without a result; what an earlier run made of it goes."""
-        take_away(self.output, task.id)
+        self._take_away(task)
         error = lost.trace.strip().rpartition("\n")[2]
         why = record.why(lost.reason, seconds=self.seconds, error=error)
         return record.failed(task, record.LOST, [Problem(why, file=task.label)], lost.trace)
+
+    def _take_away(self, task: Task) -> None:
+        with suppress(Foreign):
+            take_away(self.output, task.id)
 
 
 # ---------------------------------------------------------------- what came of it
@@ -172,7 +178,7 @@ def _finish(
     tr = Translator(language or _language(journal))
     counts = summary.counts(journal)
     files = summary.write(journal, output, tr), page.write(journal, output, counts, refused, tr)
-    _tell(journal, counts, refused, talk)
+    _tell(journal, counts, refused, files[0], talk)
     talk.tell(written(*files))
     return not refused and sum(counts.values()) == counts[record.DONE]
 
@@ -182,14 +188,12 @@ def _language(journal: Path) -> str:
     return next((found["language"] for _, found in read(journal) if "language" in found), DEFAULT)
 
 
-def _tell(journal: Path, counts: dict[str, int], refused: Sequence[Problem], talk: Talk) -> None:
+def _tell(journal: Path, counts: dict[str, int], refused: Sequence[Problem], table: Path, talk: Talk) -> None:
     for problem in _first(journal, refused):
         talk.warn(problem)
     bad = sum(counts.values()) - counts[record.DONE] + len(refused)
     if bad > TOLD:
-        talk.warn(
-            Message(N_("and %(count)s more: see %(file)s"), {"count": bad - TOLD, "file": summary.FILE})
-        )
+        talk.warn(Message(N_("and %(count)s more: see %(file)s"), {"count": bad - TOLD, "file": table}))
     text = N_(
         "variants: %(all)s; done: %(done)s; with a failed check: %(check)s; not solved: %(wrong)s; "
         "without a result: %(lost)s"

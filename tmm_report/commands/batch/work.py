@@ -6,9 +6,11 @@ Every variant has its folder, which appears whole: it is made in another place a
 from __future__ import annotations
 
 import os
+import re
 import shutil
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 
 from tmm_report.commands.batch import record
@@ -16,12 +18,22 @@ from tmm_report.commands.batch.inputs import Task
 from tmm_report.commands.files import render
 from tmm_report.commands.solve import summary
 from tmm_report.course import Results, Variant, loads
-from tmm_report.problems import Message, Problem, ProblemError
+from tmm_report.problems import Message, Problem, ProblemError, shown
 from tmm_report.running.journal import Record
 from tmm_report.stack import solve_each
 from tmm_report.variant import locate
 
 PARTS = ".parts"  # where folders are made, beside the finished ones
+OURS = re.compile(
+    r"results\.json|figures|tables|\.DS_Store|desktop\.ini|Thumbs\.db"
+    r"|note\.(html|tex|pdf|aux|log|out|toc|fls|fdb_latexmk|synctex\.gz)"
+)
+"""What may stand in a variant's folder that is taken away: what is written there, what TeX makes of it, and what
+systems leave."""
+
+
+class Foreign(OSError):
+    """Where a variant's folder belongs stands what the batch did not make, named by the text: it is not removed."""
 
 
 def work(
@@ -63,11 +75,18 @@ def _done(
     try:
         if isinstance(found, ProblemError):
             take_away(output, task.id)
-            return record.failed(task, record.WRONG, found.problems)
+            return record.failed(task, record.WRONG, [_placed(problem, task) for problem in found.problems])
         return _written(task, found, output, formats, language)
+    except Foreign as error:
+        problem = Problem(record.why("foreign", place=shown(error, 120)), record.ELSEWHERE, file=task.label)
+        return record.failed(task, record.LOST, [problem])
     except OSError as error:
         reason = record.why("unwritable", reason=error.strerror or type(error).__name__)
         return record.failed(task, record.LOST, [Problem(reason, file=task.label)])
+
+
+def _placed(problem: Problem, task: Task) -> Problem:
+    return replace(problem, line=None, column=None) if task.filled else problem
 
 
 def _written(
@@ -87,7 +106,7 @@ class _Heard:
     """Keeps what the checks of a variant warn of."""
 
     def __init__(self) -> None:
-        self.warned: list[Message] = []
+        self.warned: list[Problem] = []
 
     def speak(self, language: str) -> None: ...
 
@@ -96,9 +115,9 @@ class _Heard:
     def tell(self, line: Message | str) -> None: ...
 
     def warn(self, line: Message | Problem | str) -> None:
-        if isinstance(line, Problem):
-            line = line.wrong
-        self.warned.append(line if isinstance(line, Message) else Message("%(what)s", {"what": line}))
+        if isinstance(line, str):
+            line = Message("%(what)s", {"what": line})
+        self.warned.append(line if isinstance(line, Problem) else Problem(line))
 
 
 # ---------------------------------------------------------------- folders
@@ -117,13 +136,25 @@ def _place(output: Path, id: str, files: Mapping[str, bytes]) -> None:
 
 
 def take_away(output: Path, id: str) -> None:
-    """Remove the folder of a variant: it goes at once, then its files. Raises OSError."""
+    """Remove the folder of a variant: it goes at once, then its files. Raises OSError, Foreign of what is not ours."""
+    _see_ours(output, id)
     old = output / PARTS / f"{id}-{os.getpid()}-old"
     _clear(old)
     old.parent.mkdir(exist_ok=True)
     with suppress(FileNotFoundError):
         os.replace(output / id, old)
         _clear(old)
+
+
+def _see_ours(output: Path, id: str) -> None:
+    """Raises Foreign where the folder is a file or a link, or holds what nobody but its owner can make again."""
+    folder = output / id
+    if folder.is_symlink() or folder.is_file():
+        raise Foreign(id)
+    if folder.is_dir():
+        for name in sorted(entry.name for entry in os.scandir(folder)):
+            if not OURS.fullmatch(name):
+                raise Foreign(f"{id}/{name}")
 
 
 def _clear(path: Path) -> None:

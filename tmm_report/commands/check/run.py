@@ -168,7 +168,7 @@ def _update(folder: Path, outcomes: Sequence[Outcome], talk: Talk) -> bool:
     if files:
         _write(folder, files)
         talk.tell(written(*(folder / name for name in files)))
-    else:
+    elif not any(one.differs for one in outcomes):
         talk.tell(Message(N_("nothing to store: no sample differs")))
     return all(one.made is not None for one in outcomes if one.differs)
 

@@ -17,6 +17,7 @@ from tmm_report.problems import N_, Message, Problem, ProblemError, shown
 FORMAT = 1
 BYTES = 5_000_000
 LONGEST_NUMBER = 40  # characters
+LINES = 5000  # of a note: to set many against many takes the square of the time
 SUFFIX = ".expected.json"
 
 # How well drawings and checks agree is rounding: it differs from machine to machine.
@@ -113,7 +114,7 @@ def read(path: Path) -> Expected:
         raise ProblemError([Problem(wrong.what, UPDATE, wrong.path, file)]) from None
 
 
-UPDATE = Message(N_("write it anew: tmm-report check --update"))
+UPDATE = Message(N_("remove it, then store anew: tmm-report check --update"))
 
 
 class _Wrong(Exception):
@@ -229,4 +230,6 @@ def _cell(cell: Any, path: tuple[str, ...]) -> Cell:
 def _texts(value: Any, path: tuple[str, ...]) -> tuple[str, ...]:
     if not isinstance(value, list) or not all(isinstance(line, str) for line in value):
         raise _Wrong(path, Message(N_("this must be a list of texts")))
+    if len(value) > LINES:
+        raise _Wrong(path, Message(N_("this has more than %(limit)s lines"), {"limit": LINES}))
     return tuple(value)

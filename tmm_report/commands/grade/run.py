@@ -20,7 +20,7 @@ from tmm_report.commands.talk import Talk, unwritable, written
 from tmm_report.grading import others as year
 from tmm_report.grading import rubric as rubrics
 from tmm_report.grading.gradebook import gradebook
-from tmm_report.grading.model import Digest
+from tmm_report.grading.model import RIGHT, Digest
 from tmm_report.grading.roster import roster as read_roster
 from tmm_report.grading.statistics import Statistics, lines, statistics
 from tmm_report.i18n import Translator
@@ -30,6 +30,7 @@ from tmm_report.running.pool import Lost, chunked, over
 
 ANSWERS = (".yaml", ".yml", ".csv", ".xlsx")
 DOUBTFUL = 0.6  # of the points: who has less may have had another's variant
+OWN = 0.9  # of the numbers right as such: likewise
 TOLD = 20  # works whose mistakes are told on the terminal
 
 
@@ -62,7 +63,7 @@ def run(
     handed, refused = sources(answers, ANSWERS)
     works, strangers = _paired(list(given.tasks), handed)
     _warn(talk, [*given.refused, *refused, *strangers])
-    options = Options(output.absolute(), asked, language, show)
+    options = Options(output.absolute(), asked, language, own, show)
     try:
         digests = _marked(works, options, jobs or cores(), seconds, talk)
         found = statistics(digests)
@@ -118,10 +119,10 @@ def _marked(works: Sequence[Work], options: Options, jobs: int, seconds: float, 
 
 
 def _is_doubtful(digest: Digest) -> bool:
-    return (
-        any(number == number for number, _ in digest.cells.values())
-        and digest.points < DOUBTFUL * digest.worth
-    )
+    """Whether a work has few points, or owes them to what follows from other numbers: in another's variant all does."""
+    rules = [rule for number, rule in digest.cells.values() if number == number]
+    right = sum(rule in RIGHT for rule in rules)
+    return bool(rules) and (digest.points < DOUBTFUL * digest.worth or right < OWN * len(rules))
 
 
 def _results(
@@ -129,16 +130,17 @@ def _results(
 ) -> Iterator[tuple[str, Digest]]:
     """Id and digest of each work, in order of completion."""
     size = max(1, min(CHUNK, len(works) // (SHARE * jobs)))
-    do = partial(work, options=options)
+    do, tr = partial(work, options=options), Translator(options.own)
     with closing(
         over(do, chunked(works, size), jobs=min(jobs, JOBS), seconds=seconds, memory=MEMORY)
     ) as results:
         for one, found in results:
-            yield one.variant.id, _lost(one, found, seconds) if isinstance(found, Lost) else found
+            lost = isinstance(found, Lost)
+            yield one.variant.id, _lost(one, found, seconds, tr) if lost else found
             progress.done()
 
 
-def _lost(one: Work, lost: Lost, seconds: float) -> Digest:
+def _lost(one: Work, lost: Lost, seconds: float, tr: Translator) -> Digest:
     texts = {
         "time": N_("marking took more than %(seconds)g s"),
         "memory": N_("marking asked for too much memory"),
@@ -146,7 +148,7 @@ def _lost(one: Work, lost: Lost, seconds: float) -> Digest:
     text = texts.get(lost.reason, N_("the process that marked it died"))
     files = ", ".join(source.label for source in one.answers) or one.variant.label
     problem = replace(mistake(text, seconds=seconds), file=files)
-    return Digest(one.variant.id, failed=(problem.text(),))
+    return Digest(one.variant.id, failed=(problem.text(tr.gettext),))
 
 
 # ---------------------------------------------------------------- what is handed out

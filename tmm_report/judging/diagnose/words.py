@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from tmm_report.judging.diagnose.candidates import Mistake
 from tmm_report.judging.diagnose.single import ROTATION
-from tmm_report.judging.model import Asked, Expected, Name
+from tmm_report.judging.model import Asked, Cause, Expected, Name
 from tmm_report.problems import N_, Message, shown
 from tmm_report.quantity.symbols import GREEK
 
@@ -65,6 +66,16 @@ def sentence(mistake: Mistake, names: Sequence[Name], expected: Expected) -> Mes
     text = _UNITS[mistake.kind, mistake.by > 1]
     factor = {"factor": f"{max(mistake.by, 1 / mistake.by):.0f}"} if mistake.kind == "power of ten" else {}
     return Message(text, {"columns": columns, **factor})
+
+
+def of_some(cause: Cause, names: Sequence[Name], expected: Expected) -> Cause | None:
+    """A cause said of some of its columns alone; None where there are none, or where it is of two together."""
+    if not names or "columns" not in cause.what.values:
+        return None
+    columns = _columns(names, expected)
+    mended = {name: cause.mended[name] for name in names if name in cause.mended}
+    what = Message(cause.what.text, {**cause.what.values, "columns": columns})
+    return replace(cause, names=tuple(names), what=what, mended=mended)
 
 
 def _pair(mistake: Mistake, names: Sequence[Name], expected: Expected) -> Message:
