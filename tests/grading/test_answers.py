@@ -189,6 +189,7 @@ def test_thousands_of_names_that_nobody_asked_for_cost_neither_memory_nor_time()
 # ---------------------------------------------------------------- sheets as courses and people lay them out
 
 LAID = {
+    "a title above": "Вариант 7, группа М-21;;\nposition;v_B;w_2\n6;0;-41,9\n7;4,444;-36,8\n",
     "positions from 01": "position;v_B;w_2\n06;0;-41,9\n07;4,444;-36,8\n",
     "words before the number": "Положение;v_B;w_2\nпол. 6;0;-41,9\n№ 7;4,444;-36,8\n",
     "a quantity a line": "Положение;6;7;8\nv_B, м/с;0;4,444;1\nω2, 1/с;-41,9;-36,8;2\n",

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
-from itertools import islice
+from itertools import chain, islice
 from pathlib import PurePosixPath
 from typing import Any
 
@@ -22,6 +22,7 @@ COLUMNS = 120
 CHARACTERS = 200  # of a cell
 CELLS = 600_000  # of all sheets of a file, with the empty ones that fill up short rows
 SHEETS = 60
+TITLES = 5  # rows above the head of a table, at most
 _FAULTS = 20  # that many faulty rows of a sheet are told
 
 
@@ -113,11 +114,28 @@ def _sheet(name: str, stream: Stream, most: int) -> Sheet:
 
 
 def _stream(label: str, lines: Iterator[delimited.Row], rows: int, notes: Iterable[Problem]) -> Stream:
-    line, head = next(lines, (1, []))
-    header = tuple(_trimmed([cell.strip() for cell in head]))
+    line, header, lines = _head(lines)
     if len(header) > COLUMNS:
         raise _refused(label, N_("the table has more than %(limit)s columns"), line, limit=COLUMNS)
     return Stream(label, header, _rows(label, lines, len(header), rows), line, tuple(notes))
+
+
+def _head(lines: Iterator[delimited.Row]) -> tuple[int, tuple[str, ...], Iterator[delimited.Row]]:
+    """The head with its line, and the rows below. A title above it, alone in its row where the next has more, is passed
+    over; so are a few of them."""
+    waiting = list(islice(lines, TITLES + 1))
+    texts = [_trimmed([cell.strip() for cell in row]) for _, row in waiting]
+    start = next((k for k, row in enumerate(texts) if not _is_title(row)), 0)
+    if start and sum(map(bool, texts[start])) < 2:
+        start = 0
+    line, head = (waiting[start][0], texts[start]) if waiting else (1, [])
+    return line, tuple(head), chain(waiting[start + 1 :], lines)
+
+
+def _is_title(row: list[str]) -> bool:
+    """Whether all that a row says is a few words: "Variant 7"."""
+    said = [text for text in row if text]
+    return len(said) == 1 and " " in said[0]
 
 
 def _rows(

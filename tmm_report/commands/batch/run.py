@@ -25,6 +25,7 @@ from tmm_report.running.pool import Lost, chunked, over
 
 JOURNAL = "journal.jsonl"
 CHUNK = 32  # variants that a process takes at once, at most
+UNCOUNTED = 4  # and of a table, whose end is not known beforehand: thirty rows are to busy every process
 SHARE = 8  # lists of variants for each process, at least, so that all end at about one time
 MEMORY = 2 << 30  # bytes that a process may ask for
 JOBS = 60  # processes: Windows waits for no more at once
@@ -99,7 +100,7 @@ def _results(
 ) -> Iterator[tuple[Task, Record | Lost]]:
     """Each task with what was found, in order of completion."""
     jobs = min(jobs, JOBS)
-    size = CHUNK if count is None else max(1, min(CHUNK, count // (SHARE * jobs)))
+    size = UNCOUNTED if count is None else max(1, min(CHUNK, count // (SHARE * jobs)))
     if cluster is None:
         return over(do, chunked(tasks, size), jobs=jobs, seconds=seconds, memory=MEMORY)
     from tmm_report.running.cluster import over as over_cluster
