@@ -13,6 +13,7 @@ from typer.testing import CliRunner
 from tmm_report import course, render
 from tmm_report.cli import app
 from tmm_report.problems import ProblemError
+from tmm_report.results import tables as results_tables
 
 TEXT = (VARIANTS / "compressor.yaml").read_text("utf-8")
 
@@ -104,3 +105,20 @@ def test_the_note_names_them_too():
         assert note.count('data-t="readings_7"') == 6
     silent = replace(results.lever, readings=None)
     assert "readings_7" not in render(replace(results, lever=silent), "html")["note.html"].decode()
+
+
+def test_each_row_has_the_number_of_its_own_position_and_their_difference():
+    """Against the tables of the analytical method, which know nothing of readings."""
+    results = course.solve(read("compressor"))
+    tables = {table.name: table for table in results_tables(results)}
+    rates, seen = tables["rates_table"], 0
+    for k in (6, 7):
+        table = tables[f"readings_{k}"]
+        rows = zip(*(table[key].values for key in ("key", "graph", "analytic", "delta")), strict=True)
+        for key, graph, analytic, delta in rows:
+            assert analytic == pytest.approx(abs(float(rates[key].values[k])), rel=1e-12, abs=1e-9), (key, k)
+            assert graph == abs(results.variant.lever.readings[k][key][0])
+            if delta == delta:
+                assert delta == pytest.approx(200 * (graph - analytic) / (graph + analytic), rel=1e-6, abs=1e-9)
+                seen += 1
+    assert seen >= 34
