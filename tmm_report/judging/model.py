@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from tmm_report.problems import Message, Problem
-from tmm_report.quantity.model import Quantity
+from tmm_report.quantity.model import OfQuantity, Quantity
 
 Array = Any
 
@@ -20,7 +20,7 @@ Name = tuple[str, str]
 
 
 @dataclass(frozen=True, eq=False)
-class Asked:
+class Asked(OfQuantity):
     """A column of numbers of the solution that a student may be asked for.
 
     `values`: (P,) in the quantity's unit. `rows`: the label of each row: "0" … "12" in tables by positions, the wheel
@@ -42,14 +42,6 @@ class Asked:
     @property
     def name(self) -> Name:
         return self.table, self.quantity.key
-
-    @property
-    def key(self) -> str:
-        return self.quantity.key
-
-    @property
-    def unit(self) -> str:
-        return self.quantity.unit
 
     @cached_property
     def largest(self) -> float:

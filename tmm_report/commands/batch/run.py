@@ -5,11 +5,11 @@ from __future__ import annotations
 import os
 import shutil
 from array import array
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import closing, suppress
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from tmm_report.commands.batch import page, record, summary
 from tmm_report.commands.batch.inputs import Given, Task, inputs
@@ -23,6 +23,7 @@ from tmm_report.problems import N_, Message, Problem
 from tmm_report.running.journal import Index, Journal, Record, read, rewrite
 from tmm_report.running.pool import Lost, chunked, over
 
+T = TypeVar("T")
 JOURNAL = "journal.jsonl"
 CHUNK = 32  # variants that a process takes at once, at most
 UNCOUNTED = 4  # and of a table, whose end is not known beforehand: thirty rows are to busy every process
@@ -100,12 +101,17 @@ def _results(
 ) -> Iterator[tuple[Task, Record | Lost]]:
     """Each task with what was found, in order of completion."""
     jobs = min(jobs, JOBS)
-    size = UNCOUNTED if count is None else max(1, min(CHUNK, count // (SHARE * jobs)))
+    lists = in_lists(tasks, count, jobs)
     if cluster is None:
-        return over(do, chunked(tasks, size), jobs=jobs, seconds=seconds, memory=MEMORY)
+        return over(do, lists, jobs=jobs, seconds=seconds, memory=MEMORY)
     from tmm_report.running.cluster import over as over_cluster
 
-    return over_cluster(do, chunked(tasks, size), address=cluster, jobs=jobs, seconds=seconds, memory=MEMORY)
+    return over_cluster(do, lists, address=cluster, jobs=jobs, seconds=seconds, memory=MEMORY)
+
+
+def in_lists(tasks: Iterable[T], count: int | None, jobs: int) -> Iterator[list[T]]:
+    """The tasks in the lists that processes take; `count`: of them, None where that is not known."""
+    return chunked(tasks, UNCOUNTED if count is None else max(1, min(CHUNK, count // (SHARE * jobs))))
 
 
 class _Batch:

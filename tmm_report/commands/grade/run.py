@@ -12,7 +12,7 @@ from pathlib import Path
 
 from tmm_report.commands.batch.inputs import Task, inputs
 from tmm_report.commands.batch.progress import Progress
-from tmm_report.commands.batch.run import CHUNK, JOBS, MEMORY, SHARE, cores, sensible
+from tmm_report.commands.batch.run import JOBS, MEMORY, cores, in_lists, sensible
 from tmm_report.commands.files import write
 from tmm_report.commands.grade.statistics_page import statistics_files
 from tmm_report.commands.grade.work import Options, Work, work
@@ -26,7 +26,7 @@ from tmm_report.grading.statistics import Statistics, lines, statistics
 from tmm_report.i18n import Translator
 from tmm_report.intake.sources import Source, sources
 from tmm_report.problems import N_, Message, Problem, mistake, shown
-from tmm_report.running.pool import Lost, chunked, over
+from tmm_report.running.pool import Lost, over
 
 ANSWERS = (".yaml", ".yml", ".csv", ".xlsx")
 DOUBTFUL = 0.6  # of the points: who has less may have had another's variant
@@ -129,10 +129,10 @@ def _results(
     works: Sequence[Work], options: Options, jobs: int, seconds: float, progress: Progress
 ) -> Iterator[tuple[str, Digest]]:
     """Id and digest of each work, in order of completion."""
-    size = max(1, min(CHUNK, len(works) // (SHARE * jobs)))
+    jobs = min(jobs, JOBS)
     do, tr = partial(work, options=options), Translator(options.own)
     with closing(
-        over(do, chunked(works, size), jobs=min(jobs, JOBS), seconds=seconds, memory=MEMORY)
+        over(do, in_lists(works, len(works), jobs), jobs=jobs, seconds=seconds, memory=MEMORY)
     ) as results:
         for one, found in results:
             lost = isinstance(found, Lost)
