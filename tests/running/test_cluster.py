@@ -6,6 +6,7 @@ import os
 import signal
 import socket
 import sys
+from functools import partial
 
 import chores
 import pytest
@@ -23,11 +24,10 @@ def scheduler():
     """Two processes on this machine, each with a nanny that starts it again."""
     paths = os.pathsep.join(sys.path)
     before, os.environ["PYTHONPATH"] = os.environ.get("PYTHONPATH"), paths
-    with (
-        distributed.LocalCluster(
-            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0"
-        ) as local,
-    ):
+    local = partial(
+        distributed.LocalCluster, n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0"
+    )
+    with cluster.started(local) as local:
         if before is None:
             del os.environ["PYTHONPATH"]
         else:
@@ -118,6 +118,26 @@ def test_an_address_that_is_none_is_told(address, monkeypatch):
     monkeypatch.setattr(cluster, "WAIT", "1s")
     with pytest.raises(ProblemError, match="no Dask scheduler"):
         next(cluster.over(chores.double, [[1]], address=address, seconds=1))
+
+
+def test_a_thread_of_dask_that_begins_late_is_waited_for():
+    """Dask gives it ten seconds, and fails an assertion."""
+    late = iter([AssertionError, AssertionError, None])
+
+    def start() -> str:
+        if (error := next(late)) is not None:
+            raise error
+        return "started"
+
+    assert cluster.started(start) == "started"
+
+
+def test_what_never_begins_is_told_as_a_machine_too_busy():
+    def start() -> None:
+        raise AssertionError
+
+    with pytest.raises(TimeoutError, match="too busy"):
+        cluster.started(start)
 
 
 def test_without_dask_its_installation_is_told(monkeypatch):

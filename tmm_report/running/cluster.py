@@ -11,8 +11,9 @@ from __future__ import annotations
 
 import logging
 import pickle
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import ExitStack, suppress
+from functools import partial
 from importlib.util import find_spec
 from multiprocessing import process
 from threading import get_ident
@@ -65,11 +66,12 @@ def _connected(stack: ExitStack, address: str, jobs: int | None) -> Client:
     logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what goes wrong is told here
     try:
         if address == LOCAL:
-            started = LocalCluster(
-                n_workers=jobs, threads_per_worker=1, processes=True, dashboard_address=":0"
+            processes = partial(
+                LocalCluster, n_workers=jobs, threads_per_worker=1, processes=True, dashboard_address=":0"
             )
-            address = stack.enter_context(started).scheduler_address
-        client = stack.enter_context(Client(address, timeout=WAIT, set_as_default=False))
+            address = stack.enter_context(started(processes)).scheduler_address
+        _must_be_one(address)
+        client = stack.enter_context(started(partial(Client, address, timeout=WAIT, set_as_default=False)))
     except (OSError, ValueError, TypeError, ImportError) as error:  # TimeoutError is an OSError
         text = N_("no Dask scheduler at %(address)s: %(reason)s")
         reason = shown(error, 120) or type(error).__name__
@@ -80,6 +82,30 @@ def _connected(stack: ExitStack, address: str, jobs: int | None) -> Client:
         text = N_("the Dask scheduler at %(address)s has no workers")
         raise ProblemError([_problem(text, address=shown(address))]) from None
     return client
+
+
+def _must_be_one(address: str) -> None:
+    """Raises ValueError for what is no address of a scheduler, before anything is started for it."""
+    from distributed.comm import get_address_host_port
+    from distributed.comm.addressing import parse_address
+    from distributed.comm.registry import get_backend
+
+    get_backend(parse_address(address, strict=True)[0])
+    host, port = get_address_host_port(address, strict=True)
+    if not host or not port:
+        raise ValueError("an address is expected, for example tcp://10.0.0.5:8786")
+
+
+def started(make: Callable[[], T], times: int = 3) -> T:
+    """What `make` starts, with a thread of Dask's own. Dask gives that thread ten seconds to begin and then fails an
+    assertion of its own: on a busy machine it takes longer, and is there the next time."""
+    for _ in range(times - 1):
+        with suppress(AssertionError):
+            return make()
+    try:
+        return make()
+    except AssertionError:
+        raise TimeoutError("the machine is too busy") from None
 
 
 class _Run:
