@@ -9,11 +9,11 @@ from collections.abc import Mapping
 
 
 def packed(files: Mapping[str, bytes], method: int = zipfile.ZIP_DEFLATED) -> bytes:
-    """An ordinary archive."""
+    """An ordinary archive, dated alike at every run: the processes of one run must find the same tests."""
     out = io.BytesIO()
     with zipfile.ZipFile(out, "w", method) as archive:
         for name, content in files.items():
-            archive.writestr(name, content)
+            archive.writestr(zipfile.ZipInfo(name, (2026, 1, 1, 0, 0, 0)), content, method)
     return out.getvalue()
 
 

@@ -141,7 +141,9 @@ def test_what_is_packed_too_well_is_refused():
 
 
 @pytest.mark.parametrize(
-    "content", [b"", b"PK", b"PK\5\6" + bytes(18)[:-1], b"hello" * 1000, packed({"a": b"1"})[:-30]]
+    "content",
+    [b"", b"PK", b"PK\5\6" + bytes(18)[:-1], b"hello" * 1000, packed({"a": b"1"})[:-30]],
+    ids=["empty", "two letters", "end cut off", "text", "archive cut off"],
 )
 def test_what_is_no_archive_is_told(content):
     assert "not a ZIP archive" in refusal(content)
