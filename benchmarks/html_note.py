@@ -27,7 +27,7 @@ from timing import interleaved
 from tmm_report import load, render, solve
 
 data = yaml.safe_load(Path("variants/compressor.yaml").read_text("utf-8"))
-del data["drive"]
+data = {key: value for key, value in data.items() if key not in ("drive", "flywheel", "balancing")}
 with tempfile.TemporaryDirectory() as folder:
     file = Path(folder, "compressor.yaml")
     file.write_text(yaml.safe_dump(data, allow_unicode=True), "utf-8")

@@ -32,7 +32,7 @@ def main() -> None:
     parts = {
         "motion of 36 positions": lambda: lever.kinematics.cycle.motion(turned),
         "kinematics": lambda: kinematics.solve(positions, lever.structure),
-        "plans": lambda: plans.solve(drawing, positions.plans, given.readings, lever.kinematics),
+        "plans": lambda: plans.solve(drawing, positions.plans, lever.kinematics),
         "kinetostatics": lambda: kinetostatics.solve(given.loads, lever.kinematics),
         "force plans": lambda: force_plans.solve(
             drawing, positions.force_plan, lever.kinetostatics, lever.plans

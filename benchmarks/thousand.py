@@ -47,7 +47,8 @@ def main() -> None:
 
 def variants(count: int, drive: bool) -> Iterator[str]:
     """Texts of variants: the compressor without its readings, with other lengths, masses and speed."""
-    text = _without(COMPRESSOR.read_text("utf-8"), "readings", *(() if drive else ("drive",)))
+    others = "readings", "flywheel", "balancing", *(() if drive else ("drive",))
+    text = _without(COMPRESSOR.read_text("utf-8"), *others)
     head, rest = text.split("\nmechanism:")
     mechanism, tail = rest.split("\nloads:")
     draw = random.Random(1)

@@ -15,7 +15,8 @@ from tmm_report.problems import Message, Problem
 from tmm_report.running.journal import read
 
 TEXT = (VARIANTS / "crank_rocker.yaml").read_text("utf-8")
-COMPRESSOR = re.sub(r"(?ms)^drive:.*?(?=^\S)", "", (VARIANTS / "compressor.yaml").read_text("utf-8"))
+_ALL = (VARIANTS / "compressor.yaml").read_text("utf-8")
+COMPRESSOR = re.sub(r"(?ms)^(?:drive|flywheel|balancing):.*?(?=^\S)", "", _ALL)
 GAP = COMPRESSOR.replace("B: 300 mm, C", "B: 90 mm, C")
 
 

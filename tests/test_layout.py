@@ -89,10 +89,13 @@ def test_no_circle_of_imports():
     assert not [ring for module in sorted(arrows()) if (ring := circle(module, ()))]
 
 
-def test_mechanics_imports_numpy_alone():
+def test_mechanics_imports_numpy_alone_and_scipy_where_it_integrates():
     inside = [one for one in arrows() if one.startswith("tmm_report.mechanics.")]
     outside = {other.split(".")[0] for one in inside for other in arrows()[one]} - {"tmm_report"}
-    assert outside - sys.stdlib_module_names == {"numpy"}
+    assert outside - sys.stdlib_module_names == {"numpy", "scipy"}
+    assert [one for one in inside if "scipy" in {x.split(".")[0] for x in arrows()[one]}] == [
+        "tmm_report.mechanics.ode"
+    ]
 
 
 @pytest.mark.parametrize("chapter", FOUND)
@@ -236,7 +239,7 @@ def not_asking(chapter: str) -> str:
     return re.sub(rf"^{chapter}:.*\n(?:[ #].*\n|\n)*", "", text, flags=re.M)
 
 
-@pytest.mark.parametrize("chapter", ["friction", "reduction", "eccentric"])
+@pytest.mark.parametrize("chapter", ["friction", "reduction", "flywheel", "wear", "eccentric"])
 def test_a_chapter_taken_out_is_missed_by_nothing(chapter, tmp_path):
     """Its folder, its templates and its lines of course.py are deleted in a copy, where other chapters are solved."""
     for folder in ("tmm_report", "templates"):

@@ -365,7 +365,9 @@ def test_messages_carry_nothing_hostile():
         course.loads(SMALL + "title: {city: [a]}\nx\u202e" + "k" * 900 + ": 1\nlanguage: \u2066" + "y" * 900)
     assert "\u202e" not in str(caught.value)
     assert "\u2066" not in str(caught.value)
-    assert max(map(len, str(caught.value).splitlines())) < 300
+    assert (
+        max(map(len, str(caught.value).splitlines())) < 400
+    )  # the blocks that there are, by their names, take 190
 
 
 def test_locate_finds_the_nearest_key():

@@ -22,6 +22,7 @@ from tmm_report.chapters.kinematics import solve as kinematics
 from tmm_report.chapters.kinematics.given import Positions
 from tmm_report.chapters.kinetostatics import solve as kinetostatics
 from tmm_report.chapters.kinetostatics.loads import Loads
+from tmm_report.chapters.machine import Moving
 from tmm_report.chapters.plans import solve as plans
 from tmm_report.chapters.plans.given import Drawing
 from tmm_report.chapters.readings.given import Readings
@@ -32,10 +33,21 @@ from tmm_report.languages import DEFAULT, DecimalSign
 from tmm_report.mechanics.mechanism import Mechanism
 from tmm_report.problems import Message, Problem
 
-if TYPE_CHECKING:  # the gear chapters, and readings, are loaded only for a variant that has them
+if TYPE_CHECKING:  # loaded only for a variant that has them
+    from tmm_report.chapters.balancing import solve as balancing
+    from tmm_report.chapters.contacts import solve as contacts
     from tmm_report.chapters.drive import solve as drive
+    from tmm_report.chapters.dynamics import solve as dynamics
     from tmm_report.chapters.eccentric import solve as eccentric
+    from tmm_report.chapters.efficiency import solve as efficiency
+    from tmm_report.chapters.engine import solve as engine
+    from tmm_report.chapters.flywheel import solve as flywheel
+    from tmm_report.chapters.governor import solve as governor
+    from tmm_report.chapters.harmonics import solve as harmonics
     from tmm_report.chapters.readings import solve as readings
+    from tmm_report.chapters.rotor import solve as rotor
+    from tmm_report.chapters.vibration import solve as vibration
+    from tmm_report.chapters.wear import solve as wear
     from tmm_report.variant.model import Read, Rooms
 
 
@@ -58,6 +70,17 @@ class Variant:
     """Everything a variant states, checked, in SI: a lever mechanism, gears, or several of them."""
 
     lever: LeverGiven | None = None
+    dynamics: dynamics.Given | None = None
+    flywheel: flywheel.Given | None = None
+    governor: governor.Given | None = None
+    balancing: balancing.Given | None = None
+    rotor: rotor.Given | None = None
+    engine: engine.Given | None = None
+    harmonics: harmonics.Given | None = None
+    vibration: vibration.Given | None = None
+    contacts: contacts.Given | None = None
+    efficiency: efficiency.Given | None = None
+    wear: wear.Given | None = None
     drive: drive.Given | None = None
     eccentric: eccentric.Given | None = None
     title: Title = field(default_factory=Title)
@@ -105,6 +128,17 @@ class Results:
 
     variant: Variant
     lever: LeverFound | None = None
+    dynamics: dynamics.Found | None = None
+    flywheel: flywheel.Found | None = None
+    governor: governor.Found | None = None
+    balancing: balancing.Found | None = None
+    rotor: rotor.Found | None = None
+    engine: engine.Found | None = None
+    harmonics: harmonics.Found | None = None
+    vibration: vibration.Found | None = None
+    contacts: contacts.Found | None = None
+    efficiency: efficiency.Found | None = None
+    wear: wear.Found | None = None
     drive: drive.Found | None = None
     eccentric: eccentric.Found | None = None
 
@@ -121,9 +155,22 @@ class Moved:
 def solve(variant: Variant, moved: Moved | None = None) -> Results:
     """Solve a variant chapter by chapter, but for what is found already. Raises ProblemError with what cannot be
     solved and why."""
+    lever = solve_lever(variant.lever, moved) if variant.lever else None
+    moving = Moving(lever.kinematics, lever.kinetostatics) if lever else None
     return Results(
         variant,
-        lever=solve_lever(variant.lever, moved) if variant.lever else None,
+        lever=lever,
+        dynamics=_dynamics(variant.dynamics, moving) if variant.dynamics else None,
+        flywheel=_flywheel(variant.flywheel, moving) if variant.flywheel else None,
+        governor=_governor(variant.governor, moving) if variant.governor else None,
+        balancing=_balancing(variant.balancing, moving) if variant.balancing else None,
+        rotor=_rotor(variant.rotor, moving) if variant.rotor else None,
+        engine=_engine(variant.engine, moving) if variant.engine else None,
+        harmonics=_harmonics(variant.harmonics, moving) if variant.harmonics else None,
+        vibration=_vibration(variant.vibration, moving) if variant.vibration else None,
+        contacts=_contacts(variant.contacts, moving) if variant.contacts else None,
+        efficiency=_efficiency(variant.efficiency, moving) if variant.efficiency else None,
+        wear=_wear(variant.wear, moving) if variant.wear else None,
         drive=_drive(variant.drive) if variant.drive else None,
         eccentric=_eccentric(variant.eccentric) if variant.eccentric else None,
     )
@@ -143,7 +190,7 @@ def solve_lever(given: LeverGiven, moved: Moved | None = None) -> LeverFound:
         forces,
         force_plans.solve(given.drawing, given.positions.force_plan, forces, drawn) if forces else None,
         friction.solve(given.friction, forces) if given.friction and forces else None,
-        reduction.solve(motion, forces) if given.reduction else None,
+        reduction.solve(motion, forces, drawn) if given.reduction else None,
     )
     return replace(found, readings=_readings(found)) if given.readings else found
 
@@ -164,6 +211,72 @@ def _readings(found: LeverFound) -> readings.ReadingsFound:
         for table in room(name, "quantities").tables(chapter)
     ]
     return solve(found.given.readings, found.plans, tables)
+
+
+def _dynamics(given: dynamics.Given, moving: Moving | None) -> dynamics.Found:
+    from tmm_report.chapters.dynamics.solve import solve
+
+    return solve(given, moving)
+
+
+def _flywheel(given: flywheel.Given, moving: Moving | None) -> flywheel.Found:
+    from tmm_report.chapters.flywheel.solve import solve
+
+    return solve(given, moving)
+
+
+def _governor(given: governor.Given, moving: Moving | None) -> governor.Found:
+    from tmm_report.chapters.governor.solve import solve
+
+    return solve(given, moving)
+
+
+def _balancing(given: balancing.Given, moving: Moving | None) -> balancing.Found:
+    from tmm_report.chapters.balancing.solve import solve
+
+    return solve(given, moving)
+
+
+def _rotor(given: rotor.Given, moving: Moving | None) -> rotor.Found:
+    from tmm_report.chapters.rotor.solve import solve
+
+    return solve(given, moving)
+
+
+def _engine(given: engine.Given, moving: Moving | None) -> engine.Found:
+    from tmm_report.chapters.engine.solve import solve
+
+    return solve(given, moving)
+
+
+def _harmonics(given: harmonics.Given, moving: Moving | None) -> harmonics.Found:
+    from tmm_report.chapters.harmonics.solve import solve
+
+    return solve(given, moving)
+
+
+def _vibration(given: vibration.Given, moving: Moving | None) -> vibration.Found:
+    from tmm_report.chapters.vibration.solve import solve
+
+    return solve(given, moving)
+
+
+def _contacts(given: contacts.Given, moving: Moving | None) -> contacts.Found:
+    from tmm_report.chapters.contacts.solve import solve
+
+    return solve(given, moving)
+
+
+def _efficiency(given: efficiency.Given, moving: Moving | None) -> efficiency.Found:
+    from tmm_report.chapters.efficiency.solve import solve
+
+    return solve(given, moving)
+
+
+def _wear(given: wear.Given, moving: Moving | None) -> wear.Found:
+    from tmm_report.chapters.wear.solve import solve
+
+    return solve(given, moving)
 
 
 def _drive(given: drive.Given) -> drive.Found:

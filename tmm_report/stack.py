@@ -121,7 +121,7 @@ def _of_mechanism(mechanism: Mechanism) -> Hashable:
     )
     guides = tuple((guide.name, guide.link) for guide in mechanism.guides.values())
     slides = tuple((slide.link, slide.guide) for slide in mechanism.slides)
-    return driver.link, driver.omega > 0, driver.sweep, begin, links, guides, slides
+    return driver.link, driver.omega > 0, driver.sweep, driver.turns, begin, links, guides, slides
 
 
 def _alike(mechanism: Mechanism, link: str) -> Hashable:

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from tmm_report import course
 from tmm_report.chapters.friction.given import Friction
-from tmm_report.chapters.kinetostatics.loads import ByDisplacement, Loads
+from tmm_report.chapters.kinetostatics.loads import ByDisplacement, ByStrokes, Loads
 from tmm_report.chapters.plans.given import Drawing
 from tmm_report.course import Results, Variant
 from tmm_report.mechanics.mechanism import FRAME, Assembly, ZeroAngle
@@ -132,7 +132,7 @@ def moved(v: Variant, angle: float, shift: complex) -> Variant:
     )
     forces = []
     for f in v.lever.loads.forces:
-        law = replace(f.law, zero=f.law.zero * u) if isinstance(f.law, ByDisplacement) else f.law
+        law = replace(f.law, zero=f.law.zero * u) if isinstance(f.law, ByDisplacement | ByStrokes) else f.law
         forces.append(replace(f, direction=turned(f.direction), law=law))
     loads = Loads(v.lever.loads.gravity * u, tuple(forces), v.lever.loads.moments)
     return stating(v, mechanism=mechanism, loads=loads, readings={})

@@ -49,6 +49,12 @@ def test_by_angle_is_linear_between_and_periodic(at):
     assert at(law, 350, 0, 10) == pytest.approx([1.5, 1.4, 1.3])
 
 
+def test_a_load_that_ends_otherwise_than_it_began_rises_over_the_whole_turn(at):
+    """A saw: its two values at 0 and 360 degrees are a jump, not one the other's neighbour."""
+    law = ByAngle((0.0, 2 * np.pi), (0.0, 100.0))
+    assert at(law, 0, 36, 90, 270) == pytest.approx([0, 10, 25, 75])
+
+
 def test_ranges_are_not_periodic(results):
     cycle = results.lever.kinematics.cycle
     if cycle.closed:

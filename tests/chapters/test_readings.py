@@ -119,6 +119,8 @@ def test_each_row_has_the_number_of_its_own_position_and_their_difference():
             assert analytic == pytest.approx(abs(float(rates[key].values[k])), rel=1e-12, abs=1e-9), (key, k)
             assert graph == abs(results.variant.lever.readings[k][key][0])
             if delta == delta:
-                assert delta == pytest.approx(200 * (graph - analytic) / (graph + analytic), rel=1e-6, abs=1e-9)
+                assert delta == pytest.approx(
+                    200 * (graph - analytic) / (graph + analytic), rel=1e-6, abs=1e-9
+                )
                 seen += 1
     assert seen >= 34

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from conftest import solved, stating
+from conftest import read, solved, stating
 from notes import VARIANTS
 
 from tmm_report import course
@@ -73,3 +73,33 @@ def test_nothing_to_reduce_is_told():
     with pytest.raises(ProblemError) as error:
         course.loads(light + "\nreduction: true\n")
     assert [problem.path for problem in error.value.problems] == [("reduction",)]
+
+
+def test_plans_of_velocities_give_the_same_inertia_to_their_accuracy():
+    """Ratios are read to a hundredth of a millimetre of some hundred."""
+    found = solved("piston_pump").lever.reduction
+    assert [one.position for one in found.plans] == [
+        d.position for d in solved("piston_pump").lever.plans.drawn
+    ]
+    for one in found.plans:
+        assert one.graph != one.exact == found.table.whole_inertia[one.position]
+        assert one.graph == pytest.approx(one.exact, rel=1e-3)
+        assert one.delta == pytest.approx(100 * (one.graph / one.exact - 1), rel=1e-2)
+
+
+def test_the_speed_for_which_a_plan_is_drawn_does_not_matter():
+    """Ten times the speed at ten times the scale: the same lengths, the same ratios."""
+    variant = read("piston_pump")
+    mechanism = variant.lever.mechanism
+    fast = replace(mechanism, driver=replace(mechanism.driver, omega=10 * mechanism.driver.omega))
+    slow, quick = (
+        course.solve(
+            stating(
+                variant, mechanism=one, drawing=replace(variant.lever.drawing, velocity=scale), readings={}
+            )
+        )
+        for one, scale in ((mechanism, 0.02), (fast, 0.2))
+    )
+    for one, other in zip(slow.lever.reduction.plans, quick.lever.reduction.plans, strict=True):
+        assert one.graph == pytest.approx(other.graph, rel=1e-12)
+        assert dict(one.centres) == pytest.approx(dict(other.centres), rel=1e-12)

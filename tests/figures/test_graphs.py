@@ -199,3 +199,12 @@ def test_matplotlib_is_loaded_only_by_a_graph_and_pyplot_never():
         "assert 'matplotlib.pyplot' not in sys.modules\n"
     )
     subprocess.run([sys.executable, "-c", code], check=True)
+
+
+@pytest.mark.parametrize("count", [127, 128, 500])
+def test_every_point_of_a_curve_is_drawn_however_many_there_are(count):
+    """matplotlib leaves out points of long lines that hardly change them, unless it is told otherwise."""
+    x = np.linspace(0, 720, count)
+    text = graph([Curve(np.sin(np.radians(x)))], x, "x", ["y"]).svg()
+    longest = max(text_of.count("L") for text_of in re.findall(r'<path d="([^"]*)"', text))
+    assert longest == count - 1

@@ -36,6 +36,7 @@ FUNCTIONS: dict[str, tuple[Callable[[float], float], Callable[[float], float]]] 
     "arctan arctg atan": (math.atan, lambda x: 1 / (1 + x * x)),
     "arccos": (lambda x: math.acos(max(-1.0, min(1.0, x))), lambda x: 1 / math.sqrt(max(1e-12, 1 - x * x))),
     "arcsin": (lambda x: math.asin(max(-1.0, min(1.0, x))), lambda x: 1 / math.sqrt(max(1e-12, 1 - x * x))),
+    "exp": (math.exp, math.exp),
     "inv": (involute, lambda x: math.tan(x) ** 2),
 }
 BY_NAME = {name: found for names, found in FUNCTIONS.items() for name in names.split()}

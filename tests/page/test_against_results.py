@@ -219,7 +219,10 @@ def wrong_text(where: str, cell: Cell, mark: Mark, value: Any) -> Iterator[str]:
 # index words and Greek letters as the page writes them
 def _index_words() -> dict[str, str]:
     with (data_root() / "templates/locale/ru/LC_MESSAGES/tmm_report.po").open("rb") as file:
-        return {entry.id: entry.string for entry in read_po(file) if entry.context == "index"}
+        words = {
+            entry.id: entry.string for entry in read_po(file) if entry.context == "index" and entry.string
+        }
+    return dict(sorted(words.items(), key=lambda word: -len(word[1])))  # a word before its beginning
 
 
 WRITTEN = _index_words()

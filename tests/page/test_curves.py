@@ -33,9 +33,22 @@ SCALES = {
 }
 
 
-def graphs(note: Note) -> Iterator[tuple[str, list[Curve]]]:
-    """Captions of the graphs and their curves."""
-    for figure in note.root.iter("figure"):
+OWN = ("Кинематический анализ", "Силовой", "Потери на трение", "Приведение масс")
+"""How the sections of the lever's chapters begin: diagrams of the others have tests of their own."""
+SEVERAL = {  # letters of axes with several curves: each of them must be one of these
+    "M": [("balancing", "M_bal"), ("friction_corrected", "M_first"), ("friction_corrected", "M_bal_fr")],
+    **{key: [("friction", "eta"), ("friction_corrected", "eta_corrected")] for key in ("ηтр", "ηfr")},
+}
+
+
+def graphs(note: Note, own: bool = False) -> Iterator[tuple[str, list[Curve]]]:
+    """Captions of the graphs and their curves; `own`: of the lever's chapters alone."""
+    section = ""
+    for figure in note.root.iter():
+        if figure.tag == "h1":
+            section = text_of(figure).lstrip("0123456789 ")
+        if figure.tag != "figure" or (own and not section.startswith(OWN)):
+            continue
         svg = note.drawings[figure.get("id") or ""]
         caption = figure.find("figcaption")
         if "stroke-width: 1.1" in svg and caption is not None:
@@ -46,12 +59,23 @@ def column(curve: Curve, caption: str) -> tuple[str, str]:
     """Which table of the results a curve over the cycle shows, and which column."""
     if curve.axis.letter in MOTION:
         return "outputs", f"{MOTION[curve.axis.letter]}_{caption.split()[-1]}"
-    return OTHERS[curve.axis.letter]
+    if curve.axis.letter in OTHERS:
+        return OTHERS[curve.axis.letter]
+    assert curve.axis.letter[0] == "P", curve.axis.letter
+    return "stated", f"P_{curve.axis.letter[1:]}"  # a stated force by its point
 
 
 def wrong_curve(curve: Curve, caption: str, document: dict[str, Any], which: str) -> Iterator[str]:
-    """At each position of the table or of the diagram."""
-    name, key = column(curve, caption)
+    """At each position of the table or of the diagram; of several curves over one axis one must be it."""
+    if several := SEVERAL.get(curve.axis.letter):
+        yield from min((list(_wrong(curve, caption, document, which, *one)) for one in several), key=len)
+        return
+    yield from _wrong(curve, caption, document, which, *column(curve, caption))
+
+
+def _wrong(
+    curve: Curve, caption: str, document: dict[str, Any], which: str, name: str, key: str
+) -> Iterator[str]:
     table = table_of(document, f"{name}_{which}")
     of = unit(curve.axis.unit)
     assert of is not None
@@ -70,10 +94,11 @@ def wrong_curve(curve: Curve, caption: str, document: dict[str, Any], which: str
 @pytest.mark.parametrize("name", LEVERS)
 def test_diagrams_over_the_cycle(name):
     document, found, seen = results(name), [], set()
-    for caption, drawn in graphs(html(name)):
+    for caption, drawn in graphs(html(name), own=True):
         for curve in drawn:
             if curve.axis.letter != "λ":
-                seen.add(column(curve, caption)[1])
+                if curve.axis.letter not in SEVERAL:
+                    seen.add(column(curve, caption)[1])
                 for which in ("table", "diagram"):
                     found += wrong_curve(curve, caption, document, which)
     wanted = {f"{letter}_{key[2:]}" for key in outputs(document) for letter in ("S", "V", "A")}

@@ -14,5 +14,8 @@ if TYPE_CHECKING:
 def schemes_of(lever: LeverFound, page: Page) -> Schemes:
     """The schemes of the note, made once for all its chapters."""
     k = lever.kinematics
-    count = len(k.turned) - (1 if k.cycle.closed else 0)
-    return page.once(Schemes, lever.given.mechanism, k.table, k.diagram, count, lever.plans.length_scale)
+    # every turn goes through the same places: those of the first are drawn
+    turns, count = k.cycle.turns, k.positions.diagram
+    paths = k.diagram if turns == 1 else k.cycle.motion(k.cycle.once(count)[: count // turns + 1])
+    scale = lever.plans.length_scale
+    return page.once(Schemes, lever.given.mechanism, k.table, paths, k.distinct, scale)

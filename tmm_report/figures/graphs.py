@@ -150,7 +150,7 @@ def graph(
 ) -> Graph:
     """Curves over `x` (P,), degrees, a panel for each of `ylabels`, sharing x.
 
-    `step`: degrees between ticks; `positions`: how many positions a turn is numbered with over the top, 0: none;
+    `step`: degrees between ticks; `positions`: how many positions the cycle is numbered with over the top, 0: none;
     `comma`: decimal comma; `join`: thin lines join the extremes of all panels; `title` is for who cannot see it.
     """
     curves = [curve.settled() for curve in curves]
@@ -213,9 +213,10 @@ def _x_ticks(graph: Graph) -> list[float]:
 
 
 def _curve(sheet: Sheet, places: np.ndarray, look: Look) -> None:
-    """A line that breaks where a value is nan, with a marker at every twelfth of the points."""
+    """A line that breaks where a value is nan, with a marker at every twelfth of its way along x."""
     sheet.strokes(_unbroken(places), look.colour, 1.1, look.dash)
-    spots = places[:: max(1, len(places) // 12)]
+    twelfths = np.linspace(places[0, 0], places[-1, 0], 13)
+    spots = places[np.unique(np.abs(places[:, 0] - twelfths[:, None]).argmin(axis=1))]
     sheet.markers(spots[np.isfinite(spots[:, 1])], look.marker, look.colour, 3.2)
 
 
@@ -292,12 +293,12 @@ MOST = 24  # numbers of positions that stand in a row without touching
 
 
 def _positions(graph: Graph) -> Iterator[tuple[float, str]]:
-    """Place along x, mm, and number of each position, "" where there are too many to write all; a full turn ends
-    where it began, at 0."""
+    """Place along x, mm, and number of each position, "" where there are too many to write all; a cycle of full turns
+    ends where it began, at 0."""
     if graph.positions:
         start, end = graph.panels[0].x
-        every = -(-graph.positions // MOST)
-        for k, turned in enumerate(multiples(0.0, end - start, 360 / graph.positions)):
+        every, turns = -(-graph.positions // MOST), max(1, round((end - start) / 360))
+        for k, turned in enumerate(multiples(0.0, end - start, 360 * turns / graph.positions)):
             number = k % graph.positions
             yield graph.panels[0].across(start + turned), "" if number % every else str(number)
 

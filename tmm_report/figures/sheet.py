@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 MM_PER_INCH = 25.4
 POINT = MM_PER_INCH / 72  # mm
-SETTINGS: dict[Any, Any] = {"svg.fonttype": "none", "pdf.fonttype": 42, "path.simplify": False}
+SETTINGS: dict[Any, Any] = {"svg.fonttype": "none", "pdf.fonttype": 42}
 FONTS = ["DejaVu Sans", "sans-serif"]
 
 
@@ -55,6 +55,7 @@ class Sheet:
             codes = np.concatenate([[Path.MOVETO] + [Path.LINETO] * (len(stroke) - 1) for stroke in strokes])
             look = {"linestyle": (0, tuple(dash))} if dash else {}
             path = Path(np.concatenate(strokes), codes)
+            path.should_simplify = False  # decided when a path is made, before `SETTINGS` hold
             self._add(PathPatch(path, fill=False, edgecolor=colour, linewidth=pen, capstyle="butt", **look))
 
     def block(self, corner: tuple[float, float], wide: float, tall: float, edge: str = "none") -> None:

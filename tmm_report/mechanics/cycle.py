@@ -70,7 +70,11 @@ def _first(alike: Array, values: Array, turned: Array) -> Extreme:
 
 @dataclass(frozen=True, eq=False)
 class Cycle:
-    """Position 0 and the sweep of the driving link: positions are numbered in the sense of rotation."""
+    """Position 0 and the sweep of the driving link: positions are numbered in the sense of rotation.
+
+    The motion repeats with each `sweep`, and is searched over one of them; loads repeat with the `period`, which may
+    take several turns.
+    """
 
     linkage: Linkage
     zero: Scalar  # angle of the driving link in position 0, rad
@@ -85,13 +89,34 @@ class Cycle:
         return self.linkage.mechanism.driver.sweep
 
     @property
+    def turns(self) -> int:
+        """How many turns the cycle takes."""
+        return self.linkage.mechanism.driver.turns
+
+    @property
+    def period(self) -> float:
+        """The whole cycle, rad."""
+        return self.sweep * self.turns
+
+    @property
     def closed(self) -> bool:
         """Whether the driving link makes full turns."""
         return self.sweep >= FULL_TURN - 1e-12
 
     def turned(self, count: int) -> Array:
-        """Angle turned from position 0 at `count` equal steps, rad, (P,): 0..count-1, or to count if not closed."""
-        return np.arange(count if self.closed else count + 1) * (self.sweep / count)
+        """Angle turned from position 0 at `count` equal steps of the cycle, rad, (P,): 0..count-1, or to count if not
+        closed."""
+        return np.arange(count if self.closed else count + 1) * (self.period / count)
+
+    def once(self, count: int) -> Array:
+        """The same angles with the last, each within its own turn, rad, (count + 1,): where the motion repeats, the
+        angle does to the last bit. Position N of a full turn is position 0."""
+        k = np.arange(count + 1)
+        return (k * self.turns % count if self.closed else k) * (self.sweep / count)
+
+    def repeated(self, turned: Array) -> Array:
+        """Angles turned (P,) within one turn, and the same of every other turn of the cycle, rad."""
+        return np.concatenate([turned + k * self.sweep for k in range(self.turns)])
 
     def phi(self, turned: Array) -> Array:
         return self.zero + self.sense * turned
@@ -167,7 +192,7 @@ class Cycle:
         return found
 
     def within(self, turned: Array) -> Array:
-        """Angles turned, ascending, within the cycle."""
+        """Angles turned, ascending, within one turn."""
         if self.closed:
             turned = np.mod(turned, self.sweep)
             turned = np.where(
@@ -189,7 +214,7 @@ class Cycle:
         return self.roots_of([rate], bracketed)[0] if self.moves(rate, size) else np.array([])
 
     def extremes(self, value: Quantity, rate: Rate) -> tuple[Extreme, Extreme]:
-        """The least and the greatest `value` over the cycle; `rate` is its derivative by time or angle."""
+        """The least and the greatest `value` of the motion; `rate` is its derivative by time or angle."""
         return self.extremes_of([value], [self.roots(rate)])[0]
 
     def extremes_of(

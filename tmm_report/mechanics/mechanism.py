@@ -74,6 +74,7 @@ class Driver:
     omega: Scalar
     zero: ZeroAngle | ZeroExtreme = ZeroAngle(0.0)
     sweep: float = 2 * np.pi  # how far it turns, rad; less than a full turn for a rocker
+    turns: int = 1  # full turns in a cycle: the motion repeats with each of them, the loads with the cycle
 
 
 @dataclass(frozen=True)

@@ -31,8 +31,9 @@ _TEX = {
     "~": "\\textasciitilde{}",
     "^": "\\textasciicircum{}",
     **{sign: "\\" + sign for sign in "{}$&#%_"},
+    "µ": "\\ensuremath{\\mu}",
 }
-_SIGNS_TEX = {"∥": "\\parallel ", "⟂": "\\perp ", "⊥": "\\perp ", "·": "\\cdot "}
+_SIGNS_TEX = {"∥": "\\parallel ", "⟂": "\\perp ", "⊥": "\\perp ", "·": "\\cdot ", "−": "-"}
 
 _UNIT_TEX = {"·": "\\cdot ", "²": "^{2}", "³": "^{3}", "⁴": "^{4}", "°": "^{\\circ}"}
 
@@ -52,7 +53,7 @@ _KEY = re.compile(r"(vec:)?([^_^]+)(?:_([^_^]*))?(?:[_^](.*))?", re.DOTALL)
 def _run() -> re.Pattern[str]:
     """One kind of letter or sign at a time."""
     greek = "|".join(name for name in GREEK if name[0].isupper())
-    return re.compile(greek + r"|[A-Z]+|[a-z]+|\d+|[^\W\d_]+|['′]+|.", re.DOTALL)
+    return re.compile(greek + r"|d(?=t$)|[A-Z]+|[a-z]+|\d+|[^\W\d_]+|['′]+|.", re.DOTALL)
 
 
 @cache
@@ -63,7 +64,7 @@ def _not_xml() -> re.Pattern[str]:
 
 def latex_escape(text: str) -> str:
     """User's text for pdflatex with T2A: specials escaped, signs that its fonts lack become "?"."""
-    return "".join(_TEX.get(sign, sign) if _printable(sign) else "?" for sign in text)
+    return "".join(_TEX.get(sign) or (sign if _printable(sign) else "?") for sign in text)
 
 
 def _printable(sign: str) -> bool:

@@ -139,6 +139,14 @@ UNITS = (
     NP_("unit", "Hz"),
     NP_("unit", "rad"),
     NP_("unit", "rpm"),
+    NP_("unit", "µm"),
+    NP_("unit", "g"),
+    NP_("unit", "kN"),
+    NP_("unit", "kJ"),
+    NP_("unit", "h"),
+    NP_("unit", "ms"),
+    NP_("unit", "V"),
+    NP_("unit", "A"),
 )
 _SIGNS = str.maketrans({"*": "·", "^": "", "2": "²", "3": "³", "4": "⁴"})
 
@@ -147,7 +155,7 @@ _SIGNS = str.maketrans({"*": "·", "^": "", "2": "²", "3": "³", "4": "⁴"})
 def unit_text(unit: str, language: str) -> str:
     """A unit as it is printed in the language: "kg*m^2" or "kg·m²" -> "кг·м²"; "deg" -> "°"."""
     translate = Translator(language).pgettext
-    words = re.split(r"([A-Za-z]+)", unit)
+    words = re.split(r"([A-Za-zµ]+)", unit)
     words[1::2] = ["°" if word == "deg" else translate("unit", word) for word in words[1::2]]
     words[::2] = [sign.translate(_SIGNS) for sign in words[::2]]
     return "".join(words)

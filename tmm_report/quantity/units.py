@@ -41,6 +41,15 @@ DIMENSIONS = {
     "moment": Dimension(N_("a moment of force"), (2, 1, -2, 0), "N*m", "50 N*m"),
     "pressure": Dimension(N_("a pressure"), (-1, 1, -2, 0), "Pa", "1.2 MPa"),
     "inertia": Dimension(N_("a moment of inertia"), (2, 1, 0, 0), "kg*m^2", "0.0135 kg*m^2"),
+    "velocity": Dimension(N_("a velocity"), (1, 0, -1, 0), "m/s", "1.5 m/s"),
+    "power": Dimension(N_("a power"), (2, 1, -3, 0), "W", "5.5 kW"),
+    "work": Dimension(N_("a work"), (2, 1, -2, 0), "J", "400 J"),
+    "stiffness": Dimension(N_("a stiffness"), (0, 1, -2, 0), "N/m", "20 kN/m"),
+    "damping": Dimension(N_("a damping"), (0, 1, -1, 0), "N*s/m", "400 N*s/m"),
+    "torsional stiffness": Dimension(N_("a torsional stiffness"), (2, 1, -2, -1), "N*m/rad", "500 N*m/rad"),
+    "torsional damping": Dimension(N_("a torsional damping"), (2, 1, -1, -1), "N*m*s/rad", "2 N*m*s/rad"),
+    "density": Dimension(N_("a density"), (-3, 1, 0, 0), "kg/m^3", "7850 kg/m^3"),
+    "wear": Dimension(N_("a wear coefficient"), (1, -1, 2, 0), "1/Pa", "1e-15 1/Pa"),
     "number": Dimension(N_("a plain number"), (0, 0, 0, 0), "1", "0.1"),
 }
 
@@ -86,6 +95,8 @@ UNITS = {name: (factor, exponents) for names, factor, exponents in _TABLE for na
 _SHOWN = {  # (unit of the results, unit of print) -> factor
     ("m", "mm"): 1e3, ("m²", "mm²"): 1e6, ("rad", "deg"): 180 / math.pi, ("deg", "rad"): math.pi / 180,
     ("W", "kW"): 1e-3, ("Pa", "MPa"): 1e-6, ("rad/s", "rpm"): 30 / math.pi, ("", "%"): 1e2,
+    ("m", "µm"): 1e6, ("N", "kN"): 1e-3, ("J", "kJ"): 1e-3, ("N·m", "kN·m"): 1e-3, ("N/m", "kN/m"): 1e-3,
+    ("kg·m", "kg·mm"): 1e3, ("m³", "mm³"): 1e9, ("kg", "g"): 1e3, ("s", "ms"): 1e3, ("N/m", "N/mm"): 1e-3,
 }  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""Diagrams over the cycle of a lever mechanism: what all chapters that draw them share."""
+"""Diagrams over the cycle of a lever mechanism, and over any other quantity: what all chapters that draw them share."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.figures.axes import round_ticks
 from tmm_report.figures.graphs import Curve, Graph, graph
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.cycle import Extreme
@@ -27,9 +28,11 @@ class CycleGraphs:
         self.turned, self.positions, self.tr = turned, positions, tr
 
     def graph(self, curves: Sequence[Curve], labels: Sequence[str], join: bool = True) -> Graph:
+        degrees = np.degrees(self.turned)
+        turns = max(1, round(float(degrees[-1] - degrees[0]) / 360))
         return graph(
-            curves, np.degrees(self.turned), f"φ, {unit_text('deg', self.tr.language)}", labels,
-            positions=self.positions, comma=self.tr.decimal == ",", join=join,
+            curves, degrees, f"φ, {unit_text('deg', self.tr.language)}", labels,
+            step=30.0 * turns, positions=self.positions, comma=self.tr.decimal == ",", join=join,
         )  # fmt: skip
 
     def label(self, quantity: Quantity, unit: str = "") -> str:
@@ -47,6 +50,20 @@ class CycleGraphs:
         for (name, unit), panel in zip(names, drawn.panels, strict=True):
             found.append(scale_of(name, panel.y_scale, unit))
         return found
+
+
+def plot(
+    curves: Sequence[Curve], x: Array, along: Quantity, of: Sequence[tuple[Symbol, str]], tr: Translator
+) -> Graph:
+    """Curves over any ascending quantity `along`, (P,) in its unit: the time, the speed, a frequency. `of`: symbol and
+    unit of each panel, from the top."""
+    letters = CycleGraphs(x, 0, tr)
+    ticks = round_ticks(float(x[0]), float(x[-1]), 10)
+    return graph(
+        curves, np.asarray(x, float), letters.letter(along.sign, along.unit),
+        [letters.letter(symbol, unit) for symbol, unit in of],
+        step=ticks[1] - ticks[0], comma=tr.decimal == ",", join=False,
+    )  # fmt: skip
 
 
 def scale_of(name: str, value: float, unit: str) -> Var:

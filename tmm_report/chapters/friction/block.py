@@ -7,35 +7,31 @@ from pydantic import Field
 
 from tmm_report.chapters.friction.given import Friction, Rubbing
 from tmm_report.chapters.structure.block import names, stated, without
-from tmm_report.problems import N_, Problem, mistake
+from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.variant import model
 from tmm_report.variant.errors import near
+from tmm_report.variant.materials import Rubbed
 from tmm_report.variant.model import Model, Read
-from tmm_report.variant.values import (
-    Coefficient,
-    KeyName,
-    Positive,
-)
+from tmm_report.variant.values import Flag, KeyName, Positive
 
 
-class PivotFriction(Model):
+class PivotFriction(Rubbed):
     """Friction in pivots."""
 
-    coefficient: Coefficient
     diameter: Positive = Field(description="of the journal", examples=["50 mm"])
 
 
-class GuideFriction(Model):
+class GuideFriction(Rubbed):
     """Friction in guides."""
 
-    coefficient: Coefficient
+    length: Positive | None = Field(default=None, description="of the slider, where it may tilt")
 
 
-class JointFriction(Model):
-    """Friction in one joint; the diameter is for a pivot."""
+class JointFriction(Rubbed):
+    """Friction in one joint; the diameter is for a pivot, the length for a guide."""
 
-    coefficient: Coefficient
     diameter: Positive | None = None
+    length: Positive | None = None
 
 
 class FrictionModel(Model):
@@ -44,6 +40,7 @@ class FrictionModel(Model):
     pivots: PivotFriction | None = None
     guides: GuideFriction | None = None
     joints: dict[KeyName, JointFriction] = Field(default={}, description="by point or guide")
+    corrected: Flag = Field(default=False, description="true: reactions and balancing moment with friction")
 
 
 class Block(model.Block):
@@ -62,9 +59,13 @@ def given(read: Read) -> Given:
 
 
 def _friction(written: FrictionModel) -> Friction:
-    joints = {name: Rubbing(one.coefficient, one.diameter) for name, one in written.joints.items()}
-    pivots = Rubbing(written.pivots.coefficient, written.pivots.diameter) if written.pivots else None
-    return Friction(pivots, Rubbing(written.guides.coefficient) if written.guides else None, joints)
+    pivots, guides = written.pivots, written.guides
+    return Friction(
+        Rubbing(pivots.f, pivots.diameter, stock=pivots.of) if pivots else None,
+        Rubbing(guides.f, length=guides.length, stock=guides.of) if guides else None,
+        {name: Rubbing(one.f, one.diameter, one.length, one.of) for name, one in written.joints.items()},
+        written.corrected,
+    )
 
 
 def mistakes(read: Read) -> Iterator[Problem]:
@@ -73,7 +74,27 @@ def mistakes(read: Read) -> Iterator[Problem]:
         return
     written, known = read.block(Block).friction, names(read.data)
     joints = [*known.all_points, *known.guides]
-    for name in written.joints if written else ():
+    if written and written.corrected and not (written.pivots or written.guides or written.joints):
+        text = N_("there is nothing to correct: no pair has friction")
+        right = Message(N_("state the friction of pivots, guides or joints"))
+        yield mistake(text, ("friction", "corrected"), right)
+    for name, joint in written.joints.items() if written else ():
+        path = ("friction", "joints", name)
         if name not in joints:
             text = N_("there is no joint %(name)s: neither a point nor a guide")
-            yield mistake(text, ("friction", "joints", name), near(name, joints), name=name)
+            yield mistake(text, path, near(name, joints), name=name)
+        else:
+            yield from _sizes(joint, name in known.guides, path)
+
+
+def _sizes(joint: JointFriction, guide: bool, path: tuple[str | int, ...]) -> Iterator[Problem]:
+    """A pivot has the diameter of its journal, a guide the length of its slider."""
+    if guide and joint.diameter is not None:
+        text = N_("a guide has no journal")
+        yield mistake(text, (*path, "diameter"), Message(N_("length: of the slider, where it may tilt")))
+    if not guide and joint.length is not None:
+        text = N_("a pivot has no length of a slider")
+        yield mistake(text, (*path, "length"), Message(N_("diameter: of the journal")))
+    if not guide and joint.diameter is None:
+        text = N_("the moment of friction of a pivot needs the diameter of its journal")
+        yield mistake(text, path, Message(N_("diameter: of the journal")))

@@ -5,19 +5,30 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from tmm_report.mechanics.materials import Stock
+
 
 @dataclass(frozen=True)
 class Rubbing:
-    """A pair's friction coefficient and, for a pivot, its journal diameter, m."""
+    """A pair's friction coefficient and, for a pivot, its journal diameter, m, for a guide the length of its slider.
+
+    `stock`: the materials of which the coefficient is taken, None where it is stated itself.
+    """
 
     coefficient: float
     diameter: float | None = None
+    length: float | None = None
+    stock: Stock | None = None
 
 
 @dataclass(frozen=True)
 class Friction:
-    """Friction of all pivots, of all guides, and of single joints named by their point or guide."""
+    """Friction of all pivots, of all guides, and of single joints named by their point or guide.
+
+    `corrected`: whether the reactions are found with the friction, too.
+    """
 
     pivots: Rubbing | None = None
     guides: Rubbing | None = None
     joints: Mapping[str, Rubbing] = field(default_factory=dict)
+    corrected: bool = False

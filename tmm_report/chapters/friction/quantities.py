@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
+from tmm_report.chapters.friction import corrected_quantities
 from tmm_report.chapters.friction.solve import FrictionFound, Losses, PairLoss
 from tmm_report.chapters.kinematics.quantities import where
 from tmm_report.chapters.kinetostatics.quantities import both, reaction
@@ -18,6 +19,7 @@ LOSSES = Message(N_("friction power and instantaneous efficiency"))
 
 COEFFICIENT = Quantity("f", Symbol("f"), "", Message(N_("coefficient of friction")))
 DIAMETER = Quantity("d", Symbol("d"), "m", Message(N_("diameter of the journal")))
+LENGTH = Quantity("l", Symbol("l"), "m", Message(N_("length of the slider")))
 TOTAL = Quantity("P_fr", Symbol("P", "fr"), "W", Message(N_("power of friction in all the pairs")))
 DRIVING = Quantity("P_drive", Symbol("P", "1"), "W", Message(N_("power of the balancing moment")))
 EFFICIENCY = Quantity("eta", Symbol("eta"), "", Message(N_("instantaneous efficiency")))
@@ -60,11 +62,16 @@ def tables(found: FrictionFound) -> Iterator[Table]:
         ("diagram", found.diagram, found.diagram_turned),
     ):
         yield Table(f"friction_{name}", LOSSES, (*where(turned), *_losses(losses)))
+    yield from corrected_quantities.materials([(loss.pair, loss.rubbing) for loss in found.table.pairs])
+    if found.corrected is not None:
+        yield from corrected_quantities.tables(found.corrected, (found.turned, found.diagram_turned))
 
 
 def _given(losses: tuple[PairLoss, ...]) -> Table:
     pairs = [loss.pair for loss in losses]
     diameters = [math.nan if loss.rubbing.diameter is None else loss.rubbing.diameter for loss in losses]
+    lengths = [loss.rubbing.length or math.nan for loss in losses]
+    sliders = () if all(map(math.isnan, lengths)) else (LENGTH.column(lengths),)
     return Table(
         "friction_given",
         GIVEN,
@@ -74,6 +81,7 @@ def _given(losses: tuple[PairLoss, ...]) -> Table:
             text_column("kind", Message(N_("R: revolute, P: prismatic")), [pair.kind for pair in pairs]),
             COEFFICIENT.column([loss.rubbing.coefficient for loss in losses]),
             DIAMETER.column(diameters),
+            *sliders,
         ),
     )
 
@@ -93,3 +101,5 @@ def _losses(losses: Losses) -> Iterator[Column]:
 def values(found: FrictionFound) -> Iterator[Value]:
     yield MEAN_POWER.value(found.mean_power)
     yield MEAN_EFFICIENCY.value(found.mean_efficiency)
+    if found.corrected is not None:
+        yield from corrected_quantities.values(found.corrected)

@@ -1,7 +1,7 @@
 """Chapter 3, friction: power lost in every pair and the instantaneous efficiency.
 
 Pivots f R (d/2) |ω_rel|, guides f R |v_rel| (Frolov (ed.), Theory of mechanisms, ch. 7); the reactions are those
-without friction, as the course takes them.
+without friction, as the course takes them. `corrected` finds them with friction, where that is asked for.
 """
 
 from __future__ import annotations
@@ -12,11 +12,13 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.chapters.friction import corrected
 from tmm_report.chapters.friction.given import Friction, Rubbing
 from tmm_report.chapters.kinetostatics.solve import Kinetostatics, Solved
-from tmm_report.mechanics.motion import Motion
-from tmm_report.mechanics.planar import dot
+from tmm_report.mechanics.rubbing import relative_rate
 from tmm_report.mechanics.structure import Pair
+
+__all__ = ["FrictionFound", "Losses", "PairLoss", "rubbing_of", "solve"]
 
 Array = Any
 
@@ -58,6 +60,7 @@ class FrictionFound:
     diagram_turned: Array
     table: Losses
     diagram: Losses
+    corrected: corrected.Correction | None = None
 
     @cached_property
     def mean_power(self) -> float:
@@ -73,7 +76,19 @@ class FrictionFound:
 
 def solve(given: Friction, kinetostatics: Kinetostatics) -> FrictionFound:
     table, diagram = kinetostatics.table, kinetostatics.diagram
-    return FrictionFound(given, table.turned, diagram.turned, _losses(given, table), _losses(given, diagram))
+    losses = _losses(given, table), _losses(given, diagram)
+    return FrictionFound(
+        given, table.turned, diagram.turned, *losses, _corrected(given, kinetostatics, *losses)
+    )
+
+
+def _corrected(
+    given: Friction, kinetostatics: Kinetostatics, table: Losses, diagram: Losses
+) -> corrected.Correction | None:
+    if not given.corrected:
+        return None
+    first = table.total, diagram.total
+    return corrected.solve(lambda pair: rubbing_of(given, pair), kinetostatics, first)
 
 
 def rubbing_of(given: Friction, pair: Pair) -> Rubbing | None:
@@ -96,15 +111,3 @@ def _losses(given: Friction, solved: Solved) -> Losses:
     losses.sort(key=lambda loss: order.index(loss.pair.key))
     omega = solved.motion.state.w[solved.motion.linkage.mechanism.driver.link]
     return Losses(tuple(losses), np.abs(solved.balancing * omega))
-
-
-def relative_rate(motion: Motion, pair: Pair) -> Array:
-    """Relative angular velocity in a pivot, rad/s, or sliding velocity in a guide, m/s; (..., P)."""
-    one, other = pair.links
-    s = motion.state
-    if pair.kind == "R":
-        return np.broadcast_to(s.w[other] - s.w[one], motion.shape)
-    slider, carrier = str(pair.slider), pair.other(str(pair.slider))
-    place = s.world(slider, pair.at[slider])
-    sliding = s.velocity(slider, place) - s.velocity(carrier, place)
-    return np.broadcast_to(dot(sliding, s.u[carrier] * pair.along[carrier]), motion.shape)

@@ -8,10 +8,12 @@ from typing import TYPE_CHECKING, Any
 from markupsafe import Markup
 
 from tmm_report.chapters.friction import quantities as q
+from tmm_report.chapters.friction.corrected_view import CorrectedView
 from tmm_report.chapters.friction.solve import FrictionFound, PairLoss
 from tmm_report.chapters.kinetostatics import quantities as forces
 from tmm_report.chapters.kinetostatics.solve import Kinetostatics
 from tmm_report.figures.graphs import Curve, Graph
+from tmm_report.mechanics.materials import Range, Stock
 from tmm_report.mechanics.structure import Pair
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula, Var
@@ -37,6 +39,11 @@ def given_parts(lever: LeverFound, page: Page) -> Iterator[Part]:
 def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
     if (view := _view(lever, page)) is not None:
         yield Part("friction", view)
+        if (corrected := view.found.corrected) is not None:
+            yield Part(
+                "friction_corrected",
+                CorrectedView(view.found, corrected, view.kinetostatics, view.position, page),
+            )
 
 
 def _view(lever: LeverFound, page: Page) -> FrictionView | None:
@@ -86,6 +93,49 @@ class FrictionView:
             self.page.listed([self.t("Journal diameter"), self.page.unit("m")]),
         ]  # fmt: skip
         return worded(caption, heads, rows, (2, 2, 4, 3, 3))
+
+    def lengths(self) -> Markup | None:
+        """Of the sliders that have one stated, by their guides; None where there are none."""
+        table, losses = self.book.tables["friction_given"], self.found.table.pairs
+        lines = [self._length(table, row) for row, loss in enumerate(losses) if loss.rubbing.length]
+        return self.page.listed(lines) if lines else None
+
+    def _length(self, table: Any, row: int) -> Markup:
+        text, name = N_("%(length)s in guide %(name)s"), self.found.table.pairs[row].pair.name
+        return self.t(text, name=name, length=self.page.value(table.var("l", row, "mm")))
+
+    def materials(self, caption: Any) -> Table | None:
+        """Materials with the ranges of their coefficients; None where none are stated."""
+        table = self.book.tables.get("friction_materials")
+        if table is None:
+            return None
+        stocks = [loss.rubbing.stock for loss in self.found.table.pairs if loss.rubbing.stock is not None]
+        rows = [self._materials(table, row, stock) for row, stock in enumerate(stocks)]
+        phi = self.page.head(table["phi_fr"].symbol(), "deg")
+        heads = [
+            self.t("Point, guide"), self.t("Materials"), self.t("Friction"),
+            self.t("Range of the coefficient"), self.t("At rest"), phi,
+        ]  # fmt: skip
+        return worded(caption, heads, rows, (1, 5, 9, 2, 2, 1))
+
+    def _materials(self, table: Any, row: int, stock: Stock) -> list[Any]:
+        page = self.page
+        pair = page.listed([self.t(stock.one), self.t(stock.other)], "–")
+        friction = self.t(N_("dry friction") if stock.lubrication == "dry" else N_("semi-fluid friction"))
+        return [
+            page.word(table["name"].values[row], table, "name", row),
+            page.word(pair, table, "materials", row), page.word(friction, table, "lubrication", row),
+            self._range(table, row, "f_low", "f_high", stock.range),
+            self._range(table, row, "f_rest_low", "f_rest_high", stock.rest),
+            page.cell(table, "phi_fr", row, digits=4),
+        ]  # fmt: skip
+
+    def _range(self, table: Any, row: int, low: str, high: str, of: Range | None) -> Any:
+        """0,05–0,1, one number, or a dash."""
+        if of is None:
+            return Cell("—", table.ref(low, row))
+        keys = (low,) if of[0] == of[1] else (low, high)
+        return self.page.listed([self.page.shown(table, key, row) for key in keys], "–")
 
     def _diameter(self, table: Any, row: int, pair: Pair) -> Cell:
         known = bool(self.found.table.pairs[row].rubbing.diameter)

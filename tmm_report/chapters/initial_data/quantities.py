@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from tmm_report.i18n import NP_
 from tmm_report.mechanics.mechanism import FRAME, Link, Mechanism
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from tmm_report.course import LeverFound
 
 LENGTH = N_("length of segment %(of)s")
+CYCLE = NP_("index", "cyc")  # of a cycle
 DIMENSIONS = Message(N_("dimensions of the links"))
 FIXED = Message(N_("coordinates of the fixed points"))
 MASSES = Message(N_("masses of the links, their mass centres and moments of inertia"))
@@ -130,6 +132,7 @@ def _masses(links: list[Link]) -> Table:
 def given_values(mechanism: Mechanism, length_scale: float) -> Iterator[Value]:
     yield speed(mechanism)
     yield revolutions(mechanism)
+    yield from cycle(mechanism)
     yield from scale(mechanism, length_scale)
 
 
@@ -145,6 +148,19 @@ def revolutions(mechanism: Mechanism) -> Value:
     meaning = Message(N_("rotational speed of the driving link"))
     rpm = 30 * abs(float(mechanism.driver.omega)) / math.pi
     return Quantity("n_1", Symbol("n"), "rpm", meaning).value(rpm)
+
+
+def cycle(mechanism: Mechanism) -> Iterator[Value]:
+    """Of a cycle of several turns: how many they are, and how far and how long the driving link turns in it."""
+    driver = mechanism.driver
+    if driver.turns > 1:
+        angle = driver.turns * driver.sweep
+        turns = Message(N_("number of turns of the driving link in a cycle"))
+        yield Quantity("turns", Symbol("z"), "", turns).value(driver.turns)
+        meaning = Message(N_("angle of turn of the driving link in a cycle"))
+        yield Quantity("phi_cycle", Symbol("phi", CYCLE), "deg", meaning).value(math.degrees(angle))
+        meaning = Message(N_("duration of a cycle"))
+        yield Quantity("T_cycle", Symbol("T", CYCLE), "s", meaning).value(angle / abs(float(driver.omega)))
 
 
 # ---------------------------------------------------------------- the scale of the scheme

@@ -82,6 +82,17 @@ class InitialData:
         word = next((w for unit, w in EXTREMES.items() if abs(zero.direction - unit) < 1e-9), N_("extreme"))
         return t("the %(which)s position of point %(point)s", which=t(word), point=zero.point)
 
+    def cycle(self) -> Markup | None:
+        """That a cycle takes several turns; None of one turn."""
+        if self.mechanism.driver.turns == 1:
+            return None
+        text = N_(
+            "The cycle takes %(turns)s turns of the driving link, %(angle)s° in %(time)s s: the motion repeats with "
+            "every turn, the loads with every cycle."
+        )
+        turns, angle = (self.page.shown(self.book[key], places=0) for key in ("turns", "phi_cycle"))
+        return self.t(text, turns=turns, angle=angle, time=self.page.shown(self.book["T_cycle"]))
+
     def scheme(self) -> Drawing:
         return self.schemes.one(self.position)
 

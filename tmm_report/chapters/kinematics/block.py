@@ -6,7 +6,8 @@ from typing import Annotated, Literal, TypedDict
 from pydantic import Field, Tag
 
 from tmm_report.chapters.kinematics.given import Positions
-from tmm_report.problems import N_, Problem, mistake
+from tmm_report.chapters.structure import block as structure
+from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.variant import model
 from tmm_report.variant.model import Model, Read
 from tmm_report.variant.values import (
@@ -20,6 +21,8 @@ from tmm_report.variant.values import (
 )
 from tmm_report.yamlread import Path
 
+TABLE, DIAGRAM = 12, 36  # positions a turn, where they are not stated
+
 Some = Annotated[
     Annotated[Position, Tag(SCALAR)] | Annotated[list[Position], Field(min_length=1), Tag(LIST)],
     by_shape(N_("a position, or a list of positions")),
@@ -29,8 +32,12 @@ Some = Annotated[
 class PositionsModel(Model):
     """How many positions are solved and which are drawn."""
 
-    table: TableCount = Field(default=12, description="positions of the tables")
-    diagram: DiagramCount = Field(default=36, description="positions of the diagrams")
+    table: TableCount | None = Field(
+        default=None, description="positions of the tables over the cycle; left out, 12 a turn"
+    )
+    diagram: DiagramCount | None = Field(
+        default=None, description="positions of the diagrams over the cycle; left out, 36 a turn"
+    )
     plans: Some | None = Field(
         default=None, description="table positions whose plans are drawn", examples=["[1, 7]"]
     )
@@ -53,9 +60,10 @@ class Given(TypedDict):
 
 def given(read: Read) -> Given:
     """Left out: the plans of the first and the opposite position, the force plan of the last of the plans."""
-    written = read.block(Block).positions
-    plans = some(written.plans) or (1, written.table // 2 + 1)
-    positions = Positions(written.table, written.diagram, plans, some(written.force_plan) or plans[-1:])
+    written, turns = read.block(Block).positions, turns_of(read)
+    table, diagram = written.table or TABLE * turns, written.diagram or DIAGRAM * turns
+    plans = some(written.plans) or (1, table // turns // 2 + 1)
+    positions = Positions(table, diagram, plans, some(written.force_plan) or plans[-1:])
     return {"positions": positions, "allow_partial": read.block(Block).allow_partial}
 
 
@@ -64,12 +72,34 @@ def some(written: int | list[int] | None) -> tuple[int, ...]:
 
 
 def mistakes(read: Read) -> Iterator[Problem]:
-    yield from ()
+    """Every turn of the cycle has the same positions."""
+    written, turns = read.block(Block).positions, turns_of(read)
+    for key, count in (("table", written.table), ("diagram", written.diagram)):
+        if count is not None and count % turns:
+            text = N_("%(count)s positions are not divided equally among %(turns)s turns of the driving link")
+            right = Message(N_("for example, %(example)s"), {"example": count + turns - count % turns})
+            yield mistake(text, ("positions", key), right, count=count, turns=turns)
+
+
+def turns_of(read: Read) -> int:
+    """How many turns of the driving link the cycle takes; of a driver with mistakes, by what is written."""
+    driver = read.block(structure.Block).mechanism.driver
+    if driver is not None:
+        return driver.turns
+    written = read.data
+    for key in ("mechanism", "driver"):
+        part = written.get(key)
+        written = part if isinstance(part, dict) else {}
+    turns = written.get("turns")
+    return turns if turns in (1, 2, 3, 4) else 1
 
 
 def table_of(read: Read) -> int | None:
-    """How many positions the table has; None where the block is wrong and nothing can be counted by it."""
-    return None if read.is_broken("positions") else read.block(Block).positions.table
+    """How many positions the table has over the cycle; None where the block is wrong and nothing can be counted by
+    it."""
+    return (
+        None if read.is_broken("positions") else read.block(Block).positions.table or TABLE * turns_of(read)
+    )
 
 
 def beyond_the_table(position: int, path: Path, read: Read) -> Iterator[Problem]:

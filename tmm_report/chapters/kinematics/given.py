@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Positions:
-    """How many positions the tables and diagrams have, and which table positions are drawn."""
+    """How many positions the tables and diagrams have over the cycle, and which table positions are drawn."""
 
     table: int = 12
     diagram: int = 36

@@ -71,6 +71,9 @@ class Moving(Protocol):
     @property
     def name(self) -> str: ...
 
+    @property
+    def link(self) -> str: ...
+
     def velocity(self, motion: Motion) -> Array: ...
 
     def size(self, motion: Motion) -> Array: ...
@@ -131,22 +134,26 @@ def dead(cycle: Cycle, outputs: Sequence[Moving]) -> tuple[Dead, ...]:
     found = dict(zip((o.name for o in moving), cycle.roots_of([o.velocity for o in moving]), strict=True))
     still = [found.get(output.name, np.array([])) for output in outputs]
     return tuple(
-        dead_points(cycle, output.name, turned) for output, turned in zip(outputs, still, strict=True)
+        told(output, turned, cycle.motion(turned)) for output, turned in zip(outputs, still, strict=True)
     )
 
 
-def dead_points(cycle: Cycle, name: str, turned: Array) -> Dead:
-    return told(name, turned, cycle.motion(turned))
-
-
-def told(name: str, turned: Array, motion: Motion) -> Dead:
+def told(output: Moving, turned: Array, motion: Motion) -> Dead:
     """Dead points of an output at angles turned, and which links lie in line there, by the motion there."""
-    lines = [_in_line(motion, k) for k in range(len(turned))]
-    return Dead(name, tuple(turned.tolist()), tuple(lines))
+    lines = [_in_line(motion, k, output.link) for k in range(len(turned))]
+    return Dead(output.name, tuple(turned.tolist()), tuple(lines))
 
 
-def _in_line(motion: Motion, k: int) -> tuple[str, str] | None:
-    """The driving link and a link pivoted to it, if their joints lie in one line."""
+def _in_line(motion: Motion, k: int, output: str) -> tuple[str, str] | None:
+    """The driving link and a link pivoted to it, if their joints lie in one line: of several the one that moves the
+    output link itself."""
+    mechanism, found = motion.linkage.mechanism, list(_lines(motion, k))
+    joints = mechanism.links[output].points
+    nearest = (pair for pair in found if any(point in joints for point in mechanism.links[pair[1]].points))
+    return next(nearest, next(iter(found), None))
+
+
+def _lines(motion: Motion, k: int) -> Iterator[tuple[str, str]]:
     mechanism, pair = motion.linkage.mechanism, motion.linkage.structure.driver_pair
     driver = mechanism.driver.link
     for link in mechanism.moving:
@@ -157,8 +164,7 @@ def _in_line(motion: Motion, k: int) -> tuple[str, str] | None:
         if pins and ends:
             O, A, B = (motion.place(p)[k] for p in (pair.name, pins[0], ends[0]))
             if abs(O - A) > 0 and abs(B - A) > 0 and abs(cross(unit(A - O), unit(B - A))) < 1e-6:
-                return driver, link
-    return None
+                yield driver, link
 
 
 def _turned(cycle: Cycle, phi: tuple[float, ...]) -> tuple[float, ...]:

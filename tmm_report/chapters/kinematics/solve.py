@@ -105,7 +105,7 @@ class Kinematics:
     linkage: Linkage
     cycle: Cycle
     positions: Positions
-    turned: Array  # angle turned at the table positions, rad; position N repeats position 0 of a full turn
+    turned: Array  # angle turned at the table positions, rad; position N of a closed cycle repeats position 0
     table: Motion
     diagram_turned: Array
     diagram: Motion
@@ -145,6 +145,11 @@ class Kinematics:
         return dead(self.cycle, [travel.output for travel in self.travels])
 
     @property
+    def distinct(self) -> int:
+        """How many table positions have places of their own: those of one turn, the last without it."""
+        return self.positions.table // self.cycle.turns if self.cycle.closed else len(self.turned)
+
+    @property
     def omega(self) -> float:
         """Angular velocity of the driving link, rad/s, + counter-clockwise."""
         return float(self.linkage.mechanism.driver.omega)
@@ -168,10 +173,10 @@ def solve(positions: Positions, structure: Structure) -> Kinematics:
 
 
 def steps(cycle: Cycle, count: int) -> tuple[Array, Motion]:
-    """Angles turned at `count` equal steps, rad, the last included, and the motion there."""
-    turned = np.arange(count + 1) * (cycle.sweep / count)
+    """Angles turned at `count` equal steps of the cycle, rad, the last included, and the motion there."""
+    turned = np.arange(count + 1) * (cycle.period / count)
     # position N of a full turn is position 0: solved as such, so that both print the same digits
-    return turned, cycle.motion(np.where(cycle.closed & (turned >= cycle.sweep), 0.0, turned))
+    return turned, cycle.motion(cycle.once(count))
 
 
 def _numbers(mask: Array) -> tuple[int, ...]:
@@ -279,8 +284,8 @@ def _unwrapped(u: Array, reference: float) -> Array:
 
 
 def _rocker_extremes(cycle: Cycle, output: Output, reference: float, stops: Array) -> Extremes:
-    """Extremes of a rocker's angle from position 0, rad, exact; of a full turn, its ends."""
-    fine = np.linspace(0, cycle.sweep, 361)
-    where = np.sort(np.concatenate([fine, stops]))
+    """Extremes of a rocker's angle from position 0 over the cycle, rad, exact; of what goes all round, the ends."""
+    fine = np.linspace(0, cycle.period, 360 * cycle.turns + 1)
+    where = np.sort(np.concatenate([fine, cycle.repeated(stops)]))
     angle = _unwrapped(cycle.motion(where).turn(output.name), reference)
     return least_and_greatest(angle, where)

@@ -142,5 +142,5 @@ def _dead(
         turned = [row if turns else row[:0] for row, turns in zip(rows, moving, strict=True)]
         motions = apart(cycle.motion(filled(turned)[0]), [own.linkage for own in each])
         for own, row, motion in zip(found, turned, motions, strict=True):
-            own.append(told(output.name, row, motion))
+            own.append(told(output, row, motion))
     return [tuple(own) for own in found]

@@ -106,6 +106,16 @@ class KinematicsView:
 
     # ------------------------------------------------------------ positions
 
+    @property
+    def turns(self) -> int:
+        """How many turns the cycle takes."""
+        return self.found.cycle.turns
+
+    @property
+    def count(self) -> int:
+        """Positions of the scheme."""
+        return self.found.positions.table // self.turns
+
     def scheme(self) -> Drawing:
         return self.schemes.all(self.position)
 

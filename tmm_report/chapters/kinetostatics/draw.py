@@ -2,26 +2,61 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+
 import numpy as np
 
 from tmm_report.chapters.kinetostatics import quantities as q
-from tmm_report.chapters.kinetostatics.solve import Kinetostatics
+from tmm_report.chapters.kinetostatics.breaks import breaks
+from tmm_report.chapters.kinetostatics.loads import ByAngle
+from tmm_report.chapters.kinetostatics.solve import Kinetostatics, magnitude
 from tmm_report.chapters.plans.solve import Plans
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.graphs import Curve, Graph
 from tmm_report.figures.lettering import lettered
 from tmm_report.figures.plans import PlanVector, Style, plan
+from tmm_report.i18n import Translator
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.quantity.model import Quantity
 from tmm_report.report.diagrams import CycleGraphs, points
 
 LEVER = 90.0  # mm: the longest vector of a lever
+PANELS = 4  # on a sheet of diagrams
+JUMP = 3e-3  # rad: the line of a jump is drawn from so little before it
 
 
 def balancing_diagram(found: Kinetostatics, graphs: CycleGraphs) -> Graph:
     size = float(np.nanmax(found.diagram.scale, initial=0.0))
     curve = Curve(found.diagram.balancing, extremes=points(found.extremes), scale=size)
     return graphs.graph([curve], [graphs.letter(q.M_BAL, q.BY_GROUPS.unit)])
+
+
+def force_diagrams(found: Kinetostatics, tr: Translator) -> list[Graph]:
+    """The forces that are followed over the cycle, `PANELS` of them on a sheet."""
+    forces, own = q.forces(found.given.forces), found.followed
+    sheets = [own[start : start + PANELS] for start in range(0, len(own), PANELS)]
+    return [_force_diagram(found, sheet, forces, tr) for sheet in sheets]
+
+
+def _force_diagram(
+    found: Kinetostatics, own: Sequence[int], forces: Sequence[Quantity], tr: Translator
+) -> Graph:
+    """At all positions, at the kinks of the forces and on both sides of their jumps."""
+    kinematics, given = found.kinematics, [found.given.forces[k] for k in own]
+    kinks = breaks(replace(found.given, forces=tuple(given), moments=()), kinematics)
+    jumps = [found.strokes[k].begins for k in own if k in found.strokes]
+    jumps += [np.array(force.law.angles) for force in given if isinstance(force.law, ByAngle)]
+    before = [at - JUMP for at in jumps]
+    turned = np.concatenate([kinematics.turned, kinematics.diagram_turned, kinks, *before])
+    turned = np.unique(np.round(turned[(turned >= 0) & (turned <= kinematics.turned[-1])], 9))
+    motion = kinematics.cycle.motion(np.mod(turned, kinematics.cycle.sweep))
+    curves = [
+        Curve(magnitude(force.law, kinematics, motion, turned, force.at), panel=panel)
+        for panel, force in enumerate(given)
+    ]
+    graphs = CycleGraphs(turned, kinematics.positions.table, tr)
+    return graphs.graph(curves, [graphs.letter(forces[k].sign, forces[k].unit) for k in own], join=False)
 
 
 def lever_picture(found: Kinetostatics, plans: Plans, position: int) -> Drawing | None:

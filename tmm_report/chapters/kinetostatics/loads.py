@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 Motion = Literal["along", "against"]
+Curve = tuple[tuple[float, float], ...]
 
 
 @dataclass(frozen=True)
@@ -15,14 +16,15 @@ class Constant:
 
 @dataclass(frozen=True)
 class ByPosition:
-    """Magnitudes at the table positions 0..N-1, linear between them."""
+    """Magnitudes at the table positions 0..N-1 of the cycle, linear between them."""
 
     values: tuple[float, ...]
 
 
 @dataclass(frozen=True)
 class ByAngle:
-    """Magnitudes at angles of turn from position 0 in the sense of rotation, rad; linear between them, periodic."""
+    """Magnitudes at angles of turn from position 0 in the sense of rotation, rad; linear between them, and from the
+    last to the first of the next cycle."""
 
     angles: tuple[float, ...]
     values: tuple[float, ...]
@@ -33,16 +35,31 @@ class ByDisplacement:
     """Indicator diagram: magnitude against x = displacement / stroke of the loaded point, 0 <= x <= 1.
 
     x counts from the extreme position of the point in `zero` (unit complex); `forward` is the stroke away from
-    it, `back` the return. Each is a tuple of (x, value), linear between.
+    it, `back` the return. Each is a tuple of (x, value), linear between. They hold in every turn.
     """
 
     zero: complex
-    forward: tuple[tuple[float, float], ...]
-    back: tuple[tuple[float, float], ...]
+    forward: Curve
+    back: Curve
+
+
+@dataclass(frozen=True)
+class ByStrokes:
+    """Indicator diagram of a cycle of several turns: a curve for each stroke, in the order in which they follow; x as
+    above. The first goes away from the extreme position in `zero`, the second back, and so on.
+
+    `first`: number of the stroke that is under way at position 0 of the mechanism, or begins there; None: of the first
+    and the last stated the one that goes the way in which the point goes there.
+    """
+
+    zero: complex
+    names: tuple[str, ...]
+    curves: tuple[Curve, ...]
+    first: int | None = None
 
 
 TurnLaw = Constant | ByPosition | ByAngle
-Law = TurnLaw | ByDisplacement  # an indicator diagram is of a point
+Law = TurnLaw | ByDisplacement | ByStrokes  # an indicator diagram is of a point
 
 
 @dataclass(frozen=True)

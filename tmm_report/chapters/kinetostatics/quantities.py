@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tmm_report.chapters.kinematics.quantities import where
+from tmm_report.chapters.kinetostatics.stroke_tables import strokes_table
 from tmm_report.mechanics.statics import Reaction
 from tmm_report.mechanics.structure import Pair
 from tmm_report.problems import N_, Message
@@ -160,7 +161,10 @@ def tables(found: Kinetostatics) -> Iterator[Table]:
     given = found.given
     if given.forces or given.moments:
         yield _stated(found)
-        yield Table("stated_table", STATED, (*where(found.table.turned), *_along(found)))
+        yield Table("stated_table", STATED, (*where(found.table.turned), *_along(found, found.table)))
+    yield from strokes_table(found, [force.key for force in forces(given.forces)])
+    if found.followed:
+        yield Table("stated_diagram", STATED, (*where(found.diagram.turned), *_along(found, found.diagram)))
     yield Table("powers_table", POWERS, (*where(found.table.turned), *_powers(found, found.table)))
     for name, solved in (("table", found.table), ("diagram", found.diagram)):
         at = where(solved.turned)
@@ -192,9 +196,9 @@ def _stated(found: Kinetostatics) -> Table:
     return Table("loads_given", GIVEN, tuple(columns))
 
 
-def _along(found: Kinetostatics) -> Iterator[Column]:
+def _along(found: Kinetostatics, solved: Solved) -> Iterator[Column]:
     quantities = [*forces(found.given.forces), *moments(found.given.moments)]
-    for quantity, values in zip(quantities, found.table.loading.stated, strict=True):
+    for quantity, values in zip(quantities, solved.loading.stated, strict=True):
         yield quantity.column(values)
 
 

@@ -10,25 +10,30 @@ from typing import Any, assert_never
 import numpy as np
 
 from tmm_report.chapters.kinematics.solve import Kinematics
+from tmm_report.chapters.kinetostatics.breaks import (
+    breaks as breaks,
+)  # for chapters that integrate over the cycle
 from tmm_report.chapters.kinetostatics.loads import (
     ByAngle,
     ByDisplacement,
     ByPosition,
+    ByStrokes,
     Constant,
     Force,
     Law,
     Loads,
     Moment,
 )
+from tmm_report.chapters.kinetostatics.strokes import Strokes, by_displacement, by_strokes, strokes
 from tmm_report.mechanics import statics
 from tmm_report.mechanics.cycle import Cycle, Extreme, least_and_greatest
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.motion import SINGULAR, Motion
 from tmm_report.mechanics.motion import solve as solve_motion
 from tmm_report.mechanics.planar import cross, dot
+from tmm_report.mechanics.repeated import repeated
 from tmm_report.mechanics.roots import DIFFERENCE
 from tmm_report.mechanics.statics import Load, Statics
-from tmm_report.problems import N_, Message, ProblemError, mistake
 
 Array = Any
 
@@ -107,6 +112,27 @@ class Kinetostatics:
     def extremes(self) -> tuple[Extreme, Extreme]:
         """Least and greatest balancing moment over the diagram positions, N m."""
         return least_and_greatest(self.diagram.balancing, self.diagram.turned)
+
+    @cached_property
+    def strokes(self) -> dict[int, Strokes]:
+        """Of every force whose diagram is stated stroke by stroke, by its order, when these strokes are."""
+        cycle = self.kinematics.cycle
+        return {
+            k: strokes(force.law, cycle, force.at)
+            for k, force in enumerate(self.given.forces)
+            if isinstance(force.law, ByStrokes)
+        }
+
+    @property
+    def followed(self) -> list[int]:
+        """Forces that are drawn over the cycle, by their order: what is stated stroke by stroke, and of a cycle of
+        several turns all that change."""
+        several = self.kinematics.cycle.turns > 1
+        return [
+            k
+            for k, force in enumerate(self.given.forces)
+            if isinstance(force.law, ByStrokes) or (several and not isinstance(force.law, Constant))
+        ]
 
 
 def solve(given: Loads, kinematics: Kinematics) -> Kinetostatics:
@@ -207,39 +233,25 @@ def magnitude(law: Law, kinematics: Kinematics, motion: Motion, turned: Array, a
         case Constant(value):
             return np.full(motion.shape, value)
         case ByPosition(values):
-            angles = np.arange(len(values)) * (cycle.sweep / kinematics.positions.table)
+            angles = np.arange(len(values)) * (cycle.period / kinematics.positions.table)
             return _interpolate(cycle, turned, angles, np.array(values))
         case ByAngle(angles, values):
             return _interpolate(cycle, turned, np.array(angles), np.array(values))
-        case ByDisplacement():
+        case ByDisplacement() | ByStrokes():
             if at is None:
                 raise TypeError("a moment has no displacement: its law is by angle or by position")
-            return _indicated(law, cycle, motion, at)
+            if isinstance(law, ByDisplacement):
+                return by_displacement(law, cycle, motion, at)
+            return by_strokes(law, cycle, motion, turned, at)
         case _:
             assert_never(law)
 
 
 def _interpolate(cycle: Cycle, turned: Array, angles: Array, values: Array) -> Array:
-    period = cycle.sweep if cycle.closed else None
-    return np.interp(turned, angles, values, period=period)
-
-
-def _indicated(law: ByDisplacement, cycle: Cycle, motion: Motion, at: str) -> Array:
-    """An indicator diagram read at the point's displacement and direction of motion.
-
-    Raises ProblemError for a point that has no stroke in the direction from which the diagram counts.
-    """
-    low, high = cycle.extremes(lambda m: dot(m.place(at), law.zero), lambda m: dot(m.velocity(at), law.zero))
-    if not high.value - low.value > 1e-9 * np.nanmax(np.abs(motion.place(at) - np.nanmean(motion.place(at)))):
-        text = N_("by_displacement: point %(name)s does not move in the direction of zero")
-        right = Message(N_("name a point that moves there, or give the load by angle"))
-        raise ProblemError([mistake(text, ("loads", "forces"), right, name=at)])
-    x = (high.value - dot(motion.place(at), law.zero)) / (high.value - low.value)
-    forward, back = (np.interp(x, *np.array(curve).T) for curve in (law.forward, law.back))
-    rate = dot(motion.velocity(at), law.zero)
-    # at the ends of the stroke the point stands still: the stroke that begins there holds, not the rounding's sign
-    still = np.abs(rate) <= 1e-9 * np.nanmax(np.abs(rate), initial=0.0)
-    return np.where(np.where(still, x < 0.5, rate <= 0), forward, back)
+    """Straight lines between the points, periodic where the driving link goes round."""
+    if not cycle.closed:
+        return np.interp(turned, angles, values)
+    return repeated(turned, angles, values, cycle.period)
 
 
 def resultants(given: Loads, motion: Motion, load: Loading) -> dict[str, Load]:

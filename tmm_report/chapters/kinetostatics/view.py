@@ -9,8 +9,9 @@ import numpy as np
 from markupsafe import Markup
 
 from tmm_report.chapters.kinetostatics import quantities as q
-from tmm_report.chapters.kinetostatics.draw import balancing_diagram, lever_picture
+from tmm_report.chapters.kinetostatics.draw import balancing_diagram, force_diagrams, lever_picture
 from tmm_report.chapters.kinetostatics.solve import Kinetostatics
+from tmm_report.chapters.kinetostatics.stroke_tables import WORDS
 from tmm_report.chapters.plans.solve import Plans
 from tmm_report.problems import N_
 from tmm_report.quantity.definition import Definition
@@ -63,6 +64,7 @@ class KinetostaticsView:
             balancing_diagram(found, self.graphs),
             lever_picture(found, plans, position),
         )
+        self.followed = force_diagrams(found, page.tr)
 
     def conclusions(self) -> list[Markup]:
         text = N_(
@@ -106,6 +108,25 @@ class KinetostaticsView:
             for column in table.columns[2:]
         ]
         return numeric(caption, self.page.positions(table, count), columns)
+
+    def strokes(self, caption: Any) -> Table:
+        """When the strokes of the indicator diagrams begin and end."""
+        table = self.book.tables["strokes"]
+        signs = {quantity.key: quantity.sign for quantity in q.forces(self.found.given.forces)}
+        rows = [
+            [
+                self.page.word(self.page.sym(signs[key]), table, "load", row),
+                self.page.word(self._stroke(str(table["stroke"].values[row])), table, "stroke", row),
+                *(self.page.cell(table, end, row, places=1) for end in ("begins", "ends")),
+            ]
+            for row, key in enumerate(table["load"].values)
+        ]
+        heads = [self.t("Load"), self.t("Stroke"), self.t("Begins at φ, °"), self.t("Ends at φ, °")]
+        return worded(caption, heads, rows, (2, 4, 3, 3))
+
+    def _stroke(self, name: str) -> str | Markup:
+        """A stroke of an engine in the language of the note, another by its own name."""
+        return self.t(WORDS[name]) if name in WORDS else name
 
     @property
     def reversed(self) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from tmm_report.chapters.kinematics.quantities import where
+from tmm_report.chapters.kinematics.quantities import POSITION, where
 from tmm_report.chapters.reduction.solve import Reduced, Reduction
 from tmm_report.i18n import NP_
 from tmm_report.problems import N_, Message
@@ -12,6 +12,7 @@ from tmm_report.quantity.model import Column, Quantity, Table, Value
 from tmm_report.quantity.symbols import Symbol
 
 INERTIAS = Message(N_("reduced moment of inertia and the parts of the links in it"))
+BY_PLANS = Message(N_("ratios of velocities read off the plans, and the reduced moment of inertia by them"))
 MOMENTS = Message(N_("reduced moment of the forces and the parts of the loads in it"))
 
 RED = NP_("index", "red")
@@ -24,6 +25,13 @@ SLOPE = Quantity(
     Message(N_("derivative of the reduced moment of inertia by the angle of the driving link")),
 )
 MOMENT = Quantity("M_red", M_RED, "N·m", Message(N_("reduced moment of the forces")))
+GRAPH = Quantity(
+    "I_red_graph",
+    Symbol("I", RED, NP_("index", "gr")),
+    INERTIA.unit,
+    Message(N_("reduced moment of inertia by the ratios read off the plan")),
+)
+DELTA = Quantity("delta_I", Symbol("delta", "I"), "%", Message(N_("its difference from the analytical one")))
 MISS = Quantity(
     "reduction_disagreement",
     None,
@@ -45,12 +53,43 @@ def share(load: Quantity) -> Quantity:
     return Quantity(f"M_red_{load.key}", symbol, "N·m", meaning)
 
 
+def centre_ratio(point: str) -> Quantity:
+    """Of a mass centre, read off a velocity plan."""
+    meaning = Message(
+        N_("velocity of point %(name)s by the angular velocity of the driving link, off the plan"),
+        {"name": point},
+    )
+    return Quantity(f"vq_{point}", Symbol("v", f"{point},q"), "m", meaning)
+
+
+def link_ratio(link: str, driver: str) -> Quantity:
+    meaning = Message(
+        N_("angular velocity of link %(name)s by that of the driving link, off the plan"), {"name": link}
+    )
+    return Quantity(f"u_{link}_{driver}", Symbol("u", f"{link},{driver}"), "", meaning)
+
+
 def tables(found: Reduction) -> Iterator[Table]:
+    if found.plans:
+        yield Table("reduction_plans", BY_PLANS, tuple(_by_plans(found)))
     for name, reduced in (("table", found.table), ("diagram", found.diagram)):
         at = where(reduced.turned)
         yield Table(f"reduced_inertia_{name}", INERTIAS, (*at, *_inertias(reduced)))
         if reduced.moments:
             yield Table(f"reduced_moment_{name}", MOMENTS, (*at, *_moments(reduced)))
+
+
+def _by_plans(found: Reduction) -> Iterator[Column]:
+    driver = found.kinematics.linkage.mechanism.driver.link
+    yield POSITION.column([one.position for one in found.plans])
+    for point in found.plans[0].centres:
+        yield centre_ratio(point).column([one.centres[point] for one in found.plans])
+    for link in found.plans[0].links:
+        if link != driver:
+            yield link_ratio(link, driver).column([one.links[link] for one in found.plans])
+    yield GRAPH.column([one.graph for one in found.plans])
+    yield INERTIA.column([one.exact for one in found.plans])
+    yield DELTA.column([one.delta for one in found.plans])
 
 
 def _inertias(reduced: Reduced) -> Iterator[Column]:

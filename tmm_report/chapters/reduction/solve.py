@@ -14,16 +14,14 @@ from typing import Any
 import numpy as np
 
 from tmm_report.chapters.kinematics.solve import Kinematics
-from tmm_report.chapters.kinetostatics.quantities import forces, moments, weight
 from tmm_report.chapters.kinetostatics.solve import Kinetostatics, Solved
+from tmm_report.chapters.machine import Load, inertia_parts, inertia_slope, powers
+from tmm_report.chapters.plans.solve import Plans
 from tmm_report.mechanics.cycle import Extreme, least_and_greatest
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.motion import Motion
-from tmm_report.mechanics.planar import dot
-from tmm_report.quantity.model import Quantity
 
 Array = Any
-Load = tuple[Quantity, Array]
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,13 +44,33 @@ class Reduced:
 
 
 @dataclass(frozen=True, eq=False)
+class ByPlan:
+    """At a position with a velocity plan. `centres`: mass centre -> its velocity by that of the driving link, m;
+    `links`: link -> its angular velocity by that; `graph`: reduced moment of inertia by these ratios, `exact`: by the
+    analytical ones, kg m². The plan may be drawn for any speed: it leaves the ratios as they are."""
+
+    position: int
+    centres: Mapping[str, float]
+    links: Mapping[str, float]
+    graph: float
+    exact: float
+
+    @property
+    def delta(self) -> float:
+        """200 (g − a)/(g + a), %."""
+        return 200.0 * (self.graph - self.exact) / (self.graph + self.exact)
+
+
+@dataclass(frozen=True, eq=False)
 class Reduction:
-    """Found by `solve`, at the table positions 0..N and at the diagram positions. `forces`: None without loads."""
+    """Found by `solve`, at the table positions 0..N and at the diagram positions. `forces`: None without loads;
+    `plans`: at the positions with a velocity plan."""
 
     kinematics: Kinematics
     forces: Kinetostatics | None
     table: Reduced
     diagram: Reduced
+    plans: tuple[ByPlan, ...] = ()
 
     @cached_property
     def extremes(self) -> tuple[Extreme, Extreme]:
@@ -72,57 +90,47 @@ class Reduction:
         return float(max(miss))
 
 
-def solve(kinematics: Kinematics, found: Kinetostatics | None) -> Reduction:
+def solve(kinematics: Kinematics, found: Kinetostatics | None, drawn: Plans) -> Reduction:
     """The moment of the forces is reduced where there are loads."""
     table = _shares(found, found.table) if found else ()
     diagram = _shares(found, found.diagram) if found else ()
+    reduced = _reduced(kinematics.table, kinematics.turned, table)
     return Reduction(
         kinematics,
         found,
-        _reduced(kinematics.table, kinematics.turned, table),
+        reduced,
         _reduced(kinematics.diagram, kinematics.diagram_turned, diagram),
+        tuple(_by_plans(kinematics, drawn, reduced.whole_inertia)),
     )
 
 
+def _by_plans(kinematics: Kinematics, drawn: Plans, exact: Array) -> Iterator[ByPlan]:
+    """Ratios read off the velocity plans, and the reduced moment of inertia by them."""
+    omega, mechanism = abs(kinematics.omega), kinematics.linkage.mechanism
+    heavy = [link for link in mechanism.links.values() if link.name != FRAME]
+    for plan in (one.velocity for one in drawn.drawn):
+        centres = {
+            link.mass_centre: plan.values.get(f"v_{link.mass_centre}", 0.0) / omega
+            for link in heavy
+            if link.mass_centre is not None and link.mass
+        }
+        links = {
+            link.name: 1.0
+            if link.name == mechanism.driver.link
+            else plan.values.get(f"w_{link.name}", 0.0) / omega
+            for link in heavy
+            if link.inertia
+        }
+        graph = sum(link.mass * centres.get(str(link.mass_centre), 0.0) ** 2 for link in heavy)
+        graph += sum(link.inertia * links.get(link.name, 0.0) ** 2 for link in heavy)
+        yield ByPlan(plan.position, centres, links, float(graph), float(exact[plan.position]))
+
+
 def _reduced(motion: Motion, turned: Array, shares: tuple[Load, ...]) -> Reduced:
-    return Reduced(turned, dict(_inertia(motion)), _slope(motion), shares)
+    return Reduced(turned, dict(inertia_parts(motion)), inertia_slope(motion), shares)
 
 
 def _shares(found: Kinetostatics, solved: Solved) -> tuple[Load, ...]:
     """The power of every load by the driver's angular velocity."""
-    return tuple((of, power / solved.motion.omega) for of, power in _powers(found, solved))
-
-
-def _inertia(motion: Motion) -> Iterator[tuple[str, Array]]:
-    """Twice a link's kinetic energy by the square of the driver's angular velocity."""
-    for name, link in motion.linkage.mechanism.links.items():
-        if name == FRAME or not (link.mass or link.inertia):
-            continue
-        part = link.inertia * (motion.angular_velocity(name) / motion.omega) ** 2 * np.ones(motion.shape)
-        if link.mass_centre is not None:
-            part = part + link.mass * np.abs(motion.velocity(link.mass_centre) / motion.omega) ** 2
-        yield name, part
-
-
-def _slope(motion: Motion) -> Array:
-    """By the accelerations: dI/dφ = 2 Σ (m v·a + J ω ε)/ω₁³."""
-    total = np.zeros(motion.shape)
-    for name, link in motion.linkage.mechanism.links.items():
-        if name != FRAME:
-            total = total + link.inertia * motion.angular_velocity(name) * motion.angular_acceleration(name)
-            if link.mass_centre is not None:
-                point = link.mass_centre
-                total = total + link.mass * dot(motion.velocity(point), motion.acceleration(point))
-    return 2 * total / motion.omega**3
-
-
-def _powers(found: Kinetostatics, solved: Solved) -> Iterator[Load]:
-    """Power of every weight and stated load, W."""
-    load, given, motion = solved.loading, found.given, solved.motion
-    links = motion.linkage.mechanism.links
-    for link, force in load.gravity.items():
-        yield weight(link), dot(force, motion.velocity(str(links[link].mass_centre)))
-    for of, stated, force in zip(forces(given.forces), given.forces, load.forces, strict=True):
-        yield of, dot(force, motion.velocity(stated.at))
-    for of, on, couple in zip(moments(given.moments), given.moments, load.moments, strict=True):
-        yield of, couple * motion.angular_velocity(on.on)
+    taken = powers(found.given, solved.motion, solved.loading)
+    return tuple((of, power / solved.motion.omega) for of, power in taken)

@@ -94,9 +94,12 @@ class ReductionView:
     def moments(self, caption: Any) -> Table:
         return self._table(caption, "reduced_moment_table")
 
-    def _table(self, caption: Any, name: str) -> Table:
+    def by_plans(self, caption: Any) -> Table:
+        return self._table(caption, "reduction_plans", 1)
+
+    def _table(self, caption: Any, name: str, first: int = 2) -> Table:
         table = self.book.tables[name]
-        columns = [self.page.column(table, column.key) for column in table.columns[2:]]
+        columns = [self.page.column(table, column.key) for column in table.columns[first:]]
         return numeric(caption, self.page.positions(table), columns)
 
     @cached_property

@@ -103,7 +103,7 @@ def slide(name: str, model: m.SlideModel, own: Link) -> Slide:
 
 def driver(model: m.DriverModel) -> Driver:
     speed = model.speed if model.speed is not None else 2 * math.pi / (model.period or math.inf)
-    return Driver(model.link, SENSES[model.rotation] * speed, zero(model.zero), model.range)
+    return Driver(model.link, SENSES[model.rotation] * speed, zero(model.zero), model.range, model.turns)
 
 
 def zero(model: m.ZeroModel | None) -> ZeroAngle | ZeroExtreme:

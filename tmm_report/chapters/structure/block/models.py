@@ -28,7 +28,10 @@ from tmm_report.variant.values import (
     Speed,
     Turn,
     by_shape,
+    whole,
 )
+
+Turns = Annotated[int, whole(1, 4)]
 
 
 class Triangle(Model):
@@ -125,12 +128,22 @@ class DriverModel(Model):
     rotation: Turn = Field(default="counter-clockwise", description="the sense of rotation")
     zero: ZeroModel | None = Field(default=None, description="position 0; left out, the angle 0")
     range: Range = Field(2 * math.pi, description="how far it turns")
+    turns: Turns = Field(
+        default=1, description="full turns in a cycle of the loads: 2 of a four-stroke engine"
+    )
 
     @model_validator(mode="after")
     def one_speed(self) -> "DriverModel":
         if (self.speed is None) == (self.period is None):
             wrong = Message(N_("the speed must be stated once"))
             raise WrongValue(wrong, Message(N_("either speed: 1200 rpm or period: 0.05 s")))
+        return self
+
+    @model_validator(mode="after")
+    def one_cycle(self) -> "DriverModel":
+        if self.turns > 1 and "range" in self.model_fields_set:
+            wrong = Message(N_("a cycle of several turns is one of full turns: it has no range"))
+            raise WrongValue(wrong, Message(N_("either turns: 2 or range: 90 deg")))
         return self
 
 

@@ -1,0 +1,63 @@
+"""Motion by speed: J is constant and the moment one of the speed alone, dt = J dω/M, dφ = J ω dω/M."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from tmm_report.mechanics.characteristics import BySpeed, Geared
+from tmm_report.mechanics.machine import Acting, Plant
+from tmm_report.mechanics.motion_law import SAMPLES, NeverReached, Run
+from tmm_report.mechanics.panels import Panels
+
+Array = Any
+
+
+def by_speed(plant: Plant, start: float, end: float, phi: float = 0.0) -> Run:
+    """The moment is of one sign from one speed to the other, else NeverReached."""
+    J = float(plant.inertia.flat[0])
+    edges, grid = _edges(plant, start, end)
+    pieces = Panels(edges)
+    way = np.sign(end - start) or 1.0
+    omega = start + way * pieces.x
+    moment = plant.net(omega) + np.zeros(omega.shape)
+    _drives(plant, start, end, np.concatenate([omega.ravel(), [start, end]]), way)
+    slowness = J * way / moment  # dt/d|Δω|
+    places = np.searchsorted(edges, np.abs(grid - start))
+
+    def running(values: Array) -> Array:
+        return pieces.running_edges(values)[places]
+
+    works = {
+        one.key: float(
+            pieces.total((one.at(omega) if one.law else plant.panels.mean(one.values)) * omega * slowness)
+        )
+        for one in plant.acting
+    }
+    return Run(plant, "speed", running(slowness), phi + running(omega * slowness), grid, works)
+
+
+def _edges(plant: Plant, start: float, end: float) -> tuple[Array, Array]:
+    """Edges of the pieces, as distances from `start`, and the speeds that are listed, which are among them."""
+    grid = np.linspace(start, end, SAMPLES + 1)
+    breaks = np.array([x for one in plant.laws for x in _kinks(one)])
+    low, high = min(start, end), max(start, end)
+    inner = breaks[(breaks > low) & (breaks < high)] if breaks.size else breaks
+    distances = np.unique(np.abs(np.concatenate([grid, inner]) - start))
+    return distances, grid
+
+
+def _kinks(one: Acting) -> list[float]:
+    gear = one.law if isinstance(one.law, Geared) else None
+    law = gear.inner if gear else one.law
+    return [x / (gear.ratio if gear else 1.0) for x in law.x] if isinstance(law, BySpeed) else []
+
+
+def _drives(plant: Plant, start: float, end: float, omega: Array, way: float) -> None:
+    """Raises NeverReached where the moment turns its sign on the way."""
+    moment = plant.net(omega) * way
+    if (moment <= 0).any():
+        off = omega[moment <= 0]
+        nearest = float(off[np.argmin(np.abs(off - start))])
+        raise NeverReached("away" if nearest == start and plant.net(start) else "level", nearest)

@@ -1,0 +1,59 @@
+"""Integration of equations of motion where no integral in closed form exists: scipy's LSODA and DOP853.
+
+LSODA (Petzold, SIAM J. Sci. Stat. Comput. 4, 1983) changes by itself between Adams' formulas and, in a stiff start-up,
+backward differences; it is compiled, so that a step costs little more than the forces.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+Array = Any
+Rate = Callable[[float, Array], Array]  # dy/dx of x and y (N,)
+Event = Callable[[float, Array], float]  # passes through zero
+RELATIVE = 1e-10  # tolerance of a step, of each unknown's size
+ABSOLUTE = 1e-12
+
+
+@dataclass(frozen=True, eq=False)
+class Trajectory:
+    """`x` (P,) and the unknowns `y` (N, P); `ended`: the number of the event that ended it, None where the span did;
+    `at`: (N, Q) of any x (Q,) within it; `steps`: evaluations of the rates."""
+
+    x: Array
+    y: Array
+    ended: int | None
+    at: Callable[[Array], Array]
+    steps: int
+
+
+def integrate(
+    rate: Rate,
+    start: Array,
+    span: tuple[float, float],
+    *,
+    events: Sequence[Event] = (),
+    method: str = "LSODA",
+    relative: float = RELATIVE,
+    absolute: float | Array = ABSOLUTE,
+    longest: float = float("inf"),
+) -> Trajectory:
+    """The solution of y' = rate(x, y) from `start` (N,) over the span, ended by the first event that reaches zero.
+
+    `longest`: step that may be taken at most: where the rates have breaks. Raises ArithmeticError where the solution
+    cannot be continued (it grows beyond every bound).
+    """
+    from scipy.integrate import solve_ivp
+
+    for event in events:
+        event.terminal = True  # type: ignore[attr-defined]
+    found = solve_ivp(
+        rate, span, start, method=method, rtol=relative, atol=absolute, events=list(events) or None,
+        dense_output=True, max_step=longest,
+    )  # fmt: skip
+    if found.status < 0:
+        raise ArithmeticError(found.message)
+    hit = next((k for k, places in enumerate(found.t_events or ()) if len(places)), None)
+    return Trajectory(found.t, found.y, hit if found.status == 1 else None, found.sol, int(found.nfev))
