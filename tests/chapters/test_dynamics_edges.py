@@ -161,6 +161,6 @@ dynamics:
 
 def test_a_machine_whose_motion_is_not_asked_for_is_drawn_as_its_shaft():
     """In a list of many every variant has a picture."""
-    text = "dynamics: {parts: [{inertia: 2 kg*m^2}, {inertia: 1 kg*m^2, ratio: 0.5}]}"
+    text = "dynamics: {parts: [{name: a, inertia: 2 kg*m^2}, {name: b, inertia: 1 kg*m^2, ratio: 0.5}]}"
     drawn = note.picture(course.solve(course.loads(text)), Page(Html(), Translator("en"), Numbering()))
     assert sum(isinstance(item, Path) and item.closed for item in drawn.items) == 2
