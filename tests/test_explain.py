@@ -196,7 +196,7 @@ def test_the_language_and_its_decimal_sign_are_those_asked_for():
         ("v_B", -1, "there is no position -1: the table has positions 0 to 12"),
         ("v_B", None, "v_B is found at positions: state which one; from 0 to 12"),
         ("H_B", 3, "H_B is one number for all positions; leave the position out"),
-        ("v_Q", 3, "no quantity is called v_Q; the nearest: v_"),
+        ("v_Q", 3, "no quantity is called v_Q; the nearest: "),
         ("nowhere.v_B", 3, "the results have no table nowhere"),
         ("<b>\u202e", 3, "no quantity is called <b>\N{REPLACEMENT CHARACTER}"),
     ],

@@ -31,7 +31,7 @@ from tmm_report.chapters.structure import solve as structure
 from tmm_report.chapters.title.given import Title
 from tmm_report.languages import DEFAULT, DecimalSign
 from tmm_report.mechanics.mechanism import Mechanism
-from tmm_report.problems import Message, Problem
+from tmm_report.problems import N_, Message, Problem
 
 if TYPE_CHECKING:  # loaded only for a variant that has them
     from tmm_report.chapters.balancing import solve as balancing
@@ -157,20 +157,23 @@ def solve(variant: Variant, moved: Moved | None = None) -> Results:
     solved and why."""
     lever = solve_lever(variant.lever, moved) if variant.lever else None
     moving = Moving(lever.kinematics, lever.kinetostatics) if lever else None
+    whole = (
+        not lever or not lever.kinematics.gaps
+    )  # what goes on over the cycle is asked of a mechanism that closes
     return Results(
         variant,
         lever=lever,
-        dynamics=_dynamics(variant.dynamics, moving) if variant.dynamics else None,
-        flywheel=_flywheel(variant.flywheel, moving) if variant.flywheel else None,
+        dynamics=_dynamics(variant.dynamics, moving) if variant.dynamics and whole else None,
+        flywheel=_flywheel(variant.flywheel, moving) if variant.flywheel and whole else None,
         governor=_governor(variant.governor, moving) if variant.governor else None,
-        balancing=_balancing(variant.balancing, moving) if variant.balancing else None,
+        balancing=_balancing(variant.balancing, moving) if variant.balancing and whole else None,
         rotor=_rotor(variant.rotor, moving) if variant.rotor else None,
         engine=_engine(variant.engine, moving) if variant.engine else None,
-        harmonics=_harmonics(variant.harmonics, moving) if variant.harmonics else None,
-        vibration=_vibration(variant.vibration, moving) if variant.vibration else None,
+        harmonics=_harmonics(variant.harmonics, moving) if variant.harmonics and whole else None,
+        vibration=_vibration(variant.vibration, moving) if variant.vibration and whole else None,
         contacts=_contacts(variant.contacts, moving) if variant.contacts else None,
         efficiency=_efficiency(variant.efficiency, moving) if variant.efficiency else None,
-        wear=_wear(variant.wear, moving) if variant.wear else None,
+        wear=_wear(variant.wear, moving) if variant.wear and whole else None,
         drive=_drive(variant.drive) if variant.drive else None,
         eccentric=_eccentric(variant.eccentric) if variant.eccentric else None,
     )
@@ -307,7 +310,11 @@ def chapters(results: Results) -> Iterator[tuple[str, Any]]:
 
 
 def summary(results: Results) -> Iterator[Message]:
-    """The main numbers of the chapters beside the lever's, in sentences."""
+    """The main numbers of the chapters beside the lever's, in sentences; what was left out."""
+    asked = [name for name in OTHERS if getattr(results.variant, name) and not getattr(results, name)]
+    if asked:
+        text = N_("left out, as the mechanism does not close all round: %(blocks)s")
+        yield Message(text, {"blocks": ", ".join(asked)})
     yield from (line for name, found in chapters(results) if name in OTHERS for line in found.summary())
 
 

@@ -170,7 +170,7 @@ FAULTS = (
     Fault("best damping of an absorber on its own frequency", MECHANICS + "vibration.py",
           "ratio = np.sqrt(3 * mu / (8 * (1 + mu)))", "ratio = np.sqrt(3 * mu / (8 * (1 + mu) ** 3))",
           "locomotive_diesel"),
-    Fault("shaking force along the accelerations", VIBRATION + "shaking.py",
+    Fault("shaking force of the vibrating machine along the accelerations", VIBRATION + "shaking.py",
           "-link.mass * dot(motion.acceleration", "link.mass * dot(motion.acceleration",
           "forging_machine_wear", ("tests/chapters/test_vibration.py",)),
     Fault("rows of the dampings in another order", VIBRATION + "quantities.py",

@@ -101,7 +101,8 @@ def renamed(v: Variant, points: dict[str, str], links: dict[str, str], guides: d
     scales = v.lever.drawing.force
     scales = {group(key): x for key, x in scales.items()} if isinstance(scales, dict) else scales
     drawing = replace(v.lever.drawing, force=scales)
-    return stating(v, mechanism=mechanism, loads=loads, friction=friction, drawing=drawing, readings={})
+    named = stating(v, mechanism=mechanism, loads=loads, friction=friction, drawing=drawing, readings={})
+    return replace(named, **dict.fromkeys(course.OTHERS))  # they name links by the names of before
 
 
 def moved(v: Variant, angle: float, shift: complex) -> Variant:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from conftest import read, solved, stating
@@ -94,3 +96,16 @@ def test_a_force_against_the_motion_breaks_where_its_point_turns_back():
 def test_a_driving_link_that_only_swings_has_no_steady_motion():
     with pytest.raises(ProblemError, match="makes no full turn"):
         machine_of(solved("tangent"))
+
+
+def test_of_a_mechanism_that_does_not_close_all_round_the_rest_is_solved_and_what_is_left_out_is_said():
+    variant = read("compressor")
+    links = variant.lever.mechanism.links
+    short = replace(links["4"], points={**links["4"].points, "D": 0.05 + 0j})
+    mechanism = replace(variant.lever.mechanism, links={**links, "4": short})
+    results = course.solve(stating(variant, mechanism=mechanism, readings={}))
+    assert results.lever.partial and results.drive is not None
+    assert results.flywheel is None and results.balancing is None
+    said = [str(line) for line in course.summary(results)]
+    assert "left out, as the mechanism does not close all round: flywheel, balancing" in said
+    assert not [line for line in course.summary(solved("compressor")) if "left out" in str(line)]

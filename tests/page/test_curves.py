@@ -33,7 +33,10 @@ SCALES = {
 }
 
 
-OWN = ("Кинематический анализ", "Силовой", "Потери на трение", "Приведение масс")
+OWN = (
+    "Кинематический анализ", "Силовой", "Потери на трение", "Приведение масс",
+    "Kinematic analysis", "Kinetostatic analysis", "Friction losses", "Reduction of masses",
+)  # fmt: skip
 """How the sections of the lever's chapters begin: diagrams of the others have tests of their own."""
 SEVERAL = {  # letters of axes with several curves: each of them must be one of these
     "M": [("balancing", "M_bal"), ("friction_corrected", "M_first"), ("friction_corrected", "M_bal_fr")],

@@ -64,4 +64,9 @@ def _ends(item: Solved) -> tuple[float, float]:
 
 
 def values(found: Found) -> Iterator[Value]:
-    yield from ()
+    """The efficiency of each pair that has one."""
+    for item in found.items:
+        if "eta" in item.numbers:
+            text = Message(N_("efficiency of pair %(n)s"), {"n": item.number})
+            key = f"contacts_{item.number}_eta"
+            yield Quantity(key, Symbol("eta", str(item.number)), "", text).value(item.numbers["eta"])
