@@ -157,9 +157,8 @@ def solve(variant: Variant, moved: Moved | None = None) -> Results:
     solved and why."""
     lever = solve_lever(variant.lever, moved) if variant.lever else None
     moving = Moving(lever.kinematics, lever.kinetostatics) if lever else None
-    whole = (
-        not lever or not lever.kinematics.gaps
-    )  # what goes on over the cycle is asked of a mechanism that closes
+    # what goes on over the cycle is asked of a mechanism that closes all round
+    whole = not lever or not lever.kinematics.gaps
     return Results(
         variant,
         lever=lever,

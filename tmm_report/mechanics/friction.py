@@ -161,9 +161,3 @@ def best_speed(most: Value, mass: Value) -> Value:
 def rolling_moment(load: Value, arm: Value) -> Value:
     """Moment of rolling resistance, N m: M = k N. `arm`: k, m."""
     return load * arm
-
-
-def rolls_purely(f: Value, arm: Value, radius: Value) -> Value:
-    """Whether a wheel pulled by its axle rolls and does not slide: f > k/r, for the force k N/r that makes it roll is
-    then less than the friction f N that makes it slide. (One lecture prints it the other way round.)"""
-    return f > arm / radius

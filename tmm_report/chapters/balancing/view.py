@@ -75,10 +75,6 @@ class BalancingView(BalancingSheet):
         """Whether an optimum counterweight on the driving link is among the ways."""
         return any(case.name.startswith("optimum") for case in self.found.cases)
 
-    @property
-    def rotors_used(self) -> bool:
-        return any(case.name.startswith("rotors") for case in self.found.cases)
-
     # ------------------------------------------------------------ drawings
 
     @cached_property
