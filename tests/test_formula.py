@@ -1,6 +1,7 @@
 import math
 import re
 import xml.etree.ElementTree as ET
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,7 +11,7 @@ from hypothesis import strategies as st
 from tmm_report.i18n import Translator
 from tmm_report.quantity import formula as f
 from tmm_report.quantity.formula import PI, Formula, Inline, Term, Var, VectorEquation, agrees, seg
-from tmm_report.quantity.symbols import Symbol, math_symbol
+from tmm_report.quantity.symbols import SHORT_WORDS, Symbol, math_symbol
 from tmm_report.quantity.text import round_significant
 
 RU, EN = Translator("ru"), Translator("en")
@@ -244,3 +245,37 @@ def test_vector_equation():
 def test_inline():
     assert Inline("v_B", 4.4438, "m/s").latex(EN) == r"v_{B}=4.4438\;\text{m}/\text{s}"
     assert visible(Inline("phi", -0.5, "deg").mathml(RU)) == "φ=−28,648°"
+
+
+# --- indices ---
+
+
+@pytest.mark.parametrize(
+    ("key", "written"),
+    [
+        ("d_ai", "d_{ai}"),  # letters side by side, each italic
+        ("rho_pi", "\\rho _{pi}"),  # the point p of wheel i, not the number
+        ("epsilon_alpha", "\\varepsilon _{\\alpha }"),
+        ("M_fr", "M_{\\text{тр}}"),  # a word, upright and translated
+        ("omega_max", "\\omega _{\\text{max}}"),
+        ("pi", "\\pi "),
+    ],
+)
+def test_an_index_is_letters_or_a_word(key, written):
+    assert math_symbol(key).latex(RU) == written
+
+
+def test_every_short_word_of_an_index_is_known_as_one():
+    declared = {
+        word
+        for path in (Path(__file__).parent.parent / "tmm_report").rglob("*.py")
+        for word in re.findall(r'NP_\("index", "([a-z]{2})"\)', path.read_text("utf-8"))
+    }
+    assert declared == SHORT_WORDS
+
+
+def test_a_zero_is_not_divided_in_print():
+    formula = Formula("omega_2", Var("v_BA", 0.0, "m/s") / Var("l_AB", 0.09, "m"), "rad/s")
+    assert "0{,}09" not in formula.latex(RU) and formula.latex(RU).endswith("=0\\;\\text{рад}/\\text{с}")
+    whole = Formula("omega_2", Var("v_BA", 0.9, "m/s") / Var("l_AB", 0.09, "m"), "rad/s")
+    assert "0{,}09" in whole.latex(RU)

@@ -184,14 +184,14 @@ def test_every_reference_leads_somewhere(name):
         )
     )
     known = {anchor for pair in anchors for anchor in pair} | set(
-        re.findall(r"\\begin\{NoteFigure\}\{([^}]+)\}", text)
+        re.findall(r"\\begin\{Note(?:Figure|Sheet)\}\{([^}]+)\}", text)
     )
     assert set(re.findall(r"\\hyperlink\{((?:section|formula|table|figure)[\d.-][^}]*)\}", text)) <= known
 
 
 def test_both_formats_have_the_same_numbers():
-    numbers = re.findall(r"Рисунок (\d+)|Таблица (\d+)", html("shaper"))
-    assert numbers == re.findall(r"Рисунок (\d+)|Таблица (\d+)", tex("shaper"))
+    for kind in (r"Рисунок (\d+)", r"Таблица (\d+)"):  # sheets stand among the tables where their page is full
+        assert re.findall(kind, html("shaper")) == re.findall(kind, tex("shaper"))
     assert re.findall(r'class="number">\(([\d.]+)\)', html("shaper")) == re.findall(
         r"\\NoteFormula\{[^}]+\}\{([^}]+)\}", tex("shaper")
     )

@@ -61,7 +61,7 @@ def solve(variant: Variant) -> Results:
 
 
 def render(
-    results: Results, fmt: Literal["html", "tex", "json", "csv"] = "html", language: str | None = None
+    results: Results, fmt: Literal["html", "tex", "json", "csv", "png"] = "html", language: str | None = None
 ) -> dict[str, bytes]:
     """The note with its figures, or the numbers, as file name -> content.
 

@@ -6,9 +6,10 @@ from collections.abc import Iterator
 from types import ModuleType
 from typing import Any
 
-from tmm_report.course import INITIAL_DATA, LEVER, Results, chapters, room
+from tmm_report.course import INITIAL_DATA, LEVER, Results, chapters, left_out, room
 from tmm_report.figures.drawing import Drawing
 from tmm_report.i18n import Translator
+from tmm_report.problems import N_, Message
 from tmm_report.report import render as render_parts
 from tmm_report.report.page import Page
 from tmm_report.report.part import Inner, Part
@@ -19,8 +20,19 @@ Found = (
 
 
 def render(results: Results, fmt: str, tr: Translator) -> dict[str, bytes]:
-    """File name -> content: "note.html" alone, or "note.tex" with the figures it reads."""
-    return render_parts(lambda page: list(parts(results, page)), results.variant.title, fmt, tr)
+    """File name -> content: "note.html" alone, "note.tex" with the figures it reads, or the figures as pictures."""
+    return render_parts(
+        lambda page: list(parts(results, page)), results.variant.title, fmt, tr, tuple(_undone(results))
+    )
+
+
+def _undone(results: Results) -> Iterator[Message]:
+    """What the variant asks and the note has not."""
+    if blocks := left_out(results):
+        text = N_(
+            "The mechanism does not close all round, so that these parts of the project are left out: %(blocks)s."
+        )
+        yield Message(text, {"blocks": ", ".join(blocks)})
 
 
 def parts(results: Results, page: Page) -> Iterator[Part]:

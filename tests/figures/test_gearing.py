@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 
 from tmm_report.chapters.spur import solve as spur
-from tmm_report.chapters.spur.draw.contour import Plane, contour
-from tmm_report.chapters.spur.draw.mesh import ACTIVE, CONTACT, TEETH, mesh_drawing
+from tmm_report.chapters.spur.draw.action import CONTACT
+from tmm_report.chapters.spur.draw.contour import Plane, contour, pieces_of
+from tmm_report.chapters.spur.draw.mesh import mesh_drawing
+from tmm_report.chapters.spur.draw.sheet import ACTIVE, TEETH
 from tmm_report.chapters.spur.draw.zones import BEYOND, WIDE, pairs_at, zones
 from tmm_report.chapters.spur.view import SpurView
 from tmm_report.figures.dimensions import span, spread
@@ -17,6 +19,7 @@ from tmm_report.quantity.text import number
 from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page
+from tmm_report.report.sheets import percent, sheet_of
 
 GIVEN = {
     "external": spur.Given(-2, 0.006, 0.130, wheels=("4", "5")),
@@ -98,6 +101,13 @@ def test_every_circle_has_its_radius_on_paper_and_its_label(drawing, mesh, found
             assert f"r{key[2:]}{name} = {value}" in texts(drawing)
 
 
+def test_the_base_circle_of_a_wheel_of_1000_teeth_is_off_the_sheet():
+    found = spur.solve(spur.Given(-25, 0.002, None, (40, 1000), shift=(0.0, 0.0)))
+    drawing = mesh_drawing(found.mesh, found.given.wheels, num)
+    assert sheet_of(drawing.size).name in ("a4", "a3")
+    assert {"rb1 = 37,59", "ra2 = 1002"} <= {text.replace(".", ",") for text in texts(drawing)}
+
+
 def test_the_active_part_is_as_long_as_it_is(drawing, mesh):
     (line,) = strokes(drawing, CONTACT)
     assert abs(line[1] - line[0]) == pytest.approx(abs(mesh.length(mesh.pair.active)))
@@ -107,8 +117,8 @@ def test_points_of_the_line_of_action_are_lettered(drawing):
     assert {"N1", "N2", "A", "B", "C", "D", "P"} <= set(texts(drawing))
 
 
-def test_the_drawing_fits_the_page_and_both_formats(drawing):
-    assert drawing.size[0] < 168 and drawing.size[1] < 228
+def test_the_drawing_fits_a_sheet_and_both_formats(drawing):
+    assert sheet_of(drawing.size).name in ("a4", "a3", "a3tall") and percent(drawing.size) == 100
     ET.fromstring(svg(drawing))
     assert tikz(drawing).count("\n") > 40
 
@@ -150,10 +160,14 @@ def test_the_contour_is_drawn_where_it_is(found):
     seen = found.contour
     plane = Plane(seen.window)
     drawing = contour(seen, found.given.wheels, num)
-    borders = strokes(drawing, THICK)
-    assert len(borders) == len(seen.region)
-    for border, piece in zip(borders, seen.region, strict=True):
-        assert np.abs(border - plane.at(piece)).max() < 1e-12
+    borders, pieces = strokes(drawing, THICK), pieces_of(seen, plane)
+    assert borders and len(borders) == len(pieces)
+    for border, piece in zip(borders, pieces, strict=True):
+        assert np.abs(border - piece).max() < 1e-12
+        assert (
+            min(np.abs(border - plane.at(whole)).max() for whole in seen.region if len(whole) == len(border))
+            < 1e-12
+        )
     assert "K" in texts(drawing) and ("L" in texts(drawing)) == (not seen.feasible)
     ET.fromstring(svg(drawing))
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -31,7 +33,7 @@ def test_a_frame_holds_its_curves_and_zero_within_the_field(wide, tall, aside):
 
 def test_vectors_keep_their_angles():
     frame = framed([TURN * np.array(5.0), np.array([30 + 2j])], equal=True)
-    assert frame.x_scale == frame.y_scale
+    assert frame.x_scale == frame.y_scale == 0.4  # of 0.33 that would fill the field
     one, other = frame.at(0j), frame.at(3 + 4j)
     assert (other - one) / abs(other - one) == pytest.approx(0.6 + 0.8j)
 
@@ -77,3 +79,23 @@ def test_names_and_spots_are_written_in_both_formats():
     assert {"before", "after", "a"} <= set(texts(drawing))
     for written in (svg(drawing), tikz(drawing)):
         assert "before" in written and "after" in written
+
+
+def test_the_hodograph_of_what_has_one_direction_is_wide_enough_for_its_figures():
+    drawing = plane(framed([1j * np.linspace(-700, 600, 9)], equal=True), [], ("x",), ("y",), num)
+    boxes = [
+        text.box
+        for text in drawing.items
+        if isinstance(text, Text) and text.align == 0 and text.parts != ("x",)
+    ]
+    assert len(boxes) >= 2 and all(one[2] < other[0] for one, other in pairwise(sorted(boxes)))
+
+
+def test_figures_that_would_touch_are_left_out():
+    drawing = plane(Frame(-2 - 2j, 2 + 2j, 0.1, 0.1), [], ("x",), ("y",), lambda x: f"{x:+.7f}")
+    boxes = [
+        text.box
+        for text in drawing.items
+        if isinstance(text, Text) and text.align == 0 and text.parts != ("x",)
+    ]
+    assert len(boxes) >= 2 and all(one[2] < other[0] for one, other in pairwise(sorted(boxes)))

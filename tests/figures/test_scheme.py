@@ -11,8 +11,9 @@ from mechanisms import CASES, compressor, four_bar, offset_slider, rotated, scot
 from tmm_report.figures.bodies import Motion, bodies
 from tmm_report.figures.drawing import Circle, Path, Text, svg, tikz
 from tmm_report.figures.marks import JOINT
+from tmm_report.figures.placing import AWAY, LEADER
 from tmm_report.figures.scheme import GROUPS_PAGE, groups_apart, positions_scheme, scheme, standard_scale
-from tmm_report.figures.superposed import AWAY, LEADER, SMALL
+from tmm_report.figures.superposed import SMALL
 from tmm_report.mechanics.mechanism import Link
 
 GROUPS = [("I (0,1)", ("0", "1")), ("II (2,3)", ("2", "3"))]
@@ -45,7 +46,7 @@ def test_every_mechanism_is_drawn_inside_the_page(name):
             assert "nan" not in tikz(drawing)
             assert drawing.size[0] <= 170 and drawing.size[1] <= 230
         assert apart.size[1] <= GROUPS_PAGE[1]
-        assert crowded(one) == 0 and crowded(every) <= 3 and crowded(apart) == 0
+        assert crowded(one) == crowded(every) == crowded(apart) == 0
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -125,14 +126,15 @@ def test_blocks_near_each_other_are_shorter(gap):
 
 def test_numbers_far_from_their_places_are_led_to_them():
     mechanism, places, turns = four_bar()
-    small = positions_scheme(mechanism, places, turns, 0.006)
-    leaders = [i.strokes[0] for i in small.items if isinstance(i, Path) and i.pen == LEADER]
-    texts = [i.box for i in small.items if isinstance(i, Text) and i.size == SMALL]
-    dots = np.array([z for p in "AB" for z in places[p] / 0.006])
+    small = positions_scheme(mechanism, places, turns, 0.002)
+    leaders = [i.strokes[0] for i in small.items if isinstance(i, Path) and i.pen and i.pen.width == LEADER]
+    texts = [i.box for i in small.items if isinstance(i, Text)]
     for start, end in leaders:
-        assert abs(dots - start).min() < 1e-9 and abs(end - start) > AWAY
-        assert any(x0 <= end.real <= x1 and y0 <= end.imag <= y1 for x0, y0, x1, y1 in texts)
-    assert leaders and crowded(small) <= 1
+        assert abs(end - start) > AWAY
+        assert any(
+            x0 - 0.2 <= end.real <= x1 + 0.2 and y0 - 0.2 <= end.imag <= y1 + 0.2 for x0, y0, x1, y1 in texts
+        )
+    assert leaders and crowded(small) == 0
 
 
 def test_a_ternary_link_is_a_plate():

@@ -74,8 +74,9 @@ def pictures(found: Assemblies, tr: Translator) -> list[Markup]:
     places = {p: np.array([way.places[p] for way in found.ways]) for p in found.mechanism.point_names}
     turns = {link: np.array([way.turns[link] for way in found.ways]) for link in found.mechanism.moving}
     mu, driver = 2 * standard_scale(found.mechanism, places, turns), complex(np.exp(1j * found.phi))
-    title = tr.gettext(N_("Way %(number)s"))
-    return [
-        Markup(svg(scheme(found.mechanism, places, turns, mu, k, driver, title % {"number": k + 1})))
-        for k in range(len(found.ways))
+    titles = [tr.gettext(N_("Way %(number)s")) % {"number": k + 1} for k in range(len(found.ways))]
+    drawn = [
+        scheme(found.mechanism, places, turns, mu, k, driver, title, detailed=False)
+        for k, title in enumerate(titles)
     ]
+    return [Markup(svg(one)) for one in drawn]

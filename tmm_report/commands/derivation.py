@@ -10,9 +10,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-import numpy as np
-
-from tmm_report.quantity.formula import Formula, Var, VectorEquation
+from tmm_report.quantity.formula import Formula, Var, VectorEquation, at
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.written import Equation, Unknown, variables
@@ -42,7 +40,7 @@ def derive(walk: Walk, start: Callable[[Formula], bool]) -> Derivation:
     order = sorted(found)
     begins: dict[tuple[Symbol, str, float], Var] = {}
     for var in (var for k in order for var in walk.leaves(k)):
-        begins.setdefault((var.sign, var.unit, float(np.ravel(var.number)[0])), var)
+        begins.setdefault((var.sign, var.unit, at(var.number, None)), var)
     return Derivation([formulas[k] for k in order], list(begins.values()))
 
 
@@ -87,12 +85,12 @@ class Walk:
             yield from self._laid(k - 1)
 
     def leaves(self, k: int) -> Iterator[Var]:
-        """The variables of formula `k` that nothing in the note defines."""
+        """The variables of formula `k` that nothing in the note defines, with their numbers at its position."""
         item = self.heard.formulas[k].item
         if isinstance(item, Formula):
             for var in variables(item.expression):
                 if var.meaning is not None and not isinstance(var, Unknown) and self.of(var, k) is None:
-                    yield var
+                    yield replace(var, number=at(var.number, item.index))
 
     def of(self, var: Var, k: int) -> int | None:
         """The formula that defines a variable of formula `k`: that of its very number, or in a calculation by hand

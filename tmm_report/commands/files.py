@@ -11,7 +11,7 @@ from pathlib import Path
 from tmm_report.course import Results, Variant
 from tmm_report.i18n import Translator
 
-FORMATS = ("html", "tex", "json", "csv")
+FORMATS = ("html", "tex", "json", "csv", "png")
 
 
 def translator(variant: Variant, language: str | None = None) -> Translator:

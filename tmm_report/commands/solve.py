@@ -79,7 +79,9 @@ def _add_pdf(
     talk.stage(Message(N_("compiling the PDF")))
     source = files if "note.tex" in files else render(results, "tex", language)
     try:
-        files["note.pdf"] = compile_pdf({name: text for name, text in source.items() if name != "note.html"})
+        files["note.pdf"] = compile_pdf(
+            {name: text for name, text in source.items() if name.endswith(".tex")}
+        )
     except NoTex:
         return [Message(NO_TEX)]
     except TexFailed as error:

@@ -46,7 +46,7 @@ class Assemblies:
 
     @property
     def mechanism(self) -> Mechanism:
-        return self.structure.mechanism
+        return self.structure.mechanism.real
 
     @cached_property
     def points(self) -> list[str]:

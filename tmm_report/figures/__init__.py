@@ -1,1 +1,1 @@
-"""Drawings in millimetres of paper (SVG, TikZ) and graphs with axes (matplotlib, only in `sheet`)."""
+"""Drawings and graphs in millimetres of paper, written as SVG, as TikZ and as PNG."""

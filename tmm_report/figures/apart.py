@@ -2,17 +2,33 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 from tmm_report.figures import marks
 from tmm_report.figures.bodies import BLOCK, NEAR, bushing, is_rod, number
-from tmm_report.figures.drawing import Drawing, Item, Text
+from tmm_report.figures.drawing import Drawing, Item, Tag, Text
+from tmm_report.figures.lettering import Parts, Symbol
 from tmm_report.figures.view import View
 from tmm_report.mechanics.mechanism import FRAME
 
 
 def taken_off(view: View, name: str, links: Sequence[str]) -> Drawing:
     """One group with its free half-joints, lettered, its name in the middle under it."""
+    items, tags = loose(view, links)
+    drawing = Drawing(tuple(items)).labelled(tags)
+    left, bottom, right, _ = drawing.box
+    return Drawing((*drawing.items, Text(complex((left + right) / 2, bottom - 4), _class(name), align=0)))
+
+
+def _class(name: str) -> Parts:
+    """The name of a group, its order an index: II2(2,3)."""
+    match = re.fullmatch(r"([IVX]+) ?(\d+)(\(.*)", name)
+    return (Symbol(match[1], match[2], italic=False), match[3]) if match else (name,)
+
+
+def loose(view: View, links: Sequence[str]) -> tuple[list[Item], list[Tag]]:
+    """A group taken off: its items, and the tags of its points and links."""
     own = [link for link in links if link in view.bodies]
     items = [*view.plates(own), *_free_guides(view, links), *view.links(links)]
     items += [item for point in view.joints for item in _free_joint(view, point, links)]
@@ -25,9 +41,7 @@ def taken_off(view: View, name: str, links: Sequence[str]) -> Drawing:
     shown = [p for p in view.points if set(view.mechanism.links_at(p)) & set(own)]
     tags = view.point_tags(shown) + view.number_tags(own)
     tags += view.rotation_tags() if FRAME in links else []
-    drawing = Drawing(tuple(items)).labelled(tags)
-    left, bottom, right, _ = drawing.box
-    return Drawing((*drawing.items, Text(complex((left + right) / 2, bottom - 4), (name,), align=0)))
+    return items, tags
 
 
 def _free_joint(view: View, point: str, links: Sequence[str]) -> list[Item]:

@@ -1,24 +1,42 @@
-"""Panels of a graph on their sheet: where a value stands on paper, mm, its ticks, how a number is written by it.
+"""Panels of a graph on their sheet: where a value stands on paper, mm, its scale, its ticks, how it is written by them.
 
-┌ ABOVE ───────────────┐
-│ LEFT ┌────────┐ RIGHT │     the panels stand one above another over one axis of x, GAP apart
-│      └────────┘       │
-└ BELOW ───────────────┘
+┌───────────────────────┐
+│ name    names of curves │     HEAD for each row of names; over the top panel the numbers of the positions too
+│ left ┌────────┐ RIGHT   │     the panels stand one above another over one axis of x
+│      └────────┘         │
+└ BELOW ────────────────┘
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-WIDTH = 165.0  # mm
-PANEL = 48.0  # height of a panel with its share of the gaps, mm
-LEFT, RIGHT, ABOVE, BELOW = 20.0, 4.0, 6.0, 12.0  # margins for the figures and labels, mm
-GAP = 0.07  # between panels, in heights of a panel
-SPARE = 0.16  # room over the greatest value and under the least, in their difference
+from tmm_report.quantity.paper import round_scale
+
+PAPER = 165.0  # mm: width of a graph that stands in the text of a page
+FIGURE = 2.8  # height of figures by the axes, of values at extremes, of the names of curves, mm
+TICK = 1.2  # length of a tick, mm
+HEAD, NUMBERS, BELOW, RIGHT = (
+    5.2,
+    4.6,
+    12.5,
+    4.0,
+)  # mm: a row of names, numbers of positions, figures of x, margin
+GAP = 1.2  # between a panel and the names of the next, mm
+EVERY = 10.0  # mm between ticks of values
+TALLEST, ALONE, LEAST = (
+    50.0,
+    70.0,
+    20.0,
+)  # mm: what curves fill of a panel at most; of the only one; in scarce room
+SPARE, EDGE = 5.0, 2.0  # mm beyond a curve where a value is written, and where none is
+ROOMS = (149.0, 241.0, 364.0)  # mm: height of A4 lying, A3 lying and standing, without their captions
+ANGLES = (1.0, 1.25, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0)  # round scales of angles, times a power of ten
+LONGEST = 240.0  # mm: the axis of the angle
 ROUND = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0)  # steps of ticks, times a power of ten
 
 
@@ -30,8 +48,8 @@ class Panel:
     tall: float
     x: tuple[float, float]
     y: tuple[float, float]
-    left: float = LEFT
-    wide: float = WIDTH - LEFT - RIGHT
+    left: float
+    wide: float
 
     @property
     def top(self) -> float:
@@ -58,33 +76,84 @@ class Panel:
         return self.bottom + (value - self.y[0]) / self.y_scale
 
     def places(self, x: np.ndarray, values: np.ndarray) -> np.ndarray:
-        """(P, 2), mm; nan where the values are."""
-        across, up = np.broadcast_arrays(self.across(x), self.up(values))  # type: ignore[arg-type]
-        return np.stack([across, up], axis=-1)
+        """(P,), x + iy in mm; nan where the values are."""
+        return self.across(x) + 1j * self.up(values)  # type: ignore[arg-type]
 
 
-def sheet_height(count: int) -> float:
-    """Height of a sheet with so many panels, mm."""
-    return PANEL * count + ABOVE + BELOW
+@dataclass(frozen=True)
+class Values:
+    """What an axis of values holds: the least and the greatest, zero among them, and the room beyond either, mm."""
+
+    low: float
+    high: float
+    under: float = EDGE
+    over: float = EDGE
+
+    def range(self, scale: float) -> tuple[float, float]:
+        """What the axis goes from and to, 1 mm of it being `scale`."""
+        return self.low - self.under * scale, self.high + self.over * scale
+
+    def scale(self, tallest: float) -> float:
+        """The smallest round scale at which they are no taller than `tallest`, mm."""
+        return round_scale(self.high - self.low, tallest)
+
+    def filled(self, scale: float) -> float:
+        """Height of the curves at a scale, mm."""
+        return (self.high - self.low) / scale
+
+    def tall(self, scale: float) -> float:
+        """Height of their panel, mm."""
+        return self.filled(scale) + self.under + self.over
 
 
-def panels(x: tuple[float, float], ranges: Sequence[tuple[float, float]]) -> list[Panel]:
-    """A panel for each range of values, from the top of the sheet down."""
-    count = len(ranges)
-    tall = PANEL * count / (count + GAP * (count - 1))
-    bottoms = [BELOW + (count - 1 - k) * tall * (1 + GAP) for k in range(count)]
-    return [Panel(bottom, tall, x, y) for bottom, y in zip(bottoms, ranges, strict=True)]
-
-
-def value_range(values: Sequence[float] | np.ndarray) -> tuple[float, float]:
-    """What an axis goes from and to: all the values and zero with room to spare; nothing but zeros: -1 to 1."""
-    finite = np.asarray(values, float)
+def values_of(numbers: Sequence[float] | np.ndarray, marked: Sequence[float] = ()) -> Values:
+    """The range of some numbers and zero, with room where some of them are `marked` by a figure; nothing but zeros:
+    -1 to 1."""
+    finite = np.asarray(numbers, float)
     finite = finite[np.isfinite(finite)]
     low, high = float(finite.min(initial=0.0)), float(finite.max(initial=0.0))
     if low == high:
-        return -1.0, 1.0
-    spare = SPARE * (high - low)
-    return low - spare, high + spare
+        return Values(-1.0, 1.0, 0.0, 0.0)
+    near = 0.12 * (high - low)
+    under = any(value < low + near for value in marked)
+    over = any(value > high - near for value in marked)
+    return Values(low, high, SPARE if under else EDGE, SPARE if over else EDGE)
+
+
+def scales_of(axes: Sequence[Values], rest: float) -> list[float]:
+    """Round scales of panels that stand on one sheet with `rest` mm of names and figures: on the smallest that leaves
+    curves `LEAST` at most; the lowest panels are then drawn larger while there is room."""
+    coarse = [axis.scale(LEAST) for axis in axes]
+    need = sum(map(Values.tall, axes, coarse)) + rest
+    return _grown(axes, coarse, next((room for room in ROOMS if need <= room), ROOMS[-1]) - rest)
+
+
+def _grown(axes: Sequence[Values], scales: list[float], room: float) -> list[float]:
+    tallest = ALONE if len(axes) == 1 else TALLEST
+    growing = set(range(len(axes)))
+    while growing:
+        k = min(growing, key=lambda k: (axes[k].filled(scales[k]), k))
+        finer = _finer(scales[k])
+        larger = [*scales[:k], finer, *scales[k + 1 :]]
+        if axes[k].filled(finer) <= tallest + 1e-9 and sum(map(Values.tall, axes, larger)) <= room:
+            scales = larger
+        else:
+            growing.remove(k)
+    return scales
+
+
+def _finer(scale: float) -> float:
+    """The round scale before this."""
+    decade = 10.0 ** math.floor(math.log10(scale * (1 + 1e-9)))
+    before = [step * decade for step in (0.5, *ROUND) if step * decade < scale * (1 - 1e-9)]
+    return float(f"{max(before):.12g}")
+
+
+def angle_axis(extent: float) -> float:
+    """Length of an axis of `extent` degrees, mm, at a round scale: 180 for a turn, 240 for two."""
+    least = extent / LONGEST * (1 - 1e-9)
+    decade = 10.0 ** math.floor(math.log10(least))
+    return extent / min(s * d for s in ANGLES for d in (decade, 10 * decade) if s * d >= least)
 
 
 def round_ticks(low: float, high: float, intervals: int = 6) -> list[float]:
@@ -101,10 +170,33 @@ def multiples(low: float, high: float, step: float) -> list[float]:
     return [k * step for k in range(first, last + 1)]
 
 
+def value_ticks(panel: Panel) -> list[float]:
+    """Round values along the axis of a panel, `EVERY` mm; of one whose scale is not round, about so."""
+    step = EVERY * panel.y_scale
+    decade = 10.0 ** math.floor(math.log10(step))
+    return multiples(*panel.y, min((s * decade for s in ROUND), key=lambda s: abs(s - step)))
+
+
 def figure(value: float, comma: bool) -> str:
     """A number of at most four significant digits, with a true minus."""
     text = f"{value:.4g}"
     if "e" in text:
-        text = f"{value:.0f}" if abs(value) >= 1 else text
+        text = (
+            f"{value:.0f}"
+            if abs(value) >= 1
+            else f"{value:.{3 - math.floor(math.log10(abs(value)))}f}".rstrip("0")
+        )
     text = ("0" if float(text) == 0 else text).replace("-", "−")
     return text.replace(".", ",") if comma else text
+
+
+MOST = 24  # numbers of positions that stand in a row without touching
+
+
+def position_marks(panel: Panel, count: int) -> Iterator[tuple[float, str]]:
+    """Place along x, mm, and number of each of `count` positions and of the end of the cycle, "" where there are too
+    many to write all."""
+    if count:
+        every = -(-count // MOST)
+        for k in range(count + 1):
+            yield panel.left + panel.wide * k / count, "" if k % every else str(k)

@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.figures.cams import ends
 from tmm_report.mechanics.mechanism import FRAME, Guide, Mechanism, Slide
 
 BLOCK = complex(4.5, 2.5)  # half length and half height of a slider block, mm
@@ -110,12 +111,15 @@ class Motion:
 @dataclass(frozen=True)
 class Body:
     """A link in its own axes, mm: thick bars, the corners of a stiff plate, its blocks as (centre, direction),
-    and the corners where two bars are one piece as (place, a place on each bar)."""
+    and the corners where two bars are one piece as (place, a place on each bar); of a cam pair the outline of the cam,
+    the follower's rollers as (centre, radius)."""
 
     bars: tuple[Bar, ...] = ()
     plate: tuple[complex, ...] = ()
     blocks: tuple[tuple[complex, complex], ...] = ()
     welds: tuple[Weld, ...] = ()
+    outlines: tuple[tuple[complex, ...], ...] = ()
+    rollers: tuple[tuple[complex, float], ...] = ()
 
 
 def bodies(motion: Motion) -> dict[str, Body]:
@@ -162,6 +166,8 @@ def _body(motion: Motion, name: str) -> Body:
     rods = [_rod(motion, slide) for slide in slides if is_rod(motion, slide)]
     blocks = [(number(s.through) / motion.mu, number(s.direction)) for s in slides if not is_rod(motion, s)]
     rails = [rail for guide in motion.mechanism.guides.values() if (rail := _rail(motion, guide, name))]
+    cams = ends(motion.mechanism, name, motion.mu)
+    rails += cams.faces
     nodes = _nodes(motion, name) + [centre for centre, _ in blocks]
     bars, welds = _framework(rails + rods, nodes)
     hull = [] if bars else _hull(nodes)
@@ -170,7 +176,7 @@ def _body(motion: Motion, name: str) -> Body:
     if len(hull) == 2:
         bars = [(hull[0], hull[1])]
     plate = tuple(hull) if len(hull) > 2 else ()
-    return Body(tuple(bars), plate, tuple(blocks), tuple(welds))
+    return Body(tuple(bars), plate, tuple(blocks), tuple(welds), cams.outlines, cams.rollers)
 
 
 def _pivot(motion: Motion, name: str) -> complex | None:

@@ -94,8 +94,9 @@ class Drawing:
         return replace(self, items=tuple(item.moved(by) for item in self.items))
 
     def labelled(self, tags: Sequence[Tag]) -> Drawing:
-        """The drawing with each tag put where it covers least of the lines and of the tags before it."""
-        return replace(self, items=self.items + tuple(placed(tags, self.items)))
+        """The drawing with each tag on a clear place beside its anchor, or led to it by a thin line."""
+        texts, leaders = placed(tags, self.items)
+        return replace(self, items=(*self.items, *leaders, *texts))
 
     def noted(self, *notes: str | Parts) -> Drawing:
         """The drawing with lines of text under its left end; empty ones are left out."""

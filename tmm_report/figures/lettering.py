@@ -6,10 +6,11 @@ Nothing a user typed reaches SVG or TeX unescaped: `xml_text` and `tex_text` are
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from html import escape
+from itertools import groupby
 
 from tmm_report.quantity import symbols
 
@@ -39,11 +40,22 @@ def symbol(text: str, bar: bool = False) -> Symbol:
     return _marked(text, bar)
 
 
-def lettered(quantity: symbols.Symbol | None) -> Symbol | None:
-    """The symbol of a quantity as it is drawn."""
+def lettered(quantity: symbols.Symbol | None, words: Callable[[str], str] = str) -> Symbol | None:
+    """The symbol of a quantity as it is drawn; `words` translates those of its indices."""
     if quantity is None:
         return None
-    return Symbol(quantity.base, quantity.sub, quantity.sup, bar=quantity.bar)
+    base = "".join(symbols.index_runs(quantity.base, base=True))
+    sub, sup = (_worded(text, words) for text in (quantity.sub, quantity.sup))
+    return Symbol(base, sub, sup, bar=quantity.bar)
+
+
+def _worded(index: str, words: Callable[[str], str]) -> str:
+    """An index with its words translated; letters and numbers stay."""
+    return "".join(words(run) if _is_word(run) else run for run in symbols.index_runs(index))
+
+
+def _is_word(run: str) -> bool:
+    return len(run) > 1 and run.isascii() and run.islower()
 
 
 def _marked(text: str, bar: bool) -> Symbol:
@@ -91,6 +103,27 @@ def _symbol_width(symbol: Symbol) -> float:
     return _run_width(symbol.base) + SMALL * max(_run_width(symbol.sub), _run_width(symbol.sup))
 
 
+# --- which letters lean ---
+
+_UPRIGHT = re.compile("[Ѐ-ӿΑ-Ω]")  # Cyrillic and Greek capitals, as TeX sets them
+
+
+def leans(symbol: Symbol) -> bool:
+    """Whether the base of a symbol is italic."""
+    return symbol.italic and not _UPRIGHT.search(symbol.base)
+
+
+def leaning_runs(index: str) -> Iterator[tuple[str, bool]]:
+    """The runs of an index as formulas set them, and whether each is italic: letters are; words, numbers, signs and
+    Cyrillic stand upright."""
+    for leaning, runs in groupby(symbols.index_runs(index), key=_leans):
+        yield "".join(runs), leaning
+
+
+def _leans(run: str) -> bool:
+    return run.isalpha() and not _is_word(run) and not _UPRIGHT.search(run)
+
+
 # --- SVG ---
 
 _NOT_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
@@ -123,13 +156,12 @@ def _runs(part: Part) -> Iterator[tuple[str, str, float, float, bool]]:
         yield part, "", 0.0, 0.0, False
         return
     bar = ' text-decoration="overline"' if part.bar else ""
-    slanted = ' font-style="italic"' if part.italic and not _CYRILLIC.search(part.base) else ""
-    yield part.base, slanted + bar, 0.0, 0.0, False
-    for text, slanted in _slants(part.sub):
-        yield text, slanted, -DROP, 0.0, True
+    yield part.base, _ITALIC[leans(part)] + bar, 0.0, 0.0, False
+    for text, leaning in leaning_runs(part.sub):
+        yield text, _ITALIC[leaning], -DROP, 0.0, True
     shift = -_step_back(part)
-    for text, slanted in _slants(part.sup):
-        yield text, slanted, RAISE, shift, True
+    for text, leaning in leaning_runs(part.sup):
+        yield text, _ITALIC[leaning], RAISE, shift, True
         shift = 0.0
 
 
@@ -140,21 +172,13 @@ def _step_back(symbol: Symbol) -> float:
 
 
 def _ahead(part: Part) -> float:
-    """What is left to go to the right end of a symbol whose upper index is the shorter."""
+    """What is left to go to the right end of a symbol whose upper index is the shorter, in a narrow font."""
     if isinstance(part, str):
         return 0.0
-    return max(0.0, _step_back(part) - SMALL * _run_width(part.sup)) if part.sup else 0.0
+    return max(0.0, _step_back(part) - 0.65 * SMALL * _run_width(part.sup)) if part.sup else 0.0
 
 
-_CYRILLIC = re.compile("[Ѐ-ӿ]")
-_LETTERS = re.compile(r"([A-Za-zΑ-Ωα-ωϕϑε]+)")
-
-
-def _slants(text: str) -> Iterator[tuple[str, str]]:
-    """Letters of an index are italic; digits, signs and Cyrillic stand upright."""
-    for run in _LETTERS.split(text):
-        if run:
-            yield run, ' font-style="italic"' if _LETTERS.fullmatch(run) else ""
+_ITALIC = {True: ' font-style="italic"', False: ""}
 
 
 def _tspan(text: str, mark: str, dy: float, dx: float, size: float) -> str:
@@ -193,6 +217,7 @@ _TEX = {
         "\xa0": "~",
     },
     **{"→": r"\ensuremath{\to}", "µ": r"\ensuremath{\mu}"},
+    **{"≤": r"\ensuremath{\le}", "≥": r"\ensuremath{\ge}", "≈": r"\ensuremath{\approx}"},
 }
 
 
@@ -216,7 +241,7 @@ def tex_parts(parts: Parts) -> str:
 
 
 def _tex_symbol(symbol: Symbol) -> str:
-    base = _tex_math(symbol.base)
+    base = "".join(map(_tex_run, _BASE.findall(symbol.base)))
     base = rf"\mathit{{{base}}}" if symbol.base.isdigit() else base  # digits of math stand upright otherwise
     base = base if symbol.italic else rf"\mathrm{{{base}}}"
     base = rf"\overline{{{base}}}" if symbol.bar else f"{{{base}}}"
@@ -226,9 +251,12 @@ def _tex_symbol(symbol: Symbol) -> str:
     return base + "".join(indices)
 
 
+_BASE = re.compile(r"[A-Za-z0-9']+|[Α-Ωα-ωϕϑ]|[^A-Za-z0-9'Α-Ωα-ωϕϑ]+")
+
+
 def _tex_math(text: str) -> str:
-    """Latin and digits go into math as they are, Greek by name, anything else inside \\text."""
-    return "".join(map(_tex_run, re.findall(r"[A-Za-z0-9']+|[Α-Ωα-ωϕϑ]|[^A-Za-z0-9'Α-Ωα-ωϕϑ]+", text)))
+    """An index: letters and digits go into math as they are, Greek by name, words and anything else inside \\text."""
+    return "".join(rf"\text{{{run}}}" if _is_word(run) else _tex_run(run) for run in symbols.index_runs(text))
 
 
 def _tex_run(run: str) -> str:

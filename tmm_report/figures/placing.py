@@ -1,23 +1,40 @@
-"""Labels that seek their place: each where it covers least of the lines and of the labels before it."""
+"""Labels that seek their place: each on a clear spot beside what it names, or led to it by a thin line from afar."""
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Literal
+from typing import Any, Literal, NamedTuple
 
+import numpy as np
+
+from tmm_report.figures.crowded import Ground, areas, cuts, ground
 from tmm_report.figures.lettering import Parts, width
-from tmm_report.figures.primitives import NORMAL, TEXT, Box, Circle, Item, Path, Text, heights
+from tmm_report.figures.primitives import NORMAL, TEXT, Box, Circle, Item, Path, Pen, Text, heights
 
-CLEAR = 0.2  # free space sought round lettering, mm
+CLEAR = 0.1  # free space sought round lettering beside that of the grid, mm
+AWAY = 1.8  # a label farther than this beyond its gap is led to its place by a line, mm
+LEADER = 0.1  # width of that line, mm
+SHEET = (165.0, 228.0)  # mm: labels do not make a drawing larger than a sheet where they can help it
 
-Segment = tuple[float, float, float, float, float]  # x, y of the start, x, y of the end, weight
+CROSSED, COVERED, BEYOND = 0.5, 8.0, 2.0  # dislike of lines, of mm² of lettering, of mm beyond the sheet
+ACROSS = 0.02  # dislike of what a leader goes over
+_HARD = 100  # places whose leaders are looked at where none is clear
+_TRIES = 4  # orders of the labels
+_CHOICE = 6  # clear places among which the leader that goes over least decides
 
-_SIDES = tuple(cmath.rect(1, math.pi * k / 4) for k in (1, 3, 7, 5, 0, 4, 2, 6))  # corners first
-_RINGS = (1.0, 2.2)  # how many gaps away from the anchor
+# mm beyond the gap
+_RINGS = np.array([0.0, 0.6, 1.2, 1.8, 2.8, 4.0, 5.5, 7.5, 10.0, 13.0, 17.0, 22.0, 28.0])
+_FAR = _RINGS > AWAY
+_SIDES = np.exp(2j * np.pi * np.arange(24) / 24)
+_LIKING = np.full(24, 0.12)  # of sides: corners first, then right, left, up, down, then all that is between
+_LIKING[[3, 9, 21, 15, 0, 12, 6, 18]] = 0.01 * np.arange(8)
+_LEAN = np.clip(1.5 * _SIDES.real, -1, 1), np.clip(1.5 * _SIDES.imag, -1, 1)
+_ANCHORS = 5  # of each label that are tried
+
+Array = Any
 
 
 @dataclass(frozen=True)
@@ -32,117 +49,159 @@ class Tag:
     colour: str = "black"
 
 
-def placed(tags: Sequence[Tag], items: Sequence[Item]) -> list[Text]:
-    segments = [segment for item in items for segment in _segments(item)]
-    texts = [item for item in items if isinstance(item, Text)]
-    taken = [text.box for text in texts]
-    found = []
-    for tag in tags:
-        text = _best(tag, segments, taken)
-        taken.append(text.box)
-        found.append(text)
-    return found
+class Spots(NamedTuple):
+    """Places of a label in the order of liking: boxes (N, 4); lean, complex (N,): from the nearest place of a box to
+    its centre; anchors; dislike of each before it is looked at what is there; led: whether a line leads to it."""
+
+    boxes: Array
+    lean: Array
+    anchors: Array
+    dislike: Array
+    led: Array
 
 
-def _segments(item: Item) -> list[Segment]:
-    """Lines that lettering should keep off: a thick one more than a thin one, the inside of a white block too."""
-    if isinstance(item, Text):
+def placed(tags: Sequence[Tag], items: Sequence[Item]) -> tuple[list[Text], list[Path]]:
+    """The texts of the tags, in their order, and the lines that lead to those put far from their places.
+
+    Who comes first has the choice. Where that leaves no clear place to some, these are let go first.
+    """
+    on, sheet = _ground(items)
+    order, least = list(range(len(tags))), math.inf
+    best: tuple[list[Text], list[Path]] = [], []
+    for _ in range(_TRIES):
+        texts, leaders, spoilt = _in_order(tags, order, on.copy(), sheet)
+        if len(spoilt) < least:
+            least, best = len(spoilt), (texts, leaders)
+        if not spoilt:
+            break
+        order = spoilt + [k for k in order if k not in spoilt]
+    return best
+
+
+def _in_order(
+    tags: Sequence[Tag], order: Sequence[int], on: Ground, sheet: Box
+) -> tuple[list[Text], list[Path], list[int]]:
+    """The tags put one after another: their texts, leaders, and which of them found no clear place."""
+    texts: dict[int, Text] = {}
+    leaders: list[Path] = []
+    spoilt: list[int] = []
+    for k in order:
+        texts[k], led, clear = _put(tags[k], on, sheet)
+        leaders += led
+        spoilt += [] if clear else [k]
+        on.taken.append(texts[k].box)
+        on.leaders += [(path.strokes[0][0], path.strokes[0][1]) for path in led]
+    return [texts[k] for k in range(len(tags))], leaders, spoilt
+
+
+def _ground(items: Sequence[Item]) -> tuple[Ground, Box]:
+    """What labels keep off, and the sheet they keep to."""
+    lines = np.array([one for item in items for one in _lines(item)], float).reshape(-1, 5)
+    taken = [item.box for item in items if isinstance(item, Text)]
+    ends = np.concatenate([lines[:, :2], lines[:, 2:4], np.array(taken, float).reshape(-1, 2)])
+    ends = ends if len(ends) else np.zeros((1, 2))
+    low, high = ends.min(axis=0), ends.max(axis=0)
+    aside = np.clip(np.array(SHEET) - 2 - (high - low), 0, None) / 2
+    left, bottom, right, top = map(float, (*(low - aside), *(high + aside)))
+    on = ground(lines, low, high)
+    on.taken += taken
+    return on, (left, bottom, right, top)
+
+
+def clear_of(items: Sequence[Item], boxes: Sequence[Box]) -> list[bool]:
+    """Whether nothing of a drawing is in each of the boxes."""
+    on, _ = _ground(items)
+    crossed = on.covered(np.array(boxes, float).reshape(-1, 4))
+    return [not weight and on.free(box) for weight, box in zip(crossed.tolist(), boxes, strict=True)]
+
+
+def _lines(item: Item) -> list[tuple[float, float, float, float, float]]:
+    """Lines that lettering keeps off: a thick one more than a thin one, the inside of a white block too; it may stand
+    on the pale lines of a grid."""
+    if isinstance(item, Text) or (item.pen is not None and item.pen.colour == "pale"):
         return []
     strokes: list[tuple[complex, ...]] = item.outline()
     weight = item.pen.width / NORMAL.width if item.pen else 1.0
     if isinstance(item, Circle) and item.radius < 2:
         reach = item.radius * (1 + 1j)
-        strokes = [(item.centre - reach, item.centre + reach)]
+        strokes = [*strokes, (item.centre - reach, item.centre + reach)]
     if isinstance(item, Path) and item.fill == "white":
         strokes += [pair for corners in item.strokes for pair in zip(corners, corners[2:], strict=False)]
     return [(a.real, a.imag, b.real, b.imag, weight) for stroke in strokes for a, b in pairwise(stroke)]
 
 
-def _best(tag: Tag, segments: Sequence[Segment], taken: Sequence[Box]) -> Text:
-    """The candidate that covers least; they come in the order of liking, so a clear one ends the search."""
+def _put(tag: Tag, on: Ground, sheet: Box) -> tuple[Text, list[Path], bool]:
+    """The text, the line that leads to it, and whether its place is clear."""
     low, high = heights(tag.parts)
     half = complex(width(tag.parts, tag.size) / 2, tag.size * (low + high) / 2)
-    around = _around(tag, half)
-    near = _within(around, segments)
-    rivals = [box for box in taken if _shared(_grown(around, 2 * CLEAR), box)]
+    spots = _spots(tag, half)
+    index, clear = _best(tag, spots, on, sheet)
+    x0, y0, x1, y1 = spots.boxes[index].tolist()
+    text = _text_at(tag, complex((x0 + x1) / 2, (y0 + y1) / 2), complex(spots.lean[index]), (high - low) / 2)
+    led = [Path((_leader(tag, spots, index),), Pen(LEADER, tag.colour))] if spots.led[index] else []
+    return text, led, clear
+
+
+def _spots(tag: Tag, half: complex) -> Spots:
+    """All places on the rings round the anchors, the best liked first."""
+    anchors = np.array(tag.anchors[:_ANCHORS])
+    lean = _LEAN[0] * half.real + 1j * _LEAN[1] * half.imag
+    centres = anchors[:, None, None] + (tag.gap + _RINGS[:, None]) * _SIDES + lean
+    wrong = 0.5 * abs(_SIDES - tag.prefer) if tag.prefer else 0.0
+    dislike = (
+        0.05 * np.arange(len(anchors))[:, None, None] + (0.2 * _RINGS + 0.5 * _FAR)[:, None] + _LIKING + wrong
+    )
+    order = np.argsort(np.round(dislike, 6), axis=None, kind="stable")
+    of, ring, side = np.unravel_index(order, centres.shape)
+    at = centres.ravel()[order]
     wide, tall = half.real + CLEAR, half.imag + CLEAR
-    best_cost, best = math.inf, (0j, 0j)
-    for dislike, centre, off in _candidates(tag, half):
-        if dislike >= best_cost:
-            break
-        box = (centre.real - wide, centre.imag - tall, centre.real + wide, centre.imag + tall)
-        cost = dislike + _covered(box, near) + 4 * sum([_shared(box, other) for other in rivals])
-        if cost < best_cost:
-            best_cost, best = cost, (centre, off)
-    return _text_at(tag, *best, (high - low) / 2)
+    boxes = np.stack([at.real - wide, at.imag - tall, at.real + wide, at.imag + tall], axis=1)
+    return Spots(boxes, lean[side], anchors[of], dislike.ravel()[order], _FAR[ring])
 
 
-def _around(tag: Tag, half: complex) -> Box:
-    """The box that holds all the candidates."""
-    xs, ys = [a.real for a in tag.anchors], [a.imag for a in tag.anchors]
-    wide, tall = 2 * half.real + _RINGS[-1] * tag.gap, 2 * half.imag + _RINGS[-1] * tag.gap
-    return min(xs) - wide, min(ys) - tall, max(xs) + wide, max(ys) + tall
+def _best(tag: Tag, spots: Spots, on: Ground, sheet: Box) -> tuple[int, bool]:
+    """The first clear place that needs no leader; else the best of the first clear ones; else what covers least."""
+    crossed, beyond = on.covered(spots.boxes), _beyond(spots.boxes, sheet)
+    clear: list[tuple[float, int]] = []
+    for index in np.nonzero((crossed == 0) & (beyond <= 0))[0].tolist():
+        if not on.free(spots.boxes[index].tolist()):
+            continue
+        if not spots.led[index]:
+            return min([*clear, (float(spots.dislike[index]), index)])[1], True
+        start, end = _leader(tag, spots, index)
+        if not any(cuts(box, start, end) for box in on.taken):
+            clear.append((round(float(spots.dislike[index]) + ACROSS * on.across(start, end), 6), index))
+            if len(clear) == _CHOICE:
+                break
+    return (min(clear)[1], True) if clear else (_least(tag, spots, on, crossed, beyond), False)
 
 
-def _grown(box: Box, by: float) -> Box:
-    return box[0] - by, box[1] - by, box[2] + by, box[3] + by
+def _least(tag: Tag, spots: Spots, on: Ground, crossed: Array, beyond: Array) -> int:
+    """Where no place is clear: that which covers least, its leader too."""
+    spoilt = CROSSED * crossed + COVERED * areas(spots.boxes, on.taken) + BEYOND * np.clip(beyond, 0, None)
+    cost = np.round(spots.dislike + spoilt, 6)
+    for index in np.nonzero(spots.led & (cost <= np.sort(cost)[:_HARD][-1]))[0].tolist():
+        leader = _leader(tag, spots, index)
+        cost[index] += COVERED * sum([cuts(box, *leader) for box in on.taken])
+    return int(np.argmin(cost))
 
 
-def _within(box: Box, segments: Sequence[Segment]) -> list[Segment]:
-    x0, y0, x1, y1 = box
-    return [
-        s
-        for s in segments
-        if (s[0] > x0 or s[2] > x0)
-        and (s[0] < x1 or s[2] < x1)
-        and (s[1] > y0 or s[3] > y0)
-        and (s[1] < y1 or s[3] < y1)
-    ]
+def _beyond(boxes: Array, sheet: Box) -> Array:
+    """How far each box (N, 4) reaches beyond the sheet, (N,), mm; negative within it."""
+    left, bottom, right, top = sheet
+    across = np.maximum(left - boxes[:, 0], boxes[:, 2] - right)
+    return np.maximum(across, np.maximum(bottom - boxes[:, 1], boxes[:, 3] - top))
 
 
-def _candidates(tag: Tag, half: complex) -> list[tuple[float, complex, complex]]:
-    """(dislike, centre of the box, from the nearest point of the box to its centre), the best liked first."""
-    found = []
-    for later, anchor in enumerate(tag.anchors):
-        for rank, side in enumerate(_SIDES):
-            off = complex(_sign(side.real) * half.real, _sign(side.imag) * half.imag)
-            wrong = 0.5 * abs(side - tag.prefer) if tag.prefer else 0.0
-            for ring in _RINGS:
-                dislike = 0.05 * later + 0.01 * rank + wrong + 0.4 * (ring - 1)
-                found.append((dislike, anchor + ring * tag.gap * side + off, off))
-    return sorted(found, key=lambda candidate: candidate[0])
+def _leader(tag: Tag, spots: Spots, index: int) -> tuple[complex, complex]:
+    """The line from the anchor's mark to the nearest place of the label."""
+    anchor, (x0, y0, x1, y1) = complex(spots.anchors[index]), spots.boxes[index].tolist()
+    end = complex(min(max(anchor.real, x0), x1), min(max(anchor.imag, y0), y1))
+    return anchor + max(0.0, tag.gap - 0.7) * (end - anchor) / abs(end - anchor), end
 
 
-def _sign(value: float) -> float:
-    return 0.0 if abs(value) < 1e-6 else math.copysign(1.0, value)
-
-
-def _text_at(tag: Tag, centre: complex, off: complex, lift: float) -> Text:
+def _text_at(tag: Tag, centre: complex, lean: complex, lift: float) -> Text:
     """A Text with the box around `centre`, aligned to its anchor's side: a narrower font keeps the gap."""
-    align: Literal[-1, 0, 1] = -1 if off.real > 0 else 1 if off.real < 0 else 0
-    at = complex(centre.real + abs(off.real) * align, centre.imag - tag.size * (lift - 0.35))
+    align: Literal[-1, 0, 1] = 0 if abs(lean.real) < 1e-9 else -1 if lean.real > 0 else 1
+    at = complex(centre.real + width(tag.parts, tag.size) / 2 * align, centre.imag - tag.size * (lift - 0.35))
     return Text(at, tag.parts, tag.size, align, tag.colour)
-
-
-def _covered(box: Box, segments: Sequence[Segment]) -> float:
-    """Weighted length of the segments inside the box, mm, and a little for each of them."""
-    total = 0.0
-    for ax, ay, bx, by, weight in _within(box, segments):
-        low, high = 0.0, 1.0
-        for start, along, least, most in ((ax, bx - ax, box[0], box[2]), (ay, by - ay, box[1], box[3])):
-            if abs(along) < 1e-9:
-                if not least < start < most:
-                    high = -1.0
-                continue
-            t1, t2 = (least - start) / along, (most - start) / along
-            low, high = max(low, min(t1, t2)), min(high, max(t1, t2))
-        if high > low:
-            total += weight * (0.3 + (high - low) * math.hypot(bx - ax, by - ay))
-    return total
-
-
-def _shared(box: Box, other: Box) -> float:
-    """Area two boxes share, mm²."""
-    wide = min(box[2], other[2]) - max(box[0], other[0])
-    tall = min(box[3], other[3]) - max(box[1], other[1])
-    return wide * tall if wide > 0 and tall > 0 else 0.0

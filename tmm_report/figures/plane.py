@@ -8,7 +8,8 @@ stability. They may close, turn back and cross themselves; a graph over the angl
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -30,12 +31,14 @@ from tmm_report.figures.drawing import (
     polyline,
 )
 from tmm_report.figures.lettering import Parts, width
+from tmm_report.quantity.paper import round_scale
 
 Array = Any
 Num = Callable[[float], str]
 
 FIELD = (120.0, 100.0)  # mm: largest width and height between the axes
 SPARE = 0.06  # room round the curves, in their extent
+NARROWEST = 30.0  # mm: of an axis
 SMALL = 2.8  # height of the figures, mm
 TICK = 1.2  # mm
 LOOKS = (
@@ -107,16 +110,23 @@ def framed(
     zero: bool = True,
     field: tuple[float, float] = FIELD,
 ) -> Frame:
-    """A frame that holds all the curves. `equal`: both axes at one scale, as vectors need it; `zero`: the origin is in
-    it; `scales`: the units that a millimetre stands for, in place of those that fill the field."""
+    """A frame that holds all the curves. `equal`: both axes at one round scale, as vectors need it; `zero`: the origin
+    is in it; `scales`: the units that a millimetre stands for, in place of those that fill the field."""
     z = np.concatenate([np.atleast_1d(np.asarray(curve, dtype=complex)) for curve in curves])
     z = np.append(z[np.isfinite(z)], 0j) if zero else z[np.isfinite(z)]
     low, high = _room(z.real.min(), z.real.max()), _room(z.imag.min(), z.imag.max())
     spans = low[1] - low[0], high[1] - high[0]
     x, y = scales or (spans[0] / field[0], spans[1] / field[1])
     if equal:
-        x = y = max(x, y)
-    return Frame(complex(low[0], high[0]), complex(low[1], high[1]), x, y)
+        x = y = round_scale(max(x, y), 1.0)
+    across, up = _wide(low, x), _wide(high, y)
+    return Frame(complex(across[0], up[0]), complex(across[1], up[1]), x, y)
+
+
+def _wide(ends: tuple[float, float], scale: float) -> tuple[float, float]:
+    """Both ends of an axis moved apart until it is long enough for figures."""
+    more = max(0.0, NARROWEST * scale - (ends[1] - ends[0])) / 2
+    return ends[0] - more, ends[1] + more
 
 
 def _room(low: float, high: float) -> tuple[float, float]:
@@ -174,12 +184,14 @@ def _axes(frame: Frame, xlabel: Parts, ylabel: Parts, num: Num) -> Iterator[Item
     corner, low, high = frame.corner, frame.low, frame.high
     xs = {x: (x - low.real) / frame.x_scale for x in _ticks(low.real, high.real, corner.real)}
     ys = {y: (y - low.imag) / frame.y_scale for y in _ticks(low.imag, high.imag, corner.imag)}
+    named = _apart(xs, num)
     yield polygon((0, corner.real, corner, 1j * corner.imag), NORMAL)
-    pale = Pen(0.1, "grey")
+    pale = Pen(0.13, "pale")
     for value, x in xs.items():
         yield line(complex(x, 0), complex(x, corner.imag), THIN if value == 0 else pale)
         yield line(complex(x, 0), complex(x, -TICK), THIN)
-        yield Text(complex(x, -TICK - 2.4), (num(value),), SMALL, 0)
+        if value in named:
+            yield Text(complex(x, -TICK - 2.4), (num(value),), SMALL, 0)
     for value, y in ys.items():
         yield line(complex(0, y), complex(corner.real, y), THIN if value == 0 else pale)
         yield line(complex(0, y), complex(-TICK, y), THIN)
@@ -188,10 +200,17 @@ def _axes(frame: Frame, xlabel: Parts, ylabel: Parts, num: Num) -> Iterator[Item
     yield Text(complex(0, corner.imag + 3.2), ylabel, SMALL, -1)
 
 
+def _apart(places: Mapping[float, float], num: Num) -> set[float]:
+    """Of ticks and their places, mm, those whose figures stand in a row without touching: all, every second, …"""
+    step = min(np.diff(list(places.values())), default=1.0)
+    widest = max((width((num(value),), SMALL) for value in places), default=0.0)
+    return set(list(places)[:: max(1, math.ceil((widest + 1.0) / step))])
+
+
 def _ticks(low: float, high: float, long: float) -> list[float]:
     """Round numbers along an axis, some 15 mm apart at least."""
     return [
-        0.0 if abs(x) < 1e-12 * (high - low) else x for x in round_ticks(low, high, max(2, int(long / 15)))
+        0.0 if abs(x) < 1e-12 * (high - low) else x for x in round_ticks(low, high, max(3, int(long / 15)))
     ]
 
 

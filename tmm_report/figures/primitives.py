@@ -45,7 +45,6 @@ THIN = Pen(0.18)
 DASHED = Pen(0.25, dash=(2.0, 1.0))
 AXIS = Pen(0.18, dash=(5.0, 1.0, 0.6, 1.0))
 
-
 _ROUND = tuple(cmath.rect(1, math.pi * i / 8) for i in range(17))
 
 
@@ -120,11 +119,8 @@ class Arc:
         return replace(self, centre=self.centre + by)
 
     def svg(self) -> str:
-        r, large, sweep = (
-            written(self.radius),
-            int(abs(self.end - self.start) > math.pi),
-            int(self.end < self.start),
-        )
+        large, sweep = int(abs(self.end - self.start) > math.pi), int(self.end < self.start)
+        r = written(self.radius)
         d = f"M{_svg_point(self.at(self.start))}A{r} {r} 0 {large} {sweep} {_svg_point(self.at(self.end))}"
         return f'<path d="{d}"{_svg_look(self.pen, "", 1.0)}/>'
 
@@ -138,7 +134,8 @@ class Arc:
 class Arrow:
     """A segment from `start` to `end` with a filled head, never longer than a quarter of the segment.
 
-    `of`: key of the quantity that it shows, "" where there is none.
+    `of`: key of the quantity that it shows, "" where there is none. `aside`: how far it stands to the left of its own
+    line, mm, where another lies upon it there.
     """
 
     start: complex
@@ -146,6 +143,7 @@ class Arrow:
     pen: Pen = NORMAL
     head: float = HEAD
     of: str = ""
+    aside: float = 0.0
 
     def parts(self) -> tuple[Path, Path]:
         """The shaft, which stops inside the head to keep the tip sharp, and the head; its tip is `end`."""
@@ -168,7 +166,8 @@ class Arrow:
     def svg(self) -> str:
         shaft, head = self.parts()
         drawn = shaft.svg() + head.svg()
-        return f'<g data-q="{xml_text(self.of)}">{drawn}</g>' if self.of else drawn
+        aside = f' data-aside="{written(self.aside)}"' if self.aside else ""
+        return f'<g data-q="{xml_text(self.of)}"{aside}>{drawn}</g>' if self.of else drawn
 
     def tikz(self) -> str:
         shaft, head = self.parts()

@@ -13,13 +13,15 @@ from itertools import product
 import numpy as np
 
 from tmm_report.figures.apart import in_rows, taken_off
-from tmm_report.figures.drawing import Drawing
-from tmm_report.figures.superposed import labelled, position_tags, superposed, with_numbers
-from tmm_report.figures.view import Arrays, view_of
+from tmm_report.figures.detail import Place, ring_reach, with_detail
+from tmm_report.figures.drawing import Drawing, Item, Tag
+from tmm_report.figures.strokes import CLEAR, OUTSIDE, Stroke, stroke_bands, stroke_tags
+from tmm_report.figures.superposed import labelled, position_tags, superposed
+from tmm_report.figures.view import Arrays, View, view_of
 from tmm_report.mechanics.mechanism import Mechanism
 
-PAGE = (168.0, 228.0)  # what a drawing may fill of a sheet, mm
-GROUPS_PAGE = (168.0, 130.0)  # what the groups taken apart may fill
+PAGE = (165.0, 228.0)  # what a drawing may fill of a sheet, mm
+GROUPS_PAGE = (165.0, 130.0)  # what the groups taken apart may fill
 
 Group = tuple[str, Sequence[str]]  # its name as it is printed, its links ("0" with the driving link)
 
@@ -32,16 +34,22 @@ def scheme(
     position: int = 0,
     zero: complex = 1.0,
     title: str = "",
+    detailed: bool = True,
 ) -> Drawing:
-    """One position. `zero`: unit direction from which the driver's angle is counted in its sense of rotation."""
+    """One position. `zero`: unit direction from which the driver's angle is counted in its sense of rotation.
+    `detailed`: with a larger detail where the crank is short."""
 
-    def draw(mu: float) -> Drawing:
-        view = view_of(mechanism, places, turns, mu, position)
-        items = (*view.plates(), *view.frame(), *view.links(), *view.rotation(), *view.angle(zero))
-        tags = view.point_tags() + view.number_tags() + view.rotation_tags() + view.angle_tags(zero)
-        return Drawing(items, title).labelled(tags)
+    def draw(view: View, place: Place) -> tuple[Sequence[Item], Sequence[Tag]]:
+        items, tags = [*view.plates(), *view.frame(), *view.links()], view.point_tags() + view.number_tags()
+        if place == "beside":
+            return items, tags
+        turning = view.rotation_tags() + view.angle_tags(zero)
+        return [*items, *view.rotation(), *view.angle(zero)], tags + turning
 
-    return draw(mu_l) if mu_l else draw(standard_scale(mechanism, places, turns))
+    mu = mu_l or standard_scale(mechanism, places, turns)
+    return with_detail(
+        lambda scale: view_of(mechanism, places, turns, scale, position), mu, draw, title, detailed
+    )
 
 
 def positions_scheme(
@@ -52,20 +60,33 @@ def positions_scheme(
     position: int = 0,
     paths: Arrays | None = None,
     traced: Sequence[str] = (),
+    strokes: Sequence[Stroke] = (),
     title: str = "",
 ) -> Drawing:
     """All positions, `position` drawn thick, the places of cranks, rockers and sliders numbered.
 
     `paths`: denser places of the points, complex (Q,), m, for their trajectories; `traced` names points to trace
-    beside the coupler points, mass centres for example.
+    beside the coupler points, mass centres for example; `strokes`: working strokes, marked round the driver's circle.
     """
+
+    def draw(view: View, place: Place) -> tuple[Sequence[Item], Sequence[Tag]]:
+        numbers = [tag for point in _numbered(view, place) for tag in position_tags(view, point)]
+        tags = [*view.point_tags(), *numbers, *view.number_tags()]
+        tags += [] if place == "beside" else view.rotation_tags()
+        turning = [] if place == "beside" else view.rotation()
+        shown = () if place == "detail" else strokes
+        outside = OUTSIDE if place == "alone" else ring_reach(view) - view.crank[0] + CLEAR
+        items = superposed(view, paths or {}, traced, stroke_bands(view, shown, outside))
+        return [*items, *turning], [*tags, *stroke_tags(view, shown, outside)]
+
     mu = mu_l or standard_scale(mechanism, places, turns)
-    view = view_of(mechanism, places, turns, mu, position)
-    items = (*superposed(view, paths or {}, traced), *view.rotation())
-    drawing = Drawing(items, title).labelled(view.point_tags())
-    for point in labelled(view):
-        drawing = with_numbers(drawing, position_tags(view, point))
-    return drawing.labelled(view.number_tags() + view.rotation_tags())
+    return with_detail(lambda scale: view_of(mechanism, places, turns, scale, position), mu, draw, title)
+
+
+def _numbered(view: View, place: Place) -> list[str]:
+    """Joints whose positions are numbered: those of the driver where it is drawn large enough for that."""
+    crank = {point for point in labelled(view) if view.driver in view.joints[point]}
+    return [p for p in labelled(view) if place == "alone" or (p in crank) == (place == "detail")]
 
 
 def groups_apart(
@@ -79,11 +100,31 @@ def groups_apart(
 ) -> Drawing:
     """The driving link and the Assur groups side by side, each over its name, outer joints as free halves."""
 
-    def draw(mu: float) -> Drawing:
-        view = view_of(mechanism, places, turns, mu, position)
-        return Drawing(in_rows([taken_off(view, name, links) for name, links in groups], PAGE[0] - 2), title)
+    mu = mu_l or apart_scale(mechanism, places, turns, groups, position)
+    return Drawing(_apart(view_of(mechanism, places, turns, mu, position), groups), title)
 
-    return draw(mu_l) if mu_l else draw(_fitting(_span(places) / PAGE[0], draw, GROUPS_PAGE))
+
+def apart_scale(
+    mechanism: Mechanism,
+    places: Arrays,
+    turns: Arrays,
+    groups: Sequence[Group],
+    position: int = 0,
+    least: float = 0.0,
+) -> float:
+    """`least`, m/mm, where the groups taken apart fit a page at it; else the finest standard scale at which they fit
+    the part of a page that is theirs."""
+
+    def draw(mu: float) -> Drawing:
+        return Drawing(_apart(view_of(mechanism, places, turns, mu, position), groups))
+
+    if least and all(size <= room for size, room in zip(draw(least).size, PAGE, strict=True)):
+        return least
+    return _fitting(max(least, _span(places) / PAGE[0]), draw, GROUPS_PAGE)
+
+
+def _apart(view: View, groups: Sequence[Group]) -> tuple[Item, ...]:
+    return in_rows([taken_off(view, name, links) for name, links in groups], PAGE[0] - 2)
 
 
 # --- scales ---
@@ -91,7 +132,7 @@ def groups_apart(
 
 def standard_scale(mechanism: Mechanism, places: Arrays, turns: Arrays) -> float:
     """The finest of the scales 1, 2, 2.5, 4, 5 x 10^n m/mm at which all positions fit the page."""
-    page = (PAGE[0] - 2, PAGE[1] - 8)  # the rest is for lettering, left out here for speed
+    page = (PAGE[0], PAGE[1] - 8)  # the rest is for lettering, left out here for speed
 
     def draw(mu: float) -> Drawing:
         view = view_of(mechanism, places, turns, mu, 0)

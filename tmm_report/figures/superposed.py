@@ -7,23 +7,23 @@ from dataclasses import replace
 
 import numpy as np
 
-from tmm_report.figures.drawing import Circle, Drawing, Item, Pen, Tag, Text, dot, line, polyline, together
+from tmm_report.figures.drawing import Circle, Item, Pen, Tag, dot, polyline, together
 from tmm_report.figures.view import Arrays, View
 from tmm_report.mechanics.mechanism import FRAME
 
 FAINT = Pen(0.18, "grey")
 TRACE = Pen(0.22, "blue")
+SAME = 1e-6  # mm
 SMALL = 2.5  # height of the numbers of positions, mm
-LEADER = Pen(0.1, "blue")
-AWAY = 2.6  # a number farther than this from its place is led to it by a line, mm
 
 
-def superposed(view: View, paths: Arrays, traced: Sequence[str]) -> list[Item]:
-    """The view over all other positions drawn thin, with trajectories and the places of the joints."""
+def superposed(view: View, paths: Arrays, traced: Sequence[str], under: Sequence[Item] = ()) -> list[Item]:
+    """The view over all other positions drawn thin, with trajectories and the places of the joints; `under`: what lies
+    beneath them all but the plates."""
     others = [replace(view, position=k) for k in range(view.motion.count) if k != view.position]
     faint = [item for other in others for item in other.skeleton(FAINT)]
-    under = [*view.plates(), *view.frame(), *faint]
-    return [*under, *_traces(view, paths, traced), *_position_dots(view), *view.links()]
+    ground = [*view.plates(), *under, *view.frame(), *faint]
+    return [*ground, *_traces(view, paths, traced), *_position_dots(view), *view.links()]
 
 
 def _grounded(view: View) -> set[str]:
@@ -54,16 +54,25 @@ def _traces(view: View, paths: Arrays, traced: Sequence[str]) -> list[Item]:
     """Circles of the driver's joints, trajectories of rockers' joints, coupler points and points asked for."""
     on_driver = [p for p in _numbered(view) if view.driver in view.joints[p]] if view.full_turn else []
     items: list[Item] = [Circle(view.pivot, abs(view.points[p] - view.pivot), FAINT) for p in on_driver]
-    straight = {p for p in _numbered(view) if _sliding(view) & set(view.joints[p])}
     wanted = dict.fromkeys([*_numbered(view), *_coupler_points(view), *traced])
-    for point in [p for p in wanted if p in paths and p not in straight and p not in on_driver]:
+    plain = {*on_driver, *(p for p in wanted if _plain(view, p))}
+    for point in [p for p in wanted if p in paths and p not in plain]:
         pen = FAINT if point in _numbered(view) else TRACE
         items.append(polyline(_smooth(np.asarray(paths[point]) / view.motion.mu, view.full_turn), pen))
     return items
 
 
+def _plain(view: View, point: str) -> bool:
+    """Whether a point goes along a guide, stands still or is fixed to the driver alone: its path says nothing."""
+    links = set(view.mechanism.links_at(point))
+    return bool(links & (_sliding(view) | {FRAME})) or links == {view.driver}
+
+
 def _smooth(places: np.ndarray, closed: bool) -> list[complex]:
-    """The path through the places; a closed one is refined by its own Fourier series, which a motion is."""
+    """The path through the places; a closed one, whose last place may be its first again, is refined by its own Fourier
+    series, which a motion is."""
+    if closed and len(places) > 1 and abs(places[-1] - places[0]) < SAME:
+        places = places[:-1]
     places = places[np.isfinite(places)] if not closed else places
     if not closed or not np.isfinite(places).all():
         return [complex(z) for z in places[np.isfinite(places)]]
@@ -95,28 +104,20 @@ def labelled(view: View) -> list[str]:
     return [p for p in marked if p not in cranks or p == farthest]
 
 
-def position_tags(view: View, point: str) -> list[tuple[complex, Tag]]:
-    """Numbers by the places of a joint, coinciding ones together (1=11): outside a circle, over a straight guide."""
+def position_tags(view: View, point: str) -> list[Tag]:
+    """Numbers by the places of a joint, coinciding ones together (1=11): outside a circle, over a straight guide.
+    Those of the driver end where they began (0=12)."""
     tags = []
+    whole = view.full_turn and view.driver in view.joints[point]
     first = view.block.imag if _sliding(view) & set(view.joints[point]) else 0.0
     for names, place in together(_position_places(view, point)):
+        names = [*names, str(view.motion.count)] if whole and "0" in names else names
         out = _outside(view, point, place)
         hidden = first and abs(place - view.points[point]) < view.block.real  # under the block
         rises = (first if hidden else 0.0, *(first + SMALL * tier for tier in range(5)))
         tiers = tuple(place + rise * out for rise in rises) if out else (place,)
-        tags.append((place, Tag(("=".join(names),), tiers, 0.9, out, SMALL, "blue")))
+        tags.append(Tag(("=".join(names),), tiers, 0.9, out, SMALL, "blue"))
     return tags
-
-
-def with_numbers(drawing: Drawing, tags: Sequence[tuple[complex, Tag]]) -> Drawing:
-    """The drawing with numbers of positions; those put far from their places are led to them by lines."""
-    numbered = drawing.labelled([tag for _, tag in tags])
-    leaders = []
-    for (place, _), text in zip(tags, numbered.items[len(drawing.items) :], strict=True):
-        x0, y0, x1, y1 = text.box if isinstance(text, Text) else numbered.box
-        end = complex(min(max(place.real, x0), x1), min(max(place.imag, y0), y1))
-        leaders += [line(place, end, LEADER)] if abs(end - place) > AWAY else []
-    return replace(numbered, items=(*leaders, *numbered.items))
 
 
 def _outside(view: View, point: str, place: complex) -> complex:

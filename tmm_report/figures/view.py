@@ -13,10 +13,23 @@ import numpy as np
 
 from tmm_report.figures import marks
 from tmm_report.figures.bodies import BLOCK, NEAR, PAST, Body, Motion, bodies, bushing, is_rod, number
-from tmm_report.figures.drawing import THICK, THIN, Item, Pen, Tag, dot, line, polygon, together
+from tmm_report.figures.drawing import (
+    NORMAL,
+    THICK,
+    THIN,
+    Circle,
+    Item,
+    Pen,
+    Tag,
+    dot,
+    line,
+    polygon,
+    together,
+)
 from tmm_report.figures.lettering import Symbol, joined, symbol
 from tmm_report.mechanics.mechanism import FRAME, Guide, Mechanism, Slide
 
+LETTERED = 6.0  # mm about a point that its letter takes
 SEEN = 0.15  # the least angle that is marked, rad
 
 Arrays = Mapping[str, np.ndarray]
@@ -70,8 +83,6 @@ class View:
     def _fixed(self, point: str) -> bool:
         return point in self.mechanism.links[FRAME].points and point in self.points
 
-    # frame
-
     def frame(self) -> list[Item]:
         items: list[Item] = []
         for slide in self.mechanism.slides:
@@ -108,12 +119,14 @@ class View:
         away = self.motion.on_guide(guide, 0.0) - self.pivot
         return side if (away.conjugate() * side).real > 0 else -side
 
-    # links
-
     def links(self, names: Sequence[str] | None = None) -> list[Item]:
         """The links drawn thick, with blocks, joints and mass centres."""
         chosen = [name for name in self.bodies if names is None or name in names]
         items = self.skeleton(THICK, chosen)
+        for name in chosen:
+            for outline in self.bodies[name].outlines:
+                items.append(polygon([self.at(name, z) for z in outline], NORMAL))
+            items += [Circle(self.at(name, z), r, NORMAL, "white") for z, r in self.bodies[name].rollers]
         for name in chosen:
             for centre, along in self.bodies[name].blocks:
                 items += marks.block(self.at(name, centre), self.turn(name) * along, self.block)
@@ -137,6 +150,9 @@ class View:
         """The fill of stiff plates, to lie under everything else."""
         chosen = self.bodies if names is None else [name for name in names if name in self.bodies]
         corners = [[self.at(name, z) for z in self.bodies[name].plate] for name in chosen]
+        corners += [
+            [self.at(name, z) for z in outline] for name in chosen for outline in self.bodies[name].outlines
+        ]
         return [polygon(plate, None, "pale", 0.6) for plate in corners if plate]
 
     def skeleton(self, pen: Pen, names: Sequence[str] | None = None) -> list[Item]:
@@ -174,15 +190,27 @@ class View:
 
     # the driver's turning
 
-    def _crank(self) -> tuple[float, int]:
+    @cached_property
+    def crank(self) -> tuple[float, int]:
         """Length of the driver on paper, mm, and its sense of rotation."""
-        ends = [self.points[p] for p in self.mechanism.links[self.driver].points if p in self.joints]
-        reach = max((abs(end - self.pivot) for end in ends), default=0.0)
+        reach = abs(self._arm - self.pivot)
         return reach or 20.0, 1 if number(self.mechanism.driver.omega).real >= 0 else -1
+
+    @cached_property
+    def _arm(self) -> complex:
+        """The driver's joint that is farthest from its pivot, which stands for one that has none."""
+        ends = [self.points[p] for p in self.mechanism.links[self.driver].points if p in self.joints]
+        return max(ends, key=lambda end: round(abs(end - self.pivot), 3), default=self.pivot)
+
+    @cached_property
+    def start(self) -> float:
+        """Direction of the driver's arm in position 0, rad."""
+        turned = self.turn(self.driver) / complex(self.motion.axes[self.driver][0])
+        return cmath.phase((self._arm - self.pivot or turned) / turned)
 
     def _angle(self, zero: complex) -> tuple[float, float, float]:
         """Radius of the arc of the driver's angle, where it starts, and the signed angle, rad."""
-        length, sense = self._crank()
+        length, sense = self.crank
         angle = sense * cmath.phase(self.turn(self.driver) / zero)
         if self.full_turn:
             angle %= 2 * math.pi
@@ -215,7 +243,7 @@ class View:
 
     def _rotation(self) -> tuple[float, float, float]:
         """Radius, start and sweep of the arrow of rotation, mm, rad."""
-        length, sense = self._crank()
+        length, sense = self.crank
         radius = 1.6 * min(max(0.45 * length, 5.0), 9.0)
         radius = radius if radius < 0.8 * length else length + 6  # beyond the numbers round a short crank
         return radius, cmath.phase(self.turn(self.driver)) + 0.4 * sense, 1.0 * sense
@@ -245,17 +273,24 @@ class View:
         return [Tag((Symbol(name),), self._middles(name), gap=1.0) for name in chosen if self._middles(name)]
 
     def _middles(self, name: str) -> tuple[complex, ...]:
-        """Where a link's number may stand: by its longest bar, in its plate, or by its block."""
+        """Where a link's number may stand: by its longest bar, in its plate, or by its block; off its points."""
         body = self.bodies[name]
         if body.plate:
-            return (self.at(name, sum(body.plate) / len(body.plate)),)
+            middle = sum(body.plate) / len(body.plate)
+            return self._off_points(name, (middle, *(0.55 * middle + 0.45 * corner for corner in body.plate)))
         if body.bars:
             a, b = max(body.bars, key=lambda bar: abs(bar[1] - bar[0]))
-            return tuple(self.at(name, a + share * (b - a)) for share in (0.5, 0.4, 0.6, 0.3, 0.7))
+            return self._off_points(name, [a + share * (b - a) for share in (0.5, 0.4, 0.6, 0.3, 0.7)])
         corners = [self.block, self.block.conjugate(), -self.block, -self.block.conjugate()]
         return tuple(
             self.at(name, centre + corner * along) for centre, along in body.blocks for corner in corners
         )
+
+    def _off_points(self, name: str, places: Sequence[complex]) -> tuple[complex, ...]:
+        """Places given in a link's axes; first those at which no point of it is lettered."""
+        points = [self.motion.local(name, point) for point in self.mechanism.links[name].points]
+        crowded = {place: any(abs(place - point) < LETTERED for point in points) for place in places}
+        return tuple(self.at(name, place) for place in sorted(places, key=crowded.__getitem__))
 
 
 def view_of(mechanism: Mechanism, places: Arrays, turns: Arrays, mu: float, position: int) -> View:

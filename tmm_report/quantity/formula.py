@@ -397,23 +397,26 @@ class Formula:
         pieces = [form.symbol(result)]
         last = ""
         for side in self._sides(form):
-            joined = without_attributes("".join(side))
+            joined = without_attributes("".join(side)).replace(' form="prefix"', "")
             if joined == last:  # a bare number is not repeated as its own value: it is the value
                 del pieces[-len(side) :]
             pieces += [form.operator("=") + side[0], *side[1:]]
             last = joined
         pieces[-1] += form.unit(self.unit) if self.unit != "deg" else ""
-        return form.formula(_with_head(pieces))
+        # the left side never stands alone at the end of a line
+        return form.formula([pieces[0] + pieces[1], *pieces[2:]])
 
     def _sides(self, form: Latex | MathML) -> list[list[str]]:
         pages = [Page(form, numbers, self.index, self.digits) for numbers in (False, True)]
         value = pages[1].number(self.shown, self.digits, self.unit == "deg", self.scale, self.ref)
+        if value.zero and self._nothing_divided():
+            pages = pages[:1]
         return [*(list(self.expression.terms(page)) for page in pages), [value.text]]
 
-
-def _with_head(pieces: list[str]) -> list[str]:
-    """The left side never stands alone at the end of a line."""
-    return [pieces[0] + pieces[1], *pieces[2:]]
+    def _nothing_divided(self) -> bool:
+        """Whether a zero is divided by something: nobody writes 0/0,09 = 0."""
+        body = self.expression.body if isinstance(self.expression, Negative) else self.expression
+        return isinstance(body, Quotient) and at(body.above.evaluate(self.digits), self.index) == 0
 
 
 def agrees(formula: Formula, solver_value: Value, tolerance: float = 1e-9) -> bool:

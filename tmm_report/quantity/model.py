@@ -109,12 +109,14 @@ class Column(OfQuantity):
     """A quantity at the rows of a table: (P,) numbers in its unit, or a list of texts.
 
     `symbols`: of each row, where the rows are wheels or other things that name the symbol. `units`: of each row, where
-    the rows measure different things; they stand in the results in the column "unit" of the table."""
+    the rows measure different things; they stand in the results in the column "unit" of the table. `asked`: whether a
+    person may be asked for it; not where it is given, or stands in another table by another name."""
 
     quantity: Quantity
     values: Any
     symbols: Sequence[Symbol] = ()
     units: Sequence[str] = ()
+    asked: bool = True
 
     def symbol(self, row: int | None = None) -> Symbol:
         """Raises ValueError for a column of texts."""

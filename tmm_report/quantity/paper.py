@@ -8,6 +8,8 @@ from typing import Any
 import numpy as np
 
 ROUND = (1.0, 2.0, 2.5, 4.0, 5.0)
+SHEET = (149.0, 199.0)  # mm: what a drawing itself has of a portrait page, its lettering left room around it
+LONGEST = 180.0  # mm: no vector of a plan is drawn longer where the scale is not stated
 ACCURACY = 1e-5  # m of paper, of a drawing whose accuracy is not stated: lengths are read to it
 CAD = 1e-5  # m of paper: with this accuracy or better a drawing is made by computer
 
@@ -19,6 +21,19 @@ def round_scale(largest: float, paper: float) -> float:
     least = largest / paper * (1 - 1e-9)
     decade = 10.0 ** math.floor(math.log10(least))
     return float(f"{min(s * d for s in ROUND for d in (decade, 10 * decade) if s * d >= least):.12g}")
+
+
+def fitting_scale(width: float, height: float, sheet: tuple[float, float] = SHEET) -> float:
+    """The smallest round scale at which a drawing `width` by `height`, SI, fits the sheet, mm."""
+    scales = [
+        round_scale(size, paper) for size, paper in zip((width, height), sheet, strict=True) if size > 0
+    ]
+    return max(scales, default=1.0)
+
+
+def segment_scale(value: float, mm: float) -> float:
+    """The scale at which `value` is a segment of `mm`, as it is written: five significant digits."""
+    return float(f"{value / mm:.4e}")
 
 
 def rounded(x: Any, step: float) -> Any:

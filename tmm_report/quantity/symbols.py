@@ -6,6 +6,7 @@ Names of points and links come from users: every one of them is escaped on its w
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 from typing import Literal
@@ -45,6 +46,12 @@ INDEX_WORDS = (
     NP_("index", "max"),
     NP_("index", "min"),
 )
+# Indices of two letters that are abbreviations of words; any other two are letters side by side, as in d_ai.
+SHORT_WORDS = frozenset(
+    ["an", "br", "cr", "cw", "dr", "eq", "ex", "fl", "fr", "gr", "im", "in", "pc", "re", "st", "up"]
+)
+# MathML knows one sign for two primes; side by side they would be drawn apart.
+_PRIMES = {2: "″", 3: "‴"}
 _KEY = re.compile(r"(vec:)?([^_^]+)(?:_([^_^]*))?(?:[_^](.*))?", re.DOTALL)
 
 
@@ -127,6 +134,18 @@ def segment(ends: str) -> Symbol:
     return Symbol(ends, kind="segment")
 
 
+def index_runs(text: str, base: bool = False) -> Iterator[str]:
+    """The runs of an index, or of the `base` of a symbol, as they are set: Greek letters by their signs, a word or a
+    number whole, other letters one by one. "pi" as an index is the point p of wheel i: the number is no index."""
+    for run in _run().findall(text):
+        if run in GREEK and (base or run != "pi"):
+            yield GREEK[run]
+        elif run.isascii() and run.islower() and len(run) == 2 and run not in SHORT_WORDS:
+            yield from run
+        else:
+            yield run
+
+
 @dataclass(frozen=True, eq=False)
 class Notation:
     """What both formats share: the translator and how a run of letters in an index is read."""
@@ -152,9 +171,9 @@ class Notation:
     def run(self, run: str) -> str:
         raise NotImplementedError
 
-    def text(self, text: str) -> str:
+    def text(self, text: str, base: bool = False) -> str:
         """A whole index: runs of point names (italic), digits, words (upright), Greek letters by name."""
-        return "".join(self.run(GREEK.get(run, run)) for run in _run().findall(text))
+        return "".join(self.run(run) for run in index_runs(text, base))
 
     def word(self, run: str) -> str:
         return self.tr.pgettext("index", run)
@@ -264,7 +283,7 @@ class MathML(Notation):
         if run.isdigit():
             return f"<mn>{run}</mn>"
         if run[0] in "'′":
-            return f"<mo>{'′' * len(run)}</mo>"
+            return f"<mo>{_PRIMES.get(len(run), '′' * len(run))}</mo>"
         if len(run) == 1:
             italic = run.isascii() or (run in _GREEK_TEX and run.islower())
             upright = "" if italic or not run.isalpha() else ' mathvariant="normal"'
@@ -332,7 +351,7 @@ def _unit_sign(word: re.Match[str]) -> str:
 def _symbol(symbol: Symbol, notation: Latex | MathML) -> str:
     if symbol.kind == "segment":
         return notation.bar(_segment(symbol.base, notation))
-    base = notation.text(symbol.base)
+    base = notation.text(symbol.base, base=True)
     return notation.indexed(
         notation.bar(base) if symbol.bar else base, notation.text(symbol.sub), notation.text(symbol.sup)
     )

@@ -14,44 +14,58 @@ from typing import Any
 from markupsafe import Markup
 
 from tmm_report.i18n import Translator
-from tmm_report.report.formats import Html, Tex
+from tmm_report.problems import Message
+from tmm_report.report.formats import Html, Png, Tex
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template
-from tmm_report.report.part import Part, Title
+from tmm_report.report.part import Failed, Part, Title
 from tmm_report.resources import data_root
 
-FORMATS: dict[str, type[Html] | type[Tex]] = {"html": Html, "tex": Tex}
+FORMATS: dict[str, type[Html] | type[Tex]] = {"html": Html, "tex": Tex, "png": Png}
 
 
 def render(
-    make: Callable[[Page], Sequence[Part]], title: Title, fmt: str, tr: Translator
+    make: Callable[[Page], Sequence[Part]],
+    title: Title,
+    fmt: str,
+    tr: Translator,
+    undone: Sequence[Message] = (),
 ) -> dict[str, bytes]:
-    """File name -> content: "note.html" alone, or "note.tex" with the figures it reads."""
+    """File name -> content: "note.html" alone, "note.tex" with the figures it reads, or the figures as pictures.
+
+    `undone`: what was asked and is not in the note; the conclusions begin with it.
+    """
     page = Page(FORMATS[fmt](), tr, Numbering())
     parts = make(page)
-    return {f"note.{fmt}": _written(_given(title, page), parts, page).encode(), **page.form.files}
+    note = _written(_given(title, page), parts, page, undone)
+    return page.form.files if fmt == "png" else {f"note.{fmt}": note.encode(), **page.form.files}
 
 
-def _written(given: Mapping[str, Any], parts: Sequence[Part], page: Page) -> str:
+def _written(given: Mapping[str, Any], parts: Sequence[Part], page: Page, undone: Sequence[Message]) -> str:
     fmt = page.form.name
     given = {**given, "m": template(f"macros.{fmt}.j2").make_module(dict(given))}
-    body = [
-        *(Markup(template(f"chapters/{part.template}.j2").render(given, view=part.view)) for part in parts),
-        Markup(template("chapters/conclusions.j2").render(given, lines=_conclusions(parts))),
-        Markup(template("chapters/references.j2").render(given)),
-    ]
-    head = Markup(template("chapters/title.j2").render(given))
+
+    def chapter(name: str, **more: Any) -> Markup:
+        return Markup(template(f"chapters/{name}.j2").render(given, **more))
+
+    body = [chapter(part.template, view=part.view) for part in parts]
+    body += [chapter("conclusions", lines=[*map(page.message, undone), *_conclusions(parts)])]
+    if page.cited:
+        body.append(chapter("references"))
+    # what stands in front tells of what the note has
+    page.numbering.begin_front()
+    body = [chapter("symbols"), chapter("introduction"), *body]
+    page.numbering.end_front()
+    head = chapter("title")
     note = template(f"report.{fmt}.j2").render(given, head=head, body=body, **_own_files(fmt))
     return page.numbering.resolved(note)
 
 
 def _conclusions(parts: Sequence[Part]) -> list[Markup]:
-    """What the chapters say in the conclusions, each view once."""
-    return [
-        line
-        for view in dict.fromkeys(part.view for part in parts if part.concludes)
-        for line in view.conclusions()
-    ]
+    """What the chapters say in the conclusions, each view once; what failed comes first."""
+    views = dict.fromkeys(part.view for part in parts if part.concludes)
+    lines = [line for view in views for line in view.conclusions()]
+    return sorted(lines, key=lambda line: not isinstance(line, Failed))
 
 
 def _given(title: Title, page: Page) -> dict[str, Any]:

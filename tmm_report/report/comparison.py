@@ -15,7 +15,7 @@ def comparison_table(
     page: Page, caption: Any, table: model.Table, named: Mapping[str, Quantity], position: int
 ) -> Table:
     """`table`: of the results, a row a quantity, with "graph", "analytic" and "delta"; `named`: its quantities."""
-    rows = _compared(page, table, named, position, "≈ 0")
+    rows = _compared(page, table, named, position, "≈ 0", range(len(table)))
     heads = [
         page.t("Quantity"), page.t("Graph-analytical method"), page.t("Analytical method"),
         page.t("Difference, %%"),
@@ -30,18 +30,35 @@ def own_numbers_table(
     named: Mapping[str, Quantity],
     position: int,
     said: Sequence[Any],
+    chosen: Sequence[int],
+    analytic: bool,
 ) -> Table:
-    """The same of a student's own numbers, with what is `said` of each in the last column."""
-    rows = _compared(page, table, named, position, "—")
+    """The same of a student's own numbers, of the `chosen` rows, with what is `said` of each in the last column.
+
+    `analytic`: whether the analytical values stand beside them; not where another table has them."""
+    rows = _compared(page, table, named, position, "—", chosen)
     heads = [
         page.t("Quantity"), page.t("Own value"), page.t("Analytical method"), page.t("Difference, %%"),
         page.t("Result"),
     ]  # fmt: skip
-    return worded(caption, heads, [[*row, one] for row, one in zip(rows, said, strict=True)], (3, 3, 3, 2, 4))
+    kept = [0, 1, 2, 3, 4] if analytic else [0, 1, 3, 4]
+    lines = [[*row, one] for row, one in zip(rows, said, strict=True)]
+    shares = (3, 3, 3, 2, 4)
+    return worded(
+        caption,
+        [heads[i] for i in kept],
+        [[line[i] for i in kept] for line in lines],
+        [shares[i] for i in kept],
+    )
 
 
 def _compared(
-    page: Page, table: model.Table, named: Mapping[str, Quantity], position: int, without: str
+    page: Page,
+    table: model.Table,
+    named: Mapping[str, Quantity],
+    position: int,
+    without: str,
+    chosen: Sequence[int],
 ) -> list[list[Any]]:
     """Quantity, both values and the difference; `without`: what is printed where there is none."""
     return [
@@ -50,7 +67,7 @@ def _compared(
             *(Cell(page.num(table[by].values[row]), table.by_key(key, by, position)) for by in ("graph", "analytic")),
             Cell(_delta(page, table["delta"].values[row], without), table.by_key(key, "delta", position)),
         ]
-        for row, key in enumerate(table["key"].values)
+        for row, key in ((row, table["key"].values[row]) for row in chosen)
     ]  # fmt: skip
 
 

@@ -4,21 +4,26 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from tmm_report.figures.axes import round_ticks
+from tmm_report.figures.axes import angle_axis, round_ticks
 from tmm_report.figures.graphs import Curve, Graph, graph
+from tmm_report.figures.lettering import Parts, lettered
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.cycle import Extreme
 from tmm_report.quantity.formula import Var
 from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.ref import Ref
-from tmm_report.quantity.symbols import GREEK, Symbol
+from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.text import unit_text
 
 Array = Any
+
+STEPS = (1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 180.0, 360.0)  # degrees between ticks
+APART = 9.0  # mm between ticks at least
 
 
 class CycleGraphs:
@@ -27,29 +32,44 @@ class CycleGraphs:
     def __init__(self, turned: Array, positions: int, tr: Translator):
         self.turned, self.positions, self.tr = turned, positions, tr
 
-    def graph(self, curves: Sequence[Curve], labels: Sequence[str], join: bool = True) -> Graph:
+    def graph(self, curves: Sequence[Curve], labels: Sequence[Parts], join: bool = True) -> Graph:
+        """The axis of the angle is at a round scale, 2° to a millimetre of a turn; ticks at 30°, or farther apart."""
         degrees = np.degrees(self.turned)
-        turns = max(1, round(float(degrees[-1] - degrees[0]) / 360))
+        extent = float(degrees[-1] - degrees[0])
+        wide = angle_axis(extent)
+        angle = (*letter("phi", self.tr), f", {unit_text('deg', self.tr.language)}")
         return graph(
-            curves, degrees, f"φ, {unit_text('deg', self.tr.language)}", labels,
-            step=30.0 * turns, positions=self.positions, comma=self.tr.decimal == ",", join=join,
+            curves, degrees, angle, labels,
+            wide=wide, step=next(step for step in STEPS if step * wide >= APART * extent),
+            positions=self.positions, comma=self.tr.decimal == ",", join=join,
         )  # fmt: skip
 
-    def label(self, quantity: Quantity, unit: str = "") -> str:
+    def label(self, quantity: Quantity, unit: str = "") -> Parts:
         """The letter of a quantity and its unit, for an axis: the figure's caption says of what."""
         return self.letter(Symbol(quantity.sign.base), unit or quantity.unit)
 
-    def letter(self, symbol: Symbol, unit: str) -> str:
-        """A symbol as plain text and its unit."""
-        text = GREEK.get(symbol.base, symbol.base) + self.tr.pgettext("index", symbol.sub)
-        return f"{text}, {unit_text(unit, self.tr.language)}" if unit else text
+    def letter(self, symbol: Symbol, unit: str = "") -> Parts:
+        """A symbol as it is drawn, and its unit."""
+        return (*letter(symbol, self.tr), *((f", {unit_text(unit, self.tr.language)}",) if unit else ()))
 
     def scales(self, drawn: Graph, names: Sequence[tuple[str, str]]) -> list[Var]:
-        """What 1 mm along the axis of the angle and along the axis of each panel stands for."""
-        found = [scale_of("mu_phi", drawn.panels[0].x_scale, "°/mm")]
+        """What 1 mm along the axis of the angle, in degrees and in radians, and along the axis of each panel stands
+        for."""
+        across = drawn.panels[0].x_scale
+        found = [scale_of("mu_phi", across, "°/mm"), scale_of("mu_phi", math.radians(across), "rad/mm")]
         for (name, unit), panel in zip(names, drawn.panels, strict=True):
             found.append(scale_of(name, panel.y_scale, unit))
         return found
+
+
+def letter(symbol: Symbol | str, tr: Translator) -> Parts:
+    """A symbol, or a base alone, as it is drawn, words of its indices translated; the change of a quantity as Δ and
+    its own letter."""
+    symbol = Symbol(symbol) if isinstance(symbol, str) else symbol
+    base = symbol.base.removeprefix("Delta").removeprefix("Δ")
+    drawn = lettered(replace(symbol, base=base or symbol.base), lambda word: tr.pgettext("index", word))
+    assert drawn is not None
+    return ("Δ", drawn) if base not in ("", symbol.base) else (drawn,)
 
 
 def plot(

@@ -18,6 +18,8 @@ from tmm_report.i18n import Translator
 from tmm_report.quantity.ref import Ref, attributes, without_attributes
 from tmm_report.quantity.symbols import GREEK, latex_escape, xml_escape
 from tmm_report.report.layout import Cell, Words
+from tmm_report.report.sheets import CAPTION, Sheet, percent, sheet_of
+from tmm_report.report.sheets import PAGE as PAGE
 
 
 class Mathematics(Protocol):
@@ -28,30 +30,17 @@ class Mathematics(Protocol):
     def mathml(self, tr: Translator) -> str: ...
 
 
-PAGE = (165.0, 228.0)  # mm: the largest picture
-
-
-def percent(picture: Drawing | Graph) -> int:
-    """To how many per cent of its size a picture is reduced to fit the page; 100: not at all."""
-    wide, tall = picture.size
-    if turned(picture):
-        wide, tall = tall, wide
-    return min(100, int(100 * min(PAGE[0] / wide, PAGE[1] / tall)))
-
-
-def turned(picture: Drawing | Graph) -> bool:
-    """Whether a drawing too wide for the page stands on its side in it, so that it keeps its scale or more of it."""
-    wide, tall = picture.size
-    upright, aside = min(PAGE[0] / wide, PAGE[1] / tall), min(PAGE[0] / tall, PAGE[1] / wide)
-    return isinstance(picture, Drawing) and upright < 1 and aside > upright
-
-
 @dataclass
 class Html:
-    """One self-contained file: pictures stand in it as svg."""
+    """One self-contained file: pictures stand in it as svg.
+
+    `waiting`: figures that have sheets of their own. They stand before the next figure or heading, together, so that
+    the text is broken once.
+    """
 
     name = "html"
     files: dict[str, bytes] = field(default_factory=dict)
+    waiting: list[tuple[Sheet, float, Markup]] = field(default_factory=list)
 
     def escape(self, text: str) -> Markup:
         return Markup(xml_escape(text))
@@ -70,8 +59,27 @@ class Html:
         return Markup(text if size == 1 else f'<span style="font-size:{100 * size:.0f}%">{text}</span>')
 
     def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
-        # the style sheet reduces what is larger than the page
-        return Markup(svg(picture, turned(picture)) if isinstance(picture, Drawing) else picture.svg())
+        return Markup(svg(_drawing(picture)))
+
+    def placed(self, figure: Markup, picture: Drawing | Graph) -> Markup:
+        """A figure with its caption where it stands: in the text after those that wait, or among them."""
+        sheet = sheet_of(picture.size)
+        if sheet is None:
+            return self.due() + figure
+        self.waiting.append((sheet, picture.size[1] + CAPTION, figure))
+        return Markup("")
+
+    def due(self) -> Markup:
+        """The sheets of the figures that wait; those that one sheet holds stand one above another."""
+        sheets: list[tuple[Sheet, float, Markup]] = []
+        for sheet, tall, figure in self.waiting:
+            if sheets and sheets[-1][0] == sheet and sheets[-1][1] + tall <= sheet.field[1]:
+                _, taken, above = sheets.pop()
+                tall, figure = taken + tall, above + figure
+            sheets.append((sheet, tall, figure))
+        self.waiting.clear()
+        drawn = [f'<div class="sheet {sheet.name}">\n{figure}</div>\n' for sheet, _, figure in sheets]
+        return Markup("".join(drawn))
 
 
 @dataclass
@@ -94,16 +102,35 @@ class Tex:
         )
 
     def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
-        drawn = isinstance(picture, Drawing)
-        name = f"figures/{anchor}.{'tex' if drawn else 'pdf'}"
-        self.files[name] = tikz(picture).encode() if isinstance(picture, Drawing) else picture.pdf()
-        command = f"\\{'input' if drawn else 'includegraphics'}{{{name}}}"
-        command = f"\\rotatebox{{90}}{{{command}}}" if turned(picture) else command
-        size = percent(picture) / 100
+        name = f"figures/{anchor}.tex"
+        self.files[name] = tikz(_drawing(picture)).encode()
+        command = f"\\input{{{name}}}"
+        size = percent(picture.size) / 100
         return Markup(f"\\scalebox{{{size}}}{{{command}}}" if size < 1 else command)
+
+    def sheet(self, picture: Drawing | Graph) -> Markup:
+        """Of a picture on a sheet of its own: width and height of the paper and of what is printed on it, margins to
+        the left and above."""
+        found = sheet_of(picture.size)
+        sizes = () if found is None else (found.wide, found.tall, *found.field, *found.corner)
+        return Markup("".join(f"{{{size:g}mm}}" for size in sizes))
+
+
+class Png(Tex):
+    """The figures alone, each a picture: the text, by which they are numbered, is left out."""
+
+    def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
+        from tmm_report.figures.raster import png
+
+        self.files[f"figures/{anchor}.png"] = png(_drawing(picture))
+        return Markup("")
 
 
 Format = Html | Tex
+
+
+def _drawing(picture: Drawing | Graph) -> Drawing:
+    return picture if isinstance(picture, Drawing) else picture.drawing
 
 
 # --- lines of formulas ---
@@ -151,6 +178,7 @@ _TEX_SIGNS = {
     "−": "$-$", "·": "$\\cdot$", "°": "$^{\\circ}$", "→": "$\\to$", "×": "$\\times$", "≤": "$\\leqslant$",
     "≥": "$\\geqslant$", "±": "$\\pm$", "≈": "$\\approx$", "∥": "$\\parallel$", "⟂": "$\\perp$", "≠": "$\\neq$",
     "\N{NO-BREAK SPACE}": "~", "\N{NARROW NO-BREAK SPACE}": "\\,", "‖": "$\\parallel$", "∞": "$\\infty$",
+    "↻": "$\\circlearrowright$", "↺": "$\\circlearrowleft$",
     "\n": " ", "\t": " ", "’": "'", "φ": "$\\varphi$", "ε": "$\\varepsilon$",
 }  # fmt: skip
 _SIGNS = _GREEK_MACRO | _TEX_SIGNS

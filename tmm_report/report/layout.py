@@ -20,13 +20,17 @@ WHOLE = 20  # rows: a longer table may be cut by the end of a page
 
 
 class Cell(str):
-    """A printed number, or a word that stands for one, that knows where it stands in the results."""
+    """A printed number, or a word that stands for one, that knows where it stands in the results.
+
+    `full`: the number with the zeros at its end that were left out.
+    """
 
     ref: Ref
+    full: str
 
-    def __new__(cls, text: str, ref: Ref) -> Cell:
+    def __new__(cls, text: str, ref: Ref, full: str = "") -> Cell:
         cell = super().__new__(cls, text)
-        cell.ref = ref
+        cell.ref, cell.full = ref, full or text
         return cell
 
 
@@ -75,12 +79,54 @@ def worded(
     caption: Any, head: Sequence[Any], rows: Iterable[Sequence[Any]], shares: Sequence[float]
 ) -> Table:
     """A table with text in its cells; widths in proportion to `shares`, but no word of the head is broken."""
+    head, lines, shares = _told(head, [list(row) for row in rows], shares)
     least = [(PADDING + CHAR * _longest_word(str(cell))) / TEXT_WIDTH for cell in head]
     wide = [max(0.0, share / sum(shares) - low) for share, low in zip(shares, least, strict=True)]
     room = max(0.0, 1 - sum(least)) / (sum(wide) or 1.0)
     whole = sum(least) + room * sum(wide)
     parts = [(low + room * more) / whole for low, more in zip(least, wide, strict=True)]
-    return Table(caption, [Part(head, [list(row) for row in rows], parts)], words=True)
+    return Table(caption, [Part(head, _aligned(lines), parts)], words=True)
+
+
+DASH = "\N{EM DASH}"
+
+
+def _told(
+    head: Sequence[Any], rows: list[list[Any]], shares: Sequence[float]
+) -> tuple[list[Any], list[list[Any]], list[float]]:
+    """The columns that say something: one of dashes alone is left out, the first stays."""
+    kept = [k for k in range(len(head)) if k == 0 or not rows or any(str(row[k]) != DASH for row in rows)]
+    return [head[k] for k in kept], [[row[k] for k in kept] for row in rows], [shares[k] for k in kept]
+
+
+def _aligned(rows: list[list[Any]]) -> list[list[Any]]:
+    """Numbers of one column of the results with as many decimals under one another as their digits allow."""
+    columns = [padded(column) for column in zip(*rows, strict=True)]
+    return [list(row) for row in zip(*columns, strict=True)]
+
+
+def padded(cells: Sequence[Any]) -> Sequence[Any]:
+    """Numbers of one column of the results with as many decimals as their digits allow; other cells as they are."""
+    numbers = [cell for cell in cells if isinstance(cell, Cell) and _DECIMAL.fullmatch(cell.full)]
+    if len({(cell.ref.key, cell.ref.by, cell.ref.unit) for cell in numbers}) != 1:
+        return cells
+    most = max(map(_decimals, numbers))
+    return [_to(cell, most) if any(cell is number for number in numbers) else cell for cell in cells]
+
+
+def _to(cell: Cell, places: int) -> Cell:
+    """The number with so many decimals, or as many as it was rounded to."""
+    known, own = _decimals(cell.full), _decimals(cell)
+    more = min(places, known) - own
+    return Cell(cell.full[: len(cell.full) - (known - own - more)], cell.ref, cell.full) if more > 0 else cell
+
+
+_DECIMAL = re.compile(r"[−-]?\d+[.,]\d+")
+
+
+def _decimals(text: str) -> int:
+    match = re.search(r"[.,](\d+)$", text)
+    return len(match[1]) if match else 0
 
 
 def _longest_word(text: str) -> int:
@@ -89,7 +135,11 @@ def _longest_word(text: str) -> int:
 
 
 def numeric(caption: Any, first: Column, columns: Sequence[Column]) -> Table:
-    """A table of numbers, cut into parts as wide as the page; each begins with the first column."""
+    """A table of numbers, cut into parts as wide as the page; each begins with the first column.
+
+    A column of dashes alone is left out.
+    """
+    columns = [column for column in columns if not column.cells or any(c != DASH for c in column.cells)]
     return Table(caption, [_part([first, *block]) for block in _blocks(columns, TEXT_WIDTH - first.width)])
 
 

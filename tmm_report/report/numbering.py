@@ -40,6 +40,7 @@ class Numbering:
     _secret: str = field(default_factory=lambda: f"later{token_hex(16)}")
     _counts: dict[Hashable, int] = field(default_factory=dict)
     _explained: set[Hashable] = field(default_factory=set)
+    _front: int | None = None  # where the next section of what stands in front is put
 
     def section(self, title: str, level: int = 1, label: str = "") -> Place:
         """The next section of a level: 1, 2, ...; 2.1, 2.2, ..."""
@@ -52,8 +53,26 @@ class Numbering:
     def unnumbered(self, title: str, label: str) -> Place:
         """A chapter without a number, as conclusions and references are."""
         place = self._keep(label, Place("", f"section-{label.rpartition(':')[2]}"))
-        self.sections.append(Section(place, title, 1))
+        at = len(self.sections) if self._front is None else self._front
+        self.sections.insert(at, Section(place, title, 1))
+        if self._front is not None:
+            self._front += 1
         return place
+
+    @property
+    def chapters(self) -> list[Section]:
+        """The numbered chapters."""
+        return [section for section in self.sections if section.level == 1 and section.place.number]
+
+    def has(self, label: str) -> bool:
+        return label in self.places
+
+    def begin_front(self) -> None:
+        """What is written now stands before all that is written already."""
+        self._front = 0
+
+    def end_front(self) -> None:
+        self._front = None
 
     def take(self, kind: str, label: str = "") -> Place:
         """The next number of a kind: "figure", "table", "formula"."""

@@ -7,7 +7,7 @@ the macros `m` and the functions of `Page`.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache
 from typing import Any, ParamSpec, TypeVar
 
@@ -20,7 +20,7 @@ from markupsafe import Markup
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.graphs import Graph
 from tmm_report.i18n import Translator
-from tmm_report.problems import Message
+from tmm_report.problems import N_, Message
 from tmm_report.quantity.formula import Formula, Inline, Var
 from tmm_report.quantity.model import Column, Table, Value
 from tmm_report.quantity.symbols import Symbol, math_symbol
@@ -28,9 +28,12 @@ from tmm_report.quantity.text import column, number, unit_text
 from tmm_report.quantity.written import Equation, explained
 from tmm_report.report import layout
 from tmm_report.report.bytecode import bytecode_cache
-from tmm_report.report.formats import Format, percent
+from tmm_report.report.formats import Format
 from tmm_report.report.layout import Cell, Words
 from tmm_report.report.numbering import Numbering
+from tmm_report.report.sheets import percent
+from tmm_report.report.sources import SOURCES
+from tmm_report.report.symbol_list import SymbolList
 from tmm_report.resources import data_root
 
 P = ParamSpec("P")
@@ -74,6 +77,8 @@ class Page:
 
     def __init__(self, form: Format, tr: Translator, numbering: Numbering):
         self.form, self.tr, self.numbering = form, tr, numbering
+        self.symbols = SymbolList()
+        self.cited: list[str] = []
         self._made: dict[tuple[Any, ...], Any] = {}
 
     def once(self, make: Callable[P, T], *arguments: P.args, **named: P.kwargs) -> T:
@@ -98,8 +103,10 @@ class Page:
     def explained(self, name: str, of: Value | Column, unit: str = "") -> dict[str, Any]:
         """What a "where" list says of a quantity; `name`: by which it knows what was explained before."""
         quantity = of.quantity
-        meaning = self.message(quantity.meaning)
-        return {"id": name, "symbol": quantity.symbol, "meaning": meaning, "unit": unit}
+        said = self.message(quantity.meaning)
+        return {
+            "id": name, "symbol": quantity.symbol, "meaning": said, "unit": unit, "message": quantity.meaning,
+        }  # fmt: skip
 
     def _filled(self, text: str, values: dict[str, Any]) -> Markup:
         out, end = [], 0
@@ -129,18 +136,42 @@ class Page:
 
         Segments differ only by their ends, which name themselves: one of them is explained for all.
         """
-        return [
-            {
-                "symbol": sign,
-                "id": "segment" if sign.kind == "segment" else sign,
-                "meaning": self.message(meaning),
-                "unit": unit,
-            }
-            for sign, meaning, unit in explained(*formulas)
-        ]
+        items = []
+        for sign, meaning, unit in explained(*formulas):
+            key = "segment" if sign.kind == "segment" else sign
+            said = self.message(meaning)
+            items.append({"symbol": sign, "id": key, "meaning": said, "unit": unit, "message": meaning})
+        return items
+
+    def fresh(self, items: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
+        """Those of a "where" list that have not been explained before; all of them go into the list of symbols."""
+        for item in items:
+            sign = math_symbol(item["symbol"]) if isinstance(item["symbol"], str) else item["symbol"]
+            if isinstance(sign, Symbol):
+                self.symbols.add(sign, item.get("message", item["meaning"]), item.get("unit", ""))
+        return self.numbering.fresh(items)
+
+    def contents(self) -> list[Markup]:
+        """The numbered chapters written so far, by their titles."""
+        text = N_("%(title)s (section %(n)s)")
+        return [self.t(text, title=one.title, n=one.place.number) for one in self.numbering.chapters]
+
+    # ------------------------------------------------------------ sources
+
+    def source(self, name: str) -> int:
+        """The number of a source in the list of references, which has those that are cited, in their order."""
+        if name not in self.cited:
+            self.cited.append(name)
+        return self.cited.index(name) + 1
+
+    def references(self) -> list[Markup]:
+        return [self.t(SOURCES[name]) for name in self.cited]
+
+    # ------------------------------------------------------------ mathematics
 
     def percent(self, picture: Drawing | Graph) -> int:
-        return percent(picture)
+        """To how many per cent a picture is reduced that no sheet holds; 100: it is not."""
+        return percent(picture.size)
 
     def math(self, item: Any, display: bool = False) -> Markup:
         return self.form.math(item, self.tr, display)
@@ -160,6 +191,10 @@ class Page:
 
     def num(self, x: float, digits: int = 5, places: int | None = None, scale: float = 1.0) -> str:
         return number(float(x), digits, self.tr.decimal, places, scale)
+
+    def _full(self, x: float, digits: int, places: int | None, scale: float) -> str:
+        """The number with the zeros at its end."""
+        return number(float(x), digits, self.tr.decimal, places, scale, keep_zeros=True)
 
     def col(self, values: Iterable[float], digits: int = 5) -> list[str]:
         """A table column."""
@@ -188,6 +223,7 @@ class Page:
         `unit`: of print; `size`: magnitudes; `rows`: only the first so many.
         """
         column = table[key]
+        self.symbols.add(column.symbol(), column.meaning, unit or column.unit)
         numbers = column.numbers(unit)[:rows]
         texts = self.col(np.abs(numbers) if size else numbers, digits)
         cells = [Cell(text, table.ref(key, row, unit, size)) for row, text in enumerate(texts)]
@@ -210,7 +246,8 @@ class Page:
             number, ref = of.number(unit), of.ref(unit, size)
         else:
             number, ref = of[key].number(row, unit), of.ref(key, row, unit, size)
-        return Cell(self.num(abs(number) if size else number, digits, places, scale), ref)
+        number = abs(number) if size else number
+        return Cell(self.num(number, digits, places, scale), ref, self._full(number, digits, places, scale))
 
     def word(self, text: str | Markup, table: Table, key: str, row: int) -> Cell | Words:
         """A translated word or a name that stands for a cell of the results."""

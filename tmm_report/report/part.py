@@ -8,6 +8,10 @@ from typing import Any, NamedTuple, Protocol
 from markupsafe import Markup
 
 
+class Failed(Markup):
+    """A line of the conclusions that says what failed: such lines come first."""
+
+
 class View(Protocol):
     """What a chapter's template prints."""
 

@@ -8,57 +8,77 @@ from functools import cached_property
 import numpy as np
 
 from tmm_report.figures.drawing import Drawing
-from tmm_report.figures.scheme import Arrays, groups_apart, positions_scheme, scheme, standard_scale
+from tmm_report.figures.scheme import Arrays, apart_scale, groups_apart, positions_scheme, scheme
+from tmm_report.figures.strokes import Stroke
+from tmm_report.mechanics.cam_group import standing
 from tmm_report.mechanics.mechanism import FRAME, Mechanism
 from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.structure import Group
 from tmm_report.quantity.formula import Var
 from tmm_report.report.diagrams import scale_of
-from tmm_report.report.formats import percent
 
 
 class Schemes:
     """`table`, `paths`: the motion at the table positions and at those by which paths are drawn; `count`: distinct
-    table positions; `length_scale`: m/mm of the plans' construction."""
+    table positions; `scale`: m/mm, that of the plans' construction."""
 
-    def __init__(self, mechanism: Mechanism, table: Motion, paths: Motion, count: int, length_scale: float):
-        self.mechanism, self.table, self.paths = mechanism, table, paths
-        self.count, self.length_scale = count, length_scale
+    def __init__(self, mechanism: Mechanism, table: Motion, paths: Motion, count: int, scale: float):
+        self.mechanism, self.table, self.paths = mechanism.real, table, paths
+        self.count, self.scale = count, scale
 
     def one(self, position: int) -> Drawing:
         places, turns = self._whole
         zero = complex(self.table.turn(self.mechanism.driver.link)[0])
         return scheme(self.mechanism, places, turns, self.scale, position, zero)
 
-    def all(self, position: int) -> Drawing:
-        """All positions, one of them drawn in full."""
+    def all(self, position: int, strokes: Sequence[Stroke] = ()) -> Drawing:
+        """All positions, one of them drawn in full; working `strokes` are marked."""
         places, turns = self._distinct
+        centres = [link.mass_centre for link in self.mechanism.links.values() if link.mass_centre]
         return positions_scheme(
-            self.mechanism, places, turns, self.scale, position % self.count, self._traced
+            self.mechanism,
+            places,
+            turns,
+            self.scale,
+            position % self.count,
+            self._traced,
+            centres,
+            strokes,
         )
 
     def groups(self, groups: Sequence[Group], position: int) -> Drawing:
-        places, turns = self._whole
-        driver = self.mechanism.driver.link
-        named = [(f"I(0,{driver})", (FRAME, driver)), *((group.label, group.links) for group in groups)]
-        return groups_apart(self.mechanism, places, turns, named, position)
+        mechanism, places, turns, k = self._replaced(position)
+        return groups_apart(mechanism, places, turns, self._named(groups), k, self._apart(groups, position))
 
     def scale_var(self) -> Var:
         """mu_l with the scale at which the schemes are drawn."""
         return scale_of("mu_l", self.scale, "m/mm")
 
-    @cached_property
-    def scale(self) -> float:
-        """m/mm: the scale of the plans' construction where the scheme of all positions fits a page at it."""
-        places, turns = self._distinct
-        drawn = positions_scheme(self.mechanism, places, turns, self.length_scale, 0, self._traced)
-        if percent(drawn) == 100:
-            return self.length_scale
-        return standard_scale(self.mechanism, places, turns)
+    def groups_var(self, groups: Sequence[Group], position: int) -> Var:
+        """mu_l with the scale at which the groups are drawn apart."""
+        return scale_of("mu_l", self._apart(groups, position), "m/mm")
+
+    def _apart(self, groups: Sequence[Group], position: int) -> float:
+        """m/mm: the scale of the schemes, or a coarser one where the groups do not fit a page at it."""
+        mechanism, places, turns, k = self._replaced(position)
+        return apart_scale(mechanism, places, turns, self._named(groups), k, self.scale)
+
+    def _replaced(self, position: int) -> tuple[Mechanism, Arrays, Arrays, int]:
+        """The mechanism, its places and turns, and the position in them: where there are cam pairs, of the mechanism in
+        which links replace them in this one position."""
+        if not self.mechanism.cams:
+            return self.mechanism, *self._whole, position
+        motion = standing(self.table, position)
+        mechanism = motion.linkage.mechanism
+        return mechanism, *_seen(mechanism, motion), 0
+
+    def _named(self, groups: Sequence[Group]) -> list[tuple[str, Sequence[str]]]:
+        driver = self.mechanism.driver.link
+        return [(f"I(0,{driver})", (FRAME, driver)), *((group.label, group.links) for group in groups)]
 
     @cached_property
     def _whole(self) -> tuple[Arrays, Arrays]:
-        return self._seen(self.table)
+        return _seen(self.mechanism, self.table)
 
     @cached_property
     def _distinct(self) -> tuple[Arrays, Arrays]:
@@ -68,10 +88,11 @@ class Schemes:
 
     @cached_property
     def _traced(self) -> Arrays:
-        return self._seen(self.paths)[0]
+        return _seen(self.mechanism, self.paths)[0]
 
-    def _seen(self, motion: Motion) -> tuple[Arrays, Arrays]:
-        places = {point: motion.place(point) for point in self.mechanism.point_names}
-        turns = {link: motion.turn(link) for link in self.mechanism.moving}
-        places, turns = ({k: np.broadcast_to(x, motion.shape) for k, x in a.items()} for a in (places, turns))
-        return places, turns
+
+def _seen(mechanism: Mechanism, motion: Motion) -> tuple[Arrays, Arrays]:
+    places = {point: motion.place(point) for point in mechanism.point_names}
+    turns = {link: motion.turn(link) for link in mechanism.moving}
+    places, turns = ({k: np.broadcast_to(x, motion.shape) for k, x in a.items()} for a in (places, turns))
+    return places, turns

@@ -10,7 +10,7 @@ from tmm_report.problems import N_
 from tmm_report.report.page import Page
 
 SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
-PAIR_KINDS = {"R": N_("revolute"), "P": N_("prismatic")}
+PAIR_KINDS = {"R": N_("revolute"), "P": N_("prismatic"), "H": N_("higher")}
 COMPASS = {1: N_("to the right"), -1: N_("to the left"), 1j: N_("upwards"), -1j: N_("downwards")}
 ALONG_POINT = {
     "along": N_("along the motion of the point"),

@@ -58,6 +58,7 @@ SECTIONS = {
     "harmonics": N_("Harmonics of the motion"),
     "vibration": N_("Vibration and its isolation"),
     "contacts": N_("Friction in single pairs"),
+    "cam": N_("Cam pair"),
     "efficiency": N_("Efficiency of machines joined"),
     "wear": N_("Wear"),
     "drive": _DRIVE,

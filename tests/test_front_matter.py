@@ -1,0 +1,154 @@
+"""What stands before and behind the chapters: list of symbols, introduction, conclusions, references."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from markupsafe import Markup
+from notes import note as note_of
+
+from tmm_report.i18n import Translator
+from tmm_report.problems import Message
+from tmm_report.quantity.ref import Ref
+from tmm_report.quantity.symbols import Symbol
+from tmm_report.report import _conclusions
+from tmm_report.report.formats import Html
+from tmm_report.report.layout import Cell, Column, numeric, worded
+from tmm_report.report.numbering import Numbering
+from tmm_report.report.page import Page
+from tmm_report.report.part import Failed, Part
+from tmm_report.report.symbol_list import SymbolList
+
+
+def page() -> Page:
+    return Page(Html(), Translator("en"), Numbering())
+
+
+def words(markup) -> str:
+    return re.sub(r"\s+", " ", re.sub(r"<[^>]+>", " ", markup)).strip()
+
+
+# --- list of symbols ---
+
+
+def velocity(point: str) -> tuple[Symbol, Message, str]:
+    return Symbol("v", point), Message("velocity of point %(of)s", {"of": point}), "m/s"
+
+
+def lines(*symbols) -> list[tuple[str, str]]:
+    gathered = SymbolList()
+    for one in symbols:
+        gathered.add(*one)
+    return [(words(line.symbols), words(line.meaning)) for line in gathered.lines(page())]
+
+
+def test_points_of_one_meaning_are_one_line():
+    assert lines(velocity("A"), velocity("B"), velocity("A")) == [("v A , v B", "velocity of point A, B")]
+
+
+def test_of_many_points_the_first_and_the_last_are_named():
+    assert lines(*map(velocity, "ABCDE")) == [("v A , v B , …, v E", "velocity of point i")]
+
+
+def test_where_two_names_differ_letters_stand_for_them():
+    reactions = [
+        (Symbol("R", i + j), Message("reaction of link %(a)s on link %(b)s", {"a": i, "b": j}), "N")
+        for i, j in ("01", "12", "23")
+    ]
+    assert lines(*reactions) == [("R 01 , R 12 , R 23", "reaction of link i on link j")]
+
+
+def test_latin_letters_stand_before_greek_ones():
+    plain = [(Symbol(base), Message(base), "") for base in ("omega", "v", "alpha", "M", "a")]
+    assert [symbol for symbol, _ in lines(*plain)] == ["a", "M", "v", "α", "ω"]
+
+
+def test_a_fuller_wording_stands_for_the_shorter_one():
+    diameter = Symbol("d", "a")
+    found = lines(
+        (diameter, Markup("tip diameter"), "m"), (diameter, Message("tip diameter of wheel 1"), "m")
+    )
+    assert found == [("d a", "tip diameter of wheel 1")]
+
+
+def test_segments_name_themselves():
+    assert lines((Symbol("pb", kind="segment"), Message("length of a vector"), "mm")) == []
+
+
+# --- the note as a whole ---
+
+
+@pytest.fixture(scope="module")
+def note() -> str:
+    return note_of("rotor", "html")["note.html"].decode()
+
+
+def test_what_stands_in_front_comes_before_the_chapters(note):
+    heads = [words(head) for head in re.findall(r"<h1[^>]*>(.*?)</h1>", note, re.DOTALL)]
+    assert heads[:3] == ["Содержание", "Перечень обозначений", "Введение"]
+    assert heads[-2:] == ["Заключение", "Список литературы"]
+    contents = [words(line) for line in re.findall(r'<p class="level1">(.*?)</p>', note)]
+    assert contents == heads[1:]
+
+
+def test_every_source_is_cited_and_every_citation_has_its_source(note):
+    cited = {int(n) for n in re.findall(r'href="#source(\d+)"', note)}
+    listed = {int(n) for n in re.findall(r'id="source(\d+)"', note)}
+    assert cited == listed and listed == set(range(1, len(listed) + 1))
+
+
+def test_sources_are_numbered_as_they_are_first_cited(note):
+    seen = list(dict.fromkeys(int(n) for n in re.findall(r'href="#source(\d+)"', note)))
+    assert seen == sorted(seen)
+
+
+def test_the_introduction_names_the_chapters(note):
+    start = note.index('id="section-introduction"')
+    listed = [words(item) for item in re.findall(r"<li>(.*?)</li>", note[start:])][:1]
+    chapters = [words(h) for h in re.findall(r"<h1[^>]*>(.*?)</h1>", note) if re.match(r"\s*\d", words(h))]
+    assert [f"{title} (раздел {n})" for n, title in (c.split(" ", 1) for c in chapters)][:1] == [
+        listed[0].rstrip(".;")
+    ]
+
+
+def test_what_failed_comes_first_in_the_conclusions():
+    def view(*said: str) -> object:
+        return type("View", (), {"conclusions": lambda self: list(said)})()
+
+    parts = [Part("a", view(Markup("found"))), Part("b", view(Failed("failed"), Markup("found too")))]
+    assert _conclusions(parts) == ["failed", "found", "found too"]
+
+
+# --- tables ---
+
+
+def cell(text: str, full: str, key: str = "h") -> Cell:
+    return Cell(text, Ref(key, 0, "arms"), full)
+
+
+def column_of(table, number: int) -> list[str]:
+    return [row[number] for row in table.parts[0].rows]
+
+
+def test_zeros_at_the_end_stand_under_longer_decimals():
+    rows = [["R", cell("27.4", "27.400")], ["P", cell("74.92", "74.920")], ["G", cell("5", "5.0000")]]
+    assert column_of(worded("arms", ["force", "arm"], rows, [1, 1]), 1) == ["27.40", "74.92", "5.00"]
+
+
+def test_no_digit_is_added_that_was_not_computed():
+    rows = [["R", cell("1234.5", "1234.5")], ["P", cell("0.12345", "0.12345")]]
+    assert column_of(worded("arms", ["force", "arm"], rows, [1, 1]), 1) == ["1234.5", "0.12345"]
+
+
+def test_different_quantities_keep_their_own_decimals():
+    rows = [["m", cell("1.5", "1.5000", "m")], ["J", cell("0.0135", "0.013500", "J")]]
+    assert column_of(worded("given", ["what", "value"], rows, [1, 1]), 1) == ["1.5", "0.0135"]
+
+
+def test_a_column_of_dashes_is_left_out():
+    rows = [["A", "—", "1"], ["B", "—", "—"]]
+    table = worded("points", ["point", "x", "y"], rows, [1, 1, 1])
+    assert list(table.parts[0].head) == ["point", "y"]
+    columns = [Column("v", ["—", "—"]), Column("a", ["1", "—"])]
+    assert list(numeric("rates", Column("k", ["0", "1"]), columns).parts[0].head) == ["k", "a"]

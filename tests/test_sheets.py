@@ -1,0 +1,139 @@
+"""Pictures on paper at their own size: which sheet holds one, where it comes, that nothing is turned or reduced."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from markupsafe import Markup
+from notes import program
+
+from tmm_report.commands.pdf import compile_pdf
+from tmm_report.figures.drawing import Drawing, line
+from tmm_report.i18n import Translator
+from tmm_report.report.formats import Html, Tex
+from tmm_report.report.numbering import Numbering
+from tmm_report.report.page import Page, template
+from tmm_report.report.sheets import CAPTION, PAGE, SHEETS, fits, percent, sheet_of
+from tmm_report.resources import data_root
+
+SIZES = st.tuples(st.floats(1, 1200), st.floats(1, 1200))
+
+
+def across(size: float, tall: float = 0.0) -> Drawing:
+    """A line as long as a size, mm, over another line."""
+    return Drawing((line(0, complex(size)), line(0, complex(0, tall))), margin=0.0)
+
+
+@pytest.mark.parametrize(
+    ("size", "name"),
+    [
+        ((166, 100), "a4"), ((261, 150), "a4"), ((261, 151), "a3"), ((375, 242), "a3"), ((200, 300), "a3tall"),
+        ((500, 200), "a4x3"), ((500, 300), "a2"), ((300, 500), "a2tall"), ((700, 500), "a1"), ((500, 700), "a1tall"),
+    ],
+)  # fmt: skip
+def test_the_smallest_sheet_that_holds_a_picture(size, name):
+    assert sheet_of(size).name == name and percent(size) == 100
+
+
+def test_what_the_text_holds_stands_in_it():
+    assert sheet_of(PAGE) is None and fits(PAGE) and sheet_of((10.0, 229.0)) is not None
+
+
+@given(SIZES)
+def test_only_what_no_sheet_holds_is_reduced(size):
+    sheet = sheet_of(size)
+    held = fits(size) or any(one.holds(size) for one in SHEETS)
+    assert (percent(size) == 100) == held
+    if not held:
+        share = percent(size) / 100
+        assert size[0] * share <= sheet.field[0] and size[1] * share <= sheet.field[1] - CAPTION
+
+
+def test_the_style_sheet_has_the_same_sheets():
+    style = (data_root() / "templates" / "style.css").read_text("utf-8")
+    for sheet in SHEETS:
+        size = re.search(
+            rf"@page {sheet.name} \{{ size: (\d+)mm (\d+)mm; margin: (\d+)mm (\d+)mm (\d+)mm (\d+)mm", style
+        )
+        wide, tall, above, right, below, left = map(float, size.groups())
+        assert (wide, tall) == (sheet.wide, sheet.tall) and (left, above) == sheet.corner
+        assert (wide - left - right, tall - above - below) == sheet.field
+        assert f".{sheet.name} {{ page: {sheet.name}; width: {sheet.field[0]:g}mm" in style
+
+
+# --- HTML
+
+
+def figure(name: str) -> Markup:
+    return Markup(f"<figure>{name}</figure>")
+
+
+def test_sheets_wait_for_the_next_figure_and_keep_the_order():
+    form = Html()
+    assert form.placed(figure("1"), across(200)) == form.placed(figure("2"), across(400)) == ""
+    text = form.placed(figure("3"), across(100))
+    assert re.findall(r'sheet (\w+)|<figure>(\d)', text) == [
+        ("a4", ""), ("", "1"), ("a4x3", ""), ("", "2"), ("", "3")
+    ]  # fmt: skip
+    assert form.due() == ""
+
+
+def test_a_sheet_takes_as_many_figures_as_it_holds():
+    form = Html()
+    for k, tall in enumerate((60, 60, 60)):
+        form.placed(figure(str(k)), across(200, tall))
+    assert [sheet.count("<figure>") for sheet in form.due().split('<div class="sheet')[1:]] == [2, 1]
+
+
+def test_a_picture_is_drawn_at_its_size_and_never_turned():
+    svg = Html().picture(across(300, 5), "figure1")
+    assert 'width="300mm" height="5mm"' in svg and "rotate" not in svg
+    assert Tex().picture(across(300, 5), "figure1") == "\\input{figures/figure1.tex}"
+
+
+# --- LaTeX
+
+
+def note(*sizes: tuple[float, float]) -> dict[str, bytes]:
+    """Text with a figure of each size behind each paragraph."""
+    page = Page(Tex(), Translator("en"), Numbering())
+    given = {"page": page, "title": None} | {
+        name: getattr(page, name) for name in ("t", "math", "sym", "unit", "listed")
+    }
+    m = template("macros.tex.j2").make_module(given)
+    body = [m.p("Text.") + m.figure(across(*size), f"of {size[0]} mm") for size in sizes]
+    text = template("report.tex.j2").render(given | {"m": m, "head": "", "body": body})
+    return {"note.tex": text.encode(), **page.form.files}
+
+
+def printed(files: dict[str, bytes], folder) -> list[tuple[float, float, list[str]]]:
+    """Width and height of each page, mm, and its words."""
+    (folder / "note.pdf").write_bytes(compile_pdf(files))
+    said = subprocess.run(
+        [program("pdftotext"), "-bbox", str(folder / "note.pdf"), "-"],
+        capture_output=True,
+        text=True,
+        check=True,
+    ).stdout
+    pages = re.split(r"<page ", said)[1:]
+    found = []
+    for page in pages:
+        wide, tall = (
+            float(size) * 25.4 / 72 for size in re.findall(r'(?:width|height)="([\d.]+)"', page)[:2]
+        )
+        found.append((round(wide), round(tall), re.findall(r">([^<\s]+)</word>", page)))
+    return found
+
+
+def test_a_sheet_of_latex_follows_the_page_that_comes_to_it_and_pages_are_numbered_through(tmp_path):
+    pages = printed(note((100, 20), (250, 20), (200, 50), (400, 100), (100, 20), (300, 300)), tmp_path)
+    assert [page[:2] for page in pages] == [
+        (210, 297), (210, 297), (297, 210), (630, 297), (210, 297), (594, 420)
+    ]  # fmt: skip
+    assert [page[2][-1] for page in pages] == [str(k) for k in range(1, 7)]
+    figures = [re.findall(r"Figure (\d)", " ".join(words)) for *_, words in pages]
+    assert figures == [[], ["1"], ["2", "3"], ["4"], ["5"], ["6"]]
