@@ -13,9 +13,12 @@ if TYPE_CHECKING:
 
 def schemes_of(lever: LeverFound, page: Page) -> Schemes:
     """The schemes of the note, made once for all its chapters."""
+    return page.once(_schemes, lever)
+
+
+def _schemes(lever: LeverFound) -> Schemes:
     k = lever.kinematics
     # every turn goes through the same places: those of the first are drawn
     turns, count = k.cycle.turns, k.positions.diagram
     paths = k.diagram if turns == 1 else k.cycle.motion(k.cycle.once(count)[: count // turns + 1])
-    scale = lever.plans.length_scale
-    return page.once(Schemes, lever.given.mechanism, k.table, paths, k.distinct, scale)
+    return Schemes(lever.given.mechanism, k.table, paths, k.distinct, lever.plans.length_scale)

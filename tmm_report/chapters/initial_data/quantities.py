@@ -31,6 +31,10 @@ MASS = Quantity("m", Symbol("m"), "kg", Message(N_("mass of the link")))
 INERTIA = Quantity(
     "J", Symbol("J"), "kg·m²", Message(N_("moment of inertia of the link about its mass centre"))
 )
+AWAY = Quantity("l_about", Symbol("l"), "m", Message(N_("distance of that point from the mass centre")))
+STATED_INERTIA = Quantity(
+    "J_about", Symbol("J"), "kg·m²", Message(N_("moment of inertia of the link about that point"))
+)
 
 
 def length(ends: str) -> Quantity:
@@ -56,6 +60,7 @@ def values(lever: LeverFound) -> Iterator[Value]:
 
 
 def given_tables(mechanism: Mechanism) -> Iterator[Table]:
+    mechanism = mechanism.real  # links that replace cam pairs have no length of their own
     yield _dimensions(mechanism)
     fixed = mechanism.links[FRAME].points
     places = np.array(list(fixed.values()), dtype=complex)
@@ -107,6 +112,30 @@ def _dimensions(mechanism: Mechanism) -> Table:
     )
 
 
+def stated_inertia(link: Link) -> Quantity:
+    """About the point of the link that the variant names."""
+    about = link.stated[0] if link.stated else ""
+    text = N_("moment of inertia of link %(of)s about point %(about)s")
+    meaning = Message(text, {"of": link.name, "about": about})
+    return Quantity(f"J_{link.name},{about}", Symbol("J", f"{link.name},{about}"), "kg·m²", meaning)
+
+
+def _stated(links: list[Link]) -> Iterator[Column]:
+    """Where a moment of inertia is about another point than the mass centre: the point, how far it is, the moment."""
+    if not any(link.stated for link in links):
+        return
+    about = [link.stated[0] if link.stated else "" for link in links]
+    away = [
+        abs(link.points[x] - link.points[str(link.mass_centre)]) if x else math.nan
+        for x, link in zip(about, links, strict=True)
+    ]
+    signs = [length(f"{x}{link.mass_centre}").sign for x, link in zip(about, links, strict=True)]
+    yield text_column("about", Message(N_("point about which the moment of inertia is stated")), about)
+    yield Column(AWAY, away, signs)
+    stated = [link.stated[1] if link.stated else math.nan for link in links]
+    yield Column(STATED_INERTIA, stated, [stated_inertia(link).sign for link in links])
+
+
 def _masses(links: list[Link]) -> Table:
     return Table(
         "masses",
@@ -122,6 +151,7 @@ def _masses(links: list[Link]) -> Table:
                 [float(link.inertia) or math.nan for link in links],
                 [Symbol("J", link.name) for link in links],
             ),
+            *_stated(links),
         ),
     )
 
@@ -132,6 +162,8 @@ def _masses(links: list[Link]) -> Table:
 def given_values(mechanism: Mechanism, length_scale: float) -> Iterator[Value]:
     yield speed(mechanism)
     yield revolutions(mechanism)
+    if mechanism.driver.period is not None:
+        yield PERIOD.value(float(mechanism.driver.period))
     yield from cycle(mechanism)
     yield from scale(mechanism, length_scale)
 
@@ -141,6 +173,9 @@ def speed(mechanism: Mechanism) -> Value:
     driver = mechanism.driver
     meaning = Message(N_("angular velocity of the driving link"))
     return Quantity("omega", Symbol("omega", driver.link), "rad/s", meaning).value(float(driver.omega))
+
+
+PERIOD = Quantity("T_turn", Symbol("T"), "s", Message(N_("time of one turn of the driving link")))
 
 
 def revolutions(mechanism: Mechanism) -> Value:
@@ -169,17 +204,29 @@ MU_L = Quantity("mu_l", Symbol("mu", "l"), "m/mm", Message(N_("scale of lengths"
 
 
 def scale(mechanism: Mechanism, length_scale: float) -> Iterator[Value]:
-    """m/mm, and the length at which the driving link's arm is drawn."""
+    """m/mm, and the lengths at which the segments of the links are drawn."""
     yield MU_L.value(length_scale)
+    for ends, metres in segments(mechanism):
+        yield drawn(ends).value(metres / length_scale)
+
+
+def drawn(ends: str) -> Quantity:
+    """The length at which the segment between two points of a link is drawn."""
+    return Quantity(f"drawn_{ends}", segment(ends), "mm", SEGMENT)
+
+
+def segments(mechanism: Mechanism) -> list[tuple[str, float]]:
+    """Both ends and the length, m, of every segment of the links; of the driving link its arm, if no other."""
+    links = sized_links(mechanism.real)
+    found = {quantity.key.removeprefix("l_"): size for link in links for quantity, size in sizes(link.points)}
     if arm := driving_arm(mechanism):
-        ends, metres = arm
-        drawn = Quantity(f"drawn_{ends}", segment(ends), "mm", SEGMENT)
-        yield drawn.value(metres / length_scale)
+        found.setdefault(*arm)
+    return list(found.items())
 
 
 def driving_arm(mechanism: Mechanism) -> tuple[str, float] | None:
     """Both ends and the length, m, of the driving link from its pivot to its first other point; None without one."""
-    points = mechanism.links[mechanism.driver.link].points
+    points = mechanism.real.links[mechanism.driver.link].points
     pivot = driving_pivot(mechanism)
     pin = next((p for p in points if p != pivot), None)
     return None if pin is None else (pivot + pin, abs(points[pin] - points[pivot]))

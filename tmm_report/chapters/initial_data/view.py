@@ -43,7 +43,7 @@ class InitialData:
     def __init__(self, mechanism: Mechanism, schemes: Schemes, position: int, page: Page):
         self.mechanism, self.schemes, self.page = mechanism, schemes, page
         self.position = position
-        self.book = Book.of(q.given_tables(mechanism), q.given_values(mechanism, schemes.length_scale))
+        self.book = Book.of(q.given_tables(mechanism), q.given_values(mechanism, schemes.scale))
         self.t = page.t
 
     def conclusions(self) -> list[Markup]:
@@ -63,6 +63,12 @@ class InitialData:
 
     def omega(self) -> Markup:
         return self.page.value(self.book["omega"].var(size=True))
+
+    def from_period(self) -> Formula | None:
+        """The angular velocity from the time of a turn; None where the speed itself is stated."""
+        if "T_turn" not in self.book.values:
+            return None
+        return self.book["omega"].formula(2 * PI / self.book["T_turn"].var(), size=True)
 
     def speed(self) -> Formula:
         """Revolutions a minute from the angular velocity."""
@@ -102,7 +108,7 @@ class InitialData:
         """Points of the links, and their distances from the link's first point."""
         rows = [
             [link.name, ", ".join(link.points), self._sizes(q.sizes(link.points))]
-            for link in q.sized_links(self.mechanism)
+            for link in q.sized_links(self.mechanism.real)
         ]
         return worded(caption, [self.t("Link"), self.t("Points"), self.t("Dimensions")], rows, (1, 2, 7))
 
@@ -150,6 +156,16 @@ class InitialData:
             Column(self.page.head("J", "kg·m²"), inertias),
         ]
         return numeric(caption, self._names(table, "link", self.t("Link")), columns)
+
+    def steiner(self) -> list[Formula]:
+        """J_S = J − m l² of every link whose moment of inertia is stated about another point."""
+        heavy = q.heavy_links(self.mechanism)
+        return [self._steiner(row) for row, link in enumerate(heavy) if link.stated]
+
+    def _steiner(self, row: int) -> Formula:
+        table = self.book.tables["masses"]
+        away = table.var("m", row) * table.var("l_about", row) ** 2
+        return table.formula("J", row, table.var("J_about", row) - away)
 
     # ------------------------------------------------------------ guides
 

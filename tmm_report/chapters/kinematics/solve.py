@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
 from tmm_report.chapters.kinematics.given import Positions
 from tmm_report.chapters.kinematics.limits import Closest, Dead, Gap, closest, dead, gaps
+from tmm_report.chapters.kinematics.travels import Output as Output
+from tmm_report.chapters.kinematics.travels import Travel as Travel
+from tmm_report.chapters.kinematics.travels import driven, outputs, travels
 from tmm_report.chapters.structure.solve import Structure
-from tmm_report.mechanics.cycle import Cycle, Extreme, Quantity, Rate, Slope, cycle_of, least_and_greatest
-from tmm_report.mechanics.mechanism import FRAME
+from tmm_report.mechanics.cycle import Cycle, Extreme, cycle_of
 from tmm_report.mechanics.motion import SINGULAR, Linkage, Motion
-from tmm_report.mechanics.planar import dot
 from tmm_report.mechanics.relations import named_values
 from tmm_report.mechanics.singular import settle
 from tmm_report.problems import N_, Message, ProblemError, mistake
@@ -27,75 +28,6 @@ Extremes = tuple[Extreme, Extreme]
 def digits_left(sine: Array) -> Array:
     """Decimal digits of a double that remain where a group's sine is this: dividing by it costs -log10 of them."""
     return np.maximum(np.floor(15.95 + np.log10(np.maximum(sine, 1e-300))), 0.0)
-
-
-@dataclass(frozen=True)
-class Output:
-    """A link whose motion the course tabulates: a slider on a fixed guide, or a rocker on a fixed pivot.
-
-    `name`: the slider's point, or the rocker's link. `direction`: unit vector of positive displacement, or ±1.
-    """
-
-    kind: Literal["slider", "rocker"]
-    name: str
-    link: str
-    direction: complex
-
-    def rates(self, motion: Motion) -> tuple[Array, Array, Array]:
-        """Coordinate, velocity and acceleration, (..., P): m or rad. A rocker's angle is within ±π."""
-        return self.coordinate(motion), self.velocity(motion), self.acceleration(motion)
-
-    def coordinate(self, motion: Motion) -> Array:
-        if self.kind == "rocker":
-            return np.angle(motion.turn(self.name))
-        return dot(motion.place(self.name), self.direction)
-
-    def velocity(self, motion: Motion) -> Array:
-        if self.kind == "rocker":
-            return motion.angular_velocity(self.name) * np.real(self.direction)
-        return dot(motion.velocity(self.name), self.direction)
-
-    def acceleration(self, motion: Motion) -> Array:
-        if self.kind == "rocker":
-            return motion.angular_acceleration(self.name) * np.real(self.direction)
-        return dot(motion.acceleration(self.name), self.direction)
-
-    @property
-    def values(self) -> tuple[Quantity, ...]:
-        """What has extremes."""
-        return self.coordinate, self.velocity, self.acceleration
-
-    @property
-    def stops(self) -> tuple[Rate, ...]:
-        """The derivatives of `values`."""
-        return self.velocity, self.acceleration, Slope(self.acceleration)
-
-    def size(self, motion: Motion) -> Array:
-        """A speed of the mechanism beside which the output's is more than rounding: m/s or rad/s."""
-        return motion.velocities if self.kind == "slider" else motion.omega
-
-
-@dataclass(frozen=True, eq=False)
-class Travel:
-    """An output's displacement from position 0, velocity and acceleration, at the table and diagram positions.
-
-    m, m/s, m/s² of a slider; rad, rad/s, rad/s² of a rocker. `stroke` and the extremes are exact, by root finding.
-    `time_ratio`: longer stroke's angle of turn to the shorter one's; None where the output does not return.
-    """
-
-    output: Output
-    S: Array
-    V: Array
-    a: Array
-    diagram_S: Array
-    diagram_V: Array
-    diagram_a: Array
-    stroke: float
-    near: Extreme  # least displacement
-    far: Extreme  # greatest displacement
-    V_extremes: Extremes
-    a_extremes: Extremes
-    time_ratio: float | None
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,6 +72,13 @@ class Kinematics:
         return closest(self.cycle)
 
     @cached_property
+    def links(self) -> tuple[Travel, ...]:
+        """The motion of every driven link that turns and is no output: its angle, angular velocity and acceleration."""
+        cycle = self.cycle
+        moving = [link for link in driven(self.linkage) if cycle.moves(link.velocity, link.size)]
+        return travels(cycle, self.table, self.diagram, moving)
+
+    @cached_property
     def dead(self) -> tuple[Dead, ...]:
         """Dead points of every output, were it to drive."""
         return dead(self.cycle, [travel.output for travel in self.travels])
@@ -165,9 +104,9 @@ def solve(positions: Positions, structure: Structure) -> Kinematics:
     undefined = settle(table)
     settle(diagram)
     flat = np.logical_or.reduce([undefined, *(sine <= SINGULAR for sine in table.sines.values())])
-    travels = _travels(cycle, table, diagram)
+    motions = travels(cycle, table, diagram, outputs(cycle.linkage))
     return Kinematics(
-        cycle.linkage, cycle, positions, turned, table, diagram_turned, diagram, travels,
+        cycle.linkage, cycle, positions, turned, table, diagram_turned, diagram, motions,
         _numbers(flat & table.closes), _numbers(undefined & table.closes), _numbers(~table.closes),
     )  # fmt: skip
 
@@ -196,96 +135,3 @@ def _must_close(cycle: Cycle, table: Motion, diagram: Motion) -> None:
         {"links": ", ".join(group.links)},
     )
     raise ProblemError([mistake(text, ("mechanism", "links", group.links[0]), right, group=group.label)])
-
-
-def outputs(linkage: Linkage) -> list[Output]:
-    """Sliders on fixed guides, then links pivoted to the frame, without the driving link."""
-    mechanism = linkage.mechanism
-    found = []
-    for pair in linkage.structure.pairs:
-        if FRAME in pair.links and pair.kind == "P":
-            link = pair.other(FRAME)
-            point = _traced_point(linkage, link)
-            if point is not None:
-                found.append(Output("slider", point, link, complex(pair.along[FRAME])))
-        elif FRAME in pair.links and pair.other(FRAME) != mechanism.driver.link:
-            found.append(Output("rocker", pair.other(FRAME), pair.other(FRAME), 1.0))
-    return sorted(found, key=lambda output: output.kind == "rocker")
-
-
-def _traced_point(linkage: Linkage, link: str) -> str | None:
-    """The point that stands for a sliding link: a joint rather than a mass centre; None for a link without points."""
-    points = linkage.mechanism.links[link].points
-    joints = [p for p in points if len(linkage.mechanism.links_at(p)) > 1]
-    return next(iter([*joints, *points]), None)
-
-
-def _travels(cycle: Cycle, table: Motion, diagram: Motion) -> tuple[Travel, ...]:
-    """The motion of every output, their extremes found all together."""
-    found = [pointed(output, diagram) for output in outputs(cycle.linkage)]
-    if not found:
-        return ()
-    values = [value for output in found for value in output.values]
-    still = cycle.roots_of([rate for output in found for rate in output.stops])
-    extremes = cycle.extremes_of(values, still)
-    return tuple(
-        travel(cycle, output, table, diagram, still[3 * k], extremes[3 * k : 3 * k + 3])
-        for k, output in enumerate(found)
-    )
-
-
-def travel(
-    cycle: Cycle, output: Output, table: Motion, diagram: Motion, stops: Array, extremes: Sequence[Extremes]
-) -> Travel:
-    """`stops`: angles turned at which the output stands still; `extremes` of coordinate, velocity, acceleration."""
-    S, V, a = output.rates(table)
-    dS, dV, da = output.rates(diagram)
-    start = _first(S)
-    if output.kind == "rocker":  # the angle from position 0, without jumps of a turn
-        reference = np.angle(np.exp(1j * start))
-        S, dS = (_unwrapped(m.turn(output.name), reference) * output.direction.real for m in (table, diagram))
-        near, far = _rocker_extremes(cycle, output, reference, stops)
-    else:
-        S, dS = S - start, dS - start
-        near, far = (Extreme(float(x.value - start), x.turned) for x in extremes[0])
-    # of one stroke there and one back, over a whole turn, only
-    strokes = cycle.closed and bool(np.all(table.closes)) and len(stops) == 2
-    back = (far.turned - near.turned) % cycle.sweep if strokes else None
-    ratio = max(back, cycle.sweep - back) / min(back, cycle.sweep - back) if back else None
-    return Travel(
-        output=output, S=S, V=V, a=a, diagram_S=dS, diagram_V=dV, diagram_a=da,
-        stroke=far.value - near.value, near=near, far=far,
-        V_extremes=extremes[1], a_extremes=extremes[2], time_ratio=ratio,
-    )  # fmt: skip
-
-
-def pointed(output: Output, diagram: Motion) -> Output:
-    """A slider's displacement is positive towards the farther end of its stroke from position 0."""
-    if output.kind == "rocker":
-        return output
-    S = output.rates(diagram)[0]
-    S = S - _first(S)
-    # of equally far ends, the one to which the guide points, and not the one that rounding chooses
-    ahead = np.nanmax(S) >= -np.nanmin(S) * (1 - 1e-9)
-    return Output(output.kind, output.name, output.link, output.direction * (1 if ahead else -1))
-
-
-def _first(values: Array) -> Any:
-    """The value at the first position that exists: position 0, where the mechanism closes there."""
-    return values[np.argmax(np.isfinite(values))]
-
-
-def _unwrapped(u: Array, reference: float) -> Array:
-    """Angle from the first position, rad, continuous along the positions that exist."""
-    angle = np.angle(u * np.exp(-1j * reference))
-    exists = np.isfinite(angle)
-    angle[exists] = np.unwrap(angle[exists])
-    return angle - _first(angle)
-
-
-def _rocker_extremes(cycle: Cycle, output: Output, reference: float, stops: Array) -> Extremes:
-    """Extremes of a rocker's angle from position 0 over the cycle, rad, exact; of what goes all round, the ends."""
-    fine = np.linspace(0, cycle.period, 360 * cycle.turns + 1)
-    where = np.sort(np.concatenate([fine, cycle.repeated(stops)]))
-    angle = _unwrapped(cycle.motion(where).turn(output.name), reference)
-    return least_and_greatest(angle, where)

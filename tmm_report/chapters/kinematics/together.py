@@ -9,10 +9,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+import numpy as np
+
 from tmm_report.chapters.kinematics.given import Positions
 from tmm_report.chapters.kinematics.limits import Closest, Dead, nearest, sine_of, told
-from tmm_report.chapters.kinematics.solve import Kinematics, Output, outputs, pointed, steps, travel
+from tmm_report.chapters.kinematics.solve import Kinematics, steps
+from tmm_report.chapters.kinematics.travels import Output, driven, outputs, pointed, travel
 from tmm_report.chapters.structure.solve import Structure
+from tmm_report.mechanics.cam_group import CamDyad
 from tmm_report.mechanics.cycle import Cycle, Slope
 from tmm_report.mechanics.cycles import extremes_of, filled, moves, roots_of, zeros
 from tmm_report.mechanics.dyads import Dyad
@@ -40,7 +44,11 @@ def solve(positions: Positions, structures: Sequence[Structure]) -> tuple[list[i
     groups above class II, come near to a singular position, or have no position 0. Raises Unlike for variants of
     different topologies."""
     linkages = [structure.linkage for structure in structures]
-    if any(not isinstance(group, Dyad) for linkage in linkages for group in linkage.groups):
+    if any(
+        not isinstance(group, Dyad) or isinstance(group, CamDyad)
+        for linkage in linkages
+        for group in linkage.groups
+    ):
         return [], None
     whole, start, fit = _begin(linkages)
     if len(fit) < len(linkages) and fit:
@@ -62,7 +70,7 @@ def _begin(linkages: Sequence[Linkage]) -> tuple[Linkage, list[float | None], li
 def _with(linkage: Linkage, sweep: float = 0.0) -> Linkage:
     """A linkage with a number for what all variants share, and without the words by which its assembly was chosen."""
     structure, mechanism = linkage.structure, linkage.structure.mechanism
-    driver = replace(mechanism.driver, sweep=sweep)
+    driver = replace(mechanism.driver, sweep=sweep, period=None)
     return replace(
         linkage,
         structure=replace(structure, mechanism=replace(mechanism, driver=driver, assembly=(), sketch={})),
@@ -83,43 +91,63 @@ def _solve(
     )
     tables, diagrams = apart(table, linkages), apart(diagram, linkages)
     lines = _outputs(linkages, diagrams)
-    searched = _searched(cycle, each, lines, tables, diagrams)
+    count = len(outputs(linkages[0]))
+    lines, turning = _turning(cycle, lines, count)
+    searched = _searched(cycle, each, lines, count, tables, diagrams)
     values, diagram_values = named_values(table), named_values(diagram)
     found = []
     for v, (travels, near, dead) in enumerate(searched):
         own = Kinematics(
-            linkages[v], each[v], positions, turned, tables[v], diagram_turned, diagrams[v], travels, (), (), ()
+            linkages[v], each[v], positions, turned, tables[v], diagram_turned, diagrams[v], travels[:count],
+            (), (), (),
         )  # fmt: skip
         # what it would find out of itself when it is asked
         vars(own).update(
-            values=one(values, v), diagram_values=one(diagram_values, v), closest=near, dead=dead
+            values=one(values, v),
+            diagram_values=one(diagram_values, v),
+            links=tuple(own for own, turns in zip(travels[count:], turning, strict=True) if turns[v]),
+            closest=near,
+            dead=dead,
         )
         found.append(own)
     return Moved(whole, table, diagram, tuple(found))
 
 
 def _outputs(linkages: Sequence[Linkage], diagrams: Sequence[Motion]) -> list[tuple[Output, ...]]:
-    """The outputs of every variant."""
+    """The outputs of every variant, then its other driven links."""
     return [
-        tuple(pointed(output, diagram) for output in outputs(linkage))
+        tuple(pointed(output, diagram) for output in (*outputs(linkage), *driven(linkage)))
         for linkage, diagram in zip(linkages, diagrams, strict=True)
     ]
+
+
+def _turning(
+    cycle: Cycle, lines: Sequence[tuple[Output, ...]], count: int
+) -> tuple[list[tuple[Output, ...]], list[Array]]:
+    """The lines without the links that turn in none of the variants; of each other link, in which variants it does."""
+    driven = together(lines)[count:]
+    turning = [moves(cycle, len(lines), link.velocity, link.size) for link in driven]
+    kept = [k for k, turns in enumerate(turning) if np.any(turns)]
+    left = [(*own[:count], *(own[count + k] for k in kept)) for own in lines]
+    return left, [turning[k] for k in kept]
 
 
 def _searched(
     cycle: Cycle,
     each: Sequence[Cycle],
     lines: Sequence[tuple[Output, ...]],
+    count: int,
     tables: Sequence[Motion],
     diagrams: Sequence[Motion],
 ) -> list[tuple[Any, tuple[Closest, ...], tuple[Dead, ...]]]:
-    """Of every variant its outputs' travels, the nearest positions to singular ones and its dead points."""
+    """Of every variant its travels, the nearest positions to singular ones and the dead points of its outputs, which
+    are the first `count` of its lines."""
     both = together(lines)
     sines = [sine_of(group.group.label) for group in cycle.linkage.groups]
     rates = [rate for output in both for rate in output.stops]
     still = roots_of(cycle, len(each), [*rates, *(Slope(sine) for sine in sines)])
     extremes = extremes_of(cycle, [*(value for output in both for value in output.values), *sines], still)
-    dead = _dead(cycle, each, both, [[own[3 * k] for k in range(len(both))] for own in still])
+    dead = _dead(cycle, each, both[:count], [[own[3 * k] for k in range(count)] for own in still])
     found = []
     for v, own in enumerate(lines):
         travels = tuple(

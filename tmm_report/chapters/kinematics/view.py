@@ -1,8 +1,8 @@
-"""View of the kinematic analysis: positions, singular positions, motion of the outputs, angular rates."""
+"""View of the kinematic analysis: positions and drawing lengths of the links, singular positions."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -10,20 +10,23 @@ from markupsafe import Markup
 
 from tmm_report.chapters.initial_data.quantities import MU_L, driving_arm, given_tables, length, scale
 from tmm_report.chapters.kinematics import quantities as q
-from tmm_report.chapters.kinematics.draw import Diagrams
+from tmm_report.chapters.kinematics.contour_view import ContoursView
 from tmm_report.chapters.kinematics.limits import Closest
-from tmm_report.chapters.kinematics.solve import Kinematics, Travel
+from tmm_report.chapters.kinematics.motion_view import MotionView
+from tmm_report.chapters.kinematics.solve import Kinematics
+from tmm_report.chapters.kinematics.working import Working, working_of
 from tmm_report.chapters.schemes import schemes_of
 from tmm_report.figures.drawing import Drawing
-from tmm_report.mechanics.cycle import larger
+from tmm_report.figures.lettering import symbol
+from tmm_report.figures.strokes import Stroke
+from tmm_report.mechanics.cam_group import CamDyad
 from tmm_report.mechanics.dyads import Dyad
 from tmm_report.mechanics.higher import HigherGroup
-from tmm_report.mechanics.relations import turning_links
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula
-from tmm_report.quantity.model import Book, Value, variable
-from tmm_report.quantity.ref import Ref
-from tmm_report.report.layout import Cell, Table, numeric, worded
+from tmm_report.quantity.model import Book, variable
+from tmm_report.quantity.symbols import segment
+from tmm_report.report.layout import Table, worded
 from tmm_report.report.page import Page
 from tmm_report.report.part import Part
 from tmm_report.report.schemes import Schemes
@@ -59,50 +62,40 @@ HIGHER_CLOSURE = N_(
     "Newton–Kantorovich condition only one solution lies near, so it cannot pass into another assembly"
 )
 
+# Of a follower with the link that replaces its cam pair.
+CAM_CLOSURE = N_(
+    "group %(group)s: follower %(follower)s is placed by cam %(cam)s, as the chapter of the cam pair shows; its "
+    "velocity and acceleration are the derivatives of the displacement times the angular velocity and its square, and "
+    "link %(link)s, which replaces the pair, lies along the common normal"
+)
+
 
 def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
-    view = KinematicsView(lever.kinematics, schemes_of(lever, page), lever.sample, lever.partial, page)
+    found, k = lever.kinematics, lever.sample
+    working = working_of(lever)
+    view = KinematicsView(found, schemes_of(lever, page), k, lever.partial, working, page)
     yield Part("kinematics", view)
+    yield Part("kinematics_contours", ContoursView(found, k, page))
+    yield Part("kinematics_singular", view)
+    yield Part("kinematics_motion", MotionView(found, k, lever.partial, working, page))
 
 
 class KinematicsView:
-    def __init__(self, found: Kinematics, schemes: Schemes, position: int, partial: bool, page: Page):
+    def __init__(
+        self,
+        found: Kinematics,
+        schemes: Schemes,
+        position: int,
+        partial: bool,
+        working: Mapping[str, Working],
+        page: Page,
+    ):
         self.found, self.schemes, self.position, self.page = found, schemes, position, page
-        self.partial, self.t = partial, page.t
+        self.partial, self.working, self.t = partial, working, page.t
         self.book = page.once(q.book, found)
-        self.diagrams = Diagrams(found, page.tr)
 
     def conclusions(self) -> list[Markup]:
-        return [self._conclusion(travel) for travel in self.found.travels]
-
-    def _conclusion(self, travel: Travel) -> Markup:
-        name, largest = travel.output.name, {}
-        for letter, ends in (("v", travel.V_extremes), ("a", travel.a_extremes)):
-            end = "min" if larger(ends) is ends[0] else "max"
-            value = self.book[f"{letter.upper()}_{name}_{end}"]
-            largest[letter] = self.page.shown(value, size=True)
-            largest[f"{letter}at"] = self._turned(value)
-        if travel.output.kind == "slider":
-            text = N_(
-                "The stroke of point %(point)s is %(stroke)s m; its greatest velocity is %(v)s m/s at the angle of "
-                "turn %(vat)s°, its greatest acceleration is %(a)s m/s² at %(aat)s°."
-            )
-            stroke = self.page.shown(self.book[f"H_{name}"])
-            return self.t(text, point=name, stroke=stroke, **largest)
-        text = N_(
-            "The angle of swing of link %(link)s is %(stroke)s°; its greatest angular velocity is %(v)s rad/s at the "
-            "angle of turn %(vat)s°, its greatest angular acceleration is %(a)s rad/s² at %(aat)s°."
-        )
-        stroke = self.page.shown(self.book[f"H_{name}"], unit="deg", places=1)
-        return self.t(text, link=name, stroke=stroke, **largest)
-
-    def _turned(self, value: Value, places: int = 1) -> Markup:
-        """The angle of turn at which a value holds, degrees."""
-        return self.page.said(self._at(value, places))
-
-    def _at(self, value: Value, places: int) -> Cell:
-        assert value.at is not None
-        return Cell(self.page.num(np.degrees(value.at), places=places), Ref(value.key, by="at_deg"))
+        return []
 
     # ------------------------------------------------------------ positions
 
@@ -117,12 +110,14 @@ class KinematicsView:
         return self.found.positions.table // self.turns
 
     def scheme(self) -> Drawing:
-        return self.schemes.all(self.position)
+        words = self.page.tr.gettext("working stroke")
+        strokes = [Stroke(w.first, w.last, (words, " ", symbol(w.output))) for w in self.working.values()]
+        return self.schemes.all(self.position, strokes)
 
     def length_scale(self) -> Formula | None:
         """mu_l from the driving link's arm as drawn; None where it has no arm."""
         mechanism = self.found.linkage.mechanism
-        given = Book.of((), scale(mechanism, self.schemes.length_scale))
+        given = Book.of((), scale(mechanism, self.schemes.scale))
         arm = driving_arm(mechanism)
         if arm is None:
             return None
@@ -131,9 +126,29 @@ class KinematicsView:
         size = variable(length(ends), metres, ref=drawn.by_key(length(ends).key, "length"))
         return given["mu_l"].formula(size / given[f"drawn_{ends}"].var())
 
+    def drawn_lengths(self, caption: Any) -> Table:
+        """Of every segment of the links its length and the length at which it is drawn."""
+        mechanism = self.found.linkage.mechanism
+        lengths = Book.of(given_tables(mechanism), scale(mechanism, self.schemes.scale))
+        table = lengths.tables["dimensions"]
+        rows = [
+            [
+                self.page.word(link, table, "link", row),
+                self.page.sym(segment(key.removeprefix("l_"))),
+                self.page.cell(table, "length", row),
+                self.page.cell(lengths[f"drawn_{key.removeprefix('l_')}"]),
+            ]
+            for row, (key, link) in enumerate(zip(table["key"].values, table["link"].values, strict=True))
+        ]
+        heads = [
+            self.t("Link"), self.t("Segment"), self.page.listed([self.t("Length"), self.page.unit("m")]),
+            self.page.listed([self.t("On the drawing"), self.page.unit("mm")]),
+        ]  # fmt: skip
+        return worded(caption, heads, rows, (1, 1, 2, 2))
+
     def plain_scale(self) -> Markup:
         """mu_l with its value."""
-        return self.page.value(MU_L.value(self.schemes.length_scale).var())
+        return self.page.value(MU_L.value(self.schemes.scale).var())
 
     def closures(self) -> list[Markup]:
         """How the position of each group is found, in the order of assembly."""
@@ -142,11 +157,17 @@ class KinematicsView:
     @property
     def has_assemblies(self) -> bool:
         """Whether a group has several assemblies: not where guides alone fix it."""
-        return any(isinstance(d, HigherGroup) or d.kind <= 3 for d in self.found.linkage.groups)
+        groups = [d for d in self.found.linkage.groups if not isinstance(d, CamDyad)]
+        return any(isinstance(d, HigherGroup) or d.kind <= 3 for d in groups)
 
     def _closure(self, d: Dyad | HigherGroup) -> Markup:
         if isinstance(d, HigherGroup):
             return self.t(HIGHER_CLOSURE, group=group_name(d.group), n=len(d.links))
+        if isinstance(d, CamDyad):
+            cam = d.cam
+            return self.t(
+                CAM_CLOSURE, group=group_name(d.group), cam=cam.cam, follower=cam.follower, link=cam.name
+            )
         a, b, inner = d.outer_a.name, d.outer_b.name, d.inner.name
         return self.t(CLOSURES[d.kind], group=group_name(d.group), a=a, b=b, inner=inner, one=d.a, other=d.b)
 
@@ -211,58 +232,6 @@ class KinematicsView:
     def _angles(self, turned: tuple[float, ...]) -> str:
         """Angles found by root finding, rad, in degrees to a thousandth."""
         return ", ".join(f"{self.page.num(np.degrees(x), places=3)}°" for x in turned)
-
-    # ------------------------------------------------------------ motion of the outputs
-
-    def has_output(self, kind: str) -> bool:
-        return any(travel.output.kind == kind for travel in self.found.travels)
-
-    def travels(self, caption: Any) -> Table:
-        """S, V, a of the outputs at the table positions."""
-        table = self.book.tables["outputs_table"]
-        columns = [
-            self.page.column(table, quantity.key, "deg" if quantity.unit == "rad" else "")
-            for travel in self.found.travels
-            for quantity in q.motion_of(travel.output)
-        ]
-        return numeric(caption, self.page.positions(table), columns)
-
-    def stroke(self, travel: Travel) -> Markup:
-        value = self.book[f"H_{travel.output.name}"]
-        return self.page.value(value.var("deg" if value.unit == "rad" else ""))
-
-    def time_ratio(self, travel: Travel) -> Markup:
-        return self.page.value(self.book[f"K_{travel.output.name}"].var(digits=4))
-
-    def extremes(self, caption: Any, travel: Travel) -> Table:
-        rows = []
-        for quantity, (low, high) in zip(q.motion_of(travel.output), q.extremes(travel), strict=True):
-            unit = "deg" if quantity.unit == "rad" else ""
-            size = max(abs(low.value), abs(high.value))
-            ends = [
-                (self.page.cell(end, unit=unit, scale=max(1.0, size)), self._at(end, 2))
-                for end in (low, high)
-            ]
-            rows.append([self.page.head(quantity.sign, unit or quantity.unit), *ends[0], *ends[1]])
-        heads = [
-            self.t("Quantity"), self.t("Least value"), self.t("at the angle of turn,\N{NO-BREAK SPACE}°"),
-            self.t("Greatest value"), self.t("at the angle of turn,\N{NO-BREAK SPACE}°"),
-        ]  # fmt: skip
-        return worded(caption, heads, rows, (2.2, 2, 2, 2, 2))
-
-    # ------------------------------------------------------------ angular rates
-
-    @property
-    def driven(self) -> list[str]:
-        """Links that turn, without the driving link."""
-        linkage = self.found.linkage
-        return [link for link in turning_links(linkage) if link != linkage.mechanism.driver.link]
-
-    def angular(self, caption: Any) -> Table:
-        """Angular velocities and accelerations of the driven links at the table positions."""
-        table = self.book.tables["rates_table"]
-        keys = [q.link_rate(letter, link).key for link in self.driven for letter in "we"]
-        return numeric(caption, self.page.positions(table), [self.page.column(table, key) for key in keys])
 
 
 PASSED = N_(
