@@ -6,7 +6,7 @@ from itertools import combinations
 
 import numpy as np
 import pytest
-from conftest import stating
+from conftest import read, stating
 
 from tmm_report import course
 from tmm_report.chapters.plans.solve import Comparison, Drawn
@@ -65,12 +65,17 @@ def plan_errors(found: course.Results) -> dict[tuple[int, str], float]:
 
 
 def force_errors(found: course.Results) -> dict[tuple[int, str], float]:
-    """Error of every reaction in steps of the coarsest force plan it went through, of moments in their own."""
+    """Error of every reaction in steps of the coarsest force plan it went through, of moments in their own; a gear's
+    force is the moment by its base radius, and the pivot of its link feels a step of both."""
     errors = {}
+    driver = found.variant.lever.mechanism.driver
     for d in found.lever.force_plans.drawn:
         coarsest = max(plan.scale for plan in d.plans) * found.lever.plans.accuracy
+        of_moment = next(c.floor for c in d.comparison if c.key == "M_bal")
         for c in d.comparison:
-            step = c.floor if c.key == "M_bal" else coarsest
+            step = of_moment if c.key == "M_bal" else coarsest
+            if driver.gear is not None and c.key == f"R_0{driver.link}":
+                step += of_moment / float(driver.gear.base_radius)
             errors[d.position, c.key] = abs(c.graph - c.analytic) / step
     return errors
 
@@ -99,7 +104,7 @@ def test_a_coarser_pencil_draws_worse(variant):
 
 
 def test_design_positions_are_within_the_limit(results):
-    assert results.lever.plans.worst < 0.5
+    assert results.lever.plans.worst < 1.0  # of a plan that shares its scale with larger ones
     assert not results.lever.plans.singular
     assert results.lever.plans.accuracy == pytest.approx(0.01)
     assert results.lever.force_plans.worst < 2.0
@@ -140,3 +145,11 @@ def test_comparison(graph, analytic, delta, ok):
     compared = Comparison("v_B", graph, analytic, floor=0.01)
     assert compared.delta == (None if delta is None else pytest.approx(delta, abs=0.005))
     assert compared.ok == ok
+
+
+def test_what_cannot_be_read_off_is_not_the_greatest_difference():
+    """A value of two reading steps is 27 % off, and right; that is not the accuracy of the plans."""
+    plans = drawn(read("knuckle_press"), 1e-5).lever.plans
+    rows = [c for d in plans.drawn for c in d.comparison if c.delta is not None]
+    assert max(abs(c.delta) for c in rows) > 20 and all(c.ok for c in rows)
+    assert plans.unreadable and plans.worst < 2

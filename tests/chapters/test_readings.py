@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import pytest
@@ -102,7 +103,9 @@ def test_the_note_names_them_too():
     for language, said in (("en", "millimetres given for metres"), ("ru", "миллиметр")):
         note = render(results, "html", language)["note.html"].decode()
         assert said in note
-        assert note.count('data-t="readings_7"') == 6
+        assert (
+            note.count('data-t="readings_7"') == 4
+        )  # own value and difference: the rest stands in the comparison
     silent = replace(results.lever, readings=None)
     assert "readings_7" not in render(replace(results, lever=silent), "html")["note.html"].decode()
 
@@ -124,3 +127,33 @@ def test_each_row_has_the_number_of_its_own_position_and_their_difference():
                 )
                 seen += 1
     assert seen >= 34
+
+
+def test_what_the_plans_are_compared_in_is_not_printed_again():
+    """Values of the plans in the order of their comparison, without the analytical ones; others with them."""
+    results = own({7: {"w_2": 36.79, "M_bal": 164.3, "v_B": 4.444}, 3: {"v_B": 12.566}})
+    note = render(results, "html", "en")["note.html"].decode()
+    marks = [
+        mark
+        for mark in re.findall(r'data-q="(\w+)" data-k="(\d)" data-t="readings_\d" data-by="(\w+)"', note)
+        if mark[2] != "delta"
+    ]
+    assert marks == [
+        ("v_B", "3", "graph"), ("v_B", "3", "analytic"),
+        ("v_B", "7", "graph"), ("w_2", "7", "graph"), ("M_bal", "7", "graph"), ("M_bal", "7", "analytic"),
+    ]  # fmt: skip
+
+
+def test_each_row_is_said_right_or_wrong_by_its_own_number():
+    results = own({7: {"w_2": 36.79, "v_B": 5.0, "v_A": 12.566}})
+    note = render(results, "html", "en")["note.html"].decode()
+    said = re.findall(
+        r'data-q="(\w+)" data-k="7" data-t="readings_7" data-by="delta">[^<]*</td><td[^>]*>([^<]*)<', note
+    )
+    assert said == [("v_A", "right"), ("v_B", "wrong"), ("w_2", "right")]
+
+
+@pytest.mark.parametrize("name", ["ω2", "w_2", "omega_2", "w2"])
+def test_an_angular_velocity_by_its_symbol_is_that_of_the_plans(name):
+    """Not that of the diagrams of links, in which a number without its sign is wrong."""
+    assert wrong({7: {name: 36.79}}) == {}

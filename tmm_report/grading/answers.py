@@ -289,7 +289,7 @@ class _Wanted:
     def table(self, sheet: str) -> str | None:
         """The table that a sheet is named by; `sheet-stage1_wheels`, as templates are, is `stage1_wheels`."""
         named = sheet if sheet in self.tables else sheet.rpartition("-")[2]
-        return named if named in self.tables else None
+        return named if named and named in self.tables else None  # single numbers have a table without a name
 
     def meant(self, sheet: str, name: str) -> list[Quantity]:
         """Of V_B, the velocity of a slider along its guide, and v_B, that of its plan, VB is the latter: so guides

@@ -26,6 +26,9 @@ _TABLE = str.maketrans(
 _BLANK = {word.translate(_TABLE) for word in ("", "-", "н/д", "n/a", "нет")}
 _NUMBER = re.compile(r"([-+]?) ?([0-9]{1,3}(?: [0-9]{3})+|[0-9]*)(\.[0-9]*)?(?:e([-+]?[0-9]+))?")
 _POWER = re.compile(r" ?· ?10(?:\^ ?\(?([-+]?[0-9]+)\)?|([⁺⁻]?[⁰¹²³⁴-⁹]+))$")
+_LIST = re.compile(
+    r".*[^\s()\[\]]\([^()\[\]]*,[^()\[\]]*\)"
+)  # k12_II2(2,3): what belongs to the name, no unit
 _BRACKETS = re.compile(r"([^()\[\]]*)[(\[]([^()\[\]]*)[)\]]")
 
 
@@ -67,6 +70,8 @@ def is_blank(text: str) -> bool:
 def header(text: str) -> tuple[str, str]:
     """Name and unit of a column's head: `v_B, m/s`, `v_B (m/s)`, `v_B [m/s]`; without a unit "" stands for it."""
     plain = " ".join(unicodedata.normalize("NFC", text).replace("\ufeff", "").split()).removeprefix("'")
+    if _LIST.fullmatch(plain):
+        return plain, ""
     if found := _BRACKETS.fullmatch(plain):
         return found[1].strip(" ,"), found[2].strip()
     name, _, unit = plain.rpartition(",")

@@ -13,7 +13,16 @@ POSITION = "position"
 ANGLES = ("deg", "rad")
 _OF_CHECKS = ("_disagreement", "digits", "sin_", "closeness")
 """Parts of the keys of what the program says of its own exactness: nobody is asked for it."""
-_ANOTHERS = ("comparison", "readings", "special", "segments", "plan_values", "rejected", "solutions")
+_ANOTHERS = (
+    "comparison",
+    "readings",
+    "special",
+    "segments",
+    "plan_values",
+    "senses",
+    "rejected",
+    "solutions",
+)
 """Parts of the names of tables that hold what another hand has drawn, or lists of what was found on the way."""
 
 
@@ -25,7 +34,7 @@ def of_table(table: Table, chapter: str) -> Iterator[Asked]:
     by_position = POSITION in table
     rows = tuple(map(str, table[POSITION].values)) if by_position else _labels(table)
     for column in table.columns:
-        if _is_number(column) and not any(part in column.key for part in _OF_CHECKS):
+        if _is_number(column) and column.asked and not any(part in column.key for part in _OF_CHECKS):
             yield Asked(
                 table.name,
                 column.quantity,

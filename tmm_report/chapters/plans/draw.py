@@ -10,6 +10,7 @@ from tmm_report.figures.plans import PlanVector, Style, plan
 
 STYLES: dict[Role, Style] = {
     "absolute": "absolute", "relative": "relative", "bend": "component", "rate": "component",
+    "line": "construction",
 }  # fmt: skip
 
 
@@ -20,4 +21,5 @@ def plan_picture(drawn: Plan) -> Drawing:
 
 
 def _style(stroke: Stroke) -> Style:
-    return "coriolis" if stroke.symbol.sup == "k" else STYLES[stroke.role]
+    of = stroke.symbol
+    return "coriolis" if of is not None and of.sup == "k" else STYLES[stroke.role]

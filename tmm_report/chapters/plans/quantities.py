@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
+from tmm_report.chapters.initial_data.quantities import length
 from tmm_report.chapters.kinematics.quantities import POSITION
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, Value, plain, text_column
@@ -16,6 +18,7 @@ from tmm_report.quantity.written import segment_of, worked_table
 
 if TYPE_CHECKING:  # drafting takes the names of its quantities from here
     from tmm_report.chapters.plans.drafting import Plan, Projections
+    from tmm_report.chapters.plans.scales import Choice
     from tmm_report.chapters.plans.solve import Drawn, Plans
 
 MU_V = Quantity("mu_v", Symbol("mu", "v"), "(m/s)/mm", Message(N_("scale of the velocity plan")))
@@ -27,6 +30,7 @@ WORST = Quantity(
 
 COMPARISON = Message(N_("graph-analytical method against the analytical one"))
 SEGMENTS = Message(N_("segments measured in the plans"))
+LARGEST = N_("%(of)s, the largest at the positions of the plans")
 VALUES = Message(N_("values read off the plans"))
 EQUATIONS = Message(N_("equations of the contours of a group in projections on the axes, and their solution"))
 DELTA = Quantity(
@@ -34,11 +38,28 @@ DELTA = Quantity(
 )
 
 
+SENSES = Message(N_("senses of angular velocities or accelerations found from the plan"))
+
+
 def values(found: Plans) -> Iterator[Value]:
     yield MU_V.value(found.velocity_scale)
     yield MU_A.value(found.acceleration_scale)
     yield ACCURACY.value(found.accuracy)
     yield WORST.value(found.worst)
+    for choice in found.choices:
+        yield from chosen(choice, found.named)
+
+
+def chosen(choice: Choice, named: Mapping[str, Quantity]) -> tuple[Value, Value]:
+    """A value and the segment at which it is to be drawn, mm, from which its scale follows."""
+    segment, name = choice.segment, choice.segment.name
+    if segment.kind == "length":
+        of = length(name)
+    else:
+        of = named[choice.key]
+        of = replace(of, meaning=Message(LARGEST, {"of": of.meaning}))
+    drawn = replace(segment_of(name), key=f"chosen_{name}")
+    return replace(of, key=f"largest_{of.key}").value(choice.value), drawn.value(segment.mm)
 
 
 def tables(found: Plans) -> Iterator[Table]:
@@ -47,6 +68,8 @@ def tables(found: Plans) -> Iterator[Table]:
     for drawn in found.drawn:
         for plan in (drawn.velocity, drawn.acceleration):
             yield worked_table(plan.worked)
+            if plan.senses:
+                yield senses(plan)
             yield from _projections(plan, named)
     for kind in ("v", "a") if found.drawn else ():
         plans = plans_of(found.drawn, kind)
@@ -55,6 +78,24 @@ def tables(found: Plans) -> Iterator[Table]:
     for drawn in found.drawn:
         unit = {key: quantity.unit for key, quantity in named.items()}.__getitem__
         yield comparison(f"comparison_{drawn.position}", COMPARISON, drawn.comparison, unit)
+
+
+def senses(plan: Plan) -> Table:
+    """A row a link that turns: the vector that shows its sense and the point to which it is moved, or the link as which
+    it turns; 1 counter-clockwise, -1 clockwise, 0 not at all."""
+    rows = plan.senses
+    columns = (
+        text_column("link", Message(N_("the link")), [one.link for one in rows]),
+        text_column("vector", Message(N_("vector of the plan by its ends")), [one.ends for one in rows]),
+        text_column("to", Message(N_("point of the link to which it is moved")), [one.to for one in rows]),
+        text_column("like", Message(N_("link that turns alike")), [one.like for one in rows]),
+        plain("sense", "", Message(N_("1: counter-clockwise, -1: clockwise")), [one.sense for one in rows]),
+    )
+    return Table(senses_name(plan), SENSES, columns)
+
+
+def senses_name(plan: Plan) -> str:
+    return f"senses_{plan.kind}_{plan.position}"
 
 
 def plans_of(drawn: Sequence[Drawn], kind: str) -> list[Plan]:
@@ -74,7 +115,7 @@ def _segments(plans: Sequence[Plan]) -> Iterator[Column]:
 def _read(plans: Sequence[Plan], named: Mapping[str, Quantity]) -> Iterator[Column]:
     """Values that were read: not the driving link's own rate, which is given."""
     for key in _all([k for k in plan.values if plan.per_mm[k]] for plan in plans):
-        yield named[key].column([plan.values.get(key, math.nan) for plan in plans])
+        yield named[key].column([plan.signed.get(key, math.nan) for plan in plans])
 
 
 def _all(names: Iterable[Iterable[str]]) -> list[str]:

@@ -8,8 +8,10 @@ Source: Artobolevsky, Theory of mechanisms and machines, ch. 4; Frolov (ed.), Th
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -17,15 +19,18 @@ from tmm_report.chapters.kinematics.quantities import rates
 from tmm_report.chapters.kinematics.solve import Kinematics
 from tmm_report.chapters.plans.drafting import Named, Plan, Scales, acceleration_plan, velocity_plan
 from tmm_report.chapters.plans.given import Drawing
-from tmm_report.quantity.paper import Pen, round_scale
+from tmm_report.chapters.plans.scales import Choice
+from tmm_report.chapters.plans.scales import scales as scales_of
+from tmm_report.mechanics.cam_group import in_position, rests
+from tmm_report.quantity.paper import Pen
 
-PAPER = 150.0  # mm: a round scale is chosen so that the longest vector is at most this
 LIMIT = 5.0  # %, allowed difference of the graph-analytical method
 
 
 @dataclass(frozen=True)
 class Comparison:
-    """One value by two methods. `delta`: 200 (g − a)/(g + a), %; None where both are below `floor`: ≈ 0."""
+    """One value by two methods, angular ones with their signs. `delta`: 200 (g − a)/(g + a), %; None where both are
+    below `floor`: ≈ 0; ±200 where the signs are opposite."""
 
     key: str
     graph: float
@@ -34,13 +39,21 @@ class Comparison:
 
     @property
     def delta(self) -> float | None:
-        if max(self.graph, self.analytic) <= self.floor:
+        if max(abs(self.graph), abs(self.analytic)) <= self.floor:
             return None
+        if self.graph * self.analytic < 0:
+            return math.copysign(200.0, self.graph)
         return 200.0 * (self.graph - self.analytic) / (self.graph + self.analytic)
 
     @property
     def ok(self) -> bool:
-        return self.delta is None or abs(self.delta) <= LIMIT or abs(self.graph - self.analytic) <= self.floor
+        return self.delta is None or abs(self.delta) <= LIMIT or self.unreadable
+
+    @property
+    def unreadable(self) -> bool:
+        """Whether more than is allowed differs, of a value so small that the difference cannot be read off the plan."""
+        large = self.delta is not None and abs(self.delta) > LIMIT
+        return large and abs(self.graph - self.analytic) <= self.floor
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,22 +77,29 @@ class Plans:
     accuracy: float
     named: Named  # the rates of the note by key
     singular: tuple[int, ...]  # positions asked for, whose plans have no crossing point
+    choices: tuple[Choice, ...] = ()  # segments stated, from which scales follow
 
     @property
     def worst(self) -> float:
-        """Largest |delta| of the program's own plans, %."""
-        return max(
-            (abs(c.delta) for d in self.drawn for c in d.comparison if c.delta is not None), default=0.0
-        )
+        """Largest |delta| of the program's own plans, %, of differences that can be read off them."""
+        counted = (c for d in self.drawn for c in d.comparison if not c.unreadable)
+        return max((abs(c.delta) for c in counted if c.delta is not None), default=0.0)
+
+    @property
+    def unreadable(self) -> bool:
+        """Whether some difference is beyond the allowed one and not counted."""
+        return any(c.unreadable for d in self.drawn for c in d.comparison)
 
 
 def solve(drawing: Drawing, plans: Sequence[int], kinematics: Kinematics) -> Plans:
     """Construct the plans of the table positions `plans`."""
     wanted = sorted(set(plans))
+    still = np.flatnonzero(rests(kinematics.table))  # in a dwell of a cam there is nothing to draw
+    wanted = [k for k in wanted if k not in still]
     regular = [k for k in wanted if k not in (*kinematics.singular, *kinematics.missing)]
     pen = Pen(drawing.accuracy)
     named = rates(kinematics.linkage)
-    scales = _scales(drawing, kinematics, regular, named)
+    scales, choices = scales_of(drawing, kinematics, regular, named)
     drawn = tuple(_draw(kinematics, k, scales, pen, named) for k in regular)
     singular = tuple(k for k in wanted if k not in regular)
     return Plans(
@@ -90,35 +110,25 @@ def solve(drawing: Drawing, plans: Sequence[int], kinematics: Kinematics) -> Pla
         pen.read_step,
         named,
         singular,
-    )
-
-
-def _scales(drawing: Drawing, kinematics: Kinematics, positions: list[int], named: Named) -> Scales:
-    """The stated scales, or round ones that keep the longest vector of these positions on the paper."""
-
-    def longest(unit: str) -> float:
-        rows = [np.abs(x[positions]) for key, x in kinematics.values.items() if named[key].unit == unit]
-        return float(np.nanmax(rows)) if positions else 0.0
-
-    places = kinematics.diagram.places
-    size = max(np.nanmax(part) - np.nanmin(part) for part in (places.real, places.imag))
-    return Scales(
-        drawing.length or round_scale(float(size), PAPER),
-        drawing.velocity or round_scale(longest("m/s"), PAPER),
-        drawing.acceleration or round_scale(longest("m/s²"), PAPER),
+        choices,
     )
 
 
 def _draw(kinematics: Kinematics, k: int, scales: Scales, pen: Pen, named: Named) -> Drawn:
-    motion = kinematics.cycle.motion(kinematics.turned[k : k + 1])
+    motion = in_position(kinematics.cycle.motion(kinematics.turned[k : k + 1]))
     velocity = velocity_plan(motion, k, scales, pen, named)
     acceleration = acceleration_plan(motion, k, scales, pen, named, velocity)
-    found = {**velocity.values, **acceleration.values}
+    found = {**velocity.signed, **acceleration.signed}
     per_mm = {**velocity.per_mm, **acceleration.per_mm}
-    analytic = {key: float(np.abs(kinematics.values[key][k])) for key in found}
+    analytic = {key: _told(kinematics.values[key][k]) for key in found}
     # the driving link's own rates are given, not read off
     read = [key for key in found if per_mm[key] > 0]
     comparison = tuple(
         Comparison(key, found[key], analytic[key], per_mm[key] * pen.read_step) for key in read
     )
     return Drawn(k, velocity, acceleration, comparison)
+
+
+def _told(value: Any) -> float:
+    """The size of a vector, an angular value with its sign."""
+    return float(abs(value)) if np.iscomplexobj(value) else float(value)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
 
+from tmm_report.chapters.plans.solve import Plans
 from tmm_report.chapters.readings import quantities as q
 from tmm_report.chapters.readings.solve import Reading, ReadingsFound
 from tmm_report.judging.model import Rule
@@ -23,25 +24,38 @@ if TYPE_CHECKING:
 
 def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
     if lever.readings is not None:
-        yield Part("readings", ReadingsView(lever.readings, page))
+        yield Part("readings", ReadingsView(lever.readings, lever.plans, page))
 
 
 class ReadingsView:
-    def __init__(self, found: ReadingsFound, page: Page):
+    def __init__(self, found: ReadingsFound, plans: Plans, page: Page):
         self.found, self.page, self.t = found, page, page.t
         self.tables = Book.of(q.tables(found)).tables
+        # what the plans are compared in, in its order: its analytical values are not printed again
+        self.compared = {drawn.position: [c.key for c in drawn.comparison] for drawn in plans.drawn}
 
     @property
     def positions(self) -> list[int]:
         return list(self.found.rows)
 
-    def table(self, caption: Any, position: int) -> Table:
-        rows = self.found.rows[position]
-        named = {one.key: one.asked.quantity for one in rows}
-        said = [self._said(one) for one in rows]
-        return own_numbers_table(
-            self.page, caption, self.tables[q.table_name(position)], named, position, said
-        )
+    def beside(self, position: int) -> list[int]:
+        """Rows of a position's numbers whose analytical values stand in the comparison of its plans, in its order."""
+        order = self.compared.get(position, [])
+        rows = [row for row, one in enumerate(self.found.rows[position]) if one.key in order]
+        return sorted(rows, key=lambda row: order.index(self.found.rows[position][row].key))
+
+    def others(self, position: int) -> list[int]:
+        """The other rows, in the order of the file."""
+        beside = set(self.beside(position))
+        return [row for row in range(len(self.found.rows[position])) if row not in beside]
+
+    def table(self, caption: Any, position: int, rows: list[int], analytic: bool) -> Table:
+        """The rows of a position. `analytic`: whether with the analytical values."""
+        numbers = self.found.rows[position]
+        named = {one.key: one.asked.quantity for one in numbers}
+        said = [self._said(numbers[row]) for row in rows]
+        of = self.tables[q.table_name(position)]
+        return own_numbers_table(self.page, caption, of, named, position, said, rows, analytic)
 
     def _said(self, one: Reading) -> str:
         if one.rule is Rule.NOT_ASKED:

@@ -32,10 +32,10 @@ def carried(
 
     `given`: keys of the tables by positions -> the student's numbers (P,) in the units of the results, nan where he
     gave none; other keys and columns of another length are passed over. Nothing follows where there is no lever
-    mechanism.
+    mechanism, or one with a cam pair, whose law no number of the tables carries on.
     """
     lever = results.lever
-    if lever is None:
+    if lever is None or lever.given.mechanism.cams:
         return {}
     shape = lever.kinematics.table.shape
     own = {key: values for key, one in given.items() if (values := column(one)).shape == shape}
@@ -54,7 +54,8 @@ def _followed(lever: LeverFound, steps: Scheme, sheet: Sheet) -> Poses:
     """Note on the sheet all that follows from its numbers."""
     found = lever.kinematics
     travels = tuple(
-        Travelling(t.output.kind == "slider", t.output.name, t.output.direction, t.S) for t in found.travels
+        Travelling(t.output.kind == "slider", t.output.name, t.output.direction, t.S)
+        for t in (*found.travels, *found.links)
     )
     poses = Poses(found.table, sheet, travels)
     velocities = Rates("v", sheet, steps, poses, found.values)

@@ -193,7 +193,9 @@ class Forces:
         linkage, table = self.poses.motion.linkage, self.found.table
         link, pair = linkage.mechanism.driver.link, linkage.structure.driver_pair
         load, inputs = self.rest[link], [*self.on[link], self.poses.known((link,))]
-        force = derived(self._right(pair.key).force, lambda *_: -load.force, *inputs)
+        gear, omega = linkage.mechanism.driver.gear, linkage.mechanism.driver.omega
+        pushed = gear.force(-load.moment, omega) if gear else 0.0
+        force = derived(self._right(pair.key).force, lambda *_: -load.force - pushed, *inputs)
         self.sheet.vector(self._reaction(*pair.links), self._right(pair.key).force, force)
         speed = self.velocities.links[link]
         lever = derived(table.lever, lambda n, w: -n / w, power, speed)

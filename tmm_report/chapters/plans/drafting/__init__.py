@@ -8,13 +8,24 @@ multiplied by the scale.
 from __future__ import annotations
 
 from tmm_report.chapters.plans.drafting import dyad, lead, system
-from tmm_report.chapters.plans.drafting.plan import Plan, Projections, Scales, Step
+from tmm_report.chapters.plans.drafting.plan import LegLine, Plan, Projections, Scales, Sense, Special, Step
 from tmm_report.chapters.plans.drafting.sheet import Named, Sheet
 from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.relations import Relation, System, relations
 from tmm_report.quantity.paper import Pen
 
-__all__ = ["Named", "Plan", "Projections", "Scales", "Step", "acceleration_plan", "velocity_plan"]
+__all__ = [
+    "LegLine",
+    "Named",
+    "Plan",
+    "Projections",
+    "Scales",
+    "Sense",
+    "Special",
+    "Step",
+    "acceleration_plan",
+    "velocity_plan",
+]
 
 
 def velocity_plan(motion: Motion, position: int, scales: Scales, pen: Pen, named: Named) -> Plan:
@@ -36,7 +47,7 @@ def _drafted(sheet: Sheet) -> Plan:
     turns = {link: image.turn for link, image in sheet.images.items()}
     return Plan(
         sheet.kind, sheet.worked.position, sheet.scale, sheet.pole, sheet.vertices, tuple(sheet.strokes),
-        sheet.segments, sheet.values, sheet.per_mm, first, steps, turns, sheet.worked,
+        sheet.segments, sheet.values, sheet.per_mm, first, steps, turns, sheet.worked, tuple(sheet.senses),
     )  # fmt: skip
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tmm_report.chapters.plans.drafting.plan import Role
+from tmm_report.chapters.plans.drafting.plan import Role, Sense
 from tmm_report.chapters.plans.drafting.sheet import Sheet
 from tmm_report.mechanics.planar import unit
 from tmm_report.mechanics.relations import Branch
@@ -78,7 +78,7 @@ def _bend(sheet: Sheet, branch: Branch, arm: complex, z: complex, start: str) ->
     else:
         w = sheet.number(f"w_{branch.link}", v.values[f"w_{branch.link}"])
         key, size = branch.a_key("k"), 2 * w * speed
-    count = 1 + sum(s.role == "bend" for s in sheet.strokes)
+    count = 1 + sum(s.role == "bend" and bool(s.key) for s in sheet.strokes)
     letter = sheet.letter_of_bend(f"{'n' if branch.turns else 'k'}{count}")
     z_bend = sheet.vertices[letter] = sheet.pen.place(z + bend(sheet, branch, arm) / sheet.scale)
     sheet.stroke(z, z_bend, key, "bend")
@@ -127,6 +127,10 @@ def angular(sheet: Sheet, line: Line) -> list[Formula]:
     key = rate_key(sheet, branch)
     arm = length(sheet, branch, line.arm)
     top = sheet.number(key, sheet.values[key])
+    z = sheet.vertices[sheet.letter(branch.end)]
+    turn = ((z - line.z_bend) / line.arm).imag if sheet.values[key] else 0.0
+    ends = line.letter + sheet.letter(branch.end)
+    sheet.senses.append(Sense(branch.link, ends, (branch.arm or ("", ""))[1], int(np.sign(turn))))
     return [sheet.write(sheet.rate(branch.link), top / arm, sheet.scale / float(arm.number))]
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from tmm_report.chapters.initial_data.quantities import length
 from tmm_report.chapters.kinematics.quantities import UNITS
-from tmm_report.chapters.plans.drafting.plan import Plan, Role, Scales, Stroke
+from tmm_report.chapters.plans.drafting.plan import Plan, Role, Scales, Sense, Stroke
 from tmm_report.chapters.plans.quantities import MU_A, MU_V
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.motion import Linkage, Motion
@@ -55,6 +55,7 @@ class Sheet:
         self.segments: dict[str, float] = {}
         self.values: dict[str, float] = {}
         self.per_mm: dict[str, float] = {}
+        self.senses: list[Sense] = []
         self.reference = 0.0
         self.worked = Worked(
             f"{'velocity' if velocity is None else 'acceleration'}_plan_{position}", position
@@ -186,3 +187,10 @@ class Sheet:
             if link in self.alike:
                 source = self.rate(link)
                 self.values[key], self.per_mm[key] = self.values[source], self.per_mm[source]
+                self._turns_like(link, source.partition("_")[2])
+
+    def _turns_like(self, link: str, source: str) -> None:
+        """Say of a link that it turns as another whose sense was found."""
+        found = next((one for one in self.senses if one.link == source), None)
+        if found is not None:
+            self.senses.append(Sense(link, "", "", found.sense, source))

@@ -1,4 +1,5 @@
-"""A group above class II in a plan: all its vector equations are solved together, and the plan is drawn from that.
+"""A group above class II in a plan: constructed through a special point where that can be, else all its vector
+equations are solved together, and the plan is drawn from that.
 
 Every branch leads from one joint to the next, z_end = z_start + bend + x·direction, where x is the angular rate of its
 link or the sliding rate along its guide. Where two branches end in one point a contour closes: two linear equations.
@@ -11,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.chapters.plans.drafting import special
 from tmm_report.chapters.plans.drafting.branch import (
     Line,
     angular,
@@ -24,7 +26,7 @@ from tmm_report.chapters.plans.drafting.branch import (
     terms,
 )
 from tmm_report.chapters.plans.drafting.lead import similar
-from tmm_report.chapters.plans.drafting.plan import Projections, Step
+from tmm_report.chapters.plans.drafting.plan import Projections, Special, Step
 from tmm_report.chapters.plans.drafting.sheet import Image, Sheet
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.relations import Branch, System, turns_with
@@ -49,10 +51,10 @@ def step(sheet: Sheet, system: System) -> Step:
     before = _known(sheet, system)
     vertices = [point for point in system.vertices if not sheet.has(point)]
     ways = [_way(sheet, system, branch) for branch in system.branches]
-    projections = _solve(sheet, system, ways)
+    projections, constructed, ready = _found(sheet, system, ways)
     lines = []
     for way in ways:
-        line, formulas = _line(sheet, way)
+        line, formulas = ready.get(way.branch) or _line(sheet, way)
         lines.append(line)
         before += formulas + _known_rate(sheet, system, line)
     after = [sheet.read_point(point) for point in vertices]
@@ -63,8 +65,24 @@ def step(sheet: Sheet, system: System) -> Step:
     points = [f for link in system.group.links for f in similar(sheet, link, lines)]
     return Step(
         system.group.group, tuple(vertices), tuple(_equations(sheet, system, vertices)), tuple(before),
-        tuple(after), tuple(points), projections,
+        tuple(after), tuple(points), projections, constructed,
     )  # fmt: skip
+
+
+Ready = dict[Branch, tuple[Line, list[Formula]]]
+
+
+def _found(
+    sheet: Sheet, system: System, ways: list[_Way]
+) -> tuple[Projections | None, Special | None, Ready]:
+    """Letter the vertices: constructed through a special point, or put where the equations say. Of a construction also
+    the lines that are drawn already."""
+    of = {way.branch: way for way in ways}
+    found = special.basis(sheet, system, {branch: way.arm for branch, way in of.items()})
+    if found is None:
+        return _solve(sheet, system, ways), None, {}
+    ready = {leg.branch: _line(sheet, of[leg.branch]) for leg in found.legs if not leg.on_basis}
+    return None, special.construct(sheet, found, ready), ready
 
 
 # ---------------------------------------------------------------- the scheme

@@ -3,11 +3,12 @@
 from collections.abc import Iterator
 from typing import Annotated, TypedDict
 
-from pydantic import Field, Tag
+from pydantic import ConfigDict, Field, Tag
 
 from tmm_report.chapters.kinematics.block import undrawn
-from tmm_report.chapters.plans.given import Drawing
-from tmm_report.chapters.structure.block import stated
+from tmm_report.chapters.plans.block import segments
+from tmm_report.chapters.plans.given import Drawing, Kind
+from tmm_report.chapters.structure.block import names, stated
 from tmm_report.problems import N_, Problem
 from tmm_report.quantity.paper import ACCURACY
 from tmm_report.variant import model
@@ -37,7 +38,11 @@ class ScalesModel(Model):
 
 
 class DrawingModel(Model):
-    """How the plans are drawn."""
+    """How the plans are drawn. A scale is a number, or follows from a whole segment: OA: 50 mm, pa: 100 mm,
+    pia: 120 mm, force: 200 mm."""
+
+    model_config = ConfigDict(extra="allow")
+    __pydantic_extra__: dict[str, segments.Written] = Field(init=False)
 
     accuracy: Accuracy = Field(default=ACCURACY, description="lengths on paper are read to it")
     scales: ScalesModel = Field(default_factory=ScalesModel)
@@ -54,14 +59,20 @@ class Given(TypedDict):
 
 
 def given(read: Read) -> Given:
-    block = read.block(Block)
-    scales = block.drawing.scales
+    block = read.block(Block).drawing
+    scales, chosen = block.scales, segments.segments(block.__pydantic_extra__ or {}, names(read.data).points)
     drawing = Drawing(
-        block.drawing.accuracy, scales.length, scales.velocity, scales.acceleration, scales.force
+        block.accuracy, scales.length, scales.velocity, scales.acceleration, scales.force, chosen
     )
     return {"drawing": drawing}
 
 
 def mistakes(read: Read) -> Iterator[Problem]:
-    if stated(read):
-        yield from undrawn("plans", read)
+    if not stated(read):
+        return
+    yield from undrawn("plans", read)
+    block = read.block(Block).drawing
+    kinds: tuple[Kind, ...] = ("length", "velocity", "acceleration", "force")
+    scales = {kind for kind in kinds if getattr(block.scales, kind) is not None}
+    others = list(DrawingModel.model_fields)
+    yield from segments.mistakes(block.__pydantic_extra__ or {}, names(read.data).points, scales, others)
