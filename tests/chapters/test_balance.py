@@ -59,7 +59,13 @@ def test_reactions_of_the_frame_hold_all_loads(results):
         acting += [(f, motion.place(one.at)) for one, f in zip(given.forces, load.forces, strict=True)]
         reactions = [r for r in solved.statics.reactions.values() if FRAME in r.pair.links]
         acting += [(r.force, r.at + 0j) for r in reactions]
-        couples = [*load.couples.values(), *load.moments, solved.balancing, *(r.moment for r in reactions)]
+        couples = [*load.couples.values(), *load.moments, *(r.moment for r in reactions)]
+        driver, pivot = motion.linkage.mechanism.driver, motion.linkage.structure.driver_pair.name
+        if driver.gear:  # the wheel that drives pushes in the pitch point
+            push = driver.gear.force(solved.balancing, driver.omega)
+            acting.append((push, motion.place(pivot) + driver.gear.pitch_point))
+        else:
+            couples.append(solved.balancing)
         size = max(np.abs(f).max() for f, _ in acting)
         assert np.abs(sum(f for f, _ in acting)).max() < 1e-12 * size
         moment = sum(cross(at, f) for f, at in acting) + sum(couples)

@@ -59,7 +59,8 @@ def test_efficiency(results):
     driving = np.abs(results.lever.kinetostatics.table.balancing * results.lever.kinematics.omega)
     np.testing.assert_allclose(found.table.efficiency, driving / (driving + found.table.total))
     assert 0 < found.mean_efficiency < 1
-    assert found.mean_power == pytest.approx(found.diagram.total[:-1].mean())
+    # of the whole cycle, not of the positions of the diagrams
+    assert found.mean_power == pytest.approx(found.diagram.total[:-1].mean(), rel=0.1)
 
 
 def test_no_friction_loses_nothing(results):

@@ -112,7 +112,8 @@ def force_cells(results) -> Iterator[Cell]:
         yield f"balancing moment {k}", table.balancing[k], text
     yield "analytical moment", table.balancing[7], FORCES["analytical_balancing_moment_Nm"]
     greatest = PRINTED["balancing_moment_extremes_36"]["max_near_position_11"]
-    yield "greatest moment over 36", results.lever.kinetostatics.extremes[1].value, greatest
+    # the guide looked at 36 positions; between them the moment is greater
+    yield "greatest moment over 36", results.lever.kinetostatics.diagram.balancing.max(), greatest
 
 
 def force_plan_cells(results) -> Iterator[Cell]:
@@ -130,8 +131,8 @@ def force_plan_cells(results) -> Iterator[Cell]:
     for link in "24":
         yield f"h{link}", reduced[link], printed[f"h{link}"]
         yield f"hG{link}", arms[f"G_{link}"], printed[f"hG{link}"]
-        # the guide puts the inertia force through the swing centre: its arm has the couple's h in it
-        yield f"hFI{link}", arms[f"F_I{link}"] + reduced[link], printed[f"hFI{link}"]
+        # the guide puts the inertia force through the swing centre too
+        yield f"hFI{link}", arms[f"F_I{link}"], printed[f"hFI{link}"]
     yield "R24", reactions(results)["R24"], FORCES["plan_reactions_N"]["R24"]
 
 

@@ -62,13 +62,23 @@ def on_frame(motion: Motion, about: Array = 0j) -> tuple[Array, Array]:
     """Force and moment of all pairs of the frame on it under inertia alone, with the reaction of the motor, which
     stands on the frame: the shaking force and moment by the reactions of the groups."""
     found = statics.solve(motion, statics.inertia_and_gravity(motion, 0j))
-    force, moment = np.zeros(motion.shape, dtype=complex), -found.balancing
+    force, moment = _of_motor(motion, found.balancing, about)
     for reaction in found.reactions.values():
         if FRAME in reaction.pair.links:
             sign = -1 if reaction.pair.links[0] == FRAME else 1
             force = force + sign * reaction.force
             moment = moment + sign * (cross(reaction.at - about, reaction.force) + reaction.moment)
     return force, moment
+
+
+def _of_motor(motion: Motion, balancing: Array, about: Array) -> tuple[Array, Array]:
+    """What the motor does to the frame: a moment, or the force of the wheel that drives, by its shaft."""
+    driver = motion.linkage.mechanism.driver
+    if driver.gear is None:
+        return np.zeros(motion.shape, dtype=complex), -balancing
+    force = -driver.gear.force(balancing, driver.omega)
+    pivot = motion.place(motion.linkage.structure.driver_pair.name)
+    return force, cross(pivot + driver.gear.pitch_point - about, force)
 
 
 def fitted(mechanism: Mechanism, weights: Iterable[Weight]) -> Mechanism:

@@ -85,7 +85,8 @@ def _inertia_and_gravity(motion: Motion, link: Link, gravity: complex) -> Load:
 
 
 def solve(motion: Motion, loads: Mapping[str, Load]) -> Statics:
-    """Reactions in every pair and the balancing moment under `loads` (link -> resultant), inertia among them."""
+    """Reactions in every pair and the balancing moment under `loads` (link -> resultant), inertia among them. Where a
+    gear turns the driving link, the reaction of the frame on it holds the force of the teeth too."""
     s, linkage = motion.state, motion.linkage
     rest = dict(loads)
     reactions: dict[str, Reaction] = {}
@@ -97,8 +98,10 @@ def solve(motion: Motion, loads: Mapping[str, Load]) -> Statics:
             for reaction in outer:
                 _pass_on(s, rest, reaction)
             reactions |= {r.pair.key: r for r in (*outer, *inner)}
-    driver, pair = rest[linkage.mechanism.driver.link], linkage.structure.driver_pair
-    reactions[pair.key] = Reaction(pair, -driver.force, 0.0, s.r[linkage.mechanism.driver.link])
+    driven, pair = linkage.mechanism.driver, linkage.structure.driver_pair
+    driver = rest[driven.link]
+    pushed = driven.gear.force(-driver.moment, driven.omega) if driven.gear else 0.0
+    reactions[pair.key] = Reaction(pair, -driver.force - pushed, 0.0, s.r[driven.link])
     return Statics(reactions, -driver.moment)
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from tmm_report.chapters.force_plans.drafting import ForcePlan
 from tmm_report.chapters.force_plans.drafting.plan import Kind
 from tmm_report.figures.drawing import Drawing
@@ -10,11 +12,14 @@ from tmm_report.figures.plans import PlanVector, Style, plan
 
 STYLES: dict[Kind, Style] = {
     "gravity": "force", "load": "force", "inertia": "inertia", "reaction": "reaction", "component": "component",
+    "inner": "reaction",
 }  # fmt: skip
 
 
-def force_picture(drawn: ForcePlan) -> Drawing:
+def force_picture(drawn: ForcePlan, words: Callable[[str], str]) -> Drawing:
+    """`words`: how a word of an index is said."""
     vectors = [
-        PlanVector(s.start, s.end, lettered(s.quantity.symbol), STYLES[s.kind], s.key) for s in drawn.strokes
+        PlanVector(s.start, s.end, lettered(s.quantity.symbol, words), STYLES[s.kind], s.key)
+        for s in drawn.strokes
     ]
     return plan(vectors, {})

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from tmm_report.chapters.force_plans import lever_quantities
 from tmm_report.chapters.kinetostatics.quantities import BALANCING_MOMENT
 from tmm_report.chapters.plans.quantities import COMPARISON, comparison
 from tmm_report.problems import N_, Message
@@ -28,11 +30,22 @@ WORST = Quantity(
 )
 
 
-def arm(force: Quantity, about: str) -> Quantity:
-    """Arm of a force about a point."""
+MU_L = Quantity("mu_l", Symbol("mu", "l"), "m/mm", Message(N_("scale of the scheme")))
+
+CHOSEN = Quantity("L_largest", Symbol("L"), "mm", Message(N_("length at which the largest force is drawn")))
+
+
+def arm(force: Quantity, about: str, in_mm: bool = False) -> Quantity:
+    """Arm of a force about a point, m, or mm of paper."""
     name = force.sign
     symbol = Symbol("h", name.base + name.sub, name.sup)
-    return Quantity(f"h_{force.key}_{about}", symbol, "m", Message(N_("arm of force %(of)s"), {"of": name}))
+    unit = "mm" if in_mm else "m"
+    return Quantity(f"h_{force.key}_{about}", symbol, unit, Message(N_("arm of force %(of)s"), {"of": name}))
+
+
+def on_paper(length: Quantity) -> Quantity:
+    """A length as the scheme has it, mm of paper."""
+    return replace(length, key=f"{length.key}_mm", unit="mm")
 
 
 def drawn_length(force: Quantity) -> Quantity:
@@ -42,10 +55,11 @@ def drawn_length(force: Quantity) -> Quantity:
     return Quantity(f"L_{force.key}", symbol, "mm", Message(text, {"of": force.symbol}))
 
 
-def moment_sum(about: str, links: tuple[str, ...]) -> Quantity:
-    """Sum of the moments of the loads on some links about a point."""
+def moment_sum(about: str, links: tuple[str, ...], in_mm: bool = False) -> Quantity:
+    """Sum of the moments of the loads on some links about a point, N m, or N mm of paper."""
     meaning = Message(N_("sum of the moments of the loads about point %(of)s"), {"of": about})
-    return Quantity(f"SigmaM_{about}_{'-'.join(links)}", Symbol("SigmaM", about), "N·m", meaning)
+    unit = "N·mm" if in_mm else "N·m"
+    return Quantity(f"SigmaM_{about}_{'-'.join(links)}", Symbol("SigmaM", about), unit, meaning)
 
 
 def values(found: ForcePlans) -> Iterator[Value]:
@@ -62,6 +76,7 @@ def tables(found: ForcePlans) -> Iterator[Table]:
         yield comparison(
             f"force_comparison_{drawn.position}", COMPARISON, drawn.comparison, units.__getitem__
         )
+    yield from lever_quantities.tables(found.levers)
 
 
 def compared(drawn: ForceDrawn) -> list[Quantity]:

@@ -6,16 +6,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from tmm_report.chapters.force_plans.drafting import ForceDrawn, draw
+from tmm_report.chapters.force_plans.lever import Lever, levers
 from tmm_report.chapters.kinetostatics.solve import Kinetostatics
 from tmm_report.chapters.plans.given import Drawing
 from tmm_report.chapters.plans.solve import Plans
-from tmm_report.quantity.paper import Pen
 
 
 @dataclass(frozen=True, eq=False)
 class ForcePlans:
     drawn: tuple[ForceDrawn, ...]
     singular: tuple[int, ...]
+    levers: tuple[Lever, ...] = ()
 
     @property
     def worst(self) -> float:
@@ -28,6 +29,6 @@ class ForcePlans:
 def solve(drawing: Drawing, positions: Sequence[int], found: Kinetostatics, plans: Plans) -> ForcePlans:
     lost = (*found.kinematics.singular, *found.kinematics.missing)
     regular = [k for k in positions if k not in lost]
-    pen = Pen(drawing.accuracy)
-    drawn = tuple(draw(found, k, plans.length_scale, drawing.force, pen) for k in regular)
-    return ForcePlans(drawn, tuple(k for k in positions if k not in regular))
+    drawn = tuple(draw(found, k, plans.length_scale, drawing) for k in regular)
+    singular = tuple(k for k in positions if k not in regular)
+    return ForcePlans(drawn, singular, levers(found, drawn, plans))

@@ -3,22 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import cache
+from functools import cache, partial
 from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
 
+from tmm_report.chapters.force_plans import lever_view
 from tmm_report.chapters.force_plans import quantities as q
 from tmm_report.chapters.force_plans.drafting import ForceDrawn, ForcePlan
 from tmm_report.chapters.force_plans.draw import force_picture
+from tmm_report.chapters.force_plans.loading_draw import Loaded, loading_schemes
 from tmm_report.chapters.force_plans.solve import ForcePlans
 from tmm_report.figures.drawing import Drawing
-from tmm_report.mechanics.structure import Pair
 from tmm_report.problems import N_
 from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Var
-from tmm_report.quantity.model import Book
+from tmm_report.quantity.model import Book, Quantity
 from tmm_report.report.comparison import comparison_table
+from tmm_report.report.diagrams import scale_of
 from tmm_report.report.layout import Table, worded
 from tmm_report.report.page import Page
 from tmm_report.report.part import Part
@@ -32,15 +34,18 @@ REDUCED_ARM = Definition("h", Var("M_I", 0.0) / Var("F_I", 0.0))
 
 def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
     if lever.force_plans is not None:
-        yield Part("force_plans", ForcePlansView(lever.force_plans, lever.structure.pairs, page))
+        view = ForcePlansView(lever, lever.force_plans, page)
+        yield Part("force_plans", view)
+        yield lever_view.part(lever.force_plans.levers, view.book, page)
 
 
 class ForcePlansView:
     reduced_arm = REDUCED_ARM
     label = staticmethod(group_label)
 
-    def __init__(self, found: ForcePlans, pairs: Sequence[Pair], page: Page):
-        self.found, self.pairs, self.page, self.t = found, pairs, page, page.t
+    def __init__(self, lever: LeverFound, found: ForcePlans, page: Page):
+        self.found, self.pairs, self.page, self.t = found, lever.structure.pairs, page, page.t
+        self.kinematics, self.length_scale = lever.kinematics, lever.plans.length_scale
         self.book = Book.of(q.tables(found), q.values(found))
         self.picture = cache(self._picture)
 
@@ -69,9 +74,28 @@ class ForcePlansView:
         return self.page.listed(self.page.value(var, digits=5) for var in plan.solution)
 
     def _picture(self, plan: ForcePlan) -> Drawing:
-        return force_picture(plan)
+        return force_picture(plan, partial(self.page.tr.pgettext, "index"))
+
+    # ------------------------------------------------------------ loading schemes
+
+    def loading(self, drawn: ForceDrawn, plan: ForcePlan) -> list[Loaded]:
+        return loading_schemes(
+            self.kinematics, self.length_scale, drawn, plan, partial(self.page.tr.pgettext, "index")
+        )
+
+    @property
+    def scheme_scale(self) -> Var:
+        """mu_l of the loading schemes, with which their arms are read."""
+        return scale_of("mu_l", self.length_scale, "m/mm")
+
+    def symbols(self, of: Sequence[Quantity]) -> Markup:
+        return self.page.listed(self.page.sym(one.sign) for one in of)
 
     # ------------------------------------------------------------ tables
+
+    def armed(self, drawn: ForceDrawn) -> bool:
+        """Whether any force has an arm."""
+        return any(plan.arms for plan in drawn.plans)
 
     def arms(self, caption: Any, drawn: ForceDrawn) -> Table:
         table = self.book.tables[f"arms_{drawn.position}"]

@@ -6,7 +6,7 @@ from typing import TypedDict
 from pydantic import Field
 
 from tmm_report.chapters.friction.given import Friction, Rubbing
-from tmm_report.chapters.structure.block import names, stated, without
+from tmm_report.chapters.structure.block import has_cams, names, stated, without
 from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.variant import model
 from tmm_report.variant.errors import near
@@ -73,6 +73,10 @@ def mistakes(read: Read) -> Iterator[Problem]:
         yield from without(read, "friction")
         return
     written, known = read.block(Block).friction, names(read.data)
+    if written and has_cams(read):
+        text = N_("friction is not worked out of a mechanism with a cam pair")
+        yield mistake(text, ("friction",), Message(N_("leave this block out")))
+        return
     joints = [*known.all_points, *known.guides]
     if written and written.corrected and not (written.pivots or written.guides or written.joints):
         text = N_("there is nothing to correct: no pair has friction")

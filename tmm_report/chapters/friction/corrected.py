@@ -14,8 +14,11 @@ from typing import Any
 import numpy as np
 
 from tmm_report.chapters.friction.given import Rubbing
-from tmm_report.chapters.kinetostatics.solve import Kinetostatics, Solved, resultants
+from tmm_report.chapters.kinetostatics.solve import Kinetostatics, Over, Solved, resultants
 from tmm_report.mechanics import rubbing
+from tmm_report.mechanics.cycle import larger
+from tmm_report.mechanics.panels import Panels
+from tmm_report.mechanics.peaks import peaks
 from tmm_report.mechanics.rubbing import Rub, Rubbed
 from tmm_report.mechanics.structure import Pair
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
@@ -78,10 +81,13 @@ class Corrected:
 
 @dataclass(frozen=True, eq=False)
 class Correction:
-    """At the table positions 0..N and at the diagram positions."""
+    """At the table positions 0..N, at the diagram positions and, on `panels`, over the whole cycle; None where it is
+    known at these positions alone."""
 
     table: Corrected
     diagram: Corrected
+    panels: Panels | None = None
+    whole: Corrected | None = None
 
     @cached_property
     def worst(self) -> float:
@@ -89,36 +95,64 @@ class Correction:
 
     @cached_property
     def mean_power(self) -> float:
-        return float(np.nanmean(self.diagram.lost[:-1]))
+        return self._mean(lambda one: one.lost)
 
     @cached_property
     def mean_efficiency(self) -> float:
-        driving = float(np.nanmean(self.diagram.driving[:-1]))
+        driving = self._mean(lambda one: one.driving)
         return driving / (driving + self.mean_power) if driving > 0 else float("nan")
 
     @cached_property
     def growth(self) -> float:
         """The largest balancing moment with friction to the largest without."""
-        one, other = (np.nanmax(np.abs(of)) for of in (self.diagram.moment, self.diagram.without))
+        one, other = self._largest(lambda one: one.moment), self._largest(lambda one: one.without)
         return float(one / other) if other > 0 else float("nan")
+
+    def _mean(self, of: Callable[[Corrected], Array]) -> float:
+        """Over the whole cycle; of the diagram positions where it is not known."""
+        if self.panels is None or self.whole is None:
+            return float(np.nanmean(of(self.diagram)[:-1]))
+        return float(self.panels.mean(of(self.whole).reshape(self.panels.shape)))
+
+    def _largest(self, of: Callable[[Corrected], Array]) -> float:
+        """Magnitude, over the whole cycle; of the diagram positions where it is not known."""
+        if self.panels is None or self.whole is None:
+            return float(np.nanmax(np.abs(of(self.diagram))))
+        values = np.broadcast_to(of(self.whole), self.panels.x.size).reshape(1, *self.panels.shape)
+        return abs(larger(peaks(self.panels, values)[0]).value)
 
 
 def solve(
-    rubbing_of: Callable[[Pair], Rubbing | None], found: Kinetostatics, first: tuple[Array, Array]
+    rubbing_of: Callable[[Pair], Rubbing | None],
+    found: Kinetostatics,
+    first: tuple[Array, Array],
+    over: tuple[Over, Array] | None,
 ) -> Correction:
     """`rubbing_of`: friction of a pair; `first`: power of friction without correction at the table and the diagram
-    positions. Raises ProblemError where the mechanism jams."""
+    positions; `over`: the whole cycle with the same power. Raises ProblemError where the mechanism jams."""
     table, diagram = (
         _corrected(rubbing_of, found, solved, power)
         for solved, power in zip((found.table, found.diagram), first, strict=True)
     )
     if not any(np.nanmax(loss.pressing, initial=0.0) > 0 for loss in diagram.pairs):
         raise ProblemError([_idle()])
-    return Correction(table, diagram)
+    whole = _between(rubbing_of, found, *over) if over is not None else None
+    return Correction(table, diagram, over[0].panels if over is not None else None, whole)
+
+
+def _between(
+    rubbing_of: Callable[[Pair], Rubbing | None], found: Kinetostatics, over: Over, first: Array
+) -> Corrected | None:
+    """Over the whole cycle; None where it jams between the positions, as it does close beside a change point, of
+    whose two ways none is without great reactions."""
+    try:
+        return _corrected(rubbing_of, found, over, first)
+    except ProblemError:
+        return None
 
 
 def _corrected(
-    rubbing_of: Callable[[Pair], Rubbing | None], found: Kinetostatics, solved: Solved, first: Array
+    rubbing_of: Callable[[Pair], Rubbing | None], found: Kinetostatics, solved: Solved | Over, first: Array
 ) -> Corrected:
     motion = solved.motion
     pairs = motion.linkage.structure.pairs
@@ -133,8 +167,8 @@ def _corrected(
     omega = float(motion.state.w[motion.linkage.mechanism.driver.link])
     losses = tuple(_losses(rubs, rubbed, rates))
     moment = np.broadcast_to(rubbed.statics.balancing, motion.shape)
-    approximation = solved.balancing + first / omega
-    return Corrected(losses, solved.balancing, approximation, moment, omega, rubbed.steps)
+    without = np.broadcast_to(solved.statics.balancing, motion.shape)
+    return Corrected(losses, without, without + first / omega, moment, omega, rubbed.steps)
 
 
 def _senses(pairs: Sequence[Pair], rates: Mapping[str, Array]) -> dict[str, Array]:

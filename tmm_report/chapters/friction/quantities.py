@@ -22,6 +22,9 @@ DIAMETER = Quantity("d", Symbol("d"), "m", Message(N_("diameter of the journal")
 LENGTH = Quantity("l", Symbol("l"), "m", Message(N_("length of the slider")))
 TOTAL = Quantity("P_fr", Symbol("P", "fr"), "W", Message(N_("power of friction in all the pairs")))
 DRIVING = Quantity("P_drive", Symbol("P", "1"), "W", Message(N_("power of the balancing moment")))
+REDUCED = Quantity(
+    "T_fr", Symbol("T", "fr"), "N·m", Message(N_("moment of friction reduced to the driving link"))
+)
 EFFICIENCY = Quantity("eta", Symbol("eta"), "", Message(N_("instantaneous efficiency")))
 MEAN_POWER = Quantity("P_fr_mean", None, "W", Message(N_("mean friction power")))
 MEAN_EFFICIENCY = Quantity("eta_mean", None, "", Message(N_("efficiency over the cycle")))
@@ -32,9 +35,7 @@ def lost(pair: Pair, pairs: Sequence[Pair]) -> Quantity:
     of = {"pair": pair.name, "links": pair.key}
     meaning = Message(N_("friction power in pair %(pair)s of links %(links)s"), of)
     shared = [other.name for other in pairs].count(pair.name) > 1
-    # a small letter, as of a guide x, would be read as one word with the index
-    index = f"fr,{pair.name}" if pair.name[:1].islower() else f"fr{pair.name}"
-    index = f"{index},{both(*pair.links)}" if shared else index
+    index = f"fr,{pair.name}" + (f",{both(*pair.links)}" if shared else "")
     return Quantity(f"P_fr_{pair.key}", Symbol("P", index), "W", meaning)
 
 
@@ -92,6 +93,7 @@ def _losses(losses: Losses) -> Iterator[Column]:
         yield lost(loss.pair, pairs).column(loss.power)
     yield TOTAL.column(losses.total)
     yield DRIVING.column(losses.driving)
+    yield REDUCED.column(losses.reduced)
     yield EFFICIENCY.column(losses.efficiency)
     for loss in losses.pairs:
         yield pressing(loss.pair).column(loss.reaction)

@@ -80,19 +80,20 @@ class FrictionView:
 
     def stated(self, caption: Any) -> Table:
         table = self.book.tables["friction_given"]
+        journals = any(loss.rubbing.diameter for loss in self.found.table.pairs)
         rows = [
             [
                 self.page.word("–".join(pair.links), table, "links", row),
                 self.page.word(pair.name, table, "name", row), self.t(PAIR_KINDS[pair.kind]),
-                self.page.cell(table, "f", row), self._diameter(table, row, pair),
+                self.page.cell(table, "f", row), *([self._diameter(table, row, pair)] if journals else []),
             ]
             for row, pair in enumerate(loss.pair for loss in self.found.table.pairs)
         ]  # fmt: skip
         heads = [
             self.t("Links"), self.t("Point, guide"), self.t("Kind"), self.t("Friction coefficient"),
-            self.page.listed([self.t("Journal diameter"), self.page.unit("m")]),
+            *([self.page.listed([self.t("Journal diameter"), self.page.unit("m")])] if journals else []),
         ]  # fmt: skip
-        return worded(caption, heads, rows, (2, 2, 4, 3, 3))
+        return worded(caption, heads, rows, (2, 2, 4, 3, 3)[: len(heads)])
 
     def lengths(self) -> Markup | None:
         """Of the sliders that have one stated, by their guides; None where there are none."""
@@ -143,7 +144,12 @@ class FrictionView:
 
     def losses(self, caption: Any) -> Table:
         """Power lost in each pair, in all of them, and the efficiency."""
-        keys = [*(q.lost(loss.pair, self.pairs).key for loss in self.found.table.pairs), "P_fr", "P_drive"]
+        keys = [
+            *(q.lost(loss.pair, self.pairs).key for loss in self.found.table.pairs),
+            "P_fr",
+            "P_drive",
+            "T_fr",
+        ]
         columns = [self.page.column(self.table, key) for key in keys]
         columns.append(self.page.column(self.table, "eta", digits=4))
         return numeric(caption, self.page.positions(self.table), columns)
@@ -168,11 +174,8 @@ class FrictionView:
         return self.table.formula(q.lost(pair, self.pairs).key, k, friction * rate)
 
     def driving_power(self) -> Formula:
-        kinematics = self.kinetostatics.kinematics
         balancing = self.page.once(forces.book, self.kinetostatics).tables["balancing_table"]
-        link = kinematics.linkage.mechanism.driver.link
-        omega = Var(Symbol("omega", link), abs(kinematics.omega), "rad/s", ref=Ref("omega", size=True))
-        power = abs(balancing.var("M_bal", self.position)) * omega
+        power = abs(balancing.var("M_bal", self.position)) * self._omega()
         return self.table.formula(
             "P_drive", self.position, power, scale=float(self.found.table.driving.max())
         )
@@ -181,6 +184,23 @@ class FrictionView:
         driving = self.table.var("P_drive", self.position)
         lost = self.table.var("P_fr", self.position)
         return self.table.formula("eta", self.position, driving / (driving + lost), digits=4)
+
+    def reduced(self) -> Formula:
+        """The moment of friction reduced to the driving link."""
+        lost = self.table.var("P_fr", self.position)
+        return self.table.formula("T_fr", self.position, lost / self._omega())
+
+    def by_moments(self) -> Formula:
+        """The efficiency once more, by moments."""
+        balancing = self.page.once(forces.book, self.kinetostatics).tables["balancing_table"]
+        useful = abs(balancing.var("M_bal", self.position))
+        reduced = self.table.var("T_fr", self.position)
+        return self.table.formula("eta", self.position, useful / (useful + reduced), digits=4)
+
+    def _omega(self) -> Var:
+        kinematics = self.kinetostatics.kinematics
+        link = kinematics.linkage.mechanism.driver.link
+        return Var(Symbol("omega", link), abs(kinematics.omega), "rad/s", ref=Ref("omega", size=True))
 
     # ------------------------------------------------------------ diagram
 

@@ -19,6 +19,8 @@ from tmm_report.chapters.kinetostatics.loads import (
     Moment,
 )
 from tmm_report.chapters.kinetostatics.strokes import reach, strokes
+from tmm_report.mechanics.cam_breaks import breaks as cam_breaks
+from tmm_report.mechanics.cam_laws import FULL_TURN
 from tmm_report.mechanics.cycle import Cycle, Quantity
 from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.planar import dot
@@ -40,6 +42,9 @@ def breaks(given: Loads, kinematics: Kinematics) -> Array:
     for force in given.forces:
         if isinstance(force.law, ByStrokes):
             found += _in_strokes(force.at, force.law, cycle)
+    found.append(
+        cycle.repeated(np.mod(cycle.sense * (cam_breaks(cycle.linkage.mechanism) - cycle.zero), FULL_TURN))
+    )
     return np.unique(np.concatenate([np.array(fixed, dtype=float), *found]))
 
 

@@ -10,6 +10,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tmm_report.chapters.kinematics.quantities import where
+from tmm_report.chapters.kinetostatics import extreme_tables as cycle
+from tmm_report.chapters.kinetostatics import gear_quantities, pressing_quantities
+from tmm_report.chapters.kinetostatics.extreme_tables import Row
+from tmm_report.chapters.kinetostatics.gear_quantities import ANGLE as ANGLE
+from tmm_report.chapters.kinetostatics.gear_quantities import BASE_RADIUS as BASE_RADIUS
+from tmm_report.chapters.kinetostatics.gear_quantities import FORCE as FORCE
+from tmm_report.chapters.kinetostatics.gear_quantities import PITCH_RADIUS as PITCH_RADIUS
 from tmm_report.chapters.kinetostatics.stroke_tables import strokes_table
 from tmm_report.mechanics.statics import Reaction
 from tmm_report.mechanics.structure import Pair
@@ -19,7 +26,9 @@ from tmm_report.quantity.symbols import Symbol
 
 if TYPE_CHECKING:  # the solver's own names are taken from here
     from tmm_report.chapters.kinetostatics.loads import Force, Moment
+    from tmm_report.chapters.kinetostatics.over import Over
     from tmm_report.chapters.kinetostatics.solve import Kinetostatics, Solved
+    from tmm_report.chapters.kinetostatics.works import Work, Works
 
 Array = Any
 
@@ -171,6 +180,12 @@ def tables(found: Kinetostatics) -> Iterator[Table]:
         yield Table(f"loads_{name}", LOADS, (*at, *_loads(found, solved)))
         yield Table(f"reactions_{name}", REACTIONS, (*at, *_reactions(solved)))
         yield Table(f"balancing_{name}", BALANCING, (*at, *_balancing(solved)))
+    yield from gear_quantities.tables(found)
+    yield from pressing_quantities.tables(found, found.pressings)
+    if found.over is not None:
+        yield cycle.extremes_table(peaks_of(found.over))
+    if found.works is not None:
+        yield from cycle.works_tables(found.works, named_works(found, found.works))
 
 
 def _stated(found: Kinetostatics) -> Table:
@@ -258,6 +273,32 @@ def _balancing(solved: Solved) -> Iterator[Column]:
     yield POWER_MISS.column(solved.disagreement(solved.power))
 
 
+# ---------------------------------------------------------------- the whole cycle
+
+
+def peaks_of(over: Over) -> list[Row]:
+    """Of the balancing moment, of every reaction, its projections and, in a guide, its moment."""
+    rows = [Row(BALANCING_MOMENT, over.moment)]
+    for key, size in over.sizes.items():
+        by, on = over.statics.reactions[key].pair.links
+        of = reaction(by, on)
+        rows += [Row(of, size), *map(Row, of.components, over.components[key])]
+        if key in over.couples:
+            rows.append(Row(guide_moment(by, on), over.couples[key]))
+    return rows
+
+
+def named_works(found: Kinetostatics, of: Works) -> list[tuple[Quantity, Work]]:
+    """The balancing moment, the stated forces and moments, the weights."""
+    given = found.given
+    stated = [*forces(given.forces), *moments(given.moments)]
+    return [
+        (BALANCING_MOMENT, of.balancing),
+        *zip(stated, of.stated, strict=True),
+        *((weight(link), work) for link, work in of.weights.items()),
+    ]
+
+
 # ---------------------------------------------------------------- powers
 
 
@@ -294,6 +335,10 @@ def _powers(found: Kinetostatics, solved: Solved) -> Iterator[Column]:
 
 def values(found: Kinetostatics) -> Iterator[Value]:
     yield from extremes(found)
+    yield from gear_quantities.values(found)
+    yield from pressing_quantities.values(found.pressings)
+    if found.works is not None:
+        yield from cycle.works_values(found.works)
     worst = Message(N_("worst relative disagreement of the lever"))
     yield replace(LEVER_MISS, meaning=worst).value(found.worst_lever)
     worst = Message(N_("worst relative disagreement of the power balance"))

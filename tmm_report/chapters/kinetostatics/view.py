@@ -8,18 +8,19 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from markupsafe import Markup
 
+from tmm_report.chapters.kinetostatics import gear_view, lever_view, pressing_view
 from tmm_report.chapters.kinetostatics import quantities as q
-from tmm_report.chapters.kinetostatics.draw import balancing_diagram, force_diagrams, lever_picture
+from tmm_report.chapters.kinetostatics.curves_view import CurvesView
+from tmm_report.chapters.kinetostatics.cycle_view import CycleView
+from tmm_report.chapters.kinetostatics.draw import balancing_diagram, graphs_of, load_diagrams
+from tmm_report.chapters.kinetostatics.sampled import sampled
 from tmm_report.chapters.kinetostatics.solve import Kinetostatics
 from tmm_report.chapters.kinetostatics.stroke_tables import WORDS
 from tmm_report.chapters.plans.solve import Plans
 from tmm_report.problems import N_
 from tmm_report.quantity.definition import Definition
-from tmm_report.quantity.formula import Formula, Var
-from tmm_report.quantity.ref import Ref
-from tmm_report.quantity.symbols import Symbol
-from tmm_report.report.diagrams import CycleGraphs
-from tmm_report.report.layout import Cell, Column, Table, numeric, worded
+from tmm_report.quantity.formula import Var
+from tmm_report.report.layout import Column, Table, numeric, worded
 from tmm_report.report.page import Page
 from tmm_report.report.part import NEXT_CHAPTER, Part
 from tmm_report.report.words import force_direction, sense
@@ -28,7 +29,6 @@ if TYPE_CHECKING:
     from tmm_report.course import LeverFound
 
 WEIGHT = Definition("G", Var("m", 0.0) * Var("g", 0.0))
-POWER_BALANCE = Definition("M_bal", (Var("dT", 0.0) / Var("dt", 0.0) - Var("N", 0.0)) / Var("omega_1", 0.0))
 
 
 def given_parts(lever: LeverFound, page: Page) -> Iterator[Part]:
@@ -45,6 +45,12 @@ def parts(lever: LeverFound, page: Page) -> Iterator[Part | None]:
     yield Part("kinetostatics_loads", view)
     yield NEXT_CHAPTER  # the force plans stand between the loads and the reactions
     yield Part("kinetostatics", view)
+    yield from pressing_view.parts(lever.kinetostatics, page)
+    yield Part("kinetostatics_curves", view.curves, concludes=False)
+    yield Part("kinetostatics_extremes", view.cycle, concludes=False)
+    yield Part("kinetostatics_balancing", view)
+    yield from gear_view.parts(lever.kinetostatics, lever.sample, page)
+    yield lever_view.part(lever.kinetostatics, lever.sample, page)
 
 
 def _view(found: Kinetostatics, lever: LeverFound, page: Page) -> KinetostaticsView:
@@ -52,30 +58,38 @@ def _view(found: Kinetostatics, lever: LeverFound, page: Page) -> KinetostaticsV
 
 
 class KinetostaticsView:
-    weight, power_balance = WEIGHT, POWER_BALANCE
+    weight = WEIGHT
 
     def __init__(self, found: Kinetostatics, plans: Plans, position: int, page: Page):
         self.found, self.plans, self.position, self.page, self.t = found, plans, position, page, page.t
         self.book = page.once(q.book, found)
-        kinematics = found.kinematics
-        closed = kinematics.positions.table if kinematics.cycle.closed else 0
-        self.graphs = CycleGraphs(kinematics.diagram_turned, closed, page.tr)
-        self.diagram, self.lever = (
-            balancing_diagram(found, self.graphs),
-            lever_picture(found, plans, position),
-        )
-        self.followed = force_diagrams(found, page.tr)
+        self.cycle, self.curves = CycleView(found, page), CurvesView(found, page)
+        at = page.once(sampled, found)
+        self.graphs = graphs_of(found, at, page.tr)
+        self.diagram = balancing_diagram(found, at, self.graphs)
+        self.followed = load_diagrams(found, at, self.graphs)
 
     def conclusions(self) -> list[Markup]:
-        text = N_(
-            "The balancing moment varies from %(low)s N·m to %(high)s N·m over the cycle; Zhukovsky's lever and the "
-            "power balance confirm it within a relative difference of %(worst)s."
-        )
-        low, high = (self.page.shown(self.book[key]) for key in ("M_bal_min", "M_bal_max"))
         found = self.found
+        text = N_(
+            "The balancing moment varies over the cycle from %(low)s N·m at the angle of turn %(lowat)s to %(high)s "
+            "N·m at %(highat)s; Zhukovsky's lever and the power balance confirm it within a relative difference of "
+            "%(worst)s."
+        )
+        if not found.agrees:
+            text = N_(
+                "The balancing moments of the force analysis, of Zhukovsky's lever and of the power balance disagree "
+                "by a relative %(worst)s: the solution must not be used. By the force analysis the moment varies from "
+                "%(low)s N·m at the angle of turn %(lowat)s to %(high)s N·m at %(highat)s."
+            )
+        low, high = (self.page.shown(self.book[key]) for key in ("M_bal_min", "M_bal_max"))
+        lowat, highat = (self.cycle.moment_at(which) for which in ("least", "greatest"))
         worse = "lever" if found.worst_lever >= found.worst_power else "power"
         worst = self.page.shown(self.book[f"{worse}_disagreement"], digits=2, scale=0)
-        return [self.t(text, low=low, high=high, worst=worst)]
+        return [
+            self.t(text, low=low, high=high, lowat=lowat, highat=highat, worst=worst),
+            *self.cycle.conclusions(),
+        ]
 
     # ------------------------------------------------------------ what is given
 
@@ -98,8 +112,8 @@ class KinetostaticsView:
         return worded(caption, heads, rows, (2, 5, 4, 5))
 
     def magnitudes(self, caption: Any) -> Table:
-        """The stated loads along their directions at the table positions 0..N-1."""
-        table, count = self.book.tables["stated_table"], self.found.kinematics.positions.table
+        """The stated loads along their directions at the table positions, those that repeat none before them."""
+        table, count = self.book.tables["stated_table"], self.found.positions
         columns = [
             Column(
                 self.page.head(column.symbol(), column.unit),
@@ -164,8 +178,10 @@ class KinetostaticsView:
         return [reaction.pair.links for reaction in self.found.table.statics.reactions.values()]
 
     def _of_pairs(self, caption: Any, keys: list[str]) -> Table:
+        """What has no number at any position has no column."""
         table = self.book.tables["reactions_table"]
-        return numeric(caption, self.page.positions(table), [self.page.column(table, key) for key in keys])
+        some = [key for key in keys if np.isfinite(np.asarray(table[key].values, float)).any()]
+        return numeric(caption, self.page.positions(table), [self.page.column(table, key) for key in some])
 
     @property
     def in_guides(self) -> list[tuple[str, str]]:
@@ -192,18 +208,6 @@ class KinetostaticsView:
 
     # ------------------------------------------------------------ balancing moment
 
-    def extreme(self, end: str) -> Markup:
-        """ "min" or "max"."""
-        return self.page.shown(self.book[f"M_bal_{end}"])
-
-    def turned(self, end: str) -> Markup:
-        """The angle of turn of an extreme, degrees."""
-        value = self.book[f"M_bal_{end}"]
-        assert value.at is not None
-        return self.page.said(
-            Cell(self.page.num(np.degrees(value.at), places=1), Ref(value.key, by="at_deg"))
-        )
-
     def balancing(self, caption: Any) -> Table:
         """The balancing moment by groups, by the lever and by power."""
         table = self.book.tables["balancing_table"]
@@ -220,30 +224,3 @@ class KinetostaticsView:
 
     def scales(self) -> list[Var]:
         return self.graphs.scales(self.diagram, [("mu_M", "N·m/mm")])
-
-    # ------------------------------------------------------------ checks
-
-    def powers(self, caption: Any) -> Table:
-        """Powers of all loads at the sample position, and their sum."""
-        table, k = self.book.tables["powers_table"], self.position
-        rows = []
-        for loads in q.loads_of_powers(self.found):
-            key = q.power(loads).key
-            size = abs(float(table[key].values[k]))
-            symbols = self.page.listed(self.page.sym(load.sign) for load in loads)
-            rows.append([symbols, self.page.cell(table, key, k, scale=max(1.0, size))])
-        rows.append([self.t("Sum"), self.page.cell(table, "N_sum", k)])
-        heads = [self.t("Loads"), self.page.listed([self.t("Power"), self.page.unit("W")])]
-        return worded(caption, heads, rows, (1, 1))
-
-    def lever_formula(self) -> Formula:
-        """The balancing moment from the sum of powers, at the sample position."""
-        total = self.book.tables["powers_table"].var("N_sum", self.position)
-        omega = self.found.kinematics.omega
-        link = self.found.kinematics.linkage.mechanism.driver.link
-        speed = Var(Symbol("omega", link), omega, "rad/s", ref=Ref("omega"))
-        return self.book.tables["balancing_table"].formula("M_lever", self.position, -total / speed)
-
-    def disagreement(self, of: str) -> Markup:
-        """The worst of the "lever" or of the "power" balance."""
-        return self.page.shown(self.book[f"{of}_disagreement"], digits=2, scale=0)

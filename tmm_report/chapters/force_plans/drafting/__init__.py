@@ -7,25 +7,23 @@ Source: Artobolevsky, Theory of mechanisms and machines, ch. 13; Frolov (ed.), T
 
 from __future__ import annotations
 
-from typing import Any
-
 from tmm_report.chapters.force_plans.drafting import driver, dyad, system
 from tmm_report.chapters.force_plans.drafting.plan import Balance, ForceDrawn, ForcePlan
 from tmm_report.chapters.force_plans.drafting.sheet import Sheet
 from tmm_report.chapters.kinetostatics.solve import Kinetostatics
+from tmm_report.chapters.plans.given import Drawing
 from tmm_report.mechanics.dyads import Dyad
 from tmm_report.mechanics.higher import HigherGroup
-from tmm_report.quantity.paper import Pen
 
 __all__ = ["Balance", "ForceDrawn", "ForcePlan", "draw"]
 
 
-def draw(found: Kinetostatics, position: int, length_scale: float, force_scale: Any, pen: Pen) -> ForceDrawn:
+def draw(found: Kinetostatics, position: int, length_scale: float, drawing: Drawing) -> ForceDrawn:
     """Force plans of all groups, the farthest first, and of the driving link, at a table position.
 
-    `length_scale`: m/mm of the scheme from which arms are read; `force_scale`: N/mm, one or by group, or None.
+    `length_scale`: m/mm of the scheme from which arms are read.
     """
-    sheet = Sheet(found, position, length_scale, force_scale, pen)
+    sheet = Sheet(found, position, length_scale, drawing)
     plans = [_group(sheet, group) for group in reversed(sheet.motion.linkage.groups)]
     sheet.begin()
     plan, moment = driver.plan(sheet)
@@ -37,6 +35,9 @@ def draw(found: Kinetostatics, position: int, length_scale: float, force_scale: 
         tuple(sheet.worked),
         moment,
         tuple(sheet.comparison),
+        tuple(sheet.apart),
+        tuple(sheet.loads),
+        tuple(sheet.turning),
     )
 
 

@@ -6,15 +6,16 @@ Of a pivot both projections of the force of its first link on the second are unk
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.force_plans.drafting.plan import Arm, Balance
+from tmm_report.chapters.force_plans.drafting.plan import Arm, Balance, Held
 from tmm_report.chapters.force_plans.drafting.sheet import Sheet, plus
-from tmm_report.chapters.force_plans.quantities import arm, moment_sum
+from tmm_report.chapters.force_plans.quantities import MU_L, moment_sum
+from tmm_report.chapters.force_plans.quantities import arm as arm_of
 from tmm_report.chapters.kinetostatics.quantities import guide_moment, reaction, reaction_part
 from tmm_report.mechanics.higher import HigherGroup
 from tmm_report.mechanics.planar import cross
@@ -43,6 +44,7 @@ class Equilibrium:
     balances: tuple[Balance, ...]
     solution: tuple[Var, ...]
     forces: Mapping[str, complex]
+    held: tuple[Held, ...]
 
 
 @dataclass(eq=False)
@@ -72,7 +74,22 @@ def equilibrium(sheet: Sheet, group: HigherGroup, arms: list[Arm]) -> Equilibriu
     for column, value in zip(system.columns, x, strict=True):
         forces[column.pair.key] += column.along * float(round_significant(value, DIGITS))
     solution = tuple(sheet.number(c.quantity, float(v)) for c, v in zip(system.columns, x, strict=True))
-    return Equilibrium(balances, solution, forces)
+    solved = zip(system.columns, map(float, x), strict=True)
+    held = tuple(one for column, value in solved for one in _held(sheet, group, column, value))
+    return Equilibrium(balances, solution, forces, held)
+
+
+def _held(sheet: Sheet, group: HigherGroup, column: _Column, value: float) -> Iterator[Held]:
+    """An unknown that was found, on the links of the group that it acts on: a force, or the moment of a guide."""
+    pair = column.pair
+    for link in (link for link in pair.links if link in group.links):
+        by = pair.other(link)
+        parts = {1: reaction_part(by, link, "x"), 1j: reaction_part(by, link, "y")}
+        of = parts[column.along] if pair.kind == "R" else reaction(by, link)
+        of = of if column.along else guide_moment(by, link)
+        vector = column.along * value * _sense(pair, link)
+        couple = 0.0 if column.along else value * _sense(pair, link)
+        yield Held(of, link, vector, sheet.joint(pair), "component", couple=couple)
 
 
 def _columns(sheet: Sheet, pair: Pair) -> list[_Column]:
@@ -89,8 +106,10 @@ def _balance(sheet: Sheet, link: str, system: _System, arms: list[Arm]) -> Balan
     """The three equations of a link: both projections of the forces, and the moments about its first joint."""
     about = min((c.pair for c in system.columns if link in c.pair.links), key=lambda pair: pair.kind == "P")
     place = sheet.joint(about)
-    loads = sheet.hand(moment_sum(about.name, (link,)), sheet.moment_sum((link,), about.name, place, arms))
-    levers = [_lever(sheet, column, link, place) for column in system.columns]
+    loads = sheet.hand(
+        moment_sum(about.name, (link,), sheet.in_mm), sheet.moment_sum((link,), about.name, place, arms)
+    )
+    levers = [_lever(sheet, column, link, about.name, place, arms) for column in system.columns]
     force = sum((a.vector for a in sheet.acting[link]), 0j)
     for part in (np.real, np.imag):
         system.add([_sense(c.pair, link) * float(part(c.along)) for c in system.columns], -float(part(force)))
@@ -109,14 +128,19 @@ def _sense(pair: Pair, link: str) -> int:
     return 1 if link == pair.links[1] else -1 if link == pair.links[0] else 0
 
 
-def _lever(sheet: Sheet, column: _Column, link: str, about: complex) -> float:
-    """Moment of a unit of the unknown on the link about a place, its arm as read off the scheme, m."""
+def _lever(sheet: Sheet, column: _Column, link: str, name: str, about: complex, arms: list[Arm]) -> float:
+    """Moment of a unit of the unknown on the link about a place, m or mm of paper; its arm joins the others."""
     sense = _sense(column.pair, link)
     if sense == 0 or column.along == 0:
-        return float(sense)
+        return float(sense / sheet.mu_l if sheet.in_mm else sense)
     arm = cross(sheet.joint(column.pair) - about, column.along)
-    read = round_significant(sheet.pen.read(arm / sheet.mu_l) * sheet.mu_l, DIGITS + 2)
-    return float(sense * np.copysign(read, arm)) if read else 0.0
+    mm = sheet.pen.read(arm / sheet.mu_l)
+    if not mm:
+        return 0.0
+    metres = float(round_significant(mm * sheet.mu_l, DIGITS + 2))
+    of, at = arm_of(column.quantity, f"{name}_{link}", sheet.in_mm), sheet.joint(column.pair)
+    arms.append(Arm(column.quantity, name, mm, metres, of, link, about, at, column.along))
+    return float(sense * np.copysign(mm if sheet.in_mm else metres, arm))
 
 
 def _forces(sheet: Sheet, link: str, system: _System) -> VectorEquation:
@@ -135,11 +159,17 @@ def _moments(
     """Sum of the moments on a link with its numbers."""
     total: Expr | None = None
     if loads.written:
-        total = sheet.number(moment_sum(about, (link,)), loads.written)
+        total = sheet.number(moment_sum(about, (link,), sheet.in_mm), loads.written)
     for lever, column in zip(levers, system.columns, strict=True):
         if lever:
             of = column.quantity
             unknown = Unknown(of.sign, np.nan, of.unit, meaning=of.meaning)
-            term = sheet.number(arm(of, f"{about}_{link}"), abs(lever)) * unknown if column.along else unknown
-            total = plus(total, term, lever)
+            total = plus(total, _term(sheet, column, unknown, f"{about}_{link}", abs(lever)), lever)
     return Equation(total if total is not None else Number(0.0))
+
+
+def _term(sheet: Sheet, column: _Column, unknown: Unknown, about: str, lever: float) -> Expr:
+    """Moment of an unknown: a force times its arm, or a moment, as N mm of paper where arms stand in mm."""
+    if column.along:
+        return sheet.number(arm_of(column.quantity, about, sheet.in_mm), lever) * unknown
+    return unknown / sheet.number(MU_L, sheet.mu_l) if sheet.in_mm else unknown

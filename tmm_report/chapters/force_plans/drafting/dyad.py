@@ -7,29 +7,30 @@ solves any dyad; each line is a condition (see `_lines`): a moment equation, or 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
-from tmm_report.chapters.force_plans.drafting.plan import Arm, ForcePlan, ForceStroke
-from tmm_report.chapters.force_plans.drafting.sheet import Sheet
+from tmm_report.chapters.force_plans.drafting.plan import Arm, ForcePlan, ForceStroke, Held, Single
+from tmm_report.chapters.force_plans.drafting.sheet import Sheet, laid_end_to_end
 from tmm_report.chapters.force_plans.quantities import moment_sum
-from tmm_report.chapters.initial_data.quantities import length
-from tmm_report.chapters.kinetostatics.quantities import reaction, reaction_part
+from tmm_report.chapters.kinetostatics.quantities import guide_moment, reaction, reaction_part
 from tmm_report.mechanics.dyads import Dyad
-from tmm_report.mechanics.planar import resolve, unit
+from tmm_report.mechanics.planar import cross, resolve, unit
 from tmm_report.mechanics.structure import Pair
-from tmm_report.quantity.formula import Formula, Term, VectorEquation
+from tmm_report.quantity.formula import Expr, Formula, Number, Term, VectorEquation
 from tmm_report.quantity.model import Quantity
-from tmm_report.quantity.text import round_significant
-from tmm_report.quantity.written import DIGITS
 
 Corners = tuple[complex, complex, complex]  # P0, P1, P2: before the loads of b, between, after those of a; mm
+
+
+FAR = 15.0  # mm: the reaction of a guide that acts farther from the slider is shown as a force and a moment
 
 
 def plan(sheet: Sheet, d: Dyad) -> ForcePlan:
     """Draw the plan, read the reactions and pass the outer ones on."""
     arms: list[Arm] = []
     moments: list[Formula] = []
-    mu = sheet.scale_of(d.group)
+    mu = sheet.scale_of(d.links, (d.outer_a, d.outer_b), _corners(sheet, d))
     of_b, P1 = sheet.laid_off(d.b, 0j, mu)
     of_a, P2 = sheet.laid_off(d.a, P1, mu)
     corners = 0j, P1, P2
@@ -41,12 +42,32 @@ def plan(sheet: Sheet, d: Dyad) -> ForcePlan:
     loads = {link: tuple(sheet.acting[link]) for link in d.links}
     couples = {link: tuple(sheet.couples[link]) for link in d.links}
     equation = _equation(sheet, d, components)
+    singles = _single(sheet, d)
+    held = tuple(_held(sheet, d, corners, X, components, mu))
     for pair, link, vector in ((d.outer_a, d.a, X - P2), (d.outer_b, d.b, -X)):
         sheet.pass_on(pair, link, vector, mu)
     return ForcePlan(
         d.group.label, d.links, mu, loads, couples, tuple(arms), tuple(moments), equation,
-        tuple(strokes), tuple(readings),
+        tuple(strokes), tuple(readings), held=held, singles=(singles,), together=d.kind == 3,
+        chosen=sheet.chosen,
     )  # fmt: skip
+
+
+def _corners(sheet: Sheet, d: Dyad) -> list[complex]:
+    """Corners of the polygon by the analytical reactions, N; those of the components among them."""
+    corners = laid_end_to_end(sheet, (d.b, d.a))
+    on_a, on_b = (sheet.exact_on(pair, link) for pair, link in ((d.outer_a, d.a), (d.outer_b, d.b)))
+    corners.append(corners[-1] + on_a)
+    A, B, C = (sheet.joint(pair) for pair in (d.outer_a, d.inner, d.outer_b))
+    if d.kind in (1, 2, 3):
+        corners.append(corners[-1] - _across(on_a, A - (C if d.kind == 3 else B)))
+    return [*corners, -_across(on_b, C - B)] if d.kind == 1 else corners
+
+
+def _across(force: complex, arm: complex) -> complex:
+    """The part of a force that is across an arm."""
+    along = unit(arm)
+    return complex(force - (force * along.conjugate()).real * along)
 
 
 def _lines(
@@ -63,12 +84,7 @@ def _lines(
     ) -> complex:
         """Component of an outer reaction across its arm, from the moments about a joint; mm."""
         total = sheet.moment_sum(links, joint, about, arms)
-        arm = float(round_significant(abs(at - about), DIGITS + 2))
-        of = reaction_part(pair.other(link), link, "t")
-        sum_of_moments = sheet.hand(moment_sum(joint, tuple(links)), total)
-        moment = sheet.number(moment_sum(joint, tuple(links)), sum_of_moments.written)
-        formula = sheet.hand(of, -moment / sheet.number(length(joint + pair.name), arm))
-        moments.extend((sum_of_moments, formula))
+        formula = _tangential(sheet, pair, link, (total, joint, links), abs(at - about), moments)
         components[link] = sheet.pen.place(1j * unit(at - about) * formula.written / mu)
         return components[link]
 
@@ -89,6 +105,29 @@ def _lines(
     else:
         lines.append((P0, across(d.outer_b)))
     return lines, components
+
+
+def _tangential(
+    sheet: Sheet,
+    pair: Pair,
+    link: str,
+    loads: tuple[Expr, str, Sequence[str]],
+    arm: float,
+    moments: list[Formula],
+) -> Formula:
+    """−ΣM/l, written out in `moments`; nothing where no load has a moment about the joint."""
+    total, joint, links = loads
+    of = reaction_part(pair.other(link), link, "t")
+    if isinstance(total, Number):
+        formula = sheet.hand(of, Number(0.0))
+        moments.append(formula)
+        return formula
+    sum_of = moment_sum(joint, tuple(links), sheet.in_mm)
+    sum_of_moments = sheet.hand(sum_of, total)
+    moment = sheet.number(sum_of, sum_of_moments.written)
+    formula = sheet.hand(of, -moment / sheet.length(joint + pair.name, arm))
+    moments.extend((sum_of_moments, formula))
+    return formula
 
 
 def _reaction_strokes(
@@ -134,14 +173,56 @@ def _readings(sheet: Sheet, d: Dyad, corners: Corners, X: complex, mu: float) ->
 
 
 def _equation(sheet: Sheet, d: Dyad, components: Mapping[str, complex]) -> VectorEquation:
-    """Sum of all forces of the group; in an RPP and RPR group the inner reaction has its own known direction."""
+    """Sum of all forces of the group in the order of the polygon: loads of b, of a, reactions on a, on b.
+
+    In an RPP and RPR group the inner reaction has its own known direction.
+    """
 
     def outer(carrier: str, link: str, pair: Pair) -> list[Term]:
         if link in components:
             tangential, normal = _parts(carrier, link)
-            return [Term(normal.sign, 1), Term(tangential.sign, 2)]
+            return [Term(tangential.sign, 2), Term(normal.sign, 1)]
         return [Term(reaction(carrier, link).sign, 1 if pair.kind == "P" else 0)]
 
     on_a, on_b = outer(d.carrier_a, d.a, d.outer_a), outer(d.carrier_b, d.b, d.outer_b)
-    loads = [term for link in (d.a, d.b) for term in sheet.terms(link)]
-    return VectorEquation([[*on_a, *loads, *reversed(on_b)], []])
+    loads = [term for link in (d.b, d.a) for term in sheet.terms(link)]
+    return VectorEquation([[*loads, *on_a, *reversed(on_b)], []])
+
+
+def _single(sheet: Sheet, d: Dyad) -> Single:
+    """Link a alone: its loads from P1 to P2, the outer reaction on it to X, the inner one back to P1."""
+    on_a, _, inner = _reactions(d)
+    terms = [*sheet.terms(d.a), Term(on_a.sign, 2), Term(inner.sign, 0)]
+    return Single(d.a, VectorEquation([terms, []]), inner)
+
+
+def _held(
+    sheet: Sheet, d: Dyad, corners: Corners, X: complex, components: Mapping[str, complex], mu: float
+) -> Iterator[Held]:
+    """The reactions on the links of the group, N, and the inner one on either."""
+    P0, P1, P2 = corners
+    on_a, on_b, inner = _reactions(d)
+    for pair, link, carrier, whole, of in (
+        (d.outer_a, d.a, d.carrier_a, X - P2, on_a),
+        (d.outer_b, d.b, d.carrier_b, P0 - X, on_b),
+    ):
+        if (part := components.get(link)) is None:
+            yield _reaction_held(sheet, pair, of, link, whole * mu)
+            continue
+        at = sheet.joint(pair)
+        tangential, normal = _parts(carrier, link)
+        across = 1j * unit(at - sheet.joint(d.outer_b if d.kind == 3 else d.inner))
+        turned = (part * across.conjugate()).real < 0
+        yield Held(tangential, link, part * mu, at, "component", turned)
+        yield Held(normal, link, (whole - part) * mu, at, "component")
+    yield replace(_reaction_held(sheet, d.inner, inner, d.a, (P1 - X) * mu), kind="inner")
+    yield replace(_reaction_held(sheet, d.inner, reaction(d.a, d.b), d.b, (X - P1) * mu), kind="inner")
+
+
+def _reaction_held(sheet: Sheet, pair: Pair, of: Quantity, link: str, vector: complex) -> Held:
+    """A whole reaction; that of a guide where it acts along the guide, else at the slider with a moment."""
+    joint, offset = sheet.joint(pair), sheet.offset(pair)
+    if pair.kind == "R" or abs(offset) <= FAR * sheet.mu_l:
+        return Held(of, link, vector, joint + offset)
+    moment = guide_moment(pair.other(link), link)
+    return Held(of, link, vector, joint, couple=float(cross(offset, vector)), moment=moment)

@@ -11,17 +11,18 @@ from tmm_report.quantity.formula import Formula, Var, VectorEquation
 from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.written import Equation, Worked
 
-Kind = Literal["gravity", "inertia", "load", "reaction", "component"]
+Kind = Literal["gravity", "inertia", "load", "reaction", "component", "inner"]
 
 
 @dataclass(frozen=True)
 class Acting:
-    """A force on a link as it enters a plan: complex N, world place of application, m."""
+    """A force on a link as it enters a plan: complex N, world place of application, m, and that place's name."""
 
     quantity: Quantity
     kind: Kind
     vector: complex
     at: complex
+    point: str = ""
 
     @property
     def key(self) -> str:
@@ -55,13 +56,53 @@ class ForceStroke:
 
 
 @dataclass(frozen=True)
+class Held:
+    """A reaction, or a component of one, on a link as the loading scheme shows it: complex N, world place, m.
+
+    `turned`: a tangential component that came out against the sense assumed for it; `couple`: the moment of a guide,
+    N m, in place of a force, or beside it as `moment`.
+    """
+
+    quantity: Quantity
+    link: str
+    vector: complex
+    at: complex
+    kind: Kind = "reaction"
+    turned: bool = False
+    couple: float = 0.0
+    moment: Quantity | None = None
+
+    @property
+    def key(self) -> str:
+        return self.quantity.key
+
+
+@dataclass(frozen=True)
+class Single:
+    """Equilibrium of one link, whose polygon the reaction of an inner pair closes."""
+
+    link: str
+    equation: VectorEquation
+    closing: Quantity
+
+
+@dataclass(frozen=True)
 class Arm:
-    """The arm of a force about a joint, read off the scheme: mm of paper, and m."""
+    """The arm of a force on a link about a joint, read off the scheme: mm of paper, and m.
+
+    `quantity`: what it is called; `centre`: world place of the joint; `at`, `along`: a place, m, and the direction of
+    the line in which the force acts.
+    """
 
     force: Quantity
     about: str
     millimetres: float
     metres: float
+    quantity: Quantity
+    link: str
+    centre: complex
+    at: complex
+    along: complex
 
     @property
     def key(self) -> str:
@@ -84,8 +125,10 @@ class ForcePlan:
     """The plan of one group, or of the driving link, at one position.
 
     `links`: those it is drawn for; `moments`: moment equations with their numbers; `equation`: the vector equation of
-    the whole group; `loads`, `couples`: what acts, by link; `scale`: N per mm. Of a group above class II, `balances` of
-    its links, which are solved together, and the `solution`: projections of the reactions, N, and moments, N m.
+    the whole group; `loads`, `couples`: what acts, by link; `scale`: N per mm; `held`: the reactions as the loading
+    scheme shows them; `singles`: links whose equilibrium gives an inner reaction. Of a group above class II, `balances`
+    of its links, which are solved together, and the `solution`: projections of the reactions, N, and moments, N m.
+    `together`: its links must stand in one loading scheme; `drive`: what balances the driving link.
     """
 
     label: str
@@ -100,6 +143,16 @@ class ForcePlan:
     readings: tuple[Formula, ...]
     balances: tuple[Balance, ...] = ()
     solution: tuple[Var, ...] = ()
+    held: tuple[Held, ...] = ()
+    singles: tuple[Single, ...] = ()
+    together: bool = False
+    drive: Couple | None = None
+    chosen: Formula | None = None  # the scale, where it follows from a stated segment
+
+    @property
+    def turned(self) -> tuple[Quantity, ...]:
+        """Tangential components that came out against the sense assumed for them."""
+        return tuple(one.quantity for one in self.held if one.turned)
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,7 +171,8 @@ class Reduced:
 class ForceDrawn:
     """Force plans of one table position, the driving link's last, and the comparison of reactions and moment.
 
-    `inertia`: formulas of the inertia forces and couples, F_I = m a_S and M_I = J ε.
+    `inertia`: formulas of the inertia forces and couples, F_I = m a_S and M_I = J ε; `apart`: links whose inertia force
+    and couple are left as they are, as the swing centre would lie off the sheet.
     """
 
     position: int
@@ -128,3 +182,6 @@ class ForceDrawn:
     worked: tuple[Worked, ...]  # of the inertia forces, then of every plan
     balancing: float  # signed, N m, + counter-clockwise
     comparison: tuple[Comparison, ...]
+    apart: tuple[str, ...] = ()
+    acting: tuple[tuple[str, Acting], ...] = ()  # every load by its link, inertia forces in the mass centres
+    couples: tuple[tuple[str, Couple], ...] = ()

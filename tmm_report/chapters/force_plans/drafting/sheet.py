@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
 from tmm_report.chapters.force_plans.drafting.plan import Acting, Arm, Couple, ForceStroke, Kind, Reduced
-from tmm_report.chapters.force_plans.quantities import MU_F, drawn_length
+from tmm_report.chapters.force_plans.quantities import CHOSEN, MU_F, MU_L, drawn_length, on_paper
 from tmm_report.chapters.force_plans.quantities import arm as arm_of
-from tmm_report.chapters.initial_data.quantities import inertia, mass
+from tmm_report.chapters.initial_data.quantities import inertia, length, mass
 from tmm_report.chapters.kinematics.quantities import link_rate, point_rate
 from tmm_report.chapters.kinetostatics.quantities import (
     forces,
@@ -23,39 +22,49 @@ from tmm_report.chapters.kinetostatics.quantities import (
 )
 from tmm_report.chapters.kinetostatics.quantities import weight as weight_of
 from tmm_report.chapters.kinetostatics.solve import Kinetostatics, Solved, loaded_link
-from tmm_report.chapters.plans.solve import PAPER, Comparison
+from tmm_report.chapters.plans.given import Drawing
+from tmm_report.chapters.plans.solve import Comparison
+from tmm_report.mechanics.cam_group import in_position
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.planar import cross, unit
 from tmm_report.mechanics.statics import Reaction
-from tmm_report.mechanics.structure import Group, Pair
+from tmm_report.mechanics.structure import Pair
 from tmm_report.quantity.formula import Expr, Formula, Number, Term, Var
 from tmm_report.quantity.model import Quantity
-from tmm_report.quantity.paper import Pen, round_scale
+from tmm_report.quantity.paper import LONGEST, Pen, fitting_scale, round_scale
 from tmm_report.quantity.text import round_significant
 from tmm_report.quantity.written import DIGITS, Worked
+
+HAND = 0.1  # mm: to this accuracy or worse, lengths stand in equations as they are read
+REACH = 80.0  # mm: a swing centre farther from the mass centre is off the sheet
 
 
 class Sheet:
     """The force plans of one position in the making. `acting`, `couples`: what loads each link, by link."""
 
-    def __init__(self, found: Kinetostatics, k: int, mu_l: float, scale: Any, pen: Pen):
-        self.found, self.k, self.mu_l, self.scale, self.pen = found, k, mu_l, scale, pen
+    def __init__(self, found: Kinetostatics, k: int, mu_l: float, drawing: Drawing):
+        self.found, self.k, self.mu_l, self.pen = found, k, mu_l, Pen(drawing.accuracy)
+        self.scale, self.segment = drawing.force, drawing.force_segment
         self.solved: Solved = found.table
-        self.motion = found.kinematics.cycle.motion(found.kinematics.turned[k : k + 1])
+        self.motion = in_position(found.kinematics.cycle.motion(found.kinematics.turned[k : k + 1]))
         self.mechanism = self.motion.linkage.mechanism
         self.acting: dict[str, list[Acting]] = {name: [] for name in self.mechanism.moving}
         self.couples: dict[str, list[Couple]] = {name: [] for name in self.mechanism.moving}
         self.worked = [Worked(f"inertia_{k}", k)]
         self.inertia: list[Formula] = []
         self.reduced: list[Reduced] = []
+        self.apart: list[str] = []
         self.comparison: list[Comparison] = []
         self._collect()
-
-    # ------------------------------------------------------------ numbers
+        self.loads = [(link, force) for link, own in self.acting.items() for force in own]
+        self.turning = [(link, couple) for link, own in self.couples.items() for couple in own]
+        for link in list(self.solved.loading.couples):
+            self._reduce(link)
 
     def begin(self) -> None:
         """The next plan has numbers of its own."""
         self.worked.append(Worked(f"force_plan_{self.k}_{len(self.worked)}", self.k))
+        self.chosen: Formula | None = None  # its scale, where it follows from a segment
 
     def number(self, quantity: Quantity, value: float) -> Var:
         """A number of the calculation at hand."""
@@ -71,21 +80,18 @@ class Sheet:
         load, given = self.solved.loading, self.found.given
         for link, weight in load.gravity.items():
             centre = str(self.mechanism.links[link].mass_centre)
-            self._add(link, weight_of(link), "gravity", weight[self.k], self._at(centre))
+            self._add(link, weight_of(link), "gravity", weight[self.k], centre)
             acceleration = point_rate("a", centre), self.motion.acceleration(centre)[0]
             m = mass(link), self.mechanism.links[link].mass
             size = self._product(inertia_force(link), m, acceleration)
-            self._add(
-                link, inertia_force(link), "inertia", load.inertia[link][self.k], self._at(centre), size
-            )
+            self._add(link, inertia_force(link), "inertia", load.inertia[link][self.k], centre, size)
         for link, couple in load.couples.items():
             turning = link_rate("e", link), self.motion.angular_acceleration(link)[0]
             J = inertia(link), self.mechanism.links[link].inertia
             size = self._product(inertia_couple(link), J, turning)
             self._couple(link, inertia_couple(link), couple[self.k], size)
-            self._reduce(link)
         for stated, force, vector in zip(given.forces, forces(given.forces), load.forces, strict=True):
-            self._add(loaded_link(self.motion, stated.at), force, "load", vector[self.k], self._at(stated.at))
+            self._add(loaded_link(self.motion, stated.at), force, "load", vector[self.k], stated.at)
         for on, moment, couple in zip(given.moments, moments(given.moments), load.moments, strict=True):
             self._couple(on.on, moment, couple[self.k])
 
@@ -103,12 +109,13 @@ class Sheet:
         return formula.written
 
     def _add(
-        self, link: str, of: Quantity, kind: Kind, vector: complex, at: complex, size: float | None = None
+        self, link: str, of: Quantity, kind: Kind, vector: complex, point: str, size: float | None = None
     ) -> None:
         """`size`: the magnitude as already written; else the vector's own, rounded as one writes it."""
         if abs(vector) > 1e-9 * self._largest:
             written = float(round_significant(abs(vector), DIGITS)) if size is None else size
-            self.acting[link].append(Acting(of, kind, complex(unit(vector) * written), at))
+            force = Acting(of, kind, complex(unit(vector) * written), self._at(point), point)
+            self.acting[link].append(force)
 
     def _couple(self, link: str, of: Quantity, value: float, size: float | None = None) -> None:
         if abs(value) > 1e-9 * self._largest_moment:
@@ -127,54 +134,96 @@ class Sheet:
         return float(np.nanmax(self.solved.scale))
 
     def _reduce(self, link: str) -> None:
+        """The inertia force and couple as one force through the swing centre, where that lies on the sheet."""
         force = next((a for a in self.acting[link] if a.kind == "inertia"), None)
         couple = next((c for c in self.couples[link] if c.key == inertia_couple(link).key), None)
-        if force is not None and couple is not None:
-            # the force moved aside by h has the couple's moment about the mass centre
-            shift = -1j * unit(force.vector) * couple.value / abs(force.vector)
-            size = float(abs(force.vector))
-            self.reduced.append(
-                Reduced(link, size, couple.value, abs(couple.value) / size, complex(force.at - shift))
-            )
+        if force is None or couple is None:
+            return
+        # the force moved aside by h has the couple's moment about the mass centre
+        size = float(abs(force.vector))
+        arm = abs(couple.value) / size
+        if arm > REACH * self.mu_l:
+            self.apart.append(link)
+            return
+        shift = -1j * unit(force.vector) * couple.value / size
+        moved = replace(force, at=complex(force.at + shift), point=f"K{link}")
+        self.reduced.append(Reduced(link, size, couple.value, arm, moved.at))
+        self.acting[link][self.acting[link].index(force)] = moved
+        self.couples[link].remove(couple)
 
     # ------------------------------------------------------------ moments
 
-    def arm(self, acting: Acting, joint: str, about: complex) -> tuple[Arm, float]:
+    @property
+    def in_mm(self) -> bool:
+        """Whether arms stand in the equations of moments in mm of paper, as a person with a pencil has them."""
+        return self.pen.read_step >= HAND
+
+    def arm(self, acting: Acting, joint: str, about: complex, link: str) -> tuple[Arm, float]:
         """Arm of a force about a joint as read off the scheme, and the sense of its moment."""
         moment = cross(acting.at - about, acting.vector)
         mm = self.pen.read(moment / abs(acting.vector) / self.mu_l)
         metres = float(round_significant(mm * self.mu_l, DIGITS + 2))
-        return Arm(acting.quantity, joint, mm, metres), float(np.sign(moment))
+        of = arm_of(acting.quantity, joint, self.in_mm)
+        along = complex(unit(acting.vector))
+        arm = Arm(acting.quantity, joint, mm, metres, of, link, about, acting.at, along)
+        return arm, float(np.sign(moment))
+
+    def length(self, ends: str, metres: float) -> Var:
+        """A length of the scheme as it stands in an equation of moments: m, or mm of paper as read."""
+        of = length(ends)
+        if not self.in_mm:
+            return self.number(of, float(round_significant(metres, DIGITS + 2)))
+        return self.number(on_paper(of), self.pen.read(metres / self.mu_l))
+
+    def moment_of(self, couple: Couple) -> Expr:
+        """The size of a couple as it stands in an equation of moments: N m, or N mm of paper."""
+        size = self.number(couple.quantity, abs(couple.value))
+        return size / self.number(MU_L, self.mu_l) if self.in_mm else size
 
     def moment_sum(self, links: Sequence[str], joint: str, about: complex, arms: list[Arm]) -> Expr:
-        """Sum of moments of all loads and couples of `links` about a joint, with the arms as read, N m."""
+        """Sum of moments of all loads and couples of `links` about a joint, with the arms as read, N m or N mm."""
         total: Expr | None = None
         for link in links:
             for acting in self.acting[link]:
-                arm, sense = self.arm(acting, joint, about)
+                arm, sense = self.arm(acting, joint, about, link)
+                if not arm.millimetres:  # it acts through the joint
+                    continue
                 arms.append(arm)
-                h = self.number(arm_of(acting.quantity, joint), arm.metres)
+                h = self.number(arm.quantity, arm.millimetres if self.in_mm else arm.metres)
                 total = plus(total, self.number(acting.quantity, abs(acting.vector)) * h, sense)
             for couple in self.couples[link]:
-                size = self.number(couple.quantity, abs(couple.value))
-                total = plus(total, size, np.sign(couple.value))
+                total = plus(total, self.moment_of(couple), np.sign(couple.value))
         return total if total is not None else Number(0.0)
 
     # ------------------------------------------------------------ scale, loads laid off
 
-    def scale_of(self, group: Group) -> float:
-        """N per mm of a group's plan: as stated, or a round one that keeps its longest vector on the paper."""
+    def scale_of(self, links: Sequence[str], pairs: Sequence[Pair], corners: Sequence[complex]) -> float:
+        """N per mm of a plan: as stated, by the segment stated for its longest vector, or a round one at which the plan
+        fits the page. `pairs`: whose reactions it shows; `corners`: of its polygon, N, by the analytical reactions."""
         stated = self.scale
         if isinstance(stated, Mapping):
-            stated = next((s for key, s in stated.items() if set(key.split("-")) == set(group.links)), None)
-        return float(stated) if stated is not None else round_scale(self._longest(group), PAPER)
+            stated = next((s for key, s in stated.items() if set(key.split("-")) == set(links)), None)
+        if stated is not None:
+            return float(stated)
+        longest, of = self._longest(links, pairs)
+        if self.segment is not None and of is not None:
+            largest = self.number(
+                replace(of, key=f"{of.key}_largest"), float(round_significant(longest, DIGITS))
+            )
+            self.chosen = self.hand(MU_F, largest / self.number(CHOSEN, self.segment))
+            return self.chosen.written
+        wide, tall = (float(np.ptp(part)) for part in (np.real(corners), np.imag(corners)))
+        return max(round_scale(longest, LONGEST), fitting_scale(wide, tall))
 
-    def _longest(self, group: Group) -> float:
-        """The longest vector of a group's plan, N, to choose a scale by."""
-        sizes = [abs(a.vector) for link in group.links for a in self.acting[link]]
-        pairs = group.outer if group.kind is not None else (*group.outer, *group.inner)
-        sizes += [abs(self.exact(pair)) for pair in pairs]
-        return max(sizes, default=1.0)
+    def _longest(self, links: Sequence[str], pairs: Sequence[Pair]) -> tuple[float, Quantity | None]:
+        """The longest vector of a plan, N, and what it is."""
+        sizes = [(float(abs(a.vector)), a.quantity) for link in links for a in self.acting[link]]
+        sizes += [(abs(self.exact(pair)), reaction(*pair.links)) for pair in pairs]
+        return max(sizes, key=lambda one: one[0], default=(1.0, None))
+
+    def exact_on(self, pair: Pair, link: str) -> complex:
+        """The analytical reaction of a pair on one of its links."""
+        return self.exact(pair) * (1 if link == pair.links[1] else -1)
 
     def exact(self, pair: Pair) -> complex:
         """The analytical reaction, only to compare with and to choose a scale."""
@@ -211,8 +260,8 @@ class Sheet:
         if carrier == FRAME or abs(vector) == 0:
             return
         size = float(round_significant(self.pen.read(vector) * mu, DIGITS))
-        at = self.joint(pair) + self._offset(pair)
-        force = Acting(reaction(link, carrier), "reaction", complex(-unit(vector) * size), at)
+        at = self.joint(pair) + self.offset(pair)
+        force = Acting(reaction(link, carrier), "reaction", complex(-unit(vector) * size), at, pair.name)
         self.acting[carrier].append(force)
 
     def joint(self, pair: Pair) -> complex:
@@ -224,7 +273,7 @@ class Sheet:
         carrier = pair.other(pair.slider)
         return complex(np.ravel(self.motion.state.u[carrier] * pair.along[carrier])[0])
 
-    def _offset(self, pair: Pair) -> complex:
+    def offset(self, pair: Pair) -> complex:
         """Where along a moving guide the reaction acts: from the moments of the sliding link, as the solver has it."""
         if pair.kind == "R":
             return 0j
@@ -239,3 +288,12 @@ def plus(total: Expr | None, term: Expr, sense: float) -> Expr:
     if total is None:
         return term if sense >= 0 else -term
     return total + term if sense >= 0 else total - term
+
+
+def laid_end_to_end(sheet: Sheet, links: Sequence[str], start: complex = 0j) -> list[complex]:
+    """Corners of the polygon of the loads of some links, N."""
+    corners = [start]
+    for link in links:
+        for acting in sheet.acting[link]:
+            corners.append(corners[-1] + acting.vector)
+    return corners

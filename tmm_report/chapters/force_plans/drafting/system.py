@@ -22,8 +22,10 @@ ONE_LINE = 1.0  # mm: lines nearer than this are one
 def plan(sheet: Sheet, group: HigherGroup) -> ForcePlan:
     """Draw the plan, read the reactions and pass the outer ones on."""
     arms: list[Arm] = []
-    mu = sheet.scale_of(group.group)
     found = equilibrium(sheet, group, arms)
+    whole = _Polygon(sheet, group.group, dict(found.forces), 1.0)
+    corners = [z for stroke in whole.strokes for z in (stroke.start, stroke.end)]
+    mu = sheet.scale_of(group.links, (*group.group.outer, *group.group.inner), corners)
     polygon = _Polygon(sheet, group.group, {key: force / mu for key, force in found.forces.items()}, mu)
     pairs = (*group.group.outer, *group.group.inner)
     readings = [sheet.read(reaction(*p.links), polygon.drawn[p.key], p, mu) for p in pairs]
@@ -35,6 +37,7 @@ def plan(sheet: Sheet, group: HigherGroup) -> ForcePlan:
     return ForcePlan(
         group.group.label, group.links, mu, loads, couples, tuple(arms), (), equation,
         tuple(polygon.strokes), tuple(readings), found.balances, found.solution,
+        found.held, chosen=sheet.chosen,
     )  # fmt: skip
 
 
