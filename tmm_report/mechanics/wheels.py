@@ -278,6 +278,27 @@ def least_teeth(rack: Rack) -> int:
     return round(2 * rack.ha / float(np.sin(rack.alpha)) ** 2)
 
 
+RING_RULE = {1.0: 85, 0.8: 58}  # least teeth of a ring without shift by the course's rule, by ha*; at 20°
+
+
+def ring_rule(rack: Rack) -> int | None:
+    """Least teeth of a ring without shift by the course's rule; None for a rack that it does not know."""
+    return RING_RULE.get(round(rack.ha, 9)) if abs(rack.alpha - np.pi / 9) < 1e-9 else None
+
+
+def least_ring(z: Array, rack: Rack) -> Array:
+    """Least teeth of a ring without shift whose tips, of full height, end no lower than the involute of a wheel of `z`
+    teeth can begin: (z² sin²α − 4 ha*²)/(2 z sin²α − 4 ha*); ∞ where none do, up to 2 ha*/sin²α teeth.
+
+    It is where the radius of curvature at the ring's tip is equal to a_w sin α: the tip lies in the limit point of the
+    line of action.
+    """
+    s, z = np.sin(rack.alpha) ** 2, np.asarray(z, dtype=float)
+    below = 2 * z * s - 4 * rack.ha
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.where(below > 0, (z**2 * s - 4 * rack.ha**2) / below, np.inf)[()]
+
+
 def signs_of(z1: Array, z2: Array, internal: bool) -> Both:
     """−1 for the wheel that is a ring, 1 for the others."""
     if not internal:

@@ -116,13 +116,12 @@ class DriveFormulas:
     # ------------------------------------------------------------ diagrams
 
     def laid_off(self) -> Formula:
-        """The velocity of the first spot; along the axis v is positive to the right."""
-        return self.of["v"].formula(self.omega(self.found.input) * self.of["arm"].var())
+        """The size of the velocity of the first spot."""
+        arm = self.of["arm"].var(size=True)
+        return self.of["v"].formula(self.omega(self.found.input) * arm, size=True)
 
     def laid_segment(self) -> Formula:
-        v = self.of["v"].var()
-        size = abs(v) if v.number < 0 else v
-        return self.of["laid"].formula(size / self.of["mu_v"].var())
+        return self.of["laid"].formula(self.of["v"].var(size=True) / self.of["mu_v"].var())
 
     def pole(self) -> Formula:
         of = self.of

@@ -168,6 +168,9 @@ def solve(given: Given) -> Found:
     train = joined(stages)
     known = _known_speeds(given.speed, stages)
     speed = _cleaned(speeds(train, known, ("drive",)))
+    stages = tuple(
+        spur.moving(one, speed[one.input]) if isinstance(one, spur.Found) else one for one in stages
+    )
     return Found(
         given, stages, train, speed, _loads(given, stages, train, speed), _plans(given, stages, train, speed)
     )

@@ -20,7 +20,7 @@ from tmm_report.quantity import model as quantity
 from tmm_report.quantity.formula import Formula
 from tmm_report.report.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.page import Page
-from tmm_report.report.part import Inner, Part
+from tmm_report.report.part import Failed, Inner, Part
 
 SCHEME = N_("Kinematic scheme of the drive")
 SCHEMES = {
@@ -222,18 +222,31 @@ class DriveView(DriveFormulas):
         return [formula for number in range(len(self.found.stages)) for formula in self.speeds(number)]
 
     def conclusions(self) -> list[Markup]:
-        found = self.found
-        ratio = self.page.value(self.of["u_teeth"].var())
-        text = self.t(
+        """What failed, first; then what was found."""
+        return [*self._failures(), self.page.listed(self._found(), " ")]
+
+    def _failures(self) -> Iterator[Markup]:
+        if self.found.locks:
+            yield Failed(self.t("The drive locks itself: it cannot be driven from the input shaft."))
+        if not self.found.within:
+            text = N_(
+                "The ratio of the gear drive deviates from the required one by %(deviation)s %%, which is more than "
+                "the allowed %(tolerance)s %%."
+            )
+            deviation = self.page.shown(self.of["delta_u"], size=True, digits=3)
+            yield Failed(self.t(text, deviation=deviation, tolerance=self.tolerance))
+
+    def _found(self) -> Iterator[Markup]:
+        shown = self.page.shown
+        yield self.t(
             "The ratio of the gear drive is %(ratio)s, its deviation from the required one is %(deviation)s %%.",
-            ratio=ratio,
-            deviation=self.page.shown(self.of["delta_u"], digits=3),
+            ratio=self.page.value(self.of["u_teeth"].var()),
+            deviation=shown(self.of["delta_u"], digits=3),
         )
-        if found.locks:
-            return [text, self.t("The drive locks itself: it cannot be driven from the input shaft.")]
-        return [
-            text,
-            self.t(
-                "The efficiency of the gear drive is %(eta)s.", eta=self.page.shown(self.of["eta"], digits=4)
-            ),
-        ]
+        if not self.found.locks:
+            yield self.t("The efficiency of the gear drive is %(eta)s.", eta=shown(self.of["eta"], digits=4))
+        if self.readable and self.found.runs:
+            text = N_(
+                "By the plan of angular velocities the ratio differs from the calculated one by %(error)s %%."
+            )
+            yield self.t(text, error=shown(self.of["error"], size=True, digits=3))

@@ -5,17 +5,29 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Annotated, Any, Literal, TypedDict
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from tmm_report.chapters.eccentric import solve as eccentric
-from tmm_report.chapters.spur.block import Module, RackModel, Tooth
+from tmm_report.chapters.eccentric.paths import Point
+from tmm_report.chapters.spur.block import Module, RackModel, Span, Tooth
 from tmm_report.mechanics.spur import Rack
 from tmm_report.problems import N_, Message, Problem, shown
 from tmm_report.quantity import units
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant import model
 from tmm_report.variant.model import Model, Read
-from tmm_report.variant.values import Distance, Label, Positive, Reads, Speed, whole
+from tmm_report.variant.values import (
+    Angle,
+    Density,
+    Distance,
+    Label,
+    Name,
+    Positive,
+    Reads,
+    Speed,
+    quantity,
+    whole,
+)
 
 DENOMINATOR = 100  # the finest fraction a ratio may be
 LARGEST = 20
@@ -52,6 +64,15 @@ Ratio = Annotated[
 ]
 Number = Annotated[int, whole(-10000, 10000)]
 RingTeeth = Annotated[int, whole(20, 2000)]
+Tolerance = Annotated[float, quantity("number", 1e-4, 0.1, "0.01 … 10 %")]
+
+
+class PointModel(Model):
+    """A point of the wheel that is the output: the ring while the sun stands still, the sun while the ring does."""
+
+    wheel: Literal["ring", "sun"] = Field(default="ring", description="the other one stands still")
+    radius: Positive = Field(description="from the axis of the wheel", examples=["150 mm"])
+    angle: Angle = Field(default=0.0, description="at the start, from the line of the axes")
 
 
 class EccentricModel(Model):
@@ -83,6 +104,23 @@ class EccentricModel(Model):
     )
     rack: RackModel = Field(default_factory=RackModel)
     speed: Speed | None = Field(default=None, description="of the driving wheel", examples=["600 rpm"])
+    tolerance: Tolerance | None = Field(
+        default=None, description="of the ratio: sets near it are listed too", examples=["2 %"]
+    )
+    width: Span | None = Field(default=None, description="of the faces, for the masses of the satellites")
+    density: Density | None = Field(default=None, description="of the satellites", examples=["7800 kg/m^3"])
+    points: dict[Name, PointModel] = Field(
+        default_factory=dict, max_length=8, description="points whose paths are drawn over a turn of the axes"
+    )
+
+    @model_validator(mode="after")
+    def mass(self) -> "EccentricModel":
+        """Width and density are stated together."""
+        if (self.width is None) != (self.density is None):
+            missing = "width" if self.width is None else "density"
+            wrong = Message(N_("the masses of the satellites need the %(missing)s too"), {"missing": missing})
+            raise WrongValue(wrong, Message(N_("state both width and density, or neither")))
+        return self
 
 
 class Block(model.Block):
@@ -120,4 +158,11 @@ def build(model: EccentricModel) -> eccentric.Given:
         most_ring=model.ring_up_to,
         speed=model.speed,
         name=model.name or "",
+        tolerance=model.tolerance,
+        width=model.width,
+        density=model.density,
+        points=tuple(
+            Point(name, "3" if of.wheel == "ring" else "1", of.radius, of.angle)
+            for name, of in model.points.items()
+        ),
     )

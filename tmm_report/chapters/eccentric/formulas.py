@@ -129,6 +129,14 @@ class EccentricFormulas:
     def smallest_teeth(self) -> Definition:
         return Definition("z_5", Var("z_2", 0.0) - Var("E", 0.0))
 
+    def near_ratio(self) -> Definition:
+        """By how much a set near the ratio misses it, relative."""
+        u = Var("u", 0.0)
+        return Definition("Delta_u", (Var("z_3", 0.0) / Var("z_1", 0.0) - u) / u)
+
+    def near_largest(self) -> Definition:
+        return Definition("z_2", (Var("z_3", 0.0) - Var("z_1", 0.0)) / 2 + Var("e", 0.0) / Var("m", 0.0))
+
     def chosen(self) -> Iterator[Formula]:
         """Teeth of the chosen set from its t."""
         t, row = self.whole("t"), self.found.row
@@ -221,6 +229,20 @@ class EccentricFormulas:
         at_tip, z = self.of["alpha_a3"].var(digits=6), self.z(s)
         line = self.m / 2 * (self.z3 * cos(self.alpha) * tan(at_tip) - (self.z3 - z) * sin(self.alpha))
         return self.satellites_of.formula("rho", self.place(s), line, "mm")
+
+    def ring_limit(self) -> Formula:
+        """Least teeth of the ring beside the satellite that asks for most of them."""
+        s = self.hardest
+        z, square = self.z(s), sin(self.alpha) ** 2
+        value = (z**2 * square - 4 * self.ha**2) / (2 * z * square - 4 * self.ha)
+        return self.satellites_of.formula("z3_least", self.place(s), value)
+
+    @property
+    def hardest(self) -> Satellite:
+        """The satellite beside which the ring must have most teeth."""
+        return max(
+            self.found.upper, key=lambda s: float(self.satellites_of["z3_least"].values[self.place(s)])
+        )
 
     # ------------------------------------------------------------ kinematics
 

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 from fractions import Fraction
 
+from tmm_report.chapters.eccentric.paths import Point
 from tmm_report.mechanics.eccentric import EXACT
 from tmm_report.mechanics.spur import Rack
 
@@ -20,7 +21,8 @@ class Given:
     `ratio`: z3/z1, a magnitude; `teeth`: sun and ring, or sun, largest satellite and ring, in place of choosing them;
     `clearance`: δ between the tip circles of neighbours; `backlash`: normal, of every mesh; `t`: the set of the family,
     None: the most compact of those that hold most satellites; `satellites`: which of KINDS, None: as many as fit;
-    `most_ring`: largest ring looked at; `speed`: of the input.
+    `most_ring`: largest ring looked at; `speed`: of the input; `tolerance`: of the ratio, relative,
+    for sets near it; `width` of the faces and `density` kg/m³ of the satellites; `points`: whose paths are drawn.
     """
 
     module: float
@@ -35,6 +37,10 @@ class Given:
     most_ring: int | None = None
     speed: float | None = None
     name: str = ""
+    tolerance: float | None = None
+    width: float | None = None
+    density: float | None = None
+    points: tuple[Point, ...] = ()
 
     @property
     def slack(self) -> float:

@@ -122,10 +122,15 @@ def _three(given: Given, sun: int, largest: int, ring: int) -> Iterator[Problem]
         wrong = N_("the teeth give the eccentricity %(own)s mm, but %(e)s mm is stated")
         own = _mm(E * given.module / 2)
         yield mistake(wrong, _at("eccentricity"), right, own=own, e=_mm(given.eccentricity))
-    if given.ratio is not None and given.ratio != Fraction(ring, sun):
+    if given.ratio is not None and not _near(given, given.ratio, Fraction(ring, sun)):
         right = Message(N_("leave one of them out"))
         wrong = N_("the teeth give the ratio %(own)s, but %(ratio)s is stated")
         yield mistake(wrong, _at("ratio"), right, own=f"{ring / sun:.6g}", ratio=str(given.ratio))
+
+
+def _near(given: Given, wanted: Fraction, own: Fraction) -> bool:
+    """Whether the ratio of the teeth is the stated one, or within its tolerance."""
+    return wanted == own or abs(own / wanted - 1) <= (given.tolerance or 0.0) * (1 + 1e-9)
 
 
 # --- what comes out

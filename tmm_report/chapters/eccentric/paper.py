@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from tmm_report.chapters.eccentric.given import Given
+from tmm_report.chapters.eccentric.paths import Traced
 
 STEPS = (1, 2, 2.5, 4, 5, 10)  # of the standard scales
 WIDTH = 158.0  # mm of paper that the assembled mechanism may take
@@ -39,3 +40,9 @@ def scale(given: Given, ring: int) -> float:
 def close_scale(given: Given) -> float:
     """Scale of the close views, mm of paper to mm."""
     return standard(MODULE / (1e3 * given.module))
+
+
+def path_scale(path: Traced) -> float:
+    """Scale of the drawing of a path, mm of paper to mm."""
+    reach = abs(path.arm) + path.point.radius
+    return standard(WIDTH / (2e3 * reach))

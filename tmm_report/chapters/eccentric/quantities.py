@@ -8,8 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.chapters.eccentric.further import further_tables
 from tmm_report.chapters.eccentric.solve import RING, SUN, WHEELS, Found
 from tmm_report.chapters.eccentric.values import GAP, values
+from tmm_report.mechanics.wheels import least_ring
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Book, Column, Quantity, Table, text_column
 from tmm_report.quantity.symbols import Symbol, math_symbol
@@ -42,6 +44,7 @@ def tables(found: Found, prefix: str = "eccentric") -> Iterator[Table]:
         parts["speeds"] = (N_("Angular velocities of the members"), _speeds)
     for key, (meaning, columns) in parts.items():
         yield Table(f"{prefix}_{key}", Message(meaning), tuple(columns(found)))
+    yield from further_tables(found, prefix)
 
 
 # --- the family
@@ -96,6 +99,11 @@ def _satellites(found: Found) -> Iterator[Column]:
     text = Message(N_("radius of curvature of the flank where the tip of the ring of full height touches it"))
     curvature = Quantity("rho", Symbol("rho"), "m", text)
     yield Column(curvature, [s.curvature for s in all_], [Symbol("rho", name) for name in names])
+    text = Message(N_("least teeth of a ring without shift that does not interfere with the satellite"))
+    least = [float(least_ring(s.teeth, found.given.rack)) for s in all_]
+    yield Column(
+        Quantity("z3_least", Symbol("z", "3,min"), "", text), least, [Symbol("z", "3,min") for _ in all_]
+    )
 
 
 def _neighbours(found: Found) -> Iterator[Column]:

@@ -16,7 +16,10 @@ from tmm_report.chapters.eccentric import mistakes, paper
 from tmm_report.chapters.eccentric.conditions import conditions
 from tmm_report.chapters.eccentric.family import Judged, chosen, judge, members, most_ring, sizes
 from tmm_report.chapters.eccentric.given import CARRIER, RING, SUN, Given
+from tmm_report.chapters.eccentric.masses import Masses, masses_of
 from tmm_report.chapters.eccentric.motion import Motion, motions
+from tmm_report.chapters.eccentric.near import Near, near_sets
+from tmm_report.chapters.eccentric.paths import Traced, traced
 from tmm_report.chapters.eccentric.satellites import (
     WHEELS,
     Neighbours,
@@ -41,7 +44,9 @@ NO_AREA = 1e-12  # m²: 1e-6 mm², teeth that share less do not overlap
 class Found:
     """Found by `solve`. `E` = 2e/m; `row`: the chosen set in `judged`; `satellites`: as assembled, by ascending φ1;
     `neighbours`: every two of them side by side; `tip`: radius of the ring's tips, m; `motions`: for the given speed of
-    the driving wheel, else for 1 rad/s; `proof`: overlaps and clearances of the polygons of teeth over a full pitch."""
+    the driving wheel, else for 1 rad/s; `proof`: overlaps and clearances of the polygons of teeth over a full pitch.
+    `nearby`: sets near the wanted ratio, `masses`: of the satellites of every set, None where they are not asked for;
+    `paths`: of named points."""
 
     given: Given
     ratio_of_teeth: Fraction
@@ -56,6 +61,9 @@ class Found:
     tip: float
     motions: tuple[Motion, ...]
     proof: toothed.Proof
+    nearby: Near | None = None
+    paths: tuple[Traced, ...] = ()
+    masses: Masses | None = None
 
     @property
     def e(self) -> float:
@@ -235,7 +243,16 @@ def solve(given: Given) -> Found:
         ecc.ring_tip(ring, np.array([s.teeth for s in placed]), given.module, given.rack),
         motions(sun, ring, placed, given.module, given.speed or 1.0),
         toothed.proof(_assembled(given, sun, ring, e, placed)),
+        None if given.tolerance is None else near_sets(given, given.ratio or u, E, given.tolerance),
+        tuple(traced(point, sun, ring, e) for point in given.points),
+        _masses(given, judged),
     )
+
+
+def _masses(given: Given, judged: Judged) -> Masses | None:
+    if given.width is None or given.density is None:
+        return None
+    return masses_of(judged, given.module, given.width, given.density)
 
 
 def _assembled(

@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from tmm_report.chapters.eccentric.further import further_values
 from tmm_report.chapters.eccentric.solve import CARRIER, RING, SUN, Found
+from tmm_report.mechanics.wheels import ring_rule
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.gear_terms import HA, C
 from tmm_report.quantity.model import Quantity, Value
@@ -20,7 +22,7 @@ AXES_STOPPED = Symbol("u", SUN + RING, CARRIER)
 
 def values(found: Found, prefix: str = "eccentric") -> Iterator[Value]:
     """All of them; every key begins with `prefix`."""
-    for rows in (_given, _equation, _chosen, _lengths, _proof, _motion, _drawings):
+    for rows in (_given, _equation, _chosen, _lengths, _proof, _motion, _drawings, further_values):
         for key, symbol, unit, meaning, number in rows(found):
             said = meaning if isinstance(meaning, Message) else Message(meaning)
             yield Quantity(f"{prefix}_{key}", symbol, unit, said).value(number)
@@ -77,6 +79,8 @@ def _chosen(found: Found) -> Iterator[Row]:
     yield "least_teeth", math_symbol("z_min"), "", least, found.least_teeth
     rounded = N_("least number of teeth as the course rounds it")
     yield "least_teeth_rounded", None, "", rounded, found.rounded_least
+    if (rule := ring_rule(found.given.rack)) is not None:
+        yield "ring_rule", None, "", N_("least teeth of a ring without shift by the rule of the course"), rule
 
 
 def _lengths(found: Found) -> Iterator[Row]:

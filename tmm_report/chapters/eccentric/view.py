@@ -6,28 +6,19 @@ from collections.abc import Iterable, Iterator
 from functools import cached_property
 from typing import Any, Literal
 
+import numpy as np
 from markupsafe import Markup
 
 from tmm_report.chapters.eccentric.draw import assembled, close
-from tmm_report.chapters.eccentric.formulas import EccentricFormulas
+from tmm_report.chapters.eccentric.further_view import FurtherView
 from tmm_report.chapters.eccentric.satellites import Satellite
-from tmm_report.chapters.eccentric.solve import CARRIER, RING, SUN, Found
+from tmm_report.chapters.eccentric.solve import Found
+from tmm_report.chapters.eccentric.tables_view import CONDITIONS, EccentricTables
 from tmm_report.figures.drawing import Drawing
-from tmm_report.mechanics.conditions import Condition
+from tmm_report.mechanics.wheels import ring_rule
 from tmm_report.problems import N_
-from tmm_report.quantity import model as quantity
-from tmm_report.report.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.page import Page
-from tmm_report.report.part import Part
-
-CONDITIONS = {
-    "assembly": N_("assembly of satellite %(wheel)s, pitches"),
-    "neighbourhood": N_("neighbourhood of satellites %(wheel)s"),
-    "tips": N_("tips of sun and ring apart"),
-    "undercut": N_("no undercut of wheel %(wheel)s, teeth"),
-    "root": N_("no interference of the ring with the root of satellite %(wheel)s"),
-    "fouling": N_("no overlap of the tips of satellite %(wheel)s and the ring"),
-}
+from tmm_report.report.part import Failed, Part
 
 
 def parts(found: Found, page: Page) -> Iterator[Part]:
@@ -39,12 +30,7 @@ def picture(found: Found, page: Page) -> Drawing:
     return assembled.assembled(found, page.num)
 
 
-class EccentricView(EccentricFormulas):
-    def __init__(self, found: Found, page: Page, label: str):
-        super().__init__(found, label)
-        self.page, self.label = page, label
-        self.t = page.t
-
+class EccentricView(EccentricTables):
     # ------------------------------------------------------------ words
 
     @property
@@ -75,6 +61,20 @@ class EccentricView(EccentricFormulas):
     def number(self, key: str, unit: str = "", **form: Any) -> Markup:
         """A single number in running text."""
         return self.page.shown(self.of[key], unit=unit, **form)
+
+    @property
+    def ring_rule(self) -> Markup | None:
+        """Least teeth of a ring without shift by the rule of the course; None for racks that it does not know."""
+        return self.number("ring_rule") if ring_rule(self.found.given.rack) else None
+
+    @property
+    def rule_met(self) -> bool:
+        return self.found.ring >= self.of["ring_rule"].value
+
+    @property
+    def limited(self) -> bool:
+        """Whether some number of teeth of the ring suits every satellite."""
+        return bool(np.isfinite(self.satellites_of["z3_least"].numbers()).all())
 
     def sized(self, key: str) -> Markup:
         """symbol = value, of a length in mm or a pure number."""
@@ -108,127 +108,9 @@ class EccentricView(EccentricFormulas):
         t = self.page.value(self.family_of.var("t", row))
         return self.t(text, t=t, teeth=self.page.listed(teeth), gap=gap)
 
-    # ------------------------------------------------------------ tables
-
-    def family(self) -> Table:
-        """Nothing is said of middle satellites of half a tooth."""
-        table, page = self.family_of, self.page
-        heads = [page.head(table[key].symbol()) for key in ("t", "z1", "z2", "z3", "z4", "z5", "residue_4")]
-        heads += [page.head(table[key].symbol(), "mm") for key in ("closed_2_4", "gap_4_5")]
-        rows = [self._set(row) for row in range(len(table))]
-        shares = (2, 2, 2, 2, 2, 2, 3, 4, 4, 5)
-        return worded(self.t("Sets of teeth of the family"), [*heads, self.t("Satellites")], rows, shares)
-
-    def _set(self, row: int) -> list[str]:
-        table, page = self.family_of, self.page
-        whole = float(table["z4"].values[row]).is_integer()
-        held = table["satellites"].values[row]
-        middle: list[str] = ["—"] * 4
-        if whole:
-            middle = [
-                page.cell(table, "z4", row),
-                page.cell(table, "residue_4", row, size=True, places=3),
-                *(page.cell(table, key, row, "mm", places=3, scale=1e3) for key in ("closed_2_4", "gap_4_5")),
-            ]
-        return [
-            Cell(str(int(table["t"].values[row])), table.ref("t", row)),
-            *(page.cell(table, key, row) for key in ("z1", "z2", "z3")),
-            middle[0],
-            page.cell(table, "z5", row),
-            *middle[1:],
-            page.word(held or "—", table, "satellites", row),
-        ]
-
-    def _words(self, title: str, table: quantity.Table, key: str, least: int = 8) -> Column:
-        """A first column of names."""
-        names = [self.page.word(text, table, key, row) for row, text in enumerate(table[key].values)]
-        return Column(self.t(title), names, least)
-
-    def _cells(
-        self, head: Any, table: quantity.Table, key: str, least: int, unit: str = "", **form: Any
-    ) -> Column:
-        """A column with decimals of its own in each cell."""
-        return Column(
-            head, [self.page.cell(table, key, row, unit, **form) for row in range(len(table))], least
-        )
-
-    def _whole(self, table: quantity.Table, key: str) -> Column:
-        """Whole numbers with all their digits."""
-        texts = [Cell(str(int(z)), table.ref(key, row)) for row, z in enumerate(table[key].values)]
-        return Column(self.page.head(table[key].symbol()), texts, 4)
-
-    def _mm(self, table: quantity.Table, key: str) -> Column:
-        return self._cells(self.page.head(table[key].symbol(), "mm"), table, key, 8, "mm", places=3)
-
-    def sizes(self) -> Table:
-        """Teeth and diameters of all the wheels, mm."""
-        table = self.of.table("wheels")
-        columns = [self._whole(table, "z"), *(self._mm(table, key) for key in ("d", "d_b", "d_a", "d_f"))]
-        return numeric(self.t("Dimensions of the wheels"), self._words(N_("Wheel"), table, "wheel"), columns)
-
-    def places(self) -> Table:
-        """Angles, centres and assembly of the satellites."""
-        table, page = self.satellites_of, self.page
-        columns = [
-            self._whole(table, "z"),
-            *(
-                self._cells(page.listed([page.sym(table[key].symbol()), "°"]), table, key, 8, places=3)
-                for key in ("phi1", "phi3")
-            ),
-            *(self._mm(table, key) for key in ("x", "y")),
-            self._cells(page.head(table["L"].symbol()), table, "L", 8, places=4),
-            self._cells(page.head(table["residue"].symbol()), table, "residue", 6, size=True, places=4),
-        ]
-        first = self._words(N_("Satellite"), table, "wheel")
-        return numeric(self.t("Positions of the satellites"), first, columns)
-
-    def conditions(self) -> Table:
-        rows = [
-            self._condition(condition, row)
-            for row, condition in enumerate(self.found.conditions)
-            if self._own(condition)
-        ]
-        heads = [self.t("Condition"), self.t("Value"), self.t("Limit"), self.t("In hand"), self.t("Met")]
-        return worded(self.t("Conditions of the mechanism"), heads, rows, (9, 2, 2, 2, 2))
-
-    def _own(self, c: Condition) -> bool:
-        """Whether the condition is not the mirror image of another."""
-        pairs = [{pair.one.wheel, pair.other.wheel} for pair in self.found.near]
-        return set(c.wheel.split("–")) in pairs if c.key == "neighbourhood" else not c.wheel.endswith("'")
-
-    def _condition(self, c: Condition, row: int) -> list[Any]:
-        table, page = self.of.table("conditions"), self.page
-        text = self.t(CONDITIONS[c.key], wheel=c.wheel)
-        limit = page.shown(table, "limit", row, c.unit, digits=4)
-        return [
-            page.listed([text, page.unit(c.unit)]) if c.unit else text,
-            page.cell(table, "value", row, c.unit),
-            page.listed(["≥" if c.least else "≤", limit], " "),
-            page.cell(table, "in_hand", row, c.unit, digits=4),
-            self.t("yes") if c.met else self.t("no"),
-        ]
-
-    def proof(self) -> Table:
-        table, unit = self.of.table("teeth"), self.page.unit
-        columns = [
-            self._cells(
-                self.t("Overlap, %(unit)s", unit=unit("mm²")), table, "overlap", 14, "mm²", digits=3, scale=1e3
-            ),
-            self._cells(
-                self.t("Least clearance, %(unit)s", unit=unit("mm")), table, "clearance", 16, "mm",
-                places=5, scale=1e-3,
-            ),
-        ]  # fmt: skip
-        first = self._words(N_("Wheels"), table, "wheels")
-        return numeric(self.t("Overlap and clearance of the teeth over a full pitch"), first, columns)
-
-    def speeds(self) -> Table:
-        """Speeds of all the members with one of them stopped, rad/s."""
-        table = self.of.table("speeds")
-        names = [SUN, *(s.wheel for s in self.found.upper), RING, CARRIER]
-        columns = [self.page.column(table, f"omega_{name}", least=8) for name in names]
-        first = self._words(N_("Stopped"), table, "stopped", 12)
-        return numeric(self.t("Angular velocities of the members"), first, columns)
+    @cached_property
+    def further(self) -> FurtherView:
+        return FurtherView(self.found, self.page, self.of)
 
     # ------------------------------------------------------------ pictures
 
@@ -259,16 +141,33 @@ class EccentricView(EccentricFormulas):
     # ------------------------------------------------------------ conclusions
 
     def conclusions(self) -> list[Markup]:
+        """What failed, first; then what was found."""
+        lines = []
+        if self.found.failed:
+            text = N_("Not all conditions of the eccentric epicyclic mechanism are met: %(conditions)s.")
+            lines.append(Failed(self.t(text, conditions=self.page.listed(self.failed(), "; "))))
+        return [*lines, self.page.listed(self._told(), " ")]
+
+    def _told(self) -> Iterator[Markup]:
         text = N_(
             "The eccentric epicyclic mechanism has the teeth %(teeth)s and, with the axes stopped, the ratio "
             "%(ratio)s; number of its satellites: %(count)s."
         )
         teeth = self.page.listed(self._all_teeth())
-        lines = [self.t(text, teeth=teeth, ratio=self.number("u"), count=self.number("satellites"))]
-        if self.found.failed:
-            failed = self.page.listed(self.failed(), "; ")
-            lines.append(self.t(N_("Not all of its conditions are met: %(conditions)s."), conditions=failed))
-        return lines
+        yield self.t(text, teeth=teeth, ratio=self.number("u"), count=self.number("satellites"))
+        if self.found.neighbours:
+            nearest = min(self.found.near, key=lambda pair: pair.gap)
+            row = self.found.near.index(nearest)
+            gap = self.page.shown(self.neighbours_of, "gap", row, "mm", digits=4)
+            yield self.t("Its neighbouring satellites are %(gap)s mm apart at the narrowest place.", gap=gap)
+        if self.found.nearby:
+            text = N_("Within %(tolerance)s %% of the ratio there are %(count)s sets of teeth.")
+            yield self.t(text, tolerance=self.number("tolerance", digits=3), count=self.number("near_sets"))
+        if self.found.masses:
+            text = N_(
+                "The smallest satellite in place of the largest saves %(saving)s, %(share)s %% of its mass."
+            )
+            yield self.t(text, saving=self.further.saving(), share=self.number("saved_share", digits=3))
 
     def failed(self) -> list[Markup]:
         return [self.t(CONDITIONS[c.key], wheel=c.wheel) for c in self.found.failed]

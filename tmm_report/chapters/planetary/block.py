@@ -63,8 +63,9 @@ class PlanetaryModel(Model):
     name: Label | None = Field(
         default=None, description="in the headings; left out, the numbers of the wheels"
     )
-    scheme: Literal["sun-ring", "external-external", "external-internal", "internal-internal"] = Field(
-        default="sun-ring", description="one row with a ring, or two rows by the kinds of their meshes"
+    scheme: Literal["sun-ring", "external-external", "external-internal", "internal-internal", "any"] = Field(
+        default="sun-ring",
+        description="one row with a ring, or two rows by the kinds of their meshes; any: the four are compared",
     )
     ratio: Ratio = Field(description="input to output, with the third member at rest", examples=[6.56])
     tolerance: Tolerance = Field(default=0.04, description="allowed deviation of the ratio")
@@ -109,6 +110,14 @@ class PlanetaryModel(Model):
         return self
 
     @model_validator(mode="after")
+    def chosen(self) -> "PlanetaryModel":
+        """Teeth belong to a scheme."""
+        if self.scheme == "any" and self.teeth is not None:
+            wrong = Message(N_("teeth are stated, but of which scheme is not"))
+            raise WrongValue(wrong, Message(N_("state the scheme, or leave out the teeth")))
+        return self
+
+    @model_validator(mode="after")
     def numbers(self) -> "PlanetaryModel":
         """As many teeth and modules as the scheme has wheels and rows; ranges that ascend."""
         wanted = 3 if self.scheme == "sun-ring" else 4
@@ -140,7 +149,7 @@ def build(model: PlanetaryModel, wheels: tuple[str, ...]) -> planetary.Given:
     modules = model.module if isinstance(model.module, tuple) else (model.module, model.module)
     low, high = model.counts
     task = Task(
-        scheme=SCHEMES[model.scheme],
+        scheme=SCHEMES["sun-ring" if model.scheme == "any" else model.scheme],
         ratio=model.ratio,
         modules=modules,
         input=WORDS[model.input],
@@ -159,6 +168,7 @@ def build(model: PlanetaryModel, wheels: tuple[str, ...]) -> planetary.Given:
         teeth=_teeth(model),
         driven=model.second.speed if model.second else None,
         title=model.name or "",
+        any_scheme=model.scheme == "any",
     )
 
 

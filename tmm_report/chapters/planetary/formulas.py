@@ -213,6 +213,14 @@ class PlanetaryFormulas:
         start = m * self.z(crown) / 2 * sin(alpha) - m * height / sin(alpha)
         return self.rows.formula("rho_l", row, start, "mm")
 
+    def ring_limit(self, row: int) -> Formula | None:
+        """The least teeth of the ring beside its satellite, both without shift; None where there is no such number."""
+        if not np.isfinite(self.found.rows.least[row]):
+            return None
+        z, square = self.z(row + 1), sin(self.alpha) ** 2
+        value = (z**2 * square - 4 * self.ha**2) / (2 * z * square - 4 * self.ha)
+        return self.rows.formula("z_least", row, value)
+
     def trimmed(self, row: int) -> Formula | None:
         """The ring's tip diameter where full height would touch the satellite's fillets; else None."""
         if not np.isfinite(self.found.rows.cut[row]):

@@ -14,7 +14,8 @@ class Given:
 
     `names`: of wheel 1, of the satellite (its two crowns), of wheel 3 and of the carrier. `teeth`: z1, z2, z2', z3
     chosen by the teacher. `second`: the held member and its speed, rad/s: a differential with two inputs.
-    `efficiency`: η_H, of the stage with its carrier stopped.
+    `efficiency`: η_H, of the stage with its carrier stopped. `any_scheme`: the four schemes are judged side by side,
+    that of `task` is none; `names` are then those of two rows.
     """
 
     task: Task
@@ -23,6 +24,7 @@ class Given:
     teeth: tuple[int, int, int, int] | None = None
     driven: float | None = None
     title: str = ""
+    any_scheme: bool = False
 
     def member(self, member: p.Member) -> str:
         """The name of wheel 1, wheel 3 or the carrier."""

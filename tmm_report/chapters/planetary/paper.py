@@ -5,7 +5,7 @@ from __future__ import annotations
 from tmm_report.mechanics.planetary import INTERNAL, Sizes
 from tmm_report.mechanics.planetary_search import Task
 
-ACROSS = 125.0  # mm of paper that the stage may fill
+ACROSS = 155.0  # mm of paper that the stage may fill
 RIM = 2.5  # thickness of a ring's rim beyond the roots, modules
 SCALES = (1, 2, 2.5, 4, 5)  # of reduction and enlargement, with powers of ten
 

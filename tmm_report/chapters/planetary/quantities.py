@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any, assert_never
+from typing import Any
 
 import numpy as np
 
 from tmm_report.chapters.planetary import listing
-from tmm_report.chapters.planetary.conditions import Condition
+from tmm_report.chapters.planetary.condition_rows import condition_columns
+from tmm_report.chapters.planetary.ring_limit import LEAST_RING, ring_values
+from tmm_report.chapters.planetary.scheme_table import schemes_table
 from tmm_report.chapters.planetary.solve import Found, Given
 from tmm_report.mechanics import planetary as p
 from tmm_report.mechanics.wheels import least_teeth
@@ -55,6 +57,7 @@ def values(found: Found, prefix: str) -> Iterator[Value]:
     for rows in (_given(found.given), _ratio(found), _satellites(found), _assembly(found), _whole(found)):
         for key, symbol, unit, meaning, number in rows:
             yield Quantity(f"{prefix}_{key}", symbol, unit, meaning).value(float(number))
+    yield from ring_values(found, prefix)
 
 
 def tables(found: Found, prefix: str) -> Iterator[Table]:
@@ -64,7 +67,9 @@ def tables(found: Found, prefix: str) -> Iterator[Table]:
     yield Table(f"{prefix}_motions", Message(MOTIONS, name), tuple(_motions(found)))
     yield from listing.tables(found, prefix)
     yield Table(f"{prefix}_rows", Message(MESHES, name), tuple(_rows(found)))
-    yield Table(f"{prefix}_conditions", Message(CONDITIONS, name), tuple(_conditions(found)))
+    yield Table(f"{prefix}_conditions", Message(CONDITIONS, name), tuple(condition_columns(found)))
+    if found.choice is not None:
+        yield schemes_table(found.choice, prefix, found.name)
 
 
 def judged(found: Found, say: Callable[[str], str]) -> list[str]:
@@ -158,7 +163,7 @@ def _assembly(found: Found) -> Iterator[Row]:
         turns = Message(N_("whole turns of the carrier in the usual form of the condition of assembly"))
         yield "turns", Symbol("p"), "", turns, found.turns
         usual = Message(N_("whole number of the usual form of the condition of assembly"))
-        yield "usual_assembly", Symbol("C"), "", usual, found.usual_assembly
+        yield "usual_assembly", Symbol("C", "", "′"), "", usual, found.usual_assembly
 
 
 def _whole(found: Found) -> Iterator[Row]:
@@ -235,42 +240,7 @@ def _rings(found: Found, names: Sequence[str]) -> Iterator[Column]:
     meaning = Message(N_("radius of curvature at the tip of the ring of full height"))
     yield Quantity("rho_a", None, "m", meaning).column(rows.curvature)
     yield _named(CUT, rows.cut, names)
-
-
-# --- conditions
-
-
-def _conditions(found: Found) -> Iterator[Column]:
-    """One condition in each row, numbers in the row's own unit."""
-    of, names = found.conditions, found.given.wheels
-    yield text_column("condition", Message(N_("name of the condition")), [c.key for c in of])
-    wheels = ["-".join(names[wheel] for wheel in c.wheels) for c in of]
-    yield text_column("wheel", Message(N_("number of the wheel")), wheels)
-    yield text_column("unit", Message(N_("unit of the numbers in the row")), [c.unit for c in of])
-    symbols = [_condition_symbol(c, names) for c in of]
-    for key, text, numbers in (
-        ("value", N_("value"), [c.value for c in of]),
-        ("limit", N_("limit"), [c.limit for c in of]),
-        ("margin", N_("what is in hand"), [c.margin for c in of]),
-    ):
-        quantity = Quantity(key, None, "", Message(text))
-        yield Column(quantity, numbers, symbols, [c.unit for c in of])
-
-
-def _condition_symbol(of: Condition, names: Sequence[str]) -> Symbol:
-    match of.key:
-        case "ratio":
-            return Symbol("Delta", "u")
-        case "undercut":
-            return Symbol("z", names[of.wheels[0]])
-        case "tips":
-            return Symbol("Delta", "φ")
-        case "contact":
-            return math_symbol("epsilon_alpha")
-        case "gap":
-            return Symbol("Delta")
-        case _:
-            assert_never(of.key)
+    yield _named(LEAST_RING, rows.least, names)
 
 
 # --- motions

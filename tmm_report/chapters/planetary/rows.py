@@ -10,7 +10,7 @@ import numpy as np
 
 from tmm_report.mechanics import planetary as p
 from tmm_report.mechanics.planetary_search import Task
-from tmm_report.mechanics.wheels import involute_start
+from tmm_report.mechanics.wheels import involute_start, least_ring
 
 Array = Any
 
@@ -21,7 +21,8 @@ class Rows:
     radius of curvature at which the satellite's involute begins, m.
 
     Of a mesh with a ring, else nan: `tips`, how far the tips clear each other, rad; `curvature` of the ring's tip of
-    full height, m; `cut`: the tip diameter to which the ring is cut down clear of the fillets, m, nan where it is not.
+    full height, m; `cut`: the tip diameter to which the ring is cut down clear of the fillets, m, nan where it is not;
+    `least`: teeth of a ring that its satellite allows, both without shift, else nan.
     """
 
     teeth: Array
@@ -31,6 +32,7 @@ class Rows:
     tips: Array
     curvature: Array
     cut: Array
+    least: Array
 
     @property
     def rings(self) -> list[int]:
@@ -45,7 +47,15 @@ def rows(task: Task, teeth: tuple[int, int, int, int], sizes: p.Sizes) -> Rows:
     line = sizes.centre_distance * np.sin(sizes.angles)
     tips, curvature, cut = (np.array(of) for of in zip(*_rings(task, teeth, sizes), strict=True))
     starts = np.array([_start(task, sizes, row) for row in (0, 1)])
-    return Rows(p.teeth_sums(task.scheme, z), contact, line, starts, tips, curvature, cut)
+    least = np.array([_least(task, teeth, sizes, row) for row in (0, 1)])
+    return Rows(p.teeth_sums(task.scheme, z), contact, line, starts, tips, curvature, cut, least)
+
+
+def _least(task: Task, teeth: tuple[int, int, int, int], sizes: p.Sizes, row: int) -> float:
+    central, crown = p.ROWS[row]
+    if task.scheme.rows[row] == p.EXTERNAL or sizes.shifts[central] or sizes.shifts[crown]:
+        return np.nan
+    return float(least_ring(teeth[crown], task.rack))
 
 
 def _start(task: Task, sizes: p.Sizes, row: int) -> float:

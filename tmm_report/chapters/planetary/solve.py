@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -21,6 +21,7 @@ from tmm_report.chapters.planetary.limits import check, check_teeth, no_solution
 from tmm_report.chapters.planetary.motions import Motion, motions, torques
 from tmm_report.chapters.planetary.paper import scale
 from tmm_report.chapters.planetary.rows import Rows, rows
+from tmm_report.chapters.planetary.schemes import Choice, choose
 from tmm_report.mechanics import planetary as p
 from tmm_report.mechanics import trains
 from tmm_report.mechanics.planetary_search import Candidates, ranked, search
@@ -37,7 +38,8 @@ class Found:
     `candidates`: all that were judged; `ranking`: indices of the solutions, best first; `solutions`: what is said of
     these; `teeth`: z1, z2, z2', z3; `basic`: u13(H), with the carrier stopped; `motions`: all the ways it runs;
     `torques`: on the members from outside, with losses, for 1 N·m at the input, N·m; `turns`: least whole p of the
-    course's condition of assembly, None where there is none; `scale`: of its drawing, m/mm.
+    course's condition of assembly, None where there is none; `scale`: of its drawing, m/mm; `choice`: of the
+    scheme, None where that is stated.
     """
 
     given: Given
@@ -56,6 +58,7 @@ class Found:
     members: tuple[trains.Member, ...]
     meshes: tuple[trains.Mesh, ...]
     scale: float
+    choice: Choice | None = None
 
     # --- for the whole drive
 
@@ -174,6 +177,8 @@ class Found:
 def solve(given: Given) -> Found:
     """Raises ProblemError where no teeth give the ratio, or those given fail a condition, or the rack cuts none."""
     check(given.task)
+    if given.any_scheme:
+        return _of_any(given)
     found = search(given.task)
     order = ranked(given.task, found)
     if given.teeth is not None:
@@ -182,6 +187,15 @@ def solve(given: Given) -> Found:
         raise no_solution(given.task)
     z1, z2, z2_, z3 = (int(teeth) for teeth in found.teeth[:, order[0]])
     return _found(given, found, order, (z1, z2, z2_, z3), int(found.satellites[order[0]]))
+
+
+def _of_any(given: Given) -> Found:
+    """The stage of the scheme that is taken, with all that were judged."""
+    choice = choose(given)
+    taken = choice.taken
+    assert taken.teeth is not None  # it works
+    found = _found(taken.given, taken.found, taken.ranking, taken.teeth, taken.satellites)
+    return replace(found, choice=choice)
 
 
 def _found(given: Given, found: Candidates, order: Array, teeth: tuple[int, int, int, int], k: int) -> Found:

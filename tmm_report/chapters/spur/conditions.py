@@ -11,7 +11,6 @@ from tmm_report.mechanics.spur import Pair
 
 CONTACT = 1.05  # least contact ratio
 POINTING = 0.3  # least thickness of the tips, modules
-SLIDING = 6.0  # largest specific sliding: 3 for fast drives, up to 6 for slow ones
 
 
 def involute_starts(pair: Pair) -> tuple[float, float]:
@@ -34,8 +33,11 @@ def _start(pair: Pair, i: int) -> float:
     return math.sqrt(max(cut.junction**2 - cut.base**2, 0.0))
 
 
-def conditions_of(pair: Pair, names: tuple[str, str], starts: tuple[float, float]) -> Iterator[Condition]:
-    """In the order of the note; `starts`: radii of curvature where the involutes begin, m."""
+def conditions_of(
+    pair: Pair, names: tuple[str, str], starts: tuple[float, float], sliding: float
+) -> Iterator[Condition]:
+    """In the order of the note; `starts`: radii of curvature where the involutes begin, m; `sliding`: the largest
+    specific sliding allowed."""
     for i in (0, 1):
         if pair.signs[i] > 0:
             yield Condition("undercut", names[i], float([pair.x1, pair.x2][i]), float(pair.x_min[i]))
@@ -48,4 +50,4 @@ def conditions_of(pair: Pair, names: tuple[str, str], starts: tuple[float, float
     if pair.internal:
         yield Condition("fouling", "", float(pair.fouling), 0.0, "deg")
     for i in (0, 1):
-        yield Condition("sliding", names[i], abs(float(pair.root_sliding[i])), SLIDING, least=False)
+        yield Condition("sliding", names[i], abs(float(pair.root_sliding[i])), sliding, least=False)

@@ -242,7 +242,8 @@ class SpurFormulas:
         yield self.result_of("d_a", i, self._tip(i))
         yield self.result_of("s", i, self._thickness(i))
         yield self.result_of("alpha_a", i, arccos(d_b / self.of("d_a", i)))
-        for circle, angle in (("b", expr(0.0)), ("w", self.alpha_w), ("a", self.of("alpha_a", i))):
+        circles = [("b", expr(0.0)), ("w", self.alpha_w), ("a", self.of("alpha_a", i))]
+        for circle, angle in circles[self._ring(i) :]:  # the teeth of a ring end before its base circle
             yield self.result_of(f"s_{circle}", i, self._arc(i, circle, angle))
 
     def _ring(self, i: int) -> bool:

@@ -19,7 +19,8 @@ class Given:
 
     `ratio`: ω1/ω2, negative for an external pair. `teeth` None: found from the centre distance; that None: found from
     the shifts. `shift`: how the sum of shifts is divided, or both. `wheels`: their numbers in the drive, the driving
-    one first. `accuracy`: to which places are read off the drawing of the mesh, m of paper.
+    one first. `accuracy`: to which places are read off the drawing of the mesh, m of paper. `sliding_limit`: largest
+    specific sliding, None: by the pitch-line velocity.
     """
 
     ratio: float
@@ -35,6 +36,7 @@ class Given:
     efficiency: float = 0.98
     name: str = ""
     accuracy: float = ACCURACY
+    sliding_limit: float | None = None
 
     @property
     def internal(self) -> bool:

@@ -21,11 +21,22 @@ from tmm_report.mechanics.teeth import Wheel
 
 Array = Any
 
-FIELD = (163.0, 110.0)  # mm: width of the drawing, height of the teeth of both wheels
-COLUMN, ROOM = 23.0, 6.0  # mm: beside the teeth for the labels of the circles, beside N1 and N2 for their own
+TOOTH = 40.0  # mm: the teeth are drawn at least so high
+COLUMN = 20.0  # mm: beside the teeth, for the labels of the circles
+EDGE = 1.0  # mm: how far circles run past the teeth
 # millimetres of paper for one of the wheels: the scales of GOST 2.302
-SCALES = (100, 50, 40, 20, 10, 5, 4, 2.5, 2, 1, 0.5, 0.4, 0.25, 0.2, 0.1, 0.05, 0.04, 0.025, 0.02, 0.01)
+SCALES = (
+    0.01, 0.02, 0.025, 0.04, 0.05, 0.1, 0.2, 0.25, 0.4, 0.5, 1, 2, 2.5, 4, 5, 10, 20, 40, 50, 100, 200, 400, 500, 1000,
+)  # fmt: skip
+TALL = 60.0  # mm: the ordinates of the graph of specific sliding are no longer
+ROUND = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0)
 FINE = 2e-3  # mm of paper: how true the curves are
+
+
+def round_scale(largest: float) -> float:
+    """1/mm: the smallest round scale at which the ordinate of a value is no longer than TALL."""
+    power = 10.0 ** math.floor(math.log10(largest / TALL))
+    return next(n * power for n in ROUND if n * power >= largest / TALL * (1 - 1e-9))
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,17 +53,23 @@ class Mesh:
 
     @cached_property
     def scale(self) -> float:
-        """Millimetres of paper for 1 mm: the largest standard scale at which the drawing fits the page."""
-        return next(k for k in SCALES if self._fits(k) or k == SCALES[-1])
+        """Millimetres of paper for 1 mm: the smallest standard scale at which the teeth are high enough."""
+        height = 1e3 * float(np.min(self.pair.height))
+        return next(k for k in SCALES if k * height >= TOOTH or k == SCALES[-1])
 
-    def _fits(self, scale: float) -> bool:
-        p, k = self.pair, 1e3 * scale
-        teeth_side = k * 1.5 * float(p.p_w) + COLUMN
-        foot = [k * float(rho) * math.cos(float(p.alpha_w)) for rho in p.rho_w]
-        right = foot[self.small] if not p.internal else max(foot)
-        left = 0.0 if p.internal else foot[1 - self.small]
-        wide = max(teeth_side, left + ROOM) + max(teeth_side, right + ROOM)
-        return wide <= FIELD[0] and k * float(np.sum(p.height)) <= FIELD[1]
+    @property
+    def half_width(self) -> float:
+        """Of the drawing, mm: three pitches of the working circles are seen."""
+        return EDGE + self.length(1.5 * float(self.pair.p_w))
+
+    def seen(self, name: str) -> bool:
+        """Whether a point of the line of action is on the drawing: N1 and N2 may lie beyond its edge."""
+        return abs(self.points[name].real) <= self.reach
+
+    @property
+    def reach(self) -> float:
+        """How far from the line of centres the line of action is seen, mm: as far as the labels of the circles."""
+        return self.half_width + COLUMN
 
     @property
     def mm(self) -> float:

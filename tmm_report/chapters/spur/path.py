@@ -33,7 +33,7 @@ def path_of(pair: Pair) -> Path:
     points = _points(pair)
     rho = np.array(list(points.values()))
     along = np.linspace(points["A"], points["B"], PLACES)
-    return Path(points, _mates(pair, rho), pair.sliding(rho), pair.sliding(along))
+    return Path(points, mates_of(pair, rho), pair.sliding(rho), pair.sliding(along))
 
 
 def _points(pair: Pair) -> dict[str, float]:
@@ -43,7 +43,7 @@ def _points(pair: Pair) -> dict[str, float]:
     return {name: places[name] for name in "ACPDB"}
 
 
-def _mates(pair: Pair, rho: Array) -> Array:
+def mates_of(pair: Pair, rho: Array) -> Array:
     """Radii of curvature of wheel 2 where wheel 1 has `rho`, m."""
     if not pair.internal:
         return pair.line - rho

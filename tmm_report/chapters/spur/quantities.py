@@ -22,6 +22,10 @@ WHEELS = N_("dimensions of the wheels of pair %(name)s")
 CONDITIONS = N_("conditions of pair %(name)s")
 SLIDING = N_("specific sliding of pair %(name)s along the line of action")
 POINTS = N_("specific sliding of pair %(name)s at the points of the line of action")
+PHASE = N_(
+    "two pairs of teeth of pair %(name)s in contact: the points of contact K1, K2 and a point T of their path"
+)
+VELOCITIES = N_("velocities of the point of contact of pair %(name)s")
 READINGS = N_("values read off the drawing of pair %(name)s against calculation")
 CONTOUR = N_(
     "shifts of pair %(name)s in the blocking contour: those chosen and the nearest that meet every limit"
@@ -29,6 +33,7 @@ CONTOUR = N_(
 LACKS = N_("limits of the blocking contour that the shifts of pair %(name)s break")
 
 SI = {"mm": "m", "deg": "deg", "": ""}  # unit of print of a condition -> that of the results
+POINT = N_("A, B: ends of the active part; C, D: ends of two-pair contact; P: the pitch point")
 NUMBER_OF_WHEEL = Message(N_("number of the wheel"))
 UNIT_OF_ROW = Message(N_("unit of the numbers in the row"))
 
@@ -63,6 +68,8 @@ def tables(found: Found, prefix: str) -> Iterator[Table]:
     parts = {
         "wheels": (WHEELS, _wheels), "conditions": (CONDITIONS, _conditions), "sliding": (SLIDING, _sliding),
         "readings": (READINGS, _readings), "contour": (CONTOUR, _contour), "points": (POINTS, _points),
+        **({"velocities": (VELOCITIES, _velocities)} if found.motion else {}),
+        **({"phase": (PHASE, _phase)} if found.phase else {}),
         **({} if found.contour.feasible else {"lacks": (LACKS, _lacks)}),
     }  # fmt: skip
     for key, (meaning, columns) in parts.items():
@@ -136,13 +143,42 @@ def _sliding(found: Found) -> Iterator[Column]:
 
 def _points(found: Found) -> Iterator[Column]:
     path, (one, two) = found.path, found.given.wheels
-    text = Message(N_("A, B: ends of the active part; C, D: ends of two-pair contact; P: the pitch point"))
-    yield text_column("point", text, list(path.points))
+    yield text_column("point", Message(POINT), list(path.points))
     for of, numbers in (
         (_curvature(one), path.at.rho), (_curvature(two), path.mates),
         (_slip(one), path.at.first), (_slip(two), path.at.second),
     ):  # fmt: skip
         yield of.column(numbers)
+
+
+def _velocities(found: Found) -> Iterator[Column]:
+    motion, points, wheels = found.motion, list(found.path.points), found.given.wheels
+    assert motion is not None
+    yield text_column("point", Message(POINT), points)
+    across = N_("velocity of the point of the tooth of wheel %(wheel)s across the line of action")
+    whole = N_("velocity of the point of the tooth of wheel %(wheel)s")
+    for name, numbers in zip(wheels, motion.across, strict=True):
+        yield _velocity(f"v_tau_{name}", "τ", name, across).column(numbers)
+    for name, numbers in zip(wheels, motion.whole, strict=True):
+        yield _velocity(f"v_{name}", "", name, whole).column(numbers)
+    sliding = Message(N_("velocity of sliding, above zero where the driving wheel is the faster"))
+    yield Quantity("v_sl", Symbol("V", "slide"), "m/s", sliding).column(motion.sliding)
+
+
+def _phase(found: Found) -> Iterator[Column]:
+    phase, wheels = found.phase, found.given.wheels
+    assert phase is not None
+    text = N_("K1, K2: where two pairs of teeth touch; T: where the conjugate points t1 and t2 touch")
+    yield text_column("point", Message(text), list(phase.points))
+    for name, numbers in zip(wheels, phase.rho, strict=True):
+        yield _curvature(name).column(numbers)
+    far = N_("distance of the point from the axis of wheel %(wheel)s")
+    for name, numbers in zip(wheels, phase.radii, strict=True):
+        yield Quantity(f"r_{name}", Symbol("r", name), "m", Message(far, {"wheel": name})).column(numbers)
+
+
+def _velocity(key: str, index: str, wheel: str, meaning: str) -> Quantity:
+    return Quantity(key, Symbol("V", index + wheel), "m/s", Message(meaning, {"wheel": wheel}))
 
 
 def _curvature(wheel: str) -> Quantity:

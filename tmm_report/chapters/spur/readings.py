@@ -29,8 +29,8 @@ class Reading:
 
     @property
     def error(self) -> float:
-        """Relative difference, as a share of the computed value."""
-        return abs(self.drawn - self.computed) / abs(self.computed)
+        """Relative difference by the course's formula 2 (a − b)/(a + b), as a share of the mean; its size."""
+        return 2 * abs(self.computed - self.drawn) / (abs(self.computed) + abs(self.drawn))
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,8 @@ def read_off(mesh: Mesh, accuracy: float) -> tuple[Reading, ...]:
 def _segments(mesh: Mesh, read: Read) -> Iterator[Reading]:
     """Segments of the line of action."""
     at = {name: read(place) for name, place in mesh.points.items()}
-    yield Reading("N1N2", None, abs(at["N1"] - at["N2"]) / mesh.mm, float(mesh.pair.line))
+    if mesh.seen("N1") and mesh.seen("N2"):
+        yield Reading("N1N2", None, abs(at["N1"] - at["N2"]) / mesh.mm, float(mesh.pair.line))
     for start, end in SEGMENTS:
         drawn = abs(at[start] - at[end]) / mesh.mm
         yield Reading(start + end, None, drawn, abs(mesh.places[end] - mesh.places[start]))

@@ -6,15 +6,17 @@ and internal pairs, straight and helical teeth. Artobolevsky, Theory of mechanis
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from tmm_report.chapters.spur.conditions import conditions_of, involute_starts
 from tmm_report.chapters.spur.contour import Contour, contour_of
 from tmm_report.chapters.spur.given import EQUAL, STANDARD, Given
-from tmm_report.chapters.spur.mesh import Mesh
+from tmm_report.chapters.spur.mesh import Mesh, round_scale
 from tmm_report.chapters.spur.mistakes import check, check_cut, check_pair, check_teeth
+from tmm_report.chapters.spur.motion import WIDEST, Motion, motion_of, sliding_limit
 from tmm_report.chapters.spur.path import Path, path_of
+from tmm_report.chapters.spur.phase import Phase, phase_of
 from tmm_report.chapters.spur.readings import Proof, Reading, prove, read_off
 from tmm_report.chapters.spur.sizes import Teeth, choose_shifts, choose_teeth
 from tmm_report.mechanics import shifts, spur, trains
@@ -28,7 +30,8 @@ __all__ = ["EQUAL", "STANDARD", "Condition", "Found", "Given", "Rack", "solve"]
 @dataclass(frozen=True, eq=False)
 class Found:
     """Found by `solve`. `pair`: all dimensions; `path`: the line of action; `starts`: radii of curvature where the
-    involutes begin, m; `conditions`: in the order of the note; `mesh`: as it is drawn, `readings`: off that drawing."""
+    involutes begin, m; `conditions`: in the order of the note; `mesh`: as it is drawn, `readings`: off that drawing;
+    `motion`: at the speed of the drive, None where that is not known."""
 
     given: Given
     teeth: Teeth
@@ -39,6 +42,7 @@ class Found:
     mesh: Mesh
     readings: tuple[Reading, ...]
     contour: Contour
+    motion: Motion | None = None
 
     fixed: tuple[str, ...] = ()  # members that stand still, and a second input: none in this stage
     second: None = None
@@ -107,6 +111,11 @@ class Found:
         return bool(min(self.pair.rho_p) <= 0)
 
     @property
+    def sliding_scale(self) -> float:
+        """What 1 mm of an ordinate of the graph of specific sliding stands for: round."""
+        return round_scale(max(abs(float(x)) for x in (*self.pair.root_sliding, *self.pair.tip_sliding)))
+
+    @property
     def two_zones(self) -> bool:
         """Whether one and two pairs of teeth take turns."""
         return bool(1 < self.pair.eps < 2)
@@ -115,6 +124,11 @@ class Found:
     def apart(self) -> bool:
         """Whether the outlines of the teeth share no area but that of rounding."""
         return self.proof.overlap < 1e-6 * self.pair.m**2
+
+    @cached_property
+    def phase(self) -> Phase | None:
+        """With two pairs of teeth in contact; None where there is no such time."""
+        return phase_of(self.pair, self.path)
 
     # ------------------------------------------------------------ numbers beside those of the pair
 
@@ -150,7 +164,15 @@ def solve(given: Given) -> Found:
     starts = involute_starts(pair)
     check_cut(given, pair, starts)
     path = path_of(pair)
-    conditions = tuple(conditions_of(pair, given.wheels, starts))
+    conditions = tuple(conditions_of(pair, given.wheels, starts, given.sliding_limit or WIDEST))
     mesh = Mesh(pair, path.points)
     readings = read_off(mesh, given.accuracy)
     return Found(given, chosen, pair, path, starts, conditions, mesh, readings, contour_of(pair))
+
+
+def moving(found: Found, speed: float) -> Found:
+    """The stage with wheel 1 turning at `speed`, rad/s: its velocities, and the sliding that they allow."""
+    motion = motion_of(found.pair, speed, found.path.at.rho, found.path.mates)
+    limit = found.given.sliding_limit or sliding_limit(motion.pitch)
+    conditions = tuple(conditions_of(found.pair, found.given.wheels, found.starts, limit))
+    return replace(found, motion=motion, conditions=conditions)

@@ -9,15 +9,17 @@ from markupsafe import Markup
 
 from tmm_report.chapters.spur.draw.contour import contour
 from tmm_report.chapters.spur.draw.mesh import mesh_drawing
+from tmm_report.chapters.spur.draw.phase import phase_drawing
+from tmm_report.chapters.spur.draw.sliding import sliding_drawing
 from tmm_report.chapters.spur.draw.zones import zones
 from tmm_report.chapters.spur.readings import Reading
 from tmm_report.chapters.spur.solve import Found
 from tmm_report.chapters.spur.words import LACKS, NONE, PAIRS, STUCK
 from tmm_report.figures.drawing import Drawing
 from tmm_report.mechanics.blocking import Lack
-from tmm_report.quantity.formula import Formula, Number
+from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.part import Part
-from tmm_report.report.layout import Cell, Table, worded
+from tmm_report.report.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.page import Page
 
 CHOSEN, NEAREST, SAME_DISTANCE = range(3)  # rows of the contour's table
@@ -47,6 +49,29 @@ class TeethView:
 
     def drawing(self) -> Drawing:
         return mesh_drawing(self.found.mesh, self.names, self.num, str(self.t("Gear pair in mesh")))
+
+    def phase(self) -> Drawing:
+        phase = self.found.phase
+        assert phase is not None
+        return phase_drawing(
+            self.found.mesh, phase, self.names, self.num, str(self.t("Two pairs of teeth in contact"))
+        )
+
+    def phase_table(self, caption: Any) -> Table:
+        """Where the pair touches: radii of curvature, and distances from both axes."""
+        table = self.part.table("phase")
+        points = [self.page.word(name, table, "point", row) for row, name in enumerate(table["point"].values)]
+        columns = [self.page.column(table, column.key, "mm") for column in table.columns[1:]]
+        return numeric(caption, Column(self.t("Point"), points, 8), columns)
+
+    @property
+    def per_mm(self) -> Markup:
+        """The scale of the graph of specific sliding."""
+        return self.page.value(self.part["mu_sliding"].var())
+
+    def sliding(self) -> Drawing:
+        per_mm = self.part["mu_sliding"].value
+        return sliding_drawing(self.found.mesh, self.names, per_mm, self.num, str(self.t("Specific sliding")))
 
     def zones(self) -> Drawing:
         return zones(self.found.mesh, self.num, self._pairs, str(self.t("Zones of contact")))
@@ -90,10 +115,22 @@ class TeethView:
     def _measured(self, key: str, row: int, reading: Reading) -> Cell | Markup:
         """Lengths in mm, angles in degrees with their sign."""
         if reading.wheel is None:
-            return self.page.cell(self.read, key, row, "mm", places=2)
+            return self._whole(self.page.cell(self.read, key, row, "mm", places=self._places))
         if reading.key == "ratio":
-            return self.page.cell(self.read, key, row)
-        return self.page.listed([self.page.shown(self.read, key, row, "deg", places=3), "°"], "")
+            return self._whole(self.page.cell(self.read, key, row, digits=6))
+        angle = self._whole(self.page.cell(self.read, key, row, "deg", places=4))
+        return self.page.listed([self.page.said(angle), "°"], "")
+
+    @property
+    def _places(self) -> int:
+        """Decimals of a length in mm: one more than its ends are read to, so that the difference can be checked."""
+        finest = 1e3 * self.part["accuracy"].value / self.found.mesh.scale
+        return max(0, 1 + math.ceil(-math.log10(finest) - 1e-9))
+
+    @staticmethod
+    def _whole(cell: Cell) -> Cell:
+        """The number with the zeros at its end, so that all rows have the same decimals."""
+        return Cell(cell.full, cell.ref)
 
     def _row(self, key: str, wheel: int) -> int:
         return next(n for n, r in enumerate(self.found.readings) if (r.key, r.wheel) == (key, wheel))
@@ -106,10 +143,11 @@ class TeethView:
         return self.read.formula("graph", self._row("ratio", self.wheel), above / below)
 
     def difference(self) -> Formula:
-        """By how many per cent it differs from the computed one."""
+        """By how many per cent it differs from the computed one: 200 |a − b|/(a + b)."""
         row = self._row("ratio", self.wheel)
-        drawn, computed = (self.read.var(key, row, digits=5) for key in ("graph", "analytic"))
-        return self.read.formula("delta", row, abs(drawn - computed) / computed * Number(100), digits=2)
+        drawn, computed = (self.read.var(key, row, digits=6) for key in ("graph", "analytic"))
+        apart = 200 * abs(computed - drawn) / (computed + drawn)
+        return self.read.formula("delta", row, apart, digits=2)
 
     # ------------------------------------------------------------ proof by the outlines
 
@@ -142,7 +180,13 @@ class TeethView:
         )
         wheel = self.names[lack.limit.wheel - 1]
         return self.t(
-            LACKS[lack.limit.kind], wheel=wheel, value=value, bound=bound, lack=wanting, degrees=wanting
+            LACKS[lack.limit.kind],
+            wheel=wheel,
+            value=value,
+            bound=bound,
+            lack=wanting,
+            degrees=wanting,
+            m=self.page.sym("m"),
         )
 
     def point(self, row: int) -> Markup:

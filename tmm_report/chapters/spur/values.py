@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from tmm_report.chapters.spur.motion import sliding_limit
 from tmm_report.chapters.spur.solve import Found
 from tmm_report.mechanics import shifts
 from tmm_report.problems import N_, Message
@@ -18,7 +19,7 @@ Row = tuple[str, Symbol | None, str, str, float]  # key, symbol, unit, meaning, 
 
 def values(found: Found, prefix: str) -> Iterator[Value]:
     """The single numbers of the pair; every key begins with `prefix`."""
-    topics = (_pair, _given, _teeth, _section, _shifts, _quality, _drawing)
+    topics = (_pair, _given, _teeth, _section, _shifts, _quality, _motion, _drawing)
     for key, symbol, unit, meaning, number in (row for topic in topics for row in topic(found)):
         shown = float(np.degrees(number)) if unit == "deg" else float(number)
         yield Quantity(f"{prefix}_{key}", symbol, unit, Message(meaning)).value(shown)
@@ -124,6 +125,30 @@ def _quality(found: Found) -> Iterator[Row]:
         )
 
 
+def _motion(found: Found) -> Iterator[Row]:
+    """At the speed of the drive."""
+    if (motion := found.motion) is None:
+        return
+    for wheel, omega in zip(found.given.wheels, motion.omega, strict=True):
+        yield (
+            f"omega_{wheel}",
+            Symbol("omega", wheel),
+            "rad/s",
+            N_("magnitude of the angular velocity"),
+            omega,
+        )
+    pitch = N_("pitch-line velocity, that of the point of contact in the pitch point")
+    yield "v_pitch", Symbol("V"), "m/s", pitch, motion.pitch
+    if found.given.sliding_limit is None:
+        limit = N_("largest specific sliding allowed at this pitch-line velocity")
+        yield "sliding_limit", Symbol("lambda", "max"), "", limit, sliding_limit(motion.pitch)
+    along = N_("velocity of both teeth along the line of action, at any of its points")
+    yield "v_along", Symbol("V", "n"), "m/s", along, motion.along
+    way = abs(float(found.path.at.rho[motion.fastest]) - float(found.pair.rho_w[0]))
+    far = N_("distance of the pitch point from the end of the active part where the profiles slide fastest")
+    yield "v_way", segment("P" + list(found.path.points)[motion.fastest]), "m", far, way
+
+
 def _drawing(found: Found) -> Iterator[Row]:
     """Of the drawing of the mesh, and of the outlines turned over a pitch."""
     scale, proof = found.mesh.scale, found.proof
@@ -131,6 +156,9 @@ def _drawing(found: Found) -> Iterator[Row]:
     yield "accuracy", None, "m", read, found.given.accuracy
     yield "scale", None, "", N_("lengths of the drawing of the mesh to those of the wheels"), scale
     yield "reduction", None, "", N_("lengths of the wheels to those of the drawing of the mesh"), 1 / scale
+    if not found.beyond:
+        round_scale = N_("specific sliding that 1 mm of its graph stands for")
+        yield "mu_sliding", Symbol("mu", "lambda"), "1/mm", round_scale, found.sliding_scale
     yield "overlap", None, "m²", N_("largest area that the outlines of the teeth share"), proof.overlap
     yield "clearance", None, "m", N_("smallest distance between the outlines of the teeth"), proof.clearance
     counted = N_("number of pairs in mesh, counted on the outlines")

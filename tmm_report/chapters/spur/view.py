@@ -10,18 +10,20 @@ import numpy as np
 from markupsafe import Markup
 
 from tmm_report.chapters.spur.formulas import UNITS, SpurFormulas
+from tmm_report.chapters.spur.motion_view import MotionView
 from tmm_report.chapters.spur.solve import Found
 from tmm_report.chapters.spur.teeth_view import TeethView
 from tmm_report.chapters.spur.words import CONDITIONS, RULES, UNDERCUT, UNDERCUT_BY_RULE, UNDERCUT_HOW
-from tmm_report.figures.graphs import Curve, Graph, graph
 from tmm_report.mechanics.conditions import Condition
 from tmm_report.problems import N_, Message
 from tmm_report.quantity import model
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.wheel_words import DIAMETERS, TEETH, of_wheel
-from tmm_report.report.layout import Cell, Table, Words, worded
+from tmm_report.report.layout import Cell, Table, Words, padded, worded
 from tmm_report.report.page import Page
-from tmm_report.report.part import Part
+from tmm_report.report.part import Failed, Part
+
+LEAST, MOST = "≥\N{NO-BREAK SPACE}", "≤\N{NO-BREAK SPACE}"  # before a limit, on one line with it
 
 
 def parts(found: Found, page: Page, label: str) -> Iterator[Part]:
@@ -112,12 +114,16 @@ class SpurView(SpurFormulas):
             [
                 self.page.message(column.meaning),
                 self.page.head(column.symbol(), "mm"),
-                *(self.page.cell(self.wheels, column.key, i, "mm") for i in (0, 1)),
+                *padded([self._size(column.key, i) for i in (0, 1)]),
             ]
             for column in columns
         ]
         wheels = [self.t("wheel %(name)s", name=name) for name in self.names]
         return worded(caption, [self.t("Dimension"), self.t("Symbol"), *wheels], rows, (4, 2, 2, 2))
+
+    def _size(self, key: str, i: int) -> Cell | str:
+        """mm; a ring has no thickness on its base circle, which lies within its teeth."""
+        return "—" if key == "s_b" and self._ring(i) else self.page.cell(self.wheels, key, i, "mm")
 
     def conditions(self, caption: Any) -> Table:
         """Every condition with its value, limit and what is in hand."""
@@ -127,7 +133,7 @@ class SpurView(SpurFormulas):
                 self._quantity(row, c),
                 self._measured("value", row, c),
                 self.page.listed(
-                    ["≥ " if c.least else "≤ ", self.page.said(self._measured("limit", row, c))], ""
+                    [LEAST if c.least else MOST, self.page.said(self._measured("limit", row, c))], ""
                 ),
                 self._measured("margin", row, c),
                 self.page.word(self._verdict(c), self.judged, "met", row),
@@ -136,10 +142,15 @@ class SpurView(SpurFormulas):
         ]
         t = self.t
         heads = [t("Condition"), t("Quantity"), t("Value"), t("Limit"), t("In hand"), t("Verdict")]
-        return worded(caption, heads, rows, (4, 2, 2, 3, 2, 2.4))
+        return worded(caption, heads, rows, (4, 1.5, 1.5, 4.5, 2, 2.4))
 
-    def _name(self, c: Condition) -> str:
-        return Message(CONDITIONS[c.key], {"wheel": c.wheel}).render(self.page.tr.gettext)
+    def _name(self, c: Condition) -> str | Markup:
+        name = Message(CONDITIONS[c.key], {"wheel": c.wheel}).render(self.page.tr.gettext)
+        if c.key == "sliding" and self.moving and not self.moving.stated:
+            return self.t(
+                "%(name)s at %(speed)s", name=name, speed=self.page.value(self.part["v_pitch"].var(digits=4))
+            )
+        return name
 
     def _verdict(self, c: Condition) -> str:
         by_rule = N_("met by the rule only") if self.found.met_by_rule(c) else N_("not met")
@@ -169,24 +180,16 @@ class SpurView(SpurFormulas):
         heads = [self.t("Point"), *(self.page.head(of.symbol(), UNITS.get(of.unit, "")) for of in numbers)]
         return worded(caption, heads, rows, (2, 3, 3, 3, 3))
 
+    @cached_property
+    def moving(self) -> MotionView | None:
+        """At the speed of the drive."""
+        return MotionView(self.found, self.page, self.part) if self.found.motion else None
+
     # ------------------------------------------------------------ picture
 
     @cached_property
     def drawings(self) -> TeethView:
         return TeethView(self.found, self.page, self.label, self.part)
-
-    @cached_property
-    def sliding_graph(self) -> Graph:
-        """Specific sliding of both wheels over the active part of the line of action, from the driving wheel's N1."""
-        rho, *slidings = self.part.table("sliding").columns
-        order = np.argsort(rho.numbers())
-        x, ends = rho.numbers("mm")[order], (0, -1)
-        curves = [
-            Curve(y[order], f"λ{name}", extremes=[(float(x[k]), float(y[order][k])) for k in ends])
-            for y, name in zip((of.numbers() for of in slidings), self.names, strict=True)
-        ]
-        label, step = f"ρ{self.names[0]}, {self.page.unit('mm')}", _step(float(x[-1] - x[0]))
-        return graph(curves, x, label, ["λ"], step=step, comma=self.page.tr.decimal == ",", join=False)
 
     # ------------------------------------------------------------ what is said
 
@@ -229,6 +232,15 @@ class SpurView(SpurFormulas):
         return self.t("%(lack)s is wanting", lack=self.page.listed([lack, *unit], ""))
 
     def conclusions(self) -> list[Markup]:
+        """What failed, first; then what was found."""
+        return [*self._failure(), self.page.listed([*self._found(), *self._in_motion()], " ")]
+
+    def _failure(self) -> Iterator[Markup]:
+        if self.found.failed:
+            text = N_("Not all conditions of the gear pair %(name)s are met: %(list)s.")
+            yield Failed(self.t(text, name=self.title, list=self.page.listed(self.failures(), "; ")))
+
+    def _found(self) -> Iterator[Markup]:
         said = self.page.said
         values: dict[str, Any] = {"name": self.title, "eps": self.shown("eps", digits=4)}
         for i in (0, 1):
@@ -238,16 +250,25 @@ class SpurView(SpurFormulas):
             "The gear pair %(name)s has %(z1)s and %(z2)s teeth, the shifts %(x1)s and %(x2)s and the contact "
             "ratio %(eps)s."
         )
-        failures = self.page.listed(self.failures(), "; ")
-        verdict = (
-            self.t("Not all its conditions are met: %(list)s.", list=failures)
-            if self.found.failed
-            else self.t("All its conditions are met.")
+        yield self.t(text, **values)
+        if not self.found.failed:
+            yield self.t("All its conditions are met.")
+
+    def _in_motion(self) -> Iterator[Markup]:
+        """The largest specific sliding against what its speed allows, and the largest velocity of sliding."""
+        if self.moving is None or self.found.beyond:
+            return
+        rows = [row for row, c in enumerate(self.found.conditions) if c.key == "sliding"]
+        row = max(rows, key=lambda k: self.found.conditions[k].value)
+        shown = self.page.shown
+        text = N_(
+            "At the pitch-line velocity %(speed)s m/s its largest specific sliding is %(sliding)s, where %(limit)s is "
+            "allowed; the profiles slide at %(velocity)s m/s at most."
         )
-        return [self.page.listed([self.t(text, **values), verdict], " ")]
-
-
-def _step(length: float) -> float:
-    """A round step of about eight ticks."""
-    power = 10 ** np.floor(np.log10(length / 8))
-    return float(min(n * power for n in (1, 2, 5, 10) if n * power >= length / 8))
+        yield self.t(
+            text,
+            speed=self.shown("v_pitch", digits=4),
+            sliding=shown(self.judged, "value", row, digits=4),
+            limit=shown(self.judged, "limit", row, digits=4),
+            velocity=shown(self.moving.table, "v_sl", self.moving.row, size=True, digits=4),
+        )

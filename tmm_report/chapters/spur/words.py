@@ -33,13 +33,13 @@ LACKS = {
         "undercut of wheel %(wheel)s: the shift %(value)s is less than the least one %(bound)s by %(lack)s"
     ),
     "pointing": N_(
-        "pointing of wheel %(wheel)s: the thickness of the tip is %(value)s m and must be at least %(bound)s m, "
-        "%(lack)s m is wanting"
+        "pointing of wheel %(wheel)s: the thickness of the tip is %(value)s %(m)s and must be at least "
+        "%(bound)s %(m)s, %(lack)s %(m)s is wanting"
     ),
     "ratio": N_("smoothness: the contact ratio %(value)s is less than %(bound)s by %(lack)s"),
     "interference": N_(
-        "interference at the root of wheel %(wheel)s: the active profile reaches %(lack)s m along the line of action "
-        "beyond the end of the involute"
+        "interference at the root of wheel %(wheel)s: the active profile reaches %(lack)s %(m)s along the line of "
+        "action beyond the end of the involute"
     ),
     "fouling": N_("the tips of the ring and the pinion overlap by %(degrees)s°"),
 }

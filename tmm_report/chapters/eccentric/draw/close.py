@@ -143,4 +143,5 @@ def _free(view: _View, one: Body, other: Body) -> Iterator[Item]:
     low = view.middle - 1j * (ROUND - 6)
     for x in (start, end):
         yield line(x, complex(x.real, low.imag - 1), MEASURE)
-    yield from measured(complex(start.real, low.imag), complex(end.real, low.imag), (Symbol("Δ"),))
+    ends = complex(start.real, low.imag), complex(end.real, low.imag)
+    yield from measured(*ends, (Symbol("Δ"),), within=True)

@@ -32,7 +32,8 @@ from tmm_report.mechanics.blocking import Line, Window
 Array = Any
 Num = Callable[[float], str]
 
-FIELD = (125.0, 125.0)  # mm: largest width and height of the plane
+FIELD = (140.0, 150.0)  # mm: largest width and height of the plane
+SLIVER = 4.0  # mm: a smaller piece of the region has no room for a point and is not drawn
 STEPS = (0.05, 0.1, 0.2, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0)
 TICKS = 12  # at most along an axis
 SHORT = 0.04  # of the plane's width: a shorter piece of a line is not drawn
@@ -74,7 +75,7 @@ def contour(found: Contour, names: tuple[str, str], num: Num, title: str = "") -
     """The contour with its lines lettered where they have room; `num` prints a level or a tick."""
     plane = Plane(found.window)
     items: list[Item] = [
-        polygon(map(complex, plane.at(piece)), None, "pale", 0.7) for piece in found.region if _closed(piece)
+        polygon(map(complex, piece), None, "pale", 0.7) for piece in pieces_of(found, plane) if _closed(piece)
     ]
     items += _axes(plane, names, num)
     tags = []
@@ -84,9 +85,15 @@ def contour(found: Contour, names: tuple[str, str], num: Num, title: str = "") -
         items += [polyline(map(complex, piece), _pen(drawn, found)) for piece in long]
         if long:
             tags.append(_tag(drawn, max(long, key=_length), plane.corner, names, num))
-    items += [polyline(map(complex, plane.at(piece)), THICK) for piece in found.region]
+    items += [polyline(map(complex, piece), THICK) for piece in pieces_of(found, plane)]
     marks, letters = _points(found, plane)
     return Drawing((*items, *marks), title).labelled([*letters, *tags])
+
+
+def pieces_of(found: Contour, plane: Plane) -> list[Array]:
+    """The boundary of the feasible region on paper, without slivers at the edge of the window; mm."""
+    pieces = [plane.at(piece) for piece in found.region]
+    return [piece for piece in pieces if max(np.ptp(piece.real), np.ptp(piece.imag)) > SLIVER]
 
 
 def _pen(drawn: Line, found: Contour) -> Pen:
