@@ -15,6 +15,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from tmm_report import yamlread
+from tmm_report.chapters.cam import solve as cam
 from tmm_report.chapters.force_plans import solve as force_plans
 from tmm_report.chapters.friction import solve as friction
 from tmm_report.chapters.friction.given import Friction
@@ -98,6 +99,7 @@ class LeverFound:
     given: LeverGiven
     structure: structure.Structure
     kinematics: kinematics.Kinematics
+    cam: cam.Cams | None
     plans: plans.Plans
     kinetostatics: kinetostatics.Kinetostatics | None = None
     force_plans: force_plans.ForcePlans | None = None
@@ -188,6 +190,7 @@ def solve_lever(given: LeverGiven, moved: Moved | None = None) -> LeverFound:
         given,
         links,
         motion,
+        cam.solve(motion),
         drawn,
         forces,
         force_plans.solve(given.drawing, given.positions.force_plan, forces, drawn) if forces else None,
@@ -310,11 +313,15 @@ def chapters(results: Results) -> Iterator[tuple[str, Any]]:
 
 def summary(results: Results) -> Iterator[Message]:
     """The main numbers of the chapters beside the lever's, in sentences; what was left out."""
-    asked = [name for name in OTHERS if getattr(results.variant, name) and not getattr(results, name)]
-    if asked:
+    if asked := left_out(results):
         text = N_("left out, as the mechanism does not close all round: %(blocks)s")
         yield Message(text, {"blocks": ", ".join(asked)})
     yield from (line for name, found in chapters(results) if name in OTHERS for line in found.summary())
+
+
+def left_out(results: Results) -> list[str]:
+    """The blocks of the variant that were not solved: a mechanism that does not close all round has no cycle."""
+    return [name for name in OTHERS if getattr(results.variant, name) and not getattr(results, name)]
 
 
 def room(chapter: str, name: str) -> Any:

@@ -19,7 +19,8 @@ from tmm_report.chapters.kinetostatics.breaks import breaks
 from tmm_report.chapters.kinetostatics.loads import ByDisplacement, ByStrokes, Loads
 from tmm_report.chapters.kinetostatics.solve import magnitude
 from tmm_report.chapters.machine import Moving, machine
-from tmm_report.figures.graphs import Curve, _positions, graph
+from tmm_report.figures.axes import position_marks
+from tmm_report.figures.graphs import Curve, graph
 from tmm_report.mechanics.mechanism import ZeroAngle
 from tmm_report.problems import ProblemError
 
@@ -419,14 +420,11 @@ def test_a_driver_with_a_mistake_keeps_its_cycle():
     assert "speed" in message and "24 positions" not in message and "by_position" not in message
 
 
-# ---------------------------------------------------------------- on paper
-
-
 def test_a_diagram_of_two_turns_numbers_all_positions():
     of = graph([Curve(np.zeros(73))], np.linspace(0, 720, 73), "φ", ["M"], positions=24)
-    places = list(_positions(of))
-    assert [name for _, name in places] == [*map(str, range(24)), "0"]
-    assert np.diff([x for x, _ in places]) == pytest.approx(np.full(24, of.panels[0].wide / 24))
+    xs, names = zip(*position_marks(of.panels[0], 24), strict=True)
+    assert [*names] == [*map(str, range(25))]
+    assert np.diff(xs) == pytest.approx(np.full(24, of.panels[0].wide / 24))
 
 
 @cache

@@ -118,6 +118,7 @@ def moved(v: Variant, angle: float, shift: complex) -> Variant:
         zero = ZeroAngle(zero.angle + angle)
     elif zero.point is not None:
         zero = replace(zero, direction=zero.direction * u)
+    gear = m.driver.gear and replace(m.driver.gear, at=m.driver.gear.at + angle)
     fixed = {n: g for n, g in m.guides.items() if g.link == FRAME}
     mechanism = replace(
         m,
@@ -125,7 +126,7 @@ def moved(v: Variant, angle: float, shift: complex) -> Variant:
             **m.links,
             FRAME: replace(frame, points={p: at * u + shift for p, at in frame.points.items()}),
         },
-        driver=replace(m.driver, zero=zero),
+        driver=replace(m.driver, zero=zero, gear=gear),
         guides=m.guides
         | {n: replace(g, through=g.through * u + shift, direction=g.direction * u) for n, g in fixed.items()},
         assembly=tuple(Assembly(a.key, turned(a.choice)) for a in m.assembly),

@@ -9,8 +9,8 @@ import pytest
 
 from tmm_report import course
 from tmm_report.chapters.spur import solve as spur
-from tmm_report.chapters.spur.mesh import SCALES
-from tmm_report.chapters.spur.readings import read_off
+from tmm_report.chapters.spur.mesh import SCALES, TOOTH
+from tmm_report.chapters.spur.readings import Reading, read_off
 from tmm_report.mechanics.polygons import clearance
 from tmm_report.quantity.paper import ACCURACY
 
@@ -56,7 +56,8 @@ def test_the_line_of_action_touches_both_base_circles(mesh):
 @pytest.mark.parametrize("accuracy", [1e-6, 1e-5, 1e-4, 5e-4])
 def test_readings_keep_within_the_accuracy_of_the_drawing(mesh, accuracy):
     readings, step = read_off(mesh, accuracy), 1e3 * accuracy
-    assert {r.key for r in readings} >= {"N1N2", "AB", "angle", "pitch", "ratio"}
+    assert {r.key for r in readings} >= {"AB", "angle", "pitch", "ratio"}
+    assert ("N1N2" in {r.key for r in readings}) == (mesh.seen("N1") and mesh.seen("N2"))
     for r in readings:
         if r.wheel is None:
             assert abs(r.drawn - r.computed) * mesh.mm < 1.5 * step, r
@@ -81,6 +82,11 @@ def test_the_stated_accuracy_reaches_the_readings():
     assert max(r.error for r in fine.readings) < 2e-3 < max(r.error for r in coarse.readings)
 
 
+def test_the_difference_is_that_of_the_course():
+    """200 |a − b|/(a + b): of 3 by calculation and 2 by the drawing 40 per cent, not a third or a half."""
+    assert 100 * Reading("AB", None, 2.0, 3.0).error == pytest.approx(40)
+
+
 def test_the_accuracy_of_a_variant_is_said_and_used():
     text = Path("variants/hoist_drive.yaml").read_text("utf-8")
     stated = course.loads(text + "\ndrawing: {accuracy: 0.1 mm}\n")
@@ -88,10 +94,10 @@ def test_the_accuracy_of_a_variant_is_said_and_used():
     assert course.loads(text).drive.stages[0].accuracy == ACCURACY
 
 
-def test_the_scale_is_a_standard_one_and_the_largest_that_fits(mesh):
-    assert mesh.scale in SCALES and mesh._fits(mesh.scale)
-    larger = [k for k in SCALES if k > mesh.scale]
-    assert not any(mesh._fits(k) for k in larger)
+def test_the_teeth_are_at_least_40_mm_high_at_the_smallest_such_standard_scale(mesh):
+    height = 1e3 * float(min(mesh.pair.height))
+    assert mesh.scale in SCALES and mesh.scale * height >= TOOTH == 40
+    assert not any(k * height >= TOOTH for k in SCALES if k < mesh.scale)
 
 
 def test_the_reference_drawing():

@@ -15,6 +15,7 @@ SIGNS = GREEK | {
     "cdot": "·", "to": "→", "times": "×", "leqslant": "≤", "geqslant": "≥", "pm": "±", "approx": "≈", "infty": "∞",
     "parallel": "∥", "perp": "⟂", "neq": "≠", "prime": "′", "circ": "°", "ge": "≥", "le": "≤", "sum": "Σ",
     "textbackslash": "\\", "textasciitilde": "~", "textasciicircum": "^", "gg": "≫", "ll": "≪",
+    "circlearrowright": "↻", "circlearrowleft": "↺",
 }  # fmt: skip
 _COMMAND = re.compile(r"\\([A-Za-z]+) ?")
 

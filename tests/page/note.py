@@ -414,7 +414,7 @@ def read(html: str) -> Note:
         drawings[f"{len(drawings) + 1}"] = svg[0]
         return "<svg/>"
 
-    root = fromstring(_SVG.sub(keep, match[0]))
+    root = fromstring(_SVG.sub(keep, match[0]).replace("″", "′′"))  # one sign for what is two
     return Note(root, _by_anchor(root, drawings))
 
 

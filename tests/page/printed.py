@@ -92,7 +92,8 @@ for names, size, dimension in (
     for name in names.split():
         _UNITS[name] = (size, dimension)
 _POWERS = {"²": 2, "³": 3, "⁴": 4}
-_TOKEN = re.compile(r"([^\W\d_²³⁴]+|°|%)([²³⁴]?)|([·/()])")
+_UNITS["1"] = (1.0, (0, 0, 0, 0))  # of 1/mm
+_TOKEN = re.compile(r"(1(?=/)|[^\W\d_²³⁴]+|°|%)([²³⁴]?)|([·/()])")
 
 
 class Unit(NamedTuple):

@@ -12,18 +12,22 @@ from typing import Any
 from unittest.mock import patch
 
 from conftest import FILES, solved
+from conftest import LEVERS as MECHANISMS
 from conftest import read as variant
 from note import Note, read
 from notes import NAMES, note
 from once import once
 
 from tmm_report import render
+from tmm_report.figures.drawing import Drawing
 from tmm_report.report.formats import Tex
 
 CHOSEN = [name for name in NAMES if name in os.environ.get("PAGE_VARIANTS", " ".join(NAMES)).split()]
 ENGLISH = [name for name in ("compressor", "press", "hoist_drive", "eccentric") if name in CHOSEN]
 BOTH = [(name, "") for name in CHOSEN] + [(name, "en") for name in ENGLISH]
-LEVERS = [path.stem for path in FILES if path.stem in CHOSEN]
+LEVERS = [path.stem for path in MECHANISMS if path.stem in CHOSEN]
+LINKAGES = [path.stem for path in FILES if path.stem in CHOSEN]
+"""Those of links of constant lengths: a link that replaces a cam pair is another one in every position."""
 
 
 def language(name: str, other: str = "") -> str:
@@ -36,11 +40,26 @@ def html(name: str, other: str = "") -> Note:
     return read(note(name, "html", language(name, other))["note.html"].decode())
 
 
-@once
 def tex(name: str, other: str = "") -> str:
     """note.tex without its figures, which are the same drawings again."""
-    with patch.object(Tex, "picture", lambda self, picture, anchor: ""):
-        return render(solved(name), "tex", language(name, other))["note.tex"].decode()
+    return _tex(name, other)[0]
+
+
+def drawings(name: str) -> dict[str, Drawing]:
+    """The drawings of a note, its graphs among them, by their anchors, before they are written in any format."""
+    return _tex(name)[1]
+
+
+@once
+def _tex(name: str, other: str = "") -> tuple[str, dict[str, Drawing]]:
+    found: dict[str, Drawing] = {}
+
+    def picture(self: Tex, picture: Any, anchor: str) -> str:
+        found[anchor] = picture if isinstance(picture, Drawing) else picture.drawing
+        return ""
+
+    with patch.object(Tex, "picture", picture):
+        return render(solved(name), "tex", language(name, other))["note.tex"].decode(), found
 
 
 @cache

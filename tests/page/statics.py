@@ -41,6 +41,10 @@ class Scheme:
     driver: str
     gravity: float
     loads: list[tuple[str, list[str]]]  # point of each stated force, in order, and the links it may act on
+    pitch: complex | None = (
+        None  # from the pivot O to the pitch point of the gear that turns the driving link, m
+    )
+    pivot: str = ""
 
 
 def scheme(name: str) -> Scheme:
@@ -67,7 +71,18 @@ def scheme(name: str) -> Scheme:
     ]
     gravity = loads.get("gravity", 0)
     gravity = float(str(gravity["value"] if isinstance(gravity, dict) else gravity).split()[0])
-    return Scheme(points, sliding, centres, str(data["mechanism"]["driver"]["link"]), gravity, forces)
+    driver = data["mechanism"]["driver"]
+    link = str(driver["link"])
+    pivot = next((p for p in points[link] if p in data["mechanism"]["frame"]), "")
+    return Scheme(points, sliding, centres, link, gravity, forces, pitch_point(driver.get("gear")), pivot)
+
+
+def pitch_point(gear: dict[str, str] | None) -> complex | None:
+    """Of a gear as the file states it, in mm and degrees."""
+    if gear is None:
+        return None
+    radius, at = (float(gear[key].removesuffix(unit)) for key, unit in (("radius", "mm"), ("at", "deg")))
+    return complex(radius / 1000 * np.exp(1j * np.radians(at)))
 
 
 def ends(symbol: str) -> tuple[str, str]:
@@ -97,7 +112,11 @@ class Places:
 
 def pair_points(note: Note, drawn: Scheme) -> dict[frozenset[str], str]:
     """Links of a pair -> the point where its reaction acts: the pivot, or the slider's own point."""
-    table = next(t for t in note.tables if len(t.heads) == 6 and t.heads[4].text in ("Class", "Класс"))
+    table = next(
+        t
+        for t in note.tables
+        if len(t.heads) > 4 and t.heads[4].text in ("Class", "Класс") and "–" in t.rows[0][1].text
+    )
     found = {}
     for row in table.rows:
         links = frozenset(row[1].text.split("–"))
@@ -163,7 +182,12 @@ def loads(note: Note, document: dict[str, Any], drawn: Scheme, places: Places) -
                 key, rows = symbol if "," in symbol else f"{symbol},{k}", len(one.values)
                 couple = one.values * np.sign(acting[key][:rows])
                 yield Force(key, stated[1], 0j, zeros[:rows] + 0j, zeros[:rows], couple, one.half)
-        elif symbol in BALANCING:
+        elif symbol in ("F_bal", "F_ур") and drawn.pitch is not None:  # a force in place of the moment
+            line = found["α_F"][0][1]
+            way, size = np.exp(1j * line.values), np.abs(column.values)
+            at = places[drawn.pivot] + drawn.pitch
+            yield Force(symbol, drawn.driver, at, column.values * way, column.half + size * line.half)
+        elif symbol in BALANCING and drawn.pitch is None:
             yield Force(symbol, drawn.driver, 0j, zeros + 0j, zeros, column.values, column.half)
 
 

@@ -9,14 +9,16 @@ from typing import Any
 
 import numpy as np
 import pytest
-from curves import Curve, curves
+from curves import Curve, curves, is_graph
 from note import Note, text_of
 from pages import table_of
 from printed import number, unit
 from reading import BOTH, CHOSEN, LEVERS, html, results, wrong
 
 CLOSE = 2e-4  # of the height of a curve: figures of four digits beside the ticks
+WRITTEN = 1.5e-3  # mm: places and ticks are written to a thousandth
 MOTION = {"S": "S", "V": "V", "a": "A", "ψ": "psi", "ω": "omega", "ε": "epsilon"}
+ANALOGUES = {"S′": "dS", "S′′": "ddS", "ψ′": "dpsi", "ψ′′": "ddpsi"}
 OTHERS = {
     "Mур": ("balancing", "M_bal"), "Mbal": ("balancing", "M_bal"), "Pтр": ("friction", "P_fr"),
     "Pfr": ("friction", "P_fr"), "η": ("friction", "eta"), "Iпр": ("reduced_inertia", "I_red"),
@@ -29,6 +31,10 @@ SCALES = {
     "mu_psi": "ψ",
     "mu_omega": "ω",
     "mu_epsilon": "ε",
+    "mu_S′": "S′",
+    "mu_S′′": "S′′",
+    "mu_psi′": "ψ′",
+    "mu_psi′′": "ψ′′",
     "mu_M": "M",
 }
 
@@ -54,26 +60,44 @@ def graphs(note: Note, own: bool = False) -> Iterator[tuple[str, list[Curve]]]:
             continue
         svg = note.drawings[figure.get("id") or ""]
         caption = figure.find("figcaption")
-        if "stroke-width: 1.1" in svg and caption is not None:
+        if is_graph(svg) and caption is not None:
             yield text_of(caption), curves(svg)
 
 
-def column(curve: Curve, caption: str) -> tuple[str, str]:
+def column(curve: Curve, caption: str, document: dict[str, Any]) -> tuple[str, str]:
     """Which table of the results a curve over the cycle shows, and which column."""
     if curve.axis.letter in MOTION:
         return "outputs", f"{MOTION[curve.axis.letter]}_{caption.split()[-1]}"
+    if curve.axis.letter in ANALOGUES:
+        return "analogues", f"{ANALOGUES[curve.axis.letter]}_{caption.split()[-1]}"
     if curve.axis.letter in OTHERS:
         return OTHERS[curve.axis.letter]
-    assert curve.axis.letter[0] == "P", curve.axis.letter
-    return "stated", f"P_{curve.axis.letter[1:]}"  # a stated force by its point
+    letter = curve.axis.letter
+    assert letter[0] in "PM", letter
+    if letter[0] == "M":  # a stated moment by its symbol: M3 is M_3, its key M_3,1
+        return "stated", next(key for key, sign in signs(document).items() if sign == letter)
+    return "stated", f"P_{letter[1:]}"  # a stated force by its point
+
+
+def signs(document: dict[str, Any]) -> dict[str, str]:
+    """Keys of the stated loads and their symbols as they are drawn."""
+    columns = document["tables"]["stated_diagram"]["columns"]
+    return {column["key"]: column.get("symbol", "").replace("_", "") for column in columns}
+
+
+def several_of(letter: str) -> list[tuple[str, str]]:
+    """The columns that the curves of an axis may show, where it has several."""
+    if letter[0] == "R":  # magnitude and projections of a reaction
+        return [("reactions", f"R_{letter[1:]}{part}") for part in ("", "_x", "_y")]
+    return SEVERAL.get(letter, [])
 
 
 def wrong_curve(curve: Curve, caption: str, document: dict[str, Any], which: str) -> Iterator[str]:
     """At each position of the table or of the diagram; of several curves over one axis one must be it."""
-    if several := SEVERAL.get(curve.axis.letter):
+    if several := several_of(curve.axis.letter):
         yield from min((list(_wrong(curve, caption, document, which, *one)) for one in several), key=len)
         return
-    yield from _wrong(curve, caption, document, which, *column(curve, caption))
+    yield from _wrong(curve, caption, document, which, *column(curve, caption, document))
 
 
 def _wrong(
@@ -82,13 +106,13 @@ def _wrong(
     table = table_of(document, f"{name}_{which}")
     of = unit(curve.axis.unit)
     assert of is not None
-    height = np.ptp(curve.values) or 1.0
+    close = CLOSE * (np.ptp(curve.values) or 1.0) + WRITTEN * curve.axis.scale
     seen = 0
     for phi, value in zip(np.degrees(table["phi"]), table[key] / of.factor, strict=True):
         k = int(np.argmin(np.abs(curve.turned - phi)))
         if math.isfinite(value) and abs(curve.turned[k] - phi) < 1e-3:
             seen += 1
-            if abs(curve.values[k] - value) > CLOSE * height:
+            if abs(curve.values[k] - value) > close:
                 yield f"{caption}: {key} at {phi:.4g}° is drawn as {curve.values[k]:.5g}, it is {value:.5g}"
     if seen < 12:
         yield f"{caption}: only {seen} points of {key} are drawn"
@@ -100,13 +124,26 @@ def test_diagrams_over_the_cycle(name):
     for caption, drawn in graphs(html(name), own=True):
         for curve in drawn:
             if curve.axis.letter != "λ":
-                if curve.axis.letter not in SEVERAL:
-                    seen.add(column(curve, caption)[1])
+                if not several_of(curve.axis.letter):
+                    seen.add(column(curve, caption, document)[1])
+                elif curve.axis.letter[0] == "R":
+                    seen.add(f"R_{curve.axis.letter[1:]}")
                 for which in ("table", "diagram"):
                     found += wrong_curve(curve, caption, document, which)
     wanted = {f"{letter}_{key[2:]}" for key in outputs(document) for letter in ("S", "V", "A")}
+    wanted |= set(reactions(document))
     wanted |= {f"{letter}_{key[4:]}" for key in rockers(document) for letter in ("psi", "omega", "epsilon")}
     wrong([*found, *(f"{key} is not drawn" for key in wanted - seen)])
+
+
+def reactions(document: dict[str, Any]) -> list[str]:
+    """Every pair's: the columns of the reactions that are magnitudes."""
+    names = document["tables"].get("reactions_table", {"columns": []})["columns"]
+    return [
+        column["key"]
+        for column in names
+        if column["key"].startswith("R_") and column["key"][-2:] not in ("_x", "_y")
+    ]
 
 
 def outputs(document: dict[str, Any]) -> list[str]:
@@ -134,6 +171,10 @@ def test_printed_scales_are_those_of_the_axes(name, language):
                 found.append(f"{key} is printed as {value}, the axis has {scale:.5g}")
         if len(stated.get(key, [])) > len(scales):
             found.append(f"{key} is printed {len(stated[key])} times, drawn {len(scales)} times")
+    across = {scale for curve in drawn for scale in (curve.across, math.radians(curve.across))}
+    for value, half in stated.get("mu_phi", []):
+        if not any(abs(value - scale) <= half + CLOSE * scale for scale in across):
+            found.append(f"no axis of angles has the scale {value}")
     wrong(found if stated else ["no scales"])
 
 

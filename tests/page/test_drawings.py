@@ -72,8 +72,8 @@ def test_points_of_schemes_are_at_their_scale(name):
     points = [key[2:] for key in places if key.startswith("x_")]
     for anchor, caption, mu in figures(note, "μ_l"):
         k = position_of(caption)
-        if k is None or "." in anchor:
-            continue
+        if k is None or "." in anchor or re.search("Loading of|Схема нагружения", caption):
+            continue  # a group alone
         drawn = picture(note.drawings[anchor])
         marks = np.array([*drawn.corners, *(centre for centre, _ in drawn.dots)])
         expected = {p: complex(places[f"x_{p}"][k], places[f"y_{p}"][k]) / mu for p in points}

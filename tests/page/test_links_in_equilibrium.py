@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 from note import Note
 from pages import by_positions, columns, rows_of, table_of
-from reading import LEVERS, html, results, wrong
+from reading import LINKAGES, html, results, wrong
 from statics import scheme, unbalanced
 
 
-@pytest.mark.parametrize("name", LEVERS)
+@pytest.mark.parametrize("name", LINKAGES)
 def test_every_link_is_in_equilibrium(name):
     wrong(unbalanced(html(name), results(name), name))
 
@@ -64,6 +64,6 @@ def wrong_weights(note: Note, name: str) -> Iterator[str]:
         yield "no weights are printed"
 
 
-@pytest.mark.parametrize("name", LEVERS)
+@pytest.mark.parametrize("name", LINKAGES)
 def test_inertia_and_weights_follow_from_masses(name):
     wrong([*wrong_inertia(html(name), results(name), name), *wrong_weights(html(name), name)])

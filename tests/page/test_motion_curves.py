@@ -23,7 +23,7 @@ FIGURES = {  # the end of the caption -> table, what lies along, columns of the 
 
 
 def wrong_figure(name: str, caption: str, drawn: list[Curve]) -> Iterator[str]:
-    end = next((end for end in FIGURES if caption.split("(reduced")[0].strip().endswith(end)), None)
+    end = next((end for end in FIGURES if caption.endswith(end)), None)
     if end is None:
         return
     table, along, keys = FIGURES[end]
@@ -44,10 +44,6 @@ def wrong_figure(name: str, caption: str, drawn: list[Curve]) -> Iterator[str]:
 def test_diagrams_of_the_machine_in_motion(name):
     found = [(caption, drawn) for caption, drawn in graphs(html(name, "en"))]
     wrong([line for caption, drawn in found for line in wrong_figure(name, caption, drawn)])
-    ends = [
-        end
-        for end in FIGURES
-        if any(caption.split("(reduced")[0].strip().endswith(end) for caption, _ in found)
-    ]
+    ends = [end for end in FIGURES if any(caption.endswith(end) for caption, _ in found)]
     tables = results(name, "en")["tables"]
     assert len(ends) == sum(f"dynamics_{FIGURES[end][0]}" in tables for end in FIGURES)

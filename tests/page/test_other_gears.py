@@ -29,11 +29,22 @@ DRIVES = {
         f"{TWO}, scheme: external-external, ratio: -20, input: carrier, output: wheel1",
         f"{TWO}, scheme: internal-internal, ratio: 40, input: carrier, output: wheel1",
     ],
+    "a ring whose tips foul the root, contact beyond the line of action": [
+        "kind: spur, ratio: 2.5, module: 2 mm, teeth: [24, 60], shift: [0.3, 0.3]",
+        "kind: spur, ratio: -1, module: 10 mm, teeth: [10, 10], shift: [0, 0]",
+    ],
+    "a fast pair, any scheme, a ring that drives": [
+        "kind: spur, ratio: -2, module: 2.5 mm, teeth: [42, 84], shift: [0.2, 0]",
+        f"{TWO}, scheme: any, ratio: 9, input: wheel1, output: carrier",
+        "kind: spur, ratio: 0.33333333, module: 4 mm, teeth: [60, 20], shift: [1.0, 0.4], sliding_limit: 2",
+    ],
 }
 ECCENTRICS = {
     "no middle satellite": "ratio: 4, eccentricity: 17 mm, backlash: 0.4 mm",
     "crowded": "ratio: 4, eccentricity: 18 mm, t: 16, clearance: 1 mm, speed: 100 rpm",
     "undercut": "teeth: [14, 40, 76]",
+    "sets near the ratio, paths, masses": "ratio: 4, eccentricity: 17 mm, rack: {ha*: 0.8, c*: 0.3}, tolerance: 3 %, "
+    "width: 20 mm, density: 7800 kg/m^3, points: {A: {radius: 100 mm}, B: {wheel: sun, radius: 6 mm, angle: 40 deg}}",
 }
 TEXTS = {
     name: "drive:\n  speed: 3000 rpm\n  torque: 10 N*m\n  stages:\n"

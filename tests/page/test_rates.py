@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from note import Note
 from pages import Series, columns, table_of, value_of
-from reading import LEVERS, html, results, wrong
+from reading import LEVERS, LINKAGES, html, results, wrong
 
 CHAINS = [("S", "V", "a"), ("ψ", "ω", "ε")]
 
@@ -180,7 +180,7 @@ def _unlike(name: str, one: np.ndarray, other: np.ndarray) -> Iterator[str]:
         yield f"{name}[{k}] is {one[k]:.6g}, by the points {other[k]:.6g}"
 
 
-@pytest.mark.parametrize("name", LEVERS)
+@pytest.mark.parametrize("name", LINKAGES)
 def test_motion_in_the_results_agrees_with_itself(name):
     document = results(name)
     wrong(

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from curves import Curve, curves
+from curves import Curve, curves, is_graph
 from note import Note, text_of
 from notes import VARIANTS
 from pages import table_of, value_of
@@ -243,7 +243,7 @@ def drawn(note: Note, letter: str) -> Iterator[Curve]:
     for figure in note.root.iter("figure"):
         svg = note.drawings[figure.get("id") or ""]
         caption = figure.find("figcaption")
-        if "stroke-width: 1.1" in svg and caption is not None and text_of(caption):
+        if is_graph(svg) and caption is not None and text_of(caption):
             found = curves(svg)
             if found and found[0].axis.letter == letter:
                 yield from found

@@ -12,7 +12,7 @@ import pytest
 from note import Cell, Note, Table, symbol_text
 from pages import BALANCING, Series, by_positions, columns, last_number, table_of, value_of
 from printed import Printed
-from reading import LEVERS, html, results, wrong
+from reading import LEVERS, LINKAGES, html, results, wrong
 from statics import Scheme, scheme
 
 Rows = dict[str, np.ndarray]
@@ -144,7 +144,7 @@ def wrong_efficiency(eta: Series, drive: Series, total: Series) -> Iterator[str]
             yield f"eta[{k}] is {eta.values[k]}, of the powers {expected:.5g}"
 
 
-@pytest.mark.parametrize("name", LEVERS)
+@pytest.mark.parametrize("name", LINKAGES)
 def test_powers_balance(name):
     note, document = html(name), results(name)
     found = [*wrong_powers(note, document), *wrong_parts(note, {**document, "name": name})]

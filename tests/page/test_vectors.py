@@ -35,12 +35,14 @@ def unlettered(drawn: Vectors) -> Iterator[str]:
 
 
 def plain(symbol: str) -> str:
-    """Letters and digits of a symbol, whichever stand in the index; that of inertia is of the language."""
-    return "".join(sorted(re.sub(r"[_,\s]", "", symbol).replace("и", "I").replace("τ", "t")))
+    """Letters and digits of a symbol, whichever stand in the index; words of the index are of the language."""
+    told = re.sub(r"[_,\s]", "", symbol).replace("и", "I").replace("τ", "t").replace("ур", "bal")
+    return "".join(sorted(told))
 
 
 def distance(at: complex, vector: Vector) -> float:
     """From a place to a vector, mm."""
+    at -= vector.by
     share = ((at - vector.start) * vector.along.conjugate()).real / abs(vector.along) ** 2
     return abs(at - vector.start - min(1.0, max(0.0, share)) * vector.along)
 
@@ -149,21 +151,18 @@ def acts_at(key: str, drawn: Scheme) -> str:
 
 
 def wrong_lever(document: dict[str, Any], drawn: Vectors, of: Scheme, k: int, scale: float) -> Iterator[str]:
-    """The plan of velocities turned by 90°, no longer than the plan itself; forces as they act, at their points."""
+    """The plan of velocities turned by 90° against the crank, at its scale; forces as they act, at their points."""
     speeds, loads, pole = rates(document, k), forces(document, k), drawn.poles[0]
-    moving = [vector for vector in drawn.shown if vector.key[0] == "v"]
-    longest = max(moving, key=lambda vector: abs(vector.along))
-    shrunk = abs(longest.along) / (abs(speeds[longest.key]) / scale)
-    if not shrunk < 1.01:
-        yield f"{longest.key} is {shrunk:.3g} times as long as in the plan"
-    for vector in moving:
-        yield off(vector, scale, 1j * shrunk * speeds[vector.key])
-    largest = max(abs(loads[key]) for key in loads if key[0] != "R")
-    for key in (key for key in loads if key[0] != "R" and abs(loads[key]) > 0):
-        size = 10 + 20 * abs(loads[key]) / largest
-        at = pole + 1j * shrunk * speeds.get(f"v_{acts_at(key, of)}", 0j) / scale
+    turn = -1j * np.sign(next(v for v in document["values"] if v["key"] == "omega")["value"])
+    for vector in drawn.shown:
+        if vector.key[0] == "v":
+            yield off(vector, scale, turn * speeds[vector.key])
+    acting = {key: force for key, force in loads.items() if key[0] != "R" and key != "F_bal"}
+    largest = max(map(abs, acting.values()))
+    for key in (key for key in acting if abs(acting[key]) > 1e-6 * largest):
+        at = pole + turn * speeds.get(f"v_{acts_at(key, of)}", 0j) / scale
         for vector in drawn.of(key) or [Vector(key, pole, pole)]:
-            if not near(vector.along, size * loads[key] / abs(loads[key])):
+            if not near(vector.along, abs(vector.along) * loads[key] / abs(loads[key])) or not vector.along:
                 yield f"{key} is {vector.along:.3f} mm, it acts along {np.degrees(np.angle(loads[key])):.1f}°"
             if not near(vector.start, at, 90.0):
                 yield f"{key} begins at {vector.start:.3f}, its point is at {at:.3f}"
@@ -177,6 +176,6 @@ def test_every_vector_of_the_lever(name):
         k = position_of(caption)
         if k is not None and ("Жуковск" in caption or "Zhukovsky" in caption):
             drawn = vectors(note.drawings[figure.get("id") or ""])
-            scale = next(mu for _, text, mu in figures(note, "μ_v") if position_of(text) == k)
+            scale = next(mu for _, _, mu in figures(note, "μ_v"))  # one for all plans
             found += [text for text in wrong_lever(document, drawn, scheme(name), k, scale) if text]
     wrong(found)

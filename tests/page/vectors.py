@@ -7,18 +7,19 @@ from xml.etree.ElementTree import Element, fromstring
 
 import numpy as np
 from pages import table_of
-from picture import SVG, place, points
+from picture import SVG, led, place, points
 
 POLE = 0.8  # radius of the dot of a pole, mm
 NEAR, SHARE = 0.12, 0.004  # mm, and share of a vector: what readings by a pencil may add up to
 
 
 class Vector(NamedTuple):
-    """mm of paper, y up."""
+    """mm of paper, y up; on its line. `by`: how far from it it is drawn."""
 
     key: str
     start: complex
     tip: complex
+    by: complex = 0j
 
     @property
     def along(self) -> complex:
@@ -43,13 +44,15 @@ def vectors(svg: str) -> Vectors:
     letters = [
         (_place(node, "x", "y"), "".join(node.itertext())) for node in nodes if node.tag == SVG + "text"
     ]
-    return Vectors(shown, [_place(node, "cx", "cy") for node in dots], letters)
+    return Vectors(shown, [_place(node, "cx", "cy") for node in dots], letters + led(nodes))
 
 
 def _vector(group: Element) -> Vector:
-    """A line and the triangle that follows it, its tip first."""
+    """A line and the triangle that follows it, its tip first; back on its line, if it is drawn beside it."""
     shaft, head = (points(path) for path in group)
-    return Vector(group.get("data-q", ""), shaft[0], head[0])
+    along = head[0] - shaft[0]
+    by = 1j * float(group.get("data-aside", "0")) * along / abs(along)
+    return Vector(group.get("data-q", ""), shaft[0] - by, head[0] - by, by)
 
 
 def _place(node: Element, x: str, y: str) -> complex:
@@ -86,6 +89,9 @@ def forces(document: dict[str, Any], k: int) -> dict[str, complex]:
     for key, force in components(document, "reactions_table", k).items():
         found[key] = force
         found[turned_round(key)] = -force
+    if "gear_table" in document["tables"]:  # the force of the gear that turns the driving link
+        teeth = table_of(document, "gear_table")
+        found["F_bal"] = complex(teeth["F_bal"][k] * np.exp(1j * teeth["alpha_F_bal"][k]))
     return found
 
 

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 
 from tmm_report.mechanics.assemblies import assemblies
-from tmm_report.mechanics.dyads import Dyad, State, dyad, place, reach
+from tmm_report.mechanics.cam_group import CamDyad, group_of
+from tmm_report.mechanics.dyads import Dyad, State, reach
 from tmm_report.mechanics.higher import HigherGroup
 from tmm_report.mechanics.loops import Loops
 from tmm_report.mechanics.mechanism import FRAME, Assembly, Mechanism, pick
@@ -28,7 +29,7 @@ CLEAR = (
 def assemble(mechanism: Mechanism) -> Linkage:
     """Decompose a mechanism and choose the assembly of every group. Raises ProblemError with all mistakes."""
     structure = decompose(mechanism)
-    dyads = {g: dyad(mechanism, g) for g in structure.groups if g.kind is not None}
+    dyads = {g: group_of(mechanism, g) for g in structure.groups if g.kind is not None}
     problems = list(_unmatched(mechanism, list(dyads.values())))
     signs = {g: _stated_sign(mechanism, d, problems) for g, d in dyads.items()}
     linkage = _by_sketch(structure, dyads, signs, problems)
@@ -44,7 +45,7 @@ def _measured(linkage: Linkage) -> Linkage:
     s = positions(linkage, np.linspace(0, 2 * np.pi, 72, endpoint=False))
     groups = []
     for group in linkage.groups:
-        if isinstance(group, Dyad) and group.kind == 3:
+        if isinstance(group, Dyad) and not isinstance(group, CamDyad) and group.kind == 3:
             size = np.nanmax(np.atleast_1d(reach(s, group)), axis=-1, keepdims=bool(linkage.axes))
             group = replace(group, size=size if np.all(size > 0) else None)
         groups.append(group)
@@ -156,13 +157,13 @@ def _dyad_by_sketch(
     problems: list[Problem],
 ) -> Dyad:
     if sign is not None:
-        return dyad(mechanism, d.group, sign)
+        return group_of(mechanism, d.group, sign)
     sign = _nearer(mechanism, state, d) if angle is not None else None
     if sign is None:
         problem = _not_told(mechanism, state, d, angle)
         if problem not in problems:
             problems.append(problem)
-    return replace(dyad(mechanism, d.group, sign or 1), told_at=angle)
+    return replace(group_of(mechanism, d.group, sign or 1), told_at=angle)
 
 
 # ---------------------------------------------------------------- groups above class II
@@ -307,7 +308,7 @@ def _with_root(mechanism: Mechanism, state: State, group: Group, sign: int) -> S
     """A copy of the state with a dyad in one of its assemblies."""
     trial = replace(state, o={**state.o}, r={**state.r}, u={**state.u})
     with np.errstate(invalid="ignore", divide="ignore"):
-        place(trial, dyad(mechanism, group, sign))
+        group_of(mechanism, group, sign).place(trial)
     return trial
 
 
@@ -356,7 +357,7 @@ def _ways_of(mechanism: Mechanism, state: State, group: Group) -> Iterator[State
         for q in assemblies(loops, state):
             yield placed(state, loops, q)
         return
-    for sign in (1, -1) if dyad(mechanism, group).two_roots else (1,):
+    for sign in (1, -1) if group_of(mechanism, group).two_roots else (1,):
         trial = _with_root(mechanism, state, group, sign)
         if all(np.isfinite(trial.r[link] + trial.u[link]).all() for link in group.links):
             yield trial
@@ -365,7 +366,7 @@ def _ways_of(mechanism: Mechanism, state: State, group: Group) -> Iterator[State
 def _way(mechanism: Mechanism, state: State) -> Way:
     places = {
         point: complex(np.ravel(state.world(link, at))[0])
-        for link, body in mechanism.links.items()
+        for link, body in mechanism.real.links.items()
         for point, at in body.points.items()
     }
-    return Way(places, {link: complex(np.ravel(state.u[link])[0]) for link in mechanism.moving})
+    return Way(places, {link: complex(np.ravel(state.u[link])[0]) for link in mechanism.real.moving})

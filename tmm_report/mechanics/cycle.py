@@ -9,6 +9,8 @@ from typing import Any, assert_never
 
 import numpy as np
 
+from tmm_report.mechanics.cam_breaks import breaks
+from tmm_report.mechanics.cam_laws import EDGE
 from tmm_report.mechanics.mechanism import Scalar, ZeroAngle, ZeroExtreme
 from tmm_report.mechanics.motion import Linkage, Motion, solve
 from tmm_report.mechanics.planar import dot
@@ -227,12 +229,23 @@ class Cycle:
         return [least_and_greatest(row, x) for row, x in zip(found, where, strict=True)]
 
     @cached_property
+    def limits(self) -> Array:
+        """Angles turned from position 0 at which a group comes to the limit of its assembly, rad, of a turn."""
+        limits = np.array([x for critical in self.critical for x in critical.limits])
+        return np.mod(self.sense * (limits - self.zero), FULL_TURN)
+
+    @cached_property
     def _limits(self) -> Array:
         """Angles turned just within the limits of assembly, rad: something may be extreme there and not stand still."""
-        limits = np.array([x for critical in self.critical for x in critical.limits])
-        turned = self.sense * (limits[:, None] - self.zero) + np.array([-1e-9, 1e-9])
-        turned = np.mod(turned.ravel(), FULL_TURN)
+        turned = np.mod((self.limits[:, None] + np.array([-1e-9, 1e-9])).ravel(), FULL_TURN)
+        turned = np.concatenate([turned, self._jumps])
         return turned[turned <= self.sweep]
+
+    @property
+    def _jumps(self) -> Array:
+        """Angles turned at which the accelerations of a cam may jump, and just before them, rad."""
+        found = np.mod(self.sense * (breaks(self.linkage.mechanism) - self.zero), FULL_TURN)
+        return np.mod((found[:, None] + np.array([-3 * EDGE, 0.0])).ravel(), FULL_TURN)
 
 
 def changes_of_sign(values: Array) -> Array:

@@ -9,9 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
+
+if TYPE_CHECKING:
+    from tmm_report.mechanics.cam import Cam
+    from tmm_report.mechanics.gear_drive import GearDrive
 
 FRAME = "0"
 
@@ -27,6 +31,9 @@ class Link:
     mass: Scalar = 0.0
     mass_centre: str | None = None  # the name of one of `points`
     inertia: Scalar = 0.0  # about the mass centre, kg m²
+    stated: tuple[str, float] | None = (
+        None  # a point and the moment of inertia about it, where that is stated
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,6 +82,8 @@ class Driver:
     zero: ZeroAngle | ZeroExtreme = ZeroAngle(0.0)
     sweep: float = 2 * np.pi  # how far it turns, rad; less than a full turn for a rocker
     turns: int = 1  # full turns in a cycle: the motion repeats with each of them, the loads with the cycle
+    gear: GearDrive | None = None  # by which it is turned; None: a moment on its shaft
+    period: float | None = None  # time of one turn, s, where the speed is stated by it
 
 
 @dataclass(frozen=True)
@@ -104,6 +113,23 @@ class Mechanism:
     slides: Sequence[Slide] = ()
     assembly: Sequence[Assembly] = ()
     sketch: Mapping[str, complex] = field(default_factory=dict)
+    cams: tuple[Cam, ...] = ()
+
+    @property
+    def real(self) -> Mechanism:
+        """The mechanism as it is built: with its cam pairs, without the links and points that replace them."""
+        if not self.cams:
+            return self
+        put, lines = {cam.name for cam in self.cams}, {cam.guide for cam in self.cams}
+        centres = {cam.centre for cam in self.cams}
+        links = {
+            name: replace(link, points={p: at for p, at in link.points.items() if p not in centres})
+            for name, link in self.links.items()
+            if name not in put
+        }
+        guides = {name: guide for name, guide in self.guides.items() if name not in lines}
+        slides = tuple(slide for slide in self.slides if slide.link not in put)
+        return replace(self, links=links, guides=guides, slides=slides)
 
     @property
     def moving(self) -> list[str]:
@@ -138,5 +164,8 @@ def pick(mechanism: Mechanism, v: int) -> Mechanism:
         for name, g in mechanism.guides.items()
     }
     slides = [replace(s, through=one(s.through), direction=one(s.direction)) for s in mechanism.slides]
-    driver = replace(mechanism.driver, omega=one(mechanism.driver.omega))
+    gear = mechanism.driver.gear
+    if gear is not None:
+        gear = replace(gear, radius=one(gear.radius), pressure=one(gear.pressure), at=one(gear.at))
+    driver = replace(mechanism.driver, omega=one(mechanism.driver.omega), gear=gear)
     return replace(mechanism, links=links, guides=guides, slides=slides, driver=driver)

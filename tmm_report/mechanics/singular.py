@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.mechanics.cam_group import CamDyad
 from tmm_report.mechanics.dyads import ROUNDING, Dyad, State, margin, reach
 from tmm_report.mechanics.higher import HigherGroup
 from tmm_report.mechanics.motion import SINGULAR, Linkage, Motion, drive, known_motion, positions, solve
@@ -64,7 +65,9 @@ def criticals(linkage: Linkage, told_at: float) -> tuple[Linkage, tuple[Critical
     with np.errstate(invalid="ignore", divide="ignore"):
         s = drive(linkage, grid)
         for group in linkage.groups:
-            if isinstance(group, Dyad):
+            if isinstance(group, CamDyad):  # the law says where the follower is: it always closes, in one way
+                critical = Critical(group)
+            elif isinstance(group, Dyad):
                 critical = _of_dyad(before, group, grid, s, edges)
                 if critical.changes:
                     at = told_at if group.told_at is None else group.told_at

@@ -27,14 +27,14 @@ ROMAN = {1: "I", 2: "II", 3: "III", 4: "IV", 5: "V", 6: "VI"}
 
 @dataclass(frozen=True, eq=False)
 class Pair:
-    """A lower pair of two links, the one nearer to the frame first.
+    """A lower pair of two links, the one nearer to the frame first; or a higher one, H, of a cam and its follower.
 
     `at`: link -> place of the joint (R) or of a point of the guide line (P) in that link's axes, m.
     `along`: link -> unit direction of the guide line in that link's axes (P only). `slider`: the link that slides;
     the other carries the guide.
     """
 
-    kind: Literal["R", "P"]
+    kind: Literal["R", "P", "H"]
     name: str
     links: tuple[str, str]
     at: Mapping[str, Scalar]
@@ -98,7 +98,7 @@ def count_pairs(mechanism: Mechanism) -> int:
 
 
 def mobility(mechanism: Mechanism) -> int:
-    """W = 3n - 2p5 (Chebyshev)."""
+    """W = 3n - 2p5 (Chebyshev); a cam pair, replaced by a link with two lower pairs, takes as much as -p4 would."""
     return 3 * len(mechanism.moving) - 2 * count_pairs(mechanism)
 
 
@@ -141,6 +141,8 @@ def alternatives(mechanism: Mechanism) -> list[Alternative]:
     A group of higher class may fall apart into dyads when another link drives; the mechanism's class changes with it.
     """
     found: list[Alternative] = []
+    if mechanism.cams:  # a follower cannot turn its cam
+        return found
     for kind in "RP":
         for link in mechanism.moving:
             if link == mechanism.driver.link or link in [a.link for a in found]:
@@ -171,7 +173,12 @@ def _driver_pair(mechanism: Mechanism, kinds: str) -> Pair:
 
 
 def _wrong_mobility(mechanism: Mechanism, w: int) -> Problem:
-    n, p = len(mechanism.moving), count_pairs(mechanism)
+    built = mechanism.real
+    n, p, higher = len(built.moving), count_pairs(built), len(mechanism.cams)
+    with_cams = N_(
+        "mobility is W = 3·%(n)d − 2·%(p)d − %(higher)d = %(w)d (n = %(n)d moving links, p5 = %(p)d lower pairs, "
+        "p4 = %(higher)d higher pairs), it must be 1"
+    )
     text = N_(
         "mobility is W = 3·%(n)d − 2·%(p)d = %(w)d (n = %(n)d moving links, p5 = %(p)d lower pairs), it must be 1"
     )
@@ -185,6 +192,8 @@ def _wrong_mobility(mechanism: Mechanism, w: int) -> Problem:
             N_("%(excess)d constraint(s) too many: a link or a pair is redundant, leave it out"),
             {"excess": 1 - w},
         )
+    if higher:
+        return mistake(with_cams, ("mechanism", "links"), right, n=n, p=p, higher=higher, w=w)
     return mistake(text, ("mechanism", "links"), right, n=n, p=p, w=w)
 
 

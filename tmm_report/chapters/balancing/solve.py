@@ -29,6 +29,10 @@ __all__ = ["Case", "Found", "Given", "solve"]
 Array = Any
 CLOSED = 1e-9  # of the greatest shaking force: what is left of it is rounding
 TURNS = Message(N_("a mechanism that turns all round, or take this block out"))
+JUMPING = N_(
+    "the acceleration of the cam's follower jumps within the turn: the harmonics of the shaking force fall too slowly"
+)
+SMOOTH = Message(N_("a law without shocks, sine or polynomial, or take this block out"))
 BROKEN = N_(
     "the motion has a break within the turn: in some position the links can turn over, two motions meet there"
 )
@@ -133,7 +137,8 @@ def _ground(given: Given, found: Kinematics) -> tuple[Ground, float]:
 
     count, tail = fourier.enough(force)
     if tail > fourier.BROKEN:
-        raise ProblemError([mistake(BROKEN, ("balancing",), TURNS)])
+        text, right = (JUMPING, SMOOTH) if found.linkage.mechanism.cams else (BROKEN, TURNS)
+        raise ProblemError([mistake(text, ("balancing",), right)])
     own = (found.table, found.diagram, motions[count])
     turned = (found.turned, found.diagram_turned, np.arange(count) * (2 * np.pi / count))
     table, diagram, fine = (Shaken(*shaking(motion, about)) for motion in own)

@@ -12,6 +12,7 @@ from tmm_report.chapters.dynamics import terms
 from tmm_report.chapters.dynamics.solve import Found
 from tmm_report.figures.drawing import NORMAL, THICK, Drawing, line, polygon
 from tmm_report.figures.graphs import Curve, Graph
+from tmm_report.figures.lettering import Parts
 from tmm_report.figures.plane import Trace, framed, plane
 from tmm_report.i18n import NP_
 from tmm_report.mechanics.motion_law import Run
@@ -37,7 +38,7 @@ def glance(found: Found, page: Page) -> Drawing:
     if shown is None:
         return shaft(len(found.given.parts))
     curve = shown.x + 1j * np.asarray(shown.of(0)[0][0].values)
-    return plane(framed([curve]), [Trace(curve)], (shown.xlabel,), (shown.ylabels[0],), page.num)
+    return plane(framed([curve]), [Trace(curve)], shown.xlabel, shown.ylabels[0], page.num)
 
 
 def shaft(parts: int) -> Drawing:
@@ -47,7 +48,7 @@ def shaft(parts: int) -> Drawing:
     return Drawing((line(0, complex(places[-1] + 12), THICK), *discs))
 
 
-def _named(symbol: Symbol, page: Page) -> str:
+def _named(symbol: Symbol, page: Page) -> Parts:
     return CycleGraphs(np.zeros(2), 0, page.tr).letter(symbol, "")
 
 

@@ -12,6 +12,7 @@ from tmm_report.chapters.engine.drawn import LETTERS, UNITS
 from tmm_report.chapters.engine.quantities import graph
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.graphs import Curve, Graph
+from tmm_report.figures.lettering import Parts
 from tmm_report.figures.plane import Trace, framed, plane
 from tmm_report.problems import N_
 from tmm_report.quantity import model
@@ -115,7 +116,7 @@ def _hodograph(view: EngineView, of: str, curves: dict[str, Array]) -> Drawing:
     traces = [Trace(values, (str(view.t(NAMES[name])),)) for name, values in curves.items()]
     graphs = CycleGraphs(view.found.diagram["after"].phi, 0, view.page.tr)
     x, y = (graphs.letter(Symbol(LETTERS[of], axis), UNITS[of]) for axis in "xy")
-    return plane(frame, traces, (x,), (y,), view.page.num, title=str(view.t(QUANTITIES[of])))
+    return plane(frame, traces, x, y, view.page.num, title=str(view.t(QUANTITIES[of])))
 
 
 def _marked(values: Array, scale: float) -> tuple[()] | None:
@@ -129,7 +130,7 @@ def diagrams(view: EngineView) -> Iterator[tuple[str, Graph]]:
     for of in LETTERS:
         curves, scale = _seen(view, of), _scale(view, of)
         shown: list[Curve] = []
-        labels: list[str] = []
+        labels: list[Parts] = []
         for axis, part in (("x", np.real), ("y", np.imag)):
             values = {name: part(vectors) for name, vectors in curves.items()}
             if scale and max(np.max(np.abs(v)) for v in values.values()) > FLAT * scale:

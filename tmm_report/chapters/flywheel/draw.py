@@ -1,4 +1,4 @@
-"""Drawings of the flywheel: diagrams over the cycle at round scales, the energy–mass diagram with its tangents."""
+"""Drawings of the flywheel: places of its diagrams over the cycle, the energy–mass diagram with its tangents."""
 
 from __future__ import annotations
 
@@ -11,13 +11,10 @@ from typing import Any
 import numpy as np
 
 from tmm_report.chapters.flywheel.solve import Found
-from tmm_report.figures.axes import Panel
 from tmm_report.figures.drawing import DASHED, NORMAL, THIN, Arc, Drawing, Item, Tag, line
-from tmm_report.figures.graphs import Graph
 from tmm_report.figures.lettering import Parts, symbol
 from tmm_report.figures.plane import Frame, Spot, Trace, framed, plane
 from tmm_report.mechanics.flywheel import Touch
-from tmm_report.quantity.paper import round_scale
 
 Array = Any
 ASIDE = 1e-4 * math.pi / 180  # rad: how far before a jump its first value is drawn
@@ -38,18 +35,6 @@ def places(found: Found) -> Array:
     x = np.sort(np.concatenate(parts))
     # of places that rounding parts the last: it is on the jump or behind it, and what is before has its own
     return x[np.append(np.diff(x) > ASIDE / 4, True)]
-
-
-def at_round_scales(drawn: Graph) -> Graph:
-    """Each panel's axis lengthened until a millimetre stands for a round number."""
-    return replace(drawn, panels=[_round(panel) for panel in drawn.panels])
-
-
-def _round(panel: Panel) -> Panel:
-    low, high = panel.y
-    scale = round_scale(high - low, panel.tall)
-    spare = scale * panel.tall - (high - low)  # to the side on which more is drawn
-    return replace(panel, y=(low, high + spare) if high >= -low else (low - spare, high))
 
 
 def extremes(found: Found, key: str) -> list[tuple[float, float]] | None:

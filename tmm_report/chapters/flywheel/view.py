@@ -164,19 +164,13 @@ class FlywheelView(FlywheelFormulas):
         curves, labels = [], []
         for panel, row in enumerate(of for of in rows if of):
             for quantity in row:
-                name = self._letter(quantity.sign) if len(row) > 1 else ""
+                name = self._graphs.letter(quantity.sign) if len(row) > 1 else ""
                 # values beside a curve that lies on another would cover it: they stand under it again
                 marks = () if quantity is q.AFTER else draw.extremes(self.found, quantity.key)
                 curves.append(Curve(named[quantity.key], name, panel, marks))
             shown = Symbol(row[0].sign.base) if len(row) > 1 else row[0].sign
-            labels.append(self._letter(shown, row[0].unit))
-        return draw.at_round_scales(self._graphs.graph(curves, labels))
-
-    def _letter(self, of: Symbol, unit: str = "") -> str:
-        """A symbol as plain text: the change of a quantity as Δ and its own letter."""
-        base = of.base.removeprefix("Delta")
-        plain = self._graphs.letter(Symbol(base, of.sub), unit)
-        return plain if base == of.base else f"Δ{plain}"
+            labels.append(self._graphs.letter(shown, row[0].unit))
+        return self._graphs.graph(curves, labels)
 
     def _known(self, *quantities: q.Quantity) -> list[q.Quantity]:
         return [quantity for quantity in quantities if quantity.key in self._numbers]
@@ -188,12 +182,9 @@ class FlywheelView(FlywheelFormulas):
 
     def scales(self) -> Markup:
         """What a millimetre along the axes stands for."""
-        rows = [("M", "N·m/mm"), ("A", "J/mm"), ("J", "kg·m²/mm"), ("T", "J/mm")]
-        drawn = self.diagram.panels
-        found = [scale_of("mu_phi", drawn[0].x_scale, "°/mm")]
-        pairs = zip(rows, drawn, strict=False)
-        found += [scale_of(f"mu_{name}", panel.y_scale, unit) for (name, unit), panel in pairs]
-        return self.page.values(found)
+        rows = [("mu_M", "N·m/mm"), ("mu_A", "J/mm"), ("mu_J", "kg·m²/mm"), ("mu_T", "J/mm")]
+        drawn = self.diagram
+        return self.page.values(self._graphs.scales(drawn, rows[: len(drawn.panels)]))
 
     @cached_property
     def speed_diagram(self) -> Graph:
@@ -202,8 +193,8 @@ class FlywheelView(FlywheelFormulas):
     @cached_property
     def energy_mass(self) -> Drawing:
         labels = (
-            (symbol("J_II"), self._letter(Symbol(""), q.VARYING.unit)),
-            (symbol("T"), self._letter(Symbol(""), "J")),
+            (symbol("J_II"), f", {self.page.unit(q.VARYING.unit)}"),
+            (symbol("T"), f", {self.page.unit('J')}"),
         )
         title = str(self.t("Energy–mass diagram with its tangents"))
         return draw.energy_mass(self.found, labels, self.figure, title)

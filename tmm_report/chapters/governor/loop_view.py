@@ -20,6 +20,7 @@ from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.diagrams import plot
 from tmm_report.report.layout import Column, Table, numeric, worded
 from tmm_report.report.page import Page
+from tmm_report.report.part import Failed
 
 GIVEN = (
     "J",
@@ -210,12 +211,11 @@ class LoopView:
         )
         stable = N_("The machine with its governor is stable.")
         unstable = N_("The machine with its governor is unstable.")
-        lines = [self.t(stable if self.found.stable else unstable)]
+        lines = [self.t(stable) if self.found.stable else Failed(self.t(unstable))]
         if self.found.stable:
             final = self.number("final" if self.found.short else "static", "%", digits=4)
             lines.append(self.t(text, peak=self.number("peak", "%", digits=4), static=final))
         if self.found.servo is None and self.found.too_heavy:
-            lines.append(
-                self.t(N_("The sleeve alone cannot move the throttle: an indirect governor is needed."))
-            )
+            text = N_("The sleeve alone cannot move the throttle: an indirect governor is needed.")
+            lines.append(Failed(self.t(text)))
         return lines

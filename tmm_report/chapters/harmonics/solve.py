@@ -106,7 +106,10 @@ def solve(given: Given, moving: Moving | None) -> Found:
 def _sampled(found: Kinematics) -> tuple[Motion, Array, float]:
     """The motion at so many equal steps of a turn that what they miss of the places is rounding."""
     cycle = found.cycle
-    points = moving_points(found.linkage)
+    centres = {
+        cam.centre for cam in found.linkage.mechanism.cams
+    }  # of curvature: places that jump along the cam
+    points = [point for point in moving_points(found.linkage) if point not in centres]
     motions: dict[int, Motion] = {}
 
     def places(count: int) -> Array:
@@ -188,7 +191,7 @@ def _links(given: Given, linkage: Linkage) -> Iterator[str]:
         yield from given.links
         return
     fixed, turning = pivoted(linkage.structure.pairs), turning_links(linkage)
-    for name in linkage.mechanism.moving:
+    for name in linkage.mechanism.real.moving:
         if name in turning and name not in fixed and _ends(linkage, name) is not None:
             yield name
 

@@ -33,6 +33,8 @@ def link_name(found: Structure, motion: Motion, link: str) -> LinkName:
     pivoted = any(p.kind == "R" and FRAME in p.links and link in p.links for p in pairs)
     turning = ROTATION if _makes_turns(motion, link) else ROCKING
     free = _free_motion(motion, link, float(driver.omega))
+    if any(link == cam.cam for cam in found.linkage.mechanism.cams):
+        return LinkName(N_("cam"), turning)
     if link == driver.link:
         return LinkName(N_("crank") if turning == ROTATION else N_("driving rocker"), turning)
     if FRAME in slides:

@@ -6,14 +6,17 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from tmm_report.mechanics.assembly import assemble
+from tmm_report.mechanics.cam import Cam
 from tmm_report.mechanics.mechanism import Mechanism
 from tmm_report.mechanics.motion import Linkage
 from tmm_report.mechanics.structure import Alternative, Group, Pair, alternatives, mobility
+from tmm_report.mechanics.structure import Structure as Decomposed
 
 
 @dataclass(frozen=True, eq=False)
 class Structure:
-    """Found by `solve`. `groups` stand in the order of assembly; they are detached from the last one on."""
+    """Found by `solve`. `groups` stand in the order of assembly; they are detached from the last one on. Where there
+    are cam pairs they are those of the mechanism in which a link replaces each of them."""
 
     linkage: Linkage
     moving_links: int
@@ -25,10 +28,29 @@ class Structure:
     formula: str
     mechanism_class: int
 
+    @property
+    def cams(self) -> tuple[Cam, ...]:
+        return self.linkage.mechanism.cams
+
+    def counted(self, group: Group) -> tuple[int, int, int]:
+        """Links, lower and higher pairs of a group as it is built: a cam pair leaves one unknown reaction."""
+        put = {cam.name for cam in self.cams}
+        links = [link for link in group.links if link not in put]
+        lower = [pair for pair in (*group.outer, *group.inner) if not put & set(pair.links)]
+        return len(links), len(lower), len(group.links) - len(links)
+
     @cached_property
     def alternatives(self) -> list[Alternative]:
         """What the groups would be if another link drove."""
         return alternatives(self.linkage.mechanism)
+
+
+def _pairs(structure: Decomposed) -> tuple[Pair, ...]:
+    """The pairs as they are built: without those of the links that replace cam pairs, with the cam pairs themselves."""
+    cams = structure.mechanism.cams
+    put = {cam.name for cam in cams}
+    lower = [pair for pair in structure.pairs if not put & set(pair.links)]
+    return (*lower, *(Pair("H", cam.name, (cam.cam, cam.follower), {}) for cam in cams))
 
 
 def solve(mechanism: Mechanism) -> Structure:
@@ -37,12 +59,12 @@ def solve(mechanism: Mechanism) -> Structure:
     structure = linkage.structure
     return Structure(
         linkage=linkage,
-        moving_links=len(mechanism.moving),
-        lower_pairs=len(structure.pairs),
-        higher_pairs=0,
+        moving_links=len(mechanism.real.moving),
+        lower_pairs=len(structure.pairs) - 2 * len(mechanism.cams),
+        higher_pairs=len(mechanism.cams),
         mobility=mobility(mechanism),
         groups=structure.groups,
-        pairs=tuple(structure.pairs),
+        pairs=_pairs(structure),
         formula=structure.formula,
         mechanism_class=structure.mechanism_class,
     )

@@ -12,11 +12,12 @@ from tmm_report.chapters.structure import quantities as q
 from tmm_report.chapters.structure.naming import link_name
 from tmm_report.chapters.structure.solve import Structure
 from tmm_report.figures.drawing import Drawing
+from tmm_report.mechanics.cam import Cam
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.structure import Group, Pair
 from tmm_report.problems import N_
-from tmm_report.quantity.formula import Formula
+from tmm_report.quantity.formula import Formula, Var
 from tmm_report.quantity.model import Book, Value
 from tmm_report.report.layout import Table, worded
 from tmm_report.report.page import Page
@@ -28,6 +29,12 @@ if TYPE_CHECKING:
     from tmm_report.course import LeverFound
 
 KINDS = {1: "RRR", 2: "RRP", 3: "RPR", 4: "PRP", 5: "RPP"}
+# Kind of a pair -> what of its reaction is known, and what is not.
+KNOWN = {
+    "R": (N_("point (the pivot)"), N_("magnitude and direction")),
+    "P": (N_("direction (across the guide)"), N_("magnitude and point")),
+    "H": (N_("point (of contact) and direction (the common normal n–n)"), N_("magnitude")),
+}
 ORDINALS = {1: N_("1st kind"), 2: N_("2nd kind"), 3: N_("3rd kind"), 4: N_("4th kind"), 5: N_("5th kind")}
 
 
@@ -68,6 +75,44 @@ class StructureView:
         n, p5, p4 = (self.book[key].var() for key in ("n", "p5", "p4"))
         return self.book["W"].formula(3 * n - 2 * p5 - p4)
 
+    # ------------------------------------------------------------ cam pairs
+
+    def replacing(self) -> list[Markup]:
+        """What replaces every cam pair."""
+        return [self._replacing(cam) for cam in self.found.cams]
+
+    def _replacing(self, cam: Cam) -> Markup:
+        names = {"cam": cam.cam, "follower": cam.follower, "link": cam.name, "centre": cam.centre}
+        if cam.flat:
+            text = N_(
+                "the pair of cam %(cam)s and the flat face of follower %(follower)s by link %(link)s, which is "
+                "pivoted to the cam at %(centre)s, the centre of curvature of the profile at the contact, and slides "
+                "along the face"
+            )
+            return self.t(text, **names)
+        if cam.roller:
+            text = N_(
+                "the pair of cam %(cam)s and follower %(follower)s by link %(link)s, which is pivoted to the cam at "
+                "%(centre)s, the centre of curvature of the profile at the contact, and to the follower at the "
+                "roller's centre %(point)s; the roller's own turning is a local freedom that changes nothing in the "
+                "motion, and the roller is counted as one with the follower"
+            )
+        else:
+            text = N_(
+                "the pair of cam %(cam)s and follower %(follower)s by link %(link)s, which is pivoted to the cam at "
+                "%(centre)s, the centre of curvature of the profile at the contact, and to the follower at its edge "
+                "%(point)s"
+            )
+        return self.t(text, point=cam.point, **names)
+
+    def replaced_mobility(self) -> Formula:
+        """The replacing mechanism has the mobility of the real one."""
+        n, p5 = (self.book[key].var() for key in ("n_repl", "p5_repl"))
+        return self.book["W_repl"].formula(3 * n - 2 * p5)
+
+    def of_replaced(self) -> list[dict[str, Any]]:
+        return [self._explained(self.book[key]) for key in ("n_repl", "p5_repl")]
+
     def of_mobility(self) -> list[dict[str, Any]]:
         return [self._explained(self.book[key]) for key in ("n", "p5", "p4")]
 
@@ -78,11 +123,14 @@ class StructureView:
     def groups_drawn(self) -> Drawing:
         return self.schemes.groups(self.found.linkage.structure.groups, self.position)
 
+    def groups_scale(self) -> Var:
+        return self.schemes.groups_var(self.found.linkage.structure.groups, self.position)
+
     # ------------------------------------------------------------ tables
 
     def links(self, caption: Any) -> Table:
         rows = []
-        for link in [FRAME, *self.found.linkage.mechanism.moving]:
+        for link in [FRAME, *self.found.linkage.mechanism.real.moving]:
             name = link_name(self.found, self.motion, link)
             rows.append([link, self.t(name.name), self.t(name.motion)])
         return worded(caption, [self.t("Link"), self.t("Name"), self.t("Motion")], rows, (1, 4, 4))
@@ -92,7 +140,8 @@ class StructureView:
         rows = [
             [
                 self.page.cell(table, "number", k), self.page.word("–".join(pair.links), table, "links", k),
-                self.page.word(pair.name, table, "name", k), self.t(PAIR_KINDS[pair.kind]), "V",
+                self.page.word(pair.name, table, "name", k), self.t(PAIR_KINDS[pair.kind]),
+                "IV" if pair.kind == "H" else "V",
                 self.page.cell(table, "mobility", k),
             ]
             for k, pair in enumerate(self.found.pairs)
@@ -102,6 +151,15 @@ class StructureView:
             self.t("Mobility"),
         ]  # fmt: skip
         return worded(caption, heads, rows, (1, 2, 2, 4, 1.4, 2))
+
+    def reactions(self, caption: Any) -> Table:
+        """What of the reaction in every pair is known beforehand, and what is to be found."""
+        rows = [
+            [f"{'–'.join(pair.links)} ({pair.name})", *(self.t(words) for words in KNOWN[pair.kind])]
+            for pair in self.found.pairs
+        ]
+        heads = [self.t("Pair"), self.t("Known of the reaction"), self.t("Unknown of it")]
+        return worded(caption, heads, rows, (2, 5, 4))
 
     def groups(self, caption: Any) -> Table:
         """Groups in the order in which they are detached."""
@@ -119,6 +177,21 @@ class StructureView:
             self.t("Inner pairs"), self.t("Outer pairs"),
         ]  # fmt: skip
         return worded(caption, heads, rows, (2.4, 1.4, 1.4, 1.6, 3, 3, 3))
+
+    def determinacy(self, caption: Any) -> Table:
+        """That every group is statically determinate: its equations of equilibrium against its unknowns."""
+        table = self.book.tables["groups"]
+        keys = ("links_count", "lower", "higher", "equations", "unknowns")
+        rows = [
+            [group_name(group), *(self.page.cell(table, key, k) for key in keys)]
+            for k, group in enumerate(q.detached(self.found))
+        ]
+        heads = [self.t("Group"), *self.signs().values(), self.t("Equations"), self.t("Unknowns")]
+        return worded(caption, heads, rows, (3, 1, 1, 1, 2, 2))
+
+    def signs(self) -> dict[str, Markup]:
+        """The letters of the formula of mobility, for a sentence."""
+        return {key: self.page.sym(self.book[key].symbol) for key in ("n", "p5", "p4")}
 
     def _kind(self, group: Group) -> str:
         """ "2nd kind (RRP)"; a dash for a group that is no dyad."""

@@ -8,7 +8,16 @@ from typing import TypedDict
 from pydantic import Field
 
 from tmm_report.chapters.structure.block.build import mechanism
-from tmm_report.chapters.structure.block.checks import Names, check, names, no_link, no_point, stated, without
+from tmm_report.chapters.structure.block.checks import (
+    Names,
+    check,
+    has_cams,
+    names,
+    no_link,
+    no_point,
+    stated,
+    without,
+)
 from tmm_report.chapters.structure.block.models import MechanismModel
 from tmm_report.mechanics.mechanism import FRAME, Mechanism
 from tmm_report.problems import Problem
@@ -16,7 +25,8 @@ from tmm_report.variant import model
 from tmm_report.variant.model import Read
 
 __all__ = [
-    "FRAME", "Block", "Given", "Names", "given", "mistakes", "names", "no_link", "no_point", "stated", "without",
+    "FRAME", "Block", "Given", "Names", "given", "has_cams", "mistakes", "names", "no_link", "no_point", "stated",
+    "without",
 ]  # fmt: skip
 
 

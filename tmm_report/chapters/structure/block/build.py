@@ -7,6 +7,11 @@ import math
 from collections.abc import Mapping
 
 from tmm_report.chapters.structure.block import models as m
+from tmm_report.chapters.structure.block.cam_build import cam
+from tmm_report.chapters.structure.block.cams import CamModel
+from tmm_report.mechanics.cam import Cam
+from tmm_report.mechanics.cam_group import replaced
+from tmm_report.mechanics.gear_drive import GearDrive
 from tmm_report.mechanics.mechanism import (
     FRAME,
     Assembly,
@@ -24,6 +29,27 @@ from tmm_report.variant.values import SENSES, SIDES, unit_vector
 
 
 def mechanism(model: m.MechanismModel) -> Mechanism:
+    built = without_cams(model)
+    if not model.cams:
+        return built
+    cams = tuple(cam_of(name, one, built) for name, one in model.cams.items())
+    return replaced(built, cams, centre_place(built))
+
+
+def cam_of(name: str, model: CamModel, built: Mechanism) -> Cam:
+    """Raises cam_build.Wrong."""
+    driver = built.driver
+    sense = 1 if driver.omega > 0 else -1
+    return cam(name, model, built.links, built.guides, tuple(built.slides), (driver.link, sense, driver.zero))
+
+
+def centre_place(built: Mechanism) -> complex:
+    """A place of K on the cam that is none of the cam's points: where it really is differs by positions."""
+    return complex(1.0 + max((abs(at) for at in built.links[built.driver.link].points.values()), default=0.0))
+
+
+def without_cams(model: m.MechanismModel) -> Mechanism:
+    """The mechanism as it is written, without what replaces its cam pairs."""
     frame = Link(FRAME, {name: complex(*place) for name, place in model.frame.items()})
     links = {FRAME: frame, **{name: link(name, part) for name, part in model.links.items()}}
     return Mechanism(
@@ -41,7 +67,16 @@ def mechanism(model: m.MechanismModel) -> Mechanism:
 def link(name: str, model: m.LinkModel) -> Link:
     places = link_places(model)
     centre = model.mass_centre or (next(iter(places)) if model.mass and len(places) == 1 else None)
-    return Link(name, places, mass=model.mass, mass_centre=centre, inertia=model.inertia)
+    if not isinstance(model.inertia, m.InertiaModel):
+        return Link(name, places, mass=model.mass, mass_centre=centre, inertia=model.inertia)
+    about = model.inertia.about
+    central = central_inertia(model.inertia.value, model.mass, places[about] - places[str(centre)])
+    return Link(name, places, model.mass, centre, max(central, 0.0), (about, model.inertia.value))
+
+
+def central_inertia(stated: float, mass: float, away: complex) -> float:
+    """J_S = J − m l², kg m², by Steiner: about the mass centre of a link from that about a point `away` from it, m."""
+    return stated - mass * abs(away) ** 2
 
 
 def link_places(model: m.LinkModel) -> dict[str, complex]:
@@ -103,7 +138,15 @@ def slide(name: str, model: m.SlideModel, own: Link) -> Slide:
 
 def driver(model: m.DriverModel) -> Driver:
     speed = model.speed if model.speed is not None else 2 * math.pi / (model.period or math.inf)
-    return Driver(model.link, SENSES[model.rotation] * speed, zero(model.zero), model.range, model.turns)
+    turned = SENSES[model.rotation] * speed
+    start = zero(model.zero)
+    return Driver(model.link, turned, start, model.range, model.turns, gear(model.gear), model.period)
+
+
+def gear(model: m.GearModel | None) -> GearDrive | None:
+    if model is None:
+        return None
+    return GearDrive(model.radius, model.alpha_w, model.at, model.flank == "driving")
 
 
 def zero(model: m.ZeroModel | None) -> ZeroAngle | ZeroExtreme:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from tmm_report.chapters.structure.block import build
+from tmm_report.chapters.structure.block import build, cam_checks
 from tmm_report.chapters.structure.block import models as m
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.problems import N_, Message, Problem, mistake
@@ -57,6 +57,11 @@ def stated(read: Read) -> bool:
     return "mechanism" in read.data or not read.alone
 
 
+def has_cams(read: Read) -> bool:
+    """Whether the file states cam pairs."""
+    return bool(_mapping(read.data.get("mechanism")).get("cams"))
+
+
 def without(read: Read, key: str) -> Found:
     """A block that speaks of a mechanism where there is none."""
     if key in read.data:
@@ -75,6 +80,7 @@ def check(mechanism: m.MechanismModel, read: Read) -> Found:
     yield from _slides(mechanism, known)
     yield from _driver(mechanism, read, known)
     yield from _assembly(mechanism, known)
+    yield from cam_checks.check(mechanism, read, known)
 
 
 def _complete(read: Read) -> Found:
@@ -120,6 +126,38 @@ def _links(mechanism: m.MechanismModel, known: Names) -> Found:
                 N_("mass_centre: one of the points %(words)s"), {"words": ", ".join(known.points[name])}
             )
             yield mistake(N_("the link has a mass and no mass centre"), (*path, "mass"), right)
+        if isinstance(link.inertia, m.InertiaModel):
+            yield from _inertia(name, link, link.inertia, (*path, "inertia"), known)
+
+
+def _inertia(name: str, link: m.LinkModel, stated: m.InertiaModel, path: Path, known: Names) -> Found:
+    """About a point of the link, no less than its mass makes of the distance of that point."""
+    about, points = stated.about, known.points[name]
+    centre = link.mass_centre or (points[0] if len(points) == 1 else None)
+    yield from _not_on(about, name, (*path, "about"), known)
+    if centre is None:
+        right = Message(N_("mass_centre: one of the points %(words)s"), {"words": ", ".join(points)})
+        text = N_(
+            "a moment of inertia about point %(name)s is brought to the mass centre, which is not stated"
+        )
+        yield mistake(text, (*path, "about"), right, name=about)
+        return
+    try:
+        places = build.link_places(link)
+    except WrongValue:  # told by `_geometry`
+        return
+    if about not in places or centre not in places:
+        return
+    away = abs(places[about] - places[centre])
+    if build.central_inertia(stated.value, link.mass, away) < -1e-12 * stated.value:
+        least = link.mass * away**2
+        text = N_(
+            "%(value)s kg·m² about point %(about)s would make the moment of inertia about the mass centre negative: "
+            "the mass %(mass)s kg at %(away)s m alone has %(least)s kg·m²"
+        )
+        right = Message(N_("a larger moment of inertia, or that about the mass centre without about"))
+        told = {"value": stated.value, "mass": link.mass, "away": away, "least": least}
+        yield mistake(text, (*path, "value"), right, about=about, **{k: f"{x:.4g}" for k, x in told.items()})
 
 
 def _geometry(link: m.LinkModel, path: Path) -> Found:

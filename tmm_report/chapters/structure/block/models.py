@@ -5,6 +5,7 @@ from typing import Annotated, Literal
 
 from pydantic import ConfigDict, Field, Tag, model_validator
 
+from tmm_report.chapters.structure.block.cams import CamModel
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.model import Model
@@ -24,6 +25,7 @@ from tmm_report.variant.values import (
     Name,
     Period,
     Point,
+    Positive,
     Range,
     Speed,
     Turn,
@@ -82,13 +84,28 @@ Through = Annotated[
 ]
 
 
+class InertiaModel(Model):
+    """A moment of inertia about any point of the link; that about the mass centre follows by Steiner."""
+
+    value: Inertia = Field(examples=["0.01 kg*m^2"])
+    about: Name = Field(description="a point of the link", examples=["O"])
+
+
+AnyInertia = Annotated[
+    Annotated[Inertia, Tag(SCALAR)] | Annotated[InertiaModel, Tag(MAP)],
+    by_shape(N_("0.01 kg*m^2, or {value: 0.01 kg*m^2, about: O}")),
+]
+
+
 class LinkModel(Model):
     """A moving rigid link. Links that have a point of the same name are joined there by a pivot."""
 
     points: Points = Field(description="its points, in its own axes", examples=["{A: 0, B: 300 mm}"])
     mass: Mass = 0.0
     mass_centre: Name | None = Field(default=None, description="the point that is the mass centre")
-    inertia: Inertia = Field(default=0.0, description="about the mass centre")
+    inertia: AnyInertia = Field(
+        default=0.0, description="about the mass centre, or {value, about} a point of the link"
+    )
     slides: Slides | None = Field(default=None, description="the guide or guides the link slides along")
 
 
@@ -119,6 +136,25 @@ class ZeroModel(Model):
         raise WrongValue(Message(N_("position 0 is not stated in one way")), Message(right))
 
 
+class GearModel(Model):
+    """A gear on the driving link's shaft, in mesh with the wheel that drives it: a balancing force in its teeth."""
+
+    radius: Positive = Field(description="of its pitch circle", examples=["60 mm"])
+    alpha_w: Angle = Field(default=math.radians(20), description="the angle of engagement; left out, 20 deg")
+    at: Angle = Field(description="direction from the pivot to the pitch point", examples=["-90 deg"])
+    flank: Literal["either", "driving"] = Field(
+        default="either",
+        description="in contact: that which the sense of the moment presses, or always that by which the wheel drives",
+    )
+
+    @model_validator(mode="after")
+    def engaged(self) -> "GearModel":
+        if not 0 <= self.alpha_w < math.radians(45):
+            wrong = Message(N_("an angle of engagement from 0 to 45 degrees"))
+            raise WrongValue(Message(N_("no teeth are in mesh at this angle of engagement")), wrong)
+        return self
+
+
 class DriverModel(Model):
     """The driving link: it turns about a fixed point at constant speed."""
 
@@ -130,6 +166,9 @@ class DriverModel(Model):
     range: Range = Field(2 * math.pi, description="how far it turns")
     turns: Turns = Field(
         default=1, description="full turns in a cycle of the loads: 2 of a four-stroke engine"
+    )
+    gear: GearModel | None = Field(
+        default=None, description="by which the link is turned; left out, a moment"
     )
 
     @model_validator(mode="after")
@@ -157,6 +196,9 @@ class MechanismModel(Model):
     guides: dict[KeyName, GuideModel] = Field(default={})
     links: dict[KeyName, LinkModel] = Field(default={}, description="the moving links")
     driver: DriverModel | None = None
+    cams: dict[KeyName, CamModel] = Field(
+        default={}, max_length=4, description="cam pairs, by the names of the links that replace them"
+    )
     assembly: dict[GroupName, Choice] = Field(
         default={},
         description="which of two ways a group is assembled, by its inner point (B) or its links (2-3)",

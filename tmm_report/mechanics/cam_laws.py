@@ -1,0 +1,202 @@
+"""Laws of a follower's motion over a turn of its cam: phases of rise, dwell and return, or a table of lifts.
+
+A phase of the angle β lifts by h·f(τ), τ = θ/β, so that S' = h f'/β and S'' = h f''/β²; a return lowers by the same.
+
+    law         f                          greatest S'      greatest S''
+    parabolic   2τ², 1 − 2(1 − τ)²         2 h/β            4 h/β²
+    cosine      (1 − cos πτ)/2             1.571 h/β        4.935 h/β²
+    sine        τ − sin 2πτ/(2π)           2 h/β            6.283 h/β²
+    polynomial  10τ³ − 15τ⁴ + 6τ⁵          1.875 h/β        5.774 h/β²
+    uniform     τ                          h/β              0, infinite at both ends
+
+Source: Artobolevsky, Theory of mechanisms and machines, ch. 26; Frolov (ed.), Theory of mechanisms, ch. 15.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Literal
+
+import numpy as np
+
+Array = Any
+Kind = Literal["rise", "dwell", "return"]
+Three = tuple[Array, Array, Array]  # a function and its first two derivatives
+FULL_TURN = 2 * np.pi
+EDGE = 1e-9  # rad: an angle as near as this before the end of a phase belongs to the next
+
+
+def _parabolic(t: Array) -> Three:
+    first = t < 0.5 - EDGE  # in the middle itself the second half holds
+    return (
+        np.where(first, 2 * t * t, 1 - 2 * (1 - t) ** 2),
+        np.where(first, 4 * t, 4 * (1 - t)),
+        np.where(first, 4.0, -4.0),
+    )
+
+
+def _cosine(t: Array) -> Three:
+    turned = np.pi * t
+    return (1 - np.cos(turned)) / 2, np.pi / 2 * np.sin(turned), np.pi**2 / 2 * np.cos(turned)
+
+
+def _sine(t: Array) -> Three:
+    turned = FULL_TURN * t
+    return t - np.sin(turned) / FULL_TURN, 1 - np.cos(turned), FULL_TURN * np.sin(turned)
+
+
+def _polynomial(t: Array) -> Three:
+    return (
+        t**3 * (10 - 15 * t + 6 * t * t),
+        30 * t * t * (1 - t) ** 2,
+        60 * t * (1 - t) * (1 - 2 * t),
+    )
+
+
+def _uniform(t: Array) -> Three:
+    return t, np.ones_like(t), np.zeros_like(t)
+
+
+LAWS: dict[str, Callable[[Array], Three]] = {
+    "parabolic": _parabolic,
+    "cosine": _cosine,
+    "sine": _sine,
+    "polynomial": _polynomial,
+    "uniform": _uniform,
+}
+
+
+@dataclass(frozen=True)
+class Phase:
+    """A part of the cam's turn of `angle`, rad, by a law of `LAWS`; a dwell has none."""
+
+    kind: Kind
+    angle: float
+    law: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Phases:
+    """A follower's law by phases that fill a turn, from and back to the lowest position. `lift`: m or rad."""
+
+    phases: tuple[Phase, ...]
+    lift: float
+
+    @cached_property
+    def edges(self) -> Array:
+        """Where each phase begins, and the end of the turn, rad of the cam's angle."""
+        return np.concatenate([[0.0], np.cumsum([phase.angle for phase in self.phases])])
+
+    @cached_property
+    def breaks(self) -> tuple[float, ...]:
+        """Angles at which the acceleration may jump, rad."""
+        inside = [
+            start + phase.angle / 2
+            for start, phase in zip(self.edges, self.phases, strict=False)
+            if phase.law == "parabolic"
+        ]
+        return tuple(sorted([*(float(x) for x in self.edges[:-1]), *map(float, inside)]))
+
+    def of(self, theta: Array) -> Three:
+        """S, dS/dθ, d²S/dθ² at cam angles from the beginning of the first phase, rad; m or rad."""
+        theta = np.mod(np.asarray(theta, dtype=float) + EDGE, FULL_TURN) - EDGE
+        number = np.clip(np.searchsorted(self.edges - EDGE, theta, side="right") - 1, 0, len(self.phases) - 1)
+        found = tuple(np.zeros(np.shape(theta)) for _ in range(3))
+        for k, phase in enumerate(self.phases):
+            here = number == k
+            if not np.any(here):
+                continue
+            for whole, part in zip(found, self._phase(k, phase, theta), strict=True):
+                np.copyto(whole, part, where=here)
+        return found  # type: ignore[return-value]
+
+    def _phase(self, k: int, phase: Phase, theta: Array) -> Three:
+        if phase.kind == "dwell":
+            high = self.level(k)
+            return np.full_like(theta, high), np.zeros_like(theta), np.zeros_like(theta)
+        t = np.clip((theta - self.edges[k]) / phase.angle, 0.0, 1.0)
+        f, slope, bend = LAWS[phase.law](t)
+        h, way = self.lift, 1 if phase.kind == "rise" else -1
+        start = 0.0 if way > 0 else h
+        return start + way * h * f, way * h * slope / phase.angle, way * h * bend / phase.angle**2
+
+    def level(self, k: int) -> float:
+        """The displacement at which phase `k` begins: that of the low or of the high position."""
+        last = next((p.kind for p in reversed(self.phases[:k]) if p.kind != "dwell"), "return")
+        return self.lift if last == "rise" else 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class Spline:
+    """The periodic cubic spline through values at ascending knots `x` (n + 1,); the last value repeats the first.
+
+    Its second derivative is continuous. `values` may be complex. Source: de Boor, A practical guide to splines, ch. 4.
+    """
+
+    x: Array
+    values: Array
+
+    @cached_property
+    def _bends(self) -> Array:
+        """Second derivatives at the knots, (n + 1,)."""
+        h, n = np.diff(self.x), len(self.x) - 1
+        rise = np.diff(self.values) / h
+        before = np.roll(h, 1)
+        A = np.zeros((n, n))
+        k = np.arange(n)
+        A[k, k] = 2 * (before + h)
+        A[k, (k - 1) % n] += before
+        A[k, (k + 1) % n] += h
+        bends = np.linalg.solve(A, 6 * (rise - np.roll(rise, 1)))
+        return np.append(bends, bends[0])
+
+    def of(self, at: Array) -> Three:
+        """Value and first two derivatives."""
+        period = self.x[-1] - self.x[0]
+        at = self.x[0] + np.mod(np.asarray(at, dtype=float) - self.x[0], period)
+        k = np.clip(np.searchsorted(self.x, at, side="right") - 1, 0, len(self.x) - 2)
+        h = self.x[k + 1] - self.x[k]
+        b = (at - self.x[k]) / h
+        a = 1 - b
+        low, high, y0, y1 = self._bends[k], self._bends[k + 1], self.values[k], self.values[k + 1]
+        value = a * y0 + b * y1 + ((a**3 - a) * low + (b**3 - b) * high) * h * h / 6
+        slope = (y1 - y0) / h + ((3 * b * b - 1) * high - (3 * a * a - 1) * low) * h / 6
+        return value, slope, a * low + b * high
+
+
+@dataclass(frozen=True, eq=False)
+class Tabled:
+    """A follower's law through stated lifts at ascending cam angles, rad, of one turn, by a periodic spline."""
+
+    angles: tuple[float, ...]
+    lifts: tuple[float, ...]
+
+    @cached_property
+    def spline(self) -> Spline:
+        x = np.array([*self.angles, self.angles[0] + FULL_TURN])
+        return Spline(x, np.array([*self.lifts, self.lifts[0]]))
+
+    @property
+    def breaks(self) -> tuple[float, ...]:
+        """Its acceleration jumps nowhere; its third derivative does at every angle of the table."""
+        return self.angles
+
+    @cached_property
+    def lift(self) -> float:
+        """The greatest lift of the table, m or rad."""
+        return max(self.lifts)
+
+    def of(self, theta: Array) -> Three:
+        return self.spline.of(theta)
+
+
+Law = Phases | Tabled
+
+
+def greatest(law: str) -> tuple[float, float]:
+    """The greatest f' and f'' of a law, by which S' and S'' are judged: coefficients of h/β and h/β²."""
+    fine = np.linspace(0.0, 1.0, 4001)
+    _, slope, bend = LAWS[law](fine)
+    return float(np.max(np.abs(slope))), float(np.max(np.abs(bend)))
