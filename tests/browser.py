@@ -56,7 +56,8 @@ document.fonts.ready.then(() => {
   const all = s => [...document.querySelectorAll(s)];
   const broken = all('a[href^="#"]').filter(a => !document.getElementById(decodeURIComponent(a.hash.slice(1))));
   return {
-    maths: all("math").map(box), figures: all("figure svg").map(box), tables: all("table").map(box),
+    maths: all("math").map(box), figures: all("figure svg").map(box),
+    inText: all("figure svg").filter(s => !s.closest(".sheet")).map(box), tables: all("table").map(box),
     images: all("img").length, broken: broken.map(a => a.hash), fonts: [...document.fonts].map(f => f.status),
     page: document.documentElement.scrollWidth, shown: document.documentElement.clientWidth,
     errors: all("merror, parsererror").length, lang: document.documentElement.lang,

@@ -227,7 +227,7 @@ FAULTS = (
           "half=stated.length / 2 if", "half=stated.length if", "shaper",
           ("tests/chapters/test_friction_corrected.py",)),
     Fault("the first approximation loses the power of friction", FRICTION + "corrected.py",
-          "solved.balancing + first / omega", "solved.balancing - first / omega", "shaper",
+          "without + first / omega", "without - first / omega", "shaper",
           ("tests/chapters/test_friction_corrected.py",)),
     Fault("corrected reactions of the pairs swapped", FRICTION + "corrected_quantities.py",
           "for loss in pairs:\n        yield from corrected_reaction(loss.pair).vector(loss.reaction)",
