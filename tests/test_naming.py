@@ -91,7 +91,8 @@ def test_every_key_names_itself_and_nothing_else(name):
 @pytest.mark.parametrize("language", ["ru", "en"])
 def test_a_symbol_finds_quantities_that_are_written_so_or_keyed_so(language):
     word = Translator(language).pgettext("index", "bal")
-    known = [q for q in sum(by_positions("compressor"), []) if q.symbol is not None]
+    columns, single = by_positions("compressor")
+    known = [q for q in (*columns, *single) if q.symbol is not None]
     for quantity in known:
         found = resolve(str(quantity.symbol).replace("bal", word), known)
         assert found, quantity.key

@@ -190,7 +190,10 @@ def test_every_reference_leads_somewhere(name):
 
 
 def test_both_formats_have_the_same_numbers():
-    for kind in (r"Рисунок (\d+)", r"Таблица (\d+)"):  # sheets stand among the tables where their page is full
+    for kind in (
+        r"Рисунок (\d+)",
+        r"Таблица (\d+)",
+    ):  # sheets stand among the tables where their page is full
         assert re.findall(kind, html("shaper")) == re.findall(kind, tex("shaper"))
     assert re.findall(r'class="number">\(([\d.]+)\)', html("shaper")) == re.findall(
         r"\\NoteFormula\{[^}]+\}\{([^}]+)\}", tex("shaper")

@@ -15,8 +15,9 @@ TURN = 2 * np.pi
 def test_a_harmonic_has_its_amplitude_at_its_phase(size, phase, order):
     over = panels(TURN)
     (low, high), *_ = peaks(over, size * np.cos(order * over.x - phase)[None])
-    assert (low.value, high.value) == pytest.approx((-size, size), abs=1e-11 * size)
-    assert np.cos(order * high.turned - phase) == pytest.approx(1, abs=1e-11)
+    # of values nearer than 1e-10 the first counts: that of an end beside the extreme
+    assert (low.value, high.value) == pytest.approx((-size, size), abs=1e-9 * size)
+    assert np.cos(order * high.turned - phase) == pytest.approx(1, abs=1e-9)
     assert high.turned < TURN / order + 1e-6  # of equal ones the first
     assert low.side == high.side == 0
 
