@@ -62,11 +62,6 @@ def listings(found: Found, say: Callable[[str], str]) -> Iterator[tuple[str, lis
             yield f"stage{number}_combinations", planetary_quantities.judged(stage, say)
 
 
-def stage_book(stage: Stage, prefix: str) -> Book:
-    """All that is said in numbers of one stage."""
-    return Book.of(stage_tables(stage, prefix), stage_values(stage, prefix))
-
-
 def stage_tables(stage: Stage, prefix: str) -> Iterator[Table]:
     match stage:
         case spur.Found():

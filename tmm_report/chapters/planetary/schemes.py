@@ -66,11 +66,6 @@ class Choice:
     def taken(self) -> Judged:
         return self.judged[self.chosen]
 
-    @property
-    def most_efficient(self) -> bool:
-        """Whether the scheme taken has the best efficiency of all."""
-        return self.taken.efficiency >= max(one.efficiency for one in self.judged if one.works)
-
 
 def choose(given: Given) -> Choice:
     """Raises ProblemError where no scheme gives the ratio, or all that do lock themselves."""
