@@ -17,7 +17,7 @@ from tmm_report.variant.model import Block
 
 RECORDS = {"title": course.Variant, **dict.fromkeys(course.LEVER, course.LeverGiven)}
 RECORDS |= dict.fromkeys(course.OTHERS, course.Variant)
-OWN = ("lever", "places", "file")  # of the variant itself
+OWN = ("lever", "places", "file", "doubts")  # of the variant itself
 
 
 def types(record) -> dict[str, object]:

@@ -77,7 +77,7 @@ def test_keys_are_text_and_letters_composed():
         ("a: " + "1" * 100_000, 1, 4, f"the number {'1' * 39}… is too long"),
         ("a: b\n? [c]\n: d", 2, 3, "a key must be a single word"),
         ("a: 1\n---\nb: 2", 2, 1, "a second document begins here"),
-        ("a: [1, 2", 2, 1, None),
+        ("a: [1, 2", 1, 4, None),
         ("a: b: c", 1, 5, None),
         ("a:\n\tb: 1", 2, 1, None),
         ("[" * 17, 1, 17, "nested deeper than 16 levels"),

@@ -52,12 +52,12 @@ def solve(variant: Variant) -> Results:
     """
     from tmm_report.course import solve as run
     from tmm_report.problems import ProblemError
-    from tmm_report.variant import locate
+    from tmm_report.variant import failed
 
     try:
         return run(variant)
     except ProblemError as error:
-        raise ProblemError([locate(problem, variant) for problem in error.problems]) from None
+        raise failed(error, variant) from None
 
 
 def render(

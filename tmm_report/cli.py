@@ -1,6 +1,7 @@
 """The command line: the only place that prints and exits; what a command does is in `commands`.
 
-Exit codes: 0 done; 1 done, but a check failed or something asked for could not be made; 2 the input is wrong.
+Exit codes: 0 done; 1 done, but a check failed or something asked for could not be made; 2 the input, the place to
+write to or the size of the task is wrong, and nothing was written; 130 stopped by Ctrl-C.
 """
 
 from __future__ import annotations
@@ -16,12 +17,15 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from tmm_report import languages
 from tmm_report.problems import N_, Message, Problem, ProblemError
+
+if TYPE_CHECKING:
+    from tmm_report.commands.streams import Careful
 
 app = typer.Typer(
     add_completion=False,
@@ -45,10 +49,27 @@ VariantFile = Annotated[Path, typer.Argument(help="The variant, a YAML file.", s
 
 def main() -> None:
     _for_one_command()
-    for stream in (sys.stdout, sys.stderr):
-        # a name that the terminal cannot show must not stop the run
-        stream.reconfigure(errors="backslashreplace")  # type: ignore[union-attr]
-    app()
+    from tmm_report.commands.streams import careful, see_open
+
+    see_open()
+    sys.stdout = out = careful(sys.stdout, 1)  # type: ignore[assignment]
+    sys.stderr = careful(sys.stderr, 2)  # type: ignore[assignment]
+    try:
+        app()
+    except SystemExit as end:
+        sys.exit(_ended(end.code, out))
+
+
+def _ended(code: str | int | None, out: Careful) -> str | int | None:
+    """The exit code, where what was said may have been lost on the way out."""
+    out.flush()
+    if out.error is None:
+        return code
+    from tmm_report.commands.talk import reason
+
+    text = Message(N_("the standard output could not be written: %(reason)s"), {"reason": reason(out.error)})
+    _Console(_users_language()).warn(text)
+    return code or 1
 
 
 def _for_one_command() -> None:
@@ -354,9 +375,25 @@ def _console(lang: str | None) -> Iterator[_Console]:
             console.speak(_known(lang))
         yield console
     except ProblemError as error:
+        if lang is None and error.language:  # a variant's mistakes are told in its language
+            console.speak(error.language)
         for problem in error.problems:
             console.warn(problem)
         raise typer.Exit(2) from None
+    except OSError as error:  # a disk that is full, no folder for temporary files
+        from tmm_report.commands.talk import outside
+
+        console.warn(outside(error))
+        raise typer.Exit(2) from None
+    except (MemoryError, RecursionError):
+        console.warn(
+            Message(N_("not enough memory: this variant is too large; shorten its lists and tables"))
+        )
+        raise typer.Exit(2) from None
+    except KeyboardInterrupt:
+        if not console.warned:  # a batch says itself how to go on
+            console.warn(Message(N_("stopped")))
+        raise typer.Exit(130) from None
     finally:
         console.wipe()
 
@@ -381,6 +418,7 @@ class _Console:
     def __init__(self, language: str):
         self.language = language
         self._doing, self._shown = Message(""), False
+        self.warned = False
         self._timer: threading.Timer | None = None
 
     def speak(self, language: str) -> None:
@@ -399,6 +437,7 @@ class _Console:
         self._print(line if isinstance(line, str) else line.render(self._say), err=False)
 
     def warn(self, line: Message | Problem | str) -> None:
+        self.warned = True
         words = line.text(self._say) if isinstance(line, Problem) else line
         self._print(words.render(self._say) if isinstance(words, Message) else words, err=True)
 

@@ -8,7 +8,7 @@ in its folder and is found there by the field's name, only when it is asked for:
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
 from functools import partial
 from importlib import import_module
@@ -30,9 +30,9 @@ from tmm_report.chapters.readings.given import Readings
 from tmm_report.chapters.reduction import solve as reduction
 from tmm_report.chapters.structure import solve as structure
 from tmm_report.chapters.title.given import Title
-from tmm_report.languages import DEFAULT, DecimalSign
+from tmm_report.languages import DEFAULT, DecimalSign, stated_in
 from tmm_report.mechanics.mechanism import Mechanism
-from tmm_report.problems import N_, Message, Problem
+from tmm_report.problems import N_, Message, Problem, ProblemError
 
 if TYPE_CHECKING:  # loaded only for a variant that has them
     from tmm_report.chapters.balancing import solve as balancing
@@ -90,6 +90,8 @@ class Variant:
     places: Mapping[tuple[str | int, ...], tuple[int, int]] = field(default_factory=dict, repr=False)
     """Where each key of the file stands: path -> (line, column), for mistakes found only in solving."""
     file: str = ""
+    doubts: tuple[Problem, ...] = ()
+    """What looks odd in the file, with its places."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -156,7 +158,32 @@ class Moved:
 
 def solve(variant: Variant, moved: Moved | None = None) -> Results:
     """Solve a variant chapter by chapter, but for what is found already. Raises ProblemError with what cannot be
-    solved and why."""
+    solved and why, of all parts that do not depend on one another."""
+    try:
+        return _solved(variant, moved)
+    except ProblemError as error:
+        others = (problem for problem in _of_gears(variant) if problem not in error.problems)
+        raise ProblemError([*error.problems, *others]) from None
+
+
+def _of_gears(variant: Variant) -> Iterator[Problem]:
+    """What cannot be solved of gears, whatever becomes of the other chapters."""
+    if variant.drive is not None:
+        yield from _unsolvable(partial(_drive, variant.drive))
+    if variant.eccentric is not None:
+        yield from _unsolvable(partial(_eccentric, variant.eccentric))
+
+
+def _unsolvable(run: Callable[[], object]) -> list[Problem]:
+    """The mistakes met in solving a part."""
+    try:
+        run()
+    except ProblemError as error:
+        return error.problems
+    return []
+
+
+def _solved(variant: Variant, moved: Moved | None) -> Results:
     lever = solve_lever(variant.lever, moved) if variant.lever else None
     moving = Moving(lever.kinematics, lever.kinetostatics) if lever else None
     # what goes on over the cycle is asked of a mechanism that closes all round
@@ -175,7 +202,7 @@ def solve(variant: Variant, moved: Moved | None = None) -> Results:
         contacts=_contacts(variant.contacts, moving) if variant.contacts else None,
         efficiency=_efficiency(variant.efficiency, moving) if variant.efficiency else None,
         wear=_wear(variant.wear, moving) if variant.wear and whole else None,
-        drive=_drive(variant.drive) if variant.drive else None,
+        drive=_drive(variant.drive, moving) if variant.drive else None,
         eccentric=_eccentric(variant.eccentric) if variant.eccentric else None,
     )
 
@@ -284,10 +311,10 @@ def _wear(given: wear.Given, moving: Moving | None) -> wear.Found:
     return solve(given, moving)
 
 
-def _drive(given: drive.Given) -> drive.Found:
+def _drive(given: drive.Given, moving: Moving | None = None) -> drive.Found:
     from tmm_report.chapters.drive.solve import solve
 
-    return solve(given)
+    return solve(given, moving)
 
 
 def _eccentric(given: eccentric.Given) -> eccentric.Found:
@@ -319,6 +346,17 @@ def summary(results: Results) -> Iterator[Message]:
     yield from (line for name, found in chapters(results) if name in OTHERS for line in found.summary())
 
 
+def doubts(results: Results) -> list[Problem]:
+    """What looks odd and was solved all the same: in the file, and in what chapters found (of those that have it)."""
+    of_found = (problem for _, one in chapters(results) for problem in getattr(one, "doubts", ()))
+    return [*results.variant.doubts, *of_found]
+
+
+def sound(results: Results) -> bool:
+    """Whether the checks of every chapter beside the lever's held; most have none that can fail."""
+    return all(getattr(found, "sound", True) for name, found in chapters(results) if name in OTHERS)
+
+
 def left_out(results: Results) -> list[str]:
     """The blocks of the variant that were not solved: a mechanism that does not close all round has no cycle."""
     return [name for name in OTHERS if getattr(results.variant, name) and not getattr(results, name)]
@@ -334,14 +372,17 @@ def room(chapter: str, name: str) -> Any:
 
 def load(path: str | os.PathLike[str]) -> Variant:
     """Read a variant's file. Raises ProblemError with all the mistakes of the file."""
-    soft: list[Problem] = []
-    return _variant(yamlread.read(path, soft), yamlread.file_label(path), soft)
+    file = yamlread.file_label(path)
+    return loads(yamlread.opened(path, file, yamlread.BYTES), file)
 
 
 def loads(text: str | bytes, file: str = "") -> Variant:
     """The variant that a text states; `file` is its name for messages. Raises ProblemError."""
     soft: list[Problem] = []
-    return _variant(yamlread.loads(text, file, soft), file, soft)
+    try:
+        return _variant(yamlread.loads(text, file, soft), file, soft)
+    except ProblemError as error:
+        raise ProblemError(error.problems, stated_in(text)) from None
 
 
 def schema() -> dict[str, Any]:
@@ -366,13 +407,40 @@ def _variant(document: yamlread.Document, file: str, soft: list[Problem]) -> Var
     from tmm_report.chapters.structure.block import stated
     from tmm_report.variant.reading import read
 
-    found = read(document, file, soft, _rooms())
+    found = read(document, file, soft, _rooms(), _further)
+    if "drive" in found.data and stated(found):
+        found = _geared(found, document, file)
     return Variant(
         lever=LeverGiven(**_given(LEVER, found)) if stated(found) else None,
         **_given(["title", *(name for name in OTHERS if name in found.data)], found),
         places=document.places,
         file=file,
+        doubts=found.doubts,
     )
+
+
+def _further(read: Read) -> Iterator[Problem]:
+    """What cannot be solved of the parts of a file with mistakes that have none themselves."""
+    from tmm_report.chapters.structure.block import stated
+
+    if stated(read) and not any(map(read.is_broken, ("mechanism", "positions", "drawing"))):
+        lever = LeverGiven(**_given(("structure", "kinematics"), read))
+        yield from _unsolvable(
+            lambda: kinematics.solve(lever.positions, structure.solve(lever.mechanism)),
+        )
+    gears = [name for name in ("drive", "eccentric") if name in read.data and not read.is_broken(name)]
+    yield from _of_gears(Variant(**_given(gears, read)))
+
+
+def _geared(found: Read, document: yamlread.Document, file: str) -> Read:
+    """The driving link with the speed of the drive's output, where it is to have that. Raises ProblemError."""
+    from tmm_report.chapters.drive.block import geared
+
+    try:
+        return geared(found)
+    except ProblemError as error:
+        problems = [yamlread.located(problem, document.places, file) for problem in error.problems]
+        raise ProblemError(problems) from None
 
 
 def _given(names: Iterable[str], read: Read) -> dict[str, Any]:

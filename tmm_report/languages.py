@@ -43,6 +43,7 @@ LANGUAGES = {
         Language("en", "English", "point", babel="english", beside="russian", ids=True),
     )
 }
+_STATED = re.compile(r"""^[\ufeff{ ]*["']?language["']?[ ]*:[ ]*["']?(\w+)""", re.M)
 DEFAULT = "ru"  # of a variant that states none
 FALLBACK = "en"  # of messages, where the user's language is not among ours
 
@@ -54,6 +55,15 @@ def language(code: str) -> Language:
     wrong = Message(N_("there is no language %(code)s"), {"code": shown(code) or "''"})
     right = Message(N_("known: %(words)s"), {"words": ", ".join(LANGUAGES)})
     raise ProblemError([Problem(wrong, right)])
+
+
+def stated_in(text: str | bytes) -> str:
+    """The code that a variant's text states with the key `language`, however broken the text is; "" if it states none.
+
+    It is found by its line alone, as what cannot be read is told in this language, too.
+    """
+    found = _STATED.search(text if isinstance(text, str) else text.decode("utf-8", "replace"))
+    return found[1] if found and found[1] in LANGUAGES else ""
 
 
 def of_locale(name: str) -> str:

@@ -6,11 +6,12 @@ from collections.abc import Iterator
 from types import ModuleType
 from typing import Any
 
-from tmm_report.course import INITIAL_DATA, LEVER, Results, chapters, left_out, room
+from tmm_report.course import INITIAL_DATA, LEVER, Results, chapters, doubts, left_out, room
 from tmm_report.figures.drawing import Drawing
 from tmm_report.i18n import Translator
-from tmm_report.problems import N_, Message
+from tmm_report.problems import N_, Message, Problem
 from tmm_report.report import render as render_parts
+from tmm_report.report.doubts import Doubts
 from tmm_report.report.page import Page
 from tmm_report.report.part import Inner, Part
 
@@ -27,12 +28,20 @@ def render(results: Results, fmt: str, tr: Translator) -> dict[str, bytes]:
 
 
 def _undone(results: Results) -> Iterator[Message]:
-    """What the variant asks and the note has not."""
+    """What the variant asks and the note has not; of a variant without a lever mechanism, what looks odd in it."""
     if blocks := left_out(results):
         text = N_(
             "The mechanism does not close all round, so that these parts of the project are left out: %(blocks)s."
         )
         yield Message(text, {"blocks": ", ".join(blocks)})
+    for problem in doubts(results) if results.lever is None else ():  # else they stand under the initial data
+        yield Message(N_("To be checked: %(what)s."), {"what": _doubt(problem)})
+
+
+def _doubt(problem: Problem) -> Message:
+    if problem.right is None:
+        return problem.wrong
+    return Message("%(wrong)s; %(right)s", {"wrong": problem.wrong, "right": problem.right})
 
 
 def parts(results: Results, page: Page) -> Iterator[Part]:
@@ -44,6 +53,8 @@ def parts(results: Results, page: Page) -> Iterator[Part]:
         if view is room(INITIAL_DATA, "view"):
             for other, its in views:
                 yield from other.given_parts(its, page) if hasattr(other, "given_parts") else ()
+            if found_odd := doubts(results):
+                yield Part("doubts", Doubts(found_odd, page))
 
 
 def picture(results: Results, page: Page) -> Drawing:

@@ -31,9 +31,15 @@ class Message:
         return translate(self.text) % values if values else translate(self.text).replace("%%", "%")
 
 
+WARNING = N_("warning: %(what)s")
+
+
 @dataclass(frozen=True)
 class Problem:
-    """One mistake of the user: where it is, what is wrong, what would be right."""
+    """One mistake of the user: where it is, what is wrong, what would be right.
+
+    `doubt`: it looks odd and may be meant so: what is solved all the same.
+    """
 
     wrong: Message
     right: Message | None = None
@@ -41,6 +47,7 @@ class Problem:
     file: str = ""
     line: int | None = None
     column: int | None = None
+    doubt: bool = False
 
     @property
     def key(self) -> str:
@@ -50,18 +57,26 @@ class Problem:
         """`file:line:column: key: what is wrong; what would be right`, on one line."""
         place = ":".join(str(part) for part in (self.file, self.line, self.column) if part not in (None, ""))
         parts = [part for part in (place, self.key) if part]
-        sentence = self.wrong.render(translate)
-        if self.right is not None:
-            sentence += "; " + self.right.render(translate)
+        sentence = self.sentence(translate)
+        if self.doubt:
+            sentence = Message(WARNING, {"what": sentence}).render(translate)
         return ": ".join([*parts, sentence])
+
+    def sentence(self, translate: Callable[[str], str] = str) -> str:
+        """What is wrong and what would be right, without the place."""
+        parts = [part.render(translate) for part in (self.wrong, self.right) if part is not None]
+        return "; ".join(parts)
 
 
 class ProblemError(Exception):
-    """A user's mistakes, all of them at once. Raised by reading and by solving; printed only by the cli."""
+    """A user's mistakes, all of them at once. Raised by reading and by solving; printed only by the cli.
 
-    def __init__(self, problems: list[Problem]):
+    `language`: that of the file that they are in, "" where it states none.
+    """
+
+    def __init__(self, problems: list[Problem], language: str = ""):
         super().__init__("\n".join(problem.text() for problem in problems))
-        self.problems = problems
+        self.problems, self.language = problems, language
 
 
 def mistake(
@@ -69,6 +84,13 @@ def mistake(
 ) -> Problem:
     """A Problem in one call: `mistake(N_("no link %(name)s"), ("loads",), name="7")`."""
     return Problem(wrong=Message(text, values), right=right, path=path)
+
+
+def doubt(
+    text: str, path: tuple[str | int, ...] = (), right: Message | None = None, **values: Any
+) -> Problem:
+    """What looks odd and is solved all the same: `mistake`, told as a warning, the exit code unchanged."""
+    return Problem(wrong=Message(text, values), right=right, path=path, doubt=True)
 
 
 def shown(value: object, limit: int = 40) -> str:

@@ -139,4 +139,6 @@ def _alike(mechanism: Mechanism, link: str) -> Hashable:
 def _of_loads(given: LeverGiven) -> Hashable:
     if given.loads is None:
         return None
-    return tuple(force.at for force in given.loads.forces), tuple(m.on for m in given.loads.moments)
+    return tuple((force.at, force.on) for force in given.loads.forces), tuple(
+        m.on for m in given.loads.moments
+    )

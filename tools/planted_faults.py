@@ -25,11 +25,18 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT / "tools")]
 import faults  # noqa: E402
 import faults_balance  # noqa: E402
+import faults_edges  # noqa: E402
 import faults_motion  # noqa: E402
 import faults_note  # noqa: E402
 from faults import Fault  # noqa: E402
 
-FAULTS = (*faults.FAULTS, *faults_motion.FAULTS, *faults_balance.FAULTS, *faults_note.FAULTS)
+FAULTS = (
+    *faults.FAULTS,
+    *faults_motion.FAULTS,
+    *faults_balance.FAULTS,
+    *faults_note.FAULTS,
+    *faults_edges.FAULTS,
+)
 
 COPIED = ("tmm_report", "templates", "variants", "tests", "tools", "pyproject.toml", "README.md", "docs")
 TEXTS, GEARS_BESIDE, LEVERS_BESIDE = "test_golden_text.py", "test_other_gears.py", "test_other_levers.py"

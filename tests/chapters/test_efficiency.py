@@ -190,6 +190,8 @@ def test_a_long_chain_is_folded_into_rows_that_fit_the_page():
         ("{input: 1 kW}", "joined in series or in parallel"),
         ("{input: 1 kW, output: 1 kW, series: [{efficiency: 0.9}]}", "the other follows from the efficiency"),
         ("{series: [{}]}", "the key efficiency is missing"),
+        ("{series: [chain]}", "keys with values are expected here"),
+        ("{series: [{series: [[0.9]]}]}", "keys with values are expected here"),
         (f"{{series: [{', '.join(25 * ['{efficiency: 0.9}'])}]}}", "24 machines at most"),
         ("{parallel: [{efficiency: 0.9}]}", "too few values"),
         ("{series: [{efficiency: 0.9, parallel: []}]}", "unknown key efficiency|too few values"),

@@ -83,8 +83,9 @@ def test_where_no_forces_are_none_is_told():
     mechanism = replace(variant.lever.mechanism, links=links)
     found = under(replace(variant, lever=replace(variant.lever, mechanism=mechanism)), variant.lever.loads)
     assert found.over is None and found.works is None
-    low, _ = found.extremes
-    assert low.value == pytest.approx(np.nanmin(found.diagram.balancing))
+    # towards the limit it grows without bound: the least of the positions printed is no extreme
+    low, high = found.extremes
+    assert np.isnan(low.value) and np.isnan(high.value)
 
 
 @pytest.mark.parametrize("name", NAMES)

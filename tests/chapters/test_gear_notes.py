@@ -14,7 +14,8 @@ language: en
 drive:
   speed: 3000 rpm
   stages:
-    - {kind: spur, ratio: 2.5, module: 2 mm, teeth: [24, 60], shift: [0.3, 0.3]}
+    - {kind: spur, ratio: 2.5, module: 2 mm, teeth: [24, 60], shift: [0.3, 0.3],
+       tip_shortening: false}
     - {kind: spur, ratio: -1, module: 10 mm, teeth: [10, 10], shift: [0, 0]}
 """
 PLANETARY = """
@@ -47,18 +48,19 @@ def test_the_conditions_that_are_not_met_come_first_in_the_conclusions():
     assert max(places) < said.index("The ratio of the gear drive is")
 
 
-def test_a_contact_beyond_the_line_of_action_has_no_velocities():
-    """The first pair works and has them; the second cannot be made."""
-    note = html(FAILED)
-    assert note.count("Velocities of the point of contact</h") == 1
-    assert "such a pair must not be made" in note
+def test_the_contact_of_an_undercut_pair_ends_where_its_involutes_do():
+    """By the tip circles it would pass the end of the line of action, where the sliding has no bound."""
+    note = plain(html(FAILED))
+    assert note.count("By the tip circles alone, as if the involutes reached so far") == 2
+    assert "such a pair must not be made" not in note
+    assert re.search(r"the involute of wheel 3 begins at the radius of curvature 5\.058 mm", note)
 
 
 def test_what_a_point_outside_the_contour_lacks_is_in_modules():
     """The letter of the module is a symbol: an upright m would be metres."""
     note = section("Blocking contour", html(FAILED))
     (lack,) = re.findall(r"the active profile reaches (.*?) along the line", note)
-    number, sign = re.fullmatch(r"<span[^>]*>([\d.]+)</span> (<math.*</math>)", lack).groups()
+    number, sign = re.fullmatch(r"<span[^>]*>([\d.]+)</span>·(<math.*</math>)", lack).groups()
     assert "<mi>m</mi>" in sign
     head, tip = math.sqrt(58.6**2 - (60 * math.cos(math.radians(20))) ** 2), 36 * math.sin(math.radians(20))
     start = 24 * math.sin(math.radians(20)) - 2 * 0.7 / math.sin(math.radians(20))
@@ -76,7 +78,7 @@ def test_readings_have_as_many_decimals_as_their_differences_need():
     for drawn, computed, difference in read:
         assert len(drawn.partition(".")[2]) == len(computed.partition(".")[2])
         a, b = float(drawn), float(computed)
-        assert float(difference) == pytest.approx(200 * abs(a - b) / (a + b), abs=1.5e-3)
+        assert float(difference) == pytest.approx(200 * abs(a - b) / (a + b), abs=2.5e-3)
 
 
 def test_sizes_of_one_row_have_the_same_decimals_where_their_digits_allow():

@@ -231,7 +231,7 @@ def test_rejected_and_accepted_make_up_all(found):
     page = Page(Html(), Translator("en"), Numbering())
     (part,) = PlanetaryView(found, page, "x").rejected(Markup("")).parts
     counts = [int(row[1]) for row in part.rows]
-    assert sum(counts[:-1]) == counts[-1] == len(found.candidates.reasons)
+    assert sum(counts[:-1]) == counts[-1] == found.candidates.examined
 
 
 # --- the picture
@@ -255,7 +255,7 @@ def test_the_list_of_all_candidates():
     found = solve(given(**SINGLE))
     table = listing.candidates(found)
     rows = list(listing.listing(table))
-    assert len(rows) == 1 + len(found.candidates.reasons)
+    assert len(rows) == 1 + found.candidates.examined
     accepted = [row for row in rows[1:] if row.endswith("accepted")]
     assert len(accepted) == len(found.ranking) and rows[1:][: len(accepted)] == accepted
     assert [int(word) for word in rows[1].split()[:4]] == [found.teeth[i] for i in (0, 1, 3)] + [

@@ -150,10 +150,18 @@ def test_each_row_is_said_right_or_wrong_by_its_own_number():
     said = re.findall(
         r'data-q="(\w+)" data-k="7" data-t="readings_7" data-by="delta">[^<]*</td><td[^>]*>([^<]*)<', note
     )
-    assert said == [("v_A", "right"), ("v_B", "wrong"), ("w_2", "right")]
+    unsigned = "right in magnitude, no sense given"
+    assert said == [("v_A", "right"), ("v_B", "wrong"), ("w_2", unsigned)]
 
 
 @pytest.mark.parametrize("name", ["ω2", "w_2", "omega_2", "w2"])
 def test_an_angular_velocity_by_its_symbol_is_that_of_the_plans(name):
     """Not that of the diagrams of links, in which a number without its sign is wrong."""
     assert wrong({7: {name: 36.79}}) == {}
+
+
+def test_a_number_without_its_sign_is_right_in_magnitude_and_said_to_be_no_more():
+    found = own({7: {"w_2": 36.79, "w_4": 26.52, "v_B": 4.444}}).lever
+    values = found.kinematics.values
+    negative = {key for key in ("w_2", "w_4") if values[key][7] < 0}
+    assert negative and {one.written for one in found.readings.unsigned} == negative

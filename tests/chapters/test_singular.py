@@ -110,7 +110,7 @@ def test_unreachable_rod_is_told_with_its_cure(tmp_path):
     found = solve(loads(slider(0.1, 0.05)))
     (gap,) = found.lever.kinematics.gaps
     assert str(gap.text) == (
-        "rod AB = 50 mm cannot reach guide x for 30.00° < φ < 150.00°, 210.00° < φ < 330.00° "
+        "rod AB = 50 mm cannot reach guide x for 30.00° < φ < 150.00° and 210.00° < φ < 330.00° "
         "(φ is the angle of turn from position 0); joint A goes as far as 100 mm from its line: "
         "the rod needs at least 100 mm"
     )
@@ -187,7 +187,7 @@ def test_the_note_says_so(parallelogram):
     assert "passes a change point: its two assemblies meet and two continuations exist" in text
 
 
-@pytest.mark.parametrize("ratio, digits", [(0.5, 15), (0.999, 14), (1 - 1e-9, 11)])
+@pytest.mark.parametrize("ratio, digits", [(0.5, 14), (0.999, 11), (1 - 1e-9, 5)])
 def test_digits_that_remain_near_a_dead_point(ratio, digits):
     """Rod and crank all but equal: the rod stands across the guide when the crank does."""
     text = f"""\

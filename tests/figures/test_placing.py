@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tmm_report.figures.crowded import areas, cuts, ground, shared
+from tmm_report.figures.crowded import areas, cut, ground, overlapping
 from tmm_report.figures.drawing import Circle, Drawing, Path, Pen, Tag, Text, line
 from tmm_report.figures.lettering import Symbol, lettered, svg_parts, symbol, tex_parts
 from tmm_report.figures.placing import AWAY, LEADER, clear_of
@@ -29,7 +29,8 @@ def crossings(drawing):
     """Labels that a line of the drawing goes through."""
     strokes = [stroke for item in drawing.items if not isinstance(item, Text) for stroke in item.outline()]
     pairs = [pair for stroke in strokes for pair in pairwise(stroke)]
-    return [text for text in texts(drawing) if any(cuts(text.box, *pair) for pair in pairs)]
+    lines = [np.array(pair) for pair in pairs]
+    return [text for text in texts(drawing) if any(cut(np.array(text.box), line) for line in lines)]
 
 
 @given(st.lists(st.tuples(places, places), min_size=1, max_size=6), places)
@@ -37,7 +38,7 @@ def test_a_box_that_the_grid_calls_clear_is_clear(lines, corner):
     box = (corner.real, corner.imag, corner.real + 3.0, corner.imag + 2.0)
     rows = np.array([(a.real, a.imag, b.real, b.imag, 1.0) for a, b in lines])
     on = ground(rows, np.array([-20.0, -20.0]), np.array([20.0, 20.0]))
-    if any(cuts(box, a, b) for a, b in lines):
+    if any(cut(np.array(box), np.array([a, b])) for a, b in lines):
         assert on.covered(np.array([box]))[0] > 0
 
 
@@ -50,8 +51,11 @@ def test_the_weight_of_a_line_goes_with_its_length_in_the_box():
 
 def test_shared_areas():
     box, other = (0.0, 0.0, 4.0, 3.0), (3.0, 1.0, 9.0, 2.0)
-    assert shared(box, other) == areas(np.array([box]), [other])[0] == 1.0
-    assert shared(box, (4.0, 0.0, 5.0, 1.0)) == 0.0
+    assert areas(np.array([box]), [other])[0] == 1.0 and overlapping(np.array([box]), np.array([other]))[0]
+    apart = (4.0, 0.0, 5.0, 1.0)
+    assert (
+        areas(np.array([box]), [apart])[0] == 0.0 and not overlapping(np.array([box]), np.array([apart]))[0]
+    )
 
 
 def star(count=40):
@@ -74,7 +78,11 @@ def test_many_labels_of_one_place_are_all_read():
     tags = [Tag((symbol(f"R_{k}"),), (0j,), gap=2.0) for k in range(12)]
     drawing = Drawing(star(16)).labelled(tags)
     assert not crossings(drawing) and leaders(drawing)
-    assert not [pair for pair in combinations([t.box for t in texts(drawing)], 2) if shared(*pair) > 0]
+    assert not [
+        pair
+        for pair in combinations([t.box for t in texts(drawing)], 2)
+        if overlapping(*np.array(pair)[:, None])[0]
+    ]
 
 
 def test_who_finds_no_place_is_let_go_first():

@@ -25,6 +25,8 @@ DIMENSIONS = (
     "s_na",
     "rho_a",
     "rho_p",
+    "rho_m",
+    "starts",
     "rho_l",
     "x_min",
 )
@@ -76,8 +78,8 @@ def test_the_radii_of_curvature_fill_the_line_of_action(pair):
     """At every point of the mesh; so at the tips, where the mate's lower point is."""
     s1, s2 = pair.signs
     line = pair.side * pair.line
-    assert s1 * pair.rho_a[0] + s2 * pair.rho_p[1] == pytest.approx(line, abs=1e-12)
-    assert s1 * pair.rho_p[0] + s2 * pair.rho_a[1] == pytest.approx(line, abs=1e-12)
+    assert s1 * pair.rho_a[0] + s2 * pair.rho_m[1] == pytest.approx(line, abs=1e-12)
+    assert s1 * pair.rho_m[0] + s2 * pair.rho_a[1] == pytest.approx(line, abs=1e-12)
     assert s1 * pair.rho_w[0] + s2 * pair.rho_w[1] == pytest.approx(line, abs=1e-12)
 
 
@@ -88,7 +90,7 @@ def test_contact_ratio_by_the_angles(pair):
         sign * z * (np.tan(alpha) - np.tan(pair.alpha_w))
         for sign, z, alpha in zip(pair.signs, (pair.z1, pair.z2), pair.alpha_a, strict=True)
     )
-    assert pair.eps == pytest.approx(total / (2 * math.pi), abs=1e-9)
+    assert pair.eps_tips == pytest.approx(total / (2 * math.pi), abs=1e-9)
 
 
 @given(pairs())

@@ -192,10 +192,11 @@ def loads(note: Note, document: dict[str, Any], drawn: Scheme, places: Places) -
 
 
 def stated(note: Note, document: dict[str, Any], drawn: Scheme, places: Places) -> Iterator[list[Force]]:
-    """Each stated force on each of the links that share its point."""
+    """Each stated force on the link that takes it, by the results."""
     found, table = columns(note), table_of(document, "loads_table")
     given = {c["key"]: c["values"] for c in document["tables"].get("loads_given", {"columns": []})["columns"]}
     ways = dict(zip(given.get("key", ()), given.get("direction", ()), strict=True))
+    taken = dict(zip(given.get("key", ()), given.get("link", ()), strict=True))
     seen: dict[str, int] = {}
     for point, links in drawn.loads:
         several = [at for at, _ in drawn.loads].count(point) > 1
@@ -206,7 +207,7 @@ def stated(note: Note, document: dict[str, Any], drawn: Scheme, places: Places) 
         way = _way(ways[key], vector, column.values)
         count = min(len(way), len(column.values))  # the last row, the first again, may be left out
         value, half = column.values[:count] * way[:count], column.half[:count]
-        yield [Force(key, link, places[point], value, half) for link in links]
+        yield [Force(key, link, places[point], value, half) for link in links if link == taken[key]]
 
 
 def _way(stated_: str, vector: np.ndarray, printed: np.ndarray) -> np.ndarray:

@@ -30,8 +30,18 @@ DRIVES = {
         f"{TWO}, scheme: internal-internal, ratio: 40, input: carrier, output: wheel1",
     ],
     "a ring whose tips foul the root, contact beyond the line of action": [
-        "kind: spur, ratio: 2.5, module: 2 mm, teeth: [24, 60], shift: [0.3, 0.3]",
+        "kind: spur, ratio: 2.5, module: 2 mm, teeth: [24, 60], shift: [0.3, 0.3], tip_shortening: false",
         "kind: spur, ratio: -1, module: 10 mm, teeth: [10, 10], shift: [0, 0]",
+    ],
+    "pinion cutters, stated and usual, tips cut down, put together axially": [
+        "kind: spur, ratio: 3, module: 3 mm, teeth: [25, 75], shift: [0.4, 0.5], cutter: {z0: 20, x0: 0.1}",
+        "kind: spur, ratio: -2, module: 3 mm, teeth: [20, 40], shift: [0.3, 0.2], cutter: {z0: 25}, helix: 12 deg",
+        "kind: spur, ratio: -2, module: 3 mm, teeth: [14, 28], centre_distance: 65 mm, shift: limit, cutter: {z0: 25}",
+        "kind: spur, ratio: 1.4, module: 3 mm, teeth: [25, 35], shift: [0, 0], rack: {ha*: 0.8}, helix: 15 deg",
+    ],
+    "rounded shifts, pointed teeth": [
+        "kind: spur, ratio: -2, module: 6 mm, centre_distance: 130 mm, teeth: [14, 28], shift: [0.18, 0.559]",
+        "kind: spur, ratio: -2, module: 3 mm, teeth: [12, 24], shift: [1.2, 0.2]",
     ],
     "a fast pair, any scheme, a ring that drives": [
         "kind: spur, ratio: -2, module: 2.5 mm, teeth: [42, 84], shift: [0.2, 0]",

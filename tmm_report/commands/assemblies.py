@@ -6,9 +6,11 @@ from pathlib import Path
 
 from tmm_report import load
 from tmm_report.commands.assemblies_page import degrees, heading, page, remarks
-from tmm_report.commands.files import translator, write
+from tmm_report.commands.files import translator
+from tmm_report.commands.solve import tell_changed
 from tmm_report.commands.talk import Talk, unwritable, written
 from tmm_report.commands.ways import Assemblies, find
+from tmm_report.commands.whole import Put, put
 from tmm_report.i18n import Translator
 from tmm_report.problems import N_, Message, Problem, ProblemError
 from tmm_report.quantity.units import WrongValue, parse
@@ -24,13 +26,14 @@ def run(variant: Path, angle: str | None, folder: Path | None, language: str | N
     found = find(loaded, phi)
     files = page(found, tr) if found.ways else {}
     try:
-        write(folder, files)
+        changed = put(folder, files) if files else Put({}, ())
     except OSError as error:
         raise unwritable(folder, error) from None
     talk.tell(found.structure.formula)
     if found.ways:
         _list(found, tr, talk)
         talk.tell(written(*(folder / name for name in files)))
+        tell_changed(folder, changed, talk)
     else:
         text = N_(
             "error: at %(angle)s the mechanism cannot be assembled; choose another --angle or check the lengths"

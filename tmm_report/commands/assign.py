@@ -17,8 +17,9 @@ from tmm_report.assignments.ranges import read
 from tmm_report.commands.files import write
 from tmm_report.commands.talk import Talk, failure, unwritable, written
 from tmm_report.i18n import Translator
-from tmm_report.languages import DEFAULT
-from tmm_report.problems import N_, Message
+from tmm_report.languages import DEFAULT, stated_in
+from tmm_report.problems import N_, Message, ProblemError
+from tmm_report.yamlread import BYTES, opened
 
 MOST = 100_000
 SUFFIXES = (".csv", ".xlsx")
@@ -39,7 +40,7 @@ def run(
 ) -> bool:
     """Draw the variants and write their table, and with `folder` their files. Raises ProblemError."""
     _check(count, seed, students, output)
-    stated = read(ranges)
+    stated = _read(ranges)
     tr = Translator(language or str(stated.template.data.get("language", DEFAULT)))
     talk.speak(tr.language)
     group = stated.template.group
@@ -57,6 +58,22 @@ def run(
     _tell(draw, talk)
     talk.tell(written(output, *([f"{folder}/"] if folder is not None else [])))
     return True
+
+
+def _read(ranges: Path) -> Ranges:
+    """Raises ProblemError, in the language that the ranges state."""
+    try:
+        return read(ranges)
+    except ProblemError as error:
+        raise ProblemError(error.problems, error.language or _language(ranges)) from None
+
+
+def _language(ranges: Path) -> str:
+    """That which a file of ranges states; "" where it cannot be read."""
+    try:
+        return stated_in(opened(ranges, str(ranges), BYTES))
+    except ProblemError:
+        return ""
 
 
 def _check(count: int | None, seed: int, students: Path | None, output: Path) -> None:

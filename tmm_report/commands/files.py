@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from collections.abc import Mapping
 from contextlib import suppress
+from hashlib import sha256
 from pathlib import Path
 
+from tmm_report.commands.talk import failure
 from tmm_report.course import Results, Variant
 from tmm_report.i18n import Translator
+from tmm_report.problems import N_
 
 FORMATS = ("html", "tex", "json", "csv", "png")
+PICTURED = 26  # positions of plans and force plans whose pictures are made: 13 of each
 
 
 def translator(variant: Variant, language: str | None = None) -> Translator:
@@ -34,9 +37,22 @@ def render(results: Results, fmt: str, language: str | None = None) -> dict[str,
         return {f"tables/{name}": content for name, content in as_csv(results, tr).items()}
     if fmt not in FORMATS:
         raise ValueError(f"format {fmt!r} is none of {', '.join(FORMATS)}")
+    if fmt == "png":
+        _see_few(results)
     from tmm_report.note import render as make_note
 
     return make_note(results, fmt, tr)
+
+
+def _see_few(results: Results) -> None:
+    """A picture takes longer than its drawing in a note. Raises ProblemError."""
+    lever = results.lever
+    if lever is None:
+        return
+    plans = len(lever.plans.drawn) + (len(lever.force_plans.drawn) if lever.force_plans else 0)
+    if plans > PICTURED:
+        text = N_("--format png: plans in %(count)s positions give too many pictures; at most %(limit)s")
+        raise failure(text, count=plans, limit=PICTURED)
 
 
 def combinations(results: Results, language: str | None = None) -> dict[str, bytes]:
@@ -44,28 +60,24 @@ def combinations(results: Results, language: str | None = None) -> dict[str, byt
     from tmm_report.results import listings
 
     found = listings(results, translator(results.variant, language).gettext)
-    return {f"tables/{name}.txt": ("\n".join(lines) + "\n").encode() for name, lines in found}
+    return {f"tables/{name}.txt": b"\n".join([*map(str.encode, lines), b""]) for name, lines in found}
 
 
 def write(folder: Path, files: Mapping[str, bytes]) -> list[Path]:
     """Write files into a folder, each whole or not at all; other files there are left alone.
 
-    Everything is first written to temporary files beside the old ones and renamed at the end, so that a full disk
-    or an interruption leaves the folder as it was. Raises OSError.
+    Everything is first written beside the old files and renamed at the end, so that a full disk leaves the folder as
+    it was; what a run that was stopped left beside them goes. A note is put by `whole.put`. Raises OSError.
     """
-    waiting: list[tuple[str, Path]] = []
+    waiting: list[tuple[Path, Path]] = []
     try:
         for name, content in files.items():
             target = folder / name
             target.parent.mkdir(parents=True, exist_ok=True)
-            handle, temporary = tempfile.mkstemp(dir=target.parent, prefix=".", suffix=".part")
-            waiting.append((temporary, target))
-            with os.fdopen(handle, "wb") as stream:
-                stream.write(content)
+            waiting.append((_beside(target), target))
+            _written(waiting[-1][0], content)
         while waiting:
-            temporary, target = waiting[0]
-            os.chmod(temporary, 0o666 & ~_umask())
-            os.replace(temporary, target)
+            os.replace(*waiting[0])
             waiting.pop(0)
     finally:
         for temporary, _ in waiting:
@@ -74,8 +86,14 @@ def write(folder: Path, files: Mapping[str, bytes]) -> list[Path]:
     return [folder / name for name in files]
 
 
-def _umask() -> int:
-    """The process's file mode mask: temporary files are private, the finished ones are ordinary."""
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
+def _beside(target: Path) -> Path:
+    """Where a file is made: always the same place, so that the next run does away with what is left there."""
+    return target.with_name(f".{sha256(os.fsencode(target.name)).hexdigest()[:16]}.part")
+
+
+def _written(place: Path, content: bytes) -> None:
+    """A new file, even where somebody put a link."""
+    with suppress(FileNotFoundError):
+        os.unlink(place)
+    with place.open("xb") as stream:
+        stream.write(content)

@@ -82,7 +82,7 @@ class Entry:
     def balancing(self) -> Extreme | None:
         """The balancing moment that is greatest by magnitude, N m."""
         found = self.lever.kinetostatics if self.lever is not None else None
-        return larger(found.extremes) if found is not None else None
+        return larger(found.extremes) if found is not None and found.bounded else None
 
     @cached_property
     def worst(self) -> float | None:

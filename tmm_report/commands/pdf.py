@@ -23,7 +23,7 @@ class TexFailed(Exception):
 
 
 def compile_pdf(files: Mapping[str, bytes]) -> bytes:
-    """Compile the files of `render(..., "tex")`. Raises NoTex or TexFailed.
+    """Compile the files of `render(..., "tex")`. Raises NoTex, TexFailed, or OSError where there is no place to do it.
 
     A student's text is escaped already; still pdflatex runs in an empty folder, may neither read nor write outside
     it, has no shell, and is stopped with all its children when its time is up.

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from pathlib import Path
 
-from tmm_report import load
+from tmm_report import __version__, load
 from tmm_report import solve as solve_variant
-from tmm_report.commands.files import FORMATS, combinations, render, write
-from tmm_report.commands.talk import Talk, failure, unwritable, written
-from tmm_report.course import LeverFound, Results
+from tmm_report.commands.files import FORMATS, combinations, render
+from tmm_report.commands.talk import Talk, failure, reason, unwritable, written
+from tmm_report.commands.whole import Put, put
+from tmm_report.course import LeverFound, Results, doubts, sound
 from tmm_report.course import summary as in_short
 from tmm_report.problems import N_, Message
+from tmm_report.running.journal import digest
 from tmm_report.variant import locate
 
 NO_TEX = N_(
@@ -41,9 +43,10 @@ def run(
     if combinations_too:
         files |= combinations(results, language)
     no_pdf = _add_pdf(results, language, files, talk) if pdf else []
-    _write(folder, files)
+    changed = _put(folder, files, variant)
     good = summary(results, talk)
     talk.tell(written(*(folder / name for name in _shown(files))))
+    tell_changed(folder, changed, talk)
     for line in no_pdf:
         talk.warn(line)
     if open_note:
@@ -84,20 +87,34 @@ def _add_pdf(
         )
     except NoTex:
         return [Message(NO_TEX)]
+    except OSError as error:
+        return [Message(N_("no PDF: %(reason)s"), {"reason": reason(error)})]
     except TexFailed as error:
         said = Message(N_("no PDF: pdflatex stopped. The end of its log:"))
         return [said, *str(error).split("\n")]
     return []
 
 
-def _write(folder: Path, files: dict[str, bytes]) -> None:
+def _put(folder: Path, files: dict[str, bytes], variant: Path) -> Put:
+    """Put the files into the folder as a whole. Raises ProblemError."""
     try:
-        write(folder, files)
+        return put(folder, files, digest(__version__, variant.read_bytes()))
     except OSError as error:
         raise unwritable(folder, error) from None
 
 
-def _shown(files: dict[str, bytes]) -> list[str]:
+def tell_changed(folder: Path, changed: Put, talk: Talk) -> None:
+    """What the user had changed and where it is kept; what stands there from earlier runs."""
+    for name, kept in changed.kept.items():
+        text = N_("%(file)s had been changed: what it was is kept as %(kept)s")
+        talk.warn(Message(text, {"file": folder / name, "kept": folder / kept}))
+    if changed.left:
+        text = N_("left as an earlier run wrote them, of another state of the variant: %(files)s")
+        names = ", ".join(str(folder / name) for name in _shown(changed.left))
+        talk.warn(Message(text, {"files": names}))
+
+
+def _shown(files: Collection[str]) -> list[str]:
     """The files, of folders only the name."""
     parts = sorted({name.split("/")[0] for name in files if "/" in name})
     return [name for name in files if "/" not in name] + [part + "/" for part in parts]
@@ -114,19 +131,19 @@ def _open(note: Path) -> None:
 
 def summary(results: Results, talk: Talk) -> bool:
     """Tell what was found; whether every check held."""
+    for problem in doubts(results):
+        talk.warn(locate(problem, results.variant))
     good = _lever(results, results.lever, talk) if results.lever else True
     for message in in_short(results):
         talk.tell(message)
-    return good
+    return good and sound(results)
 
 
 def _lever(results: Results, lever: LeverFound, talk: Talk) -> bool:
     """Tell what was found of the lever mechanism; whether every check held."""
     talk.tell(lever.structure.formula)
     _differences(lever, talk)
-    if lever.plans.singular:
-        text = N_("no plans at singular positions: %(numbers)s")
-        talk.tell(Message(text, {"numbers": ", ".join(map(str, lever.plans.singular))}))
+    _no_plans(lever, talk)
     _gaps(lever, talk)
     own = _own_numbers(results, talk)
     return _balance(lever, talk) and own and not lever.partial
@@ -135,6 +152,8 @@ def _lever(results: Results, lever: LeverFound, talk: Talk) -> bool:
 def _differences(lever: LeverFound, talk: Talk) -> None:
     """How far the drawn plans are from the exact solution."""
     plans, forces = lever.plans, lever.force_plans
+    if not plans.drawn and not (forces and forces.drawn):
+        return
     worst = max(plans.worst, forces.worst if forces else 0.0)
     text = N_("largest difference of the graph-analytical method: %(percent).3g %%")
     talk.tell(Message(text, {"percent": worst}))
@@ -149,7 +168,24 @@ def _own_numbers(results: Results, talk: Talk) -> bool:
     talk.tell(Message(text, {"percent": found.worst}))
     for one in found.wrong:
         talk.warn(locate(one.problem, results.variant))
+    if found.unsigned:
+        text = N_("compared without signs, as plans give them; the analytical values are negative: %(names)s")
+        names = ", ".join(dict.fromkeys(one.written for one in found.unsigned))
+        talk.tell(Message(text, {"names": names}))
     return not found.wrong
+
+
+def _no_plans(lever: LeverFound, talk: Talk) -> None:
+    """Of which positions that were asked for there are no plans."""
+    missing = [k for k in lever.plans.singular if k in lever.kinematics.missing]
+    singular = [k for k in lever.plans.singular if k not in missing]
+    texts = (
+        N_("no plans at singular positions: %(numbers)s"),
+        N_("no plans at positions that do not exist: %(numbers)s"),
+    )
+    for text, numbers in zip(texts, (singular, missing), strict=True):
+        if numbers:
+            talk.tell(Message(text, {"numbers": ", ".join(map(str, numbers))}))
 
 
 def _gaps(lever: LeverFound, talk: Talk) -> None:
@@ -172,4 +208,8 @@ def _balance(lever: LeverFound, talk: Talk) -> bool:
     talk.tell(Message(text, {"lever": forces.worst_lever, "power": forces.worst_power}))
     if not forces.agrees:
         talk.warn(Message(N_("error: the checks of the balancing moment disagree by more than 1e-9")))
+    elif forces.strained:
+        talk.tell(
+            Message(N_("the checks differ by no more than rounding does near the singular positions named"))
+        )
     return forces.agrees

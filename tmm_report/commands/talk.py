@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Protocol
 
-from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
+from tmm_report.problems import N_, Message, Problem, ProblemError, mistake, shown
 
 
 class Talk(Protocol):
@@ -33,9 +34,27 @@ def written(*places: Path | str) -> Message:
 
 
 def unwritable(folder: Path, error: OSError) -> ProblemError:
-    """What stops a command that cannot write into its folder."""
-    text = N_("cannot write into %(folder)s: %(reason)s")
-    return ProblemError([mistake(text, folder=folder, reason=error.strerror)])
+    """What stops a command that cannot write into its folder; what is in the way is named."""
+    if isinstance(error, BlockingIOError):
+        return ProblemError([mistake(N_("another run is writing into %(folder)s"), folder=folder)])
+    text, place = N_("cannot write into %(folder)s: %(reason)s"), error.filename2 or error.filename
+    if isinstance(error, NotADirectoryError | IsADirectoryError) and place is not None:
+        folder = Path(shown(os.fsdecode(place), 1000))
+    return ProblemError([mistake(text, folder=folder, reason=reason(error))])
+
+
+def outside(error: OSError) -> Problem:
+    """What the system refused, in a line."""
+    if error.filename is None:
+        return mistake("%(reason)s", reason=reason(error))
+    return mistake(
+        "%(file)s: %(reason)s", file=shown(os.fsdecode(error.filename), 1000), reason=reason(error)
+    )
+
+
+def reason(error: OSError) -> str:
+    """What the system says of it; some errors have it as their text alone."""
+    return shown(error.strerror or error or type(error).__name__, 300)
 
 
 def failure(text: str, **values: object) -> ProblemError:

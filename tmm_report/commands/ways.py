@@ -18,7 +18,7 @@ from tmm_report.course import Variant
 from tmm_report.mechanics.assembly import Way, sketch_angle, stated_way, ways
 from tmm_report.mechanics.mechanism import FRAME, Mechanism, ZeroAngle
 from tmm_report.mechanics.structure import Structure, decompose
-from tmm_report.problems import N_, Problem, ProblemError, mistake
+from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.quantity.text import split
 from tmm_report.variant import locate
 
@@ -108,7 +108,8 @@ def find(variant: Variant, angle: float | None = None) -> Assemblies:
     Raises ProblemError where the mechanism has no Assur groups to put together.
     """
     if variant.lever is None:
-        raise ProblemError([locate(mistake(N_("the variant has no lever mechanism")), variant)])
+        right = Message(N_("assemblies are those of a lever mechanism: the block mechanism describes one"))
+        raise ProblemError([locate(mistake(N_("the variant has no lever mechanism"), right=right), variant)])
     mechanism = variant.lever.mechanism
     try:
         structure = decompose(mechanism)

@@ -55,11 +55,17 @@ class Ground:
         inside = ((cells >= 0) & (cells < self.ink.shape)).all(axis=1)
         return int(self.ink[cells[inside, 0], cells[inside, 1]].sum())
 
-    def free(self, box: Box) -> bool:
-        """Whether neither lettering nor a leader is in a box."""
-        return not any(shared(box, other) for other in self.taken) and not any(
-            cuts(box, *leader) for leader in self.leaders
-        )
+    def free(self, boxes: Array) -> Array:
+        """Whether neither lettering nor a leader is in each of the boxes (N, 4), (N,)."""
+        found = ~overlapping(boxes, np.array(self.taken).reshape(-1, 4))
+        left = np.nonzero(found)[0]
+        if len(left) and self.leaders:
+            found[left] = ~cut(boxes[left][:, None], np.array(self.leaders)).any(axis=1)
+        return found
+
+    def crossed(self, leaders: Array) -> Array:
+        """How many boxes of lettering each of the leaders (N, 2), complex, goes through, (N,)."""
+        return cut(np.array(self.taken).reshape(1, -1, 4), leaders[:, None]).sum(axis=1)
 
 
 def ground(lines: Array, low: Array, high: Array) -> Ground:
@@ -81,11 +87,12 @@ def ground(lines: Array, low: Array, high: Array) -> Ground:
     return Ground(low, ink, sums, cell)
 
 
-def shared(box: Box, other: Box) -> float:
-    """Area two boxes share, mm²."""
-    wide = min(box[2], other[2]) - max(box[0], other[0])
-    tall = min(box[3], other[3]) - max(box[1], other[1])
-    return wide * tall if wide > 0 and tall > 0 else 0.0
+def overlapping(boxes: Array, others: Array) -> Array:
+    """Whether each box (N, 4) has some area in common with one of the others (M, 4), (N,)."""
+    one, other = boxes[:, None], others
+    wide = np.minimum(one[..., 2], other[:, 2]) - np.maximum(one[..., 0], other[:, 0])
+    tall = np.minimum(one[..., 3], other[:, 3]) - np.maximum(one[..., 1], other[:, 1])
+    return ((wide > 0) & (tall > 0)).any(axis=1)
 
 
 def areas(boxes: Array, others: Sequence[Box]) -> Array:
@@ -98,17 +105,20 @@ def areas(boxes: Array, others: Sequence[Box]) -> Array:
     return total
 
 
-def cuts(box: Box, start: complex, end: complex) -> bool:
-    """Whether a segment goes through a box."""
-    low, high = 0.0, 1.0
+def cut(boxes: Array, segments: Array) -> Array:
+    """Whether segments (..., 2), complex, go through boxes (..., 4)."""
+    low: Array = 0.0
+    high: Array = 1.0
+    start, by = segments[..., 0], segments[..., 1] - segments[..., 0]
+    outside: Array = False
     for at, along, least, most in (
-        (start.real, (end - start).real, box[0], box[2]),
-        (start.imag, (end - start).imag, box[1], box[3]),
+        (start.real, by.real, boxes[..., 0], boxes[..., 2]),
+        (start.imag, by.imag, boxes[..., 1], boxes[..., 3]),
     ):
-        if abs(along) < 1e-9:
-            if not least < at < most:
-                return False
-            continue
-        t1, t2 = (least - at) / along, (most - at) / along
-        low, high = max(low, min(t1, t2)), min(high, max(t1, t2))
-    return low < high
+        still = np.abs(along) < 1e-9
+        outside = outside | (still & ~((least < at) & (at < most)))
+        safe = np.where(still, 1.0, along)
+        t1, t2 = (least - at) / safe, (most - at) / safe
+        low = np.where(still, low, np.maximum(low, np.minimum(t1, t2)))
+        high = np.where(still, high, np.minimum(high, np.maximum(t1, t2)))
+    return ~outside & (low < high)

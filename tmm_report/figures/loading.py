@@ -10,6 +10,9 @@ import cmath
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from typing import Any
+
+import numpy as np
 
 from tmm_report.figures import marks
 from tmm_report.figures.aside import asides
@@ -28,6 +31,7 @@ SEEN = 0.5  # a shorter arm is not drawn, mm
 TURN = 6.0  # radius of the arc of a couple, mm
 
 Segment = tuple[complex, complex]
+Array = Any
 
 
 @dataclass(frozen=True)
@@ -140,22 +144,25 @@ def _lanes(
 def _free_lane(arm: Arm, taken: Sequence[Segment]) -> float:
     """Of the nearest lanes that which lies on least."""
     lanes = [0.0, *(side * LANE * k for k in range(1, 7) for side in (1, -1))]
-    return min(lanes, key=lambda lane: (_hidden(arm, lane, taken), abs(lane)))
+    others = np.array(taken, complex).reshape(-1, 2)
+    return min(lanes, key=lambda lane: (_hidden(arm, lane, others), abs(lane)))
 
 
-def _hidden(arm: Arm, lane: float, taken: Sequence[Segment]) -> float:
-    """Length of a moved arm that lies on other lines, mm, in whole lengths of a letter."""
+def _hidden(arm: Arm, lane: float, taken: Array) -> float:
+    """Length of a moved arm that lies on other lines (N, 2), mm, in whole lengths of a letter."""
     start, end = arm.centre + lane * arm.along, arm.foot + lane * arm.along
-    return round(sum(_upon(start, end, *other) for other in taken) / 3.0)
+    return round(sum(_upon(start, end, taken).tolist()) / 3.0)
 
 
-def _upon(start: complex, end: complex, one: complex, other: complex) -> float:
-    """Length of a segment that another, nearly parallel and near, lies upon."""
+def _upon(start: complex, end: complex, others: Array) -> Array:
+    """Length of a segment that each of others, nearly parallel and near, lies upon."""
     unit = (end - start) / abs(end - start)
-    a, b = (one - start) / unit, (other - start) / unit
-    if max(abs(a.imag), abs(b.imag)) > NEAR:
-        return 0.0
-    return max(0.0, min(max(a.real, b.real), abs(end - start)) - max(min(a.real, b.real), 0.0))
+    a, b = ((others - start) / unit).T
+    near = np.maximum(abs(a.imag), abs(b.imag)) <= NEAR
+    upon = np.minimum(np.maximum(a.real, b.real), abs(end - start)) - np.maximum(
+        np.minimum(a.real, b.real), 0.0
+    )
+    return np.where(near, np.maximum(0.0, upon), 0.0)
 
 
 def _dimension(arm: Arm, lane: float) -> list[Item]:

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import pairwise
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from tmm_report.figures.crowded import Ground, areas, cuts, ground
+from tmm_report.figures.crowded import Ground, areas, ground
 from tmm_report.figures.lettering import Parts, width
 from tmm_report.figures.primitives import NORMAL, TEXT, Box, Circle, Item, Path, Pen, Text, heights
 
@@ -23,6 +24,8 @@ CROSSED, COVERED, BEYOND = 0.5, 8.0, 2.0  # dislike of lines, of mm² of letteri
 ACROSS = 0.02  # dislike of what a leader goes over
 _HARD = 100  # places whose leaders are looked at where none is clear
 _TRIES = 4  # orders of the labels
+_MANY = 60  # labels: of more than these one order is tried
+_FEW, _MORE = 8, 96  # places looked at first, and next
 _CHOICE = 6  # clear places among which the leader that goes over least decides
 
 # mm beyond the gap
@@ -60,15 +63,21 @@ class Spots(NamedTuple):
     led: Array
 
 
-def placed(tags: Sequence[Tag], items: Sequence[Item]) -> tuple[list[Text], list[Path]]:
+def placed(tags: Sequence[Tag], items: Sequence[Item]) -> tuple[Sequence[Text], Sequence[Path]]:
     """The texts of the tags, in their order, and the lines that lead to those put far from their places.
 
     Who comes first has the choice. Where that leaves no clear place to some, these are let go first.
     """
+    return _placed(tuple(tags), tuple(items))
+
+
+@lru_cache(maxsize=512)
+def _placed(tags: tuple[Tag, ...], items: tuple[Item, ...]) -> tuple[list[Text], list[Path]]:
+    """A note is written in several formats one after another, with the same drawings in each."""
     on, sheet = _ground(items)
     order, least = list(range(len(tags))), math.inf
     best: tuple[list[Text], list[Path]] = [], []
-    for _ in range(_TRIES):
+    for _ in range(_TRIES if len(tags) <= _MANY else 1):
         texts, leaders, spoilt = _in_order(tags, order, on.copy(), sheet)
         if len(spoilt) < least:
             least, best = len(spoilt), (texts, leaders)
@@ -111,8 +120,8 @@ def _ground(items: Sequence[Item]) -> tuple[Ground, Box]:
 def clear_of(items: Sequence[Item], boxes: Sequence[Box]) -> list[bool]:
     """Whether nothing of a drawing is in each of the boxes."""
     on, _ = _ground(items)
-    crossed = on.covered(np.array(boxes, float).reshape(-1, 4))
-    return [not weight and on.free(box) for weight, box in zip(crossed.tolist(), boxes, strict=True)]
+    sought = np.array(boxes, float).reshape(-1, 4)
+    return ((on.covered(sought) == 0) & on.free(sought)).tolist()
 
 
 def _lines(item: Item) -> list[tuple[float, float, float, float, float]]:
@@ -163,26 +172,38 @@ def _best(tag: Tag, spots: Spots, on: Ground, sheet: Box) -> tuple[int, bool]:
     """The first clear place that needs no leader; else the best of the first clear ones; else what covers least."""
     crossed, beyond = on.covered(spots.boxes), _beyond(spots.boxes, sheet)
     clear: list[tuple[float, int]] = []
-    for index in np.nonzero((crossed == 0) & (beyond <= 0))[0].tolist():
-        if not on.free(spots.boxes[index].tolist()):
-            continue
+    for index in _clear(tag, spots, np.nonzero((crossed == 0) & (beyond <= 0))[0], on):
         if not spots.led[index]:
             return min([*clear, (float(spots.dislike[index]), index)])[1], True
-        start, end = _leader(tag, spots, index)
-        if not any(cuts(box, start, end) for box in on.taken):
-            clear.append((round(float(spots.dislike[index]) + ACROSS * on.across(start, end), 6), index))
-            if len(clear) == _CHOICE:
-                break
+        across = on.across(*_leader(tag, spots, index))
+        clear.append((round(float(spots.dislike[index]) + ACROSS * across, 6), index))
+        if len(clear) == _CHOICE:
+            break
     return (min(clear)[1], True) if clear else (_least(tag, spots, on, crossed, beyond), False)
+
+
+def _clear(tag: Tag, spots: Spots, places: Array, on: Ground) -> Iterator[int]:
+    """Those of the places that are free of lettering and leaders, and whose leaders are, up to the first without one.
+
+    A few of the best liked are looked at first: often one of them is taken.
+    """
+    for some in np.split(places, [_FEW, _MORE]):
+        free = some[on.free(spots.boxes[some])] if len(some) else some
+        near = np.nonzero(~spots.led[free])[0]
+        free = free[: near[0] + 1] if len(near) else free
+        led = free[spots.led[free]]
+        over = on.crossed(_leaders(tag, spots, led)) if len(led) else led
+        yield from led[over == 0].tolist()
+        yield from free[len(led) :].tolist()
 
 
 def _least(tag: Tag, spots: Spots, on: Ground, crossed: Array, beyond: Array) -> int:
     """Where no place is clear: that which covers least, its leader too."""
     spoilt = CROSSED * crossed + COVERED * areas(spots.boxes, on.taken) + BEYOND * np.clip(beyond, 0, None)
     cost = np.round(spots.dislike + spoilt, 6)
-    for index in np.nonzero(spots.led & (cost <= np.sort(cost)[:_HARD][-1]))[0].tolist():
-        leader = _leader(tag, spots, index)
-        cost[index] += COVERED * sum([cuts(box, *leader) for box in on.taken])
+    hard = np.nonzero(spots.led & (cost <= np.sort(cost)[:_HARD][-1]))[0]
+    if len(hard):
+        cost[hard] += COVERED * on.crossed(_leaders(tag, spots, hard))
     return int(np.argmin(cost))
 
 
@@ -198,6 +219,16 @@ def _leader(tag: Tag, spots: Spots, index: int) -> tuple[complex, complex]:
     anchor, (x0, y0, x1, y1) = complex(spots.anchors[index]), spots.boxes[index].tolist()
     end = complex(min(max(anchor.real, x0), x1), min(max(anchor.imag, y0), y1))
     return anchor + max(0.0, tag.gap - 0.7) * (end - anchor) / abs(end - anchor), end
+
+
+def _leaders(tag: Tag, spots: Spots, places: Array) -> Array:
+    """The lines to several places, (N, 2)."""
+    anchors, boxes = spots.anchors[places], spots.boxes[places]
+    ends = np.clip(anchors.real, boxes[:, 0], boxes[:, 2]) + 1j * np.clip(
+        anchors.imag, boxes[:, 1], boxes[:, 3]
+    )
+    starts = anchors + max(0.0, tag.gap - 0.7) * (ends - anchors) / np.abs(ends - anchors)
+    return np.stack([starts, ends], axis=1)
 
 
 def _text_at(tag: Tag, centre: complex, lean: complex, lift: float) -> Text:

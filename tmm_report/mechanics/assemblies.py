@@ -19,19 +19,54 @@ from tmm_report.mechanics.dyads import State
 from tmm_report.mechanics.loops import Loops, newton, solve_each
 
 Array = Any
-SEED = 20  # of the random start system: the same roots in the same order every time
+SEEDS = (
+    20,
+    21,
+    22,
+    23,
+)  # of random start systems, the next where one has lost a root: the same roots every time
+CLOSED = 1e-12  # of the contours over the group's size, where two roots merge
+MERGED = 1e-3  # as REAL, of a path that stops short of a double root
 REAL = 1e-5  # how far from the unit circle a direction may be before Newton settles whether the root is real
 
 
 def assemblies(loops: Loops, s: State) -> Array:
     """All q, (N, k), at which the group closes in the one position of `s` (arrays (1,)); N = 0 where it does not."""
-    system = _Bilinear(loops, s)
-    paths = _track(system)
-    q = system.real_roots(paths)
-    q = newton(loops, _repeat(s), q) if len(q) else q
+    one, found = _repeat(s), []
+    for seed in SEEDS:
+        system = _Bilinear(loops, s, seed)
+        paths, ended = _track(system)
+        found.append(_roots(loops, one, system, paths, ended))
+        if len(paths) == len(system.starts()) and _apart(paths[ended]):
+            break
+    q = np.concatenate(found)
     q = q[np.isfinite(q).all(axis=-1)]
     q[:, : loops.angles] = np.angle(np.exp(1j * q[:, : loops.angles]))
     return _distinct(q, loops.angles)
+
+
+def _roots(loops: Loops, s: State, system: _Bilinear, paths: Array, ended: Array) -> Array:
+    """The real roots to which paths lead, (N, k)."""
+    q = system.real_roots(paths[ended], REAL)
+    q = newton(loops, s, q) if len(q) else q
+    merged = system.real_roots(paths[~ended], MERGED)
+    return np.concatenate([q, _double_roots(loops, s, merged)]) if len(merged) else q
+
+
+def _apart(ends: Array) -> bool:
+    """Whether all paths end apart: where two come to one root, one has leapt from its own, and that root is lost."""
+    gaps = np.abs(ends[:, None] - ends[None]).max(axis=-1) + np.diag(np.full(len(ends), np.inf))
+    return bool(gaps.min(initial=np.inf) > 1e-6 * np.abs(ends).max(initial=1.0))
+
+
+def _double_roots(loops: Loops, s: State, q: Array) -> Array:
+    """Two roots that merge, (N, k): steps of least length, as the Jacobian is singular there; nan where none is."""
+    with np.errstate(all="ignore"):
+        for _ in range(40):  # each halves the distance
+            residual, J = loops.closing(s, q, loops.gaps(s, q))
+            q = q - (np.linalg.pinv(J, rcond=1e-9) @ residual[..., None])[..., 0]
+        left = np.abs(loops.residual(s, q)).max(axis=-1)
+    return np.where((left < CLOSED)[..., None], q, np.nan)
 
 
 def _repeat(s: State) -> State:
@@ -60,7 +95,7 @@ def _distinct(q: Array, angles: int) -> Array:
 class _Bilinear:
     """The bilinear system xᵀ M_i y = 0 in homogeneous ξ and η, x = N ξ, y = N̄ η, and its start system."""
 
-    def __init__(self, loops: Loops, s: State):
+    def __init__(self, loops: Loops, s: State, seed: int):
         self.loops = loops
         shape = (1,)
         contours = slice(0, len(loops.closures))
@@ -72,7 +107,7 @@ class _Bilinear:
         self.N = right[len(known) :].conj().T
         self._t = [1.0 if isinstance(g.root, int) else np.ravel(s.u[g.root])[0] for g in loops.guides]
         self.M = np.array([self._equation(i) for i in range(loops.angles + len(loops.guides))])
-        random = np.random.default_rng(SEED)
+        random = np.random.default_rng(seed)
         n, size = self.M.shape[0], self.N.shape[1]
         normal = random.standard_normal
         self.alpha, self.beta = (normal((n, size)) + 1j * normal((n, size)) for _ in range(2))
@@ -126,8 +161,8 @@ class _Bilinear:
         slope = np.concatenate([target - start, np.zeros((len(z), 2))], axis=1)
         return np.concatenate([value, on_patch], axis=1), J, slope
 
-    def real_roots(self, z: Array) -> Array:
-        """q of the end points that are finite and real, (N, k), to a few digits."""
+    def real_roots(self, z: Array, allowed: float) -> Array:
+        """q of the end points that are finite and real, (N, k), to a few digits: `allowed` part of their size."""
         size = self.N.shape[1]
         x, y = z[:, :size] @ self.N.T, z[:, size:] @ self.N.conj().T
         finite = (np.abs(x[:, -1]) > 1e-8 * np.abs(x).max(axis=1)) & (
@@ -135,7 +170,7 @@ class _Bilinear:
         )
         x, y = x[finite] / x[finite][:, -1:], y[finite] / y[finite][:, -1:]
         scale = np.maximum(np.abs(x).max(axis=1), 1.0)
-        real = np.abs(x - y.conj()).max(axis=1) <= REAL * scale
+        real = np.abs(x - y.conj()).max(axis=1) <= allowed * scale
         return self._q(x[real])
 
     def _q(self, x: Array) -> Array:
@@ -149,8 +184,9 @@ class _Bilinear:
         return np.concatenate([theta, np.array(rows).reshape(len(rows), len(x)).T], axis=1)
 
 
-def _track(system: _Bilinear) -> Array:
-    """End points of all paths from t = 0 to 1, (paths, 2·size): Heun's predictor, Newton's corrector, own steps."""
+def _track(system: _Bilinear) -> tuple[Array, Array]:
+    """End points of all paths from t = 0 to 1, (paths, 2·size), and which came to 1, the others stop just short of it:
+    Heun's predictor, Newton's corrector, own steps."""
     z = system.starts()
     t, step = np.zeros(len(z)), np.full(len(z), 0.02)
     while np.any(going := (t < 1) & (step > 1e-9)):
@@ -163,7 +199,8 @@ def _track(system: _Bilinear) -> Array:
         z[going] = np.where(good[:, None], found, start)
         t[going] = np.where(good, now + h, now)
         step[going] = np.where(good, np.minimum(step[going] * 1.6, 0.1), step[going] / 2)
-    return z[t > 1 - 1e-6]
+    near = t > 1 - 1e-6
+    return z[near], t[near] >= 1
 
 
 def _slope(system: _Bilinear, z: Array, t: Array) -> Array:

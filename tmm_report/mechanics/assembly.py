@@ -21,6 +21,7 @@ from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 
 Array = Any
 PATH = ("mechanism", "assembly")
+MERGING = 3e-5  # closeness to a singular position below which a sketch does not tell two assemblies apart
 CLEAR = (
     0.1  # a direction word must make at least this cosine with the guide, or it does not tell the sides apart
 )
@@ -65,6 +66,12 @@ def _unmatched(mechanism: Mechanism, dyads: list[Dyad]) -> Iterator[Problem]:
             yield mistake(
                 N_("%(key)s names no group with two assemblies"), (*PATH, stated.key), right, key=stated.key
             )
+    for d in dyads:
+        keys = [a.key for a in mechanism.assembly if d.two_roots and a.key in keys_of(d)]
+        for key in keys[1:]:
+            text = N_("the assembly of group %(group)s is stated twice: by %(one)s and by %(key)s")
+            once = Message(N_("leave one of the two"))
+            yield mistake(text, (*PATH, key), once, group=d.group.label, one=keys[0], key=key)
 
 
 def _stated_sign(mechanism: Mechanism, d: Dyad, problems: list[Problem]) -> int | None:
@@ -178,9 +185,9 @@ def _higher_by_sketch(
     if before.axes:  # each variant has its own
         singles = [assemble(pick(mechanism, v)) for v in range(before.axes[0])]
         found = [single.groups[len(before.groups)] for single in singles]
-        parts = [(g.start[0], g.known[0], g.loops) for g in found if isinstance(g, HigherGroup)]
-        start, known, own = zip(*parts, strict=True)
-        return HigherGroup(group, loops, start, known, own)
+        parts = [(g.start[0], g.known[0], g.loops, g.senses[0]) for g in found if isinstance(g, HigherGroup)]
+        start, known, own, senses = zip(*parts, strict=True)
+        return HigherGroup(group, loops, start, known, own, senses)
     wanted = [p for link in group.links for p in mechanism.links[link].points if p in mechanism.sketch]
     if angle is None or not wanted:
         wordless = _no_angle(mechanism) if mechanism.sketch and angle is None else None
@@ -196,7 +203,11 @@ def _higher_by_sketch(
     first, *others = np.argsort(misses)
     if others and np.isclose(misses[first], misses[others[0]], rtol=1e-6, atol=0):
         problems.append(_unclear_sketch(group))
-    return HigherGroup(group, loops, ((angle, ways[first]),), (known_motion(before),))
+    if not loops.closeness(state, ways[first][None])[0] > MERGING:
+        problems.append(_singular_sketch(group, angle))
+        return None
+    sense = 1 if float(np.ravel(mechanism.driver.omega)[0]) > 0 else -1
+    return HigherGroup(group, loops, ((angle, ways[first]),), (known_motion(before),), senses=(sense,))
 
 
 def _miss(mechanism: Mechanism, state: State, group: Group, loops: Loops, q: Array) -> float:
@@ -259,6 +270,15 @@ def _unclear_sketch(group: Group) -> Problem:
     return mistake(text, ("mechanism", "sketch"), right, group=group.label)
 
 
+def _singular_sketch(group: Group, angle: float) -> Problem:
+    text = N_(
+        "two assemblies of group %(group)s meet in the position of the sketch (driving link at %(angle).4f°), and "
+        "nothing tells in which of them the motion goes on"
+    )
+    right = Message(N_("sketch another position; position 0 must not be a singular one either"))
+    return mistake(text, ("mechanism", "sketch"), right, group=group.label, angle=float(np.degrees(angle)))
+
+
 def _no_angle(mechanism: Mechanism) -> Problem:
     text = N_("the sketch has no moving point of driving link %(link)s, so its position is not known")
     return mistake(text, ("mechanism", "sketch"), Message(N_("add one")), link=mechanism.driver.link)
@@ -282,8 +302,8 @@ def sketch_angle(mechanism: Mechanism, structure: Structure) -> float | None:
     """Angle of the driving link in the sketch, rad."""
     pair = structure.driver_pair
     for point, at in mechanism.links[mechanism.driver.link].points.items():
-        if point in mechanism.sketch and point != pair.name:
-            arm = np.ravel(at - pair.at[mechanism.driver.link])[0]
+        arm = np.ravel(at - pair.at[mechanism.driver.link])[0]
+        if point in mechanism.sketch and abs(arm) > 0:  # a point at the pivot tells nothing
             return float(np.angle((mechanism.sketch[point] - np.ravel(pair.at[FRAME])[0]) / arm))
     return None
 

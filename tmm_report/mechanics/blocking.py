@@ -16,8 +16,11 @@ import numpy as np
 
 from tmm_report.mechanics import spur
 from tmm_report.mechanics.isolines import isolines
+from tmm_report.mechanics.pair_limits import Limit, limits_of, unknown
 from tmm_report.mechanics.roots import bracketed
-from tmm_report.mechanics.spur import Pair, Rack
+from tmm_report.mechanics.spur import Cutter, Pair, Rack
+
+__all__ = ["Blocking", "Lack", "Limit", "Line", "Window"]
 
 Array = Any
 Window = tuple[complex, complex]  # lower left and upper right corner
@@ -27,24 +30,13 @@ COARSE, FINE = 81, 101  # points along the sides of the grids
 AROUND = 0.3  # free room left round the region
 DIFFERENCE_STEP = 1e-4  # of shifts: error about its fourth power
 ROUNDING = 1e-9  # what a margin may lack by rounding
-
-
-class Limit(NamedTuple):
-    """`value` of a pair must be at least `bound`. `wheel`: 1 or 2; 0 for both."""
-
-    kind: str  # undercut, pointing, ratio, interference, fouling
-    wheel: int
-    bound: float
-    value: Callable[[Pair], Array]
-
-    def margin(self, pair: Pair) -> Array:
-        return self.value(pair) - self.bound
+DRAWN = ("space", "tips")  # of the limits beyond which there are no wheels, those that have lines
 
 
 class Line(NamedTuple):
     """A line of the plane on which a quality equals `level`, in `pieces` of x1 + i x2, each (N,)."""
 
-    kind: str  # of a Limit, or sliding, distance
+    kind: str  # of a Limit that a pair can be beyond, or sliding, distance
     wheel: int
     level: float
     pieces: tuple[Array, ...]
@@ -70,33 +62,21 @@ class Blocking:
     internal: bool = False
     least_thickness: float = 0.3
     least_ratio: float = 1.05
+    sliding: float | None = field(default=None, kw_only=True)
+    shortened: bool = field(default=True, kw_only=True)
+    trimmed: bool = field(default=False, kw_only=True)
+    cutter: Cutter | None = field(default=None, kw_only=True)
     tips: tuple[float, ...] = field(default=(0.0, 0.25, 0.3), kw_only=True)
     ratios: tuple[float, ...] = field(default=(1.0, 1.2), kw_only=True)
 
     def pair(self, x: Array) -> Pair:
-        return spur.meshed(
-            self.z1, self.z2, self.m, self.rack, self.beta, np.real(x), np.imag(x), self.internal
-        )
+        wheels = self.z1, self.z2, self.m, self.rack, self.beta, np.real(x), np.imag(x), self.internal
+        return spur.meshed(*wheels, self.shortened, self.trimmed, self.cutter)
 
     @cached_property
     def limits(self) -> tuple[Limit, ...]:
-        limits = [Limit("undercut", i + 1, self._least_shift(i), _shift(i)) for i in self._cut_by_rack]
-        limits += [Limit("pointing", i + 1, self.least_thickness, _tip(i)) for i in (0, 1)]
-        limits += [Limit("ratio", 0, self.least_ratio, lambda pair: pair.eps)]
-        limits += [Limit("interference", i + 1, 0.0, _interference(i)) for i in (0, 1)]
-        return (
-            (*limits, Limit("fouling", 0, 0.0, lambda pair: pair.fouling)) if self.internal else tuple(limits)
-        )
-
-    @property
-    def _cut_by_rack(self) -> tuple[int, ...]:
-        """Wheels that are not rings."""
-        if not self.internal:
-            return 0, 1
-        return (0,) if self.z1 < self.z2 else (1,)
-
-    def _least_shift(self, i: int) -> float:
-        return float(spur.least_shift((self.z1, self.z2)[i], self.rack, self.beta))
+        """By all of which the region is bounded."""
+        return limits_of(self.pair(0j), self.least_thickness, self.least_ratio, self.sliding)
 
     # ------------------------------------------------------------ a point
 
@@ -116,16 +96,21 @@ class Blocking:
     def _margins(self, x: Array) -> Array:
         """(limits, ...)."""
         pair = self.pair(x)
-        with _unknown():
+        with unknown():
             return np.array([limit.margin(pair) + 0 * np.real(x) for limit in self.limits])
 
     def lacks(self, x: complex) -> tuple[Lack, ...]:
-        """The limits that a point breaks."""
+        """The limits that a point breaks; where there is no such pair, that and what its shifts alone break."""
         pair = self.pair(x)
-        with _unknown():
+        with unknown():
             found = [
                 Lack(limit, float(limit.value(pair)), -float(limit.margin(pair))) for limit in self.limits
             ]
+        if not np.isfinite(pair.a_w):
+            x1, x2 = float(np.real(x)), float(np.imag(x))
+            shifts = [Lack(one, (x1, x2)[one.wheel - 1], one.bound - (x1, x2)[one.wheel - 1])
+                      for one in self.limits if one.kind == "undercut"]  # fmt: skip
+            found = [*shifts, *(lack for lack in found if lack.limit.kind == "mesh")]
         return tuple(lack for lack in found if not lack.lack <= ROUNDING)
 
     def nearest(self, x: complex) -> complex | None:
@@ -168,7 +153,7 @@ class Blocking:
         def slope(part: Array) -> Array:  # of the distance along the boundary
             points = self._projected(a + part * (b - a), limit)
             along = 1j * self._gradients(points)[limit]
-            with _unknown():
+            with unknown():
                 return ((points - x) * along.conj()).real / np.abs(along)
 
         ends = np.array([0.0]), np.array([1.0])
@@ -183,7 +168,7 @@ class Blocking:
         """Points moved onto the line of a limit along its gradient, by Newton's method."""
         for _ in range(5):
             slope = self._gradients(points)[limit]
-            with _unknown():
+            with unknown():
                 points = points - self._margins(points)[limit] * slope / np.abs(slope) ** 2
         return points
 
@@ -192,7 +177,7 @@ class Blocking:
         steps = DIFFERENCE_STEP * np.array([2, 1, -1, -2])
         weights = np.array([-1, 8, -8, 1]) / (12 * DIFFERENCE_STEP)
         around = self._margins(points[:, None] + np.concatenate([steps, 1j * steps]))
-        with _unknown():
+        with unknown():
             return around[..., :4] @ weights + 1j * (around[..., 4:] @ weights)
 
     def nearest_at_distance(self, x: complex) -> complex | None:
@@ -284,7 +269,7 @@ class Blocking:
         grid = _grid(window, FINE)
         pair, drawn = self.pair(grid), []
         for quality, levels in self._qualities(x):
-            with _unknown():
+            with unknown():
                 values = quality.value(pair)
             for c in levels:
                 pieces = isolines(partial(self._above, quality.value, c), grid, values - c)
@@ -292,38 +277,22 @@ class Blocking:
         return tuple(line for line in drawn if line.pieces)
 
     def _above(self, value: Callable[[Pair], Array], level: float, x: Array) -> Array:
-        with _unknown():
+        with unknown():
             return value(self.pair(x)) - level
 
     def _qualities(self, x: complex) -> list[tuple[Limit, list[float]]]:
         """Every quality with the levels at which its lines are drawn."""
-        more = {"pointing": self.tips, "ratio": self.ratios}
-        rows = [(limit, sorted({*more.get(limit.kind, ()), limit.bound})) for limit in self.limits]
+        more = {"pointing": self.tips, "contact": self.ratios}
+        drawn = [limit for limit in self.limits if not limit.hard or limit.kind in DRAWN]
+        rows = [(limit, sorted({*more.get(limit.kind, ()), limit.bound})) for limit in drawn]
         x_sum = x.imag - x.real if self.internal else x.real + x.imag
         rows.append((Limit("sliding", 0, 0.0, _sliding), [0.0]))
         return [*rows, (Limit("distance", 0, x_sum, lambda pair: pair.x_sum), [x_sum])]
 
 
-def _unknown() -> np.errstate:
-    """Far from the region a pair has no radii or no angles; there its qualities are nan."""
-    return np.errstate(divide="ignore", invalid="ignore")
-
-
-def _shift(i: int) -> Callable[[Pair], Array]:
-    return lambda pair: (pair.x1, pair.x2)[i] + 0 * pair.a_w
-
-
-def _tip(i: int) -> Callable[[Pair], Array]:
-    return lambda pair: pair.s_na[i] / pair.m
-
-
-def _interference(i: int) -> Callable[[Pair], Array]:
-    return lambda pair: pair.interference[i] / pair.m
-
-
 def _sliding(pair: Pair) -> Array:
     """0 where the roots of both wheels slide equally; nan where a profile is not reached."""
-    reached = (pair.rho_p[0] > 0) & (pair.rho_p[1] > 0)
+    reached = (pair.rho_p[0] > 0) & (pair.rho_p[1] > 0) & (pair.active > 0)
     return np.where(reached, pair.sliding_difference / pair.m**2 / (pair.z1 * pair.z2), np.nan)
 
 

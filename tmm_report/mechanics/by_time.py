@@ -26,6 +26,7 @@ PER_TURN = 24  # samples
 PILOT = 8.0
 MOST_CALLS = 100_000  # evaluations of the moments: a machine so stiff for its load is not followed
 ENOUGH = 200  # times the time that the mean moment would need
+FOLLOWED = 3_000_000  # values of T in all cycles that are passed: fewer cycles of an inertia of many breaks
 AWAY = 2.0  # times the speed at the beginning: who is to slow down and is that fast will not
 
 
@@ -125,7 +126,7 @@ def _cycles(plant: Plant, before: Piece, goal: Goal, phi: float) -> Iterator[Pie
     """The cycles that are passed in one go, one by one; each is looked for near the one before it."""
     (angle, omega), t, J = before.last, before.end, float(plant.places(0.0)[0])
     known: list[Array] = []
-    for _ in range(TURNS):
+    for _ in range(min(TURNS, FOLLOWED // plant.panels.x.size)):
         kinetic = J * omega**2 / 2
         energy = _passing(plant, kinetic, known)
         if energy is None:
@@ -163,17 +164,17 @@ def _arrives(plant: Plant, energy: Array, goal: Goal, turned: float, end: float)
 
 
 def _passed(plant: Plant, energy: Array, energy0: float, t: float, angle: float) -> Piece:
-    """A whole cycle."""
+    """A whole cycle. Of a thousand only T is kept, the rest found again for the few that are sampled."""
     panels = plant.panels
     omega = np.sqrt(2 * energy / plant.inertia)
-    slow, rates = 1 / omega, omega * panels.slope(omega)
     moment = plant.placed + sum((one.at(omega) for one in plant.laws), np.zeros(omega.shape))
     last = float(np.sqrt(2 * (energy0 + panels.total(moment)) / plant.places(0.0)[0]))
-    end = t + float(panels.total(slow))
-    known, places = panels.running(slow).ravel(), panels.x.ravel()
+    end = t + float(panels.total(1 / omega))
 
     def at(times: Array) -> tuple[Array, Array, Array]:
-        since = times - t
+        omega, since, places = np.sqrt(2 * energy / plant.inertia), times - t, panels.x.ravel()
+        slow, rates = 1 / omega, omega * panels.slope(omega)
+        known = panels.running(slow).ravel()
         x = np.interp(since, [0.0, *known, end - t], [0.0, *places, panels.period])
         for _ in range(3):
             x = np.clip(x - (running_at(panels, slow, x) - since) * panels.at(omega, x), 0.0, panels.period)

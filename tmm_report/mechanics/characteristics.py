@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, ClassVar, Protocol
 
 import numpy as np
@@ -104,8 +105,13 @@ class BySpeed:
     x: tuple[float, ...]
     y: tuple[float, ...]
 
+    @cached_property
+    def corners(self) -> tuple[Array, Array]:
+        """Made once: an integrator asks for one value at a time."""
+        return np.array(self.x), np.array(self.y)
+
     def at(self, omega: Array, phi: Array = 0.0, t: Array = 0.0) -> Array:
-        return np.interp(omega, self.x, self.y)
+        return np.interp(omega, *self.corners)
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,8 +135,13 @@ class ByTime:
     x: tuple[float, ...]
     y: tuple[float, ...]
 
+    @cached_property
+    def corners(self) -> tuple[Array, Array]:
+        """Made once: an integrator asks for one value at a time."""
+        return np.array(self.x), np.array(self.y)
+
     def at(self, omega: Array, phi: Array = 0.0, t: Array = 0.0) -> Array:
-        return np.interp(t, self.x, self.y)
+        return np.interp(t, *self.corners)
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,22 +6,20 @@ Variants that come near to a singular position are not searched so (see `singula
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 
+from tmm_report.mechanics.brackets import changes_of_sign, dips, opened
 from tmm_report.mechanics.cycle import (
-    NOISE,
-    STEP_NOISE,
     Cycle,
     Extreme,
     Quantity,
     Rate,
-    Slope,
-    changes_of_sign,
     extreme_angle,
     least_and_greatest,
+    noise_of,
 )
 from tmm_report.mechanics.mechanism import ZeroAngle, ZeroExtreme
 from tmm_report.mechanics.motion import Linkage
@@ -87,29 +85,74 @@ def roots_of(
     grid = cycle.search[0]
     values = [np.broadcast_to(cycle.searched(rate), (count, grid.size)) for rate in rates]
     sizes = [np.nanmax(np.abs(rows), axis=-1, initial=0.0, keepdims=True) for rows in values]
-    levels = [STEP_NOISE if isinstance(rate, Slope) else NOISE for rate in rates]
-    turns = [filled([changes_of_sign(row) for row in rows]) for rows in values]
-    starts = [np.take_along_axis(rows, at, axis=-1) for rows, (at, _) in zip(values, turns, strict=True)]
+    over = [_brackets(grid, rows) for rows in values]
+    pairs = _pairs(cycle, rates, values, sizes)
+    low, high, starts, real = (
+        [np.concatenate([b[k], p[k]], axis=-1) for b, p in zip(over, pairs, strict=True)] for k in range(4)
+    )
     # what fills up a row is done at once
     noise = [
-        np.where(real, level * size, np.inf)
-        for level, size, (_, real) in zip(levels, sizes, turns, strict=True)
+        np.where(of, noise_of(rate) * size, np.inf) for rate, size, of in zip(rates, sizes, real, strict=True)
     ]
-    parts = np.cumsum([at.shape[-1] for at, _ in turns])[:-1]
-
-    def sampled(x: Array) -> Array:
-        return np.concatenate(cycle.sampled(rates, np.split(x, parts, axis=-1)), axis=-1)
-
-    at = np.concatenate([at for at, _ in turns], axis=-1)
-    ends = np.concatenate(starts, axis=-1), np.concatenate(noise, axis=-1)
-    found, left = finder(sampled, grid[at], grid[at + 1], *ends) if at.size else (grid[at], grid[at])
+    sampled, parts = _sampler(cycle, rates, low)
+    found = left = np.concatenate(low, axis=-1)
+    if found.size:
+        ends = (np.concatenate(part, axis=-1) for part in (high, starts, noise))
+        found, left = finder(sampled, found, *ends)
+    each = zip(
+        np.split(found, parts, axis=-1), np.split(left, parts, axis=-1), sizes, starts, real, strict=True
+    )
     kept = [
-        (own, real & (np.abs(rest) <= 1e-6 * size))
-        for own, rest, size, (_, real) in zip(
-            np.split(found, parts, axis=-1), np.split(left, parts, axis=-1), sizes, turns, strict=True
-        )
+        (own, of & (np.abs(rest) <= np.maximum(1e-6 * size, 1e-2 * np.abs(start))))
+        for own, rest, size, start, of in each
     ]
     return [[cycle.within(own[v][good[v]]) for own, good in kept] for v in range(count)]
+
+
+def _sampler(
+    cycle: Cycle, rates: Sequence[Rate], places: Sequence[Array]
+) -> tuple[Callable[[Array], Array], Array]:
+    """The rates as one function of all their places side by side, and where these are to be parted."""
+    parts = np.cumsum([x.shape[-1] for x in places])[:-1]
+    return lambda x: np.concatenate(cycle.sampled(rates, np.split(x, parts, axis=-1)), axis=-1), parts
+
+
+def _brackets(grid: Array, rows: Array) -> tuple[Array, Array, Array, Array]:
+    """Both ends of the brackets of a rate (count, P), its values at the low ends, and which do not fill up a row."""
+    at, real = filled([changes_of_sign(row) for row in rows])
+    return grid[at], grid[at + 1], np.take_along_axis(rows, at, axis=-1), real
+
+
+def _pairs(
+    cycle: Cycle, rates: Sequence[Rate], values: Sequence[Array], sizes: Sequence[Array]
+) -> list[tuple[Array, Array, Array, Array]]:
+    """Brackets of roots that lie by twos within a step of the search, as `Cycle` finds them."""
+    grid = cycle.search[0]
+    if cycle.closed:
+        grid = np.append(grid, grid[1] + cycle.sweep)
+        values = [np.concatenate([rows, rows[:, 1:2]], axis=-1) for rows in values]
+    found = []
+    for rate, rows, size in zip(rates, values, sizes, strict=True):
+        at, real = filled([np.flatnonzero(row) for row in dips(rows, 1e3 * noise_of(rate) * size)])
+        found.append((np.maximum(at, 1), real))
+    three = [
+        np.stack([np.take_along_axis(rows, at + k, axis=-1) for k in (-1, 0, 1)])
+        for rows, (at, _) in zip(values, found, strict=True)
+    ]
+    sampled, parts = _sampler(cycle, rates, [at for at, _ in found])
+    at, real = (np.concatenate(part, axis=-1) for part in zip(*found, strict=True))
+    if not real.any():
+        none = np.zeros((len(real), 0))
+        return [(none, none, none, none.astype(bool))] * len(rates)
+    *ends, good = opened(sampled, grid, np.concatenate(three, axis=-1), at, real)
+    both = (*(np.concatenate(part, axis=-1) for part in ends), np.concatenate([good, good], axis=-1))
+    return list(zip(*(_halves(part, parts) for part in both), strict=True))
+
+
+def _halves(both: Array, parts: Array) -> list[Array]:
+    """Of two rows side by side, (..., 2K), the parts of each rate side by side."""
+    first, second = (np.split(half, parts, axis=-1) for half in np.split(both, 2, axis=-1))
+    return [np.concatenate([a, b], axis=-1) for a, b in zip(first, second, strict=True)]
 
 
 def extremes_of(

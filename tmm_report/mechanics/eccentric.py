@@ -54,7 +54,8 @@ class Solution(NamedTuple):
 
 
 class Family(NamedTuple):
-    """Sets of teeth, (T,) each. `satellites` (T, 4) in the order of KINDS; a middle one may have half a tooth."""
+    """Sets of teeth, (T,) each. `satellites` (T, 4) in the order of KINDS; the middle ones may have half a tooth, or
+    the largest and the smallest."""
 
     t: Array
     sun: Array
@@ -95,10 +96,16 @@ def general_solution(eq: Equation) -> Solution | None:
     return Solution(g, x, y, scale * x, scale * y, a1, b1)
 
 
-def family(solution: Solution, u: Fraction, E: int, t: Array) -> Family:
-    """The sets of teeth at the whole numbers t (T,)."""
+def middle_equation(u: Fraction) -> Equation:
+    """The same for the middle satellite z4 in the place of z2, (1 − u) k z1 + 2k z4 = 0: it always has solutions."""
+    return Equation(*equation(u, 0)[:2], 0, u.denominator)
+
+
+def family(solution: Solution, u: Fraction, E: int, t: Array, by_middle: bool = False) -> Family:
+    """The sets of teeth at the whole numbers t (T,); `by_middle`: the solution is that of `middle_equation`."""
     sun = solution.first - solution.b1 * np.asarray(t)
-    largest = solution.second + solution.a1 * np.asarray(t)
+    second = solution.second + solution.a1 * np.asarray(t)
+    largest = second + E / 2 if by_middle else second
     middle = largest - E / 2
     return Family(
         np.asarray(t),
@@ -141,13 +148,15 @@ def centres(sun: Array, z: Array, phi1: Array, m: float) -> Array:
     return m / 2 * (sun + z) * np.exp(1j * phi1)
 
 
-def belt(sun: Array, ring: Array, largest: Array, z: Array, phi1: Array, phi3: Array) -> Array:
-    """Pitches in the closed line over largest satellite, sun, this satellite and ring; whole where it assembles.
+def belt(sun: Array, ring: Array, first: Array, z: Array, phi1: Array, phi3: Array) -> Array:
+    """Pitches in the closed line over a first satellite, sun, this satellite and ring; whole where it assembles.
 
-    L = z2/2 + z1 φ1/360° + z3 φ3/360° + (z/2) (1 − (φ3 − φ1)/180°).
+    L = z2/2 + z1 φ1/360° + z3 φ3/360° + (z/2) (1 − (φ3 − φ1)/180°) over the largest satellite, `first` = z2. Over a
+    middle one, for which φ3 = 180° − φ1 leaves z3/2 of the last three, −z3/2 stands for z2/2, `first` = −z3: both
+    middle satellites then give a whole number in every set where their teeth are whole.
     """
     turn = 2 * np.pi
-    return largest / 2 + sun * phi1 / turn + ring * phi3 / turn + z / 2 * (1 - (phi3 - phi1) / np.pi)
+    return first / 2 + sun * phi1 / turn + ring * phi3 / turn + z / 2 * (1 - (phi3 - phi1) / np.pi)
 
 
 def residue(belt: Array) -> Array:
@@ -191,7 +200,7 @@ def internal_pair(ring: Array, z: Array, m: float, rack: Rack) -> Pair:
 
 def root_in_hand(ring: Array, z: Array, m: float, rack: Rack) -> Array:
     """Radius of curvature of the satellite where the ring's tip touches it; negative: the ring cuts into its root."""
-    return internal_pair(ring, z, m, rack).rho_p[0]
+    return internal_pair(ring, z, m, rack).rho_m[0]
 
 
 def tips_in_hand(ring: Array, z: Array, m: float, rack: Rack) -> Array:
@@ -222,19 +231,23 @@ class Candidates(NamedTuple):
     residue: Array
 
 
-def candidates(sun: int, ring: int, E: int) -> Candidates:
-    """From the largest at φ = 0 to the smallest at 180° and back on the other side."""
-    largest = (ring - sun + E) // 2
-    z = np.arange(largest, largest - E - 1, -1)
+def candidates(sun: int, ring: int, E: int, by_middle: bool = False) -> Candidates:
+    """From the largest at φ = 0 to the smallest at 180° and back on the other side.
+
+    `by_middle`: the residues are those over a middle satellite, in whose company neither of these two need be.
+    """
+    twice = ring - sun + E
+    largest = twice // 2
+    z = np.arange(largest, (twice - 1) // 2 - E, -1)
     phi1, phi3 = angles(sun, ring, E, z)
-    part = residue(belt(sun, ring, largest, z, phi1, phi3))
-    back = slice(-2, 0, -1)  # mirrored; the ends lie on the axis
-    return Candidates(
-        np.append(z, z[back]),
-        np.append(phi1, -phi1[back] % (2 * np.pi)),
-        np.append(phi3, -phi3[back] % (2 * np.pi)),
-        np.append(part, -part[back]),
-    )
+    back = (
+        slice(-2, 0, -1) if twice % 2 == 0 else slice(None, None, -1)
+    )  # mirrored; whole ends lie on the axis
+    z = np.append(z, z[back])
+    phi1 = np.append(phi1, -phi1[back] % (2 * np.pi))
+    phi3 = np.append(phi3, -phi3[back] % (2 * np.pi))
+    first = -ring if by_middle else largest
+    return Candidates(z, phi1, phi3, residue(belt(sun, ring, first, z, phi1, phi3)))
 
 
 def largest_set(gap: Array, clearance: float) -> list[int]:

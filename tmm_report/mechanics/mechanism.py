@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
@@ -137,11 +138,33 @@ class Mechanism:
 
     def links_at(self, point: str) -> list[str]:
         """Names of the links that share the point, in the order of the description."""
-        return [name for name, link in self.links.items() if point in link.points]
+        return list(self._links_of.get(point, ()))
 
     @property
     def point_names(self) -> list[str]:
-        return list(dict.fromkeys(point for link in self.links.values() for point in link.points))
+        return list(self._links_of)
+
+    @cached_property
+    def _links_of(self) -> dict[str, list[str]]:
+        """The links of each point, in the order of the description."""
+        found: dict[str, list[str]] = {}
+        for name, link in self.links.items():
+            for point in link.points:
+                found.setdefault(point, []).append(name)
+        return found
+
+    @cached_property
+    def shared(self) -> tuple[str, ...]:
+        """The points that several links have."""
+        return tuple(point for point, links in self._links_of.items() if len(links) > 1)
+
+    @cached_property
+    def shared_by(self) -> dict[str, tuple[int, ...]]:
+        """Of each link the places in `shared` of the points that it has in common with others."""
+        return {
+            name: tuple(k for k, point in enumerate(self.shared) if point in link.points)
+            for name, link in self.links.items()
+        }
 
 
 def pick(mechanism: Mechanism, v: int) -> Mechanism:

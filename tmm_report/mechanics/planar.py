@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 Array = Any  # ndarray or scalar that broadcasts
+NOWHERE = complex(np.nan, np.nan)  # a vector that does not exist: none of its components does
 
 
 def cross(a: Array, b: Array) -> Array:
@@ -46,6 +47,11 @@ def sine(e1: Array, e2: Array) -> Array:
 def unit(v: Array) -> Array:
     """v / |v|; nan where v = 0."""
     return v / np.abs(v)
+
+
+def if_known(known: Array, values: Array) -> Array:
+    """Numbers or vectors where they are known, elsewhere nan: of a vector both components."""
+    return np.where(known, values, NOWHERE if np.iscomplexobj(values) else np.nan)
 
 
 def is_zero(x: Array) -> bool:

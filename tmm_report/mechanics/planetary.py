@@ -18,7 +18,8 @@ import numpy as np
 
 from tmm_report.mechanics import wheels
 from tmm_report.mechanics.involute import inv
-from tmm_report.mechanics.spur import Rack, fouling
+from tmm_report.mechanics.rings import fouling, radial
+from tmm_report.mechanics.spur import Rack
 from tmm_report.mechanics.wheels import arccos, clear_ring_tip, involute_start, root
 
 Array = Any
@@ -179,8 +180,17 @@ def teeth_sums(scheme: Scheme, z: Array) -> Array:
     return np.stack([z[0] + scheme.rows[0] * z[1], z[3] + scheme.rows[1] * z[2]])
 
 
-def sizes(scheme: Scheme, modules: tuple[float, float], rack: Rack, z: Array) -> Sizes:
-    """All sizes for teeth (4, ...) whose sums are positive; `modules` of the rows, m.
+def sizes(
+    scheme: Scheme,
+    modules: tuple[float, float],
+    rack: Rack,
+    z: Array,
+    distance: float | None = None,
+    stated: Sequence[float] | None = None,
+) -> Sizes:
+    """All sizes for teeth (4, ...) whose sums are positive; `modules` of the rows, m. `distance`: the centre distance
+    where it is stated, m; `stated`: shift coefficients x1, x2, x2', x3, those of the central wheels nan where they
+    follow from the distance.
 
     The row of the smaller pitch centre distance is shifted; an external mesh halves the sum of its coefficients,
     in an internal one the ring takes the difference. The rack cuts the involute of a satellite down to the radius of
@@ -190,23 +200,25 @@ def sizes(scheme: Scheme, modules: tuple[float, float], rack: Rack, z: Array) ->
     module = np.array(modules).reshape(2, *[1] * (z.ndim - 1))
     sums = teeth_sums(scheme, z)
     distances = module * sums / 2
-    distance = distances.max(axis=0)
-    opened = distances < distance * (1 - 1e-12)  # else the pitch circles roll, to the last digit
-    angles = np.where(opened, np.arccos(np.cos(rack.alpha) * distances / distance), rack.alpha)
+    common = distances.max(axis=0) if distance is None else np.full(distances.shape[1:], distance)
+    opened = np.abs(distances - common) > 1e-12 * common  # else the pitch circles roll, to the last digit
+    angles = np.where(opened, arccos(np.cos(rack.alpha) * distances / common), rack.alpha)
     shift_sums = np.zeros(sums.shape)
     involute = inv(angles[opened]) - inv(rack.alpha)
     shift_sums[opened] = sums[opened] * involute / (2 * np.tan(rack.alpha))
-    shifts = _shifts(scheme, shift_sums)
-    shortening = shift_sums - (distance - distances) / module
+    shifts = _shifts(scheme, shift_sums, stated)
+    if stated is not None:
+        shift_sums = _sums_of(scheme, shifts)
+    shortening = shift_sums - (common - distances) / module
     of = np.repeat(module, 2, axis=0)
-    pitch, stretch = of * z, np.repeat(distance / distances, 2, axis=0)
+    pitch, stretch = of * z, np.repeat(common / distances, 2, axis=0)
     # + where the tip is outside the pitch circle, − in a ring
     out = np.array(kinds(scheme)).reshape(4, *[1] * (z.ndim - 1))
     cut = _shortening(scheme, shortening)
     tip = pitch + 2 * of * (out * rack.ha + shifts - cut)
     roots = pitch - 2 * of * (out * (rack.ha + rack.c) - shifts)
     base, working = pitch * np.cos(rack.alpha), pitch * stretch
-    found = Sizes(distances, distance, angles, shift_sums, shifts, pitch, base, working, tip, roots, tip)
+    found = Sizes(distances, common, angles, shift_sums, shifts, pitch, base, working, tip, roots, tip)
     return replace(found, trimmed=_trimmed(scheme, found, of, rack))
 
 
@@ -222,18 +234,32 @@ def _trimmed(scheme: Scheme, found: Sizes, modules: Array, rack: Rack) -> Array:
     return trimmed
 
 
-def _shifts(scheme: Scheme, sums: Array) -> Array:
-    """Coefficients x1, x2, x2', x3 from the sums of the rows (2, ...)."""
+def _shifts(scheme: Scheme, sums: Array, stated: Sequence[float] | None) -> Array:
+    """Coefficients x1, x2, x2', x3 from the sums of the rows (2, ...), but for those that are stated."""
     satellite = [
         np.where(row == EXTERNAL, total / 2, 0.0) for row, total in zip(scheme.rows, sums, strict=True)
     ]
     if scheme.single:
         satellite[1] = satellite[0]
+    if stated is not None:
+        satellite = [np.full(sums.shape[1:], x) for x in stated[1:3]]
     central = [
         total - satellite[k] if row == EXTERNAL else total + satellite[k]
         for k, (row, total) in enumerate(zip(scheme.rows, sums, strict=True))
     ]
+    if stated is not None:
+        central = [
+            found if np.isnan(x) else np.full(sums.shape[1:], x)
+            for found, x in zip(central, (stated[0], stated[3]), strict=True)
+        ]
     return np.stack([central[0], satellite[0], satellite[1], central[1]])
+
+
+def _sums_of(scheme: Scheme, shifts: Array) -> Array:
+    """x1 + x2, or x_ring − x_satellite, of each row, (2, ...)."""
+    return np.stack(
+        [shifts[central] + scheme.rows[k] * shifts[crown] for k, (central, crown) in enumerate(ROWS)]
+    )
 
 
 def _shortening(scheme: Scheme, rows: Array) -> Array:
@@ -245,14 +271,6 @@ def _shortening(scheme: Scheme, rows: Array) -> Array:
 
 
 # --- conditions
-
-
-def coaxiality_gap(scheme: Scheme, modules: tuple[float, float], z: Array) -> Array:
-    """Difference of the rows' centre distances in teeth of the smaller row, (...): 0 where teeth alone agree."""
-    module = np.array(modules).reshape(2, *[1] * (np.ndim(z) - 1))
-    twice = module * teeth_sums(scheme, z)
-    smaller = np.where(twice[0] <= twice[1], module[0], module[1])
-    return np.abs(twice[0] - twice[1]) / smaller
 
 
 def least_teeth(rack: Rack, shift: Array) -> Array:
@@ -288,6 +306,14 @@ def internal_pair(scheme: Scheme, found: Sizes, z: Array, row: int) -> Internal:
     )  # fmt: skip
     curvature = root(found.tip[ring] ** 2 - found.base[ring] ** 2) / 2
     return Internal(curvature - distance * np.sin(alpha_w), tips)
+
+
+def radial_pair(scheme: Scheme, found: Sizes, z: Array, row: int) -> Array:
+    """Gap between the corners of a satellite and its ring as it is put in radially, rad of the ring."""
+    ring, satellite = ROWS[row]
+    tips = found.tip[satellite] / 2, found.trimmed[ring] / 2
+    angles = arccos(found.base[satellite] / (2 * tips[0])), arccos(found.base[ring] / (2 * tips[1]))
+    return radial((z[satellite], z[ring]), tips, angles, found.centre_distance, found.angles[row])
 
 
 def contact_ratio(scheme: Scheme, found: Sizes, z: Array, row: int) -> Array:

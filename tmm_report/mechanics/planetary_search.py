@@ -9,7 +9,8 @@ candidates.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from enum import IntEnum
 from typing import Any
 
@@ -18,54 +19,33 @@ import numpy as np
 from tmm_report.mechanics.planetary import (
     EXTERNAL,
     INTERNAL,
-    MEMBERS,
-    Member,
-    Scheme,
     Sizes,
     assembles,
     basic_ratio,
-    coaxiality_gap,
     contact_ratio,
     internal_pair,
     kinds,
     least_teeth,
     neighbourhood_gap,
-    sizes,
     stage_ratio,
     teeth_sums,
 )
-from tmm_report.mechanics.spur import Rack
+from tmm_report.mechanics.planetary_task import (
+    LARGEST_SHIFTED,
+    STANDARD,
+    Task,
+    blocks,
+    candidates,
+    coaxiality_gap,
+    extent,
+)
+
+__all__ = ["LARGEST_SHIFTED", "STANDARD", "Task", "candidates", "extent", "search"]
 
 Array = Any
-STANDARD = Rack()
 LEAST_CONTACT = 1.05  # of the course
-LARGEST_SHIFTED = 2  # teeth: a larger difference of the sums is not made up by profile shift
-
-
-@dataclass(frozen=True)
-class Task:
-    """What teeth are sought for.
-
-    `ratio`: ω_input/ω_output with the third member held, signed; `tolerance`: of it, relative. `satellites`: their
-    numbers to try. `external`, `rings`: least and largest teeth of wheels with external and internal teeth.
-    `shifted`: the largest difference of the sums of teeth, 0..2, that profile shift may make up.
-    """
-
-    scheme: Scheme
-    ratio: float
-    modules: tuple[float, float]
-    input: Member
-    output: Member
-    tolerance: float = 0.04
-    satellites: tuple[int, ...] = (2, 3, 4, 5, 6)
-    rack: Rack = STANDARD
-    external: tuple[int, int] = (12, 100)
-    rings: tuple[int, int] = (20, 200)
-    shifted: int = 0
-
-    @property
-    def held(self) -> Member:
-        return next(member for member in MEMBERS if member not in (self.input, self.output))
+KEPT = 10_000  # solutions: of more, the best
+POOL = 4  # times as many solutions wait to be ranked
 
 
 # --- conditions
@@ -86,13 +66,17 @@ class Reason(IntEnum):
 
 def ratio_holds(task: Task, z: Array) -> Array:
     ratio = stage_ratio(basic_ratio(task.scheme, z), task.input, task.output)
-    return np.abs(ratio - task.ratio) <= task.tolerance * abs(task.ratio) * (1 + 1e-12)
+    return np.abs(ratio - task.ratio) <= allowed(task) * (1 + 1e-12)
 
 
 def coaxial(task: Task, z: Array) -> Array:
     """Both rows have a centre distance, and one: by the teeth, or opened by profile shift."""
-    possible = np.all(teeth_sums(task.scheme, z) > 0, axis=0)
-    return possible & (coaxiality_gap(task.scheme, task.modules, z) <= task.shifted + 1e-9)
+    sums = teeth_sums(task.scheme, z)
+    possible = np.all(sums > 0, axis=0)
+    if task.distance is not None:  # no nearer than the base circles let it
+        module = np.array(task.modules).reshape(2, *[1] * (np.ndim(z) - 1))
+        possible &= np.all(module * sums / 2 * np.cos(task.rack.alpha) < task.distance, axis=0)
+    return possible & (coaxiality_gap(task, z) <= task.shifted + 1e-9)
 
 
 def not_undercut(task: Task, z: Array, found: Sizes) -> Array:
@@ -132,7 +116,7 @@ def judge_teeth(task: Task, z: Array) -> tuple[Array, Array, Sizes]:
     codes[alive[~fits]] = Reason.COAXIALITY
     alive = alive[fits]
     teeth = z[:, alive]
-    found = sizes(task.scheme, task.modules, task.rack, teeth)
+    found = task.sizes(teeth)
     fails = [~holds(task, teeth, found) for holds in (not_undercut, no_interference, in_contact)]
     reasons = [Reason.UNDERCUT, Reason.INTERFERENCE, Reason.CONTACT]
     codes[alive] = np.select(fails, reasons, Reason.ACCEPTED)
@@ -146,16 +130,18 @@ def judge_satellites(task: Task, z: Array, found: Sizes, k: Array) -> Array:
     return np.select(fails, [Reason.NEIGHBOURHOOD, Reason.ASSEMBLY], Reason.ACCEPTED).astype(np.uint8)
 
 
-# --- candidates
+# --- the search
 
 
 @dataclass(frozen=True, eq=False)
 class Candidates:
-    """Teeth (4, N), numbers of satellites (N,), 0: any, and why each is rejected (N,), a Reason."""
+    """Teeth (4, N), numbers of satellites (N,), 0: any, and why each is rejected (N,), a Reason: of the solutions, and
+    where all are wanted of the others too. `counts`: how many there were of each Reason, kept here or not."""
 
     teeth: Array
     satellites: Array
     reasons: Array
+    counts: Mapping[Reason, int] = field(default_factory=dict)
 
     @property
     def accepted(self) -> Array:
@@ -163,71 +149,74 @@ class Candidates:
         return np.flatnonzero(self.reasons == Reason.ACCEPTED)
 
     def count(self, reason: Reason) -> int:
-        return int(np.sum(self.reasons == reason))
+        return self.counts.get(reason, 0)
+
+    @property
+    def solutions(self) -> int:
+        """How many solutions there are; of very many only the best stand here."""
+        return self.count(Reason.ACCEPTED)
+
+    @property
+    def examined(self) -> int:
+        return sum(self.counts.values())
 
 
-def candidates(task: Task) -> Array:
-    """All teeth in the task's ranges whose rows nearly share one centre distance, (4, N).
-
-    Of a single row: every z1, z3 with the satellites that the distance leaves room for; of two rows: every z1, z2,
-    z2' with the z3 nearest to coaxiality. Where shift may open a row, also the neighbouring numbers.
-    """
-    z = _single_row(task) if task.scheme.single else _two_rows(task)
-    ranges = [task.external if kind == EXTERNAL else task.rings for kind in task.scheme.rows]
-    inside = np.all(teeth_sums(task.scheme, z) > 0, axis=0)
-    for wheel, (low, high) in ((0, ranges[0]), (1, task.external), (2, task.external), (3, ranges[1])):
-        inside &= (z[wheel] >= low) & (z[wheel] <= high)
-    return z[:, inside]
-
-
-def _whole(limits: tuple[int, int]) -> Array:
-    return np.arange(limits[0], limits[1] + 1, dtype=np.int32)
-
-
-def _single_row(task: Task) -> Array:
-    """z2 = (z3 − z1)/2 rounded down, and its neighbours within the shifted difference."""
-    axes = np.meshgrid(_whole(task.external), _whole(task.rings), indexing="ij")
-    z1, z3 = (axis.ravel() for axis in axes)
-    gap = z3 - z1
-    found = []
-    for step in (0, 1, -1):
-        z2 = gap // 2 + step
-        near = np.abs(gap - 2 * z2) <= task.shifted if step else slice(None)
-        found.append(np.stack([z1[near], z2[near], z3[near]]))
-    z1, z2, z3 = np.concatenate(found, axis=1)
-    return np.stack([z1, z2, z2, z3])
+def search(task: Task, rejected: bool = False, most: int = KEPT) -> Candidates:
+    """Every candidate judged, block by block; those that fail whatever the number of satellites are counted once, with
+    0 of them. Of the solutions the `most` best are kept; `rejected`: all of them, and the others beside them."""
+    kept: list[Candidates] = []
+    counts = dict.fromkeys(Reason, 0)
+    waiting = 0
+    for teeth in blocks(task):
+        some = _judged(task, teeth, counts, rejected)
+        kept.append(some)
+        waiting += len(some.satellites)
+        if waiting > POOL * most and not rejected:
+            kept = [_best(task, _joined(kept, {}), most)]
+            waiting = len(kept[0].satellites)
+    found = _joined(kept, counts)
+    return found if rejected or waiting <= most else _best(task, found, most)
 
 
-def _two_rows(task: Task) -> Array:
-    """z3 from m1 (z1 ± z2) = m2 (z3 ± z2'), rounded, and its neighbours within the shifted difference."""
-    first = task.external if task.scheme.rows[0] == EXTERNAL else task.rings
-    axes = _whole(first), _whole(task.external), _whole(task.external)
-    z1, z2, z2_ = (axis.ravel() for axis in np.meshgrid(*axes, indexing="ij"))
-    wanted = np.round(task.modules[0] * (z1 + task.scheme.rows[0] * z2) / task.modules[1])
-    nearest = wanted.astype(np.int32) - task.scheme.rows[1] * z2_
-    # in teeth of row 2 the difference is larger where its module is the smaller one
-    reach = (
-        int(np.ceil(task.shifted * max(1.0, task.modules[0] / task.modules[1]) + 0.5)) if task.shifted else 0
-    )
-    found = [np.stack([z1, z2, z2_, nearest + step]) for step in range(-reach, reach + 1)]
-    near = [coaxiality_gap(task.scheme, task.modules, z) <= task.shifted + 1e-9 for z in found]
-    near[reach][:] = True  # the nearest is a candidate even where the modules leave it apart
-    return np.concatenate([z[:, keep] for z, keep in zip(found, near, strict=True)], axis=1)
-
-
-def search(task: Task) -> Candidates:
-    """Every candidate judged; those that fail whatever the number of satellites stand once, with 0 of them."""
-    teeth = candidates(task)
+def _judged(task: Task, teeth: Array, counts: dict[Reason, int], rejected: bool) -> Candidates:
+    """A block of combinations; `counts` are added to."""
     reasons, alive, found = judge_teeth(task, teeth)
     failed = reasons != Reason.ACCEPTED
-    each = np.repeat(np.arange(len(alive)), len(task.satellites))
-    k = np.tile(np.array(task.satellites, dtype=np.int32), len(alive))
-    good = teeth[:, alive[each]]
+    good = teeth[:, alive]
+    verdicts = np.stack([judge_satellites(task, good, found, k) for k in task.satellites], axis=-1)
+    for code, number in zip(
+        *np.unique(np.append(reasons[failed], verdicts), return_counts=True), strict=True
+    ):
+        counts[Reason(code)] += int(number)
+    wanted = np.ones(verdicts.shape, dtype=bool) if rejected else verdicts == Reason.ACCEPTED
+    place, of_k = np.nonzero(wanted)
+    k = np.array(task.satellites, dtype=np.int32)[of_k]
+    if not rejected:
+        return Candidates(good[:, place], k, verdicts[wanted])
     return Candidates(
-        np.concatenate([good, teeth[:, failed]], axis=1),
+        np.concatenate([good[:, place], teeth[:, failed]], axis=1),
         np.concatenate([k, np.zeros(int(np.sum(failed)), dtype=np.int32)]),
-        np.concatenate([judge_satellites(task, good, found.at(each), k), reasons[failed]]),
+        np.concatenate([verdicts[wanted], reasons[failed]]),
     )
+
+
+def _joined(parts: list[Candidates], counts: dict[Reason, int]) -> Candidates:
+    none = Candidates(
+        np.zeros((4, 0), dtype=np.int32), np.zeros(0, dtype=np.int32), np.zeros(0, dtype=np.uint8)
+    )
+    parts = [none, *parts]
+    return Candidates(
+        np.concatenate([part.teeth for part in parts], axis=1),
+        np.concatenate([part.satellites for part in parts]),
+        np.concatenate([part.reasons for part in parts]),
+        {reason: number for reason, number in counts.items() if number},
+    )
+
+
+def _best(task: Task, found: Candidates, most: int) -> Candidates:
+    """The best of solutions, `most` of them."""
+    order = ranked(task, found)[:most]
+    return Candidates(found.teeth[:, order], found.satellites[order], found.reasons[order], found.counts)
 
 
 def multiples(z: Array, k: Array) -> Array:
@@ -238,13 +227,21 @@ def multiples(z: Array, k: Array) -> Array:
 def ranked(task: Task, found: Candidates) -> Array:
     """Indices of the solutions, best first, (n,).
 
-    First those whose central wheels are no multiples of k, then those without shift, then the most compact; of
-    equal ones, first three satellites (they share the load equally), then the ratio that is nearest.
+    First those whose central wheels are no multiples of k, then those without shift, then by (1 − w) ln D + w Δu/[Δu]:
+    with the weight w = 0 the most compact, with w = 1 the nearest to the ratio; of equal ones, first three satellites
+    (they share the load equally), then the ratio that is nearest, then the fewer teeth.
     """
     index = found.accepted
     z, k = found.teeth[:, index], found.satellites[index]
-    size = sizes(task.scheme, task.modules, task.rack, z).overall
+    size = np.round(task.sizes(z).overall, 9)
     miss = np.abs(stage_ratio(basic_ratio(task.scheme, z), task.input, task.output) - task.ratio)
-    shifted = coaxiality_gap(task.scheme, task.modules, z) > 1e-9
-    order = np.lexsort((miss, np.abs(k - 3), np.round(size, 9), shifted, multiples(z, k)))
+    shifted = coaxiality_gap(task, z) > 1e-9
+    if task.weight:
+        size = np.round((1 - task.weight) * np.log(size) + task.weight * miss / allowed(task), 9)
+    order = np.lexsort((k, *z[::-1], miss, np.abs(k - 3), size, shifted, multiples(z, k)))
     return index[order]
+
+
+def allowed(task: Task) -> float:
+    """The largest deviation of the ratio."""
+    return task.tolerance * abs(task.ratio)

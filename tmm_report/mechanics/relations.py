@@ -17,6 +17,7 @@ from tmm_report.mechanics.dyads import Dyad, close
 from tmm_report.mechanics.higher import HigherGroup
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.motion import SINGULAR, Linkage, Motion
+from tmm_report.mechanics.planar import if_known
 from tmm_report.mechanics.structure import Pair
 
 Array = Any
@@ -221,7 +222,9 @@ def named_values(motion: Motion) -> dict[str, Array]:
     """
     values: dict[str, Array] = {}
     for point in moving_points(motion.linkage):
-        values[f"v_{point}"], values[f"a_{point}"] = motion.velocity(point), motion.acceleration(point)
+        # of a point at the place of a fixed pivot both are the number 0
+        values[f"v_{point}"] = np.asarray(motion.velocity(point), complex)
+        values[f"a_{point}"] = np.asarray(motion.acceleration(point), complex)
     for r in relations(motion.linkage):
         if isinstance(r, System) or (r.dyad.changes and r.dyad.kind <= 2):
             # in change points the vector equation itself says nothing: the values are those of the links' motion
@@ -254,7 +257,7 @@ def _branch_values(motion: Motion, r: Relation) -> dict[str, Array]:
     known = np.isfinite(np.broadcast_to(motion.state.w[r.dyad.a], motion.shape))
     if r.dyad.changes:
         known = known & (motion.sines[r.dyad.group.label] > SINGULAR)
-    return {key: np.where(known, value, np.nan) for key, value in out.items()}
+    return {key: if_known(known, value) for key, value in out.items()}
 
 
 def _motion_values(motion: Motion, r: Relation | System) -> dict[str, Array]:

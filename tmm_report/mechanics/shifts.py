@@ -35,7 +35,7 @@ def equal_sliding(pair: Pair) -> float:
     for _ in range(8):  # each round narrows the bracket 128 times
         x1 = np.linspace(low, high, 129)
         trial = with_first_shift(pair, x1)
-        sound = (trial.rho_p[0] > 0) & (trial.rho_p[1] > 0)
+        sound = (trial.rho_p[0] > 0) & (trial.rho_p[1] > 0) & (trial.active > 0)
         value = np.where(sound, trial.sliding_difference, np.nan)
         turns = np.flatnonzero(value[:-1] * value[1:] <= 0)
         if not turns.size:

@@ -10,7 +10,7 @@ A change point is passed straight on: of the two continuations the smooth one ke
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -18,8 +18,9 @@ import numpy as np
 
 from tmm_report.mechanics.cam_group import CamDyad
 from tmm_report.mechanics.dyads import ROUNDING, Dyad, State, margin, reach
-from tmm_report.mechanics.higher import HigherGroup
+from tmm_report.mechanics.higher import HigherGroup, Run
 from tmm_report.mechanics.motion import SINGULAR, Linkage, Motion, drive, known_motion, positions, solve
+from tmm_report.mechanics.planar import if_known
 from tmm_report.mechanics.roots import MIDDLE, bracketed, slope
 
 Array = Any
@@ -29,7 +30,8 @@ STEP = 0.007  # rad, of the differences by which minima are found
 FULL_TURN = 2 * np.pi
 SOON = 0.05  # a margin that nowhere falls below this has no zero between the brackets
 LIMIT_STEP = 0.03  # rad, of the values beside a change point from which those in it are found
-BESIDE = 1e-3  # closeness below which a position beside a change point is taken from its neighbours too
+HAIR = 1e-9  # rad, beside an end of the groups before
+BESIDE = 5e-3  # closeness below which a position beside a change point is taken from its neighbours too
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,7 +40,7 @@ class Critical:
 
     `gaps`: intervals in which the group cannot be assembled though those before it can; the second end may exceed a
     turn. `reach`: of a dyad of kind 1–3, least and greatest distance that its lengths must bridge (see
-    `dyads.reach`), m.
+    `dyads.reach`), m. `run`: of a group above class II, how far it goes from position 0.
     """
 
     group: Dyad | HigherGroup
@@ -47,13 +49,15 @@ class Critical:
     parallel: tuple[float, ...] = ()
     gaps: tuple[tuple[float, float], ...] = ()
     reach: tuple[float, float] | None = None
+    run: Run | None = None
 
 
-def criticals(linkage: Linkage, told_at: float) -> tuple[Linkage, tuple[Critical, ...]]:
+def criticals(linkage: Linkage, told_at: float, begins: bool = True) -> tuple[Linkage, tuple[Critical, ...]]:
     """Singular positions of all groups, and the linkage that passes smoothly through its change points.
 
     The stated assemblies hold at driver angle `told_at`, rad (just after it, if it is a change point), or where the
-    sketch was made. Of many variants at once, (V, 1), nothing is looked for.
+    sketch was made. `begins`: whether position 0 is there, from which groups above class II are followed. Of many
+    variants at once, (V, 1), nothing is looked for.
     """
     if linkage.axes:
         return linkage, ()
@@ -75,8 +79,14 @@ def criticals(linkage: Linkage, told_at: float) -> tuple[Linkage, tuple[Critical
                     smooth = replace(group, changes=passed, corner=corner, told_at=at, sense=sense)
                     critical = replace(critical, group=smooth)
             else:
-                altered = any(g.changes for g in before.groups)
-                critical = _of_higher(replace(group, known=(known_motion(before),)) if altered else group)
+                walls = tuple(gap for one in found for gap in one.gaps)
+                if walls or any(
+                    new is not old for new, old in zip(before.groups, linkage.groups, strict=False)
+                ):
+                    group = replace(group, known=(known_motion(before),), walls=walls)
+                if begins:
+                    group = group.beginning(told_at, float(linkage.mechanism.driver.sweep))
+                critical = _of_higher(group)
             critical.group.place(s)
             found.append(critical)
             edges += [np.mod(end, FULL_TURN) for gap in critical.gaps for end in gap]
@@ -122,12 +132,19 @@ def _of_dyad(before: Linkage, d: Dyad, grid: Array, s: State, edges: list[float]
     if d.kind > 3:
         return Critical(d, parallel=zeros)
     # a dip below zero between two grid points has both its ends there
-    dips = low[(at_low < 0) & ~touching]
-    where = np.sort(np.concatenate([grid, dips]))
-    limits = _crossings(of, where, of(where)) if dips.size else _crossings(of, grid, values)
+    inner = [low[(at_low < 0) & ~touching]]
+    # and so has the rest of a cell in which a group before begins or ends to exist
+    inner += [_within(np.array(edges), grid) + hair for hair in (-HAIR, HAIR)]
+    where = np.sort(np.concatenate([grid, *inner]))
+    limits = _crossings(of, where, of(where)) if where.size > grid.size else _crossings(of, grid, values)
     gaps = _gaps(of, np.array([*limits, *edges]))
     span = _reach(before, d, grid, s) if gaps else None
     return Critical(d, changes=zeros, limits=tuple(limits.tolist()), gaps=gaps, reach=span)
+
+
+def _within(angles: Array, grid: Array) -> Array:
+    """Angles of the first turn, rad, as those of the turn that the grid goes over."""
+    return np.where(angles > grid[-1], angles - FULL_TURN, angles)
 
 
 def _minima(of: Callable[[Array], Array], grid: Array, values: Array) -> Array:
@@ -185,13 +202,36 @@ def _reach(before: Linkage, d: Dyad, grid: Array, s: State) -> tuple[float, floa
 
 
 def _of_higher(group: HigherGroup) -> Critical:
+    """What the branch of a group above class II has met; gaps of the groups before it are told with them."""
     branch = group.branches[0]
-    changes = tuple(sorted(float(np.mod(x, FULL_TURN)) for x in branch.changes))
-    if branch.ends is None:
-        return Critical(group, changes=changes)
-    first, last = (float(np.mod(x, FULL_TURN)) for x in branch.ends)
-    gap = (last, first if first > last else first + FULL_TURN)
-    return Critical(group, changes=changes, limits=tuple(sorted((first, last))), gaps=(gap,))
+    run, changes = branch.run, tuple(sorted(float(np.mod(x, FULL_TURN)) for x in branch.changes))
+    if run.lost is None:
+        return Critical(group, changes=changes, run=run)
+    first, last = sorted(run.zero + run.sense * x for x in run.lost)
+    ends = [x for x, blocked in zip(branch.limits, run.blocked, strict=True) if x is not None and not blocked]
+    own = ends[:1] if run.overlaps or run.sweep < FULL_TURN else ends
+    return Critical(
+        group,
+        changes=changes,
+        limits=tuple(sorted(float(np.mod(x, FULL_TURN)) for x in own)),
+        gaps=_without(first, last, group.walls),
+        run=run,
+    )
+
+
+def _without(
+    first: float, last: float, walls: Sequence[tuple[float, float]]
+) -> tuple[tuple[float, float], ...]:
+    """The interval without the walls in it, from within the first turn, ascending."""
+    off = FULL_TURN * np.floor(first / FULL_TURN)
+    left = [(first - off, last - off)]
+    for low, high in walls:
+        for turn in (-FULL_TURN, 0.0, FULL_TURN):
+            a, b = low + turn, high + turn
+            left = [
+                part for x, y in left for part in ((x, min(y, a)), (max(x, b), y)) if part[1] - part[0] > 1e-9
+            ]
+    return tuple(sorted(left))
 
 
 # ---------------------------------------------------------------- values in a change point
@@ -215,7 +255,7 @@ def settle(motion: Motion) -> Array:
         if lost.any():
             for rates in (s.v, s.w, s.a, s.e, s.iw, s.ie):
                 for link in group.links:
-                    rates[link] = np.where(lost, np.nan, rates[link])
+                    rates[link] = if_known(~lost, rates[link])
     return lost
 
 

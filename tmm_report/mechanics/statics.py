@@ -17,7 +17,7 @@ from tmm_report.mechanics.higher import HigherGroup
 from tmm_report.mechanics.loops import solve_each
 from tmm_report.mechanics.mechanism import FRAME, Link
 from tmm_report.mechanics.motion import SINGULAR, Motion
-from tmm_report.mechanics.planar import cross, dot, is_zero
+from tmm_report.mechanics.planar import cross, dot, if_known, is_zero
 from tmm_report.mechanics.structure import Pair
 
 Array = Any
@@ -117,8 +117,8 @@ def _solve_group(
 
 def _undefined(reaction: Reaction, lost: Array) -> Reaction:
     """In a singular position a reaction grows without bound: nan, never a number made of rounding errors."""
-    moment = reaction.moment if is_zero(reaction.moment) else np.where(lost, np.nan, reaction.moment)
-    return replace(reaction, force=np.where(lost, np.nan, reaction.force), moment=moment)
+    moment = reaction.moment if is_zero(reaction.moment) else if_known(~lost, reaction.moment)
+    return replace(reaction, force=if_known(~lost, reaction.force), moment=moment)
 
 
 def _pass_on(s: State, rest: dict[str, Load], reaction: Reaction) -> None:

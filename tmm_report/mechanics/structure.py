@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import combinations
+from itertools import combinations, islice
 from typing import Literal
 
 from tmm_report.mechanics.mechanism import FRAME, Mechanism, Scalar
-from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
+from tmm_report.problems import N_, Message, Problem, ProblemError, mistake, shown
 
 # (inner pair, sorted outer pairs) -> kind of the dyad; a third sliding pair (PPP) would leave a free translation
 DYAD_KINDS: dict[tuple[str, str], int] = {
@@ -22,6 +22,7 @@ DYAD_KINDS: dict[tuple[str, str], int] = {
     ("P", "PR"): 5,
 }
 KIND_NAMES = {1: "RRR", 2: "RRP", 3: "RPR", 4: "PRP", 5: "RPP"}
+MOST_SETS = 20_000  # sets of links that are tried for the next group
 ROMAN = {1: "I", 2: "II", 3: "III", 4: "IV", 5: "V", 6: "VI"}
 
 
@@ -203,10 +204,11 @@ def _pairs_of(mechanism: Mechanism, known: list[str], group: list[str] | tuple[s
     At a point shared by several links each hangs on the known link that came first (or, inside the group, on
     the first of the group): k links at a point make k - 1 pairs.
     """
-    for point in mechanism.point_names:
+    for place in sorted({place for link in group for place in mechanism.shared_by[link]}):
+        point = mechanism.shared[place]
         here = mechanism.links_at(point)
         inside = [name for name in here if name in group]
-        base = next((name for name in (*known, *inside) if name in here), "")
+        base = next((name for name in known if name in here), inside[0])
         for name in inside:
             if name != base:
                 at = {link: mechanism.links[link].points[point] for link in (base, name)}
@@ -235,15 +237,26 @@ def _freedom(mechanism: Mechanism, known: list[str], links: tuple[str, ...]) -> 
 
 def _next_group(mechanism: Mechanism, known: list[str], rest: list[str]) -> list[str]:
     """The smallest set of links that the known links fix: first in the order of the description."""
-    for size in range(1, len(rest) + 1):
-        for links in combinations(rest, size):
-            freedom = _freedom(mechanism, known, links)
-            if freedom == 0 and _joined(mechanism, known, links):
-                return list(links)
-            if freedom < 0:
-                raise ProblemError([_redundant(links, known, freedom)])
+    sets = (links for size in range(1, len(rest) + 1) for links in combinations(rest, size))
+    for links in islice(sets, MOST_SETS):
+        freedom = _freedom(mechanism, known, links)
+        if freedom == 0 and _joined(mechanism, known, links):
+            return list(links)
+        if freedom < 0:
+            raise ProblemError([_redundant(links, known, freedom)])
+    if next(islice(sets, 1), None) is not None:
+        raise ProblemError([_not_found(rest)])
     text = N_("links %(links)s form no Assur group: nothing joins them to the driving link and the frame")
     raise ProblemError([mistake(text, ("mechanism", "links", rest[0]), links=", ".join(rest))])
+
+
+def _not_found(rest: Sequence[str]) -> Problem:
+    text = N_(
+        "links %(links)s: none of the first %(count)s sets of them is an Assur group; larger ones are not sought"
+    )
+    right = Message(N_("take links out, or join them so that smaller groups arise"))
+    names = shown(", ".join(rest), 80)
+    return mistake(text, ("mechanism", "links", rest[0]), right, links=names, count=MOST_SETS)
 
 
 def _joined(mechanism: Mechanism, known: list[str], links: tuple[str, ...]) -> bool:

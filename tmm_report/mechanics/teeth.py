@@ -338,7 +338,10 @@ def contact_ratio(one: Wheel, other: Wheel, distance: float, count: int = 2000) 
     turns = one.pitch_angle * np.arange(-4 * count, 4 * count) / count
     alpha, centre = pressure_angle(one, other, distance), centre_beside(other, distance)
     first = _met(_flank_sides(one), turns, 0.0, one.base, alpha)
-    turns, first = turns[np.isfinite(first)], first[np.isfinite(first)]
+    # between the base circles alone: beyond their ends flanks cross the line of action and do not touch
+    end = np.inf if other.internal else distance * math.sin(alpha)
+    between = (first > 0) & (first < end)
+    turns, first = turns[between], first[between]
     turned = touching_turn(one, other, distance, turns)
     second = _met(_flank_sides(other), turned, centre, one.base, alpha)
     base_pitch = one.pitch_angle * one.base

@@ -18,29 +18,15 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.mechanics.cutting import ByCutter, ByRack, Cut, Cutter, real_start
 from tmm_report.mechanics.involute import inv
+from tmm_report.mechanics.rack import Rack, arccos, clear_ring_tip, involute_start, least_shift, root
+
+__all__ = ["Both", "Cutter", "Rack", "Wheels", "arccos", "clear_ring_tip", "involute_start", "least_ring"]
+__all__ += ["least_shift", "least_teeth", "ring_rule", "root", "signs_of"]
 
 Array = Any
 Both = tuple[Array, Array]
-
-
-@dataclass(frozen=True)
-class Rack:
-    """The basic rack in the normal section: profile angle, rad, height ha*, clearance c* (in modules)."""
-
-    alpha: float = np.pi / 9
-    ha: float = 1.0
-    c: float = 0.25
-
-    def transverse(self, beta: float) -> Rack:
-        """The same rack in the transverse section, in transverse modules."""
-        turn = np.cos(beta)
-        return Rack(np.arctan(np.tan(self.alpha) / turn), self.ha * turn, self.c * turn)
-
-    @property
-    def fillet(self) -> float:
-        """Radius of the rack's tip, modules: the arc tangent to the flank and the tip line, 0.38 for 20°, c* = 0.25."""
-        return self.c / (1 - np.sin(self.alpha))
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,6 +47,10 @@ class Wheels:
     a_w: Array
     internal: bool = False
     shortened: bool = True  # tips cut down where the clearance would be less than c* m
+    trimmed: bool = False  # the ring's tips, too, where they would touch the fillets of the pinion
+    cutter: Cutter | None = (
+        None  # cuts the ring of an internal pair, both wheels of an external one; None: the rack
+    )
 
     # ------------------------------------------------------------ signed, transverse
 
@@ -98,6 +88,31 @@ class Wheels:
 
     def _plain(self, signed: Both) -> Both:
         return self.signs[0] * signed[0], self.signs[1] * signed[1]
+
+    # ------------------------------------------------------------ how they are cut
+
+    @cached_property
+    def cuts(self) -> tuple[Cut, Cut]:
+        """How each wheel is cut, in the transverse section."""
+        return self._cut(0), self._cut(1)
+
+    def _cut(self, i: int) -> Cut:
+        by_rack = ByRack(self._z[i], self.m_t, self._x[i], self.t)
+        if self.cutter is None or (self.internal and np.all(self.signs[i] > 0)):
+            return by_rack
+        return by_cutter(by_rack, self.cutter, self.beta)
+
+    @cached_property
+    def _start(self) -> Both:
+        return self._both(lambda i: real_start(self.cuts[i]))
+
+    @cached_property
+    def starts(self) -> Both:
+        """Radii of curvature where the involutes really begin: above the fillets, or where an undercut ends.
+
+        Of a ring it is where they end, at its root. ∞ where an undercut leaves none.
+        """
+        return self._plain(self._start)
 
     # ------------------------------------------------------------ the pair
 
@@ -166,12 +181,31 @@ class Wheels:
 
     @cached_property
     def _d_f(self) -> Both:
-        return self._both(lambda i: self._d[i] - 2 * self.m_t * (self.t.ha + self.t.c - self._x[i]))
+        return self._both(lambda i: self.cuts[i].root)
+
+    @cached_property
+    def _full(self) -> Both:
+        """Tip circles that keep the clearance, before any ring is cut down to clear fillets."""
+        lost = self.shortening * self.m
+        return self._both(lambda i: self._d[i] + 2 * self.m_t * (self.t.ha + self._x[i]) - 2 * lost)
 
     @cached_property
     def _d_a(self) -> Both:
-        lost = self.shortening * self.m
-        return self._both(lambda i: self._d[i] + 2 * self.m_t * (self.t.ha + self._x[i]) - 2 * lost)
+        if not (self.internal and self.trimmed):
+            return self._full
+        return self._both(lambda i: self._full[i] if np.all(self.signs[i] > 0) else self._trimmed(i))
+
+    def _trimmed(self, i: int) -> Array:
+        """Tip circle of wheel i, where it is a ring one that touches no fillet of its pinion."""
+        start = self._start[1 - i]
+        start = np.where(np.isfinite(start), start, 0.0)
+        clear = 2 * clear_ring_tip(self.d_b[i] / 2, self.a_w * np.sin(self.alpha_w), start)
+        return np.where(self.signs[i] > 0, self._full[i], np.minimum(self._full[i], -clear))[()]
+
+    @cached_property
+    def trimming(self) -> Both:
+        """By how much the tip circles of rings are widened to clear the fillets of their pinions, m; 0: of the rest."""
+        return self._both(lambda i: np.abs(self._d_a[i] - self._full[i]))
 
     @cached_property
     def d(self) -> Both:
@@ -255,22 +289,9 @@ class Wheels:
         return self._both(lambda i: self.s_a[i] * np.cos(np.arctan(slope * self.d_a[i] / self.d[i])))
 
 
-def least_shift(z: Array, rack: Rack, beta: float = 0.0) -> Array:
-    """Least shift coefficient of an external wheel cut by a rack without undercut."""
-    return rack.ha - z * np.sin(rack.transverse(beta).alpha) ** 2 / (2 * np.cos(beta))
-
-
-def involute_start(d: Array, m: Array, x: Array, rack: Rack) -> Array:
-    """ρ_l = r sin α − (ha* − x) m/sin α, m: radius of curvature where the rack's fillet ends; negative: undercut."""
-    return d / 2 * np.sin(rack.alpha) - (rack.ha - x) * m / np.sin(rack.alpha)
-
-
-def clear_ring_tip(base: Array, line: Array, start: Array) -> Array:
-    """Radius of a ring's tip circle that just clears the fillets of its pinion, m (Litvin, Gear geometry, ch. 11).
-
-    `base`: radius of the ring's base circle; `line`: a_w sin α_w; `start`: ρ_l of the pinion, at least 0 is taken.
-    """
-    return np.hypot(base, line + np.maximum(start, 0.0))
+def by_cutter(wheel: ByRack, cutter: Cutter, beta: float) -> ByCutter:
+    """The same wheel cut by a pinion cutter whose shift is given in normal modules."""
+    return ByCutter(wheel.z, wheel.m, wheel.x, wheel.rack, cutter, cutter.x * np.cos(beta))
 
 
 def least_teeth(rack: Rack) -> int:
@@ -305,15 +326,3 @@ def signs_of(z1: Array, z2: Array, internal: bool) -> Both:
         return 1, 1
     ring = np.greater_equal(z2, z1)  # whether wheel 2 is the ring
     return np.where(ring, 1, -1)[()], np.where(ring, -1, 1)[()]
-
-
-def arccos(x: Array) -> Array:
-    """nan outside −1…1."""
-    with np.errstate(invalid="ignore"):
-        return np.arccos(x)
-
-
-def root(x: Array) -> Array:
-    """Square root; nan of what is negative."""
-    with np.errstate(invalid="ignore"):
-        return np.sqrt(x)

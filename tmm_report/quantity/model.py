@@ -61,7 +61,8 @@ class Quantity:
         return Value(self, number, at)
 
     def vector(self, values: Array) -> Iterator[Column]:
-        """Size and both components of complex values (P,)."""
+        """Size and both components of complex values (P,); of what does not exist neither."""
+        values = np.where(np.isfinite(values), values, complex(np.nan, np.nan))
         yield self.column(np.abs(values))
         for component, (_, _, part) in zip(self.components, AXES, strict=True):
             yield component.column(part(values))

@@ -7,10 +7,16 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.problems import N_, Message, ProblemError, mistake
+
 ROUND = (1.0, 2.0, 2.5, 4.0, 5.0)
 SHEET = (149.0, 199.0)  # mm: what a drawing itself has of a portrait page, its lettering left room around it
 LONGEST = 180.0  # mm: no vector of a plan is drawn longer where the scale is not stated
 ACCURACY = 1e-5  # m of paper, of a drawing whose accuracy is not stated: lengths are read to it
+PAPER = (
+    0.1,
+    5000.0,
+)  # mm: what is drawn smaller cannot be seen, what is larger has no sheet; TeX ends at 5.7 m
 CAD = 1e-5  # m of paper: with this accuracy or better a drawing is made by computer
 
 
@@ -29,6 +35,22 @@ def fitting_scale(width: float, height: float, sheet: tuple[float, float] = SHEE
         round_scale(size, paper) for size, paper in zip((width, height), sheet, strict=True) if size > 0
     ]
     return max(scales, default=1.0)
+
+
+def legible(scale: float, largest: float, path: tuple[str | int, ...]) -> float:
+    """A stated scale, SI per mm, at which `largest` can be drawn.
+
+    Raises ProblemError with the scales between which it can.
+    """
+    low, high = PAPER
+    if not largest > 0 or low <= largest / scale <= high:
+        return scale
+    text = N_("at the scale %(scale)s the largest of what is drawn is %(size)s mm long")
+    right = Message(
+        N_("from %(low)s to %(high)s it can be drawn"),
+        {"low": f"{largest / high:.1g}", "high": f"{largest / low:.1g}"},
+    )
+    raise ProblemError([mistake(text, path, right, scale=f"{scale:.4g}", size=f"{largest / scale:.3g}")])
 
 
 def segment_scale(value: float, mm: float) -> float:

@@ -9,6 +9,7 @@ import re
 from typing import NamedTuple
 
 from tmm_report.problems import N_, Message, shown
+from tmm_report.quantity import mistyped
 
 Exponents = tuple[int, int, int, int]  # of metre, kilogram, second, radian
 
@@ -120,12 +121,28 @@ def parse(value: object, dimension: str) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float | str):
         raise _not_a_number(value, wanted)
     number, unit = _split(value, wanted) if isinstance(value, str) else (_float(value), "")
-    factor, exponents = _unit(unit, wanted) if unit else (1.0, wanted.exponents)
+    try:
+        factor, exponents = _unit(unit, wanted) if unit else (1.0, wanted.exponents)
+    except WrongValue as error:
+        raise WrongValue(error.wrong, _cure(str(value), dimension) or error.right) from None
     if not _agree(exponents, wanted.exponents):
         raise _other_dimension(value, unit, exponents, wanted)
     if not math.isfinite(number * factor):
         raise _not_a_number(value, wanted)
     return number * factor
+
+
+def _cure(text: str, dimension: str) -> Message | None:
+    """What to write in place of a text whose unit is unknown."""
+    if sign := mistyped.sign(text):
+        return sign
+    if (near := mistyped.corrected(text)) is None:
+        return None
+    try:
+        parse(near, dimension)
+    except WrongValue:
+        return None
+    return Message(N_("write %(text)s"), {"text": shown(near)})
 
 
 def measured(value: object) -> tuple[float, str]:

@@ -49,12 +49,14 @@ def _written(given: Mapping[str, Any], parts: Sequence[Part], page: Page, undone
         return Markup(template(f"chapters/{name}.j2").render(given, **more))
 
     body = [chapter(part.template, view=part.view) for part in parts]
-    body += [chapter("conclusions", lines=[*map(page.message, undone), *_conclusions(parts)])]
+    left_out, concluded = list(map(page.message, undone)), _conclusions(parts)
+    body += [chapter("conclusions", lines=[*left_out, *concluded])]
     if page.cited:
         body.append(chapter("references"))
     # what stands in front tells of what the note has
     page.numbering.begin_front()
-    body = [chapter("symbols"), chapter("introduction"), *body]
+    failed = [*left_out, *(line for line in concluded if isinstance(line, Failed))]
+    body = [chapter("symbols"), chapter("introduction", failed=failed), *body]
     page.numbering.end_front()
     head = chapter("title")
     note = template(f"report.{fmt}.j2").render(given, head=head, body=body, **_own_files(fmt))

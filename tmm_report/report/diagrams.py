@@ -92,5 +92,6 @@ def scale_of(name: str, value: float, unit: str) -> Var:
 
 
 def points(extremes: Sequence[Extreme], factor: float = 1.0) -> list[tuple[float, float]]:
-    """Extremes as points of a graph: angle of turn, degrees, and value."""
-    return [(math.degrees(extreme.turned), float(extreme.value * factor)) for extreme in extremes]
+    """Extremes as points of a graph: angle of turn, degrees, and value; without those that there are none of."""
+    there = [extreme for extreme in extremes if math.isfinite(extreme.value)]
+    return [(math.degrees(extreme.turned), float(extreme.value * factor)) for extreme in there]

@@ -173,7 +173,8 @@ def _whole(path: Path) -> int:
 def rewrite(path: Path, places: Iterable[int]) -> None:
     """The file with the lines at these places alone, in their order; whole or as it was. Raises OSError."""
     part = path.with_name(f".{path.name}.part")
-    with path.open("rb") as old, part.open("wb") as new:
+    part.unlink(missing_ok=True)  # a link that somebody put there leads elsewhere
+    with path.open("rb") as old, part.open("xb") as new:
         for place in places:
             old.seek(place)
             new.write(old.readline())

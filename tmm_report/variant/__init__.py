@@ -10,11 +10,11 @@ from collections.abc import Mapping
 from typing import Protocol
 
 from tmm_report import languages
-from tmm_report.problems import Problem
+from tmm_report.problems import Problem, ProblemError
 from tmm_report.resources import data_root
 from tmm_report.yamlread import Path, Place, located
 
-__all__ = ["locate", "new"]
+__all__ = ["failed", "locate", "new"]
 
 
 class Placed(Protocol):
@@ -24,6 +24,10 @@ class Placed(Protocol):
     def places(self) -> Mapping[Path, Place]: ...
     @property
     def file(self) -> str: ...
+    @property
+    def doubts(self) -> tuple[Problem, ...]: ...
+    @property
+    def language(self) -> str: ...
 
 
 def locate(problem: Problem, variant: Placed) -> Problem:
@@ -32,6 +36,12 @@ def locate(problem: Problem, variant: Placed) -> Problem:
     path = tuple(map(str, problem.path))  # a solver may call link 2 a number
     depth = next(n for n in range(len(path), -1, -1) if path[:n] in texts or not n)
     return located(problem, {problem.path[:depth]: texts.get(path[:depth], (1, 1))}, variant.file)
+
+
+def failed(error: ProblemError, variant: Placed) -> ProblemError:
+    """What stopped the solving of a variant, with its places, and the doubts of its file, which may be the cause."""
+    found = [locate(problem, variant) for problem in error.problems]
+    return ProblemError([*found, *variant.doubts], variant.language)
 
 
 def new(language: str) -> str:

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from typing import Any, get_args
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from typing import Any
 
 from pydantic import BaseModel, ValidationError
 
 from tmm_report.problems import N_, Message, Problem, mistake, shown
+from tmm_report.quantity.alike import difference, skeleton
 from tmm_report.quantity.units import WrongValue
+from tmm_report.variant import elsewhere
+from tmm_report.variant.forms import fields_at
+from tmm_report.variant.leaves import leaves
 from tmm_report.yamlread import Path
 
 _TEXTS = {
@@ -28,23 +32,64 @@ _TEXTS = {
 }
 
 
+COMPARED = 40  # words among which the nearest is looked for letter by letter
+CLOSE = 0.8  # likeness of a word that is misspelt and not another one
+WORDED = 200  # mistakes of a block for which suggestions are looked for
+
 Roots = Callable[[], Iterable[type[BaseModel]]]
 """The blocks of the format, all of them: asked for only where a message names known keys, as some are slow to load."""
 
 
-def problems(error: ValidationError, data: Any, roots: Roots) -> list[Problem]:
-    """One Problem for each of the errors that validating `data` gave."""
-    return [_problem(one, data, roots) for one in error.errors(include_url=False)]
+def problems(
+    error: ValidationError, kind: type[BaseModel], data: Any, roots: Roots, stated: Collection[str] = ()
+) -> list[Problem]:
+    """One Problem for each of the errors that validating `data` by the block `kind` gave; `stated`: the keys at the
+    top of the file."""
+    found = error.errors(include_url=False)
+    owned: Mapping[Path, Sequence[str]] = {}
+    if any(one["type"] == "extra_forbidden" for one in found):
+        owned = {leaf.path: leaf.known for leaf in leaves([kind], data) if leaf.known}
+    found = [one for one in found if not _is_misspelt(one, found)]
+    # nobody reads a thousand suggestions, and each takes time to find
+    return [_problem(one, data, owned if n < WORDED else {}, roots, stated) for n, one in enumerate(found)]
+
+
+def _is_misspelt(error: Any, found: Sequence[Any]) -> bool:
+    """Whether what is missing stands there: a key under a name that comes near, a value behind a semicolon."""
+    around, key = error["loc"][:-1], error["loc"][-1]
+    if error["type"] != "missing":
+        return False
+    beside = [one for one in found[:WORDED] if one["loc"][:-1] == around and one is not error]
+    if isinstance(key, int):
+        return any(isinstance(one["input"], str) and ";" in one["input"] for one in beside)
+    unknown = [str(one["loc"][-1]) for one in beside if one["type"] == "extra_forbidden"]
+    return bool(difflib.get_close_matches(key, unknown, 1, CLOSE))
 
 
 def near(word: str, known: Sequence[str]) -> Message | None:
-    """`did you mean ...?` with the nearest known word, or the list of known words, or nothing."""
-    if nearest := difflib.get_close_matches(word, known, 1, 0.6):
-        return Message(N_("did you mean %(near)s?"), {"near": nearest[0]})
-    return Message(N_("known: %(words)s"), {"words": shown(", ".join(known), 200)}) if known else None
+    """`did you mean ...?` with the nearest known word, or the list of known words, or nothing.
+
+    Of a word that only looks like a known one, which character is another. Never the word itself.
+    """
+    others = [one for one in known if one != word]
+    if alike := next((one for one in others if skeleton(one) == skeleton(word)), None):
+        return difference(word, alike)
+    if nearest := difflib.get_close_matches(word, _likely(word, others), 1, 0.6):
+        return Message(N_("did you mean %(near)s?"), {"near": shown(nearest[0])})
+    return Message(N_("known: %(words)s"), {"words": shown(", ".join(others), 200)}) if others else None
 
 
-def _problem(error: Any, data: Any, roots: Roots) -> Problem:
+def _likely(word: str, known: Sequence[str]) -> Sequence[str]:
+    """Of many words those that may be near, by what is seen at a glance: comparing each with each takes minutes."""
+    if len(known) <= COMPARED:
+        return known
+    start = word[:1].casefold()
+    return sorted(known, key=lambda one: (abs(len(one) - len(word)), one[:1].casefold() != start))[:COMPARED]
+
+
+def _problem(
+    error: Any, data: Any, owned: Mapping[Path, Sequence[str]], roots: Roots, stated: Collection[str]
+) -> Problem:
     path = data_path(error["loc"], data, error["type"] == "missing")
     kind, context = error["type"], error.get("ctx", {})
     cause = context.get("error")
@@ -53,11 +98,13 @@ def _problem(error: Any, data: Any, roots: Roots) -> Problem:
     if kind == "missing":
         return _missing(path, roots)
     if kind == "extra_forbidden":
-        right = near(str(path[-1]), sorted(_fields(path[:-1], roots)))
+        right = unknown(path, data, owned.get(path), roots, stated) if owned else None
         return mistake(N_("unknown key %(key)s"), path, right, key=shown(path[-1]))
     if kind == "literal_error":
         return _not_a_word(error, path)
     right = Message(error["msg"]) if kind == "shape" else None
+    if kind == "list_type" and isinstance(error["input"], dict):
+        return mistake(N_("a list is expected here"), path, Message(N_("begin each item with - and a space")))
     if kind in _TEXTS:
         return mistake(_TEXTS[kind], path, right, **context)
     return mistake(N_("the value does not fit: %(reason)s"), path, reason=shown(error["msg"], 120))
@@ -66,7 +113,7 @@ def _problem(error: Any, data: Any, roots: Roots) -> Problem:
 def _missing(path: Path, roots: Roots) -> Problem:
     if isinstance(path[-1], int):
         return mistake(N_("a value of the list is missing"), path[:-1])
-    examples = getattr(_fields(path[:-1], roots).get(path[-1]), "examples", None)
+    examples = getattr(fields_at(path[:-1], roots()).get(path[-1]), "examples", None)
     right = (
         Message(N_("for example, %(example)s"), {"example": f"{path[-1]}: {examples[0]}"})
         if examples
@@ -80,6 +127,8 @@ def _not_a_word(error: Any, path: Path) -> Problem:
     given = error["input"]
     quoted = shown(given) if isinstance(given, str | int | float) else "[…]"
     right = Message(N_("one of: %(words)s"), {"words": ", ".join(words)})
+    if alike := next((one for one in words if one != given and skeleton(one) == skeleton(quoted)), None):
+        right = difference(quoted, alike)
     return mistake(N_("%(value)s is not a word known here"), path, right, value=quoted)
 
 
@@ -96,22 +145,20 @@ def data_path(loc: Sequence[str | int], data: Any, missing: bool = False) -> Pat
     return tuple(path)
 
 
-def _fields(path: Path, roots: Roots) -> dict[str, Any]:
-    """Names (as written in the file) -> fields that the models allow at the path."""
-    models = list(roots())
-    for part in path:
-        fields = [field for model in models for name, field in _named(model) if name == part]
-        if fields:  # else a key of a mapping or an index: the same models lie under it
-            models = [inner for field in fields for inner in _models(field.annotation)]
-    return {name: field for model in models for name, field in _named(model)}
+def unknown(
+    path: Path, data: Any, own: Sequence[str] | None, roots: Roots, stated: Collection[str] = ()
+) -> Message | None:
+    """What would be right where a key is unknown. `own`: the keys that are known there."""
+    key = str(path[-1])
+    if own is None:
+        return near(key, sorted(fields_at(path[:-1], roots())))
+    alike = any(skeleton(one) == skeleton(key) for one in own)
+    return (None if alike else elsewhere.right(path, data, own, roots(), stated)) or near(key, sorted(own))
 
 
-def _named(model: type[BaseModel]) -> Iterator[tuple[str, Any]]:
-    return ((field.alias or name, field) for name, field in model.model_fields.items())
-
-
-def _models(annotation: Any) -> Iterator[Any]:
-    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
-        yield annotation
-    for argument in get_args(annotation):
-        yield from _models(argument)
+def unknown_block(key: str, data: Any, known: Sequence[str], roots: Roots) -> Message | None:
+    """What would be right where a key at the top of the file is unknown."""
+    close = difflib.get_close_matches(key, known, 1, CLOSE) or any(
+        skeleton(one) == skeleton(key) for one in known
+    )
+    return (None if close else elsewhere.anywhere(key, data[key], data, roots())) or near(key, sorted(known))

@@ -29,6 +29,8 @@ class Block(Model):
     """Lists in which a wrong item leaves a hole, None, so that the others keep their numbers."""
     ALONE: ClassVar[bool] = False
     """Whether a variant may have this block and no lever mechanism."""
+    ONE_SIZE: ClassVar[bool] = False
+    """Whether the lengths of the block are of one order of magnitude: one far from the others is odd."""
 
 
 B = TypeVar("B", bound=Block)
@@ -45,6 +47,8 @@ class Read:
     data: Mapping[str, Any]
     broken: frozenset[Path]
     blocks: Mapping[type[Block], Block]
+    doubts: tuple[Problem, ...] = ()
+    """What looks odd in a variant without mistakes, with its places."""
 
     def block(self, kind: type[B]) -> B:
         """A chapter's block; of what the file leaves out, the default."""
@@ -73,6 +77,9 @@ class Room(Protocol):
     def mistakes(self, read: Read) -> Iterator[Problem]:
         """What the parts that are right in themselves say wrong about one another."""
 
+    # def doubts(self, read: Read) -> Iterator[Problem]
+    #     a room may have it: what looks odd in a variant without mistakes and is solved all the same
+
 
 @dataclass(frozen=True, eq=False)
 class Rooms:
@@ -87,6 +94,10 @@ class Rooms:
         if not rest <= self.others.keys():
             return self.all()
         return [*self.usual, *(load() for key, load in self.others.items() if key in rest)]
+
+    def keys(self) -> set[str]:
+        """All keys that may stand at the top of a file."""
+        return {key for room in self.usual for key in room.Block.model_fields} | self.others.keys()
 
     def all(self) -> list[Room]:
         return [*self.usual, *(load() for load in self.others.values())]

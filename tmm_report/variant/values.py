@@ -17,6 +17,7 @@ from pydantic_core import core_schema
 
 from tmm_report.problems import N_, Message, shown
 from tmm_report.quantity import units
+from tmm_report.quantity.alike import difference, readings
 from tmm_report.quantity.units import DIMENSIONS, WrongValue
 
 NAME = r"[0-9A-Za-z\u0400-\u0481\u048a-\u052f][0-9A-Za-z\u0400-\u0481\u048a-\u052f'’]{0,11}"
@@ -26,6 +27,8 @@ SCALAR, LIST, MAP = "<scalar>", "<list>", "<map>"
 
 # What is larger is a slip of the pen, and overflows when it is squared or swallows the rest of the mechanism; SI.
 _LARGEST = {"length": (1e6, "−10⁶ … 10⁶ m")}
+# in which a bare number is often meant
+_USUAL = {"length": ("mm", 1e-3), "angle": ("deg", math.pi / 180), "number": ("%", 1e-2)}
 _LARGEST_OTHER = (1e12, "−10¹² … 10¹²")
 
 _BIDI = set(map(chr, [*range(0x202A, 0x202F), *range(0x2066, 0x206A), 0x200E, 0x200F, 0x61C]))
@@ -48,11 +51,29 @@ def _quantity(value: object, dimension: str, low: float, high: float, limits: st
     name = Message(DIMENSIONS[dimension].name)
     if limits:
         text = N_("%(value)s is out of range: %(name)s from %(limits)s is expected")
-        raise WrongValue(Message(text, {"value": shown(value), "name": name, "limits": limits}))
+        wrong = Message(text, {"value": shown(value), "name": name, "limits": limits})
+        raise WrongValue(wrong, _usual(value, dimension, low, high))
     text = N_("%(value)s is negative: %(name)s cannot be")
     if low > 0:
         text = N_("%(value)s is negative or zero: %(name)s must be greater than zero")
     raise WrongValue(Message(text, {"value": shown(value), "name": name}))
+
+
+def _usual(value: object, dimension: str, low: float, high: float) -> Message | None:
+    """What is meant by a bare length that would do in millimetres, an angle in degrees, a fraction in per cent."""
+    unit, size = _USUAL.get(dimension, ("", 0.0))
+    if not size or not isinstance(value, int | float) or (unit == "%" and value <= 2):
+        return None
+    if low <= value * size <= high:
+        return Message(N_("did you mean %(near)s?"), {"near": f"{value} {unit}"})
+    return None
+
+
+@dataclass(frozen=True)
+class Named:
+    """Marks a text that is made of names: B, 2-3, v_B."""
+
+    names: bool = True
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,9 +82,31 @@ class Reads:
 
     read: Callable[[Any], Any]
     schema: Mapping[str, Any]
+    dimension: str = ""  # of a number with a unit
+    bounded: bool = False  # whether the number has a range of its own
+    names: bool = False  # whether it is a name, or is made of names
 
     def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> core_schema.CoreSchema:
-        return core_schema.no_info_plain_validator_function(self.read)
+        return core_schema.no_info_plain_validator_function(self.value)
+
+    def value(self, written: Any) -> Any:
+        """What is written becomes. Raises WrongValue, with the letter that only looks like the right one."""
+        try:
+            return self.read(written)
+        except WrongValue as error:
+            if isinstance(written, str) and len(written) <= 60 and (meant := self._alike(written)):
+                raise WrongValue(error.wrong, difference(written, meant)) from None
+            raise
+
+    def _alike(self, written: str) -> str | None:
+        """What looks like the text and can be read."""
+        for text in readings(written):
+            try:
+                self.read(text)
+            except WrongValue:
+                continue
+            return text
+        return None
 
     def __get_pydantic_json_schema__(self, core: Any, handler: Any) -> dict[str, Any]:
         return dict(self.schema)
@@ -78,7 +121,8 @@ def quantity(dimension: str, low: float = -math.inf, high: float = math.inf, lim
         "description": described,
         "examples": [about.example],
     }
-    return Reads(partial(_quantity, dimension=dimension, low=low, high=high, limits=limits), schema)
+    read = partial(_quantity, dimension=dimension, low=low, high=high, limits=limits)
+    return Reads(read, schema, "" if dimension == "number" else dimension, bool(limits))
 
 
 def _whole(value: object, low: int, high: int) -> int:
@@ -185,10 +229,10 @@ _NAME = {"type": ["string", "integer"], "pattern": f"^{NAME}$", "examples": ["A"
 _WORDS = {"type": ["string", "number"]}
 _CURVE = (Field(min_length=1, max_length=1000), AfterValidator(_ascending))
 
-Name = Annotated[str, Reads(_name, _NAME)]
-KeyName = Annotated[str, Reads(_name, {"type": "string", "pattern": f"^{NAME}$"})]
-GroupName = Annotated[str, Field(max_length=60)]
-ReadingKey = Annotated[str, Field(max_length=40)]
+Name = Annotated[str, Reads(_name, _NAME, names=True)]
+KeyName = Annotated[str, Reads(_name, {"type": "string", "pattern": f"^{NAME}$"}, names=True)]
+GroupName = Annotated[str, Field(max_length=60), Named()]
+ReadingKey = Annotated[str, Field(max_length=40), Named()]
 Reading = Annotated[
     tuple[float, str], Reads(units.measured, {"type": ["number", "string"], "examples": ["4.44 m/s"]})
 ]
@@ -247,7 +291,8 @@ Direction = Annotated[
 ]
 FixedDirection = Annotated[complex, Reads(_fixed_direction, {**_WORDS, "description": _TO})]
 Choice = Annotated[
-    Any, Reads(_choice, {"type": ["string", "integer"], "examples": ["right", "left of A-C", "+"]})
+    Any,
+    Reads(_choice, {"type": ["string", "integer"], "examples": ["right", "left of A-C", "+"]}, names=True),
 ]
 Side = Literal["right", "left", "up", "down"]
 Turn = Literal["clockwise", "counter-clockwise"]

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from itertools import count
-from typing import Annotated, Any, TypedDict, assert_never
+from typing import Annotated, Any, Literal, TypedDict, assert_never
 
 from pydantic import Discriminator, Field, Tag
 
 from tmm_report.chapters.drive import solve as drive
+from tmm_report.chapters.drive.crank import SPEED as CRANK_SPEED
+from tmm_report.chapters.drive.crank import Crank
 from tmm_report.chapters.drive.plans import Scales
 from tmm_report.chapters.planetary import block as planetary
 from tmm_report.chapters.planetary import solve as solve_planetary
@@ -17,7 +21,8 @@ from tmm_report.chapters.plans import block as plans
 from tmm_report.chapters.spur import block as spur
 from tmm_report.chapters.spur import solve as solve_spur
 from tmm_report.chapters.spur.block import SpurModel
-from tmm_report.problems import N_, Problem
+from tmm_report.chapters.structure import block as structure
+from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.quantity.paper import ACCURACY
 from tmm_report.variant import model
 from tmm_report.variant.model import Model, Read
@@ -25,6 +30,9 @@ from tmm_report.variant.values import Scale, Speed, quantity
 
 Tolerance = Annotated[float, quantity("number", 0.0, 0.2, "0 … 20 %")]
 Torque = Annotated[float, quantity("moment", 1e-12)]  # the input drives: else there is no efficiency
+
+
+SLOWEST = 1e-9  # of the input's speed: a slower output stands still
 
 
 def _kind(value: Any) -> str:
@@ -58,6 +66,9 @@ class DriveModel(Model):
     )
     stages: list[StageModel] = Field(min_length=1, max_length=8, description="in the order of the power")
     scales: DriveScalesModel = Field(default_factory=DriveScalesModel)
+    output: Literal["crank", "other"] = Field(
+        default="crank", description="what the output shaft turns: the driving link, or something else"
+    )
 
 
 class Block(model.Block):
@@ -74,29 +85,118 @@ class Given(TypedDict):
 
 def given(read: Read) -> Given:
     written, accuracy = read.block(Block).drive, read.block(plans.Block).drawing.accuracy
-    return {"drive": build(written, accuracy) if written else None}
+    if written is None:
+        return {"drive": None}
+    return {"drive": _turning(build(written, accuracy), written, _crank(read))}
+
+
+def _crank(read: Read) -> Crank | None:
+    """The driving link of the lever mechanism, where there is one."""
+    driver = read.block(structure.Block).mechanism.driver
+    if driver is None or "mechanism" not in read.data:
+        return None
+    stated = driver.model_fields_set
+    linked = linked_by_drive(read.data)
+    omega = math.nan if driver.speed == "drive" else structure.driver(driver).omega
+    # of a linked one the sense may have been filled in by the drive itself
+    turned = "rotation" in (read.data["mechanism"].get("driver") or {}) and "rotation" in stated
+    key = "period" if driver.period is not None else "speed"
+    return Crank(driver.link, float(omega), linked, turned, key)
+
+
+def linked_by_drive(data: Any) -> bool:
+    """Whether the driver of the file's data says `speed: drive`."""
+    for key in CRANK_SPEED:
+        data = data.get(key) if isinstance(data, Mapping) else None
+    return isinstance(data, str) and data.strip() == "drive"
+
+
+def _turning(found: drive.Given, model: DriveModel, crank: Crank | None) -> drive.Given:
+    """With the driving link that the output turns; of a linked one whose sense is stated, the input turns to suit."""
+    if crank is None or model.output == "other":
+        return found
+    if crank.linked and crank.turned and math.isfinite(crank.omega):
+        sign = math.prod(math.copysign(1.0, stage.ratio) for stage in model.stages)
+        found = replace(found, speed=math.copysign(found.speed, sign * crank.omega))
+    return replace(found, crank=crank)
+
+
+def geared(read: Read) -> Read:
+    """The blocks with the speed of the drive's output in the place of `speed: drive`. Raises ProblemError.
+
+    The sense of rotation is that of the output, the input turning counter-clockwise; where a sense is stated the input
+    turns so that the output has it (`given`).
+    """
+    model = read.block(structure.Block).mechanism
+    driver = model.driver
+    found = given(read)["drive"]
+    if driver is None or driver.speed != "drive" or found is None:
+        return read
+    speed = drive.output_speed(found)
+    if not abs(speed) > SLOWEST * abs(found.speed):
+        wrong = N_("the output of the drive stands still, so the driving link has no speed")
+        right = Message(N_("state the speed of the driving link, or other stages"))
+        raise ProblemError([mistake(wrong, CRANK_SPEED, right)])
+    taken: dict[str, Any] = {"speed": abs(speed)}
+    if "rotation" not in driver.model_fields_set:
+        taken["rotation"] = "counter-clockwise" if speed > 0 else "clockwise"
+    moved = model.model_copy(update={"driver": driver.model_copy(update=taken)})
+    return replace(read, blocks={**read.blocks, structure.Block: structure.Block(mechanism=moved)})
 
 
 def mistakes(read: Read) -> Iterator[Problem]:
-    yield from ()
+    written = read.block(Block).drive
+    if written is None:
+        return
+    if linked_by_drive(read.data) and written.output == "other":
+        wrong = N_("the driving link takes the speed of the drive, and the drive turns something else")
+        right = Message(N_("either speed: drive in the driver or output: other in the drive"))
+        yield mistake(wrong, ("drive", "output"), right)
+    yield from _tolerances(written)
+
+
+def _tolerances(written: DriveModel) -> Iterator[Problem]:
+    """A stage that may miss its ratio by more than the whole drive."""
+    for k, stage in enumerate(written.stages):
+        if not isinstance(stage, PlanetaryModel) or stage.tolerance is None or stage.teeth is not None:
+            continue
+        if "tolerance" in written.model_fields_set and stage.tolerance > written.tolerance * (1 + 1e-9):
+            wrong = N_("the stage may miss its ratio by %(stage)s %%, and the whole drive by %(drive)s %%")
+            right = Message(
+                N_("a tolerance of the stage up to %(drive)s %%, or the same for the drive"),
+                {"drive": f"{100 * written.tolerance:.4g}"},
+            )
+            values = {"stage": f"{100 * stage.tolerance:.4g}", "drive": f"{100 * written.tolerance:.4g}"}
+            yield mistake(wrong, ("drive", "stages", k, "tolerance"), right, **values)
 
 
 def build(model: DriveModel, accuracy: float = ACCURACY) -> drive.Given:
     """The drive's Given; `accuracy`: of the drawing, m of paper."""
     names = numbered(model.stages)
-    stages = tuple(_stage(stage, wheels, accuracy) for stage, wheels in zip(model.stages, names, strict=True))
+    allowed = tolerance(model)
+    stages = tuple(
+        _stage(stage, wheels, accuracy, allowed) for stage, wheels in zip(model.stages, names, strict=True)
+    )
     scales = Scales(model.scales.length, model.scales.velocity, model.scales.angular)
-    return drive.Given(model.speed, stages, model.tolerance, model.torque, accuracy, scales)
+    return drive.Given(model.speed, stages, allowed, model.torque, accuracy, scales)
+
+
+def tolerance(model: DriveModel) -> float:
+    """Of the whole ratio: as stated, else the usual one, or that of a stage which states a wider one."""
+    if "tolerance" in model.model_fields_set:
+        return model.tolerance
+    stages = [stage.tolerance or 0.0 for stage in model.stages if isinstance(stage, PlanetaryModel)]
+    return max([model.tolerance, *stages])
 
 
 def _stage(
-    model: SpurModel | PlanetaryModel, wheels: tuple[str, ...], accuracy: float
+    model: SpurModel | PlanetaryModel, wheels: tuple[str, ...], accuracy: float, allowed: float
 ) -> solve_spur.Given | solve_planetary.Given:
     match model:
         case SpurModel():
             return spur.build(model, wheels, accuracy)
         case PlanetaryModel():
-            return planetary.build(model, wheels)
+            return planetary.build(model, wheels, allowed)
         case _:
             assert_never(model)
 

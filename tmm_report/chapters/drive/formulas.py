@@ -139,6 +139,16 @@ class DriveFormulas:
         g, a = self.of["u_graph"].var(digits=6), self.of["u"].var(digits=6)
         return self.of["error"].formula((g - a) / (Number(0.5) * (g + a)) * Number(100), digits=3)
 
+    # ------------------------------------------------------------ the link that is turned
+
+    def input_torque(self) -> Formula:
+        """That which gives the mean balancing moment of the driving link at the output."""
+        over = abs(self.of["u_teeth"].var(digits=5)) * self.of["eta"].var(digits=5)
+        return self.of["T_mean"].formula(self.of["M_mean"].var() / over)
+
+    def peak(self) -> Formula:
+        return self.of["peak"].formula(self.of["M_greatest"].var() / self.of["M_mean"].var())
+
     # ------------------------------------------------------------ efficiency
 
     def efficiency(self) -> Formula:

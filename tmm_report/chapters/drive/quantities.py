@@ -7,6 +7,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import assert_never
 
+from tmm_report.chapters.drive.bounds import check_listing
+from tmm_report.chapters.drive.crank_quantities import TEETH, crank_rows, teeth_columns
 from tmm_report.chapters.drive.solve import Found
 from tmm_report.chapters.drive.stages import Stage
 from tmm_report.chapters.planetary import quantities as planetary_quantities
@@ -42,13 +44,15 @@ def tables(found: Found, prefix: str = "drive") -> Iterator[Table]:
     yield Table(f"{prefix}_comparison", COMPARISON, _comparison(found))
     yield Table(f"{prefix}_loads", LOADS, _loads(found))
     yield Table(f"{prefix}_meshes", MESHES, _meshes(found))
+    if found.moments is not None and found.given.torque is not None:
+        yield Table(f"{prefix}_teeth", TEETH, tuple(teeth_columns(found)))
     for number, stage in enumerate(found.stages, 1):
         yield from stage_tables(stage, f"stage{number}")
 
 
 def values(found: Found, prefix: str = "drive") -> Iterator[Value]:
     """Ratio, deviation, efficiency of the drive; then the values of the stages."""
-    for rows in (_ratios(found), _whole(found), _diagrams(found)):
+    for rows in (_ratios(found), _whole(found), _diagrams(found), crank_rows(found)):
         for key, symbol, unit, meaning, number in rows:
             yield Quantity(f"{prefix}_{key}", symbol, unit, Message(meaning)).value(float(number))
     for number, stage in enumerate(found.stages, 1):
@@ -56,9 +60,12 @@ def values(found: Found, prefix: str = "drive") -> Iterator[Value]:
 
 
 def listings(found: Found, say: Callable[[str], str]) -> Iterator[tuple[str, list[str]]]:
-    """Of every planetary stage, all the combinations of teeth that were judged and why most were rejected."""
+    """Of every planetary stage, all the combinations of teeth that were judged and why most were rejected.
+
+    Raises ProblemError where they are too many."""
     for number, stage in enumerate(found.stages, 1):
         if isinstance(stage, planetary.Found):
+            check_listing(stage, number - 1)
             yield f"stage{number}_combinations", planetary_quantities.judged(stage, say)
 
 

@@ -9,24 +9,29 @@ ch. VII; Frolov (ed.), Theory of mechanisms and machines, ch. 15.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from tmm_report.chapters.drive.crank import Crank, Moments, doubts, moments
 from tmm_report.chapters.drive.plans import Plans, Scales, draw
 from tmm_report.chapters.drive.stages import Given as StageGiven
-from tmm_report.chapters.drive.stages import Stage, solve_all
+from tmm_report.chapters.drive.stages import Stage, doubts_of, solve_all
 from tmm_report.chapters.spur import solve as spur
 from tmm_report.mechanics.trains import Loads, Train, loads, speeds
-from tmm_report.problems import N_, Message
+from tmm_report.problems import N_, Message, Problem, doubt
 from tmm_report.quantity.paper import ACCURACY
+
+if TYPE_CHECKING:
+    from tmm_report.chapters.machine import Moving
 
 
 @dataclass(frozen=True)
 class Given:
     """A drive. `speed`: of the input shaft, rad/s; `tolerance`: of the whole ratio, relative; `torque`: on the input
-    shaft, N·m, None: all torques are found for 1 N·m; `accuracy`: m of paper; `scales`: of the diagrams."""
+    shaft, N·m, None: all torques are found for 1 N·m, or for the balancing moment of the link that is turned;
+    `accuracy`: m of paper; `scales`: of the diagrams; `crank`: the driving link that the output turns, if any."""
 
     speed: float
     stages: tuple[StageGiven, ...]
@@ -34,12 +39,14 @@ class Given:
     torque: float | None = None
     accuracy: float = ACCURACY
     scales: Scales = field(default_factory=Scales)
+    crank: Crank | None = None
 
 
 @dataclass(frozen=True, eq=False)
 class Found:
     """A solved drive. `speed`: of every member, rad/s; `loads`: torques and powers of the members that are loaded from
-    outside; `plans`: the diagrams of linear and angular velocities."""
+    outside; `plans`: the diagrams of linear and angular velocities; `moments`: of the driving link that the drive
+    turns, whose mean it is then loaded by."""
 
     given: Given
     stages: tuple[Stage, ...]
@@ -47,6 +54,7 @@ class Found:
     speed: Mapping[str, float]
     loads: Loads
     plans: Plans
+    moments: Moments | None = None
 
     @property
     def input(self) -> str:
@@ -136,6 +144,36 @@ class Found:
         g, a = self.graphical, self.ratio
         return 200 * (g - a) / (g + a) if math.isfinite(g + a) else math.nan
 
+    @property
+    def sound(self) -> bool:
+        """Whether the drive has its ratio, can be driven, and every condition of its gear pairs is met."""
+        pairs = all(stage.sound for stage in self.stages if isinstance(stage, spur.Found))
+        return self.within and not self.locks and pairs
+
+    @property
+    def doubts(self) -> tuple[Problem, ...]:
+        """A driving link that is stated to turn otherwise than the output does; a ratio that is missed."""
+        found, crank = [*doubts_of(self.stages), *self._missed], self.given.crank
+        if crank is not None and not crank.linked and self.runs:
+            speed, wide = self.speed[self.output], self.given.tolerance
+            found += doubts(crank, speed, self.ratio, wide)
+        return tuple(found)
+
+    @property
+    def _missed(self) -> Iterator[Problem]:
+        """A ratio outside the tolerance of the drive, its stages within theirs: what to state more narrowly."""
+        if self.within or len(self.stages) < 2:
+            return
+        values = {
+            "deviation": f"{100 * abs(self.deviation):.3g}",
+            "stage": f"{100 * self.given.tolerance / len(self.stages):.3g}",
+        }
+        wrong = N_(
+            "the ratios of the stages, each within its tolerance, miss that of the drive by %(deviation)s %%"
+        )
+        right = N_("tolerance: %(stage)s %% in the planetary stages, or other numbers of teeth in the pairs")
+        yield doubt(wrong, ("drive", "tolerance"), Message(right, values), **values)
+
     def summary(self) -> list[Message]:
         """The main numbers in a sentence, and one for each thing that is wrong."""
         text = N_("gear drive: teeth %(teeth)s; ratio %(ratio)s, required %(wanted)s; efficiency %(eta)s")
@@ -152,9 +190,8 @@ class Found:
         if self.locks:
             found.append(Message(N_("the drive locks itself: it cannot be driven from the input shaft")))
         for stage in self.stages:
-            if isinstance(stage, spur.Found) and stage.failed:
-                broken = {"name": stage.name, "failed": len(stage.failed)}
-                found.append(Message(N_("gear pair %(name)s: conditions not met: %(failed)s"), broken))
+            if isinstance(stage, spur.Found):
+                found += stage.summary()
         return found
 
     @property
@@ -162,18 +199,41 @@ class Found:
         return "; ".join(", ".join(str(m.teeth) for m in s.members if m.teeth) for s in self.stages)
 
 
-def solve(given: Given) -> Found:
-    """Solve the stages and the drive. Raises ProblemError with the mistakes of all the stages."""
+def output_speed(given: Given) -> float:
+    """Of the output shaft, rad/s, + counter-clockwise. Raises ProblemError with the mistakes of all the stages."""
+    stages = solve_all(given.stages)
+    return _turned(given, stages, joined(stages))[stages[-1].output]
+
+
+def solve(given: Given, moving: Moving | None = None) -> Found:
+    """Solve the stages and the drive. `moving`: the lever mechanism whose driving link it may turn. Raises ProblemError
+    with the mistakes of all the stages."""
     stages = solve_all(given.stages)
     train = joined(stages)
-    known = _known_speeds(given.speed, stages)
-    speed = _cleaned(speeds(train, known, ("drive",)))
+    speed = _turned(given, stages, train)
     stages = tuple(
         spur.moving(one, speed[one.input]) if isinstance(one, spur.Found) else one for one in stages
     )
-    return Found(
-        given, stages, train, speed, _loads(given, stages, train, speed), _plans(given, stages, train, speed)
-    )
+    load = _loads(given, stages, train, speed)
+    found = moments(moving) if given.crank is not None and given.crank.linked else None
+    if found is not None and given.torque is None and (torque := _for_mean(found, stages, load)):
+        given = replace(given, torque=torque)
+        load = _loads(given, stages, train, speed)
+    return Found(given, stages, train, speed, load, _plans(given, stages, train, speed), found)
+
+
+def _for_mean(found: Moments, stages: Sequence[Stage], load: Loads) -> float | None:
+    """Torque at the input, N·m, for which the output gives the mean moment; None: of a differential, or where the drive
+    locks itself or is driven on the whole."""
+    whole = float(abs(load.torque[stages[-1].output]))
+    if any(stage.second for stage in stages) or bool(load.locks(stages[-1].output)) or not whole:
+        return None
+    return found.mean / whole if found.mean > 0 else None
+
+
+def _turned(given: Given, stages: Sequence[Stage], train: Train) -> dict[str, float]:
+    """Speeds of all members, rad/s."""
+    return _cleaned(speeds(train, _known_speeds(given.speed, stages), ("drive",)))
 
 
 def _cleaned(speed: Mapping[str, Any]) -> dict[str, float]:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from functools import lru_cache
 from typing import assert_never
 
+from tmm_report.chapters.drive.bounds import check_search
 from tmm_report.chapters.planetary import solve as planetary
 from tmm_report.chapters.spur import solve as spur
 from tmm_report.mechanics.trains import Member
@@ -16,6 +19,13 @@ Stage = spur.Found | planetary.Found
 
 def solve_all(given: tuple[Given, ...]) -> tuple[Stage, ...]:
     """Every stage in its own room. Raises ProblemError with the mistakes of all of them."""
+    return _all(given)
+
+
+@lru_cache(maxsize=1)
+def _all(given: tuple[Given, ...]) -> tuple[Stage, ...]:
+    """The last drive is kept: the speed of a link that it turns is asked for before it is solved in its turn."""
+    check_search(given)
     found: list[Stage] = []
     problems: list[Problem] = []
     for k, stage in enumerate(given):
@@ -36,6 +46,12 @@ def _solved(given: Given) -> Stage:
             return planetary.solve(given)
         case _:
             assert_never(given)
+
+
+def doubts_of(stages: Iterable[Stage]) -> Iterator[Problem]:
+    """What looks odd in the stages, each with its place in the variant."""
+    for k, stage in enumerate(stages):
+        yield from (_placed(problem, k) for problem in getattr(stage, "doubts", ()))
 
 
 def _placed(problem: Problem, stage: int) -> Problem:

@@ -205,6 +205,19 @@ class DriveView(DriveFormulas):
         ]
         return worded(self.t("Flow of the power through the meshes"), heads, rows, [12, 14, 22, 18, 18, 16])
 
+    def teeth_table(self) -> Table:
+        """Forces in the meshes by the mean and by the greatest balancing moment."""
+        table, page = self.of.table("teeth"), self.page
+        names = [page.word(name, table, "mesh", row) for row, name in enumerate(table["mesh"].values)]
+        keys = ("F_t_mean", "F_r_mean", "F_t_greatest", "F_r_greatest")
+        columns = [page.column(table, key, least=11) for key in keys]
+        return numeric(self.t("Forces in the teeth of the drive"), Column(self.t("Mesh"), names, 8), columns)
+
+    @property
+    def turned(self) -> bool:
+        """Whether the torques are found for the balancing moment of the link that the drive turns."""
+        return self.found.moments is not None and self.found.given.torque is not None
+
     # ------------------------------------------------------------ pictures
 
     @cached_property

@@ -18,6 +18,7 @@ from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.panels import Panels, panels
 from tmm_report.mechanics.planar import dot
 from tmm_report.mechanics.repeated import repeated
+from tmm_report.problems import N_, Message, ProblemError, mistake
 
 Array = Any
 MOTOR, BRAKE = "motor", "brake"
@@ -85,6 +86,9 @@ def whole(given: Given, moving: Moving | None) -> Whole:
     parts = tuple(_part(one, given) for one in given.parts)
     inertia, slope = _varying(given, of, over)
     added = sum(one.inertia for one in parts)
+    if not np.all(inertia + added > 0):
+        text = N_("nothing in the machine has a moment of inertia or a mass")
+        raise ProblemError([mistake(text, ("dynamics",), Message(N_("state inertia or mass of the parts")))])
     acting = [*_loads(of, over), *_of_parts(parts, over, given.gravity)]
     acting += [*_springs(given, of, over), *_laws(given, over)]
     pull = moving.forces.given.gravity if moving and moving.forces else 0j

@@ -26,7 +26,8 @@ TURNS = np.array([1, 1, 1, -1])  # the second middle satellite stands below the 
 class Judged:
     """The family with its conditions. In the order of KINDS (T, 4): `phi1`, `phi3` rad, `belt` and `residue` pitches,
     `root` and `tips` in hand against interference in the ring, m, `allowed`: each satellite by itself; `fit`: those
-    that go together. `gap` (T, 4, 4): free between tip circles, m; `closed` (T,): by the closed form, m."""
+    that go together. `gap` (T, 4, 4): free between tip circles, m; `closed` (T,): by the closed form, m. `by_middle`
+    (T,): the middle satellites are assembled with one another, and the residues are those over one of them."""
 
     family: ecc.Family
     phi1: Array
@@ -39,6 +40,7 @@ class Judged:
     tips: Array
     allowed: Array
     fit: Array
+    by_middle: Array
 
     @property
     def held(self) -> Array:
@@ -88,12 +90,32 @@ def sizes(given: Given) -> tuple[Fraction, int]:
     return Fraction(ring, sun), E
 
 
+def halved(given: Given, u: Fraction, E: int) -> bool:
+    """Whether the largest and the smallest satellites have half a tooth, and the family is that of the middle ones."""
+    if given.teeth is not None:
+        return (given.teeth[-1] - given.teeth[0] + E) % 2 == 1
+    return ecc.general_solution(ecc.equation(u, E)) is None
+
+
+def impossible(given: Given, u: Fraction, E: int) -> bool:
+    """Whether no set has a whole largest satellite, and the middle ones alone are not asked for."""
+    return given.teeth is None and given.satellites != ("middle",) and halved(given, u, E)
+
+
+def teeth_equation(given: Given, u: Fraction, E: int) -> tuple[ecc.Equation, ecc.Solution]:
+    """Of the largest satellite, or of the middle one where the largest has half a tooth, with its solution."""
+    equation = ecc.middle_equation(u) if halved(given, u, E) else ecc.equation(u, E)
+    solution = ecc.general_solution(equation)
+    assert solution is not None  # that of the middle satellite always has one
+    return equation, solution
+
+
 def members(given: Given, solution: ecc.Solution, u: Fraction, E: int, most: int) -> ecc.Family:
     """The sets from the largest ring looked at down to the smallest sun without undercut, where there is room."""
     least = least_teeth(given.rack)
     if given.teeth is not None:
         least, most = min(least, given.teeth[0]), max(most, given.teeth[-1])
-    found = ecc.family(solution, u, E, ecc.range_of(solution, u, least, most))
+    found = ecc.family(solution, u, E, ecc.range_of(solution, u, least, most), halved(given, u, E))
     room = found.satellites[:, ecc.KINDS.index("smallest")] >= mistakes.FEWEST
     return ecc.Family(*(part[room] for part in found))
 
@@ -108,15 +130,19 @@ def judge(given: Given, u: Fraction, E: int, family: ecc.Family) -> Judged:
     m, rack = given.module, given.rack
     sun, ring, z = family.sun[:, None], family.ring[:, None], family.satellites
     phi1, phi3 = ecc.angles(sun, ring, E, z)
-    belt = ecc.belt(sun, ring, z[:, :1], z, phi1, phi3)
-    residue = ecc.residue(belt)
+    whole = z[:, :1] == np.round(z[:, :1])
+    over = [ecc.belt(sun, ring, first, z, phi1, phi3) for first in (z[:, :1], -ring)]
     gap = ecc.gaps(family.sun, z, TURNS * phi1, m, rack.ha)
     root, tips = ecc.root_in_hand(ring, z, m, rack), ecc.tips_in_hand(ring, z, m, rack)
-    allowed = (z == np.round(z)) & (z >= least_teeth(rack)) & (np.abs(residue) <= given.slack)
-    allowed &= (root >= 0) & (tips >= 0)
+    sound = (z == np.round(z)) & (z >= least_teeth(rack)) & (root >= 0) & (tips >= 0)
+    close = [sound & (np.abs(ecc.residue(belt)) <= given.slack) for belt in over]
+    fits = [ecc.subsets(gap, allowed, given.clearance) for allowed in close]
+    more = fits[1].sum(axis=-1, keepdims=True) > fits[0].sum(axis=-1, keepdims=True)
+    by_middle = ~whole | more
+    belt, allowed, fit = (np.where(by_middle, two, one) for one, two in (over, close, fits))
     closed = ecc.closed_gap(family.sun, family.ring, E * m / 2, m, rack.ha)
-    fit = ecc.subsets(gap, allowed, given.clearance)
-    return Judged(family, phi1, phi3, belt, residue, gap, closed, root, tips, allowed, fit)
+    residue = ecc.residue(belt)
+    return Judged(family, phi1, phi3, belt, residue, gap, closed, root, tips, allowed, fit, by_middle[:, 0])
 
 
 def chosen(given: Given, judged: Judged, u: Fraction, E: int, solution: ecc.Solution) -> int:
@@ -148,8 +174,8 @@ def _hopeless(given: Given, judged: Judged, u: Fraction, E: int) -> ProblemError
 
 def _good_rings(given: Given, u: Fraction, E: int, most: int) -> Array:
     """The rings, descending, of the sets that hold two satellites."""
-    solution = ecc.general_solution(ecc.equation(u, E))
-    if solution is None:
+    if impossible(given, u, E):
         return np.array([])
+    _, solution = teeth_equation(given, u, E)
     judged = judge(given, u, E, members(given, solution, u, E, most))
     return judged.family.ring[judged.held >= 2]

@@ -81,22 +81,31 @@ class EccentricFormulas:
         return self.of["E"].formula(2 * self.e / self.m, digits=9)
 
     def general(self) -> Equation:
-        """(1 − u) k z1 + 2 k z2 − E k = 0."""
-        u, k, z1, z2, E = (Var(key, 0.0) for key in ("u", "k", "z_1", "z_2", "E"))
+        """(1 − u) k z1 + 2 k z2 − E k = 0, or (1 − u) k z1 + 2 k z4 = 0."""
+        u, k, z1, z2, E = (Var(key, 0.0) for key in ("u", "k", "z_1", self.second, "E"))
+        if self.found.halved:
+            return Equation((1 - u) * k * z1 + 2 * k * z2, numbers=False)
         return Equation((1 - u) * k * z1 + 2 * k * z2 - E * k, numbers=False)
 
     def with_numbers(self) -> Equation:
         """The same with its coefficients; one of −1 is not written."""
-        first, second = Var("z_1", 0.0), Var("z_2", 0.0)
+        first, second = Var("z_1", 0.0), Var(self.second, 0.0)
         a, b, c = (self.of[f"equation_{name}"] for name in "abc")
         terms = -first if a.value == -1 else coefficient(a) * first
-        return Equation(terms + coefficient(b) * second - coefficient(c, size=True), numbers=False)
+        terms = terms + coefficient(b) * second
+        return Equation(terms if self.found.halved else terms - coefficient(c, size=True), numbers=False)
+
+    @property
+    def second(self) -> str:
+        """The satellite of the equation."""
+        return "z_4" if self.found.halved else "z_2"
 
     def coefficients(self) -> Iterator[Formula]:
         k = self.of["equation_k"].var()
         yield self.of["equation_a"].formula((1 - self.u) * k, digits=9)
         yield self.of["equation_b"].formula(2 * k, digits=9)
-        yield self.of["equation_c"].formula(-(self.E * k), digits=9)
+        if not self.found.halved:
+            yield self.of["equation_c"].formula(-(self.E * k), digits=9)
 
     def euclid(self) -> Formula:
         a, b, x, y = (self.whole(key) for key in ("equation_a", "equation_b", "euclid_x", "euclid_y"))
@@ -114,11 +123,11 @@ class EccentricFormulas:
 
     def all_first(self) -> Definition:
         first, b, t = Var(FIRST, 0.0), Var("b_1", 0.0), Var("t", 0.0)
-        return Definition("z_1", first - b * t)
+        return Definition("z_1", -(b * t) if self.found.halved else first - b * t)
 
     def all_second(self) -> Definition:
         second, a, t = Var(SECOND, 0.0), Var("a_1", 0.0), Var("t", 0.0)
-        return Definition("z_2", second + a * t)
+        return Definition(self.second, a * t if self.found.halved else second + a * t)
 
     def ring_teeth(self) -> Definition:
         return Definition("z_3", Var("u", 0.0) * Var("z_1", 0.0))
@@ -139,17 +148,22 @@ class EccentricFormulas:
 
     def chosen(self) -> Iterator[Formula]:
         """Teeth of the chosen set from its t."""
-        t, row = self.whole("t"), self.found.row
+        row = self.found.row
+        for key, expression in self._chosen().items():
+            yield self.family_of.formula(key, row, expression, digits=9)
+
+    def _chosen(self) -> dict[str, Expr]:
+        t, ring = self.whole("t"), self.u * self.z1
+        if self.found.halved:
+            return {"z1": -(self.whole("b_1") * t), "z4": self.whole("a_1") * t, "z3": ring}
         teeth: dict[str, Expr] = {
             "z1": self.whole("z1_0") - self.whole("b_1") * t,
             "z2": self.whole("z2_0") + self.whole("a_1") * t,
-            "z3": self.u * self.z1,
+            "z3": ring,
         }
         if (self.found.ring - self.found.sun) % 2 == 0:
             teeth["z4"] = (self.z3 - self.z1) / 2
-        teeth["z5"] = self.of_set("z2") - self.E
-        for key, expression in teeth.items():
-            yield self.family_of.formula(key, row, expression, digits=9)
+        return teeth | {"z5": self.of_set("z2") - self.E}
 
     # ------------------------------------------------------------ places
 
@@ -171,11 +185,16 @@ class EccentricFormulas:
     # ------------------------------------------------------------ conditions
 
     def belt(self, s: Satellite) -> Formula:
-        """L = z2/2 + z1 φ1/360 + z3 φ3/360 + z/2 (1 − (φ3 − φ1)/180), the angles in degrees."""
+        """L = z2/2 + z1 φ1/360 + z3 φ3/360 + z/2 (1 − (φ3 − φ1)/180), the angles in degrees; −z3/2 in the place of z2/2
+        where the line goes over a middle satellite."""
         one, three = self.phi(s, 1), self.phi(s, 3)
         full, half = Degrees(360), Degrees(180)
-        total = self.of_set("z2") / 2 + self.z1 * one / full + self.z3 * three / full
+        total = self.z1 * one / full + self.z3 * three / full
+        if not self.found.by_middle:
+            total = self.of_set("z2") / 2 + self.z1 * one / full + self.z3 * three / full
         total = total + self.z(s) / 2 * (1 - (three - one) / half)
+        if self.found.by_middle:
+            total = total - self.z3 / 2
         return self.satellites_of.formula("L", self.place(s), total, digits=7)
 
     def arm(self, s: Satellite) -> Formula:

@@ -95,14 +95,39 @@ def _teeth(given: Given) -> Iterator[Problem]:
     elif given.eccentricity is None:
         right = Message(N_("add the largest satellite in the middle, [34, 60, 136], or the eccentricity"))
         yield mistake(N_("sun and ring alone do not give the eccentricity"), _at("teeth"), right)
-    elif (ring - sun + round(halves(given))) % 2:
-        E = round(halves(given))
+    else:
+        yield from _two(given, sun, ring)
+    if ring > sun:
+        yield from _other_ratio(given, sun, ring)
+
+
+def _two(given: Given, sun: int, ring: int) -> Iterator[Problem]:
+    """Sun and ring with a stated eccentricity: the satellites follow, and some of them are whole."""
+    E = round(halves(given))
+    if (ring - sun) % 2 and E % 2 == 0:
         right = Message(
             N_("an eccentricity of %(low)s mm or %(high)s mm would work"),
             {key: _mm(n * given.module / 2) for key, n in (("low", max(E - 1, 2 - E % 2)), ("high", E + 1))},
         )
-        wrong = N_("with %(sun)s and %(ring)s teeth the largest satellite would have half a tooth")
+        wrong = N_(
+            "with %(sun)s and %(ring)s teeth the largest satellite and the middle ones would have half a tooth"
+        )
         yield mistake(wrong, _at("teeth"), right, sun=sun, ring=ring)
+    if ring - sun - E < 2 * FEWEST:
+        most = ring - sun - 2 * FEWEST
+        right = (
+            Message(
+                N_("an eccentricity up to %(most)s mm would work"), {"most": _mm(most * given.module / 2)}
+            )
+            if most > 0
+            else Message(N_("a larger ring would work"))
+        )
+        wrong = N_(
+            "at the eccentricity %(e)s mm the wheels of %(sun)s and %(ring)s teeth leave no room for the smallest "
+            "satellite"
+        )
+        shown = {"e": _mm(given.eccentricity or 0.0), "sun": sun, "ring": ring}
+        yield mistake(wrong, _at("eccentricity"), right, **shown)
 
 
 def _three(given: Given, sun: int, largest: int, ring: int) -> Iterator[Problem]:
@@ -122,10 +147,20 @@ def _three(given: Given, sun: int, largest: int, ring: int) -> Iterator[Problem]
         wrong = N_("the teeth give the eccentricity %(own)s mm, but %(e)s mm is stated")
         own = _mm(E * given.module / 2)
         yield mistake(wrong, _at("eccentricity"), right, own=own, e=_mm(given.eccentricity))
+
+
+def _other_ratio(given: Given, sun: int, ring: int) -> Iterator[Problem]:
+    """A stated ratio that is not that of the stated teeth."""
     if given.ratio is not None and not _near(given, given.ratio, Fraction(ring, sun)):
         right = Message(N_("leave one of them out"))
         wrong = N_("the teeth give the ratio %(own)s, but %(ratio)s is stated")
-        yield mistake(wrong, _at("ratio"), right, own=f"{ring / sun:.6g}", ratio=str(given.ratio))
+        yield mistake(
+            wrong,
+            _at("ratio"),
+            right,
+            own=f"{ring / sun:.6g}",
+            ratio=str(given.ratio),
+        )
 
 
 def _near(given: Given, wanted: Fraction, own: Fraction) -> bool:
@@ -142,7 +177,10 @@ def no_solution(u: Fraction, E: int, module: float) -> ProblemError:
     near = sorted(works, key=lambda n: abs(n - E))[:2]
     values = {"e": _mm(E * module / 2), "ratio": str(u)}
     right = Message(
-        N_("an eccentricity of %(low)s mm or %(high)s mm would work"),
+        N_(
+            "an eccentricity of %(low)s mm or %(high)s mm would work, or satellites: [middle], which go together at "
+            "this one without the largest and the smallest"
+        ),
         {"low": _mm(min(near) * module / 2), "high": _mm(max(near) * module / 2)},
     )
     wrong = Message(N_("no whole numbers of teeth give the ratio %(ratio)s at %(e)s mm"), values)
@@ -187,7 +225,9 @@ def no_satellite(given: Given, family: ecc.Family, sound: int | None, kinds: set
         return ProblemError([mistake(wrong, _at("satellites"), right)])
     right = Message(N_("more teeth on the sun would work"))
     if sound is not None:
-        teeth = [int(z[sound]) for z in (family.sun, family.satellites[:, 0], family.ring)]
+        largest = float(family.satellites[sound, 0])
+        between = [int(largest)] if largest.is_integer() else []
+        teeth = [int(family.sun[sound]), *between, int(family.ring[sound])]
         right = Message(N_("the teeth %(teeth)s would work"), {"teeth": str(teeth)})
     wrong = N_("in this set the ring cuts into the teeth of every satellite, or all of them are undercut")
     return ProblemError([mistake(wrong, _at("teeth" if given.teeth else "t"), right)])

@@ -59,20 +59,37 @@ class Neighbours:
 
 
 def satellites(given: Given, judged: Judged, row: int, E: int) -> tuple[Satellite, ...]:
-    """Those asked for, or the largest set of all that touch both wheels."""
+    """Those asked for, or the largest set of all that touch both wheels.
+
+    The line of assembly goes over the largest satellite; over a middle one where neither the largest nor the smallest
+    is mounted, for then only the others have to agree with one another.
+    """
     sun, ring = int(judged.family.sun[row]), int(judged.family.ring[row])
-    all_ = ecc.candidates(sun, ring, E)
-    kinds = _kinds(all_, sun, ring, E)
+    ways = [by_middle for by_middle in (False, True) if by_middle or (ring - sun + E) % 2 == 0]
+    ways = [way for way in ways if not way or (ring - sun) % 2 == 0]
+    found = [_picked(given, sun, ring, E, by_middle) for by_middle in ways]
+    if not any(picked for _, picked in found):
+        kinds = set(_kinds(found[0][0], sun, ring, E))
+        raise mistakes.no_satellite(given, judged.family, judged.sound(least_teeth(given.rack)), kinds)
+    best = max(range(len(ways)), key=lambda k: (len(found[k][1]), -k))
+    return tuple(_named(*found[best], ways[best], sun, ring, E, given))
+
+
+def _picked(given: Given, sun: int, ring: int, E: int, by_middle: bool) -> tuple[ecc.Candidates, list[int]]:
+    """All that touch both wheels, and which of them are taken."""
+    all_ = ecc.candidates(sun, ring, E, by_middle)
     if given.satellites is not None:
+        axial = {"largest", "smallest"} & set(given.satellites)
+        if bool(axial) == by_middle:  # the line goes over what is mounted
+            return all_, []
         wanted = {*given.satellites, *(["middle'"] if "middle" in given.satellites else [])}
-        picked = [i for i, kind in enumerate(kinds) if kind in wanted]
-    else:
-        alone = np.flatnonzero(_allowed(given, all_, ring))
-        gap = ecc.gaps(np.array(sun), all_.z[alone], all_.phi1[alone], given.module, given.rack.ha)
-        picked = [int(alone[i]) for i in ecc.largest_set(gap, given.clearance)]
-    if not picked:
-        raise mistakes.no_satellite(given, judged.family, judged.sound(least_teeth(given.rack)), set(kinds))
-    return tuple(_named(all_, picked, kinds, sun, ring, given))
+        return all_, [i for i, kind in enumerate(_kinds(all_, sun, ring, E)) if kind in wanted]
+    allowed = _allowed(given, all_, ring)
+    if by_middle:
+        allowed &= ~np.isin(2 * all_.z, (ring - sun + E, ring - sun - E))
+    alone = np.flatnonzero(allowed)
+    gap = ecc.gaps(np.array(sun), all_.z[alone], all_.phi1[alone], given.module, given.rack.ha)
+    return all_, [int(alone[i]) for i in ecc.largest_set(gap, given.clearance)]
 
 
 def _allowed(given: Given, all_: ecc.Candidates, ring: int) -> Array:
@@ -94,13 +111,14 @@ def _kinds(all_: ecc.Candidates, sun: int, ring: int, E: int) -> list[str]:
 
 
 def _named(
-    all_: ecc.Candidates, picked: list[int], kinds: list[str], sun: int, ring: int, given: Given
+    all_: ecc.Candidates, picked: list[int], by_middle: bool, sun: int, ring: int, E: int, given: Given
 ) -> Iterator[Satellite]:
+    kinds = _kinds(all_, sun, ring, E)
     numbers = _numbers([(int(all_.z[i]), kinds[i], all_.phi1[i] <= np.pi) for i in picked])
-    largest = int(all_.z[0])
+    first = -ring if by_middle else int(all_.z[0])
     for i, wheel in zip(picked, numbers, strict=True):
         z, phi1, phi3 = int(all_.z[i]), float(all_.phi1[i]), float(all_.phi3[i])
-        belt = float(ecc.belt(sun, ring, largest, z, phi1, phi3))
+        belt = float(ecc.belt(sun, ring, first, z, phi1, phi3))
         centre = complex(ecc.centres(sun, z, phi1, given.module))
         curvature = float(ecc.root_in_hand(ring, z, given.module, given.rack))
         yield Satellite(wheel, kinds[i], z, phi1, phi3, belt, float(all_.residue[i]), centre, curvature)

@@ -14,7 +14,17 @@ import numpy as np
 
 from tmm_report.chapters.eccentric import mistakes, paper
 from tmm_report.chapters.eccentric.conditions import conditions
-from tmm_report.chapters.eccentric.family import Judged, chosen, judge, members, most_ring, sizes
+from tmm_report.chapters.eccentric.family import (
+    Judged,
+    chosen,
+    halved,
+    impossible,
+    judge,
+    members,
+    most_ring,
+    sizes,
+    teeth_equation,
+)
 from tmm_report.chapters.eccentric.given import CARRIER, RING, SUN, Given
 from tmm_report.chapters.eccentric.masses import Masses, masses_of
 from tmm_report.chapters.eccentric.motion import Motion, motions
@@ -84,8 +94,18 @@ class Found:
 
     @property
     def largest(self) -> int:
-        """Teeth of the largest satellite of the set, assembled or not."""
+        """Teeth of the largest satellite of the set, assembled or not; rounded down where it has half a tooth."""
         return int(self.judged.family.satellites[self.row, 0])
+
+    @property
+    def halved(self) -> bool:
+        """Whether the largest and the smallest satellites have half a tooth: the family is that of the middle ones."""
+        return halved(self.given, self.ratio_of_teeth, self.E)
+
+    @property
+    def by_middle(self) -> bool:
+        """Whether the satellites are assembled with the middle ones, the largest and the smallest left out."""
+        return not {"largest", "smallest"} & {s.kind for s in self.satellites} and self.middle_whole
 
     @property
     def ratio(self) -> float:
@@ -170,6 +190,11 @@ class Found:
         return tuple(condition for condition in self.conditions if not condition.met)
 
     @property
+    def sound(self) -> bool:
+        """Whether every condition is met and no teeth overlap."""
+        return not self.failed and self.touching
+
+    @property
     def overlap(self) -> float:
         """The largest overlap of polygons of teeth, m²."""
         return float(self.proof.overlap.max())
@@ -208,7 +233,13 @@ class Found:
             "eccentric epicyclic mechanism: sun %(sun)s, largest satellite %(largest)s, ring %(ring)s teeth; "
             "satellites mounted: %(count)s; conditions not met: %(failed)s"
         )
-        values = {"sun": self.sun, "largest": self.largest, "ring": self.ring}
+        values: dict[str, object] = {"sun": self.sun, "largest": self.largest, "ring": self.ring}
+        if self.halved:
+            text = N_(
+                "eccentric epicyclic mechanism: sun %(sun)s, ring %(ring)s teeth, satellites %(satellites)s; "
+                "satellites mounted: %(count)s; conditions not met: %(failed)s"
+            )
+            values["satellites"] = ", ".join(str(s.teeth) for s in self.upper)
         return [Message(text, values | {"count": len(self.satellites), "failed": len(self.failed)})]
 
     def assembled(self, tolerance: float | None = None) -> toothed.Assembly:
@@ -220,10 +251,9 @@ def solve(given: Given) -> Found:
     """Raises ProblemError with the mistakes of the data and what would work."""
     mistakes.check(given)
     u, E = sizes(given)
-    equation = ecc.equation(u, E)
-    solution = ecc.general_solution(equation)
-    if solution is None:
+    if impossible(given, u, E):
         raise mistakes.no_solution(u, E, given.module)
+    equation, solution = teeth_equation(given, u, E)
     judged = judge(given, u, E, members(given, solution, u, E, most_ring(given, u)))
     row = chosen(given, judged, u, E, solution)
     placed = satellites(given, judged, row, E)

@@ -46,20 +46,27 @@ class EccentricTables(EccentricFormulas):
         whole = float(table["z4"].values[row]).is_integer()
         held = table["satellites"].values[row]
         middle: list[str] = ["—"] * 4
+        beside = float(table["z2"].values[row]).is_integer()
         if whole:
+            gaps = ("closed_2_4", "gap_4_5")
             middle = [
                 page.cell(table, "z4", row),
                 page.cell(table, "residue_4", row, size=True, places=3),
-                *(page.cell(table, key, row, "mm", places=3, scale=1e3) for key in ("closed_2_4", "gap_4_5")),
+                *(page.cell(table, key, row, "mm", places=3, scale=1e3) if beside else "—" for key in gaps),
             ]
         return [
             Cell(str(int(table["t"].values[row])), table.ref("t", row)),
-            *(page.cell(table, key, row) for key in ("z1", "z2", "z3")),
+            *(self._teeth(key, row) for key in ("z1", "z2", "z3")),
             middle[0],
-            page.cell(table, "z5", row),
+            self._teeth("z5", row),
             *middle[1:],
             page.word(held or "—", table, "satellites", row),
         ]
+
+    def _teeth(self, key: str, row: int) -> str:
+        """A dash for half a tooth."""
+        whole = float(self.family_of[key].values[row]).is_integer()
+        return self.page.cell(self.family_of, key, row) if whole else "—"
 
     def _words(self, title: str, table: quantity.Table, key: str, least: int = 8) -> Column:
         """A first column of names."""

@@ -58,7 +58,8 @@ def _equation(found: Found) -> Iterator[Row]:
     for name, number in (("x", solution.x), ("y", solution.y)):
         meaning = Message(N_("coefficient %(name)s of the extended algorithm of Euclid"), {"name": name})
         yield f"euclid_{name}", Symbol(name), "", meaning, number
-    for name, number in (("1", solution.first), ("2", solution.second)):
+    particular = () if found.halved else (("1", solution.first), ("2", solution.second))
+    for name, number in particular:
         meaning = Message(N_("teeth of wheel %(wheel)s in the particular solution"), {"wheel": name})
         yield f"z{name}_0", Symbol("z", name, "0"), "", meaning, number
     for name, number in (("a", solution.a1), ("b", solution.b1)):

@@ -58,7 +58,7 @@ class ParallelModel(Model):
 
 
 def _kind(value: Any) -> str:
-    names = value.keys() if isinstance(value, dict) else type(value).model_fields if value is not None else ()
+    names = value.keys() if isinstance(value, dict) else getattr(type(value), "model_fields", ())
     return next((f"<{key}>" for key in ("series", "parallel") if key in names), "<module>")
 
 

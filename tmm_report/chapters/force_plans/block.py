@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 
 from tmm_report.chapters.kinematics import block as kinematics
-from tmm_report.chapters.structure.block import stated
+from tmm_report.chapters.structure.block import in_vain, stated
 from tmm_report.problems import Problem
 from tmm_report.variant import model
 from tmm_report.variant.model import Read
@@ -20,3 +20,9 @@ def given(read: Read) -> Mapping[str, object]:
 def mistakes(read: Read) -> Iterator[Problem]:
     if stated(read):
         yield from kinematics.undrawn("force_plan", read)
+
+
+def doubts(read: Read) -> Iterator[Problem]:
+    if stated(read):
+        for path in (("positions", "force_plan"), ("drawing", "scales", "force"), ("drawing", "force")):
+            yield from in_vain(read, path)

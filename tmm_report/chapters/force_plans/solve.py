@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from tmm_report.chapters.force_plans.drafting import ForceDrawn, draw
@@ -10,13 +10,17 @@ from tmm_report.chapters.force_plans.lever import Lever, levers
 from tmm_report.chapters.kinetostatics.solve import Kinetostatics
 from tmm_report.chapters.plans.given import Drawing
 from tmm_report.chapters.plans.solve import Plans
+from tmm_report.problems import N_, Message, Problem, doubt
 
 
 @dataclass(frozen=True, eq=False)
 class ForcePlans:
+    """Found by `solve`. `doubts`: scales stated for groups that the mechanism does not have."""
+
     drawn: tuple[ForceDrawn, ...]
     singular: tuple[int, ...]
     levers: tuple[Lever, ...] = ()
+    doubts: tuple[Problem, ...] = ()
 
     @property
     def worst(self) -> float:
@@ -31,4 +35,17 @@ def solve(drawing: Drawing, positions: Sequence[int], found: Kinetostatics, plan
     regular = [k for k in positions if k not in lost]
     drawn = tuple(draw(found, k, plans.length_scale, drawing) for k in regular)
     singular = tuple(k for k in positions if k not in regular)
-    return ForcePlans(drawn, singular, levers(found, drawn, plans))
+    return ForcePlans(drawn, singular, levers(found, drawn, plans), tuple(_idle(drawing, found)))
+
+
+def _idle(drawing: Drawing, found: Kinetostatics) -> Iterator[Problem]:
+    """Scales of the forces stated for what has no plan of its own."""
+    if not isinstance(drawing.force, Mapping):
+        return
+    linkage = found.kinematics.linkage
+    groups = ["-".join(group.links) for group in linkage.groups] + [linkage.mechanism.driver.link]
+    for key in drawing.force:
+        if set(key.split("-")) not in [set(group.split("-")) for group in groups]:
+            text = N_("no force plan is of %(name)s: its scale has no effect")
+            right = Message(N_("known: %(words)s"), {"words": ", ".join(groups)})
+            yield doubt(text, ("drawing", "scales", "force", key), right, name=key)

@@ -6,8 +6,8 @@ from typing import TypedDict
 from pydantic import Field
 
 from tmm_report.chapters.friction.given import Friction, Rubbing
-from tmm_report.chapters.structure.block import has_cams, names, stated, without
-from tmm_report.problems import N_, Message, Problem, mistake
+from tmm_report.chapters.structure.block import ASKED, FRAME, Names, has_cams, names, stated, without
+from tmm_report.problems import N_, Message, Problem, doubt, mistake
 from tmm_report.variant import model
 from tmm_report.variant.errors import near
 from tmm_report.variant.materials import Rubbed
@@ -88,6 +88,7 @@ def mistakes(read: Read) -> Iterator[Problem]:
             text = N_("there is no joint %(name)s: neither a point nor a guide")
             yield mistake(text, path, near(name, joints), name=name)
         else:
+            yield from _no_pivot(name, known, path)
             yield from _sizes(joint, name in known.guides, path)
 
 
@@ -102,3 +103,29 @@ def _sizes(joint: JointFriction, guide: bool, path: tuple[str | int, ...]) -> It
     if not guide and joint.diameter is None:
         text = N_("the moment of friction of a pivot needs the diameter of its journal")
         yield mistake(text, path, Message(N_("diameter: of the journal")))
+
+
+def _no_pivot(name: str, known: Names, path: tuple[str | int, ...]) -> Iterator[Problem]:
+    """A point of one link alone joins nothing."""
+    links = [link for link, points in known.points.items() if name in points]
+    if name in known.guides or len(links) != 1:
+        return
+    pivots = [point for point in known.all_points if known.pivot(point)]
+    text, right = N_("%(name)s is no pivot: it is a point of link %(link)s alone"), near(name, pivots)
+    if links == [FRAME]:
+        text = N_("%(name)s is no pivot: it is a point of the frame alone")
+    yield mistake(text, path, right, name=name, link=links[0])
+
+
+def doubts(read: Read) -> Iterator[Problem]:
+    written = read.block(Block).friction
+    if written is None:
+        return
+    if "loads" not in read.data:
+        text = N_("friction is not worked out: it needs the reactions, and there is no block loads")
+        yield doubt(text, ("friction",), ASKED)
+    elif not (written.pivots or written.guides or written.joints):
+        right = Message(N_("state the friction of pivots, guides or joints"))
+        yield doubt(N_("no pair has friction: this block has no effect"), ("friction",), right)
+    if written.guides and not names(read.data).guides:
+        yield doubt(N_("the mechanism has no guide: this has no effect"), ("friction", "guides"))

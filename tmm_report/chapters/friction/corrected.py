@@ -88,6 +88,7 @@ class Correction:
     diagram: Corrected
     panels: Panels | None = None
     whole: Corrected | None = None
+    partial: bool = False  # a mechanism that makes no cycle has no means
 
     @cached_property
     def worst(self) -> float:
@@ -110,6 +111,8 @@ class Correction:
 
     def _mean(self, of: Callable[[Corrected], Array]) -> float:
         """Over the whole cycle; of the diagram positions where it is not known."""
+        if self.partial:
+            return float("nan")
         if self.panels is None or self.whole is None:
             return float(np.nanmean(of(self.diagram)[:-1]))
         return float(self.panels.mean(of(self.whole).reshape(self.panels.shape)))
@@ -137,7 +140,8 @@ def solve(
     if not any(np.nanmax(loss.pressing, initial=0.0) > 0 for loss in diagram.pairs):
         raise ProblemError([_idle()])
     whole = _between(rubbing_of, found, *over) if over is not None else None
-    return Correction(table, diagram, over[0].panels if over is not None else None, whole)
+    panels = over[0].panels if over is not None else None
+    return Correction(table, diagram, panels, whole, bool(found.kinematics.gaps))
 
 
 def _between(

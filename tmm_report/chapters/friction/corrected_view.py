@@ -41,6 +41,8 @@ class CorrectedView:
         self.pairs = [loss.pair for loss in found.table.pairs]
 
     def conclusions(self) -> list[Markup]:
+        if self.correction.partial:
+            return []
         text = N_(
             "With friction in the reactions the largest balancing moment is %(growth)s times that without friction, "
             "the mean efficiency is %(eta)s."

@@ -90,7 +90,9 @@ class FrictionFound:
 
     def _mean(self, of: Callable[[Losses], Array]) -> float:
         """Over the whole cycle; of the diagram positions where some position has no forces (the last of a full turn
-        repeats the first)."""
+        repeats the first); nan of a mechanism that makes no cycle."""
+        if self.forces.kinematics.gaps:
+            return float("nan")
         if self.whole is None:
             return float(np.nanmean(of(self.diagram)[:-1]))
         over, losses = self.whole

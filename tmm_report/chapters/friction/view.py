@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 from markupsafe import Markup
 
 from tmm_report.chapters.friction import quantities as q
@@ -64,6 +65,11 @@ class FrictionView:
         return [self.means()]
 
     def means(self) -> Markup:
+        if self.found.forces.kinematics.gaps:
+            text = N_(
+                "The mechanism makes no full cycle, so that friction has no mean power and no mean efficiency."
+            )
+            return self.t(text)
         text = N_(
             "The mean power of friction over the cycle is %(power)s W, the mean efficiency of the mechanism is %(eta)s."
         )
@@ -179,6 +185,11 @@ class FrictionView:
         return self.table.formula(
             "P_drive", self.position, power, scale=float(self.found.table.driving.max())
         )
+
+    @property
+    def idle(self) -> bool:
+        """Whether neither the balancing moment nor friction has any power at the position written out."""
+        return not np.isfinite(self.found.table.efficiency[self.position])
 
     def efficiency(self) -> Formula:
         driving = self.table.var("P_drive", self.position)

@@ -71,20 +71,27 @@ def given_tables(mechanism: Mechanism) -> Iterator[Table]:
 
 
 def sizes(points: Mapping[str, complex]) -> list[tuple[Quantity, float]]:
-    """Distances of a link's points from its first; where they are not in one line, also from each other, m."""
+    """Distances of a link's points from its first; where they are not in one line, also from each other, m. Of two
+    points at one place there is none."""
     (first, start), *others = points.items()
     found = [(length(first + name), abs(z - start)) for name, z in others]
     if not _in_line(list(points.values())):
         pairs = [(a, b) for i, a in enumerate(others) for b in others[i + 1 :]]
         found += [(length(a + b), abs(z - w)) for (a, z), (b, w) in pairs]
-    return found
+    return [(segment, size) for segment, size in found if size > 0]
+
+
+def together(points: Mapping[str, complex]) -> list[tuple[str, str]]:
+    """Points of a link at the place of another that is named before them, and that other."""
+    places: dict[complex, str] = {}
+    named = [(name, places.setdefault(complex(place), name)) for name, place in points.items()]
+    return [(name, first) for name, first in named if name != first]
 
 
 def _in_line(points: list[complex]) -> bool:
     arms = np.array(points[1:]) - points[0]
-    return bool(
-        np.all(np.abs((arms * np.conj(arms[0])).imag) <= 1e-9 * np.abs(arms[0]) * np.max(np.abs(arms)))
-    )
+    along = arms[np.argmax(np.abs(arms))]
+    return bool(np.all(np.abs((arms * np.conj(along)).imag) <= 1e-9 * np.abs(along) ** 2))
 
 
 def sized_links(mechanism: Mechanism) -> list[Link]:
@@ -228,7 +235,7 @@ def driving_arm(mechanism: Mechanism) -> tuple[str, float] | None:
     """Both ends and the length, m, of the driving link from its pivot to its first other point; None without one."""
     points = mechanism.real.links[mechanism.driver.link].points
     pivot = driving_pivot(mechanism)
-    pin = next((p for p in points if p != pivot), None)
+    pin = next((p for p in points if abs(points[p] - points[pivot]) > 0), None)
     return None if pin is None else (pivot + pin, abs(points[pin] - points[pivot]))
 
 

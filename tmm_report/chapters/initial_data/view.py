@@ -12,10 +12,10 @@ from markupsafe import Markup
 from tmm_report.chapters.initial_data import quantities as q
 from tmm_report.chapters.schemes import schemes_of
 from tmm_report.figures.drawing import Drawing
-from tmm_report.mechanics.mechanism import FRAME, Guide, Mechanism, ZeroAngle
+from tmm_report.mechanics.mechanism import FRAME, Guide, Link, Mechanism, ZeroAngle
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import PI, Formula
-from tmm_report.quantity.model import Book, Quantity, variable
+from tmm_report.quantity.model import Book, variable
 from tmm_report.report.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.page import Page
 from tmm_report.report.part import Part
@@ -107,17 +107,20 @@ class InitialData:
     def dimensions(self, caption: Any) -> Table:
         """Points of the links, and their distances from the link's first point."""
         rows = [
-            [link.name, ", ".join(link.points), self._sizes(q.sizes(link.points))]
+            [link.name, ", ".join(link.points), self._sizes(link)]
             for link in q.sized_links(self.mechanism.real)
         ]
         return worded(caption, [self.t("Link"), self.t("Points"), self.t("Dimensions")], rows, (1, 2, 7))
 
-    def _sizes(self, sizes: list[tuple[Quantity, float]]) -> Markup:
+    def _sizes(self, link: Link) -> Markup:
         table = self.book.tables["dimensions"]
-        return self.page.listed(
+        told = [
             self.page.value(variable(quantity, size, ref=table.by_key(quantity.key, "length")))
-            for quantity, size in sizes
-        )
+            for quantity, size in q.sizes(link.points)
+        ]
+        text = N_("%(name)s at the place of %(other)s")
+        told += [self.t(text, name=name, other=other) for name, other in q.together(link.points)]
+        return self.page.listed(told)
 
     @property
     def many_fixed(self) -> bool:

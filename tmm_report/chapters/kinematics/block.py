@@ -81,6 +81,10 @@ def mistakes(read: Read) -> Iterator[Problem]:
             yield mistake(text, ("positions", key), right, count=count, turns=turns)
 
 
+def doubts(read: Read) -> Iterator[Problem]:
+    yield from structure.belongs(read, "positions", "allow_partial")
+
+
 def turns_of(read: Read) -> int:
     """How many turns of the driving link the cycle takes; of a driver with mistakes, by what is written."""
     driver = read.block(structure.Block).mechanism.driver

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
 from functools import cached_property
 
 import numpy as np
@@ -13,7 +11,6 @@ from tmm_report.chapters.kinematics.quantities import motion_of
 from tmm_report.chapters.kinematics.solve import Kinematics, Travel
 from tmm_report.figures.graphs import Curve, Graph
 from tmm_report.i18n import Translator
-from tmm_report.mechanics.cycle import Extreme
 from tmm_report.quantity.formula import Var
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.diagrams import CycleGraphs, points
@@ -28,11 +25,6 @@ ANALOGUES = {
     "slider": (("mu_S′", "m/mm"), ("mu_S′′", "m/mm")),
     "rocker": (("mu_psi′", "1/mm"), ("mu_psi′′", "1/mm")),
 }
-
-
-def found(extremes: Sequence[Extreme], factor: float = 1.0) -> list[tuple[float, float]]:
-    """Extremes as points of a graph, without those that there are none of."""
-    return points([extreme for extreme in extremes if math.isfinite(extreme.value)], factor)
 
 
 class Diagrams:
@@ -55,7 +47,7 @@ class Diagrams:
         peaks = ((travel.near, travel.far), travel.V_extremes, travel.a_extremes)
         sizes = np.abs(self.found.omega) ** np.arange(3) * (1.0 if rocker else self._reach)
         curves = [
-            Curve(x * factor, panel=k, extremes=found(ends, factor), scale=size * factor)
+            Curve(x * factor, panel=k, extremes=points(ends, factor), scale=size * factor)
             for k, (x, factor, ends, size) in enumerate(zip(values, factors, peaks, sizes, strict=True))
         ]
         units = ("deg" if rocker else "m", *(quantity.unit for quantity in motion_of(travel.output)[1:]))
@@ -74,7 +66,7 @@ class Diagrams:
         rates = ((travel.diagram_V, travel.V_extremes), (travel.diagram_a, travel.a_extremes))
         size = 1.0 if travel.output.kind == "rocker" else self._reach
         curves = [
-            Curve(x / omega**n, panel=n - 1, extremes=found(ends, omega**-n), scale=size)
+            Curve(x / omega**n, panel=n - 1, extremes=points(ends, omega**-n), scale=size)
             for n, (x, ends) in enumerate(rates, 1)
         ]
         named = (

@@ -1,4 +1,4 @@
-"""Singular positions in words: where a group cannot be assembled and what would cure it, change points, dead points.
+"""Singular positions exactly: how near each group comes to one, change points, limits, dead points.
 
 Angles here are those of turn from position 0, rad, over one cycle.
 """
@@ -16,36 +16,9 @@ from tmm_report.mechanics.dyads import Dyad
 from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.planar import cross, unit
 from tmm_report.mechanics.singular import Critical
-from tmm_report.problems import N_, Message, Problem, mistake
 
 Array = Any
-Interval = tuple[float, float]
 FULL_TURN = 2 * np.pi
-
-
-@dataclass(frozen=True)
-class Gap:
-    """A group that cannot be assembled over part of the cycle: why, and what would cure it."""
-
-    group: str  # label
-    links: tuple[str, ...]
-    intervals: tuple[Interval, ...]
-    why: Message
-    cure: Message
-
-    @property
-    def text(self) -> Message:
-        """E.g. "rod AB = 50 mm cannot reach guide x for 30° < φ < 150°; it needs at least 100 mm"."""
-        return Message(
-            N_("%(why)s for %(where)s (φ is the angle of turn from position 0); %(cure)s"),
-            {"why": self.why, "where": angles(self.intervals), "cure": self.cure},
-        )
-
-    @property
-    def problem(self) -> Problem:
-        """The group that cannot be assembled at all, as a mistake."""
-        text = N_("%(why)s at any position")
-        return mistake(text, ("mechanism", "links", self.links[0]), self.cure, why=self.why)
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,22 +59,6 @@ class Dead:
     output: str
     turned: tuple[float, ...]
     in_line: tuple[tuple[str, str] | None, ...]
-
-
-def angles(intervals: tuple[Interval, ...]) -> str:
-    """ "30.00° < φ < 150.00°", several joined by commas."""
-    return ", ".join(f"{np.degrees(a):.2f}° < φ < {np.degrees(b):.2f}°" for a, b in intervals)
-
-
-def gaps(cycle: Cycle) -> tuple[Gap, ...]:
-    """Every group that cannot be assembled over part of the cycle."""
-    found = []
-    for critical in cycle.critical:
-        intervals = tuple(sorted(_turned_intervals(cycle, critical)))
-        if intervals:
-            why, cure = _cause(critical)
-            found.append(Gap(critical.group.group.label, critical.group.links, intervals, why, cure))
-    return tuple(found)
 
 
 def closest(cycle: Cycle) -> tuple[Closest, ...]:
@@ -172,86 +129,3 @@ def _turned(cycle: Cycle, phi: tuple[float, ...]) -> tuple[float, ...]:
     turned = np.mod(cycle.sense * (np.array(phi) - cycle.zero), FULL_TURN)
     turned = np.where(FULL_TURN - turned < 1e-9, 0.0, turned)
     return tuple(float(x) for x in np.sort(turned[turned <= cycle.sweep + 1e-9]))
-
-
-def _turned_intervals(cycle: Cycle, critical: Critical) -> Iterator[Interval]:
-    """Intervals without the group, within the cycle; one across position 0 goes on beyond a turn."""
-    for first, last in critical.gaps:
-        width = last - first
-        if width >= FULL_TURN - 1e-12:
-            yield 0.0, cycle.sweep
-            continue
-        start = np.mod((first if cycle.sense > 0 else -last) - cycle.sense * cycle.zero, FULL_TURN)
-        if cycle.closed:
-            yield float(start), float(start + width)
-            continue
-        for low in (start, start - FULL_TURN):
-            a, b = max(low, 0.0), min(low + width, cycle.sweep)
-            if a < b:
-                yield float(a), float(b)
-
-
-# ---------------------------------------------------------------- causes and cures
-
-
-def _cause(critical: Critical) -> tuple[Message, Message]:
-    d = critical.group
-    if not isinstance(d, Dyad):
-        why = Message(N_("group %(group)s cannot be assembled"), {"group": d.group.label})
-        links = {"links": ", ".join(d.links)}
-        return why, Message(
-            N_("between its limit positions the lengths of links %(links)s do not suffice"), links
-        )
-    low, high = critical.reach or (0.0, 0.0)
-    return {1: _two_rods, 2: _rod_to_guide, 3: _guide_past_joint}[d.kind](d, low, high)
-
-
-def _rod_to_guide(d: Dyad, low: float, high: float) -> tuple[Message, Message]:
-    rod = d.outer_a.name + d.inner.name
-    why = Message(
-        N_("rod %(rod)s = %(length)s cannot reach guide %(guide)s"),
-        {"rod": rod, "length": _length(abs(d.arm_a)), "guide": d.outer_b.name},
-    )
-    text = N_("joint %(a)s goes as far as %(need)s from its line: the rod needs at least %(need)s")
-    return why, Message(text, {"a": d.outer_a.name, "need": _length(high)})
-
-
-def _two_rods(d: Dyad, low: float, high: float) -> tuple[Message, Message]:
-    a, b, c = d.outer_a.name, d.inner.name, d.outer_b.name
-    p, q = abs(d.arm_a), abs(d.arm_b)
-    why = Message(
-        N_("links %(a)s%(b)s = %(p)s and %(c)s%(b)s = %(q)s do not meet"),
-        {"a": a, "b": b, "c": c, "p": _length(p), "q": _length(q)},
-    )
-    # lengths that differ by less than this from what is needed print alike
-    far, near = high > (p + q) * (1 + 1e-9), low < abs(p - q) * (1 - 1e-9)
-    values = {"a": a, "c": c, "far": _length(high), "near": _length(low)}
-    if far and near:
-        text = N_(
-            "the distance of joints %(a)s and %(c)s is from %(near)s to %(far)s: together the links need at least "
-            "%(far)s, and they may differ by at most %(near)s"
-        )
-    elif near:
-        text = N_("joints %(a)s and %(c)s come as near as %(near)s: the links may differ by at most %(near)s")
-    else:
-        text = N_(
-            "joints %(a)s and %(c)s go as far as %(far)s apart: together the links need at least %(far)s"
-        )
-    return why, Message(text, values)
-
-
-def _guide_past_joint(d: Dyad, low: float, high: float) -> tuple[Message, Message]:
-    why = Message(
-        N_("guide %(guide)s does not reach joint %(c)s"), {"guide": d.inner.name, "c": d.outer_b.name}
-    )
-    text = N_(
-        "joints %(a)s and %(c)s come as near as %(near)s: the guide may pass them at a distance of at most %(near)s"
-    )
-    return why, Message(text, {"a": d.outer_a.name, "c": d.outer_b.name, "near": _length(low)})
-
-
-def _length(metres: float) -> Message:
-    """A length in the unit in which it is written: mm in a mechanism of ordinary size."""
-    if 1e-5 <= metres < 100:
-        return Message(N_("%(x).6g mm"), {"x": 1e3 * metres})
-    return Message(N_("%(x).6g m"), {"x": metres})

@@ -12,7 +12,7 @@ from tmm_report.chapters.initial_data.quantities import speed
 from tmm_report.chapters.kinematics import quantities as q
 from tmm_report.chapters.kinematics.analogues import analogues_of
 from tmm_report.chapters.kinematics.draw import Diagrams
-from tmm_report.chapters.kinematics.limits import Gap
+from tmm_report.chapters.kinematics.gaps import Gap
 from tmm_report.chapters.kinematics.solve import Kinematics, Travel
 from tmm_report.chapters.kinematics.travels import carried
 from tmm_report.chapters.kinematics.working import Working
@@ -24,6 +24,7 @@ from tmm_report.quantity.model import Value
 from tmm_report.quantity.ref import Ref
 from tmm_report.report.layout import TEXT_WIDTH, Cell, Column, Part, Table, worded
 from tmm_report.report.page import Page
+from tmm_report.report.part import Failed
 
 
 class MotionView:
@@ -51,7 +52,7 @@ class MotionView:
             text = N_(
                 "The mechanism does not make a full cycle: %(why)s. The data of the assignment must be checked."
             )
-        return self.t(text, why=self.page.sentence(gap.text))
+        return Failed(self.t(text, why=self.page.sentence(gap.text)))
 
     def _conclusion(self, travel: Travel) -> Markup:
         return self.page.listed([*self.told(travel), *self._greatest(travel)], " ")

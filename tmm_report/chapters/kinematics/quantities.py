@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from tmm_report.chapters.kinematics import analogues, contours
+from tmm_report.chapters.kinematics.digits import digits_left
 from tmm_report.chapters.kinematics.limits import Closest
 from tmm_report.chapters.kinematics.rates import PHI, places, rated
 from tmm_report.chapters.kinematics.rates import POSITION as POSITION
@@ -19,7 +20,7 @@ from tmm_report.chapters.kinematics.rates import link_rate as link_rate
 from tmm_report.chapters.kinematics.rates import point_rate as point_rate
 from tmm_report.chapters.kinematics.rates import rates as rates
 from tmm_report.chapters.kinematics.rates import where as where
-from tmm_report.chapters.kinematics.solve import Kinematics, Output, Travel, digits_left
+from tmm_report.chapters.kinematics.solve import Kinematics, Output, Travel
 from tmm_report.mechanics.cycle import Extreme
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, kept, text_column

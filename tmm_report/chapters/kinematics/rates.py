@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.kinematics.solve import digits_left
+from tmm_report.chapters.kinematics.digits import digits_left
 from tmm_report.mechanics.motion import Linkage, Motion
 from tmm_report.mechanics.relations import Branch, moving_points, relations, turning_links
 from tmm_report.problems import N_, Message

@@ -9,25 +9,28 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.chapters.kinematics.closing import leave_out_unclosed, told
+from tmm_report.chapters.kinematics.digits import PRINTED as PRINTED
+from tmm_report.chapters.kinematics.digits import Near, digits_left, near
+from tmm_report.chapters.kinematics.digits import rounding as rounding
+from tmm_report.chapters.kinematics.gaps import Gap, gaps
 from tmm_report.chapters.kinematics.given import Positions
-from tmm_report.chapters.kinematics.limits import Closest, Dead, Gap, closest, dead, gaps
+from tmm_report.chapters.kinematics.limits import Closest, Dead, closest, dead
 from tmm_report.chapters.kinematics.travels import Output as Output
 from tmm_report.chapters.kinematics.travels import Travel as Travel
 from tmm_report.chapters.kinematics.travels import driven, outputs, travels
 from tmm_report.chapters.structure.solve import Structure
 from tmm_report.mechanics.cycle import Cycle, Extreme, cycle_of
 from tmm_report.mechanics.motion import SINGULAR, Linkage, Motion
+from tmm_report.mechanics.planar import if_known
 from tmm_report.mechanics.relations import named_values
 from tmm_report.mechanics.singular import settle
-from tmm_report.problems import N_, Message, ProblemError, mistake
+from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 
 Array = Any
 Extremes = tuple[Extreme, Extreme]
-
-
-def digits_left(sine: Array) -> Array:
-    """Decimal digits of a double that remain where a group's sine is this: dividing by it costs -log10 of them."""
-    return np.maximum(np.floor(15.95 + np.log10(np.maximum(sine, 1e-300))), 0.0)
+FULL_TURN = 2 * np.pi
+AT_LIMIT = 1e-5  # rad from a limit of assembly: to the thousandth of a degree that is printed the position is the limit
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,6 +48,7 @@ class Kinematics:
     singular: tuple[int, ...]  # table positions in which a group is singular: no plan can be drawn
     undefined: tuple[int, ...]  # those of them without velocities
     missing: tuple[int, ...]  # table positions in which the mechanism cannot be assembled
+    unclosed: tuple[Gap, ...] = ()  # positions that were solved, but whose joints do not close
 
     @cached_property
     def values(self) -> Mapping[str, Array]:
@@ -62,9 +66,24 @@ class Kinematics:
         return int(digits_left(min((s.min(initial=1.0) for s in sines), default=1.0)))
 
     @cached_property
+    def near(self) -> tuple[Near, ...]:
+        """Positions in which few digits remain, by groups."""
+        return near(self)
+
+    @property
+    def doubts(self) -> tuple[Problem, ...]:
+        """What the variant may not have meant: positions near singular ones."""
+        return tuple(one.problem for one in self.near)
+
+    @cached_property
     def gaps(self) -> tuple[Gap, ...]:
         """Groups that cannot be assembled over part of the cycle, with causes and cures."""
-        return gaps(self.cycle)
+        return (*gaps(self.cycle), *self.unclosed)
+
+    @property
+    def limited(self) -> bool:
+        """Whether the mechanism comes to a limit, towards which rates and forces grow without bound."""
+        return any(gap.intervals for gap in self.gaps)
 
     @cached_property
     def closest(self) -> tuple[Closest, ...]:
@@ -100,14 +119,17 @@ def solve(positions: Positions, structure: Structure) -> Kinematics:
     (turned, table), (diagram_turned, diagram) = (
         steps(cycle, count) for count in (positions.table, positions.diagram)
     )
+    opened = told(leave_out_unclosed(table), turned) + told(leave_out_unclosed(diagram), diagram_turned)
     _must_close(cycle, table, diagram)
-    undefined = settle(table)
+    undefined = settle(table) | at_limits(cycle, turned, table)
     settle(diagram)
+    at_limits(cycle, diagram_turned, diagram)
     flat = np.logical_or.reduce([undefined, *(sine <= SINGULAR for sine in table.sines.values())])
     motions = travels(cycle, table, diagram, outputs(cycle.linkage))
     return Kinematics(
         cycle.linkage, cycle, positions, turned, table, diagram_turned, diagram, motions,
         _numbers(flat & table.closes), _numbers(undefined & table.closes), _numbers(~table.closes),
+        tuple(opened),
     )  # fmt: skip
 
 
@@ -118,6 +140,20 @@ def steps(cycle: Cycle, count: int) -> tuple[Array, Motion]:
     return turned, cycle.motion(cycle.once(count))
 
 
+def at_limits(cycle: Cycle, turned: Array, motion: Motion) -> Array:
+    """Take the rates from the positions that are limits of assembly, where they grow without bound; the mask of these,
+    (P,)."""
+    s, lost = motion.state, np.zeros(motion.shape, dtype=bool)
+    for critical in cycle.critical:
+        limits = np.mod(cycle.sense * (np.array(critical.limits) - cycle.zero), FULL_TURN)
+        off = np.abs(np.angle(np.exp(1j * (turned[:, None] - limits)))).min(axis=-1, initial=np.inf)
+        lost = lost | (off < AT_LIMIT)
+        if lost.any():
+            for rates in (s.v, s.w, s.a, s.e, s.iw, s.ie):
+                rates.update({link: if_known(~lost, rates[link]) for link in critical.group.links})
+    return lost
+
+
 def _numbers(mask: Array) -> tuple[int, ...]:
     return tuple(int(k) for k in np.flatnonzero(mask))
 
@@ -125,9 +161,9 @@ def _numbers(mask: Array) -> tuple[int, ...]:
 def _must_close(cycle: Cycle, table: Motion, diagram: Motion) -> None:
     if table.closes.any() and diagram.closes.any():
         return
-    causes = gaps(cycle)
-    if causes:
-        raise ProblemError([causes[0].problem])
+    causes = [gap for gap in gaps(cycle) if gap.intervals]
+    if causes:  # none of them alone, it may be: each group takes its own part
+        raise ProblemError([gap.problem for gap in causes])
     group = cycle.linkage.groups[-1].group
     text = N_("group %(group)s cannot be assembled at any position")
     right = Message(

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.chapters.kinematics.closing import all_closed
 from tmm_report.chapters.kinematics.given import Positions
 from tmm_report.chapters.kinematics.limits import Closest, Dead, nearest, sine_of, told
 from tmm_report.chapters.kinematics.solve import Kinematics, steps
@@ -54,7 +55,10 @@ def solve(positions: Positions, structures: Sequence[Structure]) -> tuple[list[i
     if len(fit) < len(linkages) and fit:
         linkages = [linkages[v] for v in fit]
         whole, start, _ = _begin(linkages)
-    return fit, _solve(positions, whole, start, linkages) if fit else None
+    moved = _solve(positions, whole, start, linkages) if fit else None
+    if moved is None or not all_closed(moved.table, moved.diagram):
+        return [], None
+    return fit, moved
 
 
 def _begin(linkages: Sequence[Linkage]) -> tuple[Linkage, list[float | None], list[int]]:

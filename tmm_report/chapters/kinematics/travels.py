@@ -15,6 +15,7 @@ from tmm_report.mechanics.planar import dot
 from tmm_report.mechanics.relations import turning_links, turns_with
 
 Array = Any
+SAME = 1e-9  # of turned unit vectors: position N of a full turn is position 0
 MOST_STOPS = 5  # diagram positions at which an output without a dwell may happen to stand still
 Extremes = tuple[Extreme, Extreme]
 
@@ -216,13 +217,18 @@ def _unwrapped(u: Array, reference: float) -> Array:
     angle = np.angle(u * np.exp(-1j * reference))
     exists = np.isfinite(angle)
     angle[exists] = np.unwrap(angle[exists])
+    if (
+        not exists.all() and abs(u[-1] - u[0]) < SAME
+    ):  # what lies behind a gap is reached backwards over position 0
+        behind = np.flatnonzero(~exists)[-1] + 1
+        angle[behind:] += angle[0] - angle[-1]
     return angle - _first(angle)
 
 
 def _rocker_extremes(cycle: Cycle, output: Output, reference: float, stops: Array) -> Extremes:
     """Extremes of a rocker's angle from position 0 over the cycle, rad, exact; of what goes all round, the ends."""
     fine = np.linspace(0, cycle.period, 360 * cycle.turns + 1)
-    where = np.sort(np.concatenate([fine, cycle.repeated(stops)]))
+    where = np.sort(np.concatenate([fine, cycle.repeated(stops), cycle.repeated(cycle.ends)]))
     angle = _unwrapped(cycle.motion(where).turn(output.name), reference)
     return least_and_greatest(angle, where)
 

@@ -11,6 +11,7 @@ from markupsafe import Markup
 from tmm_report.chapters.initial_data.quantities import MU_L, driving_arm, given_tables, length, scale
 from tmm_report.chapters.kinematics import quantities as q
 from tmm_report.chapters.kinematics.contour_view import ContoursView
+from tmm_report.chapters.kinematics.digits import PRINTED, Near
 from tmm_report.chapters.kinematics.limits import Closest
 from tmm_report.chapters.kinematics.motion_view import MotionView
 from tmm_report.chapters.kinematics.solve import Kinematics
@@ -28,7 +29,7 @@ from tmm_report.quantity.model import Book, variable
 from tmm_report.quantity.symbols import segment
 from tmm_report.report.layout import Table, worded
 from tmm_report.report.page import Page
-from tmm_report.report.part import Part
+from tmm_report.report.part import Failed, Part
 from tmm_report.report.schemes import Schemes
 from tmm_report.report.words import group_label, group_name
 
@@ -95,7 +96,12 @@ class KinematicsView:
         self.book = page.once(q.book, found)
 
     def conclusions(self) -> list[Markup]:
-        return []
+        """Near which singular positions few digits remain; first, if fewer than are printed."""
+        return [self._near(near) for near in self.found.near]
+
+    def _near(self, near: Near) -> Markup:
+        line = self.t(N_("Near a singular position: %(what)s."), what=self.page.sentence(near.text))
+        return Failed(line) if near.digits < PRINTED else line
 
     # ------------------------------------------------------------ positions
 
@@ -217,7 +223,8 @@ class KinematicsView:
 
     def sentences(self) -> list[Markup]:
         """What is to be said of limits, change points and parallel guides."""
-        found = [self.page.sentence(gap.text) for gap in self.found.gaps]
+        texts = [*(gap.text for gap in self.found.gaps), *(near.text for near in self.found.near)]
+        found = [self.page.sentence(text) for text in texts]
         return found + [text for c in self.found.closest for text in self._singular(c)]
 
     def _singular(self, c: Closest) -> Iterator[Markup]:

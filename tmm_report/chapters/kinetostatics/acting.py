@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, assert_never
 
@@ -26,11 +26,14 @@ from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.planar import cross
 from tmm_report.mechanics.repeated import repeated
 from tmm_report.mechanics.statics import Load
+from tmm_report.problems import N_, Message, Problem, doubt
 
 if TYPE_CHECKING:
     from tmm_report.chapters.kinematics.solve import Kinematics
 
 Array = Any
+
+STATED_WAY = Message(N_("state its direction by a word or an angle"))
 
 Stated = tuple[Sequence[tuple[Array, Array]], Sequence[tuple[Array, Array]]]
 """Of every stated force, then of every moment: the vector (..., P), and how much of it is along its direction."""
@@ -137,6 +140,20 @@ def _interpolate(cycle: Cycle, turned: Array, angles: Array, values: Array) -> A
     return repeated(turned, angles, values, cycle.period)
 
 
+def still(given: Loads, motion: Motion) -> Iterator[Problem]:
+    """Loads that follow the motion of a point or link that stands still: they are nothing in every position."""
+    rates = abs(motion.state.w[motion.linkage.mechanism.driver.link])
+    for index, force in enumerate(given.forces):
+        if isinstance(force.direction, str) and not np.any(np.abs(motion.velocity(force.at)) > 0):
+            text = N_("point %(point)s does not move: a force along or against its motion is nothing")
+            yield doubt(text, ("loads", "forces", index, "direction"), STATED_WAY, point=force.at)
+    for index, moment in enumerate(given.moments):
+        turning = np.abs(motion.angular_velocity(moment.on))
+        if isinstance(moment.direction, str) and not np.any(turning > 1e-12 * rates):
+            text = N_("link %(link)s does not turn: a moment along or against its rotation is nothing")
+            yield doubt(text, ("loads", "moments", index, "direction"), STATED_WAY, link=moment.on)
+
+
 def resultants(given: Loads, motion: Motion, load: Loading) -> dict[str, Load]:
     """All loads of each moving link, about its reference point."""
     s, mechanism = motion.state, motion.linkage.mechanism
@@ -152,15 +169,18 @@ def resultants(given: Loads, motion: Motion, load: Loading) -> dict[str, Load]:
     for link, couple in load.couples.items():
         moment[link] = moment[link] + couple
     for stated, vector in zip(given.forces, load.forces, strict=True):
-        add(loaded_link(motion, stated.at), vector, stated.at)
+        add(loaded_link(motion, stated), vector, stated.at)
     for on, couple in zip(given.moments, load.moments, strict=True):
         moment[on.on] = moment[on.on] + couple
     return {name: Load(force[name], moment[name]) for name in mechanism.moving}
 
 
-def loaded_link(motion: Motion, point: str) -> str:
-    """The link on which a force at a shared point acts: a slider rather than a rod, else the link found first."""
+def loaded_link(motion: Motion, force: Force) -> str:
+    """The link that takes a force: the one stated; of several at its point a slider rather than a rod, else the link
+    described first."""
+    if force.on is not None:
+        return force.on
     mechanism = motion.linkage.mechanism
-    links = [name for name in mechanism.links_at(point) if name != FRAME]
+    links = [name for name in mechanism.links_at(force.at) if name != FRAME]
     sliding = [slide.link for slide in mechanism.slides]
     return next((name for name in links if name in sliding), links[0])

@@ -71,7 +71,8 @@ def _parts_of(
 ) -> Iterator[Curve]:
     """Magnitude and projections of a reaction; a projection that is nothing all round is left out."""
     force, of = reaction(found, at, key), q.reaction(*found.diagram.statics.reactions[key].pair.links)
-    extremes = points([found.over.sizes[key][1]]) if found.over else None
+    nothing = () if found.kinematics.limited else None  # towards a limit it grows without bound
+    extremes = points([found.over.sizes[key][1]]) if found.over else nothing
     yield Curve(np.abs(force), graphs.letter(of.sign), extremes=extremes)
     for quantity, values in zip(of.components, (force.real, force.imag), strict=True):
         if np.nanmax(np.abs(values), initial=0.0) > least:

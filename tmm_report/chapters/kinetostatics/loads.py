@@ -16,7 +16,8 @@ class Constant:
 
 @dataclass(frozen=True)
 class ByPosition:
-    """Magnitudes at the table positions 0..N-1 of the cycle, linear between them."""
+    """Magnitudes at the table positions, linear between them: 0..N-1 of a cycle of full turns, whose last position is
+    position 0 again; 0..N where the driving link turns over a part of a turn."""
 
     values: tuple[float, ...]
 
@@ -64,12 +65,16 @@ Law = TurnLaw | ByDisplacement | ByStrokes  # an indicator diagram is of a point
 
 @dataclass(frozen=True)
 class Force:
-    """A force on a named point. `direction`: unit complex, fixed, or along / against the point's motion. N."""
+    """A force on a named point. `direction`: unit complex, fixed, or along / against the point's motion. N.
+
+    `on`: the link that takes it, where several share the point; None: see `acting.loaded_link`.
+    """
 
     name: str
     at: str
     direction: complex | Motion
     law: Law
+    on: str | None = None
 
 
 @dataclass(frozen=True)

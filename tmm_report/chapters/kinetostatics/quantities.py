@@ -12,6 +12,7 @@ import numpy as np
 from tmm_report.chapters.kinematics.quantities import where
 from tmm_report.chapters.kinetostatics import extreme_tables as cycle
 from tmm_report.chapters.kinetostatics import gear_quantities, pressing_quantities
+from tmm_report.chapters.kinetostatics.acting import loaded_link
 from tmm_report.chapters.kinetostatics.extreme_tables import Row
 from tmm_report.chapters.kinetostatics.gear_quantities import ANGLE as ANGLE
 from tmm_report.chapters.kinetostatics.gear_quantities import BASE_RADIUS as BASE_RADIUS
@@ -192,12 +193,14 @@ def _stated(found: Kinetostatics) -> Table:
     """One row a load: forces, then moments."""
     stated = [*zip(forces(found.given.forces), found.given.forces, strict=True)]
     turning = [*zip(moments(found.given.moments), found.given.moments, strict=True)]
-    rows = [(q.key, f.name, f.at, _way(f.direction)) for q, f in stated]
-    rows += [(q.key, m.name, m.on, _way(m.direction)) for q, m in turning]
+    motion = found.table.motion
+    rows = [(q.key, f.name, f.at, loaded_link(motion, f), _way(f.direction)) for q, f in stated]
+    rows += [(q.key, m.name, m.on, m.on, _way(m.direction)) for q, m in turning]
     texts = (
         ("key", N_("load")),
         ("name", N_("its name")),
         ("on", N_("point or link on which it acts")),
+        ("link", N_("link that takes it")),
         (
             "direction",
             N_(

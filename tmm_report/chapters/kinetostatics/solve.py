@@ -8,13 +8,14 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.kinematics.solve import Kinematics
+from tmm_report.chapters.kinematics.solve import PRINTED, Kinematics, rounding
 from tmm_report.chapters.kinetostatics.acting import Loading as Loading
 from tmm_report.chapters.kinetostatics.acting import Stated as Stated
 from tmm_report.chapters.kinetostatics.acting import loaded, resultants, stated
 from tmm_report.chapters.kinetostatics.acting import loaded_link as loaded_link
 from tmm_report.chapters.kinetostatics.acting import loading as loading
 from tmm_report.chapters.kinetostatics.acting import magnitude as magnitude
+from tmm_report.chapters.kinetostatics.acting import still as still
 from tmm_report.chapters.kinetostatics.breaks import breaks as breaks
 from tmm_report.chapters.kinetostatics.loads import ByStrokes, Constant, Loads
 from tmm_report.chapters.kinetostatics.over import Over as Over
@@ -35,9 +36,12 @@ from tmm_report.mechanics.motion import solve as solve_motion
 from tmm_report.mechanics.planar import dot
 from tmm_report.mechanics.roots import DIFFERENCE
 from tmm_report.mechanics.statics import Statics
+from tmm_report.problems import Problem
 
 Array = Any
 
+NO_EXTREME = Extreme(np.nan, np.nan)
+STRAIN = 10.0  # times the rounding that is left of a balancing moment: what two ways to it may differ by
 TOLERANCE = 1e-9  # relative disagreement of the checks above which something is wrong
 
 
@@ -59,6 +63,14 @@ class Solved:
     @property
     def balancing(self) -> Array:
         return self.statics.balancing
+
+    @cached_property
+    def explained(self) -> Array:
+        """Where both checks hold, or miss by no more than near a singular position rounding does, (P,) of bool."""
+        worst = np.fmax(self.disagreement(self.lever), self.disagreement(self.power))
+        left = rounding(self.motion)
+        with np.errstate(invalid="ignore"):
+            return ~(worst > TOLERANCE) | ((worst <= STRAIN * left) & (left < 10.0**-PRINTED))
 
     def disagreement(self, other: Array) -> Array:
         """Relative difference of another value of the balancing moment from that of the groups, (..., P)."""
@@ -92,7 +104,16 @@ class Kinetostatics:
 
     @property
     def agrees(self) -> bool:
-        return max(self.worst_lever, self.worst_power) <= TOLERANCE
+        """Whether both checks hold: but for what rounding leaves near singular positions, where enough digits remain of
+        what is printed."""
+        return max(self.worst_lever, self.worst_power) <= TOLERANCE or bool(
+            self.table.explained.all() and self.diagram.explained.all()
+        )
+
+    @property
+    def strained(self) -> bool:
+        """Whether the checks hold only by what rounding leaves near singular positions."""
+        return self.agrees and max(self.worst_lever, self.worst_power) > TOLERANCE
 
     @cached_property
     def over(self) -> Over | None:
@@ -103,10 +124,15 @@ class Kinetostatics:
     @property
     def extremes(self) -> tuple[Extreme, Extreme]:
         """Least and greatest balancing moment, N m: over the whole cycle, both sides of a jump among it; where some
-        position has no forces, of the diagram positions."""
+        position has no forces, of the diagram positions; nan where it grows without bound towards a limit."""
         if self.over is not None:
             return self.over.moment
-        return self._of_diagram
+        return (NO_EXTREME, NO_EXTREME) if self.kinematics.limited else self._of_diagram
+
+    @property
+    def bounded(self) -> bool:
+        """Whether the balancing moment has extremes."""
+        return all(np.isfinite(end.value) for end in self.extremes)
 
     @cached_property
     def _of_diagram(self) -> tuple[Extreme, Extreme]:
@@ -131,6 +157,11 @@ class Kinetostatics:
             for k, force in enumerate(self.given.forces)
             if isinstance(force.law, ByStrokes)
         }
+
+    @property
+    def doubts(self) -> tuple[Problem, ...]:
+        """Loads along or against a motion that there is not."""
+        return tuple(still(self.given, self.diagram.motion))
 
     @property
     def followed(self) -> list[int]:

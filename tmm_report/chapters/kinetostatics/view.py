@@ -20,7 +20,7 @@ from tmm_report.chapters.plans.solve import Plans
 from tmm_report.problems import N_
 from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Var
-from tmm_report.report.layout import Column, Table, numeric, worded
+from tmm_report.report.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.page import Page
 from tmm_report.report.part import NEXT_CHAPTER, Part
 from tmm_report.report.words import force_direction, sense
@@ -53,6 +53,16 @@ def parts(lever: LeverFound, page: Page) -> Iterator[Part | None]:
     yield lever_view.part(lever.kinetostatics, lever.sample, page)
 
 
+UNBOUNDED = N_(
+    "The balancing moment grows without bound towards the limit position, so that no extremes of it are given; at the "
+    "positions that exist Zhukovsky's lever and the power balance confirm it within a relative difference of %(worst)s."
+)
+DISAGREE = N_(
+    "The balancing moments of the force analysis, of Zhukovsky's lever and of the power balance disagree by a relative "
+    "%(worst)s: the solution must not be used."
+)
+
+
 def _view(found: Kinetostatics, lever: LeverFound, page: Page) -> KinetostaticsView:
     return page.once(KinetostaticsView, found, lever.plans, lever.sample, page)
 
@@ -82,10 +92,13 @@ class KinetostaticsView:
                 "by a relative %(worst)s: the solution must not be used. By the force analysis the moment varies from "
                 "%(low)s N·m at the angle of turn %(lowat)s to %(high)s N·m at %(highat)s."
             )
-        low, high = (self.page.shown(self.book[key]) for key in ("M_bal_min", "M_bal_max"))
-        lowat, highat = (self.cycle.moment_at(which) for which in ("least", "greatest"))
         worse = "lever" if found.worst_lever >= found.worst_power else "power"
         worst = self.page.shown(self.book[f"{worse}_disagreement"], digits=2, scale=0)
+        if not found.bounded:
+            text = UNBOUNDED if found.agrees else DISAGREE
+            return [self.t(text, worst=worst), *self.cycle.conclusions()]
+        low, high = (self.page.shown(self.book[key]) for key in ("M_bal_min", "M_bal_max"))
+        lowat, highat = (self.cycle.moment_at(which) for which in ("least", "greatest"))
         return [
             self.t(text, low=low, high=high, lowat=lowat, highat=highat, worst=worst),
             *self.cycle.conclusions(),
@@ -96,8 +109,13 @@ class KinetostaticsView:
     def stated(self, caption: Any) -> Table:
         """The stated loads: symbol, name, what they act on, direction."""
         given, table = self.found.given, self.book.tables["loads_given"]
-        on = [self.t("point %(point)s", point=force.at) for force in given.forces]
-        on += [self.t("link %(link)s", link=moment.on) for moment in given.moments]
+        names = enumerate(table["link"].values)
+        takes = [self.page.said(Cell(str(name), table.ref("link", row))) for row, name in names]
+        on = [
+            self.t("point %(point)s of link %(link)s", point=force.at, link=link)
+            for force, link in zip(given.forces, takes, strict=False)
+        ]
+        on += [self.t("link %(link)s", link=link) for link in takes[len(on) :]]
         ways = [force_direction(force.direction, self.page) for force in given.forces]
         ways += [sense(moment.direction, self.page) for moment in given.moments]
         quantities = [*q.forces(given.forces), *q.moments(given.moments)]

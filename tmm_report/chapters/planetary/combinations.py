@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from tmm_report.mechanics import planetary as p
-from tmm_report.mechanics.planetary_search import Candidates, Reason, Task, multiples
+from tmm_report.mechanics.planetary_search import Candidates, Reason, Task, multiples, ranked, search
+from tmm_report.mechanics.planetary_task import coaxiality_gap
 
 Array = Any
 
@@ -46,13 +47,15 @@ def combinations(task: Task, found: Candidates, order: Array) -> Combinations:
 
 def solutions(task: Task, found: Candidates, ranking: Array) -> Solutions:
     z = found.teeth[:, ranking]
-    overall = p.sizes(task.scheme, task.modules, task.rack, z).overall
-    shifted = p.coaxiality_gap(task.scheme, task.modules, z) > 1e-9
+    overall = task.sizes(z).overall
+    shifted = coaxiality_gap(task, z) > 1e-9
     return Solutions(combinations(task, found, ranking), overall, shifted)
 
 
-def every(task: Task, found: Candidates, ranking: Array) -> Combinations:
+def every(task: Task) -> Combinations:
     """All that were judged: the solutions, best first, then the others, the nearest to success first."""
+    found = search(task, rejected=True)
+    ranking = ranked(task, found)
     bad = np.flatnonzero(found.reasons != Reason.ACCEPTED)
     z = found.teeth[:, bad]
     ratio = p.stage_ratio(p.basic_ratio(task.scheme, z), task.input, task.output)

@@ -37,6 +37,8 @@ def _symbol(of: Condition, names: Sequence[str]) -> Symbol:
             return Symbol("z", names[of.wheels[0]])
         case "tips":
             return Symbol("Delta", "φ")
+        case "radial":
+            return Symbol("Delta", "r")
         case "contact":
             return math_symbol("epsilon_alpha")
         case "gap":

@@ -11,7 +11,7 @@ from tmm_report.chapters.planetary.rows import Rows
 from tmm_report.mechanics import planetary as p
 from tmm_report.mechanics.planetary_search import LEAST_CONTACT, Task
 
-Key = Literal["ratio", "undercut", "tips", "contact", "gap"]
+Key = Literal["ratio", "undercut", "tips", "radial", "contact", "gap"]
 
 
 class Condition(NamedTuple):
@@ -41,6 +41,7 @@ def conditions(task: Task, teeth: Sequence[int], k: int, sizes: p.Sizes, rows: R
         )
     for row in rows.rings:
         yield Condition("tips", (p.ROWS[row][0],), float(np.degrees(rows.tips[row])), 0.0, "deg")
+        yield Condition("radial", (p.ROWS[row][0],), float(np.degrees(rows.radial[row])), 0.0, "deg")
     for row, pair in enumerate(((0, 1), (2, 3))):
         yield Condition("contact", pair, float(rows.contact[row]), LEAST_CONTACT)
     yield Condition("gap", (), float(p.neighbourhood_gap(sizes, k)), 0.0, "m")

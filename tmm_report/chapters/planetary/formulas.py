@@ -4,69 +4,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
 from tmm_report.chapters.planetary.quantities import book, one_module
+from tmm_report.chapters.planetary.relation import Relation, Side
 from tmm_report.chapters.planetary.solve import Found
-from tmm_report.i18n import Translator
+from tmm_report.chapters.planetary.stated import whole
 from tmm_report.mechanics.planetary import EXTERNAL, INTERNAL, MEMBERS, ROWS, Member
-from tmm_report.quantity.formula import Expr, Formula, Number, Page, Var, arccos, cos, sin, sqrt, tan
-from tmm_report.quantity.gear_terms import involute
+from tmm_report.quantity.formula import Expr, Formula, Number, Var, arccos, cos, sin, sqrt, tan
+from tmm_report.quantity.gear_terms import arctan, involute
 from tmm_report.quantity.part import Part
-from tmm_report.quantity.ref import Ref, without_attributes
-from tmm_report.quantity.symbols import Latex, MathML, notation
+from tmm_report.quantity.ref import Ref
 
 HALF_TURN = Var("pi", np.pi, "deg", ref=Ref("pi", unit="deg"))
-
-
-@dataclass(frozen=True, eq=False)
-class Side:
-    """One side of a relation; `ref`: where its value stands in the results."""
-
-    expression: Expr
-    ref: Ref
-
-    @property
-    def value(self) -> float:
-        return float(self.expression.value)
-
-
-@dataclass(frozen=True, eq=False)
-class Relation:
-    """left = numbers = value, unit, and how it stands to the right, written in the same way: a = b, a > b."""
-
-    left: Side
-    sign: str
-    right: Side
-    unit: str = ""
-
-    @property
-    def holds(self) -> bool:
-        difference = self.left.value - self.right.value
-        return abs(difference) < 1e-9 * abs(self.right.value) if self.sign == "=" else difference > 0
-
-    def latex(self, tr: Translator) -> str:
-        return self._print(notation("latex", tr))
-
-    def mathml(self, tr: Translator) -> str:
-        return self._print(notation("mathml", tr))
-
-    def _print(self, form: Latex | MathML) -> str:
-        left, right = self._side(self.left, form), self._side(self.right, form)
-        return form.formula([left[0] + left[1], *left[2:], form.operator(self.sign) + right[0], *right[1:]])
-
-    def _side(self, side: Side, form: Latex | MathML) -> list[str]:
-        """In symbols, in numbers, the value: each with its sign of equality, what repeats left out."""
-        pages = [Page(form, numbers) for numbers in (False, True)]
-        texts = [side.expression.piece(page).text for page in pages]
-        texts.append(pages[1].number(side.value, 5, ref=side.ref).text)
-        bare = [without_attributes(text) for text in texts]
-        new = [text for k, text in enumerate(texts) if k == 0 or bare[k] != bare[k - 1]]
-        pieces = [new[0], *(form.operator("=") + text for text in new[1:])]
-        pieces[-1] += form.unit(self.unit)
-        return pieces
 
 
 class PlanetaryFormulas:
@@ -173,7 +124,7 @@ class PlanetaryFormulas:
         return Relation(left, self._equal(), right, "mm")
 
     def _equal(self) -> str:
-        if not self.found.shifted:
+        if self.found.coaxial:
             return "="
         return "<" if self.sizes.pitch_distances[0] < self.sizes.pitch_distances[1] else ">"
 
@@ -184,16 +135,33 @@ class PlanetaryFormulas:
 
     @property
     def opened(self) -> int:
-        """The row that profile shift opens to the centre distance."""
-        return int(np.argmin(self.sizes.pitch_distances))
+        """The row that profile shift opens to the centre distance, or the first of them."""
+        return self.found.opened[0] if self.found.opened else 0
 
     def shift(self) -> Iterator[Formula]:
-        """The operating angle and the sum of shift coefficients of the opened row."""
-        row, alpha, alpha_w = self.opened, self.alpha, self.alpha_w(self.opened)
-        yield self.rows.formula("a", row, self.m(row) * self.teeth_sum(row) / 2, "mm")
-        yield self.rows.formula("alpha_w", row, arccos(self.rows.var("a", row, "mm") * cos(alpha) / self.a_w))
-        difference = involute(alpha_w) - involute(alpha)
-        yield self.rows.formula("x_sum", row, self.teeth_sum(row) * difference / (2 * tan(alpha)))
+        """The operating angle and the sum of shift coefficients of the opened rows; where the coefficients are stated
+        their sum is not found."""
+        alpha = self.alpha
+        for row in self.found.opened:
+            yield self.rows.formula("a", row, self.m(row) * self.teeth_sum(row) / 2, "mm")
+            angle = arccos(self.rows.var("a", row, "mm") * cos(alpha) / self.a_w)
+            yield self.rows.formula("alpha_w", row, angle)
+            if not whole(self.task):
+                difference = involute(self.alpha_w(row)) - involute(alpha)
+                yield self.rows.formula("x_sum", row, self.teeth_sum(row) * difference / (2 * tan(alpha)))
+
+    @property
+    def stated(self) -> bool:
+        """Whether the shift coefficients of all wheels are stated."""
+        return whole(self.task)
+
+    def transverse(self) -> Iterator[Formula]:
+        """Of helical teeth: modules, profile angle and height of the head in the transverse section."""
+        turn = cos(self.of["beta"].var())
+        for key in ("m",) if one_module(self.given) else ("m_I", "m_II"):
+            yield self.of[key].formula(self.of[f"{key}_n"].var("mm") / turn, "mm", digits=6)
+        yield self.of["alpha"].formula(arctan(tan(self.of["alpha_n"].var()) / turn), digits=6)
+        yield self.of["ha"].formula(self.of["ha_n"].var() * turn, digits=6)
 
     def least_teeth(self) -> Formula:
         return self.of["least_teeth"].formula(2 * self.ha / sin(self.alpha) ** 2)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from tmm_report.mechanics import planetary as p
 from tmm_report.mechanics.planetary_search import Task
+from tmm_report.mechanics.spur import Rack
 
 
 @dataclass(frozen=True)
@@ -14,8 +15,10 @@ class Given:
 
     `names`: of wheel 1, of the satellite (its two crowns), of wheel 3 and of the carrier. `teeth`: z1, z2, z2', z3
     chosen by the teacher. `second`: the held member and its speed, rad/s: a differential with two inputs.
-    `efficiency`: η_H, of the stage with its carrier stopped. `any_scheme`: the four schemes are judged side by side,
-    that of `task` is none; `names` are then those of two rows.
+    `helix`: angle of the teeth on the pitch cylinders, rad: modules, rack and shifts of the task are then those of the
+    transverse section, `module_n` of each row, m, and `rack_n` those of the normal one. `efficiency`: η_H, of the stage
+    with its carrier stopped. `any_scheme`: the four schemes are judged side by side, that of `task` is none; `names`
+    are then those of two rows.
     """
 
     task: Task
@@ -25,6 +28,9 @@ class Given:
     driven: float | None = None
     title: str = ""
     any_scheme: bool = False
+    helix: float = 0.0
+    module_n: tuple[float, float] | None = None
+    rack_n: Rack | None = None
 
     def member(self, member: p.Member) -> str:
         """The name of wheel 1, wheel 3 or the carrier."""

@@ -10,12 +10,14 @@ import numpy as np
 
 from tmm_report.mechanics import planetary as p
 from tmm_report.mechanics.planetary_search import (
+    KEPT,
     LARGEST_SHIFTED,
     LEAST_CONTACT,
     Candidates,
     Reason,
     Task,
     coaxial,
+    extent,
     in_contact,
     judge,
     no_interference,
@@ -24,6 +26,7 @@ from tmm_report.mechanics.planetary_search import (
     ratio_holds,
     search,
 )
+from tmm_report.mechanics.planetary_task import coaxiality_gap
 from tmm_report.mechanics.rack_mistakes import of_rack
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 
@@ -31,6 +34,9 @@ Array = Any
 Teeth = tuple[int, int, int, int]
 
 ALL_SATELLITES = tuple(range(2, 9))
+FEW = 1_000_000  # combinations of which all ratios are looked at for an advice
+ALL = 10**9
+NEAR = 0.8  # of the ratio: what is farther off is no advice
 REASONS = {
     Reason.ACCEPTED: N_("accepted"),
     Reason.RATIO: N_("the ratio is out of the tolerance"),
@@ -54,7 +60,7 @@ def check(task: Task) -> None:
 # --- no teeth at all
 
 
-def no_solution(task: Task) -> ProblemError:
+def no_solution(task: Task, found: Candidates) -> ProblemError:
     """The ratio is out of reach, or only with these satellites, or no teeth pass at all."""
     values = {
         "ratio": f"{task.ratio:.5g}",
@@ -62,12 +68,12 @@ def no_solution(task: Task) -> ProblemError:
         "count": _listed(task.satellites),
     }
     wrong = N_("no teeth give the ratio %(ratio)s within %(tolerance)s %% with %(count)s satellites")
-    return ProblemError([mistake(wrong, ("ratio",), _nearby(task), **values)])
+    return ProblemError([mistake(wrong, ("ratio",), _nearby(task, found), **values)])
 
 
-def _nearby(task: Task) -> Message:
-    """What would work near a task that no teeth fulfil."""
-    return _other_satellites(task) or _by_shift(task) or _reachable(task)
+def _nearby(task: Task, found: Candidates) -> Message:
+    """What would work near a task that no teeth fulfil; `found`: what became of its combinations."""
+    return _other_satellites(task, found) or _by_shift(task) or _reachable(task)
 
 
 def _best(task: Task) -> tuple[Teeth, int] | None:
@@ -83,20 +89,32 @@ def _example(task: Task, text: str) -> Message | None:
     return None if best is None else Message(text, {"teeth": _shown(task, best[0]), "count": best[1]})
 
 
-def _other_satellites(task: Task) -> Message | None:
+def _other_satellites(task: Task, found: Candidates) -> Message | None:
+    """Only what fails by the satellites may do with another number of them."""
+    if not found.count(Reason.NEIGHBOURHOOD) + found.count(Reason.ASSEMBLY):
+        return None
     return _example(replace(task, satellites=ALL_SATELLITES), FOR_EXAMPLE)
 
 
 def _by_shift(task: Task) -> Message | None:
+    if task.shifted:
+        return None
     text = N_("with coaxiality: shift, for example, teeth %(teeth)s with %(count)s satellites do")
     return _example(replace(task, shifted=LARGEST_SHIFTED), text)
 
 
 def _reachable(task: Task) -> Message:
-    """The range of ratios of the wanted sign and the nearest of them."""
-    found = search(replace(task, tolerance=np.inf))
-    index = found.accepted
-    ratio = p.stage_ratio(p.basic_ratio(task.scheme, found.teeth[:, index]), task.input, task.output)
+    """The range of ratios of the wanted sign and the nearest of them; of very many combinations the nearest alone."""
+    wide = extent(task) > FEW
+    tolerance = min(NEAR, 8 * task.tolerance) if wide else np.inf
+    found = search(
+        replace(task, tolerance=tolerance, weight=1.0 if wide else 0.0), most=KEPT if wide else ALL
+    )
+    return _nearest(task, found, tolerance)
+
+
+def _nearest(task: Task, found: Candidates, tolerance: float) -> Message:
+    ratio = p.stage_ratio(p.basic_ratio(task.scheme, found.teeth), task.input, task.output)
     near = np.flatnonzero(np.isfinite(ratio))
     same = near[np.sign(ratio[near]) == np.sign(task.ratio)]
     near = same if len(same) else near
@@ -107,11 +125,13 @@ def _reachable(task: Task) -> Message:
         "low": f"{ratio[near].min():.4g}",
         "high": f"{ratio[near].max():.4g}",
         "near": f"{ratio[best]:.5g}",
-        "teeth": _shown(task, _teeth(found.teeth[:, index[best]])),
+        "teeth": _shown(task, _teeth(found.teeth[:, best])),
     }
     text = N_(
         "this scheme gives ratios from %(low)s to %(high)s, the nearest is %(near)s with teeth %(teeth)s"
     )
+    if np.isfinite(tolerance):
+        text = N_("the nearest ratio that was found is %(near)s with teeth %(teeth)s")
     return Message(text, values)
 
 
@@ -128,7 +148,7 @@ def check_teeth(task: Task, teeth: Teeth, found: Candidates, order: Array) -> in
     best = min(counts, key=lambda k: len(_failures(task, teeth, int(k))))
     problems = _failures(task, teeth, int(best))
     if any(problem.right is None for problem in problems):
-        example = _first(task, found, order) if len(order) else _nearby(task)
+        example = _first(task, found, order) if len(order) else _nearby(task, found)
         problems = [replace(problem, right=problem.right or example) for problem in problems]
     raise ProblemError(problems)
 
@@ -146,7 +166,7 @@ def _failures(task: Task, teeth: Teeth, k: int) -> list[Problem]:
         found.append(_ratio(task, teeth))
     if not coaxial(task, z)[0]:
         return [*found, _coaxiality(task, teeth)]  # without one centre distance there are no sizes
-    sizes = p.sizes(task.scheme, task.modules, task.rack, z)
+    sizes = task.sizes(z)
     if not not_undercut(task, z, sizes)[0]:
         found.append(_undercut(task, teeth))
     if not no_interference(task, z, sizes)[0]:
@@ -178,14 +198,14 @@ def _coaxiality(task: Task, teeth: Teeth) -> Problem:
     )
     wrong = N_("the two meshes have different centre distances, %(one)s mm and %(other)s mm")
     right = None
-    if p.coaxiality_gap(task.scheme, task.modules, z) <= LARGEST_SHIFTED and task.shifted == 0:
+    if coaxiality_gap(task, z) <= LARGEST_SHIFTED and task.shifted == 0:
         right = Message(N_("coaxiality: shift makes up such a difference by profile shift"))
     return mistake(wrong, ("teeth",), right, one=one, other=other)
 
 
 def _undercut(task: Task, teeth: Teeth) -> Problem:
     z = np.array(teeth)
-    least = p.least_teeth(task.rack, p.sizes(task.scheme, task.modules, task.rack, z).shifts)
+    least = p.least_teeth(task.rack, task.sizes(z).shifts)
     outside = [k for k, kind in enumerate(p.kinds(task.scheme)) if kind == p.EXTERNAL]
     worst = min(outside, key=lambda k: teeth[k] - least[k])
     wrong = N_("the wheel with %(teeth)s teeth is undercut")

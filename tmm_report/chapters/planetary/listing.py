@@ -17,6 +17,8 @@ SOLUTIONS = N_("teeth of stage %(name)s that satisfy every condition, best first
 REJECTED = N_("combinations of teeth examined for stage %(name)s by the first condition that fails")
 CANDIDATES = Message(N_("combinations of teeth: the solutions, best first, then those rejected"))
 
+AT_ONCE = 10_000  # rows that are numbers of Python at one time
+
 TEETH = Message(N_("number of teeth"))
 SATELLITES = Quantity("k", Symbol("k"), "", Message(N_("number of satellites; 0: any")))
 RATIO = Quantity("u", Symbol("u"), "", Message(N_("ratio of the angular velocities")))
@@ -84,9 +86,10 @@ def listing(table: Table, translate: Callable[[str], str] = str) -> Iterator[str
     yield "".join(f"{column.key:>{_width(column.key)}}" for column in numbers)
     formats = ["{:" + f"{_width(column.key)}{_form(column.key)}" + "}" for column in numbers]
     line = "".join(formats) + "  {}"
-    rows = zip(*(np.asarray(column.values).tolist() for column in numbers), strict=True)
-    for row, code in zip(rows, np.asarray(verdict.values).tolist(), strict=True):
-        yield line.format(*row, words[code])
+    every = [np.asarray(column.values) for column in (*numbers, verdict)]
+    for start in range(0, len(every[-1]), AT_ONCE):
+        for *row, code in zip(*(one[start : start + AT_ONCE].tolist() for one in every), strict=True):
+            yield line.format(*row, words[code])
 
 
 def _width(key: str) -> int:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -31,6 +32,8 @@ MOTIONS = N_("motions of stage %(name)s with each member held")
 
 TEETH = Quantity("z", Symbol("z"), "", Message(N_("number of teeth")))
 SHIFT = Quantity("x", Symbol("x"), "", Message(N_("shift coefficient")))
+TRANSVERSE = Quantity("x", Symbol("x", "t"), "", Message(N_("shift coefficient in the transverse section")))
+NORMAL = Quantity("x_n", Symbol("x", "n"), "", Message(N_("shift coefficient in the normal section")))
 FULL_TIP = Quantity("d_a_full", Symbol("d", "a"), "m", Message(N_("tip diameter of teeth of full height")))
 CROWN = Quantity("d_w", Symbol("d", "w"), "m", Message(N_("working diameter of the satellite in the mesh")))
 START = Quantity(
@@ -73,8 +76,10 @@ def tables(found: Found, prefix: str) -> Iterator[Table]:
 
 
 def judged(found: Found, say: Callable[[str], str]) -> list[str]:
-    """Every combination of teeth that was examined, a line each, with what became of it in words that `say` gives."""
-    return list(listing.listing(listing.candidates(found), say))
+    """Every combination of teeth that was examined, a line each, with what became of it in words that `say` gives; many
+    lines are joined in one text, for there may be half a million."""
+    lines = listing.listing(listing.candidates(found), say)
+    return ["\n".join(some) for some in iter(lambda: list(islice(lines, listing.AT_ONCE)), [])]
 
 
 def ratio_symbol(given: Given, input: p.Member, output: p.Member) -> Symbol:
@@ -94,23 +99,28 @@ def _between(given: Given, input: p.Member, output: p.Member) -> tuple[str, str]
 def _given(given: Given) -> Iterator[Row]:
     task, carrier = given.task, given.names[-1]
     wanted = N_("wanted ratio of the angular velocities of the input and the output")
+    t = "t" if given.helix else ""  # of helical teeth what is counted with is that of the transverse section
     yield "u_wanted", Symbol("u"), "", Message(wanted), task.ratio
     allowed = Message(N_("allowed deviation of the ratio"))
     yield "tolerance", Symbol("Delta", "u"), "%", allowed, 100 * task.tolerance
     module = Message(N_("module"))
     if one_module(given):
-        yield "m", Symbol("m"), "m", module, task.modules[0]
+        yield "m", Symbol("m", t), "m", module, task.modules[0]
     else:
         for name, metres in zip(("I", "II"), task.modules, strict=True):
-            yield f"m_{name}", Symbol("m", name), "m", module, metres
+            yield f"m_{name}", Symbol("m", t + name), "m", module, metres
     yield "k_least", None, "", Message(N_("least number of satellites examined")), task.satellites[0]
     yield "k_most", None, "", Message(N_("largest number of satellites examined")), task.satellites[-1]
     stopped = Message(N_("efficiency of the stage with carrier %(carrier)s stopped"), {"carrier": carrier})
     yield "eta_stopped", Symbol("eta", carrier), "", stopped, given.efficiency
     height = Message(N_("coefficient of the height of the head"))
-    yield "ha", HA, "", height, task.rack.ha
+    yield "ha", Symbol("h", "at", "*") if t else HA, "", height, task.rack.ha
     angle = Message(N_("profile angle of the basic rack"))
-    yield "alpha", Symbol("alpha"), "deg", angle, np.degrees(task.rack.alpha)
+    yield "alpha", Symbol("alpha", t), "deg", angle, np.degrees(task.rack.alpha)
+    if task.weight:
+        weight = Message(N_("weight of the nearness of the ratio in the ranking"))
+        yield "ratio_weight", Symbol("w"), "", weight, task.weight
+    yield from _helical(given)
     for key, text, number in (
         ("external_least", N_("least number of external teeth examined"), task.external[0]),
         ("external_most", N_("largest number of external teeth examined"), task.external[1]),
@@ -125,6 +135,20 @@ def one_module(given: Given) -> bool:
     return given.task.scheme.single or given.task.modules[0] == given.task.modules[1]
 
 
+def _helical(given: Given) -> Iterator[Row]:
+    """What is stated of helical teeth, in the normal section."""
+    if given.module_n is None or given.rack_n is None:
+        return
+    yield "beta", Symbol("beta"), "deg", Message(N_("helix angle")), np.degrees(given.helix)
+    module = Message(N_("module in the normal section"))
+    for key, metres in zip(("m",) if one_module(given) else ("m_I", "m_II"), given.module_n, strict=False):
+        yield f"{key}_n", Symbol("m", "n" + key[2:]), "m", module, metres
+    angle = Message(N_("profile angle of the basic rack in the normal section"))
+    yield "alpha_n", Symbol("alpha", "n"), "deg", angle, np.degrees(given.rack_n.alpha)
+    height = Message(N_("coefficient of the height of the head in the normal section"))
+    yield "ha_n", HA, "", height, given.rack_n.ha
+
+
 def _ratio(found: Found) -> Iterator[Row]:
     given, task = found.given, found.given.task
     meaning = Message(N_("ratio of the stage, the second input at rest"))
@@ -135,8 +159,8 @@ def _ratio(found: Found) -> Iterator[Row]:
     yield "u_carrier", ratio_symbol(given, "wheel1", "carrier"), "", meaning, 1 - found.basic
     meaning = Message(N_("deviation of the ratio"))
     yield "delta_u", Symbol("Delta", "u"), "%", meaning, 100 * found.deviation
-    yield "combinations", None, "", listing.COUNT.meaning, len(found.candidates.reasons)
-    yield "solutions", None, "", Message(N_("how many solutions there are")), len(found.ranking)
+    yield "combinations", None, "", listing.COUNT.meaning, found.candidates.examined
+    yield "solutions", None, "", Message(N_("how many solutions there are")), found.candidates.solutions
 
 
 def _satellites(found: Found) -> Iterator[Row]:
@@ -189,7 +213,9 @@ def _wheels(found: Found) -> Iterator[Column]:
     names = [found.given.wheels[i] for i in order]
     yield text_column("wheel", Message(N_("number of the wheel")), names)
     yield _named(TEETH, [found.teeth[i] for i in order], names)
-    yield _named(SHIFT, found.sizes.shifts[order], names)
+    if found.given.helix:
+        yield _named(NORMAL, found.sizes.shifts[order] / np.cos(found.given.helix), names)
+    yield _named(TRANSVERSE if found.given.helix else SHIFT, found.sizes.shifts[order], names)
     for key in DIAMETERS:
         yield _named(dimension(key), found.sizes.diameters[key][order], names)
     yield _named(FULL_TIP, found.sizes.tip[order], names)

@@ -16,7 +16,7 @@ import numpy as np
 
 from tmm_report.chapters.planetary.given import Given
 from tmm_report.mechanics import planetary as p
-from tmm_report.mechanics.planetary_search import Candidates, ranked, search
+from tmm_report.mechanics.planetary_search import Candidates, Task, ranked, search
 from tmm_report.problems import N_, Message, ProblemError, mistake
 
 Array = Any
@@ -45,7 +45,7 @@ class Judged:
 
     @property
     def solutions(self) -> int:
-        return len(self.ranking)
+        return self.found.solutions
 
     @property
     def works(self) -> bool:
@@ -78,6 +78,13 @@ def choose(given: Given) -> Choice:
     return Choice(judged, min(close, key=lambda k: judged[k].overall), close)
 
 
+def tasks(given: Given) -> list[Task]:
+    """What is searched through for a stage: one task, or that of every scheme."""
+    if not given.any_scheme:
+        return [given.task]
+    return [replace(given.task, scheme=scheme) for scheme in _schemes(given)]
+
+
 def _schemes(given: Given) -> Iterator[p.Scheme]:
     """A single row has one module."""
     one = given.task.modules[0] == given.task.modules[1]
@@ -99,7 +106,7 @@ def _judged(given: Given) -> Judged:
     z1, z2, z2_, z3 = teeth = tuple(int(z) for z in found.teeth[:, order[0]])
     basic = float(p.basic_ratio(task.scheme, teeth))
     flow = p.power_flow(basic, given.efficiency, task.input, task.output)
-    overall = float(p.sizes(task.scheme, task.modules, task.rack, np.array(teeth)).overall)
+    overall = float(task.sizes(np.array(teeth)).overall)
     ratio = float(p.stage_ratio(basic, task.input, task.output))
     count = int(found.satellites[order[0]])
     return Judged(given, found, order, (z1, z2, z2_, z3), count, ratio, overall, float(flow.efficiency))

@@ -21,12 +21,15 @@ from tmm_report.chapters.planetary.limits import check, check_teeth, no_solution
 from tmm_report.chapters.planetary.motions import Motion, motions, torques
 from tmm_report.chapters.planetary.paper import scale
 from tmm_report.chapters.planetary.rows import Rows, rows
-from tmm_report.chapters.planetary.schemes import Choice, choose
+from tmm_report.chapters.planetary.schemes import Choice, choose, tasks
+from tmm_report.chapters.planetary.stated import doubts as of_shifts
+from tmm_report.chapters.planetary.stated import settled
 from tmm_report.mechanics import planetary as p
 from tmm_report.mechanics import trains
 from tmm_report.mechanics.planetary_search import Candidates, ranked, search
+from tmm_report.problems import Problem
 
-__all__ = ["Found", "Given", "Motion", "solve"]
+__all__ = ["Found", "Given", "Motion", "solve", "tasks"]
 
 Array = Any
 
@@ -35,8 +38,9 @@ Array = Any
 class Found:
     """A solved stage.
 
-    `candidates`: all that were judged; `ranking`: indices of the solutions, best first; `solutions`: what is said of
-    these; `teeth`: z1, z2, z2', z3; `basic`: u13(H), with the carrier stopped; `motions`: all the ways it runs;
+    `candidates`: how many were judged, and the solutions; `ranking`: indices of the solutions, best first;
+    `solutions`: what is said of these; `teeth`: z1, z2, z2', z3; `basic`: u13(H), with the carrier stopped;
+    `motions`: all the ways it runs;
     `torques`: on the members from outside, with losses, for 1 N·m at the input, N·m; `turns`: least whole p of the
     course's condition of assembly, None where there is none; `scale`: of its drawing, m/mm; `choice`: of the
     scheme, None where that is stated.
@@ -131,8 +135,24 @@ class Found:
 
     @property
     def shifted(self) -> bool:
-        """Whether coaxiality is by profile shift."""
-        return bool(np.any(self.sizes.shift_sums > 0))
+        """Whether wheels are cut with profile shift."""
+        return bool(np.any(self.sizes.shifts != 0))
+
+    @property
+    def opened(self) -> list[int]:
+        """The rows whose pitch circles do not roll on one another."""
+        away = np.abs(self.sizes.pitch_distances / self.sizes.centre_distance - 1)
+        return [int(row) for row in np.flatnonzero(away > 1e-12)]
+
+    @property
+    def coaxial(self) -> bool:
+        """Whether both rows have one centre distance by their teeth."""
+        one, other = self.sizes.pitch_distances
+        return bool(abs(one / other - 1) < 1e-12)
+
+    @property
+    def doubts(self) -> tuple[Problem, ...]:
+        return tuple(of_shifts(self.given, self.teeth))
 
     @property
     def apart(self) -> float:
@@ -171,12 +191,13 @@ class Found:
     @cached_property
     def combinations(self) -> Combinations:
         """Every combination that was judged, in the order of success: only the full list asks for it."""
-        return every(self.given.task, self.candidates, self.ranking)
+        return every(self.given.task)
 
 
 def solve(given: Given) -> Found:
     """Raises ProblemError where no teeth give the ratio, or those given fail a condition, or the rack cuts none."""
     check(given.task)
+    given = settled(given)
     if given.any_scheme:
         return _of_any(given)
     found = search(given.task)
@@ -184,7 +205,7 @@ def solve(given: Given) -> Found:
     if given.teeth is not None:
         return _found(given, found, order, given.teeth, check_teeth(given.task, given.teeth, found, order))
     if not len(order):
-        raise no_solution(given.task)
+        raise no_solution(given.task, found)
     z1, z2, z2_, z3 = (int(teeth) for teeth in found.teeth[:, order[0]])
     return _found(given, found, order, (z1, z2, z2_, z3), int(found.satellites[order[0]]))
 
@@ -201,7 +222,7 @@ def _of_any(given: Given) -> Found:
 def _found(given: Given, found: Candidates, order: Array, teeth: tuple[int, int, int, int], k: int) -> Found:
     """All that follows from the chosen teeth and the number of satellites."""
     task = given.task
-    sizes = p.sizes(task.scheme, task.modules, task.rack, np.array(teeth))
+    sizes = task.sizes(np.array(teeth))
     meshed = rows(task, teeth, sizes)
     basic = float(p.basic_ratio(task.scheme, teeth))
     return Found(

@@ -26,7 +26,14 @@ from tmm_report.report.layout import Cell, Table, Words, padded, worded
 from tmm_report.report.page import Page
 
 SHOWN = 10  # solutions in the table, besides the chosen one
-PLACES = {"ratio": 2, "undercut": 2, "tips": 3, "contact": 3, "gap": 2}  # decimals of the conditions
+PLACES = {
+    "ratio": 2,
+    "undercut": 2,
+    "tips": 3,
+    "radial": 3,
+    "contact": 3,
+    "gap": 2,
+}  # decimals of the conditions
 UNITS = {"%": " %", "deg": "°", "": ""}  # as they are written after the numbers of the conditions
 
 INPUT = Symbol("omega", NP_("index", "in"))
@@ -132,12 +139,21 @@ class PlanetaryTables(PlanetaryFormulas):
                 return self.t("no undercut of the teeth of wheel %(wheel)s", wheel=wheels[0])
             case "tips":
                 return self.t("no overlap of the tips in the mesh with ring %(wheel)s", wheel=wheels[0])
+            case "radial":
+                return self.t("room to put a satellite into ring %(wheel)s radially", wheel=wheels[0])
             case "contact":
                 return self.t("contact ratio of the pair %(pair)s", pair="-".join(wheels))
             case "gap":
                 return self.t("gap between neighbouring satellites")
             case _:
                 assert_never(of.key)
+
+    @property
+    def axial(self) -> list[str]:
+        """Rings into which the satellites go axially only."""
+        return [
+            self.wheels[of.wheels[0]] for of in self.found.conditions if of.key == "radial" and of.margin < 0
+        ]
 
     def _condition(self, of: Condition, row: int) -> list[Markup]:
         """Value, limit and what is in hand, each with its unit."""
@@ -165,14 +181,19 @@ class PlanetaryTables(PlanetaryFormulas):
             for key, text in DIAMETERS.items()
         ]
         if self.found.shifted:
-            cells = [page.cell(sized, "x", row, places=4) for row in range(len(wheels))]
-            rows.insert(0, [self.t("shift coefficient"), page.head(sized["x"].symbol()), *cells])
+            rows[:0] = [self._shifts(key) for key in ("x_n", "x") if key == "x" or self.given.helix]
         heads = [
             self.t("Dimension"),
             self.t("Symbol"),
             *(self.t("wheel %(name)s", name=self.wheels[wheel]) for wheel in wheels),
         ]
         return worded(caption, heads, rows, (4, 2, *[2] * len(wheels)))
+
+    def _shifts(self, key: str) -> list[Any]:
+        """A row of the table: of helical teeth the coefficients of both sections."""
+        of = self.sized[key]
+        cells = [self.page.cell(self.sized, key, row, places=4) for row in range(len(self.scheme.wheels))]
+        return [self.page.message(of.meaning), self.page.head(of.symbol()), *cells]
 
     def _diameter(self, key: str, wheel: int) -> Any:
         """mm; the satellite of a single row with shift rolls on another circle in each mesh."""

@@ -15,6 +15,7 @@ from tmm_report.chapters.planetary.tables_view import PlanetaryTables
 from tmm_report.figures.drawing import Drawing
 from tmm_report.mechanics.planetary import EXTERNAL
 from tmm_report.problems import N_
+from tmm_report.quantity.formula import Var
 from tmm_report.report.page import Page
 from tmm_report.report.part import Failed, Part
 
@@ -55,16 +56,22 @@ class PlanetaryView(PlanetaryTables):
         page, of, listed = self.page, self.of, self.page.listed
         counts = [page.shown(of[key]) for key in ("k_least", "k_most")]
         many = listed(counts[: len(self.task.satellites)], "…")
-        modules = [self.m(0)] if one_module(self.given) else [self.m(0), self.m(1)]
         return listed(
             [
                 page.value(of["u_wanted"].var()),
                 listed([page.sym(of["tolerance"].symbol), " ≤ ", self.tolerance, " %"], ""),
-                *(page.value(m) for m in modules),
+                *(page.value(m) for m in self._stated()),
                 listed([page.sym("k"), " = ", many], ""),
                 page.value(of["eta_stopped"].var()),
             ]
         )
+
+    def _stated(self) -> list[Var]:
+        """Modules; of helical teeth those of the normal section, and the helix angle."""
+        keys = ["m"] if one_module(self.given) else ["m_I", "m_II"]
+        if self.given.helix:
+            return [*(self.of[f"{key}_n"].var("mm") for key in keys), self.of["beta"].var()]
+        return [self.m(row) for row in range(len(keys))]
 
     @property
     def tolerance(self) -> Markup:
@@ -76,7 +83,13 @@ class PlanetaryView(PlanetaryTables):
         names |= {"k": "planetary:k", "eta_stopped": "planetary:eta" + self.carrier}
         said = {key: self.page.explained(name, self.of[key]) for key, name in names.items()}
         module = self.page.explained("spur:m", self.of["m" if one_module(self.given) else "m_I"], "mm")
-        return [*(said[key] for key in ("u_wanted", "tolerance")), {**module, "symbol": "m"},
+        modules = [{**module, "symbol": "m"}]
+        if self.given.helix:
+            normal = self.page.explained(
+                "planetary:mn", self.of["m_n" if one_module(self.given) else "m_I_n"], "mm"
+            )
+            modules = [{**normal, "symbol": "m_n"}, self.page.explained("spur:beta", self.of["beta"])]
+        return [*(said[key] for key in ("u_wanted", "tolerance")), *modules,
                 *(said[key] for key in ("k", "eta_stopped"))]  # fmt: skip
 
     def explained_shift(self) -> list[dict[str, Any]]:

@@ -19,7 +19,7 @@ from tmm_report.mechanics.cam import swept
 from tmm_report.mechanics.mechanism import Mechanism
 from tmm_report.mechanics.relations import moving_points, relations
 from tmm_report.problems import N_, ProblemError, mistake
-from tmm_report.quantity.paper import LONGEST, SHEET, fitting_scale, round_scale, segment_scale
+from tmm_report.quantity.paper import LONGEST, SHEET, fitting_scale, legible, round_scale, segment_scale
 from tmm_report.quantity.text import round_significant
 from tmm_report.quantity.written import DIGITS
 
@@ -53,6 +53,7 @@ def scales(
     def scale(stated: float | None, kind: Kind, fill: Callable[[], float]) -> float:
         return stated or (found[kind].scale if kind in found else fill())
 
+    _see_legible(drawing, kinematics, positions, named)
     return (
         Scales(
             scale(drawing.length, "length", lambda: _of_scheme(kinematics)),
@@ -61,6 +62,17 @@ def scales(
         ),
         tuple(found.values()),
     )
+
+
+def _see_legible(drawing: Drawing, kinematics: Kinematics, positions: Sequence[int], named: Named) -> None:
+    """See that what is to be drawn at a stated scale has a size on paper. Raises ProblemError."""
+    at = ("drawing", "scales")
+    if drawing.length is not None:
+        legible(drawing.length, max(_scheme_size(kinematics)), (*at, "length"))
+    for kind, stated in (("v", drawing.velocity), ("a", drawing.acceleration)):
+        if stated is not None and positions:
+            path = (*at, "velocity" if kind == "v" else "acceleration")
+            legible(stated, _longest(kinematics, kind, positions, named), path)
 
 
 # ---------------------------------------------------------------- a segment chosen
@@ -117,9 +129,14 @@ def _largest(kinematics: Kinematics, segment: Segment, positions: Sequence[int])
 
 def _of_scheme(kinematics: Kinematics) -> float:
     """m/mm at which the scheme of all positions fits a portrait page."""
+    return fitting_scale(*_scheme_size(kinematics), SCHEME)
+
+
+def _scheme_size(kinematics: Kinematics) -> tuple[float, float]:
+    """Width and height of what the mechanism sweeps, m."""
     motion, mechanism = kinematics.diagram, kinematics.linkage.mechanism.real
     places = [motion.place(point) for point in mechanism.point_names]
-    return fitting_scale(*_extent(np.concatenate([*places, swept(mechanism)])), SCHEME)
+    return _extent(np.concatenate([*places, swept(mechanism)]))
 
 
 def _of_plans(kinematics: Kinematics, kind: str, positions: Sequence[int], named: Named) -> float:
@@ -129,12 +146,17 @@ def _of_plans(kinematics: Kinematics, kind: str, positions: Sequence[int], named
     places = np.array([vertex[list(positions)] for vertex in _vertices(kinematics, kind)])
     boxes = [_extent(np.append(places[:, i], 0j)) for i in range(len(positions))]
     wide, high = (max(sizes) for sizes in zip(*boxes, strict=True))
+    longest = _longest(kinematics, kind, positions, named)
+    least = round_scale(longest, LONGEST) if longest > 0 else 0.0
+    return max(fitting_scale(wide, high, SHEET), least)
+
+
+def _longest(kinematics: Kinematics, kind: str, positions: Sequence[int], named: Named) -> float:
+    """The longest vector of the plans of velocities or accelerations, SI."""
     sizes = [
         np.abs(x[list(positions)]) for key, x in kinematics.values.items() if named[key].unit == UNITS[kind]
     ]
-    longest = float(np.nanmax(sizes, initial=0.0))
-    least = round_scale(longest, LONGEST) if longest > 0 else 0.0
-    return max(fitting_scale(wide, high, SHEET), least)
+    return float(np.nanmax(sizes, initial=0.0))
 
 
 def _vertices(kinematics: Kinematics, kind: str) -> Iterator[Array]:

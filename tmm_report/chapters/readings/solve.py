@@ -36,6 +36,7 @@ class Reading:
     delta: float | None
     rule: Rule
     causes: tuple[Cause, ...] = ()
+    unsigned: bool = False  # given without the minus that the analytical value has
 
     @property
     def key(self) -> str:
@@ -66,6 +67,11 @@ class ReadingsFound:
     @property
     def wrong(self) -> tuple[Reading, ...]:
         return tuple(one for rows in self.rows.values() for one in rows if not one.ok)
+
+    @property
+    def unsigned(self) -> tuple[Reading, ...]:
+        """Those of which the sense is not judged: right in magnitude, written without a minus."""
+        return tuple(one for rows in self.rows.values() for one in rows if one.unsigned and one.ok)
 
     @property
     def worst(self) -> float:
@@ -143,8 +149,9 @@ def _reading(
     one: Asked, k: int, written: str, number: float, judged: Judged, causes: tuple[Cause, ...]
 ) -> Reading:
     right, delta, rule = float(one.values[k]), float(judged.delta[k]), judged.rules[k]
+    unsigned = judged.magnitudes and right < 0
     if judged.magnitudes:
         number, right = abs(number), abs(right)
     none = rule in (Rule.ZERO, Rule.SIGN) or not np.isfinite(delta)
     explained = () if rule in RIGHT else tuple(cause for cause in causes if one.name in cause.names)
-    return Reading(k, written, one, number, right, None if none else delta, rule, explained)
+    return Reading(k, written, one, number, right, None if none else delta, rule, explained, unsigned)

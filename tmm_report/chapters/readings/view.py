@@ -63,7 +63,7 @@ class ReadingsView:
         if one.rule is Rule.ZERO:
             return self.t("right: nothing by the plan")
         if one.ok:
-            return self.t("right")
+            return self.t("right in magnitude, no sense given") if one.unsigned else self.t("right")
         return self.t("wrong: the sign is opposite") if one.rule is Rule.SIGN else self.t("wrong")
 
     def causes(self) -> list[Markup | str]:

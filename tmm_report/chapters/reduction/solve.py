@@ -74,7 +74,10 @@ class Reduction:
 
     @cached_property
     def extremes(self) -> tuple[Extreme, Extreme]:
-        """Least and greatest reduced moment of inertia over the diagram positions, kg m²."""
+        """Least and greatest reduced moment of inertia over the diagram positions, kg m²; nan where the mechanism
+        comes to a limit, towards which it grows without bound."""
+        if self.kinematics.limited:
+            return Extreme(np.nan, np.nan), Extreme(np.nan, np.nan)
         return least_and_greatest(self.diagram.whole_inertia, self.diagram.turned)
 
     @cached_property

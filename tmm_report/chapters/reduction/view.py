@@ -42,6 +42,12 @@ class ReductionView:
         text = N_(
             "The reduced moment of inertia varies from %(low)s kg·m² to %(high)s kg·m² over the cycle of the mechanism."
         )
+        if self.found.kinematics.limited:
+            text = N_(
+                "The reduced moment of inertia grows without bound towards the limit position, so that no extremes of "
+                "it are given."
+            )
+            return [self.t(text)]
         low, high = (self.page.shown(self.book[f"I_red_{end}"]) for end in ("min", "max"))
         return [self.t(text, low=low, high=high)]
 

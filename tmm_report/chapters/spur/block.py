@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, Tag
 
 from tmm_report.chapters.spur import solve as spur
-from tmm_report.mechanics.spur import Rack
+from tmm_report.mechanics.spur import Cutter, Rack
 from tmm_report.problems import N_, Message, shown
 from tmm_report.quantity import units
 from tmm_report.quantity.units import WrongValue
@@ -45,7 +45,7 @@ Clearance = Annotated[float, quantity("number", 0.0, 1.0, "0 … 1")]
 Efficiency = Annotated[float, quantity("number", 0.01, 1.0, "0.01 … 1")]
 Sliding = Annotated[float, quantity("number", 0.5, 20.0, "0.5 … 20")]
 Tooth = Annotated[int, whole(6, 1000)]
-Shift = Annotated[float, quantity("number", -2.0, 3.0, "−2 … 3")]
+Shift = Annotated[float, quantity("number", -5.0, 5.0, "−5 … 5")]
 Shifts = Annotated[
     Annotated[Literal["rule", "limit", "equal sliding"], Tag(SCALAR)]
     | Annotated[tuple[Shift, Shift], Tag(LIST)],
@@ -59,6 +59,15 @@ class RackModel(Model):
     alpha: ProfileAngle = Field(default=math.radians(20), description="profile angle", examples=["20 deg"])
     ha: Height = Field(default=1.0, alias="ha*", description="height of the head, in modules")
     c: Clearance = Field(default=0.25, alias="c*", description="clearance, in modules")
+
+
+class CutterModel(Model):
+    """A pinion cutter that cuts the ring of an internal pair, or both wheels of an external one."""
+
+    z0: Tooth = Field(description="number of its teeth", examples=[20])
+    x0: Shift = Field(
+        default=0.0, description="its own shift: above zero new, below zero worn", examples=[0.1]
+    )
 
 
 class SpurModel(Model):
@@ -83,7 +92,12 @@ class SpurModel(Model):
         default="rule", description="how the shifts are divided: by (17 − z)/17, by the exact limit, …"
     )
     tip_shortening: Flag = Field(
-        default=True, description="false: tips of full height whatever the clearance"
+        default=True,
+        description="false: tips of full height whatever the clearance, of a ring whatever fillets they touch",
+    )
+    cutter: CutterModel | None = Field(
+        default=None,
+        description="left out, dimensions are those of wheels cut by a rack; a usual cutter of a ring is shown beside",
     )
     efficiency: Efficiency = 0.98
     sliding_limit: Sliding | None = Field(
@@ -109,4 +123,5 @@ def build(model: SpurModel, wheels: tuple[str, ...], accuracy: float) -> spur.Gi
         name=model.name or "",
         accuracy=accuracy,
         sliding_limit=model.sliding_limit,
+        cutter=Cutter(model.cutter.z0, model.cutter.x0) if model.cutter else None,
     )

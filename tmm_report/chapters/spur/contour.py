@@ -48,10 +48,13 @@ class Contour:
         return self.blocking.lines(self.window, self.chosen)
 
 
-def contour_of(pair: Pair) -> Contour:
-    """The contour with the limits by which the stage itself is judged."""
+def contour_of(pair: Pair, sliding: float) -> Contour:
+    """The contour with the limits by which the stage itself is judged; `sliding`: the largest specific sliding."""
     z1, z2 = int(pair.z1), int(pair.z2)
-    blocking = Blocking(z1, z2, pair.m, pair.rack, pair.beta, bool(pair.internal), POINTING, CONTACT)
+    blocking = Blocking(
+        z1, z2, pair.m, pair.rack, pair.beta, bool(pair.internal), POINTING, CONTACT, sliding=sliding,
+        shortened=pair.shortened, trimmed=pair.trimmed, cutter=pair.cutter,
+    )  # fmt: skip
     chosen = complex(float(pair.x1), float(pair.x2))
     return Contour(
         blocking,

@@ -52,6 +52,11 @@ class SpurFormulas:
         value = self.part[key]
         return value.formula(expression, unit or UNITS.get(value.unit, ""))
 
+    def tool(self, key: str, wheel: int) -> Var:
+        """A number of the pinion cutter of a wheel, or of cutting by it."""
+        table = self.part.table("cutter")
+        return table.var(key, self.found.cut_wheels.index(wheel), UNITS.get(table[key].unit, ""))
+
     def of(self, key: str, wheel: int) -> Var:
         """A number of a wheel."""
         return self.wheels.var(key, wheel, UNITS.get(self.wheels[key].unit, ""))
@@ -183,6 +188,11 @@ class SpurFormulas:
         return self.result("a_w", self.var("a") * cos(self.alpha_t) / cos(self.alpha_w))
 
     @property
+    def by_cutter(self) -> bool:
+        """Whether a stated pinion cutter cuts both wheels."""
+        return self.found.given.cutter is not None and not self.internal
+
+    @property
     def needless(self) -> bool:
         """Whether the smaller wheel needs no shift of its own."""
         return float(self.x(self.small).number) == 0
@@ -250,6 +260,9 @@ class SpurFormulas:
         return bool(self.pair.signs[i] < 0)
 
     def _root(self, i: int) -> Expr:
+        if self.found.given.cutter and self.found.cut_by(i):
+            a_w0, d_a0 = self.tool("a_w0", i), self.tool("d_a0", i)
+            return 2 * a_w0 + d_a0 if self._ring(i) else 2 * a_w0 - d_a0
         if self._ring(i):
             return self.of("d", i) + 2 * self.m * (self.ha + self.c + self.x(i))
         return self.of("d", i) - 2 * self.m * (self.ha + self.c - self.x(i))
@@ -259,12 +272,26 @@ class SpurFormulas:
         """Whether the tips are cut down to keep the clearance."""
         return bool(self.pair.shortening > 1e-9)
 
+    def trimmed(self, i: int) -> bool:
+        """Whether the tips of a ring are cut down to clear the fillets of its pinion."""
+        return bool(self.pair.trimming[i] > 1e-9 * self.pair.m)
+
     def _tip(self, i: int) -> Expr:
+        if self.trimmed(i):
+            start = self.of("rho_l", 1 - i)
+            return 2 * sqrt((self.of("d_b", i) / 2) ** 2 + (self.line + start) ** 2)
+        if self.equalised and self.found.given.cutter:
+            return self.of("d", i) + 2 * self.m * (self.ha + self.x(i) - self.var("shortening"))
         if self.equalised:
             return 2 * self.a_w - self.of("d_f", 1 - i) - 2 * self.c * self.m
         if self._ring(i):
             return self.of("d", i) - 2 * self.m * (self.ha - self.x(i))
         return self.of("d", i) + 2 * self.m * (self.ha + self.x(i))
+
+    def involute_start(self, i: int) -> Formula:
+        """Of a pinion that is cut by the rack without undercut: where its involute begins."""
+        lost = (self.ha - self.x(i)) * self.m / sin(self.alpha_t)
+        return self.result_of("rho_l", i, self.m_t * self.z(i) / 2 * sin(self.alpha_t) - lost)
 
     def _thickness(self, i: int) -> Expr:
         widened = 2 * self.x(i) * tan(self.alpha)
@@ -286,7 +313,12 @@ class SpurFormulas:
         for i in (0, 1):
             yield self.result_of("rho_a", i, sqrt(self.of("d_a", i) ** 2 - self.of("d_b", i) ** 2) / 2)
         for i in (0, 1):
-            yield self.result_of("rho_p", i, self._lower(i))
+            yield self.result_of("rho_m" if self.found.cut_short else "rho_p", i, self._lower(i))
+
+    def short_path(self) -> Iterator[Formula]:
+        """The active part of the line of action and the contact ratio by the tip circles, the textbook's formula."""
+        yield self.result("active_tips", self._between("rho_a"))
+        yield self.result("eps_tips", self.var("active_tips") / self.p_b)
 
     def _lower(self, i: int) -> Expr:
         other = self.of("rho_a", 1 - i)
@@ -295,10 +327,18 @@ class SpurFormulas:
         return self.line + other if self._ring(i) else other - self.line
 
     def active(self) -> Formula:
-        one, other = self.of("rho_a", 0), self.of("rho_a", 1)
+        if not self.found.cut_short:
+            return self.result("active", self._between("rho_a"))
+        one, other = self.of("rho_p", 0), self.of("rho_p", 1)
         if self.internal:
-            return self.result("active", (one - other if self.small == 0 else other - one) + self.line)
-        return self.result("active", one + other - self.line)
+            return self.result("active", (other - one if self.small == 0 else one - other) - self.line)
+        return self.result("active", self.line - one - other)
+
+    def _between(self, key: str) -> Expr:
+        one, other = self.of(key, 0), self.of(key, 1)
+        if self.internal:
+            return (one - other if self.small == 0 else other - one) + self.line
+        return one + other - self.line
 
     def contact(self) -> Formula:
         return self.result("eps", self.var("active") / self.p_b)
@@ -315,7 +355,8 @@ class SpurFormulas:
 
     def slidings(self) -> Iterator[Formula]:
         """Specific sliding at the lower points of the active profiles, and at the tips."""
-        for key, own, other in (("root_sliding", "rho_p", "rho_a"), ("tip_sliding", "rho_a", "rho_p")):
+        upper = "rho_u" if self.found.cut_short else "rho_a"
+        for key, own, other in (("root_sliding", "rho_p", upper), ("tip_sliding", upper, "rho_p")):
             for i in (0, 1):
                 ratio = self.z(i) * self.of(other, 1 - i) / (self.z(1 - i) * self.of(own, i))
                 yield self.result_of(key, i, 1 - ratio)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from tmm_report.mechanics.spur import Rack
+from tmm_report.mechanics.spur import Cutter, Rack
 from tmm_report.quantity.paper import ACCURACY
 
 Rule = Literal["rule", "limit", "equal sliding"]
@@ -20,7 +20,8 @@ class Given:
     `ratio`: ω1/ω2, negative for an external pair. `teeth` None: found from the centre distance; that None: found from
     the shifts. `shift`: how the sum of shifts is divided, or both. `wheels`: their numbers in the drive, the driving
     one first. `accuracy`: to which places are read off the drawing of the mesh, m of paper. `sliding_limit`: largest
-    specific sliding, None: by the pitch-line velocity.
+    specific sliding, None: by the pitch-line velocity. `cutter`: a pinion cutter that cuts the ring, or both external
+    wheels; None: dimensions as if all were cut by a rack.
     """
 
     ratio: float
@@ -37,6 +38,7 @@ class Given:
     name: str = ""
     accuracy: float = ACCURACY
     sliding_limit: float | None = None
+    cutter: Cutter | None = None
 
     @property
     def internal(self) -> bool:

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from tmm_report.chapters.spur.conditions import limits
+from tmm_report.chapters.spur.motion import WIDEST
 from tmm_report.mechanics import shifts, spur
-from tmm_report.mechanics.involute import inverse
+from tmm_report.mechanics.cutting import tip_half_angle
+from tmm_report.mechanics.pair_limits import broken, unknown
 from tmm_report.mechanics.rack_mistakes import of_rack
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 
@@ -18,7 +21,6 @@ if TYPE_CHECKING:
     from tmm_report.chapters.spur.sizes import Teeth
 
 Array = Any
-Starts = tuple[float, float]  # radii of curvature, m
 LEAST_TEETH = 6  # fewer cannot be cut with a usable tooth
 
 
@@ -40,12 +42,6 @@ def check_pair(given: Given, pair: spur.Pair) -> None:
         raise ProblemError(problems)
 
 
-def check_cut(given: Given, pair: spur.Pair, starts: Starts) -> None:
-    """Raises ProblemError where cutting would leave nothing to mesh with; `starts`: where the involutes begin."""
-    if problems := list(_uncut(given, pair, starts)):
-        raise ProblemError(problems)
-
-
 def _stated(given: Given) -> Iterator[Problem]:
     yield from of_rack(given.rack, ("rack",))
     if given.internal and math.isclose(given.ratio, 1.0):
@@ -56,6 +52,23 @@ def _stated(given: Given) -> Iterator[Problem]:
     if given.centre_distance is None and given.teeth is None:
         right = Message(N_("state centre_distance: 130 mm or teeth: [14, 28]"))
         yield mistake(N_("neither the centre distance nor the teeth are stated"), (), right)
+    if given.cutter:
+        yield from _of_cutter(given, given.cutter)
+
+
+def _of_cutter(given: Given, cutter: spur.Cutter) -> Iterator[Problem]:
+    """A shift of the cutter itself with which its teeth come to a point, or its tips lie inside its base circle."""
+    rack, turn = given.rack.transverse(given.helix), math.cos(given.helix)
+    if tip_half_angle(cutter.z, cutter.x * turn, rack) > 0:
+        return
+    wrong = N_("a cutter of %(z0)s teeth made with the shift %(x0)s has no sound teeth")
+    trial = np.arange(-500, 501) / 100
+    sound = trial[tip_half_angle(cutter.z, trial * turn, rack) > 0]
+    right = Message(N_("a cutter of more teeth"))
+    if sound.size:
+        limits = {"low": _text(sound[0]), "high": _text(sound[-1])}
+        right = Message(N_("with so many teeth, a shift of the cutter from %(low)s to %(high)s"), limits)
+    yield mistake(wrong, ("cutter", "x0"), right, z0=cutter.z, x0=_text(cutter.x))
 
 
 def _teeth(given: Given, chosen: Teeth) -> Iterator[Problem]:
@@ -64,6 +77,10 @@ def _teeth(given: Given, chosen: Teeth) -> Iterator[Problem]:
         yield _too_few(given, small)
     if given.teeth is not None:
         yield from _against_ratio(given)
+    if given.internal and given.cutter and given.cutter.z >= max(chosen.z):
+        right = Message(N_("fewer than %(ring)s teeth"), {"ring": max(chosen.z)})
+        wrong = N_("a cutter of %(z0)s teeth does not fit into a ring of %(ring)s")
+        yield mistake(wrong, ("cutter", "z0"), right, z0=given.cutter.z, ring=max(chosen.z))
 
 
 def _too_few(given: Given, small: int) -> Problem:
@@ -104,44 +121,54 @@ def _pair(given: Given, pair: spur.Pair) -> Iterator[Problem]:
         yield mistake(N_("no division of the shifts makes the sliding equal"), ("shift",), right)
     elif pair.backlash < -1e-6 * pair.m:
         yield _overlapping(given, pair)
-    elif (inside := _tips_inside(given, pair)) is not None:
-        yield inside
-    elif not _sound(pair):
+    else:
+        yield from _beyond(given, pair)
+
+
+def _beyond(given: Given, pair: spur.Pair) -> Iterator[Problem]:
+    """The limits of the list beyond which there are no such wheels; what was not asked for is not complained of."""
+    hard = tuple(limit for limit in limits(pair, WIDEST) if limit.hard)
+    over = [(limit.kind, limit.wheel) for limit in broken(hard, pair)]
+    told = [kind for kind in TOLD if kind in {kind for kind, _ in over}]
+    apart = not pair.eps_tips > 0 or {kind for kind, _ in over} & {"height", "root", "thickness"}
+    if over and (not told or (apart and told[0] not in ("cut", "tips"))):
         yield _no_contact(given, pair)
+    elif told:
+        yield from (TOLD[kind](given, pair, wheel - 1) for kind, wheel in over if kind == told[0])
 
 
-def _uncut(given: Given, pair: spur.Pair, starts: Starts) -> Iterator[Problem]:
-    """Wheels of which cutting would leave nothing to mesh with."""
-    for i, wheel in enumerate(given.wheels):
-        x = float((pair.x1, pair.x2)[i])
-        if pair.signs[i] < 0 and root_space(pair, i) <= 0:
-            right = Message(N_("a lesser shift of the ring, or of both wheels"))
-            wrong = N_(
-                "with the shift %(x)s the spaces of ring %(wheel)s come to a point above their root circle"
-            )
-            yield mistake(wrong, ("shift",), right, x=_text(x), wheel=wheel)
-        elif pair.signs[i] > 0 and math.isinf(starts[i]):
-            right = Message(
-                N_("a shift of %(least)s or more"), {"least": f"{math.ceil(1e3 * pair.x_min[i]) / 1e3:g}"}
-            )
-            wrong = N_("with the shift %(x)s wheel %(wheel)s is undercut up to its tip circle")
-            yield mistake(wrong, ("shift",), right, x=_text(x), wheel=wheel)
-        elif pair.signs[i] > 0 and starts[i] >= _top(pair, i):
-            right = Message(N_("shifts between −0.5 and 1.5, or shift: rule"))
-            wrong = N_("with the shift %(x)s no involute is left on the teeth of wheel %(wheel)s")
-            yield mistake(wrong, ("shift",), right, x=_text(x), wheel=wheel)
+def _ring_uncut(given: Given, pair: spur.Pair, i: int) -> Problem:
+    """A stated cutter and a ring that leave no distance of the axes in cutting."""
+    wrong = N_(
+        "with the shift %(x)s ring %(wheel)s cannot be cut by a cutter of %(z0)s teeth with the shift %(x0)s"
+    )
+    right = Message(N_("a greater shift of the ring, a lesser one of the cutter, or a cutter of fewer teeth"))
+    cutter = pair.cutter
+    assert cutter is not None
+    values = {"x": _shift(pair, i), "wheel": given.wheels[i], "z0": cutter.z, "x0": _text(cutter.x)}
+    return mistake(wrong, ("cutter",), right, **values)
 
 
-def _top(pair: spur.Pair, i: int) -> float:
-    """Radius of curvature where a tooth ends, m: at the tip circle or where it comes to a point below it."""
-    point = inverse(max(float(pair.s_b[i] / pair.d_b[i]), 0.0))
-    return min(float(pair.rho_a[i]), float(pair.d_b[i] / 2 * np.tan(point)))
+def _closed(given: Given, pair: spur.Pair, i: int) -> Problem:
+    right = Message(N_("a lesser shift of the ring, or of both wheels"))
+    wrong = N_("with the shift %(x)s the spaces of ring %(wheel)s come to a point above their root circle")
+    return mistake(wrong, ("shift",), right, x=_shift(pair, i), wheel=given.wheels[i])
 
 
-def root_space(pair: spur.Pair, ring: int) -> float:
-    """Width of the spaces of a ring at its root circle, m."""
-    z = (pair.z1, pair.z2)[ring]
-    return float(math.pi * pair.d_f[ring] / z - pair.thickness(pair.d_f)[ring])
+def _uncut(given: Given, pair: spur.Pair, i: int) -> Problem:
+    """A wheel of which cutting leaves no involute."""
+    values = {"x": _shift(pair, i), "wheel": given.wheels[i]}
+    if math.isinf(pair.starts[i]) or (pair.signs[i] > 0 and pair.rho_l[i] < 0):
+        least = {"least": f"{math.ceil(1e3 * pair.x_min[i]) / 1e3:g}"}
+        wrong = N_("with the shift %(x)s wheel %(wheel)s is undercut up to its tip circle")
+        return mistake(wrong, ("shift",), Message(N_("a shift of %(least)s or more"), least), **values)
+    right = Message(N_("shifts between −0.5 and 1.5, or shift: rule"))
+    wrong = N_("with the shift %(x)s no involute is left on the teeth of wheel %(wheel)s")
+    return mistake(wrong, ("shift",), right, **values)
+
+
+def _shift(pair: spur.Pair, i: int) -> str:
+    return _text(float((pair.x1, pair.x2)[i]))
 
 
 def _apart(given: Given, pair: spur.Pair) -> Problem:
@@ -180,45 +207,48 @@ def _overlapping(given: Given, pair: spur.Pair) -> Problem:
     return mistake(wrong, ("shift",), right, **overlap)
 
 
-def _tips_inside(given: Given, pair: spur.Pair) -> Problem | None:
+def _tips_inside(given: Given, pair: spur.Pair, i: int) -> Problem:
     """A ring whose tips lie under its base circle, where it has no involute."""
-    for i, wheel in enumerate(given.wheels):
-        if pair.signs[i] < 0 and pair.d_a[i] <= pair.d_b[i]:
-            least = pair.t.ha - (pair.z1, pair.z2)[i] * (1 - math.cos(pair.t.alpha)) / 2
-            values = {"least": f"{math.ceil(1e3 * least / math.cos(pair.beta)) / 1e3:g}"}
-            right = Message(N_("a shift of the ring of %(least)s or more, or more teeth"), values)
-            wrong = N_("the tips of ring %(wheel)s lie inside its base circle")
-            return mistake(wrong, ("shift",), right, wheel=wheel)
-    return None
-
-
-def _sound(pair: spur.Pair) -> Array:
-    """Whether there are two wheels whose teeth reach each other at all."""
-    with np.errstate(invalid="ignore"):
-        teeth = [(pair.height[i] > 0) & (pair.d_f[i] > 0) & (pair.s_w[i] > 0) for i in (0, 1)]
-        return teeth[0] & teeth[1] & (pair.active > 0) & (pair.d_a[0] > 0) & (pair.d_a[1] > 0)
+    least = pair.t.ha - (pair.z1, pair.z2)[i] * (1 - math.cos(pair.t.alpha)) / 2
+    values = {"least": f"{math.ceil(1e3 * least / math.cos(pair.beta)) / 1e3:g}"}
+    right = Message(N_("a shift of the ring of %(least)s or more, or more teeth"), values)
+    wrong = N_("the tips of ring %(wheel)s lie inside its base circle")
+    return mistake(wrong, ("shift",), right, wheel=given.wheels[i])
 
 
 def _no_contact(given: Given, pair: spur.Pair) -> Problem:
     """The pair exists only on paper; what distances would do is tried out."""
     wrong = N_("with the shifts %(x1)s and %(x2)s the teeth do not reach each other")
+    if pair.eps_tips > 0:  # by the tip circles they would
+        wrong = N_("with the shifts %(x1)s and %(x2)s cutting leaves no involutes that meet each other")
     shown = {"x1": _text(float(pair.x1)), "x2": _text(float(pair.x2))}
     if given.centre_distance is None:
         return mistake(wrong, ("shift",), Message(N_("shifts between −0.5 and 1.5, or shift: rule")), **shown)
     trial = np.linspace(0.97, 1.15, 721) * float(pair.a)
     needed = spur.shift_sum(pair.z1, pair.z2, pair.m, pair.rack, pair.beta, trial, pair.internal)
     blank = spur.Pair(
-        pair.z1, pair.z2, pair.m, pair.rack, pair.beta, 0.0, 0.0, trial, pair.internal, pair.shortened
-    )
+        pair.z1, pair.z2, pair.m, pair.rack, pair.beta, 0.0, 0.0, trial, pair.internal, pair.shortened,
+        pair.trimmed, pair.cutter,
+    )  # fmt: skip
     small = int(pair.z2 < pair.z1)
     x = float(shifts.rule_shift((pair.z1, pair.z2)[small], pair.rack, pair.beta))
     filled = shifts.filling(blank, small, x, needed)
-    good = trial[_sound(filled) & (filled.eps >= 1) & (filled.s_a[0] >= 0) & (filled.s_a[1] >= 0)]
+    with unknown():
+        made = np.all(
+            [limit.margin(filled) + 0 * trial >= 0 for limit in limits(filled, WIDEST) if limit.hard], axis=0
+        )
+    good = trial[made & (filled.eps >= 1) & (filled.s_a[0] >= 0) & (filled.s_a[1] >= 0)]
     if not good.size:
         return mistake(wrong, ("centre_distance",), Message(N_("other numbers of teeth")), **shown)
     values = {"low": _mm(good[0], up=True), "high": _mm(good[-1], up=False)}
     right = Message(N_("with these teeth, a centre distance from %(low)s to %(high)s mm"), values)
     return mistake(wrong, ("centre_distance",), right, **shown)
+
+
+# What is said of a limit beyond which there are no wheels, the first that applies; of others that they do not meet.
+TOLD: dict[str, Callable[[Given, spur.Pair, int], Problem]] = {
+    "cut": _ring_uncut, "tips": _tips_inside, "space": _closed, "involute": _uncut,
+}  # fmt: skip
 
 
 def _mm(length: float | None, up: bool | None = None) -> str:

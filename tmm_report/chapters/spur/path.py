@@ -37,7 +37,7 @@ def path_of(pair: Pair) -> Path:
 
 
 def _points(pair: Pair) -> dict[str, float]:
-    begin, end = float(pair.rho_p[0]), float(pair.rho_a[0])
+    begin, end = float(pair.rho_p[0]), float(pair.rho_u[0])
     way = float(pair.p_b) * float(pair.signs[0])
     places = {"A": begin, "C": end - way, "P": float(pair.rho_w[0]), "D": begin + way, "B": end}
     return {name: places[name] for name in "ACPDB"}

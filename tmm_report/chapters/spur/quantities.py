@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.chapters.spur.cutter import columns_of
 from tmm_report.chapters.spur.solve import Found
 from tmm_report.chapters.spur.values import values
 from tmm_report.mechanics.conditions import Condition
@@ -31,6 +32,8 @@ CONTOUR = N_(
     "shifts of pair %(name)s in the blocking contour: those chosen and the nearest that meet every limit"
 )
 LACKS = N_("limits of the blocking contour that the shifts of pair %(name)s break")
+
+CUTTER = N_("wheels of pair %(name)s cut by a pinion cutter")
 
 SI = {"mm": "m", "deg": "deg", "": ""}  # unit of print of a condition -> that of the results
 POINT = N_("A, B: ends of the active part; C, D: ends of two-pair contact; P: the pitch point")
@@ -56,6 +59,21 @@ DIMENSIONS = (
     ),
     Quantity("tip_sliding", Symbol("lambda", "a"), "", Message(N_("specific sliding at the tip"))),
 )
+# the same where the contact is shorter than between the tip circles
+SHORT = (
+    Quantity(
+        "rho_m",
+        Symbol("rho", "m"),
+        "m",
+        Message(N_("radius of curvature where the tip circle of the other wheel meets the line of action")),
+    ),
+    Quantity(
+        "rho_u",
+        Symbol("rho", "u"),
+        "m",
+        Message(N_("radius of curvature at the upper point of the active profile")),
+    ),
+)
 
 
 def book(found: Found, prefix: str) -> Book:
@@ -71,6 +89,7 @@ def tables(found: Found, prefix: str) -> Iterator[Table]:
         **({"velocities": (VELOCITIES, _velocities)} if found.motion else {}),
         **({"phase": (PHASE, _phase)} if found.phase else {}),
         **({} if found.contour.feasible else {"lacks": (LACKS, _lacks)}),
+        **({"cutter": (CUTTER, columns_of)} if found.cutters else {}),
     }  # fmt: skip
     for key, (meaning, columns) in parts.items():
         yield Table(f"{prefix}_{key}", Message(meaning, {"name": found.name}), tuple(columns(found)))
@@ -92,7 +111,10 @@ def _wheels(found: Found) -> Iterator[Column]:
         (Quantity("x", shift, "", Message(N_("shift coefficient"))), (float(pair.x1), float(pair.x2))),
         (Quantity("x_rule", None, "", Message(N_("least shift by the rule"))), found.rule_shifts),
         (Quantity("x_min", least, "", Message(N_("exact least shift"))), [float(x) for x in pair.x_min]),
-        *((of, [float(degrees(of.unit, x)) for x in getattr(pair, of.key)]) for of in DIMENSIONS),
+        *(
+            (of, [float(degrees(of.unit, x)) for x in getattr(pair, of.key)])
+            for of in (*DIMENSIONS, *(SHORT if found.cut_short else ()))
+        ),
         (
             Quantity(
                 "rho_l", Symbol("rho", "l"), "m", Message(N_("radius of curvature where the involute begins"))
@@ -110,7 +132,7 @@ def _wheels(found: Found) -> Iterator[Column]:
 
 def _conditions(found: Found) -> Iterator[Column]:
     of = found.conditions
-    units, symbols = [SI[c.unit] for c in of], [_symbol(c, bool(found.pair.beta > 0)) for c in of]
+    units, symbols = [SI[c.unit] for c in of], [_symbol(c, found) for c in of]
     yield text_column("condition", Message(N_("name of the condition")), [c.key for c in of])
     yield text_column("wheel", NUMBER_OF_WHEEL, [c.wheel for c in of])
     yield text_column("unit", UNIT_OF_ROW, units)
@@ -121,12 +143,15 @@ def _conditions(found: Found) -> Iterator[Column]:
     yield met.column([int(c.met) for c in of])
 
 
-def _symbol(c: Condition, helical: bool) -> Symbol:
+def _symbol(c: Condition, found: Found) -> Symbol:
     """What a condition is about."""
+    helical, short = bool(found.pair.beta > 0), found.cut_short
     symbols = {
         "undercut": Symbol("x"), "pointing": Symbol("s", "na" if helical else "a"),
-        "contact": Symbol("epsilon", "alpha"), "interference": Symbol("rho", "p"),
-        "fouling": Symbol("Delta", "phi"), "sliding": Symbol("lambda", "p"),
+        "contact": Symbol("epsilon", "alpha"), "interference": Symbol("rho", "m" if short else "p"),
+        "fouling": Symbol("Delta", "phi"), "sliding": Symbol("lambda", "p"), "space": Symbol("e", "f"),
+        "radial": Symbol("Delta", "r"), "trimming": Symbol("Delta", "rho"),
+        "cutter fouling": Symbol("Delta", "phi0"), "feed": Symbol("Delta", "r0"),
     }  # fmt: skip
     return of_wheel(symbols[c.key], c.wheel)
 
@@ -244,7 +269,7 @@ def _contour(found: Found) -> Iterator[Column]:
 def _lacks(found: Found) -> Iterator[Column]:
     """Thicknesses and radii in modules, angles in degrees."""
     of = found.contour.lacks
-    units = ["deg" if lack.limit.kind == "fouling" else "" for lack in of]
+    units = ["deg" if lack.limit.kind in ("fouling", "cutter fouling") else "" for lack in of]
     wheels = [found.given.wheels[lack.limit.wheel - 1] if lack.limit.wheel else "" for lack in of]
     numbers = ((lack.value, lack.limit.bound, lack.lack) for lack in of)
     value, bound, wanting = zip(*numbers, strict=True)

@@ -70,11 +70,12 @@ def choose_shifts(given: Given, chosen: Teeth) -> Pair:
     stated = given.shift if isinstance(given.shift, tuple) else None
     x1, x2 = stated or _own_shifts(given, chosen)
     settings = (*chosen.z, given.module, given.rack, given.helix)
+    made = (given.internal, given.shortened, given.shortened, given.cutter)
     if given.centre_distance is None:
-        pair = spur.meshed(*settings, x1, x2, given.internal, given.shortened)
+        pair = spur.meshed(*settings, x1, x2, *made)
         return shifts.with_first_shift(pair, shifts.equal_sliding(pair)) if given.shift == EQUAL else pair
     needed = spur.shift_sum(*settings, given.centre_distance, given.internal)
-    pair = Pair(*settings, x1, x2, given.centre_distance, given.internal, given.shortened)
+    pair = Pair(*settings, x1, x2, given.centre_distance, *made)
     if stated:
         # shifts written with a few digits are meant to fill the distance
         return shifts.filling(pair, 0, x1, needed) if abs(pair.x_sum - needed) <= ROUNDED else pair
@@ -90,5 +91,11 @@ def _own_shifts(given: Given, chosen: Teeth) -> tuple[float, float]:
 
 def _least(given: Given, z: int) -> float:
     if given.shift == "limit":
-        return max(float(spur.least_shift(z, given.rack, given.helix)), 0.0)
+        return max(float(_exact_least(given, z)), 0.0)
     return float(shifts.rule_shift(z, given.rack, given.helix))
+
+
+def _exact_least(given: Given, z: int) -> float:
+    """Least shift without undercut of an external wheel, by the tool that cuts it."""
+    blank = spur.meshed(z, z, given.module, given.rack, given.helix, cutter=given.cutter)
+    return float(blank.x_min[0] if not given.internal else spur.least_shift(z, given.rack, given.helix))

@@ -9,35 +9,37 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from tmm_report.chapters.spur.conditions import conditions_of, involute_starts
+from tmm_report.chapters.spur.conditions import BY_ASSEMBLY, conditions_of
 from tmm_report.chapters.spur.contour import Contour, contour_of
+from tmm_report.chapters.spur.cutter import Cut, cutters_of
 from tmm_report.chapters.spur.given import EQUAL, STANDARD, Given
 from tmm_report.chapters.spur.mesh import Mesh, round_scale
-from tmm_report.chapters.spur.mistakes import check, check_cut, check_pair, check_teeth
+from tmm_report.chapters.spur.mistakes import check, check_pair, check_teeth
 from tmm_report.chapters.spur.motion import WIDEST, Motion, motion_of, sliding_limit
 from tmm_report.chapters.spur.path import Path, path_of
 from tmm_report.chapters.spur.phase import Phase, phase_of
 from tmm_report.chapters.spur.readings import Proof, Reading, prove, read_off
-from tmm_report.chapters.spur.sizes import Teeth, choose_shifts, choose_teeth
+from tmm_report.chapters.spur.sizes import ROUNDED, Teeth, choose_shifts, choose_teeth
+from tmm_report.chapters.spur.words import CONDITIONS
 from tmm_report.mechanics import shifts, spur, trains
 from tmm_report.mechanics.conditions import Condition
 from tmm_report.mechanics.involute import inv
 from tmm_report.mechanics.spur import Pair, Rack
+from tmm_report.problems import N_, Message, Problem, doubt
 
 __all__ = ["EQUAL", "STANDARD", "Condition", "Found", "Given", "Rack", "solve"]
 
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """Found by `solve`. `pair`: all dimensions; `path`: the line of action; `starts`: radii of curvature where the
-    involutes begin, m; `conditions`: in the order of the note; `mesh`: as it is drawn, `readings`: off that drawing;
-    `motion`: at the speed of the drive, None where that is not known."""
+    """Found by `solve`. `pair`: all dimensions; `path`: the line of action; `conditions`: in the order of the note;
+    `mesh`: as it is drawn, `readings`: off that drawing; `motion`: at the speed of the drive, None where that is not
+    known."""
 
     given: Given
     teeth: Teeth
     pair: Pair
     path: Path
-    starts: tuple[float, float]
     conditions: tuple[Condition, ...]
     mesh: Mesh
     readings: tuple[Reading, ...]
@@ -89,16 +91,85 @@ class Found:
             trains.Mesh(*self.given.wheels, internal=self.given.internal, efficiency=self.given.efficiency),
         )
 
+    @cached_property
+    def starts(self) -> tuple[float, float]:
+        """Radii of curvature where the involutes really begin, m."""
+        return float(self.pair.starts[0]), float(self.pair.starts[1])
+
     # ------------------------------------------------------------ what is said of the pair
+
+    @cached_property
+    def cut_short(self) -> bool:
+        """Whether the contact is shorter than between the tip circles."""
+        return bool(self.pair.cut_short)
+
+    def late(self, i: int) -> bool:
+        """Whether contact at the root of wheel i ends before the other wheel's tip circle: where its involute begins,
+        or where a tooth of the other comes to a point."""
+        rho_m, rho_p = float(self.pair.rho_m[i]), float(self.pair.rho_p[i])
+        return abs(rho_p - rho_m) > 1e-9 * float(self.pair.m)
 
     @property
     def failed(self) -> tuple[Condition, ...]:
-        return tuple(condition for condition in self.conditions if not condition.met)
+        """Conditions that are not met and whose cure is other numbers."""
+        return tuple(c for c in self.conditions if not c.met and c.key not in BY_ASSEMBLY)
+
+    @property
+    def axially(self) -> bool:
+        """Whether the pinion cannot be put into its ring radially."""
+        return any(c.key == "radial" and not c.met for c in self.conditions)
+
+    @property
+    def altered(self) -> bool:
+        """Whether stated shifts were rounded, and one was changed to fill the centre distance."""
+        stated = self.given.shift
+        taken = float(self.pair.x1), float(self.pair.x2)
+        return (
+            isinstance(stated, tuple) and max(abs(a - b) for a, b in zip(stated, taken, strict=True)) > 1e-9
+        )
+
+    @property
+    def sound(self) -> bool:
+        """Whether every condition is met, if only by the rule of the course."""
+        return all(self.met_by_rule(condition) for condition in self.failed)
+
+    @property
+    def doubts(self) -> tuple[Problem, ...]:
+        """Stated shifts that were changed."""
+        stated = self.given.shift
+        if not self.altered or not isinstance(stated, tuple):
+            return ()
+        taken = float(self.pair.x1), float(self.pair.x2)
+        text = N_("the shifts %(stated)s do not fill the centre distance exactly: %(taken)s are taken")
+        right = Message(N_("leave out centre_distance to have the shifts taken as they are stated"))
+        values = {
+            key: ", ".join(f"{x:.6g}" for x in both) for key, both in (("stated", stated), ("taken", taken))
+        }
+        return (doubt(text, ("shift",), right, **values),)
+
+    def summary(self) -> list[Message]:
+        """What is wrong, a line each; nothing where all conditions are met."""
+        if not self.failed and not self.axially:
+            return []
+        text = N_("gear pair %(name)s: conditions not met: %(failed)s")
+        said = [Message(text, {"name": self.name, "failed": len(self.failed)})] if self.failed else []
+        for condition in self.failed:
+            what = {"name": self.name, "what": Message(CONDITIONS[condition.key], {"wheel": condition.wheel})}
+            by_rule = self.met_by_rule(condition)
+            known = N_("gear pair %(name)s: %(what)s: met by the rule only")
+            said.append(Message(known if by_rule else N_("gear pair %(name)s: %(what)s: not met"), what))
+        if self.axially:
+            text = N_(
+                "gear pair %(name)s: the pinion is put into the ring axially, radially its teeth do not pass"
+            )
+            said.append(Message(text, {"name": self.name}))
+        return said
 
     def met_by_rule(self, condition: Condition) -> bool:
         """Whether a wheel that is undercut, exactly, is not by the rule of the course."""
         least = self.rule_shifts[self.given.wheels.index(condition.wheel)] if condition.wheel else 0.0
-        return condition.key == "undercut" and condition.value >= least - 1e-9
+        rounding = ROUNDED if isinstance(self.given.shift, tuple) else 1e-9
+        return condition.key == "undercut" and condition.value >= least - rounding
 
     @property
     def loose(self) -> bool:
@@ -129,6 +200,21 @@ class Found:
     def phase(self) -> Phase | None:
         """With two pairs of teeth in contact; None where there is no such time."""
         return phase_of(self.pair, self.path)
+
+    # ------------------------------------------------------------ pinion cutters
+
+    @cached_property
+    def cutters(self) -> tuple[Cut, ...]:
+        """How wheels are cut by the stated pinion cutter; where none is, a ring by a usual one, to compare."""
+        return cutters_of(self.pair)
+
+    @property
+    def cut_wheels(self) -> list[int]:
+        return [cut.wheel for cut in self.cutters]
+
+    def cut_by(self, i: int) -> bool:
+        """Whether wheel i is cut by a pinion cutter."""
+        return i in self.cut_wheels
 
     # ------------------------------------------------------------ numbers beside those of the pair
 
@@ -161,18 +247,20 @@ def solve(given: Given) -> Found:
     check_teeth(given, chosen)
     pair = choose_shifts(given, chosen)
     check_pair(given, pair)
-    starts = involute_starts(pair)
-    check_cut(given, pair, starts)
     path = path_of(pair)
-    conditions = tuple(conditions_of(pair, given.wheels, starts, given.sliding_limit or WIDEST))
+    limit = given.sliding_limit or WIDEST
+    conditions = tuple(conditions_of(pair, given.wheels, limit))
     mesh = Mesh(pair, path.points)
     readings = read_off(mesh, given.accuracy)
-    return Found(given, chosen, pair, path, starts, conditions, mesh, readings, contour_of(pair))
+    return Found(given, chosen, pair, path, conditions, mesh, readings, contour_of(pair, limit))
 
 
 def moving(found: Found, speed: float) -> Found:
     """The stage with wheel 1 turning at `speed`, rad/s: its velocities, and the sliding that they allow."""
     motion = motion_of(found.pair, speed, found.path.at.rho, found.path.mates)
     limit = found.given.sliding_limit or sliding_limit(motion.pitch)
-    conditions = tuple(conditions_of(found.pair, found.given.wheels, found.starts, limit))
-    return replace(found, motion=motion, conditions=conditions)
+    conditions = tuple(conditions_of(found.pair, found.given.wheels, limit))
+    contour = (
+        found.contour if limit == (found.given.sliding_limit or WIDEST) else contour_of(found.pair, limit)
+    )
+    return replace(found, motion=motion, conditions=conditions, contour=contour)

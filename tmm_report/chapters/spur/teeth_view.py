@@ -14,7 +14,7 @@ from tmm_report.chapters.spur.draw.sliding import sliding_drawing
 from tmm_report.chapters.spur.draw.zones import zones
 from tmm_report.chapters.spur.readings import Reading
 from tmm_report.chapters.spur.solve import Found
-from tmm_report.chapters.spur.words import LACKS, NONE, PAIRS, STUCK
+from tmm_report.chapters.spur.words import HARD, LACKS, NONE, PAIRS, STUCK
 from tmm_report.figures.drawing import Drawing
 from tmm_report.mechanics.blocking import Lack
 from tmm_report.quantity.formula import Formula
@@ -170,15 +170,15 @@ class TeethView:
         return [self._lack(row, lack) for row, lack in enumerate(self.found.contour.lacks)]
 
     def _lack(self, row: int, lack: Lack) -> Markup:
-        if math.isnan(lack.lack):
-            return self.t(NONE)
+        wheel = self.names[lack.limit.wheel - 1]
+        if lack.limit.kind not in LACKS or math.isnan(lack.lack):
+            return self.t(HARD, wheel=wheel) if lack.limit.wheel else self.t(NONE)
         if math.isinf(lack.lack) and lack.limit.kind == "fouling":
             return self.t(STUCK)
         table = self.part.table("lacks")
         value, bound, wanting = (
             self.page.shown(table, key, row, places=4) for key in ("value", "bound", "lack")
         )
-        wheel = self.names[lack.limit.wheel - 1]
         return self.t(
             LACKS[lack.limit.kind],
             wheel=wheel,

@@ -49,6 +49,10 @@ def _pair(found: Found) -> Iterator[Row]:
     yield "line", segment("N1N2"), "m", line, p.line
     yield "active", segment("AB"), "m", N_("active part of the line of action"), p.active
     yield "eps", Symbol("epsilon", "alpha"), "", N_("contact ratio"), p.eps
+    if found.cut_short:
+        line = N_("line of action between the tip circles")
+        yield "active_tips", segment("A0B0"), "m", line, p.active_tips
+        yield "eps_tips", Symbol("epsilon", "0"), "", N_("contact ratio by the tip circles alone"), p.eps_tips
     share = N_("share of the time in which two pairs are in mesh")
     yield "two_pairs", Symbol("delta", "2"), "", share, p.two_pairs
 
@@ -104,6 +108,11 @@ def _shifts(found: Found) -> Iterator[Row]:
     sum_ = Symbol("x", "d" if p.internal else "Sigma")
     needed = N_("sum of the shifts (of an internal pair, their difference) that leaves no backlash")
     least = N_("least number of teeth without undercut, by the rule")
+    stated = found.given.shift
+    if found.altered and isinstance(stated, tuple):
+        for wheel, x in zip(found.given.wheels, stated, strict=True):
+            text = N_("shift coefficient that is stated")
+            yield f"x_stated_{wheel}", Symbol("x", f"st{wheel}"), "", text, x
     if found.loose:
         yield "x_needed", sum_, "", needed, found.needed
     yield "z_rule", Symbol("z", "min"), "", least, shifts.rule_teeth(p.rack)

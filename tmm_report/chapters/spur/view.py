@@ -9,11 +9,21 @@ from typing import Any
 import numpy as np
 from markupsafe import Markup
 
+from tmm_report.chapters.spur.conditions import BY_ASSEMBLY
+from tmm_report.chapters.spur.cutter_view import CutterView
 from tmm_report.chapters.spur.formulas import UNITS, SpurFormulas
 from tmm_report.chapters.spur.motion_view import MotionView
+from tmm_report.chapters.spur.short_view import reasons
 from tmm_report.chapters.spur.solve import Found
 from tmm_report.chapters.spur.teeth_view import TeethView
-from tmm_report.chapters.spur.words import CONDITIONS, RULES, UNDERCUT, UNDERCUT_BY_RULE, UNDERCUT_HOW
+from tmm_report.chapters.spur.words import (
+    CONDITIONS,
+    RULES,
+    UNDERCUT,
+    UNDERCUT_BY_RULE,
+    UNDERCUT_DEEP,
+    UNDERCUT_HOW,
+)
 from tmm_report.mechanics.conditions import Condition
 from tmm_report.problems import N_, Message
 from tmm_report.quantity import model
@@ -153,6 +163,8 @@ class SpurView(SpurFormulas):
         return name
 
     def _verdict(self, c: Condition) -> str:
+        if c.key in BY_ASSEMBLY and not c.met:
+            return self.page.tr.gettext(N_("only axially"))
         by_rule = N_("met by the rule only") if self.found.met_by_rule(c) else N_("not met")
         return self.page.tr.gettext(N_("met") if c.met else by_rule)
 
@@ -185,6 +197,11 @@ class SpurView(SpurFormulas):
         """At the speed of the drive."""
         return MotionView(self.found, self.page, self.part) if self.found.motion else None
 
+    @cached_property
+    def cutter(self) -> CutterView | None:
+        """The pinion cutter that cuts the ring, or both wheels."""
+        return CutterView(self) if self.found.cutters else None
+
     # ------------------------------------------------------------ picture
 
     @cached_property
@@ -200,7 +217,9 @@ class SpurView(SpurFormulas):
 
     def _undercut(self, row: int, c: Condition) -> Markup:
         i = self.names.index(c.wheel)
-        start, lower = (self.page.cell(self.wheels, key, i, "mm", places=3) for key in ("rho_l", "rho_p"))
+        deep = self.found.starts[i] > float(self.pair.rho_m[i])
+        keys = "rho_l", "rho_m" if deep and self.found.cut_short else "rho_p"
+        start, lower = (self.page.cell(self.wheels, key, i, "mm", places=3) for key in keys)
         values = {
             "wheel": c.wheel,
             "least": self.shown("z_rule"),
@@ -209,20 +228,27 @@ class SpurView(SpurFormulas):
             "start": self.page.said(start),
             "lower": self.page.said(lower),
         }
-        untouched = self.found.starts[i] <= float(self.pair.rho_p[i])
         said = [
             self.t(UNDERCUT_BY_RULE if self.found.met_by_rule(c) else UNDERCUT, **values),
-            self.t(UNDERCUT_HOW, **values),
-            self.t("the undercut does not reach the active profile.")
-            if untouched
-            else self.t("the undercut takes away a part of the active profile."),
+            self.t(UNDERCUT_DEEP if deep else UNDERCUT_HOW, **values),
+            self.t("the undercut takes away a part of the active profile.")
+            if deep
+            else self.t("the undercut does not reach the active profile."),
         ]
         return self.page.listed(said, " ")
 
     def failures(self) -> list[Markup]:
         """Conditions that are not met, each with how much is wanting."""
-        failed = [(row, c) for row, c in enumerate(self.found.conditions) if not c.met]
+        failed = [(row, c) for row, c in enumerate(self.found.conditions) if c in self.found.failed]
         return [self.page.listed([self._name(c), self._lack(row, c)], ": ") for row, c in failed]
+
+    def reasons(self) -> list[Markup]:
+        """Why the contact is shorter than between the tip circles."""
+        return reasons(self)
+
+    def stated_shifts(self) -> Markup:
+        """What was stated where it is not what was taken."""
+        return self.page.listed(self.page.value(self.part[f"x_stated_{name}"].var()) for name in self.names)
 
     def _lack(self, row: int, c: Condition) -> Markup:
         if not np.isfinite(c.margin):
@@ -238,7 +264,8 @@ class SpurView(SpurFormulas):
     def _failure(self) -> Iterator[Markup]:
         if self.found.failed:
             text = N_("Not all conditions of the gear pair %(name)s are met: %(list)s.")
-            yield Failed(self.t(text, name=self.title, list=self.page.listed(self.failures(), "; ")))
+            line = self.t(text, name=self.title, list=self.page.listed(self.failures(), "; "))
+            yield line if self.found.sound else Failed(line)
 
     def _found(self) -> Iterator[Markup]:
         said = self.page.said

@@ -10,6 +10,11 @@ CONDITIONS = {
     "contact": N_("smoothness of the engagement"),
     "interference": N_("no interference at the root of wheel %(wheel)s"),
     "fouling": N_("no overlap of the tips of the ring and the pinion"),
+    "space": N_("open spaces at the root circle of ring %(wheel)s"),
+    "radial": N_("room to put the pinion into the ring radially"),
+    "trimming": N_("tips of ring %(wheel)s left whole by the root of the pinion cutter"),
+    "cutter fouling": N_("no overlap of the tips of ring %(wheel)s and the pinion cutter"),
+    "feed": N_("room to feed the pinion cutter into ring %(wheel)s radially"),
     "sliding": N_("specific sliding at the root of wheel %(wheel)s"),
 }
 RULES = {
@@ -27,21 +32,53 @@ UNDERCUT_HOW = N_(
     "%(short)s less than the exact limit %(limit)s, so the tooth is undercut: its involute begins at "
     "the radius of curvature %(start)s mm, its active profile at %(lower)s mm;"
 )
+UNDERCUT_DEEP = N_(
+    "%(short)s less than the exact limit %(limit)s, so the tooth is undercut: its involute begins at the radius of "
+    "curvature %(start)s mm, where the tip of the other wheel would meet the line of action at %(lower)s mm;"
+)
+# why the contact is shorter than between the tip circles; rho_m of an undercut wheel may be under the base circle
+LATE = N_(
+    "the involute of wheel %(wheel)s begins at the radius of curvature %(start)s mm, and the tip circle of the other "
+    "wheel would meet the line of action at %(lower)s mm: contact begins where the involute does"
+)
+EARLY = N_(
+    "the involute of ring %(wheel)s ends at the radius of curvature %(start)s mm, and the tip circle of the pinion "
+    "would meet the line of action at %(lower)s mm: contact ends where the involute does"
+)
+POINTED = N_(
+    "the teeth of wheel %(other)s come to a point before their tip circle: at the root of wheel %(wheel)s contact ends "
+    "at the radius of curvature %(real)s mm, not at %(lower)s mm"
+)
+HARD = N_("with such shifts the teeth of wheel %(wheel)s cannot be cut, or nothing is left of their profiles")
 PAIRS = (N_("no pair"), N_("one pair"), N_("two pairs"), N_("three pairs"), N_("four pairs"))
+NONE = N_("wheels with such shifts cannot be put in mesh")
 LACKS = {
     "undercut": N_(
         "undercut of wheel %(wheel)s: the shift %(value)s is less than the least one %(bound)s by %(lack)s"
     ),
     "pointing": N_(
-        "pointing of wheel %(wheel)s: the thickness of the tip is %(value)s %(m)s and must be at least "
-        "%(bound)s %(m)s, %(lack)s %(m)s is wanting"
+        "pointing of wheel %(wheel)s: the thickness of the tip is %(value)s·%(m)s and must be at least "
+        "%(bound)s·%(m)s, %(lack)s·%(m)s is wanting"
     ),
-    "ratio": N_("smoothness: the contact ratio %(value)s is less than %(bound)s by %(lack)s"),
+    "contact": N_("smoothness: the contact ratio %(value)s is less than %(bound)s by %(lack)s"),
     "interference": N_(
-        "interference at the root of wheel %(wheel)s: the active profile reaches %(lack)s %(m)s along the line of "
+        "interference at the root of wheel %(wheel)s: the active profile reaches %(lack)s·%(m)s along the line of "
         "action beyond the end of the involute"
     ),
     "fouling": N_("the tips of the ring and the pinion overlap by %(degrees)s°"),
+    "space": N_(
+        "closed spaces of ring %(wheel)s: at the root circle %(lack)s·%(m)s is wanting to the width of a space"
+    ),
+    "tips": N_(
+        "tips of ring %(wheel)s inside its base circle: %(lack)s·%(m)s of the diameter of the tip circle is wanting"
+    ),
+    "trimming": N_(
+        "tips of ring %(wheel)s taken away by the root of the pinion cutter: %(lack)s·%(m)s is wanting along the "
+        "line of action"
+    ),
+    "cutter fouling": N_("the tips of ring %(wheel)s and the pinion cutter overlap by %(degrees)s°"),
+    "root sliding": N_("specific sliding at the root of wheel %(wheel)s greater than allowed"),
+    "reach": N_("the involutes of the wheels do not meet at all"),
+    "mesh": NONE,
 }
-NONE = N_("wheels with such shifts cannot be put in mesh")
 STUCK = N_("the tips of the ring and the pinion cannot pass each other")  # their overlap has no measure

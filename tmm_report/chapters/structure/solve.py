@@ -5,12 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
-from tmm_report.mechanics.assembly import assemble
+from tmm_report.mechanics.assembly import assemble, keys_of
 from tmm_report.mechanics.cam import Cam
+from tmm_report.mechanics.dyads import Dyad
 from tmm_report.mechanics.mechanism import Mechanism
 from tmm_report.mechanics.motion import Linkage
 from tmm_report.mechanics.structure import Alternative, Group, Pair, alternatives, mobility
 from tmm_report.mechanics.structure import Structure as Decomposed
+from tmm_report.problems import N_, Message, Problem, doubt
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,6 +40,17 @@ class Structure:
         links = [link for link in group.links if link not in put]
         lower = [pair for pair in (*group.outer, *group.inner) if not put & set(pair.links)]
         return len(links), len(lower), len(group.links) - len(links)
+
+    @property
+    def doubts(self) -> tuple[Problem, ...]:
+        """A sketch that nothing asks."""
+        mechanism, dyads = self.linkage.mechanism, [g for g in self.linkage.groups if isinstance(g, Dyad)]
+        stated = {one.key for one in mechanism.assembly}
+        asked = any(d.two_roots and not stated & set(keys_of(d)) for d in dyads)
+        if not mechanism.sketch or asked or len(dyads) < len(self.linkage.groups):
+            return ()
+        text = N_("the sketch has no effect: every group has one assembly or is stated in the key assembly")
+        return (doubt(text, ("mechanism", "sketch"), Message(N_("leave one of the two"))),)
 
     @cached_property
     def alternatives(self) -> list[Alternative]:

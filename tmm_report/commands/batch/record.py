@@ -27,9 +27,12 @@ LEAST = 20  # mistakes kept of a variant: a file may have thousands
 Number = tuple[str, float, str]
 
 
-def failed(task: Task, status: str, problems: Iterable[Problem], trace: str = "") -> Record:
-    """Of a variant without an output. `trace`: of an error that nobody had foreseen."""
-    return _record(task, status, problems) | ({"trace": trace} if trace else {})
+def failed(
+    task: Task, status: str, problems: Iterable[Problem], trace: str = "", language: str = ""
+) -> Record:
+    """Of a variant without an output. `trace`: of an error that nobody had foreseen; `language`: that it states."""
+    more = {"trace": trace, "language": language}
+    return _record(task, status, problems) | {name: text for name, text in more.items() if text}
 
 
 def finished(
@@ -68,7 +71,8 @@ def _of_lever(lever: LeverFound) -> Iterator[Number]:
         yield f"H_{travel.output.name}", float(travel.stroke), "m" if slider else "rad"
     forces = lever.kinetostatics
     if forces is not None:
-        yield "M_bal", float(larger(forces.extremes).value), "N·m"
+        if forces.bounded:
+            yield "M_bal", float(larger(forces.extremes).value), "N·m"
         yield "disagreement", float(max(forces.worst_lever, forces.worst_power)), ""
 
 
@@ -98,6 +102,7 @@ def _as_data(problem: Problem) -> dict[str, Any]:
         "wrong": _plain(problem.wrong),
         **({"right": _plain(problem.right)} if problem.right is not None else {}),
         **({"path": [str(part) for part in problem.path]} if problem.path else {}),
+        **({"doubt": True} if problem.doubt else {}),
         **{name: value for name, value in place.items() if value not in (None, "")},
     }
 
@@ -118,6 +123,7 @@ def _of_data(data: Mapping[str, Any]) -> Problem:
         data.get("file", ""),
         data.get("line"),
         data.get("column"),
+        data.get("doubt", False),
     )
 
 

@@ -183,6 +183,7 @@ def _finish(
     rewrite(journal, batch.order)
     shutil.rmtree(output / PARTS, ignore_errors=True)
     tr = Translator(language or _language(journal))
+    talk.speak(tr.language)
     counts = summary.counts(journal)
     files = summary.write(journal, output, tr), page.write(journal, output, counts, refused, tr)
     _tell(journal, counts, refused, files[0], talk)
@@ -191,7 +192,7 @@ def _finish(
 
 
 def _language(journal: Path) -> str:
-    """The language of the summaries: that of the first note."""
+    """The language of the summaries, and of what is told: that of the first variant that states one."""
     return next((found["language"] for _, found in read(journal) if "language" in found), DEFAULT)
 
 

@@ -24,7 +24,8 @@ def write(journal: Path, output: Path, tr: Translator) -> Path:
     heads = _numbers(record for _, record in read(journal))
     rows = chain([_head(heads)], (_row(record, heads, tr) for _, record in read(journal)))
     target, part = output / FILE, output / f".{FILE}.part"
-    with part.open("wb") as stream:
+    part.unlink(missing_ok=True)  # a link that somebody put there leads elsewhere
+    with part.open("xb") as stream:
         stream.writelines(csv_lines(rows, tr.decimal))
     os.replace(part, target)
     return target

@@ -21,7 +21,7 @@ from tmm_report.course import Results, Variant, loads
 from tmm_report.problems import Message, Problem, ProblemError, shown
 from tmm_report.running.journal import Record
 from tmm_report.stack import solve_each
-from tmm_report.variant import locate
+from tmm_report.variant import failed
 
 PARTS = ".parts"  # where folders are made, beside the finished ones
 OURS = re.compile(
@@ -63,9 +63,7 @@ def solved_together(variants: Sequence[Variant | ProblemError]) -> Iterator[Resu
 
 
 def _located(found: Results | ProblemError, variant: Variant) -> Results | ProblemError:
-    if isinstance(found, ProblemError):
-        return ProblemError([locate(problem, variant) for problem in found.problems])
-    return found
+    return failed(found, variant) if isinstance(found, ProblemError) else found
 
 
 def _done(
@@ -75,7 +73,8 @@ def _done(
     try:
         if isinstance(found, ProblemError):
             take_away(output, task.id)
-            return record.failed(task, record.WRONG, [_placed(problem, task) for problem in found.problems])
+            problems = [_placed(problem, task) for problem in found.problems]
+            return record.failed(task, record.WRONG, problems, language=found.language)
         return _written(task, found, output, formats, language)
     except Foreign as error:
         problem = Problem(record.why("foreign", place=shown(error, 120)), record.ELSEWHERE, file=task.label)

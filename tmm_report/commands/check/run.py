@@ -32,6 +32,8 @@ class Outcome:
     structure: Sequence[str] = ()
     problems: Sequence[Problem] = ()
     made: bytes | None = None
+    language: str = ""
+    """Of the variant's mistakes."""
 
     @property
     def name(self) -> str:
@@ -57,7 +59,7 @@ def run(folder: Path, *, update: bool, junit: Path | None, language: str | None,
         _write(junit.parent, {junit.name: xml.xml(cases(outcomes, say))})
         talk.tell(written(junit))
     if problems := [problem for outcome in outcomes for problem in outcome.problems]:
-        raise ProblemError(problems)
+        raise ProblemError(problems, next((one.language for one in outcomes if one.language), ""))
     return _update(folder, outcomes, talk) if update else _counted(outcomes, talk)
 
 
@@ -96,7 +98,7 @@ def check(variant: Path) -> Outcome:
         sheets = numbers.sheets(results)
         lines = structure.lines(render(results, "html", language)["note.html"].decode())
     except ProblemError as error:
-        return Outcome(variant, problems=error.problems)
+        return Outcome(variant, problems=error.problems, language=error.language)
     tolerances = expected.tolerances if expected is not None else stored.tolerances_of(sheets)
     made = stored.written(tolerances, language, sheets, lines)
     if expected is None:

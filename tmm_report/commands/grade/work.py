@@ -67,7 +67,8 @@ def _loaded(one: Work, rubric: Rubric) -> Variant | ProblemError:
 
 def _marked(one: Work, solved: Results | ProblemError, options: Options) -> Digest:
     if isinstance(solved, ProblemError):
-        return failed(one.variant.id, solved.problems, Translator(options.own))
+        told = options.language or solved.language or options.own
+        return failed(one.variant.id, solved.problems, Translator(told))
     try:
         return _handed(one, solved, options)
     except OSError as error:

@@ -88,7 +88,7 @@ class Forces:
             for link, known in part.items():
                 self.on[link].append(known)
         for force, known in zip(given.forces, loads.forces, strict=True):
-            self.on[self.solver.loaded_link(motion, force.at)].append(known)
+            self.on[self.solver.loaded_link(motion, force)].append(known)
         for moment, known in zip(given.moments, loads.moments, strict=True):
             self.on[moment.on].append(known)
 

@@ -14,7 +14,6 @@ from tmm_report.variant.values import (
     Fraction,
     Label,
     MomentValue,
-    Power,
     Scale,
     Speed,
     Time,
@@ -23,6 +22,7 @@ from tmm_report.variant.values import (
 )
 
 PositiveMoment = Annotated[float, quantity("moment", 1e-12)]
+PositivePower = Annotated[float, quantity("power", 1e-12)]
 StatorShare = Annotated[float, quantity("number", 0.0, 10.0, "0 … 10")]
 FromRest = Annotated[float, quantity("speed", 0.0)]
 Curve = (Field(min_length=2, max_length=1000),)
@@ -52,7 +52,7 @@ class ShuntModel(Model):
     """A shunt or separately excited motor: a straight line."""
 
     moment: PositiveMoment | None = Field(default=None, description="nominal")
-    power: Power | None = Field(default=None, description="nominal, in place of the moment")
+    power: PositivePower | None = Field(default=None, description="nominal, in place of the moment")
     speed: Speed | None = Field(default=None, description="nominal", examples=["1430 rpm"])
     no_load: Speed | None = Field(default=None, description="speed without a load", examples=["1500 rpm"])
     voltage: Scale | None = Field(default=None, description="V")
@@ -78,7 +78,7 @@ class SeriesModel(Model):
     """A series-wound motor without saturation: M = a/(ω + b)²."""
 
     moment: PositiveMoment | None = Field(default=None, description="nominal")
-    power: Power | None = Field(default=None, description="nominal, in place of the moment")
+    power: PositivePower | None = Field(default=None, description="nominal, in place of the moment")
     speed: Speed | None = Field(default=None, description="nominal", examples=["800 rpm"])
     stall: PositiveMoment | None = Field(default=None, description="moment at rest")
     voltage: Scale | None = Field(default=None, description="V")
@@ -109,7 +109,7 @@ class InductionModel(Model):
 
     synchronous: Speed | None = Field(default=None, description="synchronous speed", examples=["1500 rpm"])
     moment: PositiveMoment | None = Field(default=None, description="nominal")
-    power: Power | None = Field(default=None, description="nominal, in place of the moment")
+    power: PositivePower | None = Field(default=None, description="nominal, in place of the moment")
     speed: Speed | None = Field(default=None, description="nominal", examples=["1430 rpm"])
     overload: Scale | None = Field(default=None, description="greatest moment by the nominal one")
     max_moment: PositiveMoment | None = Field(default=None, description="greatest moment")

@@ -31,11 +31,12 @@ from tmm_report.mechanics.statics import Reaction
 from tmm_report.mechanics.structure import Pair
 from tmm_report.quantity.formula import Expr, Formula, Number, Term, Var
 from tmm_report.quantity.model import Quantity
-from tmm_report.quantity.paper import LONGEST, Pen, fitting_scale, round_scale
+from tmm_report.quantity.paper import LONGEST, Pen, fitting_scale, legible, round_scale
 from tmm_report.quantity.text import round_significant
 from tmm_report.quantity.written import DIGITS, Worked
 
 HAND = 0.1  # mm: to this accuracy or worse, lengths stand in equations as they are read
+SCALE: tuple[str, ...] = ("drawing", "scales", "force")  # its key
 REACH = 80.0  # mm: a swing centre farther from the mass centre is off the sheet
 
 
@@ -91,7 +92,7 @@ class Sheet:
             size = self._product(inertia_couple(link), J, turning)
             self._couple(link, inertia_couple(link), couple[self.k], size)
         for stated, force, vector in zip(given.forces, forces(given.forces), load.forces, strict=True):
-            self._add(loaded_link(self.motion, stated.at), force, "load", vector[self.k], stated.at)
+            self._add(loaded_link(self.motion, stated), force, "load", vector[self.k], stated.at)
         for on, moment, couple in zip(given.moments, moments(given.moments), load.moments, strict=True):
             self._couple(on.on, moment, couple[self.k])
 
@@ -161,7 +162,8 @@ class Sheet:
     def arm(self, acting: Acting, joint: str, about: complex, link: str) -> tuple[Arm, float]:
         """Arm of a force about a joint as read off the scheme, and the sense of its moment."""
         moment = cross(acting.at - about, acting.vector)
-        mm = self.pen.read(moment / abs(acting.vector) / self.mu_l)
+        size = abs(acting.vector)
+        mm = self.pen.read(moment / size / self.mu_l) if size else 0.0
         metres = float(round_significant(mm * self.mu_l, DIGITS + 2))
         of = arm_of(acting.quantity, joint, self.in_mm)
         along = complex(unit(acting.vector))
@@ -200,12 +202,13 @@ class Sheet:
     def scale_of(self, links: Sequence[str], pairs: Sequence[Pair], corners: Sequence[complex]) -> float:
         """N per mm of a plan: as stated, by the segment stated for its longest vector, or a round one at which the plan
         fits the page. `pairs`: whose reactions it shows; `corners`: of its polygon, N, by the analytical reactions."""
-        stated = self.scale
-        if isinstance(stated, Mapping):
-            stated = next((s for key, s in stated.items() if set(key.split("-")) == set(links)), None)
-        if stated is not None:
-            return float(stated)
+        stated, path = self.scale, SCALE
         longest, of = self._longest(links, pairs)
+        if isinstance(stated, Mapping):
+            own = {key: s for key, s in stated.items() if set(key.split("-")) == set(links)}
+            stated, path = next(((s, (*SCALE, key)) for key, s in own.items()), (None, SCALE))
+        if stated is not None:
+            return legible(float(stated), longest, path)
         if self.segment is not None and of is not None:
             largest = self.number(
                 replace(of, key=f"{of.key}_largest"), float(round_significant(longest, DIGITS))

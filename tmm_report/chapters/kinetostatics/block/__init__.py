@@ -7,6 +7,7 @@ from typing import TypedDict
 
 from tmm_report.chapters.kinetostatics.block import build
 from tmm_report.chapters.kinetostatics.block.checks import check
+from tmm_report.chapters.kinetostatics.block.doubts import doubts as odd
 from tmm_report.chapters.kinetostatics.block.models import LoadsModel
 from tmm_report.chapters.kinetostatics.loads import Loads
 from tmm_report.chapters.structure.block import stated, without
@@ -18,6 +19,7 @@ from tmm_report.variant.model import Read
 class Block(model.Block):
     """Loads."""
 
+    ONE_SIZE = True
     HOLES = frozenset({("loads", "forces"), ("loads", "moments")})
 
     loads: LoadsModel | None = None
@@ -37,3 +39,8 @@ def mistakes(read: Read) -> Iterator[Problem]:
         yield from check(read.block(Block).loads or LoadsModel(), read)
     else:
         yield from without(read, "loads")
+
+
+def doubts(read: Read) -> Iterator[Problem]:
+    if stated(read):
+        yield from odd(read.block(Block).loads, read)

@@ -34,7 +34,8 @@ def loads(written: m.LoadsModel) -> Loads:
 
 
 def _force(written: m.ForceModel | m.PistonModel, index: int) -> Force:
-    return Force(written.name or f"F{index}", written.at, written.direction, _force_law(written))
+    law = _force_law(written)
+    return Force(written.name or f"F{index}", written.at, written.direction, law, written.on)
 
 
 def _moment(written: m.MomentModel, index: int) -> Moment:
@@ -45,10 +46,7 @@ def _force_law(written: m.ForceModel | m.PistonModel) -> Law:
     area = math.pi / 4 * written.piston_diameter**2 if isinstance(written, m.PistonModel) else 1.0
     if written.by_displacement is not None:
         return _indicated(written.by_displacement, area)
-    if not isinstance(written, m.PistonModel):
-        return _law(written)
-    pressures = written.by_angle or ()  # `_one_law` wants one of them
-    return ByAngle(tuple(x for x, _ in pressures), tuple(y * area for _, y in pressures))
+    return _law(written, area)
 
 
 def _indicated(diagram: m.Indicator, area: float) -> ByDisplacement | ByStrokes:
@@ -65,11 +63,11 @@ def _indicated(diagram: m.Indicator, area: float) -> ByDisplacement | ByStrokes:
     return ByStrokes(zero, names, tuple(map(forces, diagram.strokes.values())), first)
 
 
-def _law(written: m.ForceModel | m.MomentModel) -> TurnLaw:
-    """The one law of those that forces and moments have both."""
+def _law(written: m.ForceModel | m.PistonModel | m.MomentModel, area: float = 1.0) -> TurnLaw:
+    """The one law of those that forces and moments have both; `area` turns pressures into forces."""
     if written.by_angle is not None:
-        return ByAngle(tuple(x for x, _ in written.by_angle), tuple(y for _, y in written.by_angle))
+        return ByAngle(tuple(x for x, _ in written.by_angle), tuple(y * area for _, y in written.by_angle))
     if written.by_position is not None:
-        return ByPosition(tuple(written.by_position))
+        return ByPosition(tuple(y * area for y in written.by_position))
     assert written.constant is not None  # `_one_law` wants one of them
-    return Constant(written.constant)
+    return Constant(written.constant * area)

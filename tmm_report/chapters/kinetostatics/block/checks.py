@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from tmm_report.chapters.kinematics.block import table_of, turns_of
@@ -25,12 +25,13 @@ def check(written: m.LoadsModel, read: Read) -> Iterator[Problem]:
     for index, force in enumerate(written.forces):
         if force:
             yield from _loaded(force.at, ("loads", "forces", index, "at"), known)
+            yield from _taken(force, ("loads", "forces", index, "on"), known)
             yield from _one_each(force, ("loads", "forces", index), read)
             yield from _over_the_cycle(force, ("loads", "forces", index), read)
             yield from _strokes(force, ("loads", "forces", index), read)
     for index, moment in enumerate(written.moments):
         if moment:
-            yield from no_link(moment.on, ("loads", "moments", index, "on"), known)
+            yield from _turned(moment.on, ("loads", "moments", index, "on"), known)
             yield from _one_each(moment, ("loads", "moments", index), read)
             yield from _over_the_cycle(moment, ("loads", "moments", index), read)
 
@@ -43,13 +44,64 @@ def _loaded(name: str, path: Path, known: Names) -> Iterator[Problem]:
         yield mistake(text, path, near(name, moving), name=name)
 
 
+def _taken(force: m.ForceModel | m.PistonModel, path: Path, known: Names) -> Iterator[Problem]:
+    """The link that takes a force moves and has its point."""
+    if force.on is None:
+        return
+    on = [link for link, points in known.points.items() if link != FRAME and force.at in points]
+    if force.on == FRAME:
+        text = N_("the frame takes every force: there it loads no moving link")
+        yield mistake(text, path, near(force.on, on))
+    elif force.on not in known.points:
+        yield from no_link(force.on, path, known)
+    elif force.at in known.all_points and force.on not in on:
+        text = N_("the point %(name)s is not on link %(link)s")
+        yield mistake(text, path, near(force.on, on), name=force.at, link=force.on)
+
+
+def _turned(link: str, path: Path, known: Names) -> Iterator[Problem]:
+    yield from no_link(link, path, known)
+    if link == FRAME:
+        moving = [name for name in known.points if name != FRAME]
+        text = N_("the frame takes every moment: there it loads no moving link")
+        yield mistake(text, path, near(link, moving))
+
+
 def _one_each(load: AnyLoad, path: Path, read: Read) -> Iterator[Problem]:
-    """A value for each position of the table, where they are stated by position."""
-    values, count = None if isinstance(load, m.PistonModel) else load.by_position, table_of(read)
-    if values is not None and count is not None and len(values) != count:
-        text = N_("%(found)s values, %(count)s positions")
-        right = Message(N_("one value for each position of the table"))
-        yield mistake(text, (*path, "by_position"), right, found=len(values), count=count)
+    """A value for each position of the table that has loads of its own, where they are stated by position."""
+    steps, closed = table_of(read), _full_turns(read)
+    if load.by_position is None or steps is None or closed is None:
+        return
+    count = steps if closed else steps + 1
+    if len(load.by_position) != count:
+        right = N_("one value for each of the positions 0 … %(last)s")
+        if closed:
+            right = N_(
+                "one value for each of the positions 0 … %(last)s: position %(count)s is position 0 again"
+            )
+        text, told = (
+            N_("%(found)s values, %(count)s positions"),
+            Message(right, {"last": count - 1, "count": count}),
+        )
+        yield mistake(text, (*path, "by_position"), told, found=len(load.by_position), count=count)
+
+
+def _full_turns(read: Read) -> bool | None:
+    """Whether the driving link makes full turns; None where its range is wrong or part of a block with mistakes."""
+    driver = read.block(structure.Block).mechanism.driver
+    if ("mechanism", "driver", "range") in read.broken:
+        return None
+    if driver is not None:
+        return driver.range >= TURN - 1e-12
+    return None if "range" in _driver(read) else True
+
+
+def _driver(read: Read) -> Mapping[str, Any]:
+    """What the file says of the driving link, right or wrong."""
+    written: Any = read.data
+    for key in ("mechanism", "driver"):
+        written = written.get(key) if isinstance(written, Mapping) else None
+    return written if isinstance(written, Mapping) else {}
 
 
 def _over_the_cycle(load: AnyLoad, path: Path, read: Read) -> Iterator[Problem]:

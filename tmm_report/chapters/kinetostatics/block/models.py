@@ -21,6 +21,7 @@ from tmm_report.variant.values import (
     MomentValue,
     Name,
     Positive,
+    Pressure,
     Side,
     StrokeForces,
     StrokePressures,
@@ -41,6 +42,13 @@ _ZERO = "the extreme of the point that the stroke is counted from"
 _STROKES = (
     "name of the stroke: [[x, value], ...], one for each stroke of the point in the cycle, in the order in which they "
     "follow: the first away from the zero, the next back to it; intake, compression, power, exhaust are translated"
+)
+_ON = (
+    "the link that takes the force, where several share the point; left out, a slider, else the first of them"
+)
+_BY_POSITION = (
+    "one value for each position of the table; of a cycle of full turns without the last position, which is the first "
+    "again"
 )
 _FIRST = (
     "the stroke that is under way at position 0, or begins there; left out, the first of the strokes or, where the "
@@ -112,11 +120,10 @@ class ForceModel(Model):
 
     name: Label | None = Field(default=None, description="for the tables; left out, F1, F2, …")
     at: Name = Field(description="the point", examples=["B"])
+    on: Name | None = Field(default=None, description=_ON, examples=["5"])
     direction: Direction
     constant: ForceValue | None = None
-    by_position: list[ForceValue] | None = Field(
-        default=None, description="one value for each position of the table, but for the last of a full turn"
-    )
+    by_position: list[ForceValue] | None = Field(default=None, description=_BY_POSITION)
     by_angle: AngleForces | None = Field(
         default=None, description="[[angle of turn, force], ...] over the whole cycle"
     )
@@ -129,8 +136,11 @@ class PistonModel(Model):
 
     name: Label | None = Field(default=None, description="for the tables; left out, F1, F2, …")
     at: Name = Field(description="the point", examples=["B"])
+    on: Name | None = Field(default=None, description=_ON, examples=["5"])
     direction: Direction
     piston_diameter: Positive = Field(description="the values of the law are then pressures")
+    constant: Pressure | None = None
+    by_position: list[Pressure] | None = Field(default=None, description=_BY_POSITION)
     by_angle: AnglePressures | None = Field(
         default=None, description="[[angle of turn, pressure], ...] over the whole cycle"
     )
@@ -145,9 +155,7 @@ class MomentModel(Model):
     on: Name = Field(description="the link", examples=["3"])
     direction: Literal["clockwise", "counter-clockwise", "along motion", "against motion"]
     constant: MomentValue | None = None
-    by_position: list[MomentValue] | None = Field(
-        default=None, description="one value for each position of the table, but for the last of a full turn"
-    )
+    by_position: list[MomentValue] | None = Field(default=None, description=_BY_POSITION)
     by_angle: AngleMoments | None = Field(
         default=None, description="[[angle of turn, moment], ...] over the whole cycle"
     )

@@ -8,7 +8,7 @@ from pydantic import ConfigDict, Field, Tag
 from tmm_report.chapters.kinematics.block import undrawn
 from tmm_report.chapters.plans.block import segments
 from tmm_report.chapters.plans.given import Drawing, Kind
-from tmm_report.chapters.structure.block import names, stated
+from tmm_report.chapters.structure.block import belongs, names, stated
 from tmm_report.problems import N_, Problem
 from tmm_report.quantity.paper import ACCURACY
 from tmm_report.variant import model
@@ -76,3 +76,7 @@ def mistakes(read: Read) -> Iterator[Problem]:
     scales = {kind for kind in kinds if getattr(block.scales, kind) is not None}
     others = list(DrawingModel.model_fields)
     yield from segments.mistakes(block.__pydantic_extra__ or {}, names(read.data).points, scales, others)
+
+
+def doubts(read: Read) -> Iterator[Problem]:
+    yield from belongs(read, "drawing")

@@ -42,7 +42,12 @@ SMALL = 2.8  # height of the lettering, mm
 PENS = {
     "undercut": Pen(0.45),
     "pointing": Pen(0.35, "blue"),
-    "ratio": Pen(0.35, "red"),
+    "contact": Pen(0.35, "red"),
+    "space": Pen(0.35, "grey"),
+    "tips": Pen(0.35, "grey"),
+    "trimming": Pen(0.35, "grey"),
+    "cutter fouling": Pen(0.35, "grey"),
+    "root sliding": Pen(0.25),
     "interference": Pen(0.35, "green"),
     "fouling": Pen(0.35, "grey"),
     "sliding": Pen(0.3, "black", (3.0, 1.0)),
@@ -163,7 +168,9 @@ def _label(drawn: Line, names: tuple[str, str], num: Num) -> Parts:
             " = 0" if drawn.level == 0 else f" = {num(drawn.level)}",
             *_module(drawn.level),
         )
-    if drawn.kind == "ratio":
+    if drawn.kind in ("space", "tips", "trimming", "cutter fouling", "root sliding"):
+        return _limit(drawn.kind, name, drawn.level, num)
+    if drawn.kind == "contact":
         return (Symbol("ε", "α"), f" = {num(drawn.level)}")
     if drawn.kind == "interference":
         return (Symbol("ρ", f"p{name}"), " = ", Symbol("ρ", f"l{name}"))
@@ -172,6 +179,17 @@ def _label(drawn: Line, names: tuple[str, str], num: Num) -> Parts:
     if drawn.kind == "sliding":
         return (Symbol("λ", f"p{names[0]}"), " = ", Symbol("λ", f"p{names[1]}"))
     return (Symbol("a", "w"), " = const")
+
+
+def _limit(kind: str, name: str, level: float, num: Num) -> Parts:
+    """A limit of a ring, or of the specific sliding, whose level is 1/(1 + |λ|)."""
+    if kind == "root sliding":
+        return ("|", Symbol("λ", f"p{name}"), f"| = {num(1 / level - 1)}")
+    own = {"space": ("e", "f"), "tips": ("d", "a"), "trimming": ("Δ", "ρ"), "cutter fouling": ("Δ", "φ0")}[
+        kind
+    ]
+    rest: Parts = (" = ", Symbol("d", f"b{name}")) if kind == "tips" else (" = 0",)
+    return (Symbol(own[0], own[1] + name), *rest)
 
 
 def _module(level: float) -> Parts:

@@ -7,7 +7,8 @@ from typing import TypedDict
 
 from pydantic import Field
 
-from tmm_report.chapters.structure.block.build import mechanism
+from tmm_report.chapters.structure.block import odd
+from tmm_report.chapters.structure.block.build import driver, mechanism
 from tmm_report.chapters.structure.block.checks import (
     Names,
     check,
@@ -18,6 +19,8 @@ from tmm_report.chapters.structure.block.checks import (
     stated,
     without,
 )
+from tmm_report.chapters.structure.block.doubts import ASKED, belongs, in_vain
+from tmm_report.chapters.structure.block.doubts import doubts as unserved
 from tmm_report.chapters.structure.block.models import MechanismModel
 from tmm_report.mechanics.mechanism import FRAME, Mechanism
 from tmm_report.problems import Problem
@@ -25,13 +28,16 @@ from tmm_report.variant import model
 from tmm_report.variant.model import Read
 
 __all__ = [
-    "FRAME", "Block", "Given", "Names", "given", "has_cams", "mistakes", "names", "no_link", "no_point", "stated",
-    "without",
+    "ASKED", "FRAME", "Block", "Given", "Names", "belongs", "doubts", "driver", "given", "has_cams", "in_vain",
+    "mistakes",
+    "names", "no_link", "no_point", "stated", "without",
 ]  # fmt: skip
 
 
 class Block(model.Block):
     """The lever mechanism."""
+
+    ONE_SIZE = True
 
     mechanism: MechanismModel = Field(default_factory=MechanismModel)
 
@@ -47,3 +53,9 @@ def given(read: Read) -> Given:
 def mistakes(read: Read) -> Iterator[Problem]:
     if stated(read):
         yield from check(read.block(Block).mechanism, read)
+
+
+def doubts(read: Read) -> Iterator[Problem]:
+    if stated(read):
+        yield from unserved(read.block(Block).mechanism, read)
+        yield from odd.doubts(read.block(Block).mechanism, read)

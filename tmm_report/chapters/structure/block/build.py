@@ -138,6 +138,8 @@ def slide(name: str, model: m.SlideModel, own: Link) -> Slide:
 
 def driver(model: m.DriverModel) -> Driver:
     speed = model.speed if model.speed is not None else 2 * math.pi / (model.period or math.inf)
+    if isinstance(speed, str):  # that of the drive, which puts it here before the mechanism is built for good
+        speed = 1.0
     turned = SENSES[model.rotation] * speed
     start = zero(model.zero)
     return Driver(model.link, turned, start, model.range, model.turns, gear(model.gear), model.period)

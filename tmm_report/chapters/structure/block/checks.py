@@ -35,6 +35,10 @@ class Names:
     def all_points(self) -> list[str]:
         return list(dict.fromkeys(point for points in self.points.values() for point in points))
 
+    def pivot(self, point: str) -> bool:
+        """Whether several links, or a link and the frame, share the point."""
+        return sum(point in points for points in self.points.values()) > 1
+
 
 def names(data: Mapping[str, Any]) -> Names:
     parts = _mapping(data.get("mechanism"))
@@ -118,7 +122,7 @@ def _not_on(name: str, link: str, path: Path, known: Names) -> Found:
 def _links(mechanism: m.MechanismModel, known: Names) -> Found:
     for name, link in mechanism.links.items():
         path = (*_MECHANISM, "links", name)
-        yield from _geometry(link, path)
+        yield from _geometry(link, path, known)
         if link.mass_centre is not None:
             yield from _not_on(link.mass_centre, name, (*path, "mass_centre"), known)
         elif link.mass and len(known.points[name]) > 1:
@@ -160,8 +164,8 @@ def _inertia(name: str, link: m.LinkModel, stated: m.InertiaModel, path: Path, k
         yield mistake(text, (*path, "value"), right, about=about, **{k: f"{x:.4g}" for k, x in told.items()})
 
 
-def _geometry(link: m.LinkModel, path: Path) -> Found:
-    """Every point of the link has its own place."""
+def _geometry(link: m.LinkModel, path: Path, known: Names) -> Found:
+    """Every pivot of the link has its own place; other points may stand where another is."""
     if isinstance(link.points, list):
         return
     *first, second = list(link.points.items())[:2]
@@ -179,11 +183,13 @@ def _geometry(link: m.LinkModel, path: Path) -> Found:
         except WrongValue as error:
             yield Problem(error.wrong, error.right, here)
             continue
+        if not known.pivot(name):
+            continue
         for other in placed:
-            if other != name and abs(placed[other] - placed[name]) < 1e-9:
-                yield mistake(
-                    N_("zero length: %(name)s is at the place of %(other)s"), here, name=name, other=other
-                )
+            if other != name and known.pivot(other) and abs(placed[other] - placed[name]) < 1e-9:
+                text = N_("zero length: %(name)s is at the place of %(other)s")
+                right = Message(N_("one name for both: links that share a point are joined there"))
+                yield mistake(text, here, right, name=name, other=other)
 
 
 def _guides(mechanism: m.MechanismModel, known: Names) -> Found:
@@ -236,6 +242,10 @@ def _driver(mechanism: m.MechanismModel, read: Read, known: Names) -> Found:
         yield from _driving_link(str(written["link"]), known)
     if (driver := mechanism.driver) is None:
         return
+    if driver.speed == "drive" and "drive" not in read.data:
+        wrong = N_("speed: drive takes the speed of the drive's output shaft, and there is no drive")
+        right = Message(N_("state the block drive, or the speed: 100 rpm"))
+        yield mistake(wrong, (*_MECHANISM, "driver", "speed"), right)
     if driver.zero and driver.zero.point is not None:
         yield from no_point(driver.zero.point, (*_MECHANISM, "driver", "zero", "point"), known)
     if driver.zero and driver.zero.link is not None:

@@ -27,9 +27,10 @@ from tmm_report.variant.values import (
     Point,
     Positive,
     Range,
-    Speed,
+    Reads,
     Turn,
     by_shape,
+    quantity,
     whole,
 )
 
@@ -155,11 +156,31 @@ class GearModel(Model):
         return self
 
 
+_SPEED = quantity("speed", 1e-12)
+
+
+def _driver_speed(value: object) -> float | str:
+    """A speed, or the word that leaves it to the drive."""
+    return "drive" if isinstance(value, str) and value.strip() == "drive" else _SPEED.value(value)
+
+
+DriverSpeed = Annotated[
+    float | Literal["drive"],
+    Reads(
+        _driver_speed,
+        {"anyOf": [*_SPEED.schema["anyOf"], {"const": "drive"}], "examples": ["1200 rpm", "drive"]},
+        "speed",
+    ),
+]
+
+
 class DriverModel(Model):
     """The driving link: it turns about a fixed point at constant speed."""
 
     link: Name = Field(description="the driving link", examples=["1"])
-    speed: Speed | None = Field(default=None, description="rad/s or rpm")
+    speed: DriverSpeed | None = Field(
+        default=None, description="rad/s or rpm; drive: that of the output shaft of the drive"
+    )
     period: Period | None = Field(default=None, description="the time of one turn")
     rotation: Turn = Field(default="counter-clockwise", description="the sense of rotation")
     zero: ZeroModel | None = Field(default=None, description="position 0; left out, the angle 0")

@@ -8,26 +8,30 @@ numbers (`.inf`, `.nan`, `1e999`) stay text, so every number of the data is fini
 
 from __future__ import annotations
 
-import errno
 import math
 import os
 import re
-import stat
-import unicodedata
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from itertools import groupby
-from typing import Any, BinaryIO
+from typing import Any
 
 import yaml
 
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake, shown
+from tmm_report.yamlread.commas import Item, is_left_out, is_plain, meant, rejoined
+from tmm_report.yamlread.marks import MARKS, composed
+from tmm_report.yamlread.opening import file_label, larger, opened, stream
+from tmm_report.yamlread.slips import slip
+
+__all__ = [
+    "BYTES", "DEPTH", "DIGITS", "EVENTS", "MARKS", "Document", "Path", "Place", "composed", "file_label", "loads",
+    "located", "opened", "read", "stream",
+]  # fmt: skip
 
 BYTES = 256 * 1024
 DEPTH = 16
 EVENTS = 20_000
 DIGITS = 40  # the longest text of a number
-MARKS = 30  # in a row upon one letter
 
 Path = tuple[str | int, ...]
 Place = tuple[int, int]
@@ -52,12 +56,14 @@ class Document:
     data: Any
     places: Mapping[Path, Place] = field(default_factory=dict)
     raw: Mapping[Path, str] = field(default_factory=dict)
+    commas: Mapping[Path, str] = field(default_factory=dict)
+    """Lists in which a comma may be a decimal one, as they would be written then."""
 
 
 def located(problem: Problem, places: Mapping[Path, Place], file: str) -> Problem:
     """The problem with file, line and column of its key, or of the nearest key around it."""
     if problem.line is not None:
-        return problem
+        return problem if problem.file else _printable(problem, file)
     path = problem.path
     around = (path[:n] for n in range(len(path), -1, -1))
     line, column = next((places[part] for part in around if part in places), (None, None))
@@ -68,60 +74,6 @@ def read(path: str | os.PathLike[str], soft: list[Problem] | None = None) -> Doc
     """Read a regular file; see `loads`. Links, devices, pipes and folders are refused, never waited on."""
     file = file_label(path)
     return loads(opened(path, file, BYTES), file, soft)
-
-
-def file_label(path: str | os.PathLike[str]) -> str:
-    """The file's name as it may be printed: undecodable bytes and control characters are replaced."""
-    return shown(os.fsencode(path).decode("utf-8", "backslashreplace"), 1000)
-
-
-def opened(path: str | os.PathLike[str], file: str, limit: int) -> bytes:
-    """The content of a regular file of at most `limit` bytes; `file` is how messages name it.
-
-    Links, devices, pipes and folders are refused, never waited on. Raises ProblemError.
-    """
-    with stream(path, file) as source:
-        try:
-            content = source.read(limit + 1)
-        except OSError as error:
-            raise ProblemError([replace(_unopened(error), file=file)]) from None
-    if len(content) > limit:
-        raise ProblemError([replace(_larger(limit), file=file)])
-    return content
-
-
-def stream(path: str | os.PathLike[str], file: str) -> BinaryIO:
-    """A regular file opened as `opened` does it, for those who read only parts of it. Raises ProblemError."""
-    flags = os.O_RDONLY
-    for name in ("O_NOFOLLOW", "O_NONBLOCK", "O_CLOEXEC", "O_BINARY"):  # not every system has each
-        flags |= getattr(os, name, 0)
-    try:
-        if not hasattr(os, "O_NOFOLLOW") and os.path.islink(path):
-            raise OSError(errno.ELOOP, "link")
-        descriptor = os.open(path, flags)
-    except (OSError, ValueError) as error:  # ValueError: a NUL in the name
-        raise ProblemError([replace(_unopened(error), file=file)]) from None
-    return _regular(descriptor, file)
-
-
-def _regular(descriptor: int, file: str) -> BinaryIO:
-    if stat.S_ISREG(os.fstat(descriptor).st_mode):
-        return os.fdopen(descriptor, "rb")
-    os.close(descriptor)
-    raise ProblemError([replace(mistake(N_("this is not a regular file")), file=file)])
-
-
-def _larger(limit: int) -> Problem:
-    return mistake(N_("the file is larger than %(limit)s kB"), limit=limit // 1024)
-
-
-def _unopened(error: OSError | ValueError) -> Problem:
-    code = getattr(error, "errno", None)
-    if code == errno.ENOENT:
-        return mistake(N_("there is no such file"))
-    if code == errno.ELOOP:
-        return mistake(N_("the file is a link"), right=Message(N_("name the file itself")))
-    return mistake(N_("the file cannot be opened: %(reason)s"), reason=os.strerror(code) if code else "?")
 
 
 def loads(source: str | bytes, file: str = "", soft: list[Problem] | None = None) -> Document:
@@ -149,7 +101,7 @@ def _printable(problem: Problem, file: str) -> Problem:
 def _text(source: str | bytes) -> str:
     size = len(source) if isinstance(source, bytes) else len(source.encode("utf-8", "surrogatepass"))
     if size > BYTES:
-        raise ProblemError([_larger(BYTES)])
+        raise ProblemError([larger(BYTES)])
     text = _decoded(source) if isinstance(source, bytes) else source
     text = text.removeprefix("\ufeff")
     if bad := _CONTROL.search(text):
@@ -185,7 +137,7 @@ def _document(text: str, soft: list[Problem]) -> Document:
         data = composer.document()
     except yaml.YAMLError as error:
         raise _syntax(error, text) from None
-    return Document(data, composer.places, composer.raw)
+    return Document(data, composer.places, composer.raw, composer.commas)
 
 
 def _events(text: str) -> Iterator[Any]:
@@ -201,14 +153,9 @@ def _start(event: Any) -> Place:
 
 
 def _syntax(error: yaml.YAMLError, text: str) -> ProblemError:
-    mark = getattr(error, "problem_mark", None)
-    place = (mark.line + 1, mark.column + 1) if mark else (1, 1)
-    lines = text.split("\n")
-    line = lines[min(place[0], len(lines)) - 1]
-    tab = "\t" in line[: len(line) - len(line.lstrip())]
-    reason = shown(getattr(error, "problem", None) or N_("the text is broken"), 80)
-    right = Message(N_("indent with spaces, not with tabs")) if tab else None
-    return _stop(N_("this is not YAML: %(reason)s"), place, right=right, reason=reason)
+    found = slip(error, text)
+    problem = Problem(found.wrong, found.right)
+    return ProblemError([replace(problem, line=found.place[0], column=found.place[1])])
 
 
 class _Composer:
@@ -218,6 +165,7 @@ class _Composer:
         self.events, self.soft = events, soft
         self.places: dict[Path, Place] = {(): (1, 1)}
         self.raw: dict[Path, str] = {}
+        self.commas: dict[Path, str] = {}
 
     def document(self) -> Any:
         next(self.events)  # the start of the stream
@@ -237,7 +185,9 @@ class _Composer:
             return self.scalar(event, path)
         if len(path) >= DEPTH:
             raise _stop(N_("nested deeper than %(limit)s levels"), _start(event), limit=DEPTH)
-        return self.mapping(path) if isinstance(event, yaml.MappingStartEvent) else self.sequence(path)
+        if isinstance(event, yaml.MappingStartEvent):
+            return self.mapping(path, bool(event.flow_style))
+        return self.sequence(path, bool(event.flow_style))
 
     def refuse_references(self, event: Any, path: Path) -> None:
         if isinstance(event, yaml.AliasEvent) or event.anchor is not None:
@@ -245,26 +195,47 @@ class _Composer:
         if event.tag is not None:
             raise _stop(N_("the tag %(tag)s is not allowed"), _start(event), path, tag=shown(event.tag))
 
-    def sequence(self, path: Path) -> list[Any]:
+    def sequence(self, path: Path, flow: bool) -> list[Any]:
         items: list[Any] = []
+        plain: list[Any] = []
         while not isinstance(event := next(self.events), yaml.SequenceEndEvent):
             here = (*path, len(items))
             self.places[here] = _start(event)
             items.append(self.node(event, here))
+            if flow and is_plain(event):
+                plain.append(event)
+        if len(plain) == len(items) and (text := rejoined(plain)):
+            self.commas[path] = text
         return items
 
-    def mapping(self, path: Path) -> dict[str, Any]:
+    def mapping(self, path: Path, flow: bool) -> dict[str, Any]:
         items: dict[str, Any] = {}
+        last: tuple[str, Any] | None = None  # the key before, and the event of its value
         while not isinstance(event := next(self.events), yaml.MappingEndEvent):
             key = self.key(event, path)
+            value = next(self.events)
+            if flow and is_left_out(value, event) and (item := meant(key, event, last)):
+                self.slip(item, (*path, item.key), _start(event), items)
+                continue
             here = (*path, key)
             if key in items:
                 self.soft.append(self.duplicate(here, _start(event)))
-                self.node(next(self.events), (*path, f"{key} (2)"))  # the first one's places stay
+                self.node(value, (*path, f"{key} (2)"))  # the first one's places stay
                 continue
             self.places[here] = _start(event)
-            items[key] = self.node(next(self.events), here)
+            items[key] = self.node(value, here)
+            last = (key, value) if is_plain(value) else None
         return items
+
+    def slip(self, meant: Item, path: Path, place: Place, items: dict[str, Any]) -> None:
+        """Read what was meant, and keep the mistake."""
+        if not meant.joined and meant.key in items:
+            self.soft.append(self.duplicate(path, place))
+            return
+        self.places.setdefault(path, place)
+        problem = Problem(meant.wrong, meant.right, path)
+        self.soft.append(replace(problem, line=self.places[path][0], column=self.places[path][1]))
+        items[meant.key] = self.plain(meant.value, path, place)
 
     def key(self, event: Any, path: Path) -> str:
         self.refuse_references(event, path)
@@ -281,15 +252,17 @@ class _Composer:
 
     def scalar(self, event: Any, path: Path) -> Any:
         text = _checked_text(event, path)
-        if not event.implicit[0]:
-            return text
+        return self.plain(text, path, _start(event)) if event.implicit[0] else text
+
+    def plain(self, text: str, path: Path, place: Place) -> Any:
+        """What a text without quotes is."""
         self.raw[path] = text
         if text in _WORDS:
             return _WORDS[text]
         if not _FLOAT.fullmatch(text):
             return text
         if len(text) > DIGITS:
-            raise _stop(N_("the number %(number)s is too long"), _start(event), path, number=shown(text))
+            raise _stop(N_("the number %(number)s is too long"), place, path, number=shown(text))
         if _INT.fullmatch(text):
             return int(text)
         return float(text) if math.isfinite(float(text)) else text
@@ -308,19 +281,3 @@ def _checked_text(event: Any, path: Path) -> str:
     except ValueError:
         text = N_("more than %(limit)s marks stand upon one letter")
         raise _stop(text, _start(event), path, limit=MARKS) from None
-
-
-def composed(text: str) -> str:
-    """The composed form (NFC) of a text of any length.
-
-    Raises ValueError where more than `MARKS` marks follow one another: to put n of them in order takes n² steps.
-    """
-    if len(text) > 10 * MARKS and not text.isascii():
-        runs = (sum(1 for _ in run) for is_mark, run in groupby(text, _is_mark) if is_mark)
-        if any(length > MARKS for length in runs):
-            raise ValueError("marks")
-    return unicodedata.normalize("NFC", text)
-
-
-def _is_mark(char: str) -> bool:
-    return unicodedata.category(char).startswith("M")

@@ -1,0 +1,191 @@
+"""Whatever is stated and has no effect is told, with what would give it one."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import pytest
+from conftest import LEVERS
+
+from tmm_report import course, render, solve
+from tmm_report.problems import ProblemError
+
+PUMP = """
+language: en
+mechanism:
+  frame: {O: [0, 0], C: [380 mm, -120 mm], Q: [0, 140 mm]}
+  guides: {x: {through: Q}}
+  links:
+    1: {points: {O: 0, A: 100 mm, S1: 50 mm}}
+    2: {points: {A: 0, B: 400 mm, S2: 200 mm}, mass: 4 kg, mass_centre: S2, inertia: 0.0533 kg*m^2}
+    3: {points: {C: 0, B: 280 mm}}
+    4: {points: {B: 0, D: 350 mm}}
+    5: {points: [D], slides: x, mass: 12 kg}
+  driver: {link: 1, speed: 90 rpm, zero: {point: D, extreme: right}}
+  assembly: {B: left of A-C, D: right}
+"""
+ROCKER = """
+language: en
+mechanism:
+  frame: {O: [0, 0], C: [0.3, 0]}
+  links:
+    1: {points: {O: 0, A: 0.1}}
+    2: {points: {A: 0, B: 0.3}}
+    3: {points: {C: 0, B: 0.2, T: 0.3}, mass: 1 kg, mass_centre: T}
+  driver: {link: 1, speed: 10 rad/s, zero: {angle: 1.0}}
+  assembly: {B: left of A-C}
+"""
+
+
+@cache
+def found(text: str) -> course.Results:
+    return solve(course.loads(text, "v"))
+
+
+def refused(text: str) -> str:
+    with pytest.raises(ProblemError) as error:
+        course.loads(text, "v")
+    return "\n".join(problem.text() for problem in error.value.problems)
+
+
+def doubted(text: str) -> dict[str, str]:
+    """What is doubted, by the keys."""
+    return {problem.key: problem.sentence(str) for problem in course.doubts(found(text))}
+
+
+def forces(text: str):
+    return found(text).lever.kinetostatics.table
+
+
+def at(point: str, law: str, more: str = "") -> str:
+    return f"loads:\n  forces:\n    - {{at: {point}, direction: left, {law}{more}}}\n"
+
+
+RANGE = ROCKER.replace("rad/s,", "rad/s, range: 60 deg,")
+
+
+HEAVY = PUMP + "friction: {pivots: {coefficient: 0.1, diameter: 20 mm}}\n"
+VAIN = "it needs the reactions, and there is no block loads"
+
+
+def test_masses_and_friction_without_loads_are_told_how_to_be_asked_for():
+    said = doubted(HEAVY)
+    assert "no force analysis is made; loads: {gravity: 9.81 m/s^2}" in said["mechanism.links.2.mass"]
+    assert VAIN in said["friction"]
+    note = render(found(HEAVY), "html")["note.html"].decode()
+    assert "no force analysis is made" in note and VAIN in note
+    assert doubted(HEAVY + "loads: {gravity: 9.81 m/s^2}\n") == {}
+
+
+@pytest.mark.parametrize(
+    ("text", "key"),
+    (
+        (PUMP + "positions: {force_plan: 3}", "positions.force_plan"),
+        (PUMP + "drawing: {scales: {force: 20}}", "drawing.scales.force"),
+        (PUMP + "drawing: {force: 100 mm}", "drawing.force"),
+        (
+            PUMP.replace("90 rpm,", "90 rpm, gear: {radius: 60 mm, at: -90 deg},"),
+            "mechanism.driver.gear",
+        ),
+        (PUMP.replace("{x: {through: Q}}", "{x: {through: Q}, y: {through: O}}"), "mechanism.guides.y"),
+        (PUMP.replace("S1: 50 mm}}", "S1: 50 mm}, mass_centre: S1}"), "mechanism.links.1.mass_centre"),
+        (PUMP + "loads: {}\ndrawing: {scales: {force: {1-9: 20}}}", "drawing.scales.force.1-9"),
+        (
+            PUMP + "loads: {forces: [{at: C, direction: along motion, constant: 1 N}]}",
+            "loads.forces.0.direction",
+        ),
+        (
+            PUMP + "loads: {moments: [{on: 5, direction: against motion, constant: 1 N*m}]}",
+            "loads.moments.0.direction",
+        ),
+        (
+            RANGE + at("T", "by_angle: [[0, 1 N], [70 deg, 2 N], [90 deg, 3 N]]"),
+            "loads.forces.0.by_angle.2.0",
+        ),
+        (ROCKER + "loads: {}\nfriction: {guides: {coefficient: 0.1}}", "friction.guides"),
+        (PUMP + "loads: {}\nfriction: {}", "friction"),
+    ),
+    ids=lambda part: part if "\n" not in part else "",
+)
+def test_what_has_no_effect_is_doubted(text, key):
+    assert key in doubted(text)
+
+
+def test_a_line_to_an_angle_beyond_the_range_has_an_effect():
+    assert doubted(RANGE + at("T", "by_angle: [[0, 1 N], [70 deg, 2 N]]")) == {}
+
+
+def test_where_nothing_acts_the_note_says_so_and_prints_no_quotient_of_nothing():
+    text = PUMP.replace(", mass: 4 kg, mass_centre: S2, inertia: 0.0533 kg*m^2", "").replace(
+        ", mass: 12 kg", ""
+    )
+    text += "loads: {}\nfriction: {pivots: {coefficient: 0.1, diameter: 20 mm}}"
+    assert "nothing acts on the mechanism" in doubted(text)["loads"]
+    with np.errstate(all="raise"):
+        note = render(found(text), "html")["note.html"].decode()
+    assert "there is no efficiency" in note
+
+
+def test_a_point_of_one_link_alone_is_no_joint_with_friction():
+    joints = "loads: {}\nfriction: {joints: {%s: {coefficient: 0.1, diameter: 20 mm}}}"
+    assert "S2 is no pivot: it is a point of link 2 alone" in refused(PUMP + joints % "S2")
+    assert "Q is no pivot: it is a point of the frame alone" in refused(PUMP + joints % "Q")
+    assert found(PUMP + joints % "B").lever.friction is not None
+
+
+def test_no_ready_variant_states_something_in_vain():
+    told = [problem.text() for path in LEVERS for problem in course.load(path).doubts]
+    assert [line for line in told if "effect" in line or "loads" in line or "no mass" in line] == []
+
+
+def test_a_sketch_that_nothing_asks_and_a_group_stated_twice():
+    both = PUMP + "  sketch: {B: [400 mm, 100 mm], A: [100 mm, 0]}\n"
+    assert "the sketch has no effect" in doubted(both)["mechanism.sketch"]
+    assert doubted(both.replace("B: left of A-C, ", "")).keys() == {"mechanism.links.2.mass"}
+    with pytest.raises(ProblemError, match=r"II2\(2,3\) is stated twice: by B and by 2-3"):
+        found(PUMP.replace("D: right}", "D: right, 2-3: '+'}"))
+
+
+def test_a_point_at_the_pivot_of_the_driving_link_says_nothing_of_a_sketch():
+    sketched = PUMP.replace("  assembly: {B: left of A-C, D: right}\n", "").replace(
+        "A: 100 mm", "P0: 0, A: 100 mm"
+    )
+    sketched += "  sketch: {P0: [0, 0], A: [100 mm, 0], B: [400 mm, 150 mm], D: [700 mm, 140 mm]}\n"
+    plain = sketched.replace("P0: [0, 0], ", "")
+    place = [found(text).lever.kinematics.table.place("D") for text in (sketched, plain)]
+    assert place[0] == pytest.approx(place[1])
+
+
+GEARS = """
+language: en
+drive:
+  speed: 1000 rpm
+  stages:
+    - {kind: spur, ratio: -2, module: 4 mm, teeth: [17, 34]}
+"""
+
+
+@pytest.mark.parametrize(
+    "block", ("positions: {table: 12}", "allow_partial: true", "drawing: {accuracy: 0.1 mm}")
+)
+def test_blocks_of_a_mechanism_that_there_is_not(block):
+    key = block.split(":")[0]
+    variant = course.loads(GEARS + block, "v")
+    assert [problem.key for problem in variant.doubts] == [key]
+
+
+def test_a_machine_of_links_without_masses_is_refused():
+    weightless = PUMP.replace(", mass: 4 kg, mass_centre: S2, inertia: 0.0533 kg*m^2", "").replace(
+        ", mass: 12 kg", ""
+    )
+    with pytest.raises(ProblemError, match="nothing in the machine has a moment of inertia or a mass"):
+        found(weightless + "dynamics: {}")
+
+
+@pytest.mark.parametrize(
+    "motor", ("series: {power: 0, speed: 80, stall: 9}", "shunt: {power: 0, speed: 80, no_load: 90}")
+)
+def test_a_motor_without_power_is_refused(motor):
+    said = refused(f"language: en\ndynamics: {{motor: {{{motor}}}, parts: [{{inertia: 1}}]}}")
+    assert "dynamics.motor" in said and "power" in said
