@@ -94,7 +94,7 @@ def test_a_mechanism_that_closes_over_part_of_the_cycle_shows_its_gaps(tmp_path,
     (tmp_path / "short.yaml").write_text(SHORT_ROD + meant, encoding="utf-8")
     done = run(tmp_path, "-o", tmp_path / "out", "--lang", "en")
     page = (tmp_path / "out" / "README.md").read_text(encoding="utf-8")
-    where = "rod AB = 50 mm cannot reach guide x for 30.00° < φ < 150.00°, 210.00° < φ < 330.00°"
+    where = "rod AB = 50 mm cannot reach guide x for 30.00° < φ < 150.00° and 210.00° < φ < 330.00°"
     assert f"- Cannot be assembled over part of the cycle: {where.replace('<', '&lt;')}" in page
     assert "I(0,1) → II2(2,3)" in page and "Stroke" not in page and "balancing moment" not in page
     assert (tmp_path / "out" / "short.svg").is_file()

@@ -10,6 +10,7 @@ from typer.testing import CliRunner
 
 from tmm_report import render
 from tmm_report.cli import app
+from tmm_report.commands.whole import LIST
 from tmm_report.figures import raster
 
 COARSE = 40.0  # dots an inch: enough to see that a figure is there
@@ -39,7 +40,8 @@ def test_the_command_writes_them_into_figures_and_nothing_else(tmp_path):
     arguments = ["solve", read("eccentric").file, "-o", str(tmp_path), "--format", "png", "--lang", "en"]
     done = CliRunner().invoke(app, arguments)
     assert f"{tmp_path}/figures" in done.output.replace("\\", "/")
-    written = {path.relative_to(tmp_path).as_posix(): path for path in tmp_path.rglob("*") if path.is_file()}
+    written = {path.relative_to(tmp_path).as_posix(): path for path in tmp_path.rglob("*.png")}
+    assert {path.name for path in tmp_path.iterdir()} == {"figures", LIST}
     assert set(written) == {f"figures/figure{k}.png" for k in range(1, len(written) + 1)}
     assert done.exit_code in (0, 1) and len(written) > 1  # 1: a condition of the teeth that the note tells of
     dots = [struct.unpack(">I", path.read_bytes().partition(b"pHYs")[2][:4])[0] for path in written.values()]

@@ -186,3 +186,10 @@ def test_a_motion_of_many_cycles_is_bounded_by_the_values_that_it_takes(monkeypa
     assert turns > 6
     monkeypatch.setattr(by_time, "FOLLOWED", 4 * 300)  # values of T: four cycles of 25 panels of 12
     assert "after 5 turns" in mistakes(tram(8))
+
+
+def test_the_limits_stand_in_the_documents():
+    text = (Path(__file__).parents[1] / "docs" / "variant.md").read_text("utf-8").split("## Limits")[1]
+    for limit in (sizes.POINTS, sizes.SLIDES, sizes.PLANS, sizes.ENTRIES):
+        assert re.search(rf"(?<![\d ]){limit}(?!\d)", text.replace("; ", ";").replace("| ", "|")), limit
+    assert f"{sizes.ROWS:,}".replace(",", " ") in text

@@ -25,6 +25,7 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT / "tools")]
 import faults  # noqa: E402
 import faults_balance  # noqa: E402
+import faults_cures  # noqa: E402
 import faults_edges  # noqa: E402
 import faults_motion  # noqa: E402
 import faults_note  # noqa: E402
@@ -36,6 +37,7 @@ FAULTS = (
     *faults_balance.FAULTS,
     *faults_note.FAULTS,
     *faults_edges.FAULTS,
+    *faults_cures.FAULTS,
 )
 
 COPIED = ("tmm_report", "templates", "variants", "tests", "tools", "pyproject.toml", "README.md", "docs")
