@@ -372,8 +372,13 @@ def room(chapter: str, name: str) -> Any:
 
 def load(path: str | os.PathLike[str]) -> Variant:
     """Read a variant's file. Raises ProblemError with all the mistakes of the file."""
+    return loads(*stated(path))
+
+
+def stated(path: str | os.PathLike[str]) -> tuple[bytes, str]:
+    """A variant's text, and the name of its file for messages. Raises ProblemError."""
     file = yamlread.file_label(path)
-    return loads(yamlread.opened(path, file, yamlread.BYTES), file)
+    return yamlread.opened(path, file, yamlread.BYTES), file
 
 
 def loads(text: str | bytes, file: str = "") -> Variant:

@@ -9,7 +9,7 @@ from typing import Any
 from tmm_report.course import INITIAL_DATA, LEVER, Results, chapters, doubts, left_out, room
 from tmm_report.figures.drawing import Drawing
 from tmm_report.i18n import Translator
-from tmm_report.problems import N_, Message, Problem
+from tmm_report.problems import N_, Message
 from tmm_report.report import render as render_parts
 from tmm_report.report.doubts import Doubts
 from tmm_report.report.page import Page
@@ -35,13 +35,7 @@ def _undone(results: Results) -> Iterator[Message]:
         )
         yield Message(text, {"blocks": ", ".join(blocks)})
     for problem in doubts(results) if results.lever is None else ():  # else they stand under the initial data
-        yield Message(N_("To be checked: %(what)s."), {"what": _doubt(problem)})
-
-
-def _doubt(problem: Problem) -> Message:
-    if problem.right is None:
-        return problem.wrong
-    return Message("%(wrong)s; %(right)s", {"wrong": problem.wrong, "right": problem.right})
+        yield Message(N_("To be checked: %(what)s."), {"what": problem.said})
 
 
 def parts(results: Results, page: Page) -> Iterator[Part]:

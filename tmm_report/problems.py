@@ -62,10 +62,16 @@ class Problem:
             sentence = Message(WARNING, {"what": sentence}).render(translate)
         return ": ".join([*parts, sentence])
 
-    def sentence(self, translate: Callable[[str], str] = str) -> str:
+    @property
+    def said(self) -> Message:
         """What is wrong and what would be right, without the place."""
-        parts = [part.render(translate) for part in (self.wrong, self.right) if part is not None]
-        return "; ".join(parts)
+        if self.right is None:
+            return self.wrong
+        return Message("%(wrong)s; %(right)s", {"wrong": self.wrong, "right": self.right})
+
+    def sentence(self, translate: Callable[[str], str] = str) -> str:
+        """The same in words."""
+        return self.said.render(translate)
 
 
 class ProblemError(Exception):

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from pathlib import Path
 
-from tmm_report import __version__, load
+from tmm_report import __version__
 from tmm_report import solve as solve_variant
 from tmm_report.commands.files import FORMATS, combinations, render
 from tmm_report.commands.talk import Talk, failure, reason, unwritable, written
 from tmm_report.commands.whole import Put, put
-from tmm_report.course import LeverFound, Results, doubts, sound
+from tmm_report.course import LeverFound, Results, doubts, loads, sound, stated
 from tmm_report.course import summary as in_short
 from tmm_report.problems import N_, Message
 from tmm_report.running.journal import digest
@@ -36,14 +36,15 @@ def run(
     """Whether everything asked for was made and every check held. Raises ProblemError."""
     wanted = chosen(formats, open_note)
     folder = folder or Path(f"{variant.stem}-note")
-    loaded = load(variant)
+    text, file = stated(variant)
+    loaded = loads(text, file)
     talk.speak(language or loaded.language)
     results = solve_variant(loaded)
     files = _made(results, wanted, language, talk)
     if combinations_too:
         files |= combinations(results, language)
     no_pdf = _add_pdf(results, language, files, talk) if pdf else []
-    changed = _put(folder, files, variant)
+    changed = _put(folder, files, digest(__version__, text))
     good = summary(results, talk)
     talk.tell(written(*(folder / name for name in _shown(files))))
     tell_changed(folder, changed, talk)
@@ -95,10 +96,10 @@ def _add_pdf(
     return []
 
 
-def _put(folder: Path, files: dict[str, bytes], variant: Path) -> Put:
+def _put(folder: Path, files: dict[str, bytes], source: str) -> Put:
     """Put the files into the folder as a whole. Raises ProblemError."""
     try:
-        return put(folder, files, digest(__version__, variant.read_bytes()))
+        return put(folder, files, source)
     except OSError as error:
         raise unwritable(folder, error) from None
 

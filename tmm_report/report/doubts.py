@@ -24,6 +24,5 @@ class Doubts:
         return []
 
     def _line(self, problem: Problem) -> Markup:
-        parts = [self.page.message(part) for part in (problem.wrong, problem.right) if part is not None]
         place = [self.page.text(problem.key + ": ")] if problem.key else []
-        return Markup("").join([*place, Markup("; ").join(parts)])
+        return Markup("").join([*place, self.page.message(problem.said)])
