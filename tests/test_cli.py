@@ -316,7 +316,7 @@ def test_only_the_command_line_prints_and_exits():
         f"{file.relative_to(PACKAGE)}: {line.strip()}"
         for file in PACKAGE.rglob("*.py")
         for line in file.read_text("utf-8").splitlines()
-        if spoken.search(line) and file.name != "cli.py"
+        if spoken.search(line) and file.name not in ("cli.py", "terminal.py")
     }
     assert found == set()
 
@@ -327,7 +327,10 @@ def test_the_command_line_alone_loads_nothing_heavy():
     )
     done = subprocess.run([sys.executable, "-c", program + "\nassert 'numpy' not in sys.modules"],
                           capture_output=True, text=True, check=True)  # fmt: skip
-    rooms = ["tmm_report", "tmm_report.cli", "tmm_report.languages", "tmm_report.problems"]
+    rooms = [
+        "tmm_report",
+        *(f"tmm_report.{name}" for name in ("cli", "languages", "problems", "records", "terminal")),
+    ]
     assert done.stdout.split() == rooms
 
 
@@ -349,11 +352,11 @@ def test_a_file_loads_only_the_gear_rooms_that_it_has(tmp_path):
 
 
 def test_what_is_being_done_is_shown_on_a_terminal_and_wiped(monkeypatch, capsys):
-    from tmm_report.cli import _Console
     from tmm_report.problems import Message
+    from tmm_report.terminal import Console
 
     monkeypatch.setattr("sys.stderr.isatty", lambda: True)
-    console = _Console("en")
+    console = Console("en")
     console.stage(Message("solving"))
     assert console._timer.is_alive() and capsys.readouterr().err == ""
     console._show()

@@ -22,7 +22,10 @@ OWN = ("lever", "places", "file", "doubts")  # of the variant itself
 
 def types(record) -> dict[str, object]:
     """The types of a record's fields; those of chapters that are loaded only where they are asked for are imported."""
-    late = {name: import_module(f"tmm_report.chapters.{name}.solve") for name in (*course.OTHERS, "readings")}
+    late = {
+        name: import_module(f"tmm_report.chapters.{name}.solve")
+        for name in (*course.OTHERS, "cam", "methods", "readings", "reduction")
+    }
     return {one.name: eval(str(one.type), {**vars(course), **late}) for one in fields(record)}
 
 
@@ -64,7 +67,7 @@ def test_no_public_type_is_any():
 
 
 def test_solved_chapters_stand_in_the_order_of_the_note():
-    usual = [name for name in course.LEVER if name not in ("cam", "reduction")]
+    usual = [name for name in course.LEVER if name not in ("cam", "methods", "reduction")]
     assert [name for name, _ in course.chapters(solved("compressor"))] == [
         *usual, "flywheel", "balancing", "drive",
     ]  # fmt: skip

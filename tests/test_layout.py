@@ -89,13 +89,17 @@ def test_no_circle_of_imports():
     assert not [ring for module in sorted(arrows()) if (ring := circle(module, ()))]
 
 
-def test_mechanics_imports_numpy_alone_and_scipy_where_it_integrates():
+def test_mechanics_imports_numpy_alone_but_where_it_integrates_and_is_judged():
     inside = [one for one in arrows() if one.startswith("tmm_report.mechanics.")]
     outside = {other.split(".")[0] for one in inside for other in arrows()[one]} - {"tmm_report"}
-    assert outside - sys.stdlib_module_names == {"numpy", "scipy"}
-    assert [one for one in inside if "scipy" in {x.split(".")[0] for x in arrows()[one]}] == [
-        "tmm_report.mechanics.ode"
-    ]
+    assert outside - sys.stdlib_module_names == {"numpy", "scipy", "mpmath"}
+
+    def knowing(library: str) -> set[str]:
+        names = {one for one in inside if library in {x.split(".")[0] for x in arrows()[one]}}
+        return {name.removeprefix("tmm_report.mechanics.") for name in names}
+
+    assert knowing("scipy") == {"ode", "methods.library"}
+    assert knowing("mpmath") == {"methods.exact.numbers"}
 
 
 @pytest.mark.parametrize("chapter", FOUND)

@@ -17,8 +17,8 @@ from tmm_report.mechanics.each import Each, Unlike, one, together
 from tmm_report.problems import ProblemError
 from tmm_report.results import as_json
 
-ALONE = {"elliptic_trammel", "parallelogram_drive", "press", "quick_return", "tangent"}
-"""Ready variants that are solved alone: with change points, gaps, parallel guides, groups above class II."""
+ALONE = {"elliptic_trammel", "grain_screen", "parallelogram_drive", "press", "quick_return", "tangent"}
+"""Ready variants solved alone: with change points, gaps, parallel guides, groups above class II, another method."""
 
 
 def bare(name: str) -> course.Variant:

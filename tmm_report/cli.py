@@ -1,4 +1,4 @@
-"""The command line: the only place that prints and exits; what a command does is in `commands`.
+"""The command line; what a command does is in `commands`, how it is said in `terminal`.
 
 Exit codes: 0 done; 1 done, but a check failed or something asked for could not be made; 2 the input, the place to
 write to or the size of the task is wrong, and nothing was written; 130 stopped by Ctrl-C.
@@ -8,21 +8,16 @@ from __future__ import annotations
 
 import atexit
 import gc
-import locale
 import os
 import sys
-import threading
-import unicodedata
-from collections.abc import Iterator
-from contextlib import contextmanager
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from tmm_report import languages
-from tmm_report.problems import N_, Message, Problem, ProblemError
+from tmm_report.problems import N_, Message
+from tmm_report.terminal import Console, console_of, ended, users_language
 
 if TYPE_CHECKING:
     from tmm_report.commands.streams import Careful
@@ -68,18 +63,24 @@ def _ended(code: str | int | None, out: Careful) -> str | int | None:
     from tmm_report.commands.talk import reason
 
     text = Message(N_("the standard output could not be written: %(reason)s"), {"reason": reason(out.error)})
-    _Console(_users_language()).warn(text)
+    Console(users_language()).warn(text)
     return code or 1
 
 
 def _for_one_command() -> None:
     """What makes a process that runs one command and ends start and end sooner."""
     # What is built lives until the end: looking through it for rings every few hundred objects, and once more on the
-    # way out, finds next to nothing and takes a tenth of the time. A batch of hundreds of variants is still collected.
-    gc.set_threshold(100_000)
+    # way out, finds next to nothing and takes a tenth of the time: the note of a usual variant is done before the first
+    # look. A batch of hundreds of variants is still collected.
+    gc.set_threshold(300_000)
     atexit.register(gc.freeze)
     # Plugins of other packages would be looked for among everything installed, and run on text that nobody has checked.
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
+    # The options of the other commands would be read from their signatures, and never be asked for.
+    asked = [
+        one for one in app.registered_commands if sys.argv[1:2] == [getattr(one.callback, "__name__", "")]
+    ]
+    app.registered_commands = asked or app.registered_commands
 
 
 def _show_version(wanted: bool) -> None:
@@ -120,14 +121,14 @@ def solve(
     open_note: Annotated[bool, typer.Option("--open", help="Open the note in the browser.")] = False,
 ) -> None:
     """Solve a variant and write its note."""
-    with _console(lang) as console:
+    with console_of(lang) as console:
         console.stage(Message(N_("solving")))  # before the imports, which take time
         from tmm_report.commands.solve import run
 
         done = run(
             variant, output, formats, lang, console, combinations_too=all_, pdf=pdf, open_note=open_note
         )
-    _exit(done)
+    ended(done)
 
 
 @app.command()
@@ -144,11 +145,11 @@ def new(
     lang: Language = None,
 ) -> None:
     """Write a commented starting variant. An existing file is not overwritten."""
-    with _console(lang) as console:
+    with console_of(lang) as console:
         from tmm_report.commands.new import run
 
         done = run(file, console.language, console)
-    _exit(done)
+    ended(done)
 
 
 @app.command()
@@ -162,12 +163,12 @@ def gallery(
     lang: Language = None,
 ) -> None:
     """Solve every variant of a folder and write a page with their schemes and main numbers."""
-    with _console(lang) as console:
+    with console_of(lang) as console:
         console.stage(Message(N_("solving")))
         from tmm_report.commands.gallery import run
 
         done = run(folder, output, console.language, console)
-    _exit(done)
+    ended(done)
 
 
 @app.command()
@@ -185,12 +186,56 @@ def assemblies(
     lang: Language = None,
 ) -> None:
     """List and draw every way in which the mechanism can be put together, each with its sketch for the variant."""
-    with _console(lang) as console:
+    with console_of(lang) as console:
         console.stage(Message(N_("looking for assemblies")))
         from tmm_report.commands.assemblies import run
 
         done = run(variant, angle, output, lang, console)
-    _exit(done)
+    ended(done)
+
+
+@app.command()
+def methods(
+    variant: VariantFile,
+    output: Annotated[Path | None, typer.Option("-o", "--output", help="Folder for the page.")] = None,
+    accuracy: Annotated[
+        str | None,
+        typer.Option(
+            "--accuracy",
+            help="Relative error to hold, such as 1e-6; by default that of the variant.",
+            show_default=False,
+        ),
+    ] = None,
+    formats: Annotated[
+        str, typer.Option("--format", help="Any of html,json,csv, joined by commas.")
+    ] = "html,json",
+    quick: Annotated[bool, typer.Option("--quick", help="Measure the times roughly.")] = False,
+    lang: Language = None,
+) -> None:
+    """Run every method that can solve a variant: times, errors against 40 digits, the cheapest that is good enough."""
+    with console_of(lang) as console:
+        console.stage(Message(N_("solving")))
+        from tmm_report.commands.methods import run
+
+        done = run(variant, output, accuracy, formats, lang, console, quick=quick)
+    ended(done)
+
+
+@app.command()
+def verify(
+    names: Annotated[
+        list[str] | None,
+        typer.Argument(help="Names of ready variants; by default all of them.", show_default=False),
+    ] = None,
+    lang: Language = None,
+) -> None:
+    """Solve the ready variants on this machine and hold the numbers against references of 40 digits."""
+    with console_of(lang) as console:
+        console.stage(Message(N_("solving")))
+        from tmm_report.commands.verify.run import run
+
+        done = run(names or [], console.language, console)
+    ended(done)
 
 
 @app.command()
@@ -219,7 +264,7 @@ def batch(
     lang: Language = None,
 ) -> None:
     """Solve and write up many variants; what was done already is not done again with --resume."""
-    with _console(lang) as console:
+    with console_of(lang) as console:
         console.stage(Message(N_("looking for variants")))
         from tmm_report.commands.batch.run import run
 
@@ -227,7 +272,7 @@ def batch(
             places, output, formats, lang, console,
             jobs=jobs, resume=resume, seconds=seconds, cluster=cluster, table=table,
         )  # fmt: skip
-    _exit(done)
+    ended(done)
 
 
 @app.command()
@@ -272,7 +317,7 @@ def grade(
     lang: Language = None,
 ) -> None:
     """Mark students' own numbers: feedback for each, a gradebook and statistics for the teacher."""
-    with _console(lang) as console:
+    with console_of(lang) as console:
         console.stage(Message(N_("solving")))
         if template is not None:
             from tmm_report.commands.grade.sheet import run as write_sheet
@@ -285,7 +330,7 @@ def grade(
                 [variants], answers or [], output, lang, console.language, console,
                 rubric=rubric, roster=roster, table=table, title=title, show=show_answers, jobs=jobs, seconds=seconds,
             )  # fmt: skip
-    _exit(done)
+    ended(done)
 
 
 @app.command()
@@ -301,12 +346,12 @@ def check(
     lang: Language = None,
 ) -> None:
     """Solve sample variants anew and compare numbers and notes with what is stored; exit code 1 on a difference."""
-    with _console(lang) as console:
+    with console_of(lang) as console:
         console.stage(Message(N_("solving")))
         from tmm_report.commands.check.run import run
 
         done = run(samples, update=update, junit=junit, language=console.language, talk=console)
-    _exit(done)
+    ended(done)
 
 
 @app.command()
@@ -332,12 +377,12 @@ def assign(
     lang: Language = None,
 ) -> None:
     """Draw individual variants from ranges, every one solvable, no two alike, as a table a row a student."""
-    with _console(lang) as console:
+    with console_of(lang) as console:
         console.stage(Message(N_("drawing variants")))
         from tmm_report.commands.assign import run
 
         done = run(ranges, count, seed, students, output, variants, lang, console)
-    _exit(done)
+    ended(done)
 
 
 @app.command()
@@ -350,122 +395,9 @@ def explain(
     lang: Language = None,
 ) -> None:
     """Print how a quantity is derived, with numbers."""
-    with _console(lang) as console:
+    with console_of(lang) as console:
         console.stage(Message(N_("solving")))
         from tmm_report.commands.explain import run
 
         done = run(variant, quantity, position, lang, console)
-    _exit(done)
-
-
-# ---------------------------------------------------------------- talking to the user
-
-
-def _exit(done: bool) -> None:
-    if not done:
-        raise typer.Exit(1)
-
-
-@contextmanager
-def _console(lang: str | None) -> Iterator[_Console]:
-    """The terminal in the language asked for, or in the user's own. A user's mistakes are printed, exit code 2."""
-    console = _Console(_users_language())
-    try:
-        if lang is not None:
-            console.speak(_known(lang))
-        yield console
-    except ProblemError as error:
-        if lang is None and error.language:  # a variant's mistakes are told in its language
-            console.speak(error.language)
-        for problem in error.problems:
-            console.warn(problem)
-        raise typer.Exit(2) from None
-    except OSError as error:  # a disk that is full, no folder for temporary files
-        from tmm_report.commands.talk import outside
-
-        console.warn(outside(error))
-        raise typer.Exit(2) from None
-    except (MemoryError, RecursionError):
-        console.warn(
-            Message(N_("not enough memory: this variant is too large; shorten its lists and tables"))
-        )
-        raise typer.Exit(2) from None
-    except KeyboardInterrupt:
-        if not console.warned:  # a batch says itself how to go on
-            console.warn(Message(N_("stopped")))
-        raise typer.Exit(130) from None
-    finally:
-        console.wipe()
-
-
-def _known(lang: str) -> str:
-    """The value of --lang. Raises ProblemError with the languages there are."""
-    try:
-        return languages.language(lang).code
-    except ProblemError as error:
-        raise ProblemError([replace(problem, path=("--lang",)) for problem in error.problems]) from None
-
-
-def _users_language() -> str:
-    """The user's language from the environment."""
-    names = [os.environ.get(name, "") for name in ("LC_ALL", "LC_MESSAGES", "LANG")]
-    return languages.of_locale(next((name for name in names if name), "") or (locale.getlocale()[0] or ""))
-
-
-class _Console:
-    """The user's terminal as the `Talk` of a command; what is being done is shown when it takes over a second."""
-
-    def __init__(self, language: str):
-        self.language = language
-        self._doing, self._shown = Message(""), False
-        self.warned = False
-        self._timer: threading.Timer | None = None
-
-    def speak(self, language: str) -> None:
-        self.language = language
-
-    def stage(self, doing: Message) -> None:
-        self._doing = doing
-        if self._shown:
-            self._show()
-        elif self._timer is None and sys.stderr.isatty():
-            self._timer = threading.Timer(1.0, self._show)
-            self._timer.daemon = True
-            self._timer.start()
-
-    def tell(self, line: Message | str) -> None:
-        self._print(line if isinstance(line, str) else line.render(self._say), err=False)
-
-    def warn(self, line: Message | Problem | str) -> None:
-        self.warned = True
-        words = line.text(self._say) if isinstance(line, Problem) else line
-        self._print(words.render(self._say) if isinstance(words, Message) else words, err=True)
-
-    def wipe(self) -> None:
-        """Take the line of what is being done away."""
-        if self._timer is not None:
-            self._timer.cancel()
-            self._timer = None
-        if self._shown:
-            typer.echo(f"\r{'':60}\r", nl=False, err=True)
-            self._shown = False
-
-    def _say(self, text: str) -> str:
-        from tmm_report.i18n import Translator
-
-        return Translator(self.language).gettext(text)
-
-    def _show(self) -> None:
-        self._shown = True
-        typer.echo(f"\r{self._doing.render(self._say) + '…':60}", nl=False, err=True)
-
-    def _print(self, text: str, err: bool) -> None:
-        self.wipe()
-        typer.echo(_clean(text), err=err)
-
-
-def _clean(text: str) -> str:
-    """Text for the terminal: no control, format or bidirectional characters, which could forge what is shown."""
-    return "".join(
-        c if not unicodedata.category(c).startswith("C") else "\N{REPLACEMENT CHARACTER}" for c in text
-    )
+    ended(done)

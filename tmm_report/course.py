@@ -9,33 +9,34 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import field, fields, replace
 from functools import partial
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from tmm_report import yamlread
-from tmm_report.chapters.cam import solve as cam
 from tmm_report.chapters.force_plans import solve as force_plans
 from tmm_report.chapters.friction import solve as friction
 from tmm_report.chapters.friction.given import Friction
 from tmm_report.chapters.kinematics import solve as kinematics
-from tmm_report.chapters.kinematics.given import Positions
+from tmm_report.chapters.kinematics.given import Positions, Way
 from tmm_report.chapters.kinetostatics import solve as kinetostatics
 from tmm_report.chapters.kinetostatics.loads import Loads
 from tmm_report.chapters.machine import Moving
+from tmm_report.chapters.methods.given import Comparison
 from tmm_report.chapters.plans import solve as plans
 from tmm_report.chapters.plans.given import Drawing
 from tmm_report.chapters.readings.given import Readings
-from tmm_report.chapters.reduction import solve as reduction
 from tmm_report.chapters.structure import solve as structure
 from tmm_report.chapters.title.given import Title
 from tmm_report.languages import DEFAULT, DecimalSign, stated_in
 from tmm_report.mechanics.mechanism import Mechanism
 from tmm_report.problems import N_, Message, Problem, ProblemError
+from tmm_report.records import dataclass
 
 if TYPE_CHECKING:  # loaded only for a variant that has them
     from tmm_report.chapters.balancing import solve as balancing
+    from tmm_report.chapters.cam import solve as cam
     from tmm_report.chapters.contacts import solve as contacts
     from tmm_report.chapters.drive import solve as drive
     from tmm_report.chapters.dynamics import solve as dynamics
@@ -45,7 +46,9 @@ if TYPE_CHECKING:  # loaded only for a variant that has them
     from tmm_report.chapters.flywheel import solve as flywheel
     from tmm_report.chapters.governor import solve as governor
     from tmm_report.chapters.harmonics import solve as harmonics
+    from tmm_report.chapters.methods import solve as methods
     from tmm_report.chapters.readings import solve as readings
+    from tmm_report.chapters.reduction import solve as reduction
     from tmm_report.chapters.rotor import solve as rotor
     from tmm_report.chapters.vibration import solve as vibration
     from tmm_report.chapters.wear import solve as wear
@@ -64,6 +67,9 @@ class LeverGiven:
     loads: Loads | None = None
     friction: Friction | None = None
     reduction: bool = False
+    way: Way | None = None
+    methods: Comparison | None = None
+    accuracy: float | None = None  # relative: what the numbers are to hold
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,6 +114,7 @@ class LeverFound:
     friction: friction.FrictionFound | None = None
     reduction: reduction.Reduction | None = None
     readings: readings.ReadingsFound | None = None
+    methods: methods.Found | None = None
 
     @property
     def sample(self) -> int:
@@ -210,25 +217,48 @@ def _solved(variant: Variant, moved: Moved | None) -> Results:
 def solve_lever(given: LeverGiven, moved: Moved | None = None) -> LeverFound:
     """The chapters of a lever mechanism. Raises ProblemError."""
     links = moved.structure if moved else structure.solve(given.mechanism)
-    motion = moved.kinematics if moved else kinematics.solve(given.positions, links)
+    motion = moved.kinematics if moved else kinematics.solve(given.positions, links, given.way)
     drawn = plans.solve(given.drawing, given.positions.plans, motion)
     forces = moved.kinetostatics if moved else _forces(given.loads, motion)
     found = LeverFound(
         given,
         links,
         motion,
-        cam.solve(motion),
+        _cams(motion) if given.mechanism.cams else None,
         drawn,
         forces,
         force_plans.solve(given.drawing, given.positions.force_plan, forces, drawn) if forces else None,
         friction.solve(given.friction, forces) if given.friction and forces else None,
-        reduction.solve(motion, forces, drawn) if given.reduction else None,
+        _reduction(motion, forces, drawn) if given.reduction else None,
+        methods=_methods(given.methods, motion, forces) if given.methods else None,
     )
     return replace(found, readings=_readings(found)) if given.readings else found
 
 
 def _forces(given: Loads | None, motion: kinematics.Kinematics) -> kinetostatics.Kinetostatics | None:
     return kinetostatics.solve(given, motion) if given else None
+
+
+def _cams(motion: kinematics.Kinematics) -> cam.Cams | None:
+    from tmm_report.chapters.cam.solve import solve
+
+    return solve(motion)
+
+
+def _reduction(
+    motion: kinematics.Kinematics, forces: kinetostatics.Kinetostatics | None, drawn: plans.Plans
+) -> reduction.Reduction:
+    from tmm_report.chapters.reduction.solve import solve
+
+    return solve(motion, forces, drawn)
+
+
+def _methods(
+    given: Comparison, motion: kinematics.Kinematics, forces: kinetostatics.Kinetostatics | None
+) -> methods.Found:
+    from tmm_report.chapters.methods.solve import solve
+
+    return solve(given, motion, forces)
 
 
 def _readings(found: LeverFound) -> readings.ReadingsFound:

@@ -7,10 +7,10 @@ tools/messages.py makes of it; the plural rule stands in its head), locale/<code
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from typing import Literal
 
 from tmm_report.problems import N_, Message, Problem, ProblemError, shown
+from tmm_report.records import dataclass
 
 DecimalSign = Literal["comma", "point"]
 SIGNS: dict[DecimalSign, str] = {"comma": ",", "point": "."}

@@ -17,3 +17,8 @@ def data_root() -> Path:
         if (root / "templates").is_dir():
             return root
     raise FileNotFoundError(f"templates/ stands neither in {package / '_data'} nor in {package.parent}")
+
+
+def references_root() -> Path:
+    """The folder with the numbers of 40 digits that `tmm-report verify` holds the ready variants against."""
+    return Path(__file__).resolve().parent / "verification"

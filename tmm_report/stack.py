@@ -35,7 +35,7 @@ def solve_each(variants: Sequence[Variant]) -> Iterator[Solved]:
     """`solve_many` one after another: what is not kept by the caller is gone before the next is finished."""
     alike: dict[Hashable, list[int]] = defaultdict(list)
     for k, variant in enumerate(variants):
-        if variant.lever is not None:
+        if variant.lever is not None and variant.lever.way is None:
             alike[topology(variant.lever)].append(k)
     stacks = {k: stack for numbers in alike.values() for stack in _stacks(variants, numbers) for k in stack}
     moved: dict[int, Moved] = {}

@@ -27,6 +27,8 @@ import faults  # noqa: E402
 import faults_balance  # noqa: E402
 import faults_cures  # noqa: E402
 import faults_edges  # noqa: E402
+import faults_exact  # noqa: E402
+import faults_methods  # noqa: E402
 import faults_motion  # noqa: E402
 import faults_note  # noqa: E402
 from faults import Fault  # noqa: E402
@@ -38,6 +40,8 @@ FAULTS = (
     *faults_note.FAULTS,
     *faults_edges.FAULTS,
     *faults_cures.FAULTS,
+    *faults_methods.FAULTS,
+    *faults_exact.FAULTS,
 )
 
 COPIED = ("tmm_report", "templates", "variants", "tests", "tools", "pyproject.toml", "README.md", "docs")

@@ -6,7 +6,7 @@ import itertools
 import math
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from tmm_report.assignments.model import Ranges
 from tmm_report.assignments.numbers import Cell
 from tmm_report.assignments.prove import Rejection
 from tmm_report.problems import N_, Message, Problem, ProblemError
+from tmm_report.records import dataclass
 
 TRIES = 500  # of one row
 DRAWS = 2000  # random draws of a row, those met before among them

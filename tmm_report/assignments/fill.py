@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 
 from tmm_report.assignments.emit import Piece, pieces, scalar
 from tmm_report.assignments.model import Parameter, Template
 from tmm_report.assignments.numbers import Cell
+from tmm_report.records import dataclass
 from tmm_report.yamlread import Path
 
 TITLE = ("student", "group", "variant")

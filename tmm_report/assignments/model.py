@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from decimal import Decimal
 from functools import cached_property
 from pathlib import Path as File
@@ -12,6 +12,7 @@ from typing import Any
 from tmm_report.assignments.emit import flow, scalar
 from tmm_report.assignments.keys import value_at
 from tmm_report.assignments.numbers import Cell, scaled, text_of
+from tmm_report.records import dataclass
 from tmm_report.yamlread import Path, Place
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from decimal import Decimal
 from typing import Any
 
@@ -13,6 +13,7 @@ from tmm_report.assignments.model import Parameter, Template
 from tmm_report.assignments.numbers import Cell, Written, dimension_of, written
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake, shown
 from tmm_report.quantity.units import WrongValue
+from tmm_report.records import dataclass
 from tmm_report.variant.errors import near
 from tmm_report.yamlread import Path
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import islice
 
 from tmm_report import yamlread
@@ -14,6 +14,7 @@ from tmm_report.intake.delimited import decoded
 from tmm_report.intake.ids import unique
 from tmm_report.intake.sheets import BYTES, CHARACTERS
 from tmm_report.problems import N_, Message, Problem, ProblemError
+from tmm_report.records import dataclass
 
 MOST = 100_000  # students of a list
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from tmm_report import course
 from tmm_report.assignments.conditions import holds
@@ -14,6 +14,7 @@ from tmm_report.course import OTHERS, LeverFound, Results, Variant
 from tmm_report.problems import N_, Message, Problem, ProblemError, shown
 from tmm_report.quantity.model import Value
 from tmm_report.quantity.units import WrongValue, between
+from tmm_report.records import dataclass
 from tmm_report.results import values
 from tmm_report.variant.errors import near
 
@@ -88,6 +89,8 @@ def _unsolved(problem: Problem) -> Rejection:
 def _unsound(lever: LeverFound, closeness: float) -> Iterator[Rejection]:
     if lever.partial:
         yield Rejection("partial", Message(N_("it cannot be assembled all over the cycle")))
+    if lever.kinematics.missed is not None:
+        yield Rejection("method", Message(N_("the method of the motion does not hold the accuracy")))
     forces = lever.kinetostatics
     if forces is not None and not forces.agrees:
         yield Rejection("balance", Message(N_("the checks of the balancing moment disagree")))

@@ -9,7 +9,7 @@ import hashlib
 import itertools
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from decimal import Decimal
 from pathlib import Path as File
 
@@ -27,6 +27,7 @@ from tmm_report.intake.cells import number as number_of
 from tmm_report.intake.ids import safe
 from tmm_report.problems import N_, Message, Problem, ProblemError, shown
 from tmm_report.quantity.units import WrongValue, parse
+from tmm_report.records import dataclass
 from tmm_report.variant.errors import near
 
 Made = tuple[str, str, bytes | ProblemError]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -18,6 +17,7 @@ from tmm_report.mechanics.panels import Panels, panels
 from tmm_report.mechanics.planar import dot
 from tmm_report.problems import N_, Message, ProblemError, mistake
 from tmm_report.quantity.model import Quantity
+from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
     from tmm_report.chapters.kinetostatics.loads import Loads

@@ -7,13 +7,14 @@ equation in front, and that from the vectors known in it.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 
 from tmm_report.quantity.formula import Formula, Var, VectorEquation, at
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.written import Equation, Unknown, variables
+from tmm_report.records import dataclass
 from tmm_report.report.heard import Heard, Spoken
 
 LAID = "laid_"  # begins the key of a segment that is laid off

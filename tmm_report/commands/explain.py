@@ -17,9 +17,17 @@ from tmm_report.commands.talk import Talk
 from tmm_report.course import Results, Variant
 from tmm_report.i18n import Translator
 from tmm_report.note import parts
+from tmm_report.problems import N_, Message
 from tmm_report.quantity.formula import Formula, Var
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.text import number
 from tmm_report.report.heard import Heard, listen
+from tmm_report.report.words import method_name
+
+OTHER_METHOD = N_(
+    "The task names another method of the motion for the results: %(method)s. It errs by %(worst)s of the largest "
+    "value at most."
+)
 
 
 def run(variant: Path, quantity: str, position: int | None, language: str | None, talk: Talk) -> bool:
@@ -37,6 +45,12 @@ def run(variant: Path, quantity: str, position: int | None, language: str | None
         heard, derivation = _derived(results, target, tr)
     for line in lines(target, heard, derivation, own, tr):
         talk.tell(line)
+    if results.lever is not None and (choice := results.lever.kinematics.choice) and not choice.own:
+        values = {
+            "method": method_name(choice.taken, tr),
+            "worst": number(choice.worst, 1, tr.decimal, scale=0),
+        }
+        talk.tell(Message(OTHER_METHOD, values))
     return bool(np.isfinite(target.numbers).any())
 
 

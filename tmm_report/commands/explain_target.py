@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from tmm_report.course import Results
 from tmm_report.grading.expected import reversed_reactions
 from tmm_report.problems import N_, Message, Problem, ProblemError, shown
 from tmm_report.quantity.model import Column, Quantity, Table
 from tmm_report.quantity.naming import one, resolve
+from tmm_report.records import dataclass
 from tmm_report.results import tables, values
 
 

@@ -6,7 +6,7 @@ import math
 import os
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
 from urllib.parse import quote
@@ -20,6 +20,7 @@ from tmm_report.mechanics.cycle import Extreme, larger
 from tmm_report.mechanics.structure import ROMAN
 from tmm_report.note import picture as drawing_of
 from tmm_report.problems import Message, Problem
+from tmm_report.records import dataclass
 from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template

@@ -147,7 +147,10 @@ def _lever(results: Results, lever: LeverFound, talk: Talk) -> bool:
     _no_plans(lever, talk)
     _gaps(lever, talk)
     own = _own_numbers(results, talk)
-    return _balance(lever, talk) and own and not lever.partial
+    missed = lever.kinematics.missed
+    if missed is not None:
+        talk.warn(locate(missed, results.variant))
+    return _balance(lever, talk) and own and missed is None and not lever.partial
 
 
 def _differences(lever: LeverFound, talk: Talk) -> None:

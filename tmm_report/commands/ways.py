@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import islice
 
@@ -20,6 +19,7 @@ from tmm_report.mechanics.mechanism import FRAME, Mechanism, ZeroAngle
 from tmm_report.mechanics.structure import Structure, decompose
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.quantity.text import split
+from tmm_report.records import dataclass
 from tmm_report.variant import locate
 
 MOST = 64  # ways shown: their number doubles with every dyad

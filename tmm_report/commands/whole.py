@@ -18,10 +18,12 @@ import shutil
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass, field
+from dataclasses import field
 from hashlib import sha256
 from pathlib import Path, PurePosixPath
 from time import sleep
+
+from tmm_report.records import dataclass
 
 LIST = ".tmm-report.json"
 PART = ".tmm-report.part"

@@ -11,11 +11,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from tmm_report.quantity.paper import round_scale
+from tmm_report.records import dataclass
 
 PAPER = 165.0  # mm: width of a graph that stands in the text of a page
 FIGURE = 2.8  # height of figures by the axes, of values at extremes, of the names of curves, mm

@@ -9,7 +9,6 @@ from __future__ import annotations
 import cmath
 import warnings
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 from typing import Any
@@ -18,6 +17,7 @@ import numpy as np
 
 from tmm_report.figures.cams import ends
 from tmm_report.mechanics.mechanism import FRAME, Guide, Mechanism, Slide
+from tmm_report.records import dataclass
 
 BLOCK = complex(4.5, 2.5)  # half length and half height of a slider block, mm
 PAST = 3.0  # how far a guide runs past the block at the end of its travel, mm

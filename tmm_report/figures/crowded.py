@@ -7,12 +7,13 @@ taken for the cells that it touches: what the grid calls clear is clear.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import Any
 
 import numpy as np
 
 from tmm_report.figures.primitives import Box
+from tmm_report.records import dataclass
 
 CELL = 0.3  # mm
 MOST = 4e6  # cells: those of a drawing of many metres are larger

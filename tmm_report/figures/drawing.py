@@ -7,7 +7,7 @@ complex number. The arrowheads are filled polygons, so nothing needs an id.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 
 from tmm_report.figures.lettering import Parts, xml_text
@@ -38,6 +38,7 @@ from tmm_report.figures.primitives import (
     tikz_point,
     written,
 )
+from tmm_report.records import dataclass
 
 __all__ = [
     "AXIS",

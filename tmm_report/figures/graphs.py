@@ -6,7 +6,7 @@ The layout is made here, by `axes`; `sheet` puts it on paper, `peaks` finds the 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from itertools import cycle
 
@@ -33,6 +33,7 @@ from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.lettering import Parts, width
 from tmm_report.figures.sheet import LOOKS, Look
 from tmm_report.quantity.text import ZERO
+from tmm_report.records import dataclass
 
 Letters = Parts | str
 WIDEST = 20.0  # mm: of the figures beside an axis, until they are known

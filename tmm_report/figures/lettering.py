@@ -7,12 +7,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 from html import escape
 from itertools import groupby
 
 from tmm_report.quantity import symbols
+from tmm_report.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
@@ -20,6 +20,7 @@ from tmm_report.figures.dimensions import head
 from tmm_report.figures.drawing import THIN, Arrow, Drawing, Item, Pen, Tag, dot, line
 from tmm_report.figures.lettering import Part
 from tmm_report.figures.plans import PENS, Style
+from tmm_report.records import dataclass
 
 LETTER = 2.8  # height of the letters of forces and arms, mm
 ARROW = (11.0, 17.0)  # the shortest arrow of a force, and by how much the largest force is longer, mm

@@ -5,11 +5,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
 from tmm_report.figures.axes import FIGURE, Panel
+from tmm_report.records import dataclass
 
 Box = tuple[float, float, float, float]  # left, foot, right, top, mm
 TALL = FIGURE + 0.5  # of a value with its ground, mm

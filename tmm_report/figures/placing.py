@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
 from typing import Any, Literal, NamedTuple
@@ -14,6 +13,7 @@ import numpy as np
 from tmm_report.figures.crowded import Ground, areas, ground
 from tmm_report.figures.lettering import Parts, width
 from tmm_report.figures.primitives import NORMAL, TEXT, Box, Circle, Item, Path, Pen, Text, heights
+from tmm_report.records import dataclass
 
 CLEAR = 0.1  # free space sought round lettering beside that of the grid, mm
 AWAY = 1.8  # a label farther than this beyond its gap is led to its place by a line, mm

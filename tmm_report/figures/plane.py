@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -32,6 +31,7 @@ from tmm_report.figures.drawing import (
 )
 from tmm_report.figures.lettering import Parts, width
 from tmm_report.quantity.paper import round_scale
+from tmm_report.records import dataclass
 
 Array = Any
 Num = Callable[[float], str]

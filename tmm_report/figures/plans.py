@@ -6,7 +6,7 @@ Vectors that lie upon one another are drawn side by side, each between thin tick
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Literal
 
 from tmm_report.figures.aside import Segment, asides, lie_upon, same_way
@@ -26,6 +26,7 @@ from tmm_report.figures.drawing import (
 )
 from tmm_report.figures.lettering import Part, Parts, joined, symbol, width
 from tmm_report.figures.primitives import heights
+from tmm_report.records import dataclass
 
 Style = Literal[
     "absolute", "relative", "component", "coriolis", "construction", "force", "inertia", "reaction"

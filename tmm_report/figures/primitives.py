@@ -8,11 +8,12 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 from typing import Literal
 
 from tmm_report.figures.lettering import Parts, svg_parts, tex_parts, width, xml_text
+from tmm_report.records import dataclass
 
 Box = tuple[float, float, float, float]  # left, bottom, right, top
 

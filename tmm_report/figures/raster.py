@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import cache, lru_cache
 from io import BytesIO
 from typing import Any
@@ -20,6 +19,7 @@ import numpy as np
 
 from tmm_report.figures.drawing import COLOURS, Arc, Arrow, Box, Circle, Drawing, Item, Path, Pen, Text
 from tmm_report.figures.lettering import DROP, RAISE, SMALL, Part, Parts, leaning_runs, leans, width
+from tmm_report.records import dataclass
 
 Array = Any
 

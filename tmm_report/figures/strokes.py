@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from tmm_report.figures import marks
 from tmm_report.figures.drawing import Item, Pen, Tag, line
 from tmm_report.figures.lettering import Parts
 from tmm_report.figures.view import View
+from tmm_report.records import dataclass
 
 BAND = Pen(0.4, "red")
 OUTSIDE = 6.5  # of the driver's circle, mm: the numbers of its positions stand between

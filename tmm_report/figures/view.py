@@ -5,7 +5,6 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
 
@@ -28,6 +27,7 @@ from tmm_report.figures.drawing import (
 )
 from tmm_report.figures.lettering import Symbol, joined, symbol
 from tmm_report.mechanics.mechanism import FRAME, Guide, Mechanism, Slide
+from tmm_report.records import dataclass
 
 LETTERED = 6.0  # mm about a point that its letter takes
 SEEN = 0.15  # the least angle that is marked, rad

@@ -14,7 +14,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -27,6 +27,7 @@ from tmm_report.problems import N_, Message, Problem, ProblemError, mistake, sho
 from tmm_report.quantity import naming
 from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.units import WrongValue, between
+from tmm_report.records import dataclass
 
 POSITION_HEADS = ("position", "положение", "становище", "орналасу", "k", "n", "№", "pos", "пол")
 POSITION_WORDS = ("position", "положени", "становищ")  # within a head: № положения

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from tmm_report.quantity.text import round_significant
+from tmm_report.records import dataclass
 
 Array = Any
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 
 from tmm_report.grading.model import RIGHT, Digest, Rule
 from tmm_report.grading.words import cause_text
@@ -17,6 +16,7 @@ from tmm_report.i18n import Translator
 from tmm_report.intake.writing import csv_bytes, xlsx_bytes
 from tmm_report.jsontext import indented
 from tmm_report.problems import N_, Message
+from tmm_report.records import dataclass
 
 Roster = Mapping[str, Mapping[str, str]]
 """id -> what the teacher's list says of the student: "name", "email", "moodle_id", "canvas_id", "section"."""

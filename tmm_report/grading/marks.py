@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 from typing import Any
 
@@ -33,6 +33,7 @@ from tmm_report.judging.diagnose import diagnose
 from tmm_report.judging.diagnose.variants import Others
 from tmm_report.judging.diagnose.words import of_some
 from tmm_report.judging.judge import default_floor, judge, takes_magnitudes
+from tmm_report.records import dataclass
 
 Array = Any
 

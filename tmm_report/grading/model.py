@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 from tmm_report.judging.model import (
@@ -18,6 +18,7 @@ from tmm_report.judging.model import (
     Name,
     Rule,
 )
+from tmm_report.records import dataclass
 
 __all__ = [
     "KINDS", "RIGHT", "Answered", "Answers", "Asked", "Cause", "Digest", "Expected", "Judged", "Marked",

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -18,6 +18,7 @@ from pydantic import Field, Tag
 from tmm_report import yamlread
 from tmm_report.grading.model import Asked, Expected, Name
 from tmm_report.problems import N_, Message, Problem, mistake, shown
+from tmm_report.records import dataclass
 from tmm_report.variant import model
 from tmm_report.variant.model import Model, Read, Rooms
 from tmm_report.variant.reading import read as read_blocks

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
@@ -16,6 +16,7 @@ import numpy as np
 from tmm_report.grading.copies import Copy, Entries, copies
 from tmm_report.grading.model import RIGHT, Digest, Rule
 from tmm_report.problems import N_, Message, shown
+from tmm_report.records import dataclass
 
 Array = Any
 Cell = tuple[str, str, str]

@@ -13,10 +13,11 @@ import struct
 import zipfile
 import zlib
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, BinaryIO
 
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake, shown
+from tmm_report.records import dataclass
 from tmm_report.yamlread import composed
 
 MEMBER = 5 * 2**20

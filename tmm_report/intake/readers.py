@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from datetime import datetime, timedelta
 from functools import lru_cache
 from typing import Any
 
 from tmm_report.intake.parts import Enough, Reader, local
 from tmm_report.problems import N_, Message, Problem, mistake
+from tmm_report.records import dataclass
 
 STRINGS = 250_000
 

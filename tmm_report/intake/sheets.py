@@ -7,7 +7,7 @@ filled up with empty cells.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import chain, islice
 from pathlib import PurePosixPath
 from typing import Any
@@ -15,6 +15,7 @@ from typing import Any
 from tmm_report.intake import delimited, workbook
 from tmm_report.intake.writing import unguarded
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
+from tmm_report.records import dataclass
 
 BYTES = 2**20  # of a CSV file; more where more rows are allowed
 ROWS = 2000

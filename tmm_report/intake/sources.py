@@ -10,12 +10,13 @@ import os
 from collections import Counter
 from collections.abc import Collection, Iterable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
 from tmm_report.intake import archive, ids
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
+from tmm_report.records import dataclass
 from tmm_report.yamlread import file_label, opened, stream
 
 BYTES = archive.MEMBER  # of one file

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 from functools import cached_property
 from typing import Any
@@ -12,6 +12,7 @@ import numpy as np
 
 from tmm_report.problems import Message, Problem
 from tmm_report.quantity.model import OfQuantity, Quantity
+from tmm_report.records import dataclass
 
 Array = Any
 

@@ -2,7 +2,8 @@
 
 With the conjugate vectors as unknowns of their own, y = x̄, the contours are linear in x and in y, and the rest is
 bilinear: U·Ū = 1 for every direction, w·T̄ = w̄·T for every displacement w = s·T along a guide. k such equations in
-k/2 + k/2 unknowns have C(k, k/2) roots: 2 of a dyad, 6 of a group of four links, 20 of six. All are found by
+k/2 + k/2 unknowns have C(k, k/2) roots: 2 of a dyad, 6 of a group of four links, 20 of six. They are found by
+elimination where all of them are regular. Where two may merge, or a whole curve of them exists, all are found by
 continuation from a product of linear forms with as many known roots; in projective coordinates no path runs away.
 Source: Morgan, Sommese, A homotopy for solving general polynomial systems that respects m-homogeneous structures
 (1987).
@@ -15,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.mechanics import eliminated
 from tmm_report.mechanics.dyads import State
 from tmm_report.mechanics.loops import Loops, newton, solve_each
 
@@ -32,17 +34,28 @@ REAL = 1e-5  # how far from the unit circle a direction may be before Newton set
 
 def assemblies(loops: Loops, s: State) -> Array:
     """All q, (N, k), at which the group closes in the one position of `s` (arrays (1,)); N = 0 where it does not."""
-    one, found = _repeat(s), []
+    one = _repeat(s)
+    system = _Bilinear(loops, s, SEEDS[0])
+    roots = eliminated.roots(system.M, SEEDS[0])
+    if roots is None:
+        q = _continued(loops, s, one)
+    else:
+        q = _roots(loops, one, system, roots, np.ones(len(roots), dtype=bool))
+    q = q[np.isfinite(q).all(axis=-1)]
+    q[:, : loops.angles] = np.angle(np.exp(1j * q[:, : loops.angles]))
+    return _distinct(q, loops.angles)
+
+
+def _continued(loops: Loops, s: State, one: State) -> Array:
+    """The real roots by continuation, (N, k), maybe more than once each."""
+    found = []
     for seed in SEEDS:
         system = _Bilinear(loops, s, seed)
         paths, ended = _track(system)
         found.append(_roots(loops, one, system, paths, ended))
         if len(paths) == len(system.starts()) and _apart(paths[ended]):
             break
-    q = np.concatenate(found)
-    q = q[np.isfinite(q).all(axis=-1)]
-    q[:, : loops.angles] = np.angle(np.exp(1j * q[:, : loops.angles]))
-    return _distinct(q, loops.angles)
+    return np.concatenate(found)
 
 
 def _roots(loops: Loops, s: State, system: _Bilinear, paths: Array, ended: Array) -> Array:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -18,6 +18,7 @@ from tmm_report.mechanics.motion import Linkage, drive, known_motion, positions
 from tmm_report.mechanics.planar import dot
 from tmm_report.mechanics.structure import KIND_NAMES, ROMAN, Group, Structure, decompose
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
+from tmm_report.records import dataclass
 
 Array = Any
 PATH = ("mechanism", "assembly")

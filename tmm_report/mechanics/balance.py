@@ -9,7 +9,7 @@ force balancing of planar linkages by internal mass redistribution, J. Eng. Ind.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -19,6 +19,7 @@ from tmm_report.mechanics.mechanism import FRAME, Link, Mechanism
 from tmm_report.mechanics.motion import Linkage, Motion
 from tmm_report.mechanics.planar import cross
 from tmm_report.mechanics.structure import Pair
+from tmm_report.records import dataclass
 
 Array = Any
 

@@ -8,7 +8,7 @@ Source: Bolotovsky, Involute gears: a reference book, part 1 (contours for pairs
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property, partial
 from typing import Any, NamedTuple
 
@@ -19,6 +19,7 @@ from tmm_report.mechanics.isolines import isolines
 from tmm_report.mechanics.pair_limits import Limit, limits_of, unknown
 from tmm_report.mechanics.roots import bracketed
 from tmm_report.mechanics.spur import Cutter, Pair, Rack
+from tmm_report.records import dataclass
 
 __all__ = ["Blocking", "Lack", "Limit", "Line", "Window"]
 
@@ -189,6 +190,8 @@ class Blocking:
         found: complex | None = None
         while reach > 1e-10:
             net = centre + along * reach * np.linspace(-1, 1, 1025)
+            if found is not None:  # what lies beyond it need not be asked about
+                net = net[np.abs(net - x) <= abs(found - x)]
             good = net[self.feasible(net)]
             good = good if found is None else np.append(good, found)
             if not good.size:

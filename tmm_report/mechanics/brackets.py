@@ -11,6 +11,8 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.mechanics.distinct import distinct
+
 Array = Any
 
 LOW = 0.1  # closeness of a group below which the motion changes faster than the steps of the search
@@ -22,7 +24,7 @@ ROUNDS = 12  # of the search for the lowest point of a dip: parabolas double the
 
 def finer(turned: Array) -> Array:
     """Angles ever nearer to each of `turned` (N,) on both sides of it, rad, (M,), ascending."""
-    return np.unique(turned[:, None] + np.concatenate([-FINER, FINER]))
+    return distinct(turned[:, None] + np.concatenate([-FINER, FINER]))
 
 
 def changes_of_sign(values: Array) -> Array:

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.mechanics.distinct import distinct
 from tmm_report.mechanics.machine import Plant
 from tmm_report.mechanics.motion_law import SAMPLES, TURNS, Goal, NeverReached, Run
 from tmm_report.mechanics.panels import Panels
@@ -128,7 +129,7 @@ def _through(plant: Plant, grid: Array, rests: tuple[bool, bool], energy: Callab
     if not plant.even:
         turns = np.arange(np.floor(low / panels.period), np.ceil(high / panels.period) + 1)
         marks = (turns[:, None] * panels.period + panels.edges[:-1]).ravel()
-        edges = np.unique(np.concatenate([grid, marks[(marks > low) & (marks < high)]]))
+        edges = distinct(np.concatenate([grid, marks[(marks > low) & (marks < high)]]))
     unit = Panels(np.array([0.0, 1.0]), FINE)
     u, weights = unit.x[0], unit.total(np.eye(FINE)[:, None, :])
     a, b = edges[:-1, None], edges[1:, None]

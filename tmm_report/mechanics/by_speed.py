@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from tmm_report.mechanics.characteristics import BySpeed, Geared
+from tmm_report.mechanics.distinct import distinct
 from tmm_report.mechanics.machine import Acting, Plant
 from tmm_report.mechanics.motion_law import SAMPLES, NeverReached, Run
 from tmm_report.mechanics.panels import Panels
@@ -44,7 +45,7 @@ def _edges(plant: Plant, start: float, end: float) -> tuple[Array, Array]:
     breaks = np.array([x for one in plant.laws for x in _kinks(one)])
     low, high = min(start, end), max(start, end)
     inner = breaks[(breaks > low) & (breaks < high)] if breaks.size else breaks
-    distances = np.unique(np.abs(np.concatenate([grid, inner]) - start))
+    distances = distinct(np.abs(np.concatenate([grid, inner]) - start))
     return distances, grid
 
 

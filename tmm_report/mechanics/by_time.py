@@ -7,7 +7,6 @@ one go by collocation in the angle (`steady.advanced`), which costs a tenth of t
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from itertools import count, pairwise
 from math import cos
 from typing import Any
@@ -19,6 +18,7 @@ from tmm_report.mechanics.characteristics import TIME, ByTime, Geared
 from tmm_report.mechanics.machine import Acting, Plant, level, pointwise
 from tmm_report.mechanics.motion_law import MOST, SAMPLES, STEPPED, TURNS, Goal, NeverReached, Run
 from tmm_report.mechanics.steady import advanced
+from tmm_report.records import dataclass
 
 Array = Any
 RELATIVE, ABSOLUTE = 1e-9, 1e-11

@@ -15,7 +15,6 @@ Source: Artobolevsky, Theory of mechanisms and machines, ch. 26; Levitsky, Cam m
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
@@ -23,6 +22,7 @@ import numpy as np
 
 from tmm_report.mechanics.cam_laws import FULL_TURN, Law
 from tmm_report.mechanics.planar import cross, dot
+from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
     from tmm_report.mechanics.mechanism import Mechanism

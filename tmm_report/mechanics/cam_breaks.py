@@ -14,6 +14,7 @@ import numpy as np
 from tmm_report.mechanics.cam import ByLaw, Cam, Sliding, lowest_sliding, lowest_swinging
 from tmm_report.mechanics.cam_laws import EDGE, FULL_TURN
 from tmm_report.mechanics.cam_profile import ByProfile, Polar
+from tmm_report.mechanics.distinct import distinct
 from tmm_report.mechanics.mechanism import Mechanism
 
 Array = Any
@@ -25,7 +26,7 @@ NEAR = 0.1  # rad from a break: there a derivative is taken within its piece
 def breaks(mechanism: Mechanism) -> Array:
     """Angles of the driving link's x axis at which the motion is not smooth, rad, ascending within a turn."""
     found = [phi for cam in mechanism.cams for phi in _of_cam(cam)]
-    return np.unique(np.mod(np.array(found, dtype=float), FULL_TURN))
+    return distinct(np.mod(np.array(found, dtype=float), FULL_TURN))
 
 
 def law_sense(mechanism: Mechanism) -> int:
@@ -57,7 +58,7 @@ def slope_within(of: Callable[[Array], Array], phi: Array, sense: int, edges: Ar
     """d of/dφ at the angles that lie near a break, from values of the piece that each lies in (at a break of the one
     that begins there, in the sense of rotation); which these are, (P,) of bool. `of`: (N, P) -> (N, P)."""
     x = sense * np.asarray(phi, dtype=float)
-    at = np.unique(np.mod(sense * edges, FULL_TURN))
+    at = distinct(np.mod(sense * edges, FULL_TURN))
     here = np.mod(x + EDGE, FULL_TURN)
     k = np.searchsorted(at, here, side="right")
     before = np.where(k > 0, at[k - 1], at[-1] - FULL_TURN)

@@ -9,7 +9,7 @@ Source: Artobolevsky, Theory of mechanisms and machines, ch. 2 (replacing of hig
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 from typing import Any
 
 import numpy as np
@@ -19,6 +19,7 @@ from tmm_report.mechanics.dyads import Dyad, State, dyad
 from tmm_report.mechanics.mechanism import FRAME, Guide, Link, Mechanism, Slide
 from tmm_report.mechanics.motion import Linkage, Motion, solve
 from tmm_report.mechanics.structure import Group, Pair
+from tmm_report.records import dataclass
 
 Array = Any
 ALONE = 1.0 + 0j  # KB in the axes of the replacing link

@@ -15,11 +15,12 @@ Source: Artobolevsky, Theory of mechanisms and machines, ch. 26; Frolov (ed.), T
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
 
 import numpy as np
+
+from tmm_report.records import dataclass
 
 Array = Any
 Kind = Literal["rise", "dwell", "return"]

@@ -13,7 +13,6 @@ accelerations to O(n⁻²). Source: Levitsky, Cam mechanisms, ch. 3; de Boor, A 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -22,6 +21,7 @@ import numpy as np
 from tmm_report.mechanics.cam import Moved, Sliding, Swinging, bounded
 from tmm_report.mechanics.cam_laws import FULL_TURN, Spline
 from tmm_report.mechanics.planar import cross, dot, resolve
+from tmm_report.records import dataclass
 
 Array = Any
 LAID = 720  # points by which the contact is first found

@@ -8,13 +8,13 @@ where it is against the rotation, and whoever adds it up changes its sign. `of` 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, ClassVar, Protocol
 
 import numpy as np
 
 from tmm_report.mechanics.repeated import repeated
+from tmm_report.records import dataclass
 
 Array = Any
 SPEED, ANGLE, TIME, NOTHING = "speed", "angle", "time", ""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from tmm_report.records import dataclass
 
 EXACT = 1e-9  # relative: a margin of rounding is none
 

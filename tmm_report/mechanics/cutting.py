@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Any
 
@@ -19,6 +18,7 @@ import numpy as np
 from tmm_report.mechanics.involute import inv, inverse
 from tmm_report.mechanics.rack import Rack, arccos, involute_start
 from tmm_report.mechanics.roots import interpolated
+from tmm_report.records import dataclass
 
 Array = Any
 Curve = Callable[[Array], Array]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, assert_never
 
@@ -21,6 +20,7 @@ from tmm_report.mechanics.searched import Slope as Slope
 from tmm_report.mechanics.searched import noise_of as noise_of
 from tmm_report.mechanics.singular import Critical, criticals
 from tmm_report.problems import N_, Message, ProblemError, mistake
+from tmm_report.records import dataclass
 
 Array = Any
 
@@ -135,6 +135,13 @@ class Cycle(Search):
         """Angles turned from position 0 at which a group comes to the limit of its assembly, rad, of a turn."""
         limits = np.array([x for critical in self.critical for x in critical.limits])
         return np.mod(self.sense * (limits - self.zero), FULL_TURN)
+
+    @cached_property
+    def poles(self) -> Array:
+        """Angles turned within the sweep at which guides of a dyad are parallel and its links run away, rad."""
+        poles = np.array([x for critical in self.critical for x in critical.parallel])
+        turned = np.mod(self.sense * (poles - self.zero), FULL_TURN)
+        return np.sort(turned[turned <= self.sweep])
 
     @cached_property
     def ends(self) -> Array:

@@ -23,7 +23,7 @@ Source: Artobolevsky, Theory of mechanisms and machines, ch. 4-5, 13; Levitsky, 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from typing import Any
 
@@ -32,6 +32,7 @@ import numpy as np
 from tmm_report.mechanics.mechanism import FRAME, Mechanism, Scalar
 from tmm_report.mechanics.planar import components, cross, dual, is_zero, resolve, sine
 from tmm_report.mechanics.structure import Group, Pair
+from tmm_report.records import dataclass
 
 Array = Any
 ROUNDING = 1e-12  # square of a sine that cannot be told from 0

@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -21,6 +20,7 @@ from tmm_report.mechanics.eccentric import ring_tip
 from tmm_report.mechanics.polygons import clearance, overlap
 from tmm_report.mechanics.spur import Rack
 from tmm_report.mechanics.teeth import Wheel, external, mating_turn, ring
+from tmm_report.records import dataclass
 
 Array = Any
 

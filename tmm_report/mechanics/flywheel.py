@@ -17,13 +17,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import Any
 
 import numpy as np
 
 from tmm_report.mechanics.panels import Panels
+from tmm_report.records import dataclass
 
 Array = Any
 

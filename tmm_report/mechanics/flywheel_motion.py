@@ -8,13 +8,13 @@ ch. 16, 19)
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import Any
 
 import numpy as np
 
 from tmm_report.mechanics.flywheel import Cycle, Touch, tangent
+from tmm_report.records import dataclass
 
 Array = Any
 STEPS = 8  # steps of the integration in a panel

@@ -36,7 +36,7 @@ def velocities(s: State, group: HigherGroup) -> Array:
     loops = group.loops
     q = loops.read(s)
     rate = -solve_each(loops.jacobian(s, q), loops.known_rate(s, q))
-    loops.move(s, q)
+    loops.move(s)
     return rate
 
 
@@ -55,7 +55,8 @@ def accelerations(s: State, group: HigherGroup, rate: Array) -> None:
         else:
             s.turn_with(link, root)
     known = loops._known(s, loops._links, q.shape[:-1], 2)
-    bent = known + loops._sum(*loops._second(s, q, rate, second), loops._links)
+    second_of = loops._second(s, loops.vectors(s, q), rate, second)
+    bent = known + loops._sum(*second_of, loops._links)
     for k, link in enumerate(group.links):
         s.a[link] = bent[k]
 

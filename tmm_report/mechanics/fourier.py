@@ -8,10 +8,11 @@ exponentially convergent trapezoidal rule, SIAM Review 56)
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+
+from tmm_report.records import dataclass
 
 Array = Any
 TAIL = 1e-12  # of the largest harmonic: what is beyond is rounding

@@ -9,10 +9,11 @@ Source: Artobolevsky, Theory of mechanisms and machines, ch. 13; Frolov (ed.), T
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+
+from tmm_report.records import dataclass
 
 Array = Any
 

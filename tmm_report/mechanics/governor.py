@@ -8,10 +8,11 @@ A = n m r r', E = n m g h' + M g + F(z), and r', h' are the derivatives of radiu
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+
+from tmm_report.records import dataclass
 
 Array = Any
 GRAVITY = 9.81  # m/s²

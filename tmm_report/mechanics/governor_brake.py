@@ -6,10 +6,11 @@ Contact begins where m ρ ω² is the force of the spring at the drum: ω₀. Fr
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+
+from tmm_report.records import dataclass
 
 Array = Any
 

@@ -7,10 +7,11 @@ Popov, Theory of automatic control systems; Neimark 1948 for the boundary over t
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+
+from tmm_report.records import dataclass
 
 Array = Any
 

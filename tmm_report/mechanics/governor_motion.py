@@ -8,7 +8,6 @@ exceed friction, and on its stops, which it hits without rebound.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -16,6 +15,7 @@ import numpy as np
 from tmm_report.mechanics.governor import Equilibrium
 from tmm_report.mechanics.governor_loop import Servo
 from tmm_report.mechanics.governor_steps import Left, Rates, State, follow, follow_stiff
+from tmm_report.records import dataclass
 
 Array = Any
 DEGREE = 36  # at most, of the polynomials of E, A, m over the lift

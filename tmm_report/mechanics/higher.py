@@ -8,7 +8,7 @@ the branch than its own can is not taken.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
@@ -21,6 +21,7 @@ from tmm_report.mechanics.dyads import State
 from tmm_report.mechanics.loops import Loops, newton
 from tmm_report.mechanics.structure import Group, Pair
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
+from tmm_report.records import dataclass
 
 __all__ = ["Branch", "HigherGroup", "Known", "Run"]
 
@@ -121,7 +122,7 @@ class HigherGroup:
 
     def move(self, s: State) -> None:
         """Add the rates of the links to the state."""
-        self.loops.move(s, self.loops.read(s))
+        self.loops.move(s)
 
     def closeness(self, s: State) -> Array:
         """Smallest singular value of the scaled Jacobian, (..., P)."""

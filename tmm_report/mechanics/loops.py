@@ -12,185 +12,101 @@ Source: Levitsky, Theory of mechanisms and machines, ch. 3; Artobolevsky, ch. 4-
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from tmm_report.mechanics.contour_forms import Contours, Direction, Form, known_part
 from tmm_report.mechanics.dyads import State
-from tmm_report.mechanics.mechanism import Scalar
-from tmm_report.mechanics.structure import Group, Pair
-from tmm_report.problems import N_, Message, ProblemError, mistake
+from tmm_report.mechanics.planar import dot
+from tmm_report.mechanics.structure import Pair
 
 Array = Any
-Root = int | str  # what a direction turns with: an unknown direction by number, or a known link by name
+__all__ = ["Direction", "Form", "Loops", "newton", "solve_each"]
 
 
-@dataclass(frozen=True, eq=False)
-class Direction:
-    """A direction fixed to an unknown direction U_c or to a known link: U_c·turn, or u_link·turn."""
+class Vectors(NamedTuple):
+    """Unit directions U (angles, ..., P); of the guides T and s·T (guides, ..., P), the latter W in m."""
 
-    root: Root
-    turn: Scalar
-
-
-@dataclass(frozen=True, eq=False)
-class Form:
-    """A vector linear in the unknown vectors: Σ points of known links + Σ vectors fixed to known links + Σ
-    units[c]·U_c + Σ slides[p]·s_p·T_p."""
-
-    points: tuple[tuple[int, str, Scalar], ...] = ()  # ±1, known link, place in its axes
-    vectors: tuple[tuple[str, Scalar], ...] = ()
-    units: tuple[tuple[int, Scalar], ...] = ()
-    slides: tuple[tuple[int, int], ...] = ()
-
-    def __add__(self, other: Form) -> Form:
-        return Form(
-            self.points + other.points,
-            self.vectors + other.vectors,
-            self.units + other.units,
-            self.slides + other.slides,
-        )
-
-    def __neg__(self) -> Form:
-        return Form(
-            tuple((-sign, link, at) for sign, link, at in self.points),
-            tuple((link, -arm) for link, arm in self.vectors),
-            tuple((c, -arm) for c, arm in self.units),
-            tuple((p, -sign) for p, sign in self.slides),
-        )
+    U: Array
+    T: Array
+    W: Array
 
 
-class Loops:
+class Loops(Contours):
     """The contours of one group. `q` everywhere is (..., P, k): directions, rad, then displacements over `size`."""
-
-    def __init__(self, group: Group):
-        self.group = group
-        self.sliding = tuple(pair for pair in (*group.outer, *group.inner) if pair.kind == "P")
-        self.directions = _directions(group)
-        self.angles = 1 + max(
-            (d.root for d in self.directions.values() if isinstance(d.root, int)), default=-1
-        )
-        self.guides = tuple(self._guide(pair) for pair in self.sliding)
-        self.origins: dict[str, Scalar] = {}
-        self.places: dict[str, Form] = {}
-        self.references: dict[str, Pair] = {}
-        self.closures = self._build()
-
-    # ------------------------------------------------------------ building
-
-    def _guide(self, pair: Pair) -> Direction:
-        """Direction of a guide as seen from the group."""
-        link = next(end for end in pair.links if end in self.directions)
-        of = self.directions[link]
-        return Direction(of.root, of.turn * pair.along[link])
-
-    def _build(self) -> tuple[Form, ...]:
-        """Place the links one from another, outer pairs first; the pairs left over close the contours."""
-        waiting = [*self.group.outer, *self.group.inner]
-        while len(self.places) < len(self.group.links):
-            pair = next(p for p in waiting if self._open_end(p) is not None)
-            waiting.remove(pair)
-            child = str(self._open_end(pair))
-            self.origins[child], self.references[child] = pair.at[child], pair
-            gap = self._gap(pair, child)
-            self.places[child] = self._point(pair.other(child), pair.at[pair.other(child)]) + gap
-        return tuple(self._closure(pair) for pair in waiting)
-
-    def _open_end(self, pair: Pair) -> str | None:
-        """The link that the pair can place from its other end; None where both or neither are placed."""
-        known = [end not in self.group.links or end in self.places for end in pair.links]
-        return pair.links[known.index(False)] if sum(known) == 1 else None
-
-    def _point(self, link: str, at: Scalar) -> Form:
-        if link not in self.group.links:
-            return Form(points=((1, link, at),))
-        return self.places[link] + self._fixed(link, at - self.origins[link])
-
-    def _fixed(self, link: str, arm: Scalar) -> Form:
-        """A vector fixed to a link of the group."""
-        of = self.directions[link]
-        if isinstance(of.root, str):
-            return Form(vectors=((of.root, of.turn * arm),))
-        return Form(units=((of.root, of.turn * arm),))
-
-    def _gap(self, pair: Pair, end: str) -> Form:
-        """From the other link's joint to that of `end`: nothing in a pivot, ±s·T along a guide."""
-        if pair.kind == "R":
-            return Form()
-        return Form(slides=((self.sliding.index(pair), 1 if end == pair.slider else -1),))
-
-    def _closure(self, pair: Pair) -> Form:
-        one, other = pair.links
-        return self._point(one, pair.at[one]) + self._gap(pair, other) + -self._point(other, pair.at[other])
-
-    @cached_property
-    def _rows(self) -> tuple[Form, ...]:
-        """The contours, then the places of the links."""
-        return (*self.closures, *(self.places[link] for link in self.group.links))
-
-    @cached_property
-    def units(self) -> Array:
-        """Coefficients of U, (rows, angles) or (rows, angles, V, 1), m."""
-        rows = [
-            [sum((arm for c, arm in form.units if c == n), 0j) for n in range(self.angles)]
-            for form in self._rows
-        ]
-        shape = np.broadcast_shapes(*(np.shape(x) for row in rows for x in row))
-        rows = [[np.broadcast_to(x, shape) for x in row] for row in rows]
-        return np.array(rows, dtype=complex).reshape(len(self._rows), self.angles, *shape)
-
-    @cached_property
-    def slides(self) -> Array:
-        """Coefficients of s·T, (rows, guides)."""
-        count = len(self.sliding)
-        rows = [[sum(sign for p, sign in form.slides if p == n) for n in range(count)] for form in self._rows]
-        return np.array(rows, dtype=float).reshape(len(self._rows), count)
-
-    @cached_property
-    def size(self) -> float:
-        """The longest arm of the group, m: its measure of length."""
-        arms = [pair.at[link] for pair in (*self.group.outer, *self.group.inner) for link in pair.links]
-        sizes = (np.max(np.abs(x), initial=0.0) for x in (self.units, *arms))
-        return float(next((size for size in sizes if size > 0), 1.0))
-
-    @cached_property
-    def turns_with(self) -> Array:
-        """1 where a guide (row) turns with an unknown direction (column)."""
-        rows = [[float(guide.root == c) for c in range(self.angles)] for guide in self.guides]
-        return np.array(rows).reshape(len(self.guides), self.angles)
 
     # ------------------------------------------------------------ positions
 
-    def vectors(self, s: State, q: Array) -> tuple[Array, Array, Array]:
-        """U (angles, ..., P), T and s·T (guides, ..., P), the last in m."""
-        shape = q.shape[:-1]
-        U = np.exp(1j * np.moveaxis(q[..., : self.angles], -1, 0))
-        slides = self.size * np.moveaxis(q[..., self.angles :], -1, 0)
-        if not self.guides:
-            none = np.zeros((0, *shape), dtype=complex)
-            return U, none, none
-        rows = [
-            np.broadcast_to((U[g.root] if isinstance(g.root, int) else s.u[g.root]) * g.turn, shape)
-            for g in self.guides
-        ]
-        T = np.array(rows, dtype=complex).reshape(len(rows), *shape)
-        return U, T, slides * T
+    def vectors(self, s: State, q: Array) -> Vectors:
+        """The vectors of the unknown directions and guides at q."""
+        numbers = _first(q)
+        U = np.empty((self.angles, *q.shape[:-1]), dtype=complex)
+        U.real, U.imag = np.cos(numbers[: self.angles]), np.sin(numbers[: self.angles])
+        T = self._along(s, U)
+        return Vectors(U, T, self.size * numbers[self.angles :] * T)
 
-    def _arms(self, U: Array, rows: slice = slice(None)) -> Array:
+    def _along(self, s: State, U: Array) -> Array:
+        """Unit directions of the guides, (guides, ..., P)."""
+        T = np.empty((len(self.guides), *U.shape[1:]), dtype=complex)
+        for p, guide in enumerate(self.guides):
+            T[p] = (U[guide.root] if isinstance(guide.root, int) else s.u[guide.root]) * guide.turn
+        return T
+
+    def placed(self, s: State) -> Vectors:
+        """The vectors of links already placed in the state."""
+        shape = np.broadcast_shapes(*(np.shape(s.u[link]) for link in self.group.links))
+        U = np.empty((self.angles, *shape), dtype=complex)
+        for link in self.group.links:
+            of = self.directions[link]
+            if isinstance(of.root, int):
+                U[of.root] = s.u[link] / of.turn
+        T = self._along(s, U)
+        W = np.empty(T.shape, dtype=complex)
+        for p, pair in enumerate(self.sliding):
+            W[p] = self._displacement(s, pair, T[p]) * T[p]
+        return Vectors(U, T, W)
+
+    def _displacement(self, s: State, pair: Pair, t: Array) -> Array:
+        """How far the slider stands along the guide of direction `t`, m."""
+        slider = str(pair.slider)
+        carrier = pair.other(slider)
+        gap = s.world(slider, pair.at[slider]) - s.world(carrier, pair.at[carrier])
+        return dot(t, gap)
+
+    def read(self, s: State) -> Array:
+        """q of links already placed in the state, (..., P, k): the inverse of `place`."""
+        at = self.placed(s)
+        slides = [self._displacement(s, pair, at.T[p]) for p, pair in enumerate(self.sliding)]
+        q = np.empty((*at.U.shape[1:], self.angles + len(slides)))
+        for c, u in enumerate(at.U):
+            q[..., c] = np.angle(u)
+        for p, x in enumerate(slides, start=self.angles):
+            q[..., p] = x / self.size
+        return q
+
+    def _arms(self, U: Array, rows: slice) -> Array:
         """Coefficients times U, (rows, angles, ..., P)."""
         units = self.units[rows]
         own = units.shape[2:]
-        units = units.reshape(*units.shape[:2], *(1,) * (U.ndim - 1 - len(own)), *own)
-        return units * U
+        return units.reshape(*units.shape[:2], *(1,) * (U.ndim - 1 - len(own)), *own) * U
+
+    def _slid(self, W: Array, rows: slice) -> Array:
+        """Coefficients times vectors of the guides, (rows, guides, ..., P)."""
+        signs = self.slides[rows]
+        return signs.reshape(*signs.shape, *(1,) * (W.ndim - 1)) * W
 
     def _sum(self, U: Array, W: Array, rows: slice) -> Array:
-        return self._arms(U, rows).sum(axis=1) + np.tensordot(self.slides[rows], W, axes=1)
+        total = self._arms(U, rows).sum(axis=1)
+        return total + self._slid(W, rows).sum(axis=1) if len(W) else total
 
     def _known(self, s: State, rows: slice, shape: tuple[int, ...], order: int) -> Array:
         """The known part of the rows, or its first or second derivative, (rows, ..., P)."""
-        return np.array([np.broadcast_to(_known(s, form, order), shape) for form in self._rows[rows]])
+        forms = self._rows[rows]
+        found = np.empty((len(forms), *shape), dtype=complex)
+        for k, form in enumerate(forms):
+            found[k] = known_part(s, form, order)
+        return found
 
     @property
     def _contours(self) -> slice:
@@ -210,116 +126,114 @@ class Loops:
 
     def closing(self, s: State, q: Array, gaps: Array) -> tuple[Array, Array]:
         """The residual and the Jacobian at q."""
-        U, T, W = self.vectors(s, q)
-        arms, sliding = self._arms(U, self._contours), self._sliding(W)
-        residual = gaps + arms.sum(axis=1) + (sliding * W).sum(axis=1)
-        return self._real(residual), self._jacobian(arms, sliding, T, W)
+        at = self.vectors(s, q)
+        arms, slid = self._arms(at.U, self._contours), self._slid(at.W, self._contours)
+        residual = gaps + arms.sum(axis=1)
+        if len(slid[0]):
+            residual += slid.sum(axis=1)
+        return self._real(residual), self._columns(at, arms, slid)
 
     def _real(self, contours: Array) -> Array:
         """Complex (k/2, ..., P), m -> real (..., P, k) over `size`."""
-        return np.moveaxis(np.concatenate([contours.real, contours.imag]), 0, -1) / self.size
+        return _last(np.concatenate([contours.real, contours.imag])) / self.size
 
     def jacobian(self, s: State, q: Array) -> Array:
         """∂residual/∂q, (..., P, k, k)."""
-        U, T, W = self.vectors(s, q)
-        return self._jacobian(self._arms(U, self._contours), self._sliding(W), T, W)
+        return self._jacobian(self.vectors(s, q))
 
-    def _sliding(self, W: Array) -> Array:
-        """Coefficients of s·T in the contours, to be multiplied by arrays like W."""
-        return self.slides[self._contours].reshape(len(self.closures), -1, *(1,) * (W.ndim - 1))
+    def _jacobian(self, at: Vectors) -> Array:
+        return self._columns(at, self._arms(at.U, self._contours), self._slid(at.W, self._contours))
 
-    def _jacobian(self, arms: Array, sliding: Array, T: Array, W: Array) -> Array:
-        if not len(W):
-            columns = 1j * arms / self.size
-            return np.moveaxis(np.concatenate([columns.real, columns.imag]), (0, 1), (-2, -1))
-        turned = np.moveaxis(np.tensordot(sliding * W, self.turns_with, axes=(1, 0)), -1, 1)
-        columns = np.concatenate([1j * (arms + turned) / self.size, sliding * T], axis=1)
-        return np.moveaxis(np.concatenate([columns.real, columns.imag]), (0, 1), (-2, -1))
+    def _columns(self, at: Vectors, arms: Array, slid: Array) -> Array:
+        """The Jacobian: a column for every direction, and what turns with it, and for every displacement."""
+        n, rows, k = self.angles, len(arms), self.angles + len(self.guides)
+        turned = arms / self.size
+        for p, guide in enumerate(self.guides):
+            if isinstance(guide.root, int):
+                turned[:, guide.root] += slid[:, p] / self.size
+        J = np.empty((2 * rows, k, *arms.shape[2:]))
+        J[:rows, :n], J[rows:, :n] = -turned.imag, turned.real
+        if k > n:
+            along = self._slid(at.T, self._contours)
+            J[:rows, n:], J[rows:, n:] = along.real, along.imag
+        return _last(J, 2)
 
     def place(self, s: State, q: Array) -> None:
         """Add the poses of the links to the state."""
-        U, _, W = self.vectors(s, q)
-        r = self._known(s, self._links, q.shape[:-1], 0) + self._sum(U, W, self._links)
+        at = self.vectors(s, q)
+        r = self._known(s, self._links, q.shape[:-1], 0) + self._sum(at.U, at.W, self._links)
         for k, link in enumerate(self.group.links):
             of = self.directions[link]
             s.o[link], s.r[link] = self.origins[link], r[k]
-            s.u[link] = (U[of.root] if isinstance(of.root, int) else s.u[of.root]) * of.turn
-
-    def read(self, s: State) -> Array:
-        """q of links already placed in the state, (..., P, k): the inverse of `place`."""
-        shape = np.broadcast_shapes(*(np.shape(s.u[link]) for link in self.group.links))
-        q = np.empty((*shape, self.angles + len(self.sliding)))
-        for link in self.group.links:
-            of = self.directions[link]
-            if isinstance(of.root, int):
-                q[..., of.root] = np.angle(s.u[link] / of.turn)
-        for p, pair in enumerate(self.sliding):
-            slider = str(pair.slider)
-            carrier = pair.other(slider)
-            t = s.u[carrier] * pair.along[carrier]
-            gap = s.world(slider, pair.at[slider]) - s.world(carrier, pair.at[carrier])
-            q[..., self.angles + p] = (t.conjugate() * gap).real / self.size
-        return q
+            s.u[link] = (at.U[of.root] if isinstance(of.root, int) else s.u[of.root]) * of.turn
 
     # ------------------------------------------------------------ rates
 
     def known_rate(self, s: State, q: Array) -> Array:
         """First derivative of the contours by time with q kept, (..., P, k)."""
-        _, _, W = self.vectors(s, q)
-        shape = q.shape[:-1]
-        moving = self._turning(s, W, order=1)
-        rate = self._known(s, self._contours, shape, 1) + np.tensordot(
-            self.slides[self._contours], moving, axes=1
-        )
-        return self._real(rate)
+        return self._known_rate(s, self.vectors(s, q))
+
+    def _known_rate(self, s: State, at: Vectors) -> Array:
+        known = self._known(s, self._contours, at.U.shape[1:], 1)
+        return self._real(known + self._slid(self._turning(s, at.W), self._contours).sum(axis=1))
+
+    def _turning(self, s: State, W: Array) -> Array:
+        """Derivative of s·T with s kept, of guides on known links; 0 of the others."""
+        turning = np.zeros_like(W)
+        for p, guide in enumerate(self.guides):
+            if isinstance(guide.root, str):
+                turning[p] = s.iw[guide.root] * W[p]
+        return turning
 
     def bend(self, s: State, q: Array, rate: Array) -> Array:
         """Second derivative of the contours by time with q' = `rate` and q'' = 0, (..., P, k)."""
-        U, W = self._second(s, q, rate, None)
-        contours = self._known(s, self._contours, q.shape[:-1], 2) + self._sum(U, W, self._contours)
+        return self._bend(s, self.vectors(s, q), rate)
+
+    def _bend(self, s: State, at: Vectors, rate: Array) -> Array:
+        U, W = self._second(s, at, rate, None)
+        contours = self._known(s, self._contours, at.U.shape[1:], 2) + self._sum(U, W, self._contours)
         return self._real(contours)
 
-    def _turning(self, s: State, W: Array, order: int) -> Array:
-        """Derivative of s·T with s kept, of guides on known links; 0 of the others."""
-        rates = [0.0 if isinstance(g.root, int) else (s.iw, s.ie)[order - 1][g.root] for g in self.guides]
-        return np.array([np.broadcast_to(x, W.shape[1:]) for x in rates]).reshape(W.shape) * W
-
-    def _second(self, s: State, q: Array, rate: Array, second: Array | None) -> tuple[Array, Array]:
+    def _second(self, s: State, at: Vectors, rate: Array, second: Array | None) -> tuple[Array, Array]:
         """Second derivatives of U and of s·T; `second` None stands for 0."""
-        U, T, W = self.vectors(s, q)
         zero = np.zeros_like(rate) if second is None else second
-        w, e = (np.moveaxis(x[..., : self.angles], -1, 0) for x in (rate, zero))
-        v, a = (self.size * np.moveaxis(x[..., self.angles :], -1, 0) for x in (rate, zero))
+        (w, v), (e, a) = self._parts(rate), self._parts(zero)
         iw, ie = 1j * w, 1j * e - w * w
-        turn = [
-            (iw[g.root], ie[g.root]) if isinstance(g.root, int) else (s.iw[g.root], s.ie[g.root])
-            for g in self.guides
-        ]
-        first = np.array([np.broadcast_to(x, W.shape[1:]) for x, _ in turn]).reshape(W.shape)
-        bent = np.array([np.broadcast_to(x, W.shape[1:]) for _, x in turn]).reshape(W.shape)
-        return ie * U, a * T + 2 * v * first * T + bent * W
+        W = np.empty_like(at.W)
+        for p, guide in enumerate(self.guides):
+            root = guide.root
+            turn, bend = (iw[root], ie[root]) if isinstance(root, int) else (s.iw[root], s.ie[root])
+            W[p] = a[p] * at.T[p] + 2 * v[p] * turn * at.T[p] + bend * at.W[p]
+        return ie * at.U, W
 
-    def move(self, s: State, q: Array) -> None:
-        """Add the rates of the links to the state."""
-        U, T, W = self.vectors(s, q)
-        shape = q.shape[:-1]
-        J = self.jacobian(s, q)
-        rate = -solve_each(J, self.known_rate(s, q))
-        second = -solve_each(J, self.bend(s, q, rate))
-        w, e = (np.moveaxis(x[..., : self.angles], -1, 0) for x in (rate, second))
-        iwU = 1j * w * U
-        dW = self.size * np.moveaxis(rate[..., self.angles :], -1, 0) * T
-        dW = dW + self._turning(s, W, 1) + np.tensordot(self.turns_with, 1j * w, axes=1) * W
-        v = self._known(s, self._links, shape, 1) + self._sum(iwU, dW, self._links)
+    def _parts(self, rate: Array) -> tuple[Array, Array]:
+        """Rates of the directions and, in m, of the displacements, (..., P) each."""
+        first = _first(rate)
+        return first[: self.angles], self.size * first[self.angles :]
+
+    def move(self, s: State) -> None:
+        """Add the rates of the links, already placed, to the state."""
+        at = self.placed(s)
+        shape = at.U.shape[1:]
+        J = self._jacobian(at)
+        rate = -solve_each(J, self._known_rate(s, at))
+        second = -solve_each(J, self._bend(s, at, rate))
+        (w, v), e = self._parts(rate), self._parts(second)[0]
+        iw, dW = 1j * w, v * at.T + self._turning(s, at.W)
+        for p, guide in enumerate(self.guides):
+            if isinstance(guide.root, int):
+                dW[p] += iw[guide.root] * at.W[p]
+        velocities = self._known(s, self._links, shape, 1) + self._sum(iw * at.U, dW, self._links)
         for link in self.group.links:
             root = self.directions[link].root
             if isinstance(root, int):
                 s.turn(link, w[root], e[root])
             else:
                 s.turn_with(link, root)
-        a = self._known(s, self._links, shape, 2) + self._sum(*self._second(s, q, rate, second), self._links)
+        bent = self._sum(*self._second(s, at, rate, second), self._links)
+        accelerations = self._known(s, self._links, shape, 2) + bent
         for k, link in enumerate(self.group.links):
-            s.carry(link, v[k], a[k])
+            s.carry(link, velocities[k], accelerations[k])
 
     def closeness(self, s: State, q: Array) -> Array:
         """Smallest singular value of the Jacobian with columns of length 1, (..., P): 0 in a singular position."""
@@ -329,62 +243,27 @@ class Loops:
         return np.where(lost, np.nan, np.linalg.svd(J, compute_uv=False)[..., -1])
 
 
-def _directions(group: Group) -> dict[str, Direction]:
-    """Direction of every link: links joined by guides turn alike. Raises ProblemError for a contour of guides alone."""
-    found: dict[str, Direction] = {}
-    sliding = [pair for pair in (*group.outer, *group.inner) if pair.kind == "P"]
-
-    def spread() -> None:
-        while pair := next(
-            (p for p in sliding if any(end in found or end not in group.links for end in p.links)), None
-        ):
-            sliding.remove(pair)
-            known = next(end for end in pair.links if end in found or end not in group.links)
-            other = pair.other(known)
-            of = found.get(known, Direction(known, 1.0))
-            if other in found:
-                raise ProblemError([_only_guides(pair, group)])
-            found[other] = Direction(of.root, of.turn * pair.along[known] / pair.along[other])
-
-    spread()
-    count = 0
-    for link in group.links:
-        if link not in found:
-            found[link] = Direction(count, 1.0)
-            count += 1
-            spread()
-    return found
+def _first(x: Array) -> Array:
+    """(..., k) -> (k, ...)."""
+    return x.transpose(x.ndim - 1, *range(x.ndim - 1))
 
 
-def _only_guides(pair: Pair, group: Group) -> Any:
-    text = N_("links %(links)s are joined in a contour by sliding pairs alone: a translation stays free")
-    right = Message(N_("make one of the pairs a pivot"))
-    return mistake(text, ("mechanism", "guides", pair.name), right, links=", ".join(group.links))
-
-
-def _known(s: State, form: Form, order: int) -> Array:
-    """The known part of a form, or its first or second derivative."""
-    total: Array = 0j
-    for sign, link, at in form.points:
-        if order == 0:
-            total = total + sign * s.world(link, at)
-        else:
-            rate = s.velocity if order == 1 else s.acceleration
-            total = total + sign * rate(link, s.u[link] * (at - s.o[link]))
-    for link, arm in form.vectors:
-        total = total + (1.0, s.iw.get(link), s.ie.get(link))[order] * s.u[link] * arm
-    return total
+def _last(x: Array, axes: int = 1) -> Array:
+    """(k, ...) -> (..., k), or so many axes at once."""
+    return x.transpose(*range(axes, x.ndim), *range(axes))
 
 
 def solve_each(A: Array, b: Array) -> Array:
     """Solve A x = b for every position, (..., P, k); nan where A is singular or not finite."""
+    if np.isfinite(A).all() and np.isfinite(b).all():
+        try:
+            return np.linalg.solve(A, b[..., None])[..., 0]
+        except np.linalg.LinAlgError:  # one singular position raises for the whole stack
+            pass
     lost = ~(np.isfinite(A).all(axis=(-2, -1)) & np.isfinite(b).all(axis=-1))
     A = np.where(lost[..., None, None], np.eye(A.shape[-1]), A)
-    try:
-        x = np.linalg.solve(A, b[..., None])[..., 0]
-    except np.linalg.LinAlgError:  # one singular position raises for the whole stack
-        lost = lost | (np.linalg.det(A) == 0)
-        x = np.linalg.solve(np.where(lost[..., None, None], np.eye(A.shape[-1]), A), b[..., None])[..., 0]
+    lost = lost | (np.linalg.det(A) == 0)
+    x = np.linalg.solve(np.where(lost[..., None, None], np.eye(A.shape[-1]), A), b[..., None])[..., 0]
     return np.where(lost[..., None], np.nan, x)
 
 

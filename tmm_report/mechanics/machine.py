@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -17,6 +16,7 @@ import numpy as np
 
 from tmm_report.mechanics.characteristics import SPEED, TIME, Characteristic
 from tmm_report.mechanics.panels import Panels
+from tmm_report.records import dataclass
 
 Array = Any
 

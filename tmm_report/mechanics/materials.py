@@ -6,10 +6,10 @@ Source: the table of the course (V. A. Yudin, L. V. Petrokas, Theory of mechanis
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from typing import Literal
 
 from tmm_report.problems import N_, Message
+from tmm_report.records import dataclass
 
 Range = tuple[float, float]  # from, to; equal where the table gives one number
 Lubrication = Literal["dry", "semi-fluid"]

@@ -8,11 +8,13 @@ then one Mechanism stands for V variants of the same scheme and everything solve
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
+
+from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
     from tmm_report.mechanics.cam import Cam

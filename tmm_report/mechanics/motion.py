@@ -6,8 +6,8 @@ Arrays are (..., P): variants, then positions of the driving link.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, fields
-from functools import cached_property
+from dataclasses import field, fields
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -18,6 +18,7 @@ from tmm_report.mechanics.higher import HigherGroup, Known
 from tmm_report.mechanics.mechanism import FRAME, Mechanism
 from tmm_report.mechanics.planar import is_zero
 from tmm_report.mechanics.structure import Structure
+from tmm_report.records import dataclass
 
 Array = Any
 SINGULAR = (
@@ -31,6 +32,7 @@ class Linkage:
 
     structure: Structure
     groups: tuple[Dyad | HigherGroup, ...]
+    straight: Any = None  # the same as straight lines of numpy, where it was compiled (see `compiled`)
 
     @property
     def mechanism(self) -> Mechanism:
@@ -128,7 +130,7 @@ class Motion:
 
     def _whole(self, x: Array) -> Array:
         """A result in full shape: what does not depend on the position or the variant is one number inside."""
-        return x if np.shape(x) == self.shape else np.broadcast_to(x, self.shape)
+        return x if getattr(x, "shape", ()) == self.shape else np.broadcast_to(x, self.shape)
 
     def turn(self, link: str) -> Array:
         """Direction of a link's x axis, unit complex, (..., P)."""
@@ -176,6 +178,10 @@ def positions(linkage: Linkage, phi: Array) -> State:
 
 def solve(linkage: Linkage, phi: Array, omega: Array | None = None) -> Motion:
     """Motion at driver angles `phi`, (P,) or (..., P), rad. What does not close is nan in its position only."""
+    lines = linkage.straight
+    if lines is not None and omega is None and np.ndim(phi) and lines.serves(linkage):
+        found: Motion = lines.motion(linkage, phi)
+        return found
     omega = linkage.mechanism.driver.omega if omega is None else omega
     with np.errstate(invalid="ignore", divide="ignore"):
         s = drive(linkage, phi, omega)
@@ -203,7 +209,11 @@ def apart(motion: Motion, linkages: Sequence[Linkage]) -> list[Motion]:
 
 def known_motion(before: Linkage) -> Known:
     """Motion of the driving link and the groups before another, rates by the driver's angle."""
-    return lambda phi: solve(before, phi, 1.0).state
+    return partial(_known_state, before)
+
+
+def _known_state(before: Linkage, phi: Array) -> State:
+    return solve(before, phi, 1.0).state
 
 
 def linkage_of(structure: Structure, signs: Sequence[int]) -> Linkage:

@@ -14,13 +14,13 @@ Here stand what a motion is and where it ends; the ways are `by_speed`, `by_angl
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
 
 import numpy as np
 
 from tmm_report.mechanics.machine import Acting, Plant
+from tmm_report.records import dataclass
 
 Array = Any
 Way = Literal["speed", "angle", "time"]

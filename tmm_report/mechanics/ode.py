@@ -7,8 +7,9 @@ backward differences; it is compiled, so that a step costs little more than the 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import Any
+
+from tmm_report.records import dataclass
 
 Array = Any
 Rate = Callable[[float, Array], Array]  # dy/dx of x and y (N,)

@@ -12,11 +12,13 @@ extremes and values between the points are found to the rounding of a double whe
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import Any
 
 import numpy as np
+
+from tmm_report.mechanics.distinct import distinct
+from tmm_report.records import dataclass
 
 Array = Any
 ORDER = 12  # points in a panel
@@ -190,7 +192,7 @@ def panels(
 ) -> Panels:
     """Panels over a period, none wider than `widest`, with edges at all the breaks within it."""
     inside = np.mod(np.asarray(breaks, dtype=float), period)
-    marks = np.unique(np.concatenate([[0.0], inside, [period]]))
+    marks = distinct(np.concatenate([[0.0], inside, [period]]))
     keep = np.concatenate([[True], np.diff(marks) > NARROWEST * period])
     marks = marks[keep]
     marks[-1] = period  # a break next to the end is the end

@@ -8,14 +8,16 @@ values of both its sides count, and which of them holds is told.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
 from typing import Any
 
 import numpy as np
 
 from tmm_report.mechanics.cycle import Extreme
+from tmm_report.mechanics.distinct import distinct
 from tmm_report.mechanics.panels import ORDER, Panels
+from tmm_report.records import dataclass
 
 Array = Any
 ALIKE = 1e-10  # values nearer than this part of the largest are one, and the first of them counts
@@ -181,6 +183,6 @@ def integral(over: Panels, values: Array, x: Array) -> Array:
 
 def signed(over: Panels, values: Array) -> tuple[float, float]:
     """Integrals of a function (K, n) over the period where it is above zero, and where it is below."""
-    marks = np.unique(np.concatenate([over.edges, still(over, values[None])[2]]))
+    marks = distinct(np.concatenate([over.edges, still(over, values[None])[2]]))
     parts = np.diff(integral(over, values, marks))
     return float(parts[parts > 0].sum()), float(parts[parts < 0].sum())

@@ -10,7 +10,7 @@ Conditions: Frolov (ed.), Theory of mechanisms and machines, ch. 15; Kudryavtsev
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 from functools import cached_property
 from typing import Any, Literal
 
@@ -21,6 +21,7 @@ from tmm_report.mechanics.involute import inv
 from tmm_report.mechanics.rings import fouling, radial
 from tmm_report.mechanics.spur import Rack
 from tmm_report.mechanics.wheels import arccos, clear_ring_tip, involute_start, root
+from tmm_report.records import dataclass
 
 Array = Any
 Member = Literal["wheel1", "wheel3", "carrier"]

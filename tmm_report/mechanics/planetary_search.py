@@ -10,7 +10,7 @@ candidates.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import IntEnum
 from typing import Any
 
@@ -39,6 +39,7 @@ from tmm_report.mechanics.planetary_task import (
     coaxiality_gap,
     extent,
 )
+from tmm_report.records import dataclass
 
 __all__ = ["LARGEST_SHIFTED", "STANDARD", "Task", "candidates", "extent", "search"]
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -23,6 +22,7 @@ from tmm_report.mechanics.planetary import (
     teeth_sums,
 )
 from tmm_report.mechanics.spur import Rack
+from tmm_report.records import dataclass
 
 Array = Any
 STANDARD = Rack()

@@ -8,7 +8,6 @@ A group above class II has as many branches as lead over its links from one join
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
@@ -19,6 +18,7 @@ from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.motion import SINGULAR, Linkage, Motion
 from tmm_report.mechanics.planar import if_known
 from tmm_report.mechanics.structure import Pair
+from tmm_report.records import dataclass
 
 Array = Any
 Part = Literal["n", "t", "k", "r"]  # normal and tangential; Coriolis and relative

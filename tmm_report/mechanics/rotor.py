@@ -9,10 +9,11 @@ J_xz + i J_yz, kg m². At the angular velocity ω the shaft is pulled by ω² Σ
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+
+from tmm_report.records import dataclass
 
 Array = Any
 CLEAR = 1e-9  # of the sizes summed up: less is as good as nothing

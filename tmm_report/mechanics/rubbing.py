@@ -10,7 +10,7 @@ that rub, solved by Newton's method for all positions together.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -22,6 +22,7 @@ from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.planar import cross, dot
 from tmm_report.mechanics.statics import Load, Reaction, Statics
 from tmm_report.mechanics.structure import Pair
+from tmm_report.records import dataclass
 
 Array = Any
 TOLERANCE = 1e-12  # of a pressing force, by the largest of the position

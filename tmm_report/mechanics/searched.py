@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from tmm_report.mechanics.brackets import LOW, certain, dips, finer, lowest, opened, signed_brackets
+from tmm_report.mechanics.distinct import distinct
 from tmm_report.mechanics.dyads import Dyad
 from tmm_report.mechanics.mechanism import Scalar
 from tmm_report.mechanics.motion import Linkage, Motion, solve
 from tmm_report.mechanics.roots import Finder, bracketed, interpolated
 from tmm_report.mechanics.singular import Critical, settle
+from tmm_report.records import dataclass
 
 Array = Any
 Quantity = Callable[[Motion], Array]
@@ -87,7 +88,7 @@ class Search:
         if self.closed:
             beside = grid[0] + np.mod(beside - grid[0], self.sweep)
         beside = beside[(beside > grid[0]) & (beside < grid[-1])]
-        grid = np.unique(np.concatenate([grid, beside]))
+        grid = distinct(np.concatenate([grid, beside]))
         return grid, self.motion(grid)
 
     @cached_property

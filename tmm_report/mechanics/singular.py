@@ -11,17 +11,19 @@ A change point is passed straight on: of the two continuations the smooth one ke
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from tmm_report.mechanics.cam_group import CamDyad
+from tmm_report.mechanics.distinct import distinct
 from tmm_report.mechanics.dyads import ROUNDING, Dyad, State, margin, reach
 from tmm_report.mechanics.higher import HigherGroup, Run
 from tmm_report.mechanics.motion import SINGULAR, Linkage, Motion, drive, known_motion, positions, solve
 from tmm_report.mechanics.planar import if_known
 from tmm_report.mechanics.roots import MIDDLE, bracketed, slope
+from tmm_report.records import dataclass
 
 Array = Any
 
@@ -30,7 +32,9 @@ STEP = 0.007  # rad, of the differences by which minima are found
 FULL_TURN = 2 * np.pi
 SOON = 0.05  # a margin that nowhere falls below this has no zero between the brackets
 LIMIT_STEP = 0.03  # rad, of the values beside a change point from which those in it are found
+ONE = 1e-7  # rad: minima as near as this are one
 HAIR = 1e-9  # rad, beside an end of the groups before
+POSED = 1e-5  # closeness from which poses beside it are solved more exactly than that finds them
 BESIDE = 5e-3  # closeness below which a position beside a change point is taken from its neighbours too
 
 
@@ -128,7 +132,7 @@ def _of_dyad(before: Linkage, d: Dyad, grid: Array, s: State, edges: list[float]
     low = _minima(of, grid, values)
     at_low = of(low) if low.size else low
     touching = np.abs(at_low) <= ROUNDING
-    zeros = tuple(np.sort(np.mod(low[touching], FULL_TURN)).tolist())
+    zeros = _distinct(low[touching])
     if d.kind > 3:
         return Critical(d, parallel=zeros)
     # a dip below zero between two grid points has both its ends there
@@ -140,6 +144,13 @@ def _of_dyad(before: Linkage, d: Dyad, grid: Array, s: State, edges: list[float]
     gaps = _gaps(of, np.array([*limits, *edges]))
     span = _reach(before, d, grid, s) if gaps else None
     return Critical(d, changes=zeros, limits=tuple(limits.tolist()), gaps=gaps, reach=span)
+
+
+def _distinct(angles: Array) -> tuple[float, ...]:
+    """Angles of the first turn, rad, ascending, each once: one at 0 may have been found at the end of the turn too."""
+    found = np.sort(np.mod(angles, FULL_TURN))
+    after = np.diff(np.append(found, found[:1] + FULL_TURN))
+    return tuple(found[after > ONE].tolist())
 
 
 def _within(angles: Array, grid: Array) -> Array:
@@ -179,7 +190,7 @@ def _crossings(of: Callable[[Array], Array], grid: Array, values: Array) -> Arra
 
 def _gaps(of: Callable[[Array], Array], edges: Array) -> tuple[tuple[float, float], ...]:
     """Intervals with a negative margin, between the angles at which it, or a group before, begins and ends to exist."""
-    start = np.unique(edges) if edges.size else np.array([0.0])
+    start = distinct(edges) if edges.size else np.array([0.0])
     end = np.append(start[1:], start[0] + FULL_TURN)
     negative = np.broadcast_to(of((start + end) / 2), start.shape) < -ROUNDING
     return tuple((float(a), float(b)) for a, b, lost in zip(start, end, negative, strict=True) if lost)
@@ -199,6 +210,17 @@ def _reach(before: Linkage, d: Dyad, grid: Array, s: State) -> tuple[float, floa
         found, _ = bracketed(lambda x: slope(of, x, STEP), grid[at], grid[at + 1], rates[at], noise=0.0)
         extremes = np.concatenate([values, of(found)])
     return float(np.sqrt(np.nanmin(extremes))), float(np.sqrt(np.nanmax(extremes)))
+
+
+def swept(linkage: Linkage, critical: Critical, first: float, last: float) -> Critical:
+    """The same of a dyad, its `reach` that of the driver's angles from `first` to `last` alone, rad, ascending."""
+    d = critical.group
+    if not isinstance(d, Dyad) or critical.reach is None:
+        return critical
+    before = replace(linkage, groups=linkage.groups[: list(linkage.groups).index(d)])
+    grid = np.linspace(first, last, SEARCH + 1)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return replace(critical, reach=_reach(before, d, grid, positions(before, grid)))
 
 
 def _of_higher(group: HigherGroup) -> Critical:
@@ -240,32 +262,45 @@ def _without(
 def settle(motion: Motion) -> Array:
     """Replace the motion at change points by its limit, where there is none by nan; the mask of the latter, (..., P).
 
-    The limit is taken from four positions on either side (eighth order), all of which are regular. Where the two sides
-    do not agree, or one of them does not exist, velocities are not defined: nan, never a number made of
-    rounding errors.
+    The limit of a group in its change point is taken from four positions on either side (eighth order), all of which
+    are regular; groups behind it are solved anew from there. Where the two sides do not agree, or one of them does not
+    exist, velocities are not defined: nan, never a number made of rounding errors.
     """
     s, linkage = motion.state, motion.linkage
     lost = np.zeros(motion.shape, dtype=bool)
-    for group in linkage.groups:
-        sine = motion.sines[group.group.label]
+    taken = False
+    for k, group in enumerate(linkage.groups):
+        with np.errstate(invalid="ignore", divide="ignore"):
+            if taken:
+                group.place(s)
+                group.move(s)
+            sine = (
+                np.broadcast_to(group.closeness(s), motion.shape)
+                if taken
+                else motion.sines[group.group.label]
+            )
         # a change point in which a link has no length to be placed by has no sine either
         near = (sine <= BESIDE) | ~np.isfinite(sine) if group.changes else sine <= SINGULAR
         if near.any():
-            lost = lost | (near & ~_take_limits(motion, near))
+            exists = _take_limits(motion, k, near, sine)
+            lost, taken = lost | (near & ~exists), taken or bool(exists.any())
         if lost.any():
             for rates in (s.v, s.w, s.a, s.e, s.iw, s.ie):
                 for link in group.links:
                     rates[link] = if_known(~lost, rates[link])
+    if taken:
+        vars(motion).pop("sines", None)
     return lost
 
 
-def _take_limits(motion: Motion, near: Array) -> Array:
-    """Put the limits of poses and rates into the state at the positions `near`; where they exist, (..., P)."""
+def _take_limits(motion: Motion, number: int, near: Array, sine: Array) -> Array:
+    """Put the limits of poses and rates of the group with this number into the state at the positions `near`; where
+    they exist, (..., P). Poses that lose no more than rounding over `sine` stay as they are solved."""
     exists = np.zeros(motion.shape, dtype=bool)
     if motion.linkage.axes:
         return exists
     s, phi = motion.state, np.broadcast_to(motion.phi, motion.shape)[near]
-    wide, narrow = (_limits(motion, phi, LIMIT_STEP / n) for n in (1, 2))
+    wide, narrow = (_limits(motion, number, phi, LIMIT_STEP / n) for n in (1, 2))
     good = np.ones(phi.shape, dtype=bool)
     omega = float(np.max(np.abs(motion.omega)))
     scales = dict.fromkeys(("r", "u", "v", "a"), 1e-300) | {"w": omega, "e": omega**2}
@@ -275,27 +310,32 @@ def _take_limits(motion: Motion, near: Array) -> Array:
         with np.errstate(invalid="ignore"):
             good &= np.abs(values - narrow[key]) <= 1e-6 * scales[key[0]]
     exists[near] = good
+    group = motion.linkage.groups[number]
     for (name, link), values in wide.items():
+        reference = group.references[link]
+        if name in "rva" and reference.kind == "R" and reference in group.group.outer:
+            continue  # a joint on a link known before moves as that link does
         part = getattr(s, name)
         whole = np.array(np.broadcast_to(part[link], motion.shape), dtype=values.dtype)
-        whole[exists] = values[good]
+        taken = exists & ~(sine > POSED) if name in ("r", "u") else exists
+        whole[taken] = values[taken[near]]
         part[link] = whole
-    for link in {link for _, link in wide}:
+    for link in group.links:
         with np.errstate(invalid="ignore", divide="ignore"):  # of positions that cannot be assembled
             s.u[link] = s.u[link] / np.abs(s.u[link])
         s.turn(link, s.w[link], s.e[link])
     return exists
 
 
-def _limits(motion: Motion, phi: Array, step: float) -> dict[tuple[str, str], Array]:
-    """Poses and rates of the groups' links at `phi`, (N,), each from its values at four positions on either side."""
+def _limits(motion: Motion, number: int, phi: Array, step: float) -> dict[tuple[str, str], Array]:
+    """Poses and rates of one group's links at `phi`, (N,), each from its values at four positions on either side."""
     k = np.arange(1, len(MIDDLE) + 1)[:, None] * step
-    beside = solve(motion.linkage, np.stack([phi + k, phi - k]), motion.omega).state
+    linkage = replace(motion.linkage, groups=motion.linkage.groups[: number + 1])
+    beside = solve(linkage, np.stack([phi + k, phi - k]), motion.omega).state
     shape = (2, len(MIDDLE), len(phi))
-    links = [link for group in motion.linkage.groups for link in group.links]
     found = {}
     for name in ("r", "u", "v", "w", "a", "e"):
-        for link in links:
+        for link in linkage.groups[number].links:
             values = np.broadcast_to(getattr(beside, name)[link], shape)
             found[name, link] = np.tensordot(MIDDLE, values[0] + values[1], axes=1)
     return found

@@ -11,7 +11,6 @@ Sources: Artobolevsky, ch. 13; Biezeno, Grammel, Engineering Dynamics, vol. 4.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from math import comb
 from typing import Any
 
@@ -24,6 +23,7 @@ from tmm_report.mechanics.fourier import Series
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.motion import Linkage
 from tmm_report.mechanics.planar import cross, dot
+from tmm_report.records import dataclass
 
 Array = Any
 

@@ -5,7 +5,6 @@ The wheels themselves, and how they are counted and signed, are in `wheels`. Eve
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -16,6 +15,7 @@ from tmm_report.mechanics.involute import inv, inverse
 from tmm_report.mechanics.rack import root
 from tmm_report.mechanics.rings import Cutting, cutting_of, fouling, radial
 from tmm_report.mechanics.wheels import Both, Cutter, Rack, Wheels, least_shift, signs_of
+from tmm_report.records import dataclass
 
 __all__ = ["Cutter", "Pair", "Rack", "Sliding", "fouling", "least_shift", "meshed", "shift_sum"]
 

@@ -7,7 +7,7 @@ Source: Artobolevsky, Theory of mechanisms and machines, ch. 13; Levitsky, ch. 7
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -18,7 +18,9 @@ from tmm_report.mechanics.loops import solve_each
 from tmm_report.mechanics.mechanism import FRAME, Link
 from tmm_report.mechanics.motion import SINGULAR, Motion
 from tmm_report.mechanics.planar import cross, dot, if_known, is_zero
+from tmm_report.mechanics.straight.run import Run, Straight
 from tmm_report.mechanics.structure import Pair
+from tmm_report.records import dataclass
 
 Array = Any
 
@@ -70,6 +72,8 @@ class Statics:
 
 def inertia_and_gravity(motion: Motion, gravity: complex) -> dict[str, Load]:
     """Gravity and d'Alembert's inertia force and couple of every moving link, about its reference point."""
+    if isinstance(motion, Run) and motion.unaltered:
+        return {name: Load(*load) for name, load in motion.inertia_and_gravity(gravity).items()}
     links = motion.linkage.mechanism.links
     return {name: _inertia_and_gravity(motion, links[name], gravity) for name in links if name != FRAME}
 
@@ -87,22 +91,41 @@ def _inertia_and_gravity(motion: Motion, link: Link, gravity: complex) -> Load:
 def solve(motion: Motion, loads: Mapping[str, Load]) -> Statics:
     """Reactions in every pair and the balancing moment under `loads` (link -> resultant), inertia among them. Where a
     gear turns the driving link, the reaction of the frame on it holds the force of the teeth too."""
-    s, linkage = motion.state, motion.linkage
-    rest = dict(loads)
+    if isinstance(motion, Run) and motion.unaltered and (values := motion.forces(loads)):
+        reactions, driver, pivot = _by_lines(motion.straight, values)
+    else:
+        reactions, rest = by_groups(motion, loads)
+        link = motion.linkage.mechanism.driver.link
+        driver, pivot = rest[link], motion.state.r[link]
+    driven, pair = motion.linkage.mechanism.driver, motion.linkage.structure.driver_pair
+    pushed = driven.gear.force(-driver.moment, driven.omega) if driven.gear else 0.0
+    reactions[pair.key] = Reaction(pair, -driver.force - pushed, 0.0, pivot)
+    return Statics(reactions, -driver.moment)
+
+
+def by_groups(motion: Motion, loads: Mapping[str, Load]) -> tuple[dict[str, Reaction], dict[str, Load]]:
+    """Reactions in every pair of the groups, and the loads that are left on the links they hang on."""
+    s, rest = motion.state, dict(loads)
     reactions: dict[str, Reaction] = {}
     with np.errstate(invalid="ignore", divide="ignore"):
-        for group in reversed(linkage.groups):
+        for group in reversed(motion.linkage.groups):
             outer, inner = _solve_group(s, group, rest)
             if (lost := motion.sines[group.group.label] <= SINGULAR).any():
                 outer, inner = ([_undefined(r, lost) for r in part] for part in (outer, inner))
             for reaction in outer:
                 _pass_on(s, rest, reaction)
             reactions |= {r.pair.key: r for r in (*outer, *inner)}
-    driven, pair = linkage.mechanism.driver, linkage.structure.driver_pair
-    driver = rest[driven.link]
-    pushed = driven.gear.force(-driver.moment, driven.omega) if driven.gear else 0.0
-    reactions[pair.key] = Reaction(pair, -driver.force - pushed, 0.0, s.r[driven.link])
-    return Statics(reactions, -driver.moment)
+    return reactions, rest
+
+
+def _by_lines(lines: Straight, v: list[Any]) -> tuple[dict[str, Reaction], Load, Array]:
+    """The same by the straight lines of a compiled linkage, the load left on the driving link, and its pivot."""
+    reactions = {
+        key: Reaction(pair, v[force], v[moment], v[at], v[along])
+        for key, (pair, force, moment, at, along) in lines.reactions.items()
+    }
+    force, moment, pivot = (v[n] for n in lines.driven)
+    return reactions, Load(force, moment), pivot
 
 
 def _solve_group(

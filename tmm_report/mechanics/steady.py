@@ -9,7 +9,6 @@ Seydel, Bifurcation and stability analysis, ch. 7)
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -17,6 +16,7 @@ import numpy as np
 
 from tmm_report.mechanics.machine import Plant
 from tmm_report.mechanics.panels import Panels
+from tmm_report.records import dataclass
 
 Array = Any
 STEPS, DONE = 40, 1e-12

@@ -6,12 +6,13 @@ Source: Artobolevsky, Theory of mechanisms and machines, ch. 2-3; W = 3n - 2p5 (
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from itertools import combinations, islice
 from typing import Literal
 
 from tmm_report.mechanics.mechanism import FRAME, Mechanism, Scalar
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake, shown
+from tmm_report.records import dataclass
 
 # (inner pair, sorted outer pairs) -> kind of the dyad; a third sliding pair (PPP) would leave a free translation
 DYAD_KINDS: dict[tuple[str, str], int] = {

@@ -22,7 +22,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -30,6 +30,7 @@ import numpy as np
 from tmm_report.mechanics.involute import inv, inverse
 from tmm_report.mechanics.polygons import overlap_and_clearance
 from tmm_report.mechanics.roots import interpolated
+from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
     from tmm_report.mechanics.spur import Rack

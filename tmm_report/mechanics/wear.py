@@ -9,10 +9,11 @@ Sources: Pronikov, Reliability of machines; the paper on wear of the prismatic p
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+
+from tmm_report.records import dataclass
 
 Array = Any
 

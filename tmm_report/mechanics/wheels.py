@@ -12,7 +12,6 @@ Where no such pair exists (teeth jammed, tips inside the base circle) the number
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -21,6 +20,7 @@ import numpy as np
 from tmm_report.mechanics.cutting import ByCutter, ByRack, Cut, Cutter, real_start
 from tmm_report.mechanics.involute import inv
 from tmm_report.mechanics.rack import Rack, arccos, clear_ring_tip, involute_start, least_shift, root
+from tmm_report.records import dataclass
 
 __all__ = ["Both", "Cutter", "Rack", "Wheels", "arccos", "clear_ring_tip", "involute_start", "least_ring"]
 __all__ += ["least_shift", "least_teeth", "ring_rule", "root", "signs_of"]

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from tmm_report.i18n import Translator
 from tmm_report.quantity.formula import Expr, Page, Var
 from tmm_report.quantity.symbols import Latex, MathML, Symbol, notation
+from tmm_report.records import dataclass
 
 
 @dataclass(frozen=True, eq=False)

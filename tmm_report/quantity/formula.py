@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -23,6 +22,7 @@ from tmm_report.problems import Message
 from tmm_report.quantity.ref import Ref, without_attributes
 from tmm_report.quantity.symbols import Latex, MathML, Symbol, math_symbol, notation, segment, with_power
 from tmm_report.quantity.text import ZERO, round_significant
+from tmm_report.records import dataclass
 
 Value = Any  # a number or an array (..., P)
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property, lru_cache
 from typing import Any, ParamSpec, TypeVar, cast
 
@@ -23,6 +23,7 @@ from tmm_report.quantity.formula import Expr, Formula, Var
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.units import factor
+from tmm_report.records import dataclass
 
 Array = Any
 Texts = Sequence[str]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from functools import lru_cache
-from html import escape
 from typing import NamedTuple
 
 
@@ -27,6 +26,8 @@ class Ref(NamedTuple):
 @lru_cache(maxsize=65536)
 def attributes(ref: Ref) -> str:
     """The data attributes of an HTML element that holds the number: q, k, t, by, u, abs; " " in front."""
+    from html import escape  # it brings a table of two thousand names; results.json needs none
+
     named = (
         ("q", ref.key), ("k", ref.row), ("t", ref.table), ("by", ref.by), ("u", ref.unit),
         ("abs", 1 if ref.size else None),

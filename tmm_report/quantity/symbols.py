@@ -7,13 +7,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache, lru_cache
 from typing import Literal
 
 from tmm_report.i18n import NP_, Translator
 from tmm_report.quantity.ref import Ref, attributes
 from tmm_report.quantity.text import Parts, split, unit_text
+from tmm_report.records import dataclass
 
 GREEK = dict(
     zip(

@@ -9,7 +9,6 @@ import re
 from typing import NamedTuple
 
 from tmm_report.problems import N_, Message, shown
-from tmm_report.quantity import mistyped
 
 Exponents = tuple[int, int, int, int]  # of metre, kilogram, second, radian
 
@@ -134,6 +133,8 @@ def parse(value: object, dimension: str) -> float:
 
 def _cure(text: str, dimension: str) -> Message | None:
     """What to write in place of a text whose unit is unknown."""
+    from tmm_report.quantity import mistyped  # only a mistake needs it
+
     if sign := mistyped.sign(text):
         return sign
     if (near := mistyped.corrected(text)) is None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 
 from tmm_report.i18n import Translator
 from tmm_report.problems import N_, Message
@@ -12,6 +12,7 @@ from tmm_report.quantity.formula import ATOM, POWER, Expr, Formula, Page, Piece,
 from tmm_report.quantity.model import Quantity, Table, plain, text_column, variable
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Latex, MathML, notation, segment
+from tmm_report.records import dataclass
 
 DIGITS = 5  # significant digits that a hand calculation carries
 PLACES = 3  # decimals are not carried beyond these, unless the largest value of the kind needs more

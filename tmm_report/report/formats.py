@@ -6,7 +6,7 @@ Whatever is not Markup is escaped for its format, so that a name from a variant 
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, Protocol
 from xml.etree.ElementTree import Element, fromstring
 
@@ -17,6 +17,7 @@ from tmm_report.figures.graphs import Graph
 from tmm_report.i18n import Translator
 from tmm_report.quantity.ref import Ref, attributes, without_attributes
 from tmm_report.quantity.symbols import GREEK, latex_escape, xml_escape
+from tmm_report.records import dataclass
 from tmm_report.report.layout import Cell, Words
 from tmm_report.report.sheets import CAPTION, Sheet, percent, sheet_of
 from tmm_report.report.sheets import PAGE as PAGE

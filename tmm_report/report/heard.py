@@ -7,7 +7,7 @@ heard.formulas[0]      # the formula itself, its number and the section in which
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, NamedTuple
 
 from markupsafe import Markup
@@ -19,6 +19,7 @@ from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Formula, VectorEquation
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.written import Equation
+from tmm_report.records import dataclass
 from tmm_report.report import render
 from tmm_report.report.formats import Html, Mathematics
 from tmm_report.report.layout import Cell, Words

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from markupsafe import Markup
 
 from tmm_report.quantity.ref import Ref
+from tmm_report.records import dataclass
 
 TEXT_WIDTH = 165.0  # mm, of A4 between margins of 30 and 15 mm
 CHAR, PADDING = (

@@ -7,7 +7,6 @@ the line needs them, so that the text is worked out from left to right as the fo
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from tmm_report.i18n import Translator
 from tmm_report.problems import Message
@@ -16,6 +15,7 @@ from tmm_report.quantity.formula import Formula, Page, Term, Var, VectorEquation
 from tmm_report.quantity.symbols import Latex, Symbol
 from tmm_report.quantity.text import MINUS, Parts, unit_text
 from tmm_report.quantity.written import Equation
+from tmm_report.records import dataclass
 
 Item = Formula | VectorEquation | Equation | Definition
 _RAISED = str.maketrans("-−0123456789", "⁻⁻⁰¹²³⁴⁵⁶⁷⁸⁹")

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import unicodedata
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, NamedTuple
 
 from markupsafe import Markup
@@ -15,6 +15,7 @@ from markupsafe import Markup
 from tmm_report.problems import Message
 from tmm_report.quantity.model import X_PART, Y_PART
 from tmm_report.quantity.symbols import GREEK, Symbol
+from tmm_report.records import dataclass
 
 NAMED = 4  # so many symbols of a kind are named one by one; of more only the first two and the last
 LETTERS = "ijkl"  # what stands for names where several differ

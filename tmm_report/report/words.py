@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 from markupsafe import Markup
 
+from tmm_report.i18n import Translator
 from tmm_report.mechanics.structure import ROMAN, Group, Structure
 from tmm_report.problems import N_
+from tmm_report.quantity.text import unit_text
 from tmm_report.report.page import Page
+
+if TYPE_CHECKING:  # loaded only where methods are compared
+    from tmm_report.mechanics.methods.model import Method
 
 SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 PAIR_KINDS = {"R": N_("revolute"), "P": N_("prismatic"), "H": N_("higher")}
@@ -63,3 +70,12 @@ def sense(direction: float | str, page: Page) -> Markup:
 def degrees(angle: float, page: Page) -> str:
     """An angle given in rad, in degrees, to a tenth."""
     return page.num(np.degrees(angle), places=1)
+
+
+def method_name(method: Method[Any, Any], tr: Translator) -> str:
+    """A method in words, with what its error depends on: "construction, 0.1 mm", as the language writes it."""
+    number, _, unit = method.settings.partition(" ")
+    said = tr.gettext(method.title)
+    if not number:
+        return said
+    return f"{said}, {number.replace('.', tr.decimal)} {unit_text(unit, tr.language)}".strip()

@@ -8,12 +8,13 @@ import signal
 import sys
 import traceback
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
 from functools import partial
 from multiprocessing.connection import Connection
 from queue import SimpleQueue
 from threading import Thread
 from typing import Any, Literal
+
+from tmm_report.records import dataclass
 
 Do = Callable[[Sequence[Any]], Iterable[tuple[int, Any]]]
 """The work: of a list of tasks it yields (index in the list, result) as each is finished."""

@@ -1,22 +1,25 @@
 """What stands in a file, value by value, with the type that the blocks give it: names, numbers with dimensions, words.
 
 The file's plain data and the models' annotations are walked together; where a type is one of several, the arm is
-taken that the shape of what is written, or the union's own discriminator, tells.
+taken that the shape of what is written, or the union's own discriminator, tells. How the values of a type are walked is
+found out once for each model.
 """
 
 from __future__ import annotations
 
 import types
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import cache, partial
 from typing import Annotated, Any, Union, get_args, get_origin
 
 from pydantic import BaseModel, Discriminator, Tag
 
+from tmm_report.records import dataclass
 from tmm_report.variant.values import Named, Reads
 from tmm_report.yamlread import Path
 
 UNIONS = (Union, types.UnionType)
+SCALAR, LIST, MAP = "scalar", "list", "map"
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,6 +53,9 @@ def _is_plain(value: Any) -> bool:
     return isinstance(value, int | float | str) and not isinstance(value, bool)
 
 
+Walk = Callable[[Any, Path], Iterator[Leaf]]
+
+
 def leaves(models: Iterable[type[BaseModel]], data: Any) -> Iterator[Leaf]:
     """Those of the keys that the blocks own; what stands in no block, or in another shape, is passed over."""
     for model in models:
@@ -59,84 +65,120 @@ def leaves(models: Iterable[type[BaseModel]], data: Any) -> Iterator[Leaf]:
 def _of_model(model: type[BaseModel], data: Any, path: Path) -> Iterator[Leaf]:
     if not isinstance(data, dict):
         return
-    fields = {field.alias or name: field for name, field in model.model_fields.items()}
-    for key, field in fields.items():
+    # fields of models that name one another are known when the first of them has been validated
+    walks = (_kept_walks if model.__pydantic_fields_complete__ else _walks)(model)
+    for key, walk in walks.items():
         if key in data:
-            yield from _of(field.annotation, (*field.metadata, field.discriminator), data[key], (*path, key))
+            yield from walk(data[key], (*path, key))
     for key in data if path else ():  # at the top of the file other blocks have their keys
-        if key not in fields:
-            yield Leaf((*path, key), key, None, is_key=True, known=tuple(fields))
+        if key not in walks:
+            yield Leaf((*path, key), key, None, is_key=True, known=tuple(walks))
 
 
-def _of(annotation: Any, metadata: tuple[Any, ...], data: Any, path: Path) -> Iterator[Leaf]:
-    """What a type says of a value."""
+def _walks(model: type[BaseModel]) -> dict[str, Walk]:
+    """How the value of each key of a model is walked."""
+    return {
+        field.alias or name: _walk(field.annotation, (*field.metadata, field.discriminator))
+        for name, field in model.model_fields.items()
+    }
+
+
+_kept_walks = cache(_walks)
+
+
+def _walk(annotation: Any, metadata: tuple[Any, ...] = ()) -> Walk:
+    """How a value of a type is walked."""
     if get_origin(annotation) is Annotated:
         inner, *more = get_args(annotation)
-        yield from _of(inner, (*more, *metadata), data, path)
-    elif (reads := _reads(metadata)) is not None:
-        if not isinstance(data, dict | list):
-            yield Leaf(path, data, reads)
-    elif get_origin(annotation) in UNIONS:
-        arm = _arm(annotation, metadata, data)
-        yield from _of(arm, (), data, path) if arm is not None else ()
-    elif isinstance(annotation, type) and issubclass(annotation, BaseModel):
-        yield from _of_model(annotation, data, path)
-    else:
-        yield from _inside(get_origin(annotation), get_args(annotation), data, path)
+        return _walk(inner, (*more, *metadata))
+    if (reads := _reads(metadata)) is not None:
+        return partial(_of_value, reads)
+    if get_origin(annotation) in UNIONS:
+        return partial(_of_union, *_members(annotation, metadata))
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return partial(_of_model, annotation)
+    return _walk_inside(get_origin(annotation), get_args(annotation))
+
+
+def _walk_inside(origin: Any, arguments: tuple[Any, ...]) -> Walk:
+    """How the keys and values of a mapping, or the items of a list, are walked."""
+    if origin is dict:
+        return partial(_of_mapping, _reads_of_key(arguments[0]), _walk(arguments[1]))
+    if origin in (list, tuple):
+        return partial(_of_items, [_walk(kind) for kind in arguments if kind is not ...])
+    return _of_nothing
+
+
+def _of_nothing(data: Any, path: Path) -> Iterator[Leaf]:
+    yield from ()
+
+
+def _of_value(reads: Reads, data: Any, path: Path) -> Iterator[Leaf]:
+    if not isinstance(data, dict | list):
+        yield Leaf(path, data, reads)
+
+
+def _of_mapping(reads: Reads | Named | None, walk: Walk, data: Any, path: Path) -> Iterator[Leaf]:
+    for key, value in data.items() if isinstance(data, dict) else ():
+        if reads is not None:
+            yield Leaf((*path, key), key, reads, is_key=True)
+        yield from walk(value, (*path, key))
+
+
+def _of_items(walks: Sequence[Walk], data: Any, path: Path) -> Iterator[Leaf]:
+    """Of a tuple each item has its own type, and what is beyond them the last."""
+    for index, value in enumerate(data if isinstance(data, list) else ()):
+        yield from walks[min(index, len(walks) - 1)](value, (*path, index))
 
 
 def _reads(metadata: tuple[Any, ...]) -> Reads | None:
-    for one in metadata:
-        if isinstance(one, Reads):
-            return one
-    return None
+    return next((one for one in metadata if isinstance(one, Reads)), None)
 
 
-def _inside(origin: Any, arguments: tuple[Any, ...], data: Any, path: Path) -> Iterator[Leaf]:
-    """The keys and values of a mapping, the items of a list."""
-    if origin is dict and isinstance(data, dict):
-        for key, value in data.items():
-            yield from _key(arguments[0], key, (*path, key))
-            yield from _of(arguments[1], (), value, (*path, key))
-    elif origin in (list, tuple) and isinstance(data, list):
-        for index, value in enumerate(data):
-            kind = arguments[0] if origin is list else arguments[min(index, len(arguments) - 1)]
-            yield from _of(kind, (), value, (*path, index))
-
-
-def _key(annotation: Any, key: str, path: Path) -> Iterator[Leaf]:
+def _reads_of_key(annotation: Any) -> Reads | Named | None:
     _, *metadata = get_args(annotation) or (annotation,)
-    if reads := next((one for one in metadata if isinstance(one, Reads | Named)), None):
-        yield Leaf(path, key, reads, is_key=True)
+    return next((one for one in metadata if isinstance(one, Reads | Named)), None)
 
 
-def _arm(annotation: Any, metadata: tuple[Any, ...], data: Any) -> Any:
-    """The member of a union that is meant by what is written."""
-    arms = [arm for arm in get_args(annotation) if arm is not type(None)]
-    told = next((one for one in metadata if isinstance(one, Discriminator)), None)
-    if told is not None and callable(told.discriminator):
-        tag = told.discriminator(data)
-        return next((arm for arm in arms if any(one.tag == tag for one in _tags(arm))), None)
-    return next((arm for arm in arms if _fits(arm, data)), None)
+# ---------------------------------------------------------------- unions
 
 
-def _tags(annotation: Any) -> list[Tag]:
+def _of_union(key: Callable[[Any], Any], walks: dict[Any, Walk], data: Any, path: Path) -> Iterator[Leaf]:
+    yield from walks.get(key(data), _of_nothing)(data, path)
+
+
+def _members(annotation: Any, metadata: tuple[Any, ...]) -> tuple[Callable[[Any], Any], dict[Any, Walk]]:
+    """What tells which member of a union is meant by what is written, and how each is walked."""
+    told = next((one.discriminator for one in metadata if isinstance(one, Discriminator)), None)
+    walks: dict[Any, Walk] = {}
+    for member in get_args(annotation):
+        for name in _tags(member) if callable(told) else _shapes(member):
+            walks.setdefault(name, _walk(member))
+    return told if callable(told) else _shape, walks
+
+
+def _tags(annotation: Any) -> list[str]:
     if get_origin(annotation) is not Annotated:
         return []
-    return [one for one in get_args(annotation)[1:] if isinstance(one, Tag)]
+    return [one.tag for one in get_args(annotation)[1:] if isinstance(one, Tag)]
 
 
-def _fits(annotation: Any, data: Any) -> bool:
-    """Whether what is written has the shape of the type."""
+def _shape(data: Any) -> str:
+    return MAP if isinstance(data, dict) else LIST if isinstance(data, list) else SCALAR
+
+
+def _shapes(annotation: Any) -> set[str]:
+    """The shapes that a value of the type may have."""
+    if annotation is type(None):
+        return set()
     while get_origin(annotation) is Annotated:
         annotation, *metadata = get_args(annotation)
-        if any(isinstance(one, Reads) for one in metadata):
-            return not isinstance(data, dict | list)
-    if get_origin(annotation) in UNIONS:
-        return any(_fits(arm, data) for arm in get_args(annotation) if arm is not type(None))
-    if isinstance(data, dict):
-        is_model = isinstance(annotation, type) and issubclass(annotation, BaseModel)
-        return is_model or get_origin(annotation) is dict
-    if isinstance(data, list):
-        return get_origin(annotation) in (list, tuple)
-    return get_origin(annotation) not in (dict, list, tuple)
+        if _reads(tuple(metadata)) is not None:
+            return {SCALAR}
+    origin = get_origin(annotation)
+    if origin in UNIONS:
+        return {shape for member in get_args(annotation) for shape in _shapes(member)}
+    if origin in (dict, list, tuple):
+        return {MAP} if origin is dict else {LIST}
+    is_model = isinstance(annotation, type) and issubclass(annotation, BaseModel)
+    return {SCALAR, MAP} if is_model else {SCALAR}

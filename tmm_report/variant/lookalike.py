@@ -9,12 +9,13 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from difflib import get_close_matches
 from typing import Any
 
 from tmm_report.problems import N_, Message, Problem, mistake, shown
 from tmm_report.quantity.alike import difference, latin, script, skeleton
+from tmm_report.records import dataclass
 from tmm_report.variant.leaves import Leaf, leaves
 from tmm_report.variant.model import Block
 from tmm_report.yamlread import Document, Path

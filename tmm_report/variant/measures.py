@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
 from tmm_report.problems import shown
 from tmm_report.quantity import units
 from tmm_report.quantity.units import WrongValue
+from tmm_report.records import dataclass
 from tmm_report.variant.leaves import Leaf, leaves
 from tmm_report.variant.model import Read
 from tmm_report.yamlread import Path

@@ -7,10 +7,10 @@ that no course project comes near. Where a usual unit brings the number back amo
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from statistics import median
 
 from tmm_report.problems import N_, Message, Problem, doubt
+from tmm_report.records import dataclass
 from tmm_report.variant.measures import Measure, measures
 from tmm_report.variant.model import Read
 from tmm_report.yamlread import Path

@@ -12,16 +12,16 @@ import math
 import os
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import Any
 
 import yaml
 
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake, shown
+from tmm_report.records import dataclass
 from tmm_report.yamlread.commas import Item, is_left_out, is_plain, meant, rejoined
 from tmm_report.yamlread.marks import MARKS, composed
 from tmm_report.yamlread.opening import file_label, larger, opened, stream
-from tmm_report.yamlread.slips import slip
 
 __all__ = [
     "BYTES", "DEPTH", "DIGITS", "EVENTS", "MARKS", "Document", "Path", "Place", "composed", "file_label", "loads",
@@ -153,6 +153,8 @@ def _start(event: Any) -> Place:
 
 
 def _syntax(error: yaml.YAMLError, text: str) -> ProblemError:
+    from tmm_report.yamlread.slips import slip  # only a broken text needs it
+
     found = slip(error, text)
     problem = Problem(found.wrong, found.right)
     return ProblemError([replace(problem, line=found.place[0], column=found.place[1])])

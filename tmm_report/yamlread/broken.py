@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
 from tmm_report.problems import Message
+from tmm_report.records import dataclass
 
 Place = tuple[int, int]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
@@ -13,6 +13,7 @@ from tmm_report.mechanics import fourier
 from tmm_report.mechanics.balance import Weight, added, on_frame, weighted
 from tmm_report.mechanics.cycle import Cycle, Extreme
 from tmm_report.mechanics.motion import Linkage, Motion
+from tmm_report.records import dataclass
 
 Array = Any
 ORIGINAL = "original"

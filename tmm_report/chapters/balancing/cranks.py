@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -10,6 +9,7 @@ import numpy as np
 from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.planar import dot
 from tmm_report.mechanics.slider_series import SliderCrank
+from tmm_report.records import dataclass
 
 Array = Any
 

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
+
+from tmm_report.records import dataclass
 
 FULL, PIVOTED, SUBSTITUTED, OPTIMUM, ROTORS = "full", "pivoted", "substituted", "optimum", "rotors"
 METHODS = (FULL, PIVOTED, SUBSTITUTED, OPTIMUM, ROTORS)

@@ -7,7 +7,7 @@ of a counterweight, m_c ρ_c, on the other side.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
@@ -16,6 +16,7 @@ from tmm_report.mechanics.mechanism import FRAME, Link, Mechanism
 from tmm_report.mechanics.motion import Linkage
 from tmm_report.mechanics.relations import turning_links
 from tmm_report.mechanics.structure import Pair
+from tmm_report.records import dataclass
 
 NOTHING = 1e-12  # of the sizes of its terms: a static moment that is rounding
 

@@ -4,7 +4,7 @@ several methods and what each leaves, harmonics of the force, sliders with Lanch
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -23,6 +23,7 @@ from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.slider_series import SliderCrank, slider_cranks
 from tmm_report.problems import N_, Message, ProblemError, mistake
+from tmm_report.records import dataclass
 
 __all__ = ["Case", "Found", "Given", "solve"]
 

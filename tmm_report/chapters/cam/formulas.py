@@ -4,7 +4,6 @@ angle and the sizes follow."""
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -14,6 +13,7 @@ from tmm_report.quantity.formula import PI, Expr, Formula, Number, cos, expr, si
 from tmm_report.quantity.formula import arccos as angle_of
 from tmm_report.quantity.gear_terms import arctan
 from tmm_report.quantity.model import Book
+from tmm_report.records import dataclass
 
 Three = tuple[Expr, Expr, Expr]
 

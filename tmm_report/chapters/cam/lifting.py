@@ -7,7 +7,6 @@ sense of rotation; the pressure angle is above zero where the normal leans as in
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -17,6 +16,8 @@ from tmm_report.mechanics.cam import ByLaw, Cam, Sliding
 from tmm_report.mechanics.cam_breaks import breaks
 from tmm_report.mechanics.cam_laws import EDGE, FULL_TURN
 from tmm_report.mechanics.cycle import Extreme
+from tmm_report.mechanics.distinct import distinct
+from tmm_report.records import dataclass
 
 Array = Any
 FINE = 1441  # angles of a turn among which extremes are first looked for
@@ -85,7 +86,7 @@ def breaks_of(kinematics: Kinematics) -> Array:
     """Angles turned, rad, ascending, of one turn or of the sweep, at which a phase of a law begins or is half over."""
     cycle = kinematics.cycle
     found = np.mod(cycle.sense * (breaks(kinematics.linkage.mechanism) - cycle.zero), FULL_TURN)
-    found = np.unique(np.where(FULL_TURN - found < BEFORE, 0.0, found))
+    found = distinct(np.where(FULL_TURN - found < BEFORE, 0.0, found))
     return found[found <= cycle.sweep]
 
 
@@ -93,7 +94,7 @@ def searched(kinematics: Kinematics) -> Array:
     """Angles turned among which extremes are looked for, rad, ascending: the breaks among them, so that no piece
     of the law is searched together with another."""
     even = np.linspace(0.0, kinematics.cycle.sweep, FINE)
-    return np.unique(np.concatenate([even, breaks_of(kinematics)]))
+    return distinct(np.concatenate([even, breaks_of(kinematics)]))
 
 
 def drawn_at(kinematics: Kinematics) -> Array:

@@ -5,7 +5,6 @@ Source: Artobolevsky, Theory of mechanisms and machines, ch. 26; Frolov (ed.), T
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -27,6 +26,7 @@ from tmm_report.mechanics.cam import ByLaw, Cam, Sliding
 from tmm_report.mechanics.cam_group import rests
 from tmm_report.mechanics.cam_laws import FULL_TURN, Phase, Phases
 from tmm_report.mechanics.cycle import Extreme
+from tmm_report.records import dataclass
 
 Array = Any
 Ends = tuple[Extreme, Extreme]

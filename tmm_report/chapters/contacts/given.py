@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import pi
 from typing import Literal
 
 from tmm_report.mechanics.materials import Stock
+from tmm_report.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,6 @@ Each pair by its closed formula (mechanics/friction.py). What locks, jams or sli
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from tmm_report.chapters.contacts import planes, turning
@@ -30,6 +29,7 @@ from tmm_report.chapters.contacts.mistakes import mistakes
 from tmm_report.chapters.contacts.terms import KINDS as KIND_NAMES
 from tmm_report.chapters.machine import Moving
 from tmm_report.problems import N_, Message, ProblemError
+from tmm_report.records import dataclass
 
 __all__ = ["Found", "Given", "Solved", "solve"]
 

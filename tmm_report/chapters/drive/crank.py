@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from tmm_report.problems import N_, Message, Problem, doubt
+from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
     from tmm_report.chapters.machine import Moving

@@ -15,7 +15,7 @@ in proportion to the angular velocities. Source: Artobolevsky, Theory of mechani
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from tmm_report.chapters.drive.places import Spot, height, placed, spots_of, velocity_of
 from tmm_report.chapters.drive.sheet import Line, Sheet
@@ -23,6 +23,7 @@ from tmm_report.chapters.drive.stages import Stage
 from tmm_report.chapters.plans.solve import Comparison
 from tmm_report.mechanics.trains import Train
 from tmm_report.quantity.paper import Pen, round_scale, rounded
+from tmm_report.records import dataclass
 
 # mm: the scheme's height, the largest velocity, the plan of angular velocities
 TALL, WIDE, LONG = 150.0, 90.0, 155.0

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
@@ -22,6 +22,7 @@ from tmm_report.chapters.spur import solve as spur
 from tmm_report.mechanics.trains import Loads, Train, loads, speeds
 from tmm_report.problems import N_, Message, Problem, doubt
 from tmm_report.quantity.paper import ACCURACY
+from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
     from tmm_report.chapters.machine import Moving

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Literal
 
 from tmm_report.mechanics.characteristics import Characteristic
+from tmm_report.records import dataclass
 
 Supply = Literal["on", "off", "reversed"]
 G = 9.81  # m/s²

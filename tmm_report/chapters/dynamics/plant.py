@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
@@ -19,6 +19,7 @@ from tmm_report.mechanics.panels import Panels, panels
 from tmm_report.mechanics.planar import dot
 from tmm_report.mechanics.repeated import repeated
 from tmm_report.problems import N_, Message, ProblemError, mistake
+from tmm_report.records import dataclass
 
 Array = Any
 MOTOR, BRAKE = "motor", "brake"

@@ -8,7 +8,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -24,6 +23,7 @@ from tmm_report.mechanics.motion_law import Run
 from tmm_report.mechanics.steady import Steady
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.text import number
+from tmm_report.records import dataclass
 
 __all__ = ["Found", "Given", "solve"]
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from tmm_report.chapters.eccentric.quantities import book
 from tmm_report.chapters.eccentric.satellites import Neighbours, Satellite
@@ -16,6 +15,7 @@ from tmm_report.quantity.part import Part
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.written import Equation
+from tmm_report.records import dataclass
 
 FIRST, SECOND = Symbol("z", "1", "0"), Symbol("z", "2", "0")
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from fractions import Fraction
 
 from tmm_report.chapters.eccentric.paths import Point
 from tmm_report.mechanics.eccentric import EXACT
 from tmm_report.mechanics.spur import Rack
+from tmm_report.records import dataclass
 
 STANDARD = Rack()
 SUN, RING, CARRIER = "1", "3", "H"

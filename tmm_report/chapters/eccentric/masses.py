@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from tmm_report.chapters.eccentric.family import Judged
 from tmm_report.mechanics.eccentric import KINDS
+from tmm_report.records import dataclass
 
 Array = Any
 

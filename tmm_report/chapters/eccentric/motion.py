@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from tmm_report.chapters.eccentric.given import CARRIER, RING, SUN
 from tmm_report.chapters.eccentric.satellites import Satellite
 from tmm_report.mechanics.trains import Member, Mesh, Train, speeds
+from tmm_report.records import dataclass
 
 CASES = ((CARRIER, SUN), (RING, SUN), (SUN, RING))  # stopped and driven
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -14,6 +13,7 @@ from tmm_report.chapters.eccentric.family import Judged, judge, most_ring
 from tmm_report.chapters.eccentric.given import Given
 from tmm_report.mechanics import eccentric as ecc
 from tmm_report.mechanics.wheels import least_teeth
+from tmm_report.records import dataclass
 
 Array = Any
 

@@ -8,10 +8,11 @@ axis of the sun goes round O3, and z(θ) = −e exp(iθ) + ρ exp(i[(1 + z3/z1) 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+
+from tmm_report.records import dataclass
 
 Array = Any
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -13,6 +12,7 @@ from tmm_report.chapters.eccentric.family import Judged
 from tmm_report.chapters.eccentric.given import Given
 from tmm_report.mechanics import eccentric as ecc
 from tmm_report.mechanics.wheels import least_teeth
+from tmm_report.records import dataclass
 
 Array = Any
 

@@ -7,7 +7,6 @@ Sun 1 and ring 3 turn about parallel axes at the distance e; the satellites betw
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from fractions import Fraction
 
 import numpy as np
@@ -43,6 +42,7 @@ from tmm_report.mechanics import eccentric_teeth as toothed
 from tmm_report.mechanics.conditions import Condition
 from tmm_report.mechanics.wheels import least_teeth
 from tmm_report.problems import N_, Message
+from tmm_report.records import dataclass
 
 __all__ = ["CARRIER", "RING", "SUN", "WHEELS", "Found", "Given", "Satellite", "solve"]
 

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 from tmm_report.chapters.efficiency.given import Given, Joined, Module, Node
 from tmm_report.chapters.machine import Moving
 from tmm_report.mechanics import chains
 from tmm_report.problems import N_, Message
+from tmm_report.records import dataclass
 
 __all__ = ["Found", "Given", "Part", "solve"]
 

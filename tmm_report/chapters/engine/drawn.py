@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -12,6 +11,7 @@ from tmm_report.chapters.engine.solve import Found
 from tmm_report.mechanics.cylinders import cranks
 from tmm_report.mechanics.rotor import Polygon, extent, polygon
 from tmm_report.quantity.paper import round_scale
+from tmm_report.records import dataclass
 
 Array = Any
 PAPER = 36.0  # mm: the size of a polygon

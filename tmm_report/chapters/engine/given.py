@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from tmm_report.quantity.paper import ACCURACY
+from tmm_report.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
@@ -13,6 +12,7 @@ from tmm_report.chapters.engine.given import Given
 from tmm_report.mechanics import cylinders
 from tmm_report.mechanics.cylinders import Turning
 from tmm_report.problems import N_, Message, ProblemError, mistake
+from tmm_report.records import dataclass
 
 Array = Any
 NOTHING = 1e-9  # of the scale: less is rounding

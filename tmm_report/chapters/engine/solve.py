@@ -7,7 +7,6 @@ cranks; what is left is told from the exact motion. (Bevan, The theory of machin
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -19,6 +18,7 @@ from tmm_report.chapters.machine import Moving
 from tmm_report.mechanics import cylinders
 from tmm_report.mechanics.cylinders import Turning
 from tmm_report.problems import N_, Message
+from tmm_report.records import dataclass
 
 __all__ = ["Found", "Given", "Order", "solve"]
 

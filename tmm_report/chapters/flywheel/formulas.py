@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property, reduce
 
 from tmm_report.chapters.flywheel import quantities as q
@@ -14,6 +13,7 @@ from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import PI, POWER, Expr, Formula, Number, Page, Piece, Var, sqrt
 from tmm_report.quantity.gear_terms import arctan
 from tmm_report.quantity.model import Book, Table, Value
+from tmm_report.records import dataclass
 
 
 @dataclass(frozen=True, eq=False)

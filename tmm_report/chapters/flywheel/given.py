@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Literal
 
 from tmm_report.problems import N_
+from tmm_report.records import dataclass
 
 Shaft = Literal["main", "motor"]
 

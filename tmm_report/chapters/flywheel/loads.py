@@ -4,7 +4,6 @@ as they are stated."""
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -14,6 +13,7 @@ from tmm_report.chapters.machine import Moving, machine
 from tmm_report.mechanics.flywheel import Cycle
 from tmm_report.mechanics.panels import NARROWEST, WIDEST, Panels, panels
 from tmm_report.problems import N_, Message, ProblemError, mistake
+from tmm_report.records import dataclass
 
 Array = Any
 CLOSED = 0.01  # of the work of a cycle: by so much the works of both sides may differ

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 from tmm_report.chapters.flywheel.given import Disc, Given, Gyration, Rim
 from tmm_report.mechanics.flywheel import disc, disc_width, hoop_stress, rim, rim_height
 from tmm_report.problems import N_, Message, ProblemError, mistake
+from tmm_report.records import dataclass
 
 HIGHEST = 0.6  # of the mean diameter: a rim that leaves room for spokes and a hub
 WIDEST = 2.0  # of the diameter: what is wider is no disc

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -24,6 +23,7 @@ from tmm_report.mechanics.flywheel import METHODS, Cycle, Method
 from tmm_report.mechanics.flywheel_motion import Integrated, Turning, integrated, turning
 from tmm_report.problems import N_, Message, ProblemError, mistake
 from tmm_report.quantity.paper import round_scale
+from tmm_report.records import dataclass
 
 __all__ = ["Found", "Given", "solve"]
 

@@ -9,7 +9,6 @@ Source: Artobolevsky, Theory of mechanisms and machines, ch. 15; Zhukovsky, On t
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -26,6 +25,7 @@ from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.paper import Pen
 from tmm_report.quantity.text import round_significant
 from tmm_report.quantity.written import DIGITS, Worked, segment_of
+from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
     from tmm_report.chapters.plans.drafting.plan import Plan

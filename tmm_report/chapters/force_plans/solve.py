@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 
 from tmm_report.chapters.force_plans.drafting import ForceDrawn, draw
 from tmm_report.chapters.force_plans.lever import Lever, levers
@@ -11,6 +10,7 @@ from tmm_report.chapters.kinetostatics.solve import Kinetostatics
 from tmm_report.chapters.plans.given import Drawing
 from tmm_report.chapters.plans.solve import Plans
 from tmm_report.problems import N_, Message, Problem, doubt
+from tmm_report.records import dataclass
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,7 +7,6 @@ that reactions and friction belong to one another. The power balance with fricti
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -22,6 +21,7 @@ from tmm_report.mechanics.peaks import peaks
 from tmm_report.mechanics.rubbing import Rub, Rubbed
 from tmm_report.mechanics.structure import Pair
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
+from tmm_report.records import dataclass
 
 Array = Any
 STILL = 1e-9  # of the greatest relative rate of all pairs of the kind, below which two links stand still

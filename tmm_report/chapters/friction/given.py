@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from tmm_report.mechanics.materials import Stock
+from tmm_report.records import dataclass
 
 
 @dataclass(frozen=True)

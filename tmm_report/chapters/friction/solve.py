@@ -7,7 +7,6 @@ without friction, as the course takes them. `corrected` finds them with friction
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -20,6 +19,7 @@ from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.rubbing import relative_rate
 from tmm_report.mechanics.statics import Statics
 from tmm_report.mechanics.structure import Pair
+from tmm_report.records import dataclass
 
 __all__ = ["FrictionFound", "Losses", "PairLoss", "rubbing_of", "solve"]
 

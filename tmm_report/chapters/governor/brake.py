@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from tmm_report.chapters.governor import mistakes
 from tmm_report.chapters.governor.given import Brakes
+from tmm_report.records import dataclass
 
 Array = Any
 POINTS = 13  # of the table

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import Any, Literal
 
@@ -24,6 +24,7 @@ from tmm_report.mechanics.governor import (
     sleeve_mass,
     spring_force,
 )
+from tmm_report.records import dataclass
 
 Array = Any
 POINTS = 11  # places of the sleeve in the table

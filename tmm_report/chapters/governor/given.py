@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
 from tmm_report.mechanics.governor import Geometry, Weights
 from tmm_report.mechanics.governor_brake import Brake
 from tmm_report.mechanics.governor_loop import Servo
+from tmm_report.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,6 @@ load."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -24,6 +23,7 @@ from tmm_report.mechanics.governor_motion import (
     respond,
     sleeve,
 )
+from tmm_report.records import dataclass
 
 Array = Any
 MOMENTS = 401  # of the response

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from tmm_report.chapters.governor.loop import LoopFound
 from tmm_report.chapters.governor.loop_quantities import STATES
 from tmm_report.i18n import Translator
 from tmm_report.quantity.formula import FRACTION, Expr, Formula, Number, Page, Piece, Var, sqrt
 from tmm_report.quantity.model import Book
 from tmm_report.quantity.symbols import Latex, MathML, Symbol, notation
+from tmm_report.records import dataclass
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from tmm_report.chapters.governor import brake, direct, loop
 from tmm_report.chapters.governor.brake import BrakeFound
@@ -13,6 +12,7 @@ from tmm_report.chapters.governor.loop import LoopFound
 from tmm_report.chapters.governor.mistakes import rpm
 from tmm_report.chapters.machine import Moving
 from tmm_report.problems import N_, Message
+from tmm_report.records import dataclass
 
 __all__ = ["Found", "Given", "solve"]
 

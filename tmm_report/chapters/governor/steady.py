@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -12,6 +11,7 @@ from tmm_report.chapters.governor import mistakes
 from tmm_report.chapters.governor.direct import DirectFound
 from tmm_report.chapters.governor.given import Plant
 from tmm_report.mechanics.governor_motion import Machine
+from tmm_report.records import dataclass
 
 Array = Any
 SEARCH = 257  # places among which an equilibrium is looked for, each time finer

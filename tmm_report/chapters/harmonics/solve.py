@@ -7,7 +7,7 @@ runs along a link when it moves.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
@@ -23,6 +23,7 @@ from tmm_report.mechanics.motion import Linkage, Motion
 from tmm_report.mechanics.relations import moving_points, turning_links
 from tmm_report.mechanics.slider_series import SliderCrank, slider_cranks
 from tmm_report.problems import N_, Message, ProblemError, mistake
+from tmm_report.records import dataclass
 
 __all__ = ["Found", "Given", "solve"]
 

@@ -8,7 +8,7 @@ in tables of their own.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import Any
 
 import numpy as np
@@ -27,6 +27,7 @@ from tmm_report.quantity.formula import Expr, Formula, Var
 from tmm_report.quantity.model import Book, Quantity, variable
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.records import dataclass
 
 Array = Any
 TABLE, CONSTANTS = "contours", "contour_constants"

@@ -10,7 +10,6 @@ solved by determinants (Cramer). Source: Artobolevsky, Theory of mechanisms and 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -25,6 +24,7 @@ from tmm_report.problems import N_, Message
 from tmm_report.quantity.formula import Expr, Formula, Negative, Term, Var, VectorEquation, cos, sin
 from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.records import dataclass
 
 Array = Any
 Two = tuple[Expr, Expr]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -13,6 +12,7 @@ from tmm_report.chapters.kinematics.known import Spot
 from tmm_report.mechanics.structure import Group, Pair
 from tmm_report.quantity.formula import Expr, Formula, Var
 from tmm_report.quantity.written import Equation
+from tmm_report.records import dataclass
 
 Array = Any
 

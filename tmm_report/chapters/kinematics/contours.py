@@ -6,7 +6,7 @@ What the formulas give is checked against the solver's own motion: two ways to e
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
@@ -24,6 +24,7 @@ from tmm_report.mechanics.structure import Group
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.model import Table, plain, text_column
+from tmm_report.records import dataclass
 
 CONTOURS = Message(N_("numbers of the closed contours of the groups"))
 CONSTANT = Message(N_("constant numbers of the closed contours of the groups"))

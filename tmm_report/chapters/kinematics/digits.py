@@ -7,14 +7,15 @@ doubles, as a rounding of the lengths alone changes them as much.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from tmm_report.mechanics.distinct import distinct
 from tmm_report.mechanics.motion import SINGULAR, Motion
 from tmm_report.mechanics.singular import BESIDE
 from tmm_report.problems import N_, Message, Problem, doubt
+from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
     from tmm_report.chapters.kinematics.solve import Kinematics
@@ -111,5 +112,5 @@ def _near(found: Kinematics, group: Any) -> Near | None:
     closeness = float(min(part.min() for part in sines if part.size))
     positions = tuple(int(k) for k in np.flatnonzero(np.isfinite(turned[0])))
     all_ = np.concatenate(turned)
-    angles = np.unique(np.round(all_[np.isfinite(all_)], 9))
+    angles = distinct(np.round(all_[np.isfinite(all_)], 9))
     return Near(label, group.links, tuple(angles.tolist()), positions, closeness, int(digits_left(closeness)))

@@ -6,7 +6,6 @@ Angles here are those of turn from position 0, rad, over one cycle.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -14,8 +13,9 @@ import numpy as np
 from tmm_report.chapters.kinematics.cures import cause
 from tmm_report.mechanics.cycle import Cycle
 from tmm_report.mechanics.higher import Run
-from tmm_report.mechanics.singular import Critical
+from tmm_report.mechanics.singular import Critical, swept
 from tmm_report.problems import N_, Message, Problem, mistake
+from tmm_report.records import dataclass
 
 Array = Any
 Interval = tuple[float, float]
@@ -67,10 +67,47 @@ def gaps(cycle: Cycle) -> tuple[Gap, ...]:
         intervals = tuple(sorted(_turned_intervals(cycle, critical)))
         jam = _jam(cycle, critical, intervals)
         if intervals or jam:
-            why, cure = cause(critical, bool(intervals))
+            why, cure = cause(_swept(cycle, critical), bool(intervals))
             group = critical.group
             found.append(Gap(group.group.label, group.links, intervals, why, cure, jam))
+        elif poles := _turned_poles(cycle, critical):
+            found.append(_runaway(critical, poles))
     return tuple(found)
+
+
+def _swept(cycle: Cycle, critical: Critical) -> Critical:
+    """What a driving link that turns over a part of a turn asks of the lengths: nothing beyond its range."""
+    if cycle.closed:
+        return critical
+    return swept(cycle.linkage, critical, *sorted((cycle.zero, cycle.zero + cycle.sense * cycle.sweep)))
+
+
+RUNAWAY = N_(
+    "at the angle of turn φ = %(angles)s the guides of group %(group)s (links %(links)s) are parallel "
+    "and its links run away"
+)
+
+
+def _turned_poles(cycle: Cycle, critical: Critical) -> list[float]:
+    """Where guides of a dyad are parallel, within the cycle; what is only just beyond a turn is position 0."""
+    turned = np.mod(cycle.sense * (np.array(critical.parallel) - cycle.zero), FULL_TURN)
+    turned = np.where(FULL_TURN - turned < ZERO, 0.0, turned)
+    return sorted(turned[turned <= cycle.sweep].tolist())
+
+
+def _runaway(critical: Critical, poles: list[float]) -> Gap:
+    """A dyad that exists beside these angles, but goes to infinity towards them: no mechanism goes through that."""
+    group = critical.group.group.label
+    values = {
+        "group": group,
+        "links": ", ".join(critical.group.links),
+        "angles": listed_angles(np.array(poles)),
+    }
+    why, cure = (
+        Message(RUNAWAY, values),
+        Message(N_("other directions of the guides keep it away from there")),
+    )
+    return Gap(group, critical.group.links, (), why, cure, jam=why)
 
 
 def _turned_intervals(cycle: Cycle, critical: Critical) -> Iterator[Interval]:

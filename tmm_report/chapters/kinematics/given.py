@@ -1,8 +1,10 @@
-"""What is given to the kinematics beside the mechanism: the positions."""
+"""What is given to the kinematics beside the mechanism: the positions, and by what method their motion is found."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from tmm_report.records import dataclass
+
+AUTO = "auto"  # the cheapest method that holds the accuracy
 
 
 @dataclass(frozen=True)
@@ -13,3 +15,12 @@ class Positions:
     diagram: int = 36
     plans: tuple[int, ...] = (1,)
     force_plan: tuple[int, ...] = (1,)
+
+
+@dataclass(frozen=True)
+class Way:
+    """By what method the motion of the positions is found: its key, or AUTO. `accuracy`: what the numbers are to hold,
+    relative; None where it is not stated."""
+
+    method: str
+    accuracy: float | None = None

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from tmm_report.chapters.kinematics.trees import times, total
 from tmm_report.quantity.formula import Expr, cos, sin
+from tmm_report.records import dataclass
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,7 +6,6 @@ Angles here are those of turn from position 0, rad, over one cycle.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import Any, Protocol
 
 import numpy as np
@@ -16,6 +15,7 @@ from tmm_report.mechanics.dyads import Dyad
 from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.planar import cross, unit
 from tmm_report.mechanics.singular import Critical
+from tmm_report.records import dataclass
 
 Array = Any
 FULL_TURN = 2 * np.pi

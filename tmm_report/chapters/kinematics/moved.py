@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -11,6 +10,7 @@ import numpy as np
 from tmm_report.chapters.kinematics.known import Pose
 from tmm_report.chapters.kinematics.trees import times, total
 from tmm_report.quantity.formula import Expr, Var, cos, sin
+from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
     from tmm_report.chapters.kinematics.bench import Bench

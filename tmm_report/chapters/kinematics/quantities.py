@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -23,14 +24,18 @@ from tmm_report.chapters.kinematics.rates import where as where
 from tmm_report.chapters.kinematics.solve import Kinematics, Output, Travel
 from tmm_report.mechanics.cycle import Extreme
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, kept, text_column
+from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, kept, plain, text_column
 from tmm_report.quantity.symbols import Symbol
+
+if TYPE_CHECKING:
+    from tmm_report.mechanics.methods.choice import Choice
 
 OUTPUTS = Message(
     N_("displacement, velocity and acceleration of the output links, angles of the other driven links")
 )
 PLACES = Message(N_("places of points, angles of links, nearness of singular positions"))
 RATES = Message(N_("velocities, accelerations and angular rates"))
+METHOD = Message(N_("the method of the table and diagram positions, and its errors"))
 SPECIAL = Message(N_("positions nearest to singular ones, singular positions, dead points"))
 
 
@@ -58,6 +63,31 @@ def tables(found: Kinematics) -> Iterator[Table]:
     yield Table("special", SPECIAL, _special(found))
     yield from analogues.tables(found)
     yield from contours.tables(found)
+    if found.choice is not None:
+        yield Table("method", METHOD, _method(found.choice))
+
+
+def _method(choice: Choice) -> tuple[Column, ...]:
+    """A row for each kind of quantity."""
+    kinds = list(choice.errors)
+    return (
+        text_column(
+            "method", Message(N_("the method, by its name in the results")), [choice.taken.key] * len(kinds)
+        ),
+        text_column("kind", Message(N_("place, velocity or acceleration of points")), kinds),
+        plain(
+            "error",
+            "",
+            Message(N_("largest relative difference from the closed form")),
+            list(choice.errors.values()),
+        ),
+        plain(
+            "accuracy",
+            "",
+            Message(N_("relative error that the numbers are to hold")),
+            [choice.accuracy] * len(kinds),
+        ),
+    )
 
 
 # ---------------------------------------------------------------- outputs

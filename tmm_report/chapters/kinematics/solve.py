@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
-from functools import cached_property
-from typing import Any
+from collections.abc import Callable, Mapping
+from functools import cached_property, partial
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -14,7 +13,7 @@ from tmm_report.chapters.kinematics.digits import PRINTED as PRINTED
 from tmm_report.chapters.kinematics.digits import Near, digits_left, near
 from tmm_report.chapters.kinematics.digits import rounding as rounding
 from tmm_report.chapters.kinematics.gaps import Gap, gaps
-from tmm_report.chapters.kinematics.given import Positions
+from tmm_report.chapters.kinematics.given import Positions, Way
 from tmm_report.chapters.kinematics.limits import Closest, Dead, closest, dead
 from tmm_report.chapters.kinematics.travels import Output as Output
 from tmm_report.chapters.kinematics.travels import Travel as Travel
@@ -26,10 +25,16 @@ from tmm_report.mechanics.planar import if_known
 from tmm_report.mechanics.relations import named_values
 from tmm_report.mechanics.singular import settle
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
+from tmm_report.records import dataclass
+
+if TYPE_CHECKING:  # loaded only for a variant that states a method
+    from tmm_report.mechanics.methods.choice import Choice
 
 Array = Any
 Extremes = tuple[Extreme, Extreme]
 FULL_TURN = 2 * np.pi
+TOLERANCE = 1e-9  # relative disagreement of two exact ways above which something is wrong
+WAYS = 10.0  # times the error of the motion: what ways through places, velocities and accelerations may differ by
 AT_LIMIT = 1e-5  # rad from a limit of assembly: to the thousandth of a degree that is printed the position is the limit
 
 
@@ -49,6 +54,7 @@ class Kinematics:
     undefined: tuple[int, ...]  # those of them without velocities
     missing: tuple[int, ...]  # table positions in which the mechanism cannot be assembled
     unclosed: tuple[Gap, ...] = ()  # positions that were solved, but whose joints do not close
+    choice: Choice | None = None  # the method of the positions, where the variant states one
 
     @cached_property
     def values(self) -> Mapping[str, Array]:
@@ -75,6 +81,23 @@ class Kinematics:
         """What the variant may not have meant: positions near singular ones."""
         return tuple(one.problem for one in self.near)
 
+    @property
+    def missed(self) -> Problem | None:
+        """What failed: the method that the variant names does not hold its accuracy."""
+        if self.choice is None:
+            return None
+        from tmm_report.chapters.kinematics.by_method import missed
+
+        return missed(self.choice)
+
+    @property
+    def tolerance(self) -> float:
+        """Relative disagreement above which something is wrong with two ways to one number: by the errors of the
+        method of the positions, not by what is asked of it."""
+        if self.choice is None or self.choice.worst <= TOLERANCE:
+            return TOLERANCE
+        return WAYS * self.choice.worst
+
     @cached_property
     def gaps(self) -> tuple[Gap, ...]:
         """Groups that cannot be assembled over part of the cycle, with causes and cures."""
@@ -82,8 +105,9 @@ class Kinematics:
 
     @property
     def limited(self) -> bool:
-        """Whether the mechanism comes to a limit, towards which rates and forces grow without bound."""
-        return any(gap.intervals for gap in self.gaps)
+        """Whether the mechanism comes to a limit, or its guides become parallel: towards that rates and forces grow
+        without bound."""
+        return bool(self.cycle.poles.size) or any(gap.intervals for gap in self.gaps)
 
     @cached_property
     def closest(self) -> tuple[Closest, ...]:
@@ -113,13 +137,18 @@ class Kinematics:
         return float(self.linkage.mechanism.driver.omega)
 
 
-def solve(positions: Positions, structure: Structure) -> Kinematics:
-    """Positions that cannot be assembled are nan. Raises ProblemError where none can."""
+def solve(positions: Positions, structure: Structure, way: Way | None = None) -> Kinematics:
+    """Positions that cannot be assembled are nan. Raises ProblemError where none can, or where the method that is asked
+    for cannot be used."""
     cycle = cycle_of(structure.linkage)
+    choice = _chosen(way, cycle, positions)
+    find = _by(choice)
     (turned, table), (diagram_turned, diagram) = (
-        steps(cycle, count) for count in (positions.table, positions.diagram)
+        find(cycle, count) for count in (positions.table, positions.diagram)
     )
-    opened = told(leave_out_unclosed(table), turned) + told(leave_out_unclosed(diagram), diagram_turned)
+    opened: list[Gap] = []
+    if find is steps:  # other methods leave the joints open by their errors
+        opened = told(leave_out_unclosed(table), turned) + told(leave_out_unclosed(diagram), diagram_turned)
     _must_close(cycle, table, diagram)
     undefined = settle(table) | at_limits(cycle, turned, table)
     settle(diagram)
@@ -129,8 +158,25 @@ def solve(positions: Positions, structure: Structure) -> Kinematics:
     return Kinematics(
         cycle.linkage, cycle, positions, turned, table, diagram_turned, diagram, motions,
         _numbers(flat & table.closes), _numbers(undefined & table.closes), _numbers(~table.closes),
-        tuple(opened),
+        tuple(opened), choice,
     )  # fmt: skip
+
+
+def _chosen(way: Way | None, cycle: Cycle, positions: Positions) -> Choice | None:
+    if way is None:
+        return None
+    from tmm_report.chapters.kinematics.by_method import chosen
+
+    return chosen(way, cycle, positions)
+
+
+def _by(choice: Choice | None) -> Callable[[Cycle, int], tuple[Array, Motion]]:
+    """How the motion at equal steps is found."""
+    if choice is None:
+        return steps
+    from tmm_report.chapters.kinematics.by_method import own, run
+
+    return steps if own(choice) else partial(run, choice)
 
 
 def steps(cycle: Cycle, count: int) -> tuple[Array, Motion]:

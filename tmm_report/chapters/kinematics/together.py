@@ -6,7 +6,7 @@ Each finds what `solve` finds for it alone, to the last bit, whatever variants s
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -25,6 +25,7 @@ from tmm_report.mechanics.each import Each, one, together
 from tmm_report.mechanics.motion import Linkage, Motion, apart
 from tmm_report.mechanics.relations import named_values
 from tmm_report.mechanics.singular import Critical, regular
+from tmm_report.records import dataclass
 
 Array = Any
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
@@ -13,6 +12,7 @@ from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.motion import Linkage, Motion
 from tmm_report.mechanics.planar import dot
 from tmm_report.mechanics.relations import turning_links, turns_with
+from tmm_report.records import dataclass
 
 Array = Any
 SAME = 1e-9  # of turned unit vectors: position N of a full turn is position 0
@@ -156,7 +156,8 @@ def travel(
         near, far = _rocker_extremes(cycle, output, reference, stops)
     else:
         S, dS = S - start, dS - start
-        near, far = (Extreme(float(x.value - start), x.turned) for x in extremes[0])
+        reached = bounded(cycle, output.coordinate, extremes[0]) if cycle.poles.size else extremes[0]
+        near, far = (Extreme(float(x.value - start), x.turned) for x in reached)
     # of one stroke there and one back, over a whole turn, only
     strokes = cycle.closed and bool(np.all(table.closes)) and len(stops) == 2 and not _dwells(dV)
     back = (far.turned - near.turned) % cycle.sweep if strokes else None
@@ -177,12 +178,22 @@ NEAR_LIMIT, GROWS = (
 
 def bounded(cycle: Cycle, rate: Quantity, extremes: Extremes) -> Extremes:
     """Extremes of a rate; nan in place of what is none, as the rate grows without bound towards a limit of assembly:
-    there it goes with 1/√(distance)."""
+    there it goes with 1/√(distance), towards parallel guides with a power of 1/distance."""
+    if _runs_away(cycle, rate, extremes):
+        return Extreme(np.nan, np.nan), Extreme(np.nan, np.nan)
     limits = cycle.limits
     if not limits.size:
         return extremes
     low, high = (_bounded(cycle, rate, extreme, limits) for extreme in extremes)
     return low, high
+
+
+def _runs_away(cycle: Cycle, value: Quantity, extremes: Extremes) -> bool:
+    """Whether a quantity is larger than its extremes beside parallel guides: it has none."""
+    if not cycle.poles.size:
+        return False
+    beside = cycle.motion(np.concatenate([cycle.poles - NEAR_LIMIT, cycle.poles + NEAR_LIMIT]))
+    return bool(np.nanmax(np.abs(value(beside)), initial=0.0) > GROWS * max(abs(x.value) for x in extremes))
 
 
 def _bounded(cycle: Cycle, rate: Quantity, extreme: Extreme, limits: Array) -> Extreme:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from tmm_report.i18n import NP_, Translator
 from tmm_report.quantity.formula import ATOM, SUM, Expr, Number, Page, Piece, Value, at
 from tmm_report.quantity.symbols import Latex, MathML, notation
+from tmm_report.records import dataclass
 
 Signed = tuple[int, Expr | None]  # ±1 and a term; None where it is zero
 

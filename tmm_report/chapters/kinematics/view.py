@@ -96,8 +96,14 @@ class KinematicsView:
         self.book = page.once(q.book, found)
 
     def conclusions(self) -> list[Markup]:
-        """Near which singular positions few digits remain; first, if fewer than are printed."""
-        return [self._near(near) for near in self.found.near]
+        """A method that misses its accuracy; near which singular positions few digits remain: first, if fewer than are
+        printed."""
+        missed = []
+        if self.found.missed is not None:
+            from tmm_report.chapters.kinematics.method_view import failed
+
+            missed = [failed(self.found, self.book.tables["method"], self.page)]
+        return [*missed, *(self._near(near) for near in self.found.near)]
 
     def _near(self, near: Near) -> Markup:
         line = self.t(N_("Near a singular position: %(what)s."), what=self.page.sentence(near.text))
@@ -159,6 +165,14 @@ class KinematicsView:
     def closures(self) -> list[Markup]:
         """How the position of each group is found, in the order of assembly."""
         return [self._closure(d) for d in self.found.linkage.groups]
+
+    def method(self) -> list[Markup]:
+        """By what method the numbers were found, where the variant states one."""
+        if self.found.choice is None:
+            return []
+        from tmm_report.chapters.kinematics.method_view import said
+
+        return said(self.found, self.book.tables["method"], self.page)
 
     @property
     def has_assemblies(self) -> bool:
@@ -222,7 +236,7 @@ class KinematicsView:
         return worded(caption, heads, rows, (2, 2, 6))
 
     def sentences(self) -> list[Markup]:
-        """What is to be said of limits, change points and parallel guides."""
+        """What is to be said of gaps, parallel guides among them, of limits and change points."""
         texts = [*(gap.text for gap in self.found.gaps), *(near.text for near in self.found.near)]
         found = [self.page.sentence(text) for text in texts]
         return found + [text for c in self.found.closest for text in self._singular(c)]
@@ -230,7 +244,7 @@ class KinematicsView:
     def _singular(self, c: Closest) -> Iterator[Markup]:
         passed = tuple(x for x in c.changes if x not in c.corners)
         for angles, text in (
-            (passed, PASSED), (c.corners, CORNER), (c.parallel, PARALLEL), (c.limits, LIMIT),
+            (passed, PASSED), (c.corners, CORNER), (c.limits, LIMIT),
         ):  # fmt: skip
             if angles:
                 group, links = group_label(c.group), ", ".join(c.links)
@@ -251,10 +265,6 @@ CORNER = N_(
     "at the angle of turn φ = %(angles)s group %(group)s (links %(links)s) is in a change point in which "
     "its two assemblies meet, and is kept in the stated one: gone through smoothly, it would begin the "
     "next turn in the other. Velocities there have no limit"
-)
-PARALLEL = N_(
-    "at the angle of turn φ = %(angles)s the guides of group %(group)s (links %(links)s) are parallel "
-    "and its links run away"
 )
 LIMIT = N_(
     "at the angle of turn φ = %(angles)s group %(group)s (links %(links)s) is at the limit of its "

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
 from tmm_report.chapters.kinematics.solve import Kinematics, Travel
 from tmm_report.mechanics.planar import dot
+from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
     from tmm_report.course import LeverFound

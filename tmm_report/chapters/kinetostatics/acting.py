@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, assert_never
 
 import numpy as np
@@ -27,6 +26,7 @@ from tmm_report.mechanics.planar import cross
 from tmm_report.mechanics.repeated import repeated
 from tmm_report.mechanics.statics import Load
 from tmm_report.problems import N_, Message, Problem, doubt
+from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
     from tmm_report.chapters.kinematics.solve import Kinematics

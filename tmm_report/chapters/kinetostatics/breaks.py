@@ -22,6 +22,7 @@ from tmm_report.chapters.kinetostatics.strokes import reach, strokes
 from tmm_report.mechanics.cam_breaks import breaks as cam_breaks
 from tmm_report.mechanics.cam_laws import FULL_TURN
 from tmm_report.mechanics.cycle import Cycle, Quantity
+from tmm_report.mechanics.distinct import distinct
 from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.planar import dot
 
@@ -45,7 +46,7 @@ def breaks(given: Loads, kinematics: Kinematics) -> Array:
     found.append(
         cycle.repeated(np.mod(cycle.sense * (cam_breaks(cycle.linkage.mechanism) - cycle.zero), FULL_TURN))
     )
-    return np.unique(np.concatenate([np.array(fixed, dtype=float), *found]))
+    return distinct(np.concatenate([np.array(fixed, dtype=float), *found]))
 
 
 def _stated(law: Law, cycle: Cycle, count: int) -> Iterator[float]:

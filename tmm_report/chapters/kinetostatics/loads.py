@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
+
+from tmm_report.records import dataclass
 
 Motion = Literal["along", "against"]
 Curve = tuple[tuple[float, float], ...]

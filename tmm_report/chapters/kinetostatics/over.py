@@ -6,7 +6,6 @@ rounding of a double; extremes and integrals are then those of the forces themse
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -22,6 +21,7 @@ from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.panels import Panels, panels
 from tmm_report.mechanics.peaks import Peaks, peaks, refined, size_peaks
 from tmm_report.mechanics.statics import Statics
+from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
     from tmm_report.chapters.kinematics.solve import Kinematics

@@ -7,18 +7,19 @@ Source: Artobolevsky, Theory of mechanisms and machines, ch. 26; Frolov (ed.), T
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from tmm_report.mechanics.cam import Cam
 from tmm_report.mechanics.cycle import Extreme, least_and_greatest
+from tmm_report.mechanics.distinct import distinct
 from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.panels import Panels
 from tmm_report.mechanics.peaks import integral, peaks
 from tmm_report.mechanics.planar import dot
 from tmm_report.mechanics.statics import Statics
+from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
     from tmm_report.chapters.kinetostatics.solve import Kinetostatics
@@ -85,7 +86,7 @@ def _along_normal(cam: Cam, motion: Motion, found: Statics) -> Array:
 
 def _below(panels: Panels, values: Array) -> tuple[tuple[float, float], ...]:
     """Between which places a function of the panels is below zero by more than rounding."""
-    marks = np.unique(np.concatenate([[0.0], panels.roots(values), [panels.period]]))
+    marks = distinct(np.concatenate([[0.0], panels.roots(values), [panels.period]]))
     done = integral(panels, values, marks[1:]) - integral(panels, values, marks[:-1])
     least = NOTHING * np.abs(values).max() * np.diff(marks)
     rows = zip(marks[:-1], marks[1:], done < -least, strict=True)

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.kinematics.solve import PRINTED, Kinematics, rounding
+from tmm_report.chapters.kinematics.solve import PRINTED, TOLERANCE, Kinematics, rounding
 from tmm_report.chapters.kinetostatics.acting import Loading as Loading
 from tmm_report.chapters.kinetostatics.acting import Stated as Stated
-from tmm_report.chapters.kinetostatics.acting import loaded, resultants, stated
+from tmm_report.chapters.kinetostatics.acting import loaded, stated
 from tmm_report.chapters.kinetostatics.acting import loaded_link as loaded_link
 from tmm_report.chapters.kinetostatics.acting import loading as loading
 from tmm_report.chapters.kinetostatics.acting import magnitude as magnitude
+from tmm_report.chapters.kinetostatics.acting import resultants as resultants
 from tmm_report.chapters.kinetostatics.acting import still as still
 from tmm_report.chapters.kinetostatics.breaks import breaks as breaks
 from tmm_report.chapters.kinetostatics.loads import ByStrokes, Constant, Loads
@@ -37,12 +38,12 @@ from tmm_report.mechanics.planar import dot
 from tmm_report.mechanics.roots import DIFFERENCE
 from tmm_report.mechanics.statics import Statics
 from tmm_report.problems import Problem
+from tmm_report.records import dataclass
 
 Array = Any
 
 NO_EXTREME = Extreme(np.nan, np.nan)
 STRAIN = 10.0  # times the rounding that is left of a balancing moment: what two ways to it may differ by
-TOLERANCE = 1e-9  # relative disagreement of the checks above which something is wrong
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,14 +107,14 @@ class Kinetostatics:
     def agrees(self) -> bool:
         """Whether both checks hold: but for what rounding leaves near singular positions, where enough digits remain of
         what is printed."""
-        return max(self.worst_lever, self.worst_power) <= TOLERANCE or bool(
+        return max(self.worst_lever, self.worst_power) <= self.kinematics.tolerance or bool(
             self.table.explained.all() and self.diagram.explained.all()
         )
 
     @property
     def strained(self) -> bool:
         """Whether the checks hold only by what rounding leaves near singular positions."""
-        return self.agrees and max(self.worst_lever, self.worst_power) > TOLERANCE
+        return self.agrees and max(self.worst_lever, self.worst_power) > self.kinematics.tolerance
 
     @cached_property
     def over(self) -> Over | None:

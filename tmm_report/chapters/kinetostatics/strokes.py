@@ -6,7 +6,6 @@ stroke         ·  n-1   |      0      |      1      …       |    n-1     |
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -16,6 +15,7 @@ from tmm_report.mechanics.cycle import Cycle, Extreme
 from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.planar import dot
 from tmm_report.problems import N_, Message, ProblemError, mistake
+from tmm_report.records import dataclass
 
 Array = Any
 AT_ONCE = 1e-9  # rad: a stroke that begins so soon has begun

@@ -6,7 +6,6 @@ resists where the angle is obtuse. (Artobolevsky, Theory of mechanisms and machi
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,10 +13,12 @@ import numpy as np
 from tmm_report.chapters.kinetostatics.acting import Loading
 from tmm_report.chapters.kinetostatics.loads import Loads
 from tmm_report.chapters.kinetostatics.over import Over
+from tmm_report.mechanics.distinct import distinct
 from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.panels import Panels
 from tmm_report.mechanics.peaks import integral, signed
 from tmm_report.mechanics.planar import dot
+from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
     from tmm_report.chapters.kinetostatics.solve import Kinetostatics
@@ -137,7 +138,7 @@ def _zones(panels: Panels, moment: Array) -> tuple[Zone, ...]:
     """Between the angles at which the moment passes through zero, jumps among them; none where there is no moment."""
     if not moment.any():
         return ()
-    marks = np.unique(np.concatenate([[0.0], panels.roots(moment), [panels.period]]))
+    marks = distinct(np.concatenate([[0.0], panels.roots(moment), [panels.period]]))
     done = integral(panels, moment, marks[1:]) - integral(panels, moment, marks[:-1])
     rows = zip(marks[:-1], marks[1:], done, strict=True)
     return tuple(Zone(float(a), float(b), bool(work > 0), float(work)) for a, b, work in rows)

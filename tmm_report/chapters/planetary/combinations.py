@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -10,6 +9,7 @@ import numpy as np
 from tmm_report.mechanics import planetary as p
 from tmm_report.mechanics.planetary_search import Candidates, Reason, Task, multiples, ranked, search
 from tmm_report.mechanics.planetary_task import coaxiality_gap
+from tmm_report.records import dataclass
 
 Array = Any
 

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from tmm_report.mechanics import planetary as p
 from tmm_report.mechanics.planetary_search import Task
 from tmm_report.mechanics.spur import Rack
+from tmm_report.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 from itertools import permutations
 
 from tmm_report.chapters.planetary.given import Given
 from tmm_report.mechanics import planetary as p
+from tmm_report.records import dataclass
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from tmm_report.i18n import Translator
 from tmm_report.quantity.formula import Expr, Page
 from tmm_report.quantity.ref import Ref, without_attributes
 from tmm_report.quantity.symbols import Latex, MathML, notation
+from tmm_report.records import dataclass
 
 
 @dataclass(frozen=True, eq=False)

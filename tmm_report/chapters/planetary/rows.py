@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -11,6 +10,7 @@ import numpy as np
 from tmm_report.mechanics import planetary as p
 from tmm_report.mechanics.planetary_search import Task
 from tmm_report.mechanics.wheels import involute_start, least_ring
+from tmm_report.records import dataclass
 
 Array = Any
 

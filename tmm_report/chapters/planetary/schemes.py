@@ -9,7 +9,7 @@ mechanisms and machines, ch. 15.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -18,6 +18,7 @@ from tmm_report.chapters.planetary.given import Given
 from tmm_report.mechanics import planetary as p
 from tmm_report.mechanics.planetary_search import Candidates, Task, ranked, search
 from tmm_report.problems import N_, Message, ProblemError, mistake
+from tmm_report.records import dataclass
 
 Array = Any
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
@@ -28,6 +28,7 @@ from tmm_report.mechanics import planetary as p
 from tmm_report.mechanics import trains
 from tmm_report.mechanics.planetary_search import Candidates, ranked, search
 from tmm_report.problems import Problem
+from tmm_report.records import dataclass
 
 __all__ = ["Found", "Given", "Motion", "solve", "tasks"]
 

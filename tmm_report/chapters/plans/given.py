@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Literal
 
 from tmm_report.quantity.paper import ACCURACY
+from tmm_report.records import dataclass
 
 Kind = Literal["length", "velocity", "acceleration", "force"]
 

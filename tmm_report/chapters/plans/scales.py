@@ -6,7 +6,6 @@ Analytical values only say how large the plans will be; nothing is read from the
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -22,6 +21,7 @@ from tmm_report.problems import N_, ProblemError, mistake
 from tmm_report.quantity.paper import LONGEST, SHEET, fitting_scale, legible, round_scale, segment_scale
 from tmm_report.quantity.text import round_significant
 from tmm_report.quantity.written import DIGITS
+from tmm_report.records import dataclass
 
 Array = Any
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -23,6 +22,7 @@ from tmm_report.chapters.plans.scales import Choice
 from tmm_report.chapters.plans.scales import scales as scales_of
 from tmm_report.mechanics.cam_group import in_position, rests
 from tmm_report.quantity.paper import Pen
+from tmm_report.records import dataclass
 
 LIMIT = 5.0  # %, allowed difference of the graph-analytical method
 

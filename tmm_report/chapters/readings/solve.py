@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -11,13 +10,13 @@ import numpy as np
 from tmm_report.chapters.plans.solve import LIMIT, Plans
 from tmm_report.chapters.readings.given import Readings, Written
 from tmm_report.judging.asked import of_motion, of_table
-from tmm_report.judging.diagnose import diagnose
 from tmm_report.judging.judge import default_floor, judge, takes_magnitudes
 from tmm_report.judging.model import RIGHT, Answered, Answers, Asked, Cause, Judged, Name, Rule
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.quantity import naming
 from tmm_report.quantity.model import Table
 from tmm_report.quantity.units import WrongValue, between
+from tmm_report.records import dataclass
 
 Array = Any
 
@@ -89,7 +88,8 @@ def solve(readings: Readings, plans: Plans, tables: Iterable[tuple[str, Table]])
     meant = _meant(readings, asked)
     columns = {one.name: _answered(one, meant) for one in {id(one): one for one, *_ in meant}.values()}
     judged = {name: _judged(asked[name], column, plans) for name, column in columns.items()}
-    causes = tuple(diagnose(Answers("", columns), asked, judged, limit=LIMIT, others=None))
+    wrong = any((columns[name].given & ~one.ok).any() for name, one in judged.items())
+    causes = _causes(columns, asked, judged) if wrong else ()
     rows: dict[int, list[Reading]] = {position: [] for position in readings}
     for one, position, written, number in meant:
         rows[position].append(_reading(one, position, written, number, judged[one.name], causes))
@@ -121,6 +121,14 @@ def _meant(readings: Readings, asked: Mapping[Name, Asked]) -> Meant:
     if problems:
         raise ProblemError(problems)
     return found
+
+
+def _causes(
+    columns: Mapping[Name, Answered], asked: Mapping[Name, Asked], judged: Mapping[Name, Judged]
+) -> tuple[Cause, ...]:
+    from tmm_report.judging.diagnose import diagnose  # loaded where something is wrong
+
+    return tuple(diagnose(Answers("", columns), asked, judged, limit=LIMIT, others=None))
 
 
 def _number(written: Written, one: Asked) -> float:

@@ -7,7 +7,6 @@ I ω₁²/2 = Σ (m v_S² + J ω²)/2,  M ω₁ = Σ F v cos α + Σ M ω. (Arto
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -20,6 +19,7 @@ from tmm_report.chapters.plans.solve import Plans
 from tmm_report.mechanics.cycle import Extreme, least_and_greatest
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.motion import Motion
+from tmm_report.records import dataclass
 
 Array = Any
 

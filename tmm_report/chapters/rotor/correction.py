@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from tmm_report.chapters.rotor.given import Given, Steps
 from tmm_report.quantity.paper import rounded
+from tmm_report.records import dataclass
 
 PLANES = ("I", "II")
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import reduce
 from operator import add
 
@@ -13,6 +12,7 @@ from tmm_report.chapters.rotor import quantities as q
 from tmm_report.chapters.rotor.solve import Found
 from tmm_report.quantity.formula import Expr, Formula, Page, Piece, arccos, cos, sin, sqrt
 from tmm_report.quantity.model import Book, Table
+from tmm_report.records import dataclass
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from tmm_report.quantity.paper import ACCURACY
+from tmm_report.records import dataclass
 
 
 @dataclass(frozen=True)

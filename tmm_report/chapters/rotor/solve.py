@@ -7,7 +7,6 @@ mechanisms and machines, ch. 13; Norton, Design of machinery, ch. 12)
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -20,6 +19,7 @@ from tmm_report.mechanics import rotor
 from tmm_report.mechanics.rotor import Polygon, polygon
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.paper import round_scale
+from tmm_report.records import dataclass
 
 __all__ = ["Correction", "Found", "Given", "solve"]
 

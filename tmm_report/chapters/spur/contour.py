@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 from tmm_report.chapters.spur.conditions import CONTACT, POINTING
 from tmm_report.mechanics.blocking import Blocking, Lack, Line, Window
 from tmm_report.mechanics.spur import Pair
+from tmm_report.records import dataclass
 
 Array = Any
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,6 +13,7 @@ from tmm_report.mechanics.spur import Pair
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, text_column
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
     from tmm_report.chapters.spur.solve import Found

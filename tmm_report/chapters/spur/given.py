@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
 from tmm_report.mechanics.spur import Cutter, Rack
 from tmm_report.quantity.paper import ACCURACY
+from tmm_report.records import dataclass
 
 Rule = Literal["rule", "limit", "equal sliding"]
 EQUAL: Rule = "equal sliding"

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import cmath
 import math
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -18,6 +17,7 @@ from tmm_report.mechanics import teeth
 from tmm_report.mechanics.involute import inv
 from tmm_report.mechanics.spur import Pair
 from tmm_report.mechanics.teeth import Wheel
+from tmm_report.records import dataclass
 
 Array = Any
 

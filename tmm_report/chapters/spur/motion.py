@@ -8,12 +8,12 @@ Source: Artobolevsky, Theory of mechanisms and machines, ch. 22.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from tmm_report.mechanics.spur import Pair
+from tmm_report.records import dataclass
 
 Array = Any
 

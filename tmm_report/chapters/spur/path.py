@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from tmm_report.mechanics.spur import Pair, Sliding
+from tmm_report.records import dataclass
 
 Array = Any
 PLACES = 121  # where the sliding is found for its diagram

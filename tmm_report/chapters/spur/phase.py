@@ -7,13 +7,13 @@ the arc about O2 through T. Source: Artobolevsky, Theory of mechanisms and machi
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from tmm_report.chapters.spur.path import Path, mates_of
 from tmm_report.mechanics.spur import Pair
+from tmm_report.records import dataclass
 
 Array = Any
 

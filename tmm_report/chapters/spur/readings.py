@@ -5,11 +5,11 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 
 from tmm_report.chapters.spur.mesh import Mesh
 from tmm_report.mechanics import teeth
 from tmm_report.quantity.paper import rounded
+from tmm_report.records import dataclass
 
 Read = Callable[[complex], complex]  # a place on paper as it is read, mm
 SEGMENTS = (("A", "B"), ("A", "C"), ("C", "D"), ("D", "B"))

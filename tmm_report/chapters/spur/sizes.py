@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 from tmm_report.chapters.spur.given import EQUAL, Given
 from tmm_report.mechanics import shifts, spur
 from tmm_report.mechanics.conditions import EXACT
 from tmm_report.mechanics.spur import Pair
+from tmm_report.records import dataclass
 
 SPARE = 2.0  # the sum of teeth may be this much below its bound
 ROUNDED = 1.5e-3  # shifts written with three decimals fill the distance

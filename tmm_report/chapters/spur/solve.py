@@ -6,7 +6,7 @@ and internal pairs, straight and helical teeth. Artobolevsky, Theory of mechanis
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 
 from tmm_report.chapters.spur.conditions import BY_ASSEMBLY, conditions_of
@@ -26,6 +26,7 @@ from tmm_report.mechanics.conditions import Condition
 from tmm_report.mechanics.involute import inv
 from tmm_report.mechanics.spur import Pair, Rack
 from tmm_report.problems import N_, Message, Problem, doubt
+from tmm_report.records import dataclass
 
 __all__ = ["EQUAL", "STANDARD", "Condition", "Found", "Given", "Rack", "solve"]
 

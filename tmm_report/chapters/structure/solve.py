@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
 from tmm_report.mechanics.assembly import assemble, keys_of
@@ -13,6 +12,7 @@ from tmm_report.mechanics.motion import Linkage
 from tmm_report.mechanics.structure import Alternative, Group, Pair, alternatives, mobility
 from tmm_report.mechanics.structure import Structure as Decomposed
 from tmm_report.problems import N_, Message, Problem, doubt
+from tmm_report.records import dataclass
 
 
 @dataclass(frozen=True, eq=False)

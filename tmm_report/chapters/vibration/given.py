@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from tmm_report.records import dataclass
 
 CURVES = (0.0, 0.1, 0.25, 0.5, 1.0)
 

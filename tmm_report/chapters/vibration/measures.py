@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -11,7 +10,9 @@ import numpy as np
 from tmm_report.chapters.vibration import mistakes
 from tmm_report.chapters.vibration.given import Given
 from tmm_report.mechanics import vibration as vib
+from tmm_report.mechanics.distinct import distinct
 from tmm_report.mechanics.vibration import Body
+from tmm_report.records import dataclass
 
 Array = Any
 SPAN = 2.5  # ω/ω0 up to which at least the greatest amplitude is looked for
@@ -117,7 +118,7 @@ def _over(natural: float, pair: tuple[float, float]) -> Array:
     """ω/ω0 among which the greatest amplitude is looked for: dense about both natural frequencies of the tuned one,
     of narrow peaks."""
     near = np.linspace(0.95, 1.05, 1001)
-    return np.unique([*np.linspace(0.02, SPAN, 2481), *np.outer(np.divide(pair, natural), near).ravel()])
+    return distinct([*np.linspace(0.02, SPAN, 2481), *np.outer(np.divide(pair, natural), near).ravel()])
 
 
 def _fitted(key: str, body: Body, hung: Body, omega: float, over: Array) -> Fitted:

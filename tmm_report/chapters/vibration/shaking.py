@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -14,6 +14,7 @@ from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.planar import dot
 from tmm_report.mechanics.vibration import Body
 from tmm_report.problems import N_, Message, ProblemError, mistake
+from tmm_report.records import dataclass
 
 Array = Any
 COUNT = 720  # angles over a turn: its last harmonics are rounding

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
@@ -21,6 +21,7 @@ from tmm_report.chapters.vibration.shaking import Shaking, shaking
 from tmm_report.mechanics import vibration as vib
 from tmm_report.mechanics.vibration import Body
 from tmm_report.problems import N_, Message
+from tmm_report.records import dataclass
 
 __all__ = ["Found", "Given", "solve"]
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from tmm_report.chapters.vibration.solve import Found, G
 from tmm_report.i18n import NP_
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Quantity, Value
 from tmm_report.quantity.symbols import math_symbol
+from tmm_report.records import dataclass
 
 BASE = NP_("index", "base")
 WORDS = (

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+
+from tmm_report.records import dataclass
 
 POSITIONS = 360  # over the cycle
 PARTS = 100  # of a guide

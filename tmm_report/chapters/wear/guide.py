@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -19,6 +18,7 @@ from tmm_report.mechanics.planar import dot
 from tmm_report.mechanics.rubbing import relative_rate
 from tmm_report.mechanics.structure import Pair
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
+from tmm_report.records import dataclass
 
 Array = Any
 FACES = ("lower", "upper")

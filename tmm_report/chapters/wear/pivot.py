@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -16,6 +15,7 @@ from tmm_report.mechanics.cycle import Cycle
 from tmm_report.mechanics.rubbing import relative_rate
 from tmm_report.mechanics.structure import Pair
 from tmm_report.problems import N_, Message, ProblemError, mistake
+from tmm_report.records import dataclass
 
 Array = Any
 MEMBERS = ("journal", "bushing")

@@ -6,7 +6,6 @@ The law and its sources are in mechanics/wear.py.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from tmm_report.chapters.kinetostatics.solve import Solved, at, stated
 from tmm_report.chapters.machine import Moving
@@ -15,6 +14,7 @@ from tmm_report.chapters.wear.given import Given
 from tmm_report.chapters.wear.guide import GuideFound
 from tmm_report.chapters.wear.pivot import PivotFound
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
+from tmm_report.records import dataclass
 
 __all__ = ["Found", "Given", "solve"]
 

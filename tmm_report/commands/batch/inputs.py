@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from tmm_report import __version__
 from tmm_report.commands.talk import failure
 from tmm_report.problems import N_, Problem, ProblemError
+from tmm_report.records import dataclass
 from tmm_report.running.journal import digest
 
 SUFFIXES = (".yaml", ".yml")

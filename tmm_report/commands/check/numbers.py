@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
@@ -17,6 +17,7 @@ import numpy as np
 from tmm_report.course import INITIAL_DATA, Results, chapters, room
 from tmm_report.problems import N_, Message, shown
 from tmm_report.quantity.model import Column, Table
+from tmm_report.records import dataclass
 
 Cell = float | str | None
 Array = Any

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 from tmm_report import load, solve
@@ -14,6 +13,7 @@ from tmm_report.commands.talk import Talk, failure, unwritable, written
 from tmm_report.i18n import Translator
 from tmm_report.languages import FALLBACK
 from tmm_report.problems import N_, Message, Problem, ProblemError, shown
+from tmm_report.records import dataclass
 
 MOST_SAMPLES = 2000
 MOST_TOLD = 30  # differences of one sample that the terminal is told; the file of JUnit has more

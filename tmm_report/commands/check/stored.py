@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +13,7 @@ from tmm_report import yamlread
 from tmm_report.commands.check.numbers import VALUES, Cell, Sheet, Stored, Tolerance, Tolerances
 from tmm_report.languages import DEFAULT, LANGUAGES
 from tmm_report.problems import N_, Message, Problem, ProblemError, shown
+from tmm_report.records import dataclass
 
 FORMAT = 1
 BYTES = 5_000_000

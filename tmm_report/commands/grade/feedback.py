@@ -6,7 +6,6 @@ page = feedback(marked, Translator("ru"))      # one self-contained HTML file
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import groupby
 from math import ceil
 from typing import Any
@@ -18,6 +17,7 @@ from tmm_report.commands.grade.legend import MARKS, Limits, Mark, Says, mark
 from tmm_report.grading.model import RIGHT, Cause, Marked, MarkedColumn, Name, Rule
 from tmm_report.i18n import Translator
 from tmm_report.problems import N_, shown
+from tmm_report.records import dataclass
 from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template

@@ -4,7 +4,7 @@ feedback written."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 
@@ -23,6 +23,7 @@ from tmm_report.i18n import Translator
 from tmm_report.intake.sources import Source
 from tmm_report.languages import FALLBACK
 from tmm_report.problems import Problem, ProblemError
+from tmm_report.records import dataclass
 
 FEEDBACK = "feedback"
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,6 +17,7 @@ from tmm_report.mechanics import following
 from tmm_report.mechanics.dyads import Dyad, State
 from tmm_report.mechanics.planar import cross, dot
 from tmm_report.mechanics.statics import Load, Reaction
+from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
     from tmm_report.chapters.kinetostatics.solve import Kinetostatics, Loading

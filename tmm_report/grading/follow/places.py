@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
@@ -17,6 +17,7 @@ from tmm_report.mechanics.mechanism import FRAME, Link
 from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.planar import dot, is_zero
 from tmm_report.mechanics.relations import moving_points, turning_links
+from tmm_report.records import dataclass
 
 Array = Any
 Group = Dyad | HigherGroup

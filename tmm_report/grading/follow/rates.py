@@ -7,7 +7,7 @@ normal or Coriolis part (see `mechanics.relations`). So there is one `Rates` for
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
@@ -22,6 +22,7 @@ from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.planar import components, dot, dual
 from tmm_report.mechanics.relations import Branch, turns_with
+from tmm_report.records import dataclass
 
 Array = Any
 STILL = Known(0j)

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from tmm_report.mechanics.dyads import Dyad
 from tmm_report.mechanics.higher import HigherGroup
 from tmm_report.mechanics.mechanism import Scalar
 from tmm_report.mechanics.motion import Linkage
 from tmm_report.mechanics.planar import is_zero
 from tmm_report.mechanics.relations import Branch, Relation, System, relations
+from tmm_report.records import dataclass
 
 Group = Dyad | HigherGroup
 

@@ -7,12 +7,13 @@ angular rate without signs has the sign that follows. Components, where given, c
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
 
 from tmm_report.grading.follow.known import Known, first
+from tmm_report.records import dataclass
 
 Array = Any
 NOTHING = 1e-9  # of the greatest of the column: a vector without direction

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
 
 from tmm_report.judging.diagnose.columns import SHORT, Fit, Stack
 from tmm_report.judging.model import Name
+from tmm_report.records import dataclass
 
 Array = Any
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -11,6 +10,7 @@ import numpy as np
 
 from tmm_report.judging.judge import default_floor, deviation, full_turn, nearest
 from tmm_report.judging.model import Answers, Asked, Expected, Judged, Name
+from tmm_report.records import dataclass
 
 Array = Any
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
@@ -12,6 +12,7 @@ from tmm_report.judging.diagnose.candidates import SHARE, Candidates, Mistake, e
 from tmm_report.judging.diagnose.columns import Fit, Stack, only
 from tmm_report.judging.judge import default_floor
 from tmm_report.judging.model import Asked, Expected, Name
+from tmm_report.records import dataclass
 
 Array = Any
 

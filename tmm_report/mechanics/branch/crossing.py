@@ -8,12 +8,13 @@ Source: Golubitsky, Schaeffer, Singularities and groups in bifurcation theory I 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from math import sqrt
 from typing import Any
 
 import numpy as np
 
 from tmm_report.mechanics.branch.curve import Curve, Node
+from tmm_report.records import dataclass
 
 Array = Any
 NOISE = 3e-15  # of the contours, over the size of the group: what g cannot be told from 0 by
@@ -128,7 +129,13 @@ def straight(curve: Curve, before: Node, node: Node, far: float) -> tuple[Node, 
     if np.abs(behind.t - node.t - far * curvature).max() > 30 * far * far:
         return None
     best = _most_singular(curve, node, behind, far)
-    return (best, behind) if best.beta > SINGULAR else None
+    return (best, behind) if best.beta > SINGULAR and not _missed(curve, best) else None
+
+
+def _missed(curve: Curve, point: Node) -> bool:
+    """Whether the branches beside a singular point miss one another, so that none goes straight on."""
+    at = saddle(curve, point)
+    return at is not None and at.value > NOISE
 
 
 def bend(before: Node, node: Node) -> Array:
@@ -136,6 +143,18 @@ def bend(before: Node, node: Node) -> Array:
     chord = node.z - before.z
     length = np.sqrt(chord @ chord)
     return (node.t - before.t) / length if length > 0 else np.zeros(len(node.t))
+
+
+def ahead(before: Node, node: Node, far: float) -> Array:
+    """The place at the arc length `far` behind a node, by the cubic from the node before it."""
+    chord, turn = node.z - before.z, node.t - before.t
+    length = sqrt(chord @ chord) * (1 + turn @ turn / 24)
+    if not length > 0:
+        return node.z + far * node.t
+    x, mean = far / length, chord / length
+    bent = 2 * before.t + 4 * node.t - 6 * mean
+    twisted = 6 * (before.t + node.t) - 12 * mean
+    return node.z + far * (node.t + x * (bent / 2 + x / 6 * twisted))
 
 
 def _most_singular(curve: Curve, node: Node, behind: Node, far: float) -> Node:
@@ -165,3 +184,8 @@ def cubic(one: Node, other: Node, length: float, u: float) -> tuple[Array, Array
     z = one.z + u * (a + u * (3 * rise - 2 * a - b + u * (a + b - 2 * rise)))
     t = a + u * (2 * (3 * rise - 2 * a - b) + 3 * u * (a + b - 2 * rise))
     return z, t / np.sqrt(t @ t)
+
+
+def end_bend(one: Node, other: Node, length: float) -> float:
+    """Second derivative of the driver's angle along the cubic between two nodes, at its end."""
+    return float((2 * one.t[-1] + 4 * other.t[-1] - 6 * (other.z[-1] - one.z[-1]) / length) / length)

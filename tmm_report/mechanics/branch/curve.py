@@ -11,13 +11,14 @@ Source: Keller, Numerical solution of bifurcation and nonlinear eigenvalue probl
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from math import cos, isfinite, sin, sqrt
 from typing import Any
 
 import numpy as np
 
 from tmm_report.mechanics.branch.known import Known, KnownPart
-from tmm_report.mechanics.loops import Loops
+from tmm_report.mechanics.loops import Direction, Loops
+from tmm_report.records import dataclass
 
 Array = Any
 
@@ -41,7 +42,7 @@ class Node:
         """How far ∂F/∂z has changed, as a part of what makes A singular: A + (D − D₀) = U·S^½·(1 + M)·S^½·Vᵀ, and
         1 + M is regular while ‖M‖ < 1."""
         M = self.left @ (D - self.D) @ self.right
-        return float(np.sqrt(np.sum(M * M)))
+        return sqrt(np.vdot(M, M))
 
     @property
     def phi(self) -> float:
@@ -49,7 +50,10 @@ class Node:
 
 
 class Curve:
-    """The contours of one group as functions of z, over `size`."""
+    """The contours of one group as functions of z, over `size`.
+
+    One point at a time is asked for, where a numpy call costs more than its arithmetic: sums are Python's own.
+    """
 
     def __init__(self, loops: Loops, known: Known):
         count = len(loops.closures)
@@ -57,54 +61,66 @@ class Curve:
         self.known = KnownPart(loops, known)
         self.units = loops.units[:count].reshape(count, loops.angles, -1)[..., 0] / loops.size
         self.slides = loops.slides[:count]
-        self.on_known = self.known.guides
-        self.on_own = [p for p in range(len(loops.guides)) if p not in self.on_known]
-        self.roots = [int(loops.guides[p].root) for p in self.on_own]
-        self.turns = np.array(
-            [complex(np.ravel(loops.guides[p].turn)[0]) for p in self.on_own], dtype=complex
-        )
+        arms, signs = self.units.tolist(), self.slides.tolist()
+        self.contours = [
+            ([(c, x) for c, x in enumerate(row) if x], [(p, x) for p, x in enumerate(signs[i]) if x])
+            for i, row in enumerate(arms)
+        ]
+        on_known = {p: count + n for n, p in enumerate(self.known.guides)}
+        self.guides = [_guide(guide, on_known.get(p, -1)) for p, guide in enumerate(loops.guides)]
         self.spread = self._bends()
+        self._last = np.eye(2 * count + 1)[-1]
 
     def _bends(self) -> float:
         """Bound of the second derivatives of the contours by z: the arms, and the part of the crank, over `size`."""
         arms = np.abs(self.units)
         turned = (
-            np.nanmax(np.abs(self.known.quintics[:, 2, : self.count]), initial=0.0) * 2 / self.known.step**2
+            np.nanmax(np.abs(self.known.quintics[:, : self.count, 2]), initial=0.0) * 2 / self.known.step**2
         )
         turned = min(float(turned), 10.0 * max(1.0, float(arms.max(initial=0.0))))
         return float(np.sqrt(np.sum(arms**2) + 2 * np.sum(self.slides**2) + turned**2))
 
     def at(self, z: Array) -> tuple[Array, Array]:
         """F (k,) and ∂F/∂z (k, k + 1) at one point; nan where the links before the group do not exist."""
-        n = self.angles
-        known, rates = self.known.at(float(z[-1]))
-        U = np.exp(1j * z[:n])
-        arms = self.units * U
-        F, by_phi, by_angle = known[: self.count] + arms.sum(axis=1), rates[: self.count], 1j * arms
-        D = np.empty((2 * self.count, len(z)))
-        if len(self.slides[0]):
-            F, by_phi, columns = self._sliding(z, U, known, rates, F, by_phi, by_angle)
-            D[: self.count, n:-1], D[self.count :, n:-1] = columns.real, columns.imag
-        D[: self.count, :n], D[self.count :, :n] = by_angle.real, by_angle.imag
-        D[: self.count, -1], D[self.count :, -1] = by_phi.real, by_phi.imag
-        return np.concatenate([F.real, F.imag]), D
+        values = z.tolist()
+        if not all(map(isfinite, values)):
+            return np.full(2 * self.count, np.nan), np.full((2 * self.count, len(z)), np.nan)
+        known, rates = self.known.at(values[-1])
+        U = [complex(cos(x), sin(x)) for x in values[: self.angles]]
+        T = [U[root] * turn if root >= 0 else known[n] for root, turn, n in self.guides]
+        rows = [self._row(i, values, U, T, known, rates) for i in range(self.count)]
+        both = np.array(rows)
+        both = np.concatenate([both.real, both.imag])
+        return both[:, -1], both[:, :-1]
 
-    def _sliding(
-        self, z: Array, U: Array, known: Array, rates: Array, F: Array, by_phi: Array, by_angle: Array
-    ) -> tuple[Array, Array, Array]:
-        """F, ∂F/∂φ with the vectors along the guides; ∂F/∂θ of their turning is added to `by_angle`."""
-        T = np.empty(self.slides.shape[1], dtype=complex)
-        T[self.on_known], T[self.on_own] = known[self.count :], U[self.roots] * self.turns
-        s = z[self.angles : -1]
-        W = self.slides * (s * T)
-        for p, root in zip(self.on_own, self.roots, strict=True):
-            by_angle[:, root] += 1j * W[:, p]
-        moved = self.slides[:, self.on_known] @ (s[self.on_known] * rates[self.count :])
-        return F + W.sum(axis=1), by_phi + moved, self.slides * T
-
-    def is_known(self, phi: float) -> bool:
-        """Whether the links before the group exist at a driver angle, and have finite rates."""
-        return bool(np.isfinite(sum(part.sum() for part in self.known.at(phi))))
+    def _row(
+        self,
+        i: int,
+        values: list[float],
+        U: list[complex],
+        T: list[complex],
+        known: list[complex],
+        rates: list[complex],
+    ) -> list[complex]:
+        """∂/∂z of one contour, and the contour itself."""
+        gap, by_phi = known[i], rates[i]
+        row = [0j] * len(values)
+        arms, slides = self.contours[i]
+        for c, arm in arms:
+            vector = arm * U[c]
+            gap += vector
+            row[c] = 1j * vector
+        for p, sign in slides:
+            root, _, n = self.guides[p]
+            s = values[self.angles + p]
+            row[self.angles + p] = sign * T[p]
+            gap += s * sign * T[p]
+            if root >= 0:
+                row[root] += 1j * s * sign * T[p]
+            else:
+                by_phi += s * sign * rates[n]
+        row[-1] = by_phi
+        return [*row, gap]
 
     # ------------------------------------------------------------ nodes
 
@@ -112,14 +128,13 @@ class Curve:
         """The point z with the tangent in the sense of `along`; None where the curve has none."""
         if D is None:
             _, D = self.at(z)
-        if not np.isfinite(D).all():
-            return None
-        last = np.zeros(len(z))
-        last[-1] = 1.0
+        A = np.empty((len(z), len(z)))
+        A[:-1], A[-1] = D, along
         try:
-            t = np.linalg.solve(np.vstack([D, along]), last)
-            t /= np.sqrt(t @ t)
-            U, sines, Vt = np.linalg.svd(np.vstack([D, t]))
+            t = np.linalg.solve(A, self._last)
+            t /= sqrt(t @ t)
+            A[-1] = t
+            U, sines, Vt = np.linalg.svd(A)
         except np.linalg.LinAlgError:
             return None
         if not sines[-1] > 0:
@@ -146,18 +161,24 @@ class Curve:
         before = np.inf
         for _ in range(8):
             F, D = self.at(z)
-            if not np.isfinite(D).all():
-                return None
             A[:-1], right[:-1] = D, F
             try:
                 step = np.linalg.solve(A, right)
             except np.linalg.LinAlgError:
                 return None
-            z = z - step
-            size = np.abs(step).max()
+            sizes = [abs(x) for x in step.tolist()]
+            if not isfinite(sum(sizes)):
+                return None
+            z, size = z - step, max(sizes)
             if size < settled:  # what remains is its square
                 return z, D
             if size > 2 * before:
                 break
             before = size
         return (z, D) if size < 10 * settled else None
+
+
+def _guide(guide: Direction, known: int) -> tuple[int, complex, int]:
+    """The unknown direction with which a guide turns, −1 of a known link; its turn; its number in the known part."""
+    root = guide.root if isinstance(guide.root, int) else -1
+    return root, complex(np.ravel(guide.turn)[0]), known

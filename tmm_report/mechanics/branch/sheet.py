@@ -7,7 +7,7 @@ Angles `x` here are turned from the position from which the branch was followed,
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -16,6 +16,7 @@ from tmm_report.mechanics.branch.curve import Curve, Node
 from tmm_report.mechanics.branch.known import Known
 from tmm_report.mechanics.branch.trace import Interval, Trace, trace
 from tmm_report.mechanics.loops import Loops
+from tmm_report.records import dataclass
 
 Array = Any
 FULL_TURN = 2 * np.pi
@@ -111,13 +112,13 @@ class Branch:
         a, b, rise = length * self.by_q[i], length * self.by_q[i + 1], self.q[i + 1] - self.q[i]
         return self.q[i] + u * (a + u * (3 * rise - 2 * a - b + u * (a + b - 2 * rise)))
 
-    @property
+    @cached_property
     def _lengths(self) -> Array:
         chord = np.hypot(np.diff(self.x), np.linalg.norm(np.diff(self.q, axis=0), axis=-1))
         turn = np.diff(self.by_x) ** 2 + np.sum(np.diff(self.by_q, axis=0) ** 2, axis=-1)
         return chord * (1 + turn / 24)
 
-    @property
+    @cached_property
     def _special(self) -> Array:
         """Nodes in which the group itself is singular: its limits and change points."""
         special = self.by_x < 1e-6

@@ -10,14 +10,14 @@ Source: Ortega, Rheinboldt, Iterative solution of nonlinear equations in several
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
 
 from tmm_report.mechanics.branch import crossing
-from tmm_report.mechanics.branch.crossing import cubic
+from tmm_report.mechanics.branch.crossing import cubic, end_bend
 from tmm_report.mechanics.branch.curve import Curve, Node
+from tmm_report.records import dataclass
 
 Array = Any
 LONGEST = 0.25  # step along the curve, rad
@@ -25,6 +25,9 @@ TURNED = 0.3  # change of A that a step shall make; 1 could make it singular
 NEAR = 0.01  # a step this short means that another branch is near
 STRAIGHT = (0.01, 0.03, 0.09)  # steps tried over a point where more than two branches meet
 LEAST = 1e-10  # shorter steps are made of rounding errors
+LEVEL = (
+    1e-10  # slope of the angle along the curve in an inflection: what it turns back by is less than rounding
+)
 STEPS = 6000
 Interval = tuple[float, float]
 
@@ -98,10 +101,7 @@ def _crossed(walk: _Walk) -> bool:
 def _step(walk: _Walk) -> Literal["limit", "wall"] | None:
     """One step; where the branch ends, in what."""
     node, h = walk.nodes[-1], walk.h
-    guess = node.z + h * node.t
-    if len(walk.nodes) > 1:
-        bend = crossing.bend(walk.nodes[-2], node)
-        guess = guess + h * h / 2 * bend
+    guess = crossing.ahead(walk.nodes[-2], node, h) if len(walk.nodes) > 1 else node.z + h * node.t
     wall = _wall(walk, float(guess[-1]))
     if wall is not None:
         if _to_wall(walk, wall):
@@ -140,8 +140,9 @@ def _next(curve: Curve, node: Node, guess: Array) -> tuple[Node, float] | None:
 
 def _falls(curve: Curve, way: int, one: Node, other: Node, nodes: list[Node], depth: int = 0) -> bool:
     """Whether the driver's angle turns back between two nodes; if so, its first extreme is put behind `nodes`."""
-    if way * other.t[-1] <= 0:
+    if way * other.t[-1] <= (-LEVEL if depth else 0):
         nodes.append(_extreme(curve, way, one, other))
+        nodes[-1:-1] = _towards(curve, way, one, nodes[-1])
         return True
     u = _doubtful(way, one, other)
     if u is None or depth > 40:
@@ -210,6 +211,21 @@ def _extreme(curve: Curve, way: int, one: Node, other: Node) -> Node:
     return best
 
 
+def _towards(curve: Curve, way: int, one: Node, limit: Node) -> list[Node]:
+    """Nodes before a limit, each halving what is left, until the cubic bends there as the curve does: near a cusp."""
+    found: list[Node] = []
+    while len(found) < 12:
+        middle = _at(curve, one, limit, 0.5)
+        if middle is None:
+            break
+        before, after = (way * end_bend(node, limit, _length(node, limit)) for node in (one, middle))
+        if abs(before - after) < -0.1 * after:
+            break
+        found.append(middle)
+        one = middle
+    return found
+
+
 # ---------------------------------------------------------------- where the links before end
 
 
@@ -217,14 +233,14 @@ def _wall(walk: _Walk, phi: float) -> float | None:
     """The driver angle between the last node and `phi` at which the links before the group cease to exist."""
     node, way = walk.nodes[-1], walk.way
     ahead = [
-        np.mod(way * ((low if way > 0 else high) - node.phi) + 1e-12, 2 * np.pi) - 1e-12
+        (way * ((low if way > 0 else high) - node.phi) + 1e-12) % (2 * np.pi) - 1e-12
         for low, high in walk.walls
     ]
     near = [x for x in ahead if x <= way * (phi - node.phi)]
     if near:
         return float(node.phi + way * max(min(near), 0.0))
     known = walk.curve.known
-    if walk.curve.is_known(phi):
+    if known.is_known(phi):
         return None
     low, high = node.phi, phi
     for _ in range(7):

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from tmm_report.chapters.drive.draw.sketch import CLEAR, DISC, RIM, SIDE, Sketch
 from tmm_report.chapters.planetary.solve import Found
 from tmm_report.figures.drawing import NORMAL, THICK, Tag, line
 from tmm_report.figures.lettering import symbol
 from tmm_report.figures.marks import ground
 from tmm_report.mechanics.trains import Member, Mesh
+from tmm_report.records import dataclass
 
 ROW = 13.0  # from row to row of a double-row stage
 ARM = 6.5  # from a row to the arm of the carrier

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from tmm_report.chapters.drive.plans import Plans
 from tmm_report.figures.drawing import NORMAL, THICK, Item, Tag, line
 from tmm_report.figures.lettering import symbol
 from tmm_report.figures.marks import ground, turning
 from tmm_report.mechanics.trains import Member
+from tmm_report.records import dataclass
 
 RIM = 3.0  # half the length of a rim
 CLEAR = 0.45  # of a rim from its pitch line: two rims in mesh stand apart by twice as much

@@ -7,7 +7,7 @@ Of a pivot both projections of the force of its first link on the second are unk
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import Any
 
 import numpy as np
@@ -24,6 +24,7 @@ from tmm_report.quantity.formula import Expr, Formula, Number, Term, Var, Vector
 from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.text import round_significant
 from tmm_report.quantity.written import DIGITS, Equation, Unknown
+from tmm_report.records import dataclass
 
 Array = Any
 

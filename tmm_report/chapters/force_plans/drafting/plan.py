@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Literal
 
 from tmm_report.chapters.plans.solve import Comparison
 from tmm_report.quantity.formula import Formula, Var, VectorEquation
 from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.written import Equation, Worked
+from tmm_report.records import dataclass
 
 Kind = Literal["gravity", "inertia", "load", "reaction", "component", "inner"]
 

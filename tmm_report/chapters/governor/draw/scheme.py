@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -28,6 +27,7 @@ from tmm_report.figures.drawing import (
 )
 from tmm_report.figures.lettering import Parts, Symbol
 from tmm_report.mechanics.governor import Arms, BellCrank
+from tmm_report.records import dataclass
 
 Array = Any
 SIZE = 125.0  # mm, of the larger side

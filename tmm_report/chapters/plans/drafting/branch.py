@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from tmm_report.chapters.plans.drafting.plan import Role, Sense
@@ -13,6 +11,7 @@ from tmm_report.mechanics.relations import Branch
 from tmm_report.quantity.formula import Formula, Symbol, Term, Var
 from tmm_report.quantity.text import round_significant
 from tmm_report.quantity.written import DIGITS, segment_of
+from tmm_report.records import dataclass
 
 
 @dataclass(frozen=True, eq=False)

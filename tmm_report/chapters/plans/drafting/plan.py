@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Literal
 
 from tmm_report.mechanics.structure import Group
 from tmm_report.quantity.formula import Formula, Symbol, Var, VectorEquation
 from tmm_report.quantity.written import Worked
+from tmm_report.records import dataclass
 
 Role = Literal[
     "absolute", "relative", "bend", "rate", "line"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -21,6 +20,7 @@ from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.paper import Pen
 from tmm_report.quantity.text import round_significant
 from tmm_report.quantity.written import DIGITS, Worked, segment_of
+from tmm_report.records import dataclass
 
 Named = Mapping[str, Quantity]  # velocities, accelerations and angular rates by key
 

@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from itertools import permutations
 
 from tmm_report.chapters.kinematics.quantities import coordinate
@@ -28,6 +27,7 @@ from tmm_report.quantity.formula import Formula, Symbol, Term, Var, VectorEquati
 from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.text import round_significant
 from tmm_report.quantity.written import DIGITS, segment_of
+from tmm_report.records import dataclass
 
 LEAST = (
     0.1  # sine of the angle at which lines cross, in the scheme and in the plan, that a point is read from

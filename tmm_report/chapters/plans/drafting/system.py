@@ -7,7 +7,6 @@ link or the sliding rate along its guide. Where two branches end in one point a 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -33,6 +32,7 @@ from tmm_report.mechanics.relations import Branch, System, turns_with
 from tmm_report.mechanics.structure import Pair
 from tmm_report.quantity.formula import Formula, Term, VectorEquation
 from tmm_report.quantity.written import segment_of
+from tmm_report.records import dataclass
 
 Array = Any
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -28,6 +27,7 @@ from tmm_report.figures.drawing import (
 )
 from tmm_report.figures.lettering import Parts, Symbol, width
 from tmm_report.mechanics.blocking import Line, Window
+from tmm_report.records import dataclass
 
 Array = Any
 Num = Callable[[float], str]

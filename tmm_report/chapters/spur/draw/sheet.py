@@ -8,7 +8,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
@@ -17,6 +17,7 @@ from tmm_report.chapters.spur.mesh import Mesh
 from tmm_report.figures.dimensions import spread
 from tmm_report.figures.drawing import AXIS, THIN, Arc, Item, Pen, Tag, Text, polyline
 from tmm_report.figures.lettering import Parts, Symbol
+from tmm_report.records import dataclass
 
 Array = Any
 Num = Callable[[float], str]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from tmm_report.chapters.structure.block import build, cam_checks
@@ -11,6 +10,7 @@ from tmm_report.chapters.structure.block import models as m
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.quantity.units import WrongValue
+from tmm_report.records import dataclass
 from tmm_report.variant.errors import near
 from tmm_report.variant.model import Read
 from tmm_report.yamlread import Path

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from statistics import median
 
 from tmm_report.chapters.structure.block import models as m
 from tmm_report.chapters.structure.block.build import mechanism
 from tmm_report.mechanics.mechanism import FRAME, Link, Mechanism
 from tmm_report.problems import N_, Message, Problem, doubt
+from tmm_report.records import dataclass
 from tmm_report.variant.measures import Measure, measures
 from tmm_report.variant.model import Read
 from tmm_report.variant.odd import MEANT, lengths, said

@@ -1,0 +1,99 @@
+"""Chapter "choice of method": every method on this mechanism, with its errors and what it costs.
+
+All of it is the same at every run and on every machine: costs are those of a table, errors are found against the
+closed form in double precision and rounded up to one digit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from typing import Any
+
+from tmm_report.chapters.kinematics.solve import Kinematics
+from tmm_report.chapters.kinetostatics.solve import Kinetostatics
+from tmm_report.chapters.machine import Moving
+from tmm_report.chapters.methods.counting import counting
+from tmm_report.chapters.methods.given import Comparison
+from tmm_report.chapters.methods.scene import scene
+from tmm_report.mechanics.methods import choice
+from tmm_report.mechanics.methods.cost import CLOSED
+from tmm_report.mechanics.methods.counts import Counted
+from tmm_report.mechanics.methods.model import Method, Trial
+from tmm_report.mechanics.methods.trials import Rivals, by_method, cheapest, kinds_of, over, pareto
+from tmm_report.problems import Message
+from tmm_report.records import dataclass
+
+FINE = 100  # positions a turn of the finest table
+
+
+@dataclass(frozen=True, eq=False)
+class Family:
+    """The methods for one thing, "motion" or "forces", as tried: `trials` by method and rising count, seconds by the
+    table of costs; `refused`: those that cannot be used, and why."""
+
+    key: str
+    trials: tuple[Trial, ...]
+    refused: tuple[tuple[Method[Any, Any], Message], ...]
+    accuracy: float
+    asked: tuple[int, ...]  # steps of the table and of the diagrams, by which the cheapest is found
+
+    @cached_property
+    def kinds(self) -> tuple[str, ...]:
+        return kinds_of(self.trials)
+
+    @cached_property
+    def front(self) -> frozenset[int]:
+        """Numbers of the trials that no other beats in both cost and worst error."""
+        best = pareto(self.trials)
+        return frozenset(k for k, one in enumerate(self.trials) if any(one is other for other in best))
+
+    @cached_property
+    def unit(self) -> float:
+        """Seconds of the closed form at the positions of the table: costs are told by it."""
+        return next(
+            one.seconds for one in self.trials if one.method.key == CLOSED and one.count == self.asked[0]
+        )
+
+    @cached_property
+    def whole(self) -> tuple[Trial, ...]:
+        """Of each method cost and largest errors at the table and diagram positions together."""
+        return tuple(over(self.trials, self.asked))
+
+    @cached_property
+    def best(self) -> Trial | None:
+        """The cheapest that holds the accuracy at the table and diagram positions."""
+        return cheapest(self.whole, self.accuracy)
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """`accuracy`: what is to hold, stated or not."""
+
+    given: Comparison
+    kinematics: Kinematics
+    accuracy: float
+    families: Mapping[str, Family]
+    counted: (
+        Counted | None
+    )  # how many positions are enough; None where the mechanism does not close all round
+
+
+def solve(given: Comparison, motion: Kinematics, loaded: Kinetostatics | None) -> Found:
+    accuracy = choice.ACCURACY if given.accuracy is None else given.accuracy
+    asked = tuple(dict.fromkeys((motion.positions.table, motion.positions.diagram)))
+    counts = sorted({*asked, FINE * motion.cycle.turns})
+
+    def family(key: str, tried: tuple[Rivals[Any, Any], list[Trial]]) -> Family:
+        rivals, trials = tried
+        return Family(key, _ordered(trials), tuple(rivals.refused), accuracy, asked)
+
+    families = {"motion": family("motion", choice.motions(motion.cycle, counts))}
+    if loaded is not None:
+        families["forces"] = family("forces", choice.forces(scene(loaded.given, motion), counts))
+    counted = counting(Moving(motion, loaded), given.accuracy)
+    return Found(given, motion, accuracy, families, counted)
+
+
+def _ordered(trials: Sequence[Trial]) -> tuple[Trial, ...]:
+    return tuple(one for own in by_method(trials) for one in own)
