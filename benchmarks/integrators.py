@@ -1,100 +1,100 @@
-"""Ways to integrate the equation of motion of a machine: time and error of each, on two machines.
+"""Ways to integrate the equation of motion of a machine: time and error of each, on machines of four kinds.
 
-    python benchmarks/integrators.py
+    python benchmarks/integrators.py [-o docs/charts/integrators.svg] [--store]
 
-The start of a pump driven through its cycle by an induction motor, and that of a shaft whose load a stiff motor carries
-and which is stated by time. LSODA, which the program takes, against DOP853 (explicit) and Radau (implicit) at three
-tolerances, and against what the program does: cycles by collocation, stretches from kink to kink. The error is that of
-the time, or of the speed, at the end, against DOP853 at 1e-12; times are by that of the program. Printed, never
-asserted.
+All ways are those of `tmm_report.mechanics.methods.run_up`. The start of a pump driven through its cycle by an
+induction motor; that of a shaft whose load comes by time, carried by a stiff motor; the same so light that its time
+constant is a thousandth of the run; a hoist's shaft. Errors are of angle and speed at the end, the larger one, against
+DOP853 at 1e-13 from kink to kink; times are by that of the program. Printed, never asserted.
 """
 
 from __future__ import annotations
 
+import argparse
 import math
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
-from functools import partial
+from collections.abc import Iterator
 from pathlib import Path
 
-import numpy as np
+import stored
+from lines import Line, Panel, draw
 from timing import interleaved
 
 from tmm_report import course
-from tmm_report.mechanics import by_time as ways
-from tmm_report.mechanics.machine import Plant
+from tmm_report.mechanics.methods.run_up import RUN_UPS, STEPS, RunUpMethod, StartUp, errors, reference
 from tmm_report.mechanics.motion_law import Goal
-from tmm_report.mechanics.ode import integrate
+from tmm_report.mechanics.running import run
 
 VARIANTS = Path(__file__).parents[1] / "variants"
-TURNS, LONG = 5, 1.03  # of the pump; s, of the shaft: shortly after its load has come
+TURNS = 5  # of the pump
 ROUNDS = 5
-METHODS = ("LSODA", "DOP853", "Radau")
-TOLERANCES = (1e-5, 1e-7, 1e-9)
+FIXED = ("runge_kutta", "adams")
 
 SHAFT = """
 dynamics:
-  parts: [{name: rotor, inertia: 0.05 kg*m^2}]
-  motor: {shunt: {moment: 60 N*m, speed: 1470 rpm, no_load: 1500 rpm}}
-  resistance: [{by_time: [[0 s, 0 N*m], [1 s, 0 N*m], [1.02 s, 50 N*m], [1.5 s, 50 N*m], [1.52 s, 0 N*m]]}]
-  start: {time: 1.03 s}
+  parts: [{{name: rotor, inertia: {inertia} kg*m^2}}]
+  motor: {{shunt: {{moment: 60 N*m, speed: 1470 rpm, no_load: 1500 rpm}}}}
+  resistance: [{{by_time: [[0 s, 0 N*m], [1 s, 0 N*m], [1.02 s, 50 N*m], [1.5 s, 50 N*m], [1.52 s, 0 N*m]]}}]
+  start: {{time: 1.03 s}}
 """
 
 
-@dataclass(frozen=True)
-class Task:
-    """A start from rest of the `plant` up to `goal`."""
-
-    name: str
-    plant: Plant
-    goal: Goal
-
-    def by(self, method: str, relative: float) -> tuple[float, int]:
-        """What is found at the end, the time of the pump or the speed of the shaft; evaluations of the moments."""
-        start = np.zeros(3 + len(self.plant.laws))
-        events, end = [], self.goal.time
-        if self.goal.angle is not None:
-            events, end = [partial(_left, self.goal.angle)], 1e3
-        rate = ways._rate(self.plant, 0.0)
-        found = integrate(
-            rate, start, (0.0, float(end or 0.0)), events=events, method=method, relative=relative,
-            absolute=relative / 100,
-        )  # fmt: skip
-        return float(found.x[-1] if events else found.y[1, -1]), found.steps
-
-    def program(self) -> tuple[float, int]:
-        run = ways.by_time(self.plant, 0.0, self.goal)
-        return float(run.t[-1] if self.goal.time is None else run.omega[-1]), run.steps
-
-
-def _left(angle: float, t: float, y: np.ndarray) -> float:
-    return float(y[0]) - angle
-
-
-def tasks() -> Iterator[Task]:
+def machines() -> Iterator[tuple[str, StartUp]]:
     pump = course.solve(course.load(VARIANTS / "piston_pump.yaml")).dynamics
-    shaft = course.solve(course.loads(SHAFT)).dynamics
-    assert pump is not None and shaft is not None
-    yield Task(f"pump, {TURNS} turns", pump.supplied, Goal(angle=TURNS * 2 * math.pi))
-    yield Task(f"shaft, {LONG} s", shaft.supplied, Goal(time=LONG))
+    assert pump is not None
+    found = run(pump.supplied, 0.0, Goal(angle=TURNS * 2 * math.pi))
+    yield f"pump, {TURNS} turns", StartUp(pump.supplied, 0.0, float(found.t[-1]))
+    for name, inertia in (("shaft, load by time", "0.05"), ("the same, light: stiff", "0.002")):
+        shaft = course.solve(course.loads(SHAFT.format(inertia=inertia))).dynamics
+        assert shaft is not None
+        yield name, StartUp(shaft.supplied, 0.0, 1.03)
+    hoist = course.solve(course.load(VARIANTS / "hoist_start.yaml")).dynamics
+    assert hoist is not None
+    yield "hoist", StartUp(hoist.supplied, 0.0, 0.5)
 
 
-def measured(task: Task) -> Iterator[tuple[str, float, float, int]]:
-    """Of each way: its name, its time by that of the program, relative error, evaluations."""
-    rivals: dict[str, Callable[[], tuple[float, int]]] = {"the program": task.program}
-    for method in METHODS:
-        rivals |= {f"{method} {one:.0e}": partial(task.by, method, one) for one in TOLERANCES}
-    taken, (exact, _) = interleaved(rivals, ROUNDS), task.by("DOP853", 1e-12)
-    for name, way in rivals.items():
-        found, steps = way()
-        yield name, taken[name] / taken["the program"], abs(found - exact) / exact, steps
+def ways(scene: StartUp) -> Iterator[tuple[str, RunUpMethod, int]]:
+    for method in RUN_UPS:
+        if method.refuses(scene) is None:
+            counts = STEPS if method.key in FIXED else (0,)
+            yield from ((f"{method.key} {count}" if count else method.key, method, count) for count in counts)
+
+
+def measured(scene: StartUp) -> dict[str, tuple[float, float]]:
+    """Of each way that arrives: its time by that of the program, and its error."""
+    exact, found = reference(scene), {}
+    for name, method, count in ways(scene):
+        try:
+            found[name] = method, count, max(errors(exact, method.run(scene, count)).values())
+        except ArithmeticError as error:
+            print(f"    {name}: {error}")
+    rivals = {name: lambda m=m, n=n: m.run(scene, n) for name, (m, n, _) in found.items()}
+    taken = interleaved(rivals, ROUNDS)
+    return {name: (taken[name] / taken["program"], error) for name, (_, _, error) in found.items()}
+
+
+def panel(name: str, rows: dict[str, tuple[float, float]]) -> Panel:
+    families: dict[str, list[tuple[float, float]]] = {}
+    for key, point in rows.items():
+        families.setdefault(key.replace(" ", "_1e").split("_1e")[0], []).append(point)
+    lines = [Line(family.replace("_", " "), points) for family, points in families.items()]
+    limits = (None, (1e-16, 1e2))
+    return Panel(name, "time : the program's", "error of angle and speed", lines, limits=limits)
 
 
 def main() -> None:
-    print(f"{'machine':<16}{'way':<16}{'time':>8}{'error':>10}{'evaluations':>13}")
-    for task in tasks():
-        for name, time, error, steps in measured(task):
-            print(f"{task.name:<16}{name:<16}{time:>8.2f}{error:>10.1e}{steps:>13}")
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
+    parser.add_argument("-o", dest="chart", type=Path, help="draw the chart, SVG")
+    stored.add_option(parser)
+    asked, figures, panels = parser.parse_args(), {}, []
+    for name, scene in machines():
+        print(name)
+        rows = measured(scene)
+        panels.append(panel(name, rows))
+        for way, (time, error) in rows.items():
+            figures |= {f"{name}: {way}: time": time, f"{name}: {way}: error": error}
+    stored.report("integrators", figures, asked.store)
+    if asked.chart:
+        draw(panels, asked.chart)
 
 
 if __name__ == "__main__":

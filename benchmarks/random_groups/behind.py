@@ -66,7 +66,7 @@ def _inside(one: Batch, eq: Equations, path: Array, part: Array, step: float) ->
     if values[0] < 0:
         ends.insert(0, float(turned[0]) - step)  # into the group's own gap
     if values[-1] < 0:
-        ends.append(float(turned[-1]) + step)
+        ends.append(min(float(turned[-1]) + step, 2 * np.pi))
     return list(zip(ends[::2], ends[1::2], strict=True))
 
 

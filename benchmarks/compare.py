@@ -1,0 +1,36 @@
+"""The quick benchmarks one after another, each figure beside the last stored run. Nothing fails on what they say.
+
+    python benchmarks/compare.py            # a minute; what CI prints at its end
+    python benchmarks/compare.py --store    # keep the figures as benchmarks/results/NAME.json
+
+A benchmark that breaks is told and passed over.
+"""
+
+from __future__ import annotations
+
+import argparse
+import subprocess
+import sys
+from pathlib import Path
+
+import stored
+
+HERE = Path(__file__).parent
+QUICK = ("compressor_36.py", "higher.py", "cold_start.py")
+SECONDS = 120  # of one of them, at most
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
+    stored.add_option(parser)
+    options = ["--store"] if parser.parse_args().store else []
+    for name in QUICK:
+        print(f"\n# {name}", flush=True)
+        try:
+            subprocess.run([sys.executable, str(HERE / name), *options], timeout=SECONDS, check=True)
+        except (subprocess.SubprocessError, OSError) as error:
+            print(f"{name}: {error}", flush=True)
+
+
+if __name__ == "__main__":
+    main()
