@@ -57,6 +57,7 @@ def test_the_extractor_sees_program_and_context(tool):
 
 def test_english_is_the_language_of_the_ids():
     assert Translator("en").gettext("Contents") == "Contents"
+    assert Translator("en").ngettext("%d link", "%d links", 2) == "%d links"
     assert Translator("ru").gettext("") == ""
 
 
