@@ -17,6 +17,7 @@ from tmm_report.quantity.paper import CAD
 # the scheme and of the plan is placed to the accuracy too (up to 0.7 step each way): see `steps`.
 EXACT = 2.0
 MOST = 12.0
+DOT = 8.0  # mm of paper: shorter links are drawn with no direction to speak of
 FORCE_STEPS = {1e-5: 4.0, 1e-4: 6.0, 5e-4: 6.0}
 
 
@@ -34,13 +35,15 @@ def steps(found: course.Results, d: Drawn) -> float:
 
     Points of the plan add up to some 4 steps. The ends of a link of L mm, drawn off by a step, turn its line by 1/L:
     the end of a vector of V mm moves by V/L steps, by V/(L s) where the lines that give it cross at an angle of sine s.
+    It hardly comes to that; how much it may come to grows with links that are but dots on the sheet.
     """
     if found.lever.plans.accuracy <= CAD * 1e3:
         return EXACT
     strokes = (*d.velocity.strokes, *d.acceleration.strokes)
     longest = max(abs(stroke.end - stroke.start) for stroke in strokes)
     sine = min(sines[d.position] for sines in found.lever.kinematics.table.sines.values())
-    return min(MOST, 4.0 + longest / (shortest_arm(found) * sine))
+    arm = shortest_arm(found)
+    return min(MOST * max(1.0, DOT / arm), 4.0 + longest / (arm * sine))
 
 
 def shortest_arm(found: course.Results) -> float:
