@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -11,9 +10,9 @@ import numpy as np
 from tmm_report.course import LeverFound, Results, room
 from tmm_report.mechanics.methods.choice import choose
 from tmm_report.mechanics.methods.counts import Counted
-from tmm_report.mechanics.methods.model import Method, Trial
-from tmm_report.mechanics.methods.trials import COUNTS, Rivals, cheapest, kinds_of, over, pareto, trials
-from tmm_report.problems import N_, Message
+from tmm_report.mechanics.methods.model import Method
+from tmm_report.mechanics.methods.trials import COUNTS, Judged, Rivals, trials
+from tmm_report.problems import N_
 from tmm_report.records import dataclass
 
 SECONDS, QUICK = 6.0, 1.0  # of taking turns, in all
@@ -23,30 +22,10 @@ SIZED = {"motion", "forces", "work"}  # whose counts are positions of the cycle
 
 
 @dataclass(frozen=True, eq=False)
-class Measured:
-    """The rivals for one thing, as run: `trials` with measured seconds, errors and their kinds; `refused` with the
-    reasons; `asked`: the counts at which together the cheapest is found."""
+class Measured(Judged):
+    """The rivals for one thing, as run, with measured seconds."""
 
-    key: str
     title: str
-    trials: tuple[Trial, ...]
-    refused: tuple[tuple[Method[Any, Any], Message], ...]
-    accuracy: float
-    asked: tuple[int, ...]
-
-    @cached_property
-    def kinds(self) -> tuple[str, ...]:
-        return kinds_of(self.trials)
-
-    @cached_property
-    def front(self) -> frozenset[int]:
-        best = pareto(self.trials)
-        return frozenset(k for k, one in enumerate(self.trials) if any(one is other for other in best))
-
-    @cached_property
-    def best(self) -> Trial | None:
-        """The cheapest that holds the accuracy at all the counts asked."""
-        return cheapest(over(self.trials, self.asked), self.accuracy)
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,7 +58,7 @@ def _family(
     found = trials(rivals, seconds)
     order = {method.key: k for k, method in enumerate(rivals.methods)}
     found.sort(key=lambda one: (order[one.method.key], one.count))
-    return Measured(key, title, tuple(found), tuple(rivals.refused), accuracy, tuple(asked))
+    return Measured(key, tuple(found), tuple(rivals.refused), accuracy, tuple(asked), title)
 
 
 Scene = tuple[str, str, Rivals[Any, Any], Sequence[int]]

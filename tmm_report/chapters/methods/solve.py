@@ -19,34 +19,17 @@ from tmm_report.chapters.methods.scene import scene
 from tmm_report.mechanics.methods import choice
 from tmm_report.mechanics.methods.cost import CLOSED
 from tmm_report.mechanics.methods.counts import Counted
-from tmm_report.mechanics.methods.model import Method, Trial
-from tmm_report.mechanics.methods.trials import Rivals, by_method, cheapest, kinds_of, over, pareto
-from tmm_report.problems import Message
+from tmm_report.mechanics.methods.model import Trial
+from tmm_report.mechanics.methods.trials import Judged, Rivals, by_method
 from tmm_report.records import dataclass
 
 FINE = 100  # positions a turn of the finest table
 
 
 @dataclass(frozen=True, eq=False)
-class Family:
-    """The methods for one thing, "motion" or "forces", as tried: `trials` by method and rising count, seconds by the
-    table of costs; `refused`: those that cannot be used, and why."""
-
-    key: str
-    trials: tuple[Trial, ...]
-    refused: tuple[tuple[Method[Any, Any], Message], ...]
-    accuracy: float
-    asked: tuple[int, ...]  # steps of the table and of the diagrams, by which the cheapest is found
-
-    @cached_property
-    def kinds(self) -> tuple[str, ...]:
-        return kinds_of(self.trials)
-
-    @cached_property
-    def front(self) -> frozenset[int]:
-        """Numbers of the trials that no other beats in both cost and worst error."""
-        best = pareto(self.trials)
-        return frozenset(k for k, one in enumerate(self.trials) if any(one is other for other in best))
+class Family(Judged):
+    """The methods for one thing, "motion" or "forces": trials by method and rising count, seconds by the table of
+    costs; `asked`: steps of the table and of the diagrams."""
 
     @cached_property
     def unit(self) -> float:
@@ -54,16 +37,6 @@ class Family:
         return next(
             one.seconds for one in self.trials if one.method.key == CLOSED and one.count == self.asked[0]
         )
-
-    @cached_property
-    def whole(self) -> tuple[Trial, ...]:
-        """Of each method cost and largest errors at the table and diagram positions together."""
-        return tuple(over(self.trials, self.asked))
-
-    @cached_property
-    def best(self) -> Trial | None:
-        """The cheapest that holds the accuracy at the table and diagram positions."""
-        return cheapest(self.whole, self.accuracy)
 
 
 @dataclass(frozen=True, eq=False)

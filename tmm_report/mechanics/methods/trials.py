@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import cached_property
 from itertools import groupby
 from statistics import median
 from time import perf_counter
@@ -206,3 +207,35 @@ def cheapest(found: Sequence[Trial], accuracy: float) -> Trial | None:
     kinds = kinds_of(found)
     good = [one for one in found if full(one.errors, kinds) and worst(one.errors) <= accuracy]
     return min(good, key=lambda one: one.seconds, default=None)
+
+
+@dataclass(frozen=True, eq=False)
+class Judged:
+    """The rivals for one thing, `key`, as tried: `refused` with the reasons; `asked`: the counts at which together the
+    cheapest that holds the accuracy is found."""
+
+    key: str
+    trials: tuple[Trial, ...]
+    refused: tuple[tuple[Method[Any, Any], Message], ...]
+    accuracy: float
+    asked: tuple[int, ...]
+
+    @cached_property
+    def kinds(self) -> tuple[str, ...]:
+        return kinds_of(self.trials)
+
+    @cached_property
+    def front(self) -> frozenset[int]:
+        """Numbers of the trials that no other beats in both seconds and worst error."""
+        best = pareto(self.trials)
+        return frozenset(k for k, one in enumerate(self.trials) if any(one is other for other in best))
+
+    @cached_property
+    def whole(self) -> tuple[Trial, ...]:
+        """Of each method seconds and largest errors at all the counts asked together."""
+        return tuple(over(self.trials, self.asked))
+
+    @cached_property
+    def best(self) -> Trial | None:
+        """The cheapest that holds the accuracy at all the counts asked."""
+        return cheapest(self.whole, self.accuracy)
