@@ -54,6 +54,7 @@ def solve(folder: str, variant: str, fmt: str) -> tuple[str, ...]:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
     parser.add_argument("checkout", nargs="?", type=Path, help="another checkout, taking turns")
+    parser.add_argument("--rounds", type=int, default=ROUNDS, help="turns taken")
     stored.add_option(parser)
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
@@ -70,7 +71,7 @@ def main() -> None:
             rivals["json of the other"] = partial(
                 run, folder, *solve(folder, "compressor", "json"), checkout=other
             )
-        taken = interleaved(rivals, ROUNDS)
+        taken = interleaved(rivals, options.rounds)
     for name, seconds in taken.items():
         print(f"{name:<20}{1e3 * seconds:8.0f} ms")
     stored.report(
