@@ -7,7 +7,7 @@ from dataclasses import dataclass as usual
 
 import pytest
 
-from tmm_report.records import dataclass
+from tmm_report.records import FEW, dataclass
 
 
 def make(dataclass):
@@ -39,8 +39,16 @@ def make(dataclass):
     return Value, More, Thing, Loose
 
 
-OURS, THEIRS = make(dataclass), make(usual)
-EITHER = pytest.mark.parametrize("kinds", [OURS, THEIRS], ids=["ours", "the library's"])
+def used(kinds):
+    """The same after so many instances that their constructors are compiled."""
+    for kind in kinds:
+        for n in range(FEW + 1):
+            kind(n)
+    return kinds
+
+
+OURS, COMPILED, THEIRS = make(dataclass), used(make(dataclass)), make(usual)
+EITHER = pytest.mark.parametrize("kinds", [OURS, COMPILED, THEIRS], ids=["ours", "compiled", "the library's"])
 
 
 @EITHER

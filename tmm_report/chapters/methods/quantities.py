@@ -42,67 +42,35 @@ ACCURACY = Quantity(
 LEAST = Quantity(
     "methods_floor", None, "", Message(N_("relative error below which two ways differ by rounding"))
 )
-ERRORS = {
-    "place": Quantity(
-        "place", Symbol("epsilon", "r"), "", Message(N_("largest relative error of the places of points"))
-    ),
-    "velocity": Quantity(
-        "velocity",
-        Symbol("epsilon", "v"),
-        "",
-        Message(N_("largest relative error of the velocities of points")),
-    ),
-    "acceleration": Quantity(
-        "acceleration",
-        Symbol("epsilon", "a"),
-        "",
-        Message(N_("largest relative error of the accelerations of points")),
-    ),
-    "reaction": Quantity(
-        "reaction", Symbol("epsilon", "R"), "", Message(N_("largest relative error of the reactions"))
-    ),
-    "moment": Quantity(
-        "moment", Symbol("epsilon", "M"), "", Message(N_("largest relative error of the balancing moment"))
-    ),
-}
+
+
+def _error(key: str, index: str, meaning: str) -> Quantity:
+    return Quantity(key, Symbol("epsilon", index), "", Message(meaning))
+
+
+def _by_key(*quantities: Quantity) -> dict[str, Quantity]:
+    return {quantity.key: quantity for quantity in quantities}
+
+
+ERRORS = _by_key(
+    _error("place", "r", N_("largest relative error of the places of points")),
+    _error("velocity", "v", N_("largest relative error of the velocities of points")),
+    _error("acceleration", "a", N_("largest relative error of the accelerations of points")),
+    _error("reaction", "R", N_("largest relative error of the reactions")),
+    _error("moment", "M", N_("largest relative error of the balancing moment")),
+)
 
 COUNTS = Message(N_("errors of what is taken from a table, by its number of positions"))
 ENOUGH = Message(N_("least number of positions from which on the error is admitted"))
-TAKEN_FROM = {
-    "velocity": Quantity(
-        "velocity", Symbol("epsilon", "v"), "", Message(N_("error of the greatest velocities of points"))
-    ),
-    "acceleration": Quantity(
-        "acceleration",
-        Symbol("epsilon", "a"),
-        "",
-        Message(N_("error of the greatest accelerations of points")),
-    ),
-    "moment": Quantity(
-        "moment", Symbol("epsilon", "M"), "", Message(N_("error of the extremes of the balancing moment"))
-    ),
-    "work": Quantity(
-        "work", Symbol("epsilon", "A"), "", Message(N_("error of the work of the loads over the cycle"))
-    ),
-    "inertia_mean": Quantity(
-        "inertia_mean",
-        Symbol("epsilon", NP_("index", "mean")),
-        "",
-        Message(N_("error of the mean of the reduced moment of inertia")),
-    ),
-    "inertia": Quantity(
-        "inertia",
-        Symbol("epsilon", "I"),
-        "",
-        Message(N_("error of the extremes of the reduced moment of inertia")),
-    ),
-    "unevenness": Quantity(
-        "unevenness",
-        Symbol("epsilon", "delta"),
-        "",
-        Message(N_("error of the coefficient of non-uniformity, and so of the flywheel")),
-    ),
-}
+TAKEN_FROM = _by_key(
+    _error("velocity", "v", N_("error of the greatest velocities of points")),
+    _error("acceleration", "a", N_("error of the greatest accelerations of points")),
+    _error("moment", "M", N_("error of the extremes of the balancing moment")),
+    _error("work", "A", N_("error of the work of the loads over the cycle")),
+    _error("inertia_mean", NP_("index", "mean"), N_("error of the mean of the reduced moment of inertia")),
+    _error("inertia", "I", N_("error of the extremes of the reduced moment of inertia")),
+    _error("unevenness", "delta", N_("error of the coefficient of non-uniformity, and so of the flywheel")),
+)
 ADMITTED = Quantity(
     "counts_accuracy",
     Symbol("epsilon", NP_("index", "adm")),
