@@ -17,6 +17,7 @@ from tmm_report.mechanics.methods.model import Method, Pair, Trial
 from tmm_report.mechanics.methods.motions import MOTIONS
 from tmm_report.mechanics.methods.trials import (
     ROUNDING,
+    Judged,
     Rivals,
     cheapest,
     error_of,
@@ -168,3 +169,11 @@ def test_the_table_knows_every_method_and_no_other():
 def test_a_cost_grows_with_links_and_positions():
     for one in (*cost.MOTION.values(), *cost.FOLLOWED.values(), *cost.FORCES.values()):
         assert 0 < one.of(3, 12) < one.of(3, 100) and one.of(3, 12) < one.of(9, 12)
+
+
+def test_the_cheapest_holds_the_accuracy_at_all_the_counts_asked_together():
+    quick = [trial("quick", 1.0, 1e-7, 12), trial("quick", 1.0, 1e-3, 36)]
+    slow = [trial("slow", 3.0, 1e-9, count) for count in (12, 36)]
+    found = Judged("motion", (*quick, *slow), (), 1e-6, (12, 36))
+    assert found.best is not None and found.best.method.key == "slow" and found.best.seconds == 6.0
+    assert found.front == {0, 2} and found.kinds == ("all",)
