@@ -33,7 +33,7 @@ def movings() -> Iterator[tuple[str, Moving]]:
     for path in sorted(VARIANTS.glob("*.yaml")):
         lever = course.solve(course.load(path)).lever
         if lever is not None and not lever.kinematics.gaps:
-            yield path.stem, Moving(lever.kinematics, lever.kinetostatics)
+            yield path.stem, Moving(lever.kinematics, lever.kinetostatics, lever.friction)
 
 
 def table(name: str, moving: Moving) -> dict[str, float]:

@@ -13,18 +13,23 @@ import signal
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+import matplotlib
 import pytest
 from conftest import read
-from notes import note, program
+from notes import NAMES, note, program
 from once import once
 
+from tmm_report import render, solve
 from tmm_report.commands.assemblies_page import page
 from tmm_report.commands.ways import find
+from tmm_report.course import Results, loads
 from tmm_report.i18n import Translator
+from tmm_report.languages import LANGUAGES
 
 OPTIONS = [
     "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-extensions",
@@ -39,14 +44,29 @@ def a_note(name: str, language: str) -> bytes:
     return note(name, "html", language)["note.html"]
 
 
+def a_wide_note(language: str) -> bytes:
+    """Of a variant with long names, long numbers and more columns than a page holds."""
+    return render(wide_results(), "html", language)["note.html"]
+
+
+@once
+def wide_results() -> Results:
+    return solve(loads((CASES / "wide.yaml").read_text(encoding="utf-8")))
+
+
+CASES = Path(__file__).parent / "cases" / "mechanics"
 PAGES: dict[str, Callable[[], bytes]] = {
     "compressor-ru": lambda: a_note("compressor", "ru"),
     "compressor-en": lambda: a_note("compressor", "en"),
     "shaper-ru": lambda: a_note("shaper", "ru"),
     "hoist_drive-ru": lambda: a_note("hoist_drive", "ru"),
     "assemblies": lambda: page(find(read("press")), Translator("en"))["assemblies.html"],
+    "wide-ru": lambda: a_wide_note("ru"),
+    "wide-en": lambda: a_wide_note("en"),
 }
 PRINTED = {"compressor-ru", "compressor-en", "assemblies"}
+FONTS = Path(matplotlib.get_data_path()) / "fonts" / "ttf"  # the same on every machine
+TEXT = 624  # CSS pixels of the text of A4, 165 mm
 
 # What the page itself can tell, in CSS pixels.
 MEASURES = """
@@ -78,14 +98,66 @@ class Seen:
     pdf: bytes
 
 
+# Where a printed page has an element beyond its text, and a formula or a word against its measured width, ems.
+IN_PRINT = """
+document.fonts.ready.then(() => {
+  const main = document.querySelector("main").getBoundingClientRect();
+  const all = s => [...document.querySelectorAll(s)];
+  const size = e => parseFloat(getComputedStyle(e).fontSize);
+  const outside = e => e.right > main.right + 0.5 || e.left < main.left - 0.5;
+  const seen = e => !e.closest("svg, .sheet") && (e.localName === "math" || !e.closest("math"));
+  const wide = all("main *").filter(e => seen(e) && outside(e.getBoundingClientRect()));
+  const maths = all(".formula math:not(.again)").map(e => [e.outerHTML, e.getBoundingClientRect().width / size(e)]);
+  return {text: main.width, wide: wide.map(e => e.outerHTML.slice(0, 200)), maths};
+})
+"""
+
+
+@once
+def in_print() -> dict[str, dict[str, Any]]:
+    """Every ready variant's note laid out for print, and two that are wider than any."""
+    notes = {f"{name}-{read(name).language}": partial(a_note, name, read(name).language) for name in NAMES}
+    makers = notes | {f"wide-{language}": partial(a_wide_note, language) for language in LANGUAGES}
+    with TemporaryDirectory(ignore_cleanup_errors=True) as folder, browser(Path(folder)) as talk:
+        return {name: laid_out(talk, Path(folder) / "note.html", make()) for name, make in makers.items()}
+
+
+def laid_out(talk: Talk, file: Path, content: bytes) -> dict[str, Any]:
+    file.write_bytes(content)
+    target = talk.ask("Target.createTarget", url="about:blank", width=TEXT, height=1200, newWindow=True)
+    talk.session = talk.ask("Target.attachToTarget", **target, flatten=True)["sessionId"]
+    talk.events.clear()
+    talk.ask("Page.enable")
+    talk.ask("Emulation.setEmulatedMedia", media="print")
+    talk.ask("Emulation.setDeviceMetricsOverride", width=TEXT, height=1200, deviceScaleFactor=1, mobile=False)
+    talk.ask("Page.navigate", url=file.as_uri())
+    talk.wait_for("Page.loadEventFired")
+    found = talk.ask("Runtime.evaluate", expression=IN_PRINT, awaitPromise=True, returnByValue=True)
+    talk.session = None
+    talk.ask("Target.closeTarget", **target)
+    return found["result"]["value"]
+
+
+@once
+def printed_without_fonts(name: str, language: str) -> bytes:
+    """A note printed where no font is installed."""
+    with TemporaryDirectory(ignore_cleanup_errors=True) as place:
+        folder = Path(place)
+        (folder / "fonts").mkdir()
+        with browser(folder, folder / "fonts") as talk:
+            return opened(talk, folder, name, a_note(name, language), print_it=True).pdf
+
+
 @once
 def seen() -> dict[str, Seen]:
     """All pages."""
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder, browser(Path(folder)) as talk:
-        return {name: opened(talk, Path(folder), name, make()) for name, make in PAGES.items()}
+        return {
+            name: opened(talk, Path(folder), name, make(), name in PRINTED) for name, make in PAGES.items()
+        }
 
 
-def opened(talk: Talk, folder: Path, name: str, content: bytes) -> Seen:
+def opened(talk: Talk, folder: Path, name: str, content: bytes, print_it: bool = False) -> Seen:
     file = folder / f"{name}.html"
     file.write_bytes(content)
     target = talk.ask("Target.createTarget", url="about:blank", width=1000, height=1200, newWindow=True)
@@ -98,7 +170,7 @@ def opened(talk: Talk, folder: Path, name: str, content: bytes) -> Seen:
     measured = talk.ask("Runtime.evaluate", expression=MEASURES, awaitPromise=True, returnByValue=True)
     asked = [event["params"]["request"]["url"] for event in talk.of("Network.requestWillBeSent")]
     console = talk.of("Log.entryAdded", "Runtime.consoleAPICalled", "Runtime.exceptionThrown")
-    pdf = printed(talk) if name in PRINTED else b""
+    pdf = printed(talk) if print_it else b""
     talk.session = None
     talk.ask("Target.closeTarget", **target)
     asked.remove(file.as_uri())
@@ -152,16 +224,21 @@ class Talk:
 
 
 @contextmanager
-def browser(folder: Path) -> Iterator[Talk]:
-    """The browser, reading from its descriptor 3 and writing to 4."""
+def browser(folder: Path, fonts: Path = FONTS) -> Iterator[Talk]:
+    """The browser, reading from its descriptor 3 and writing to 4. `fonts`: where it finds those that no page
+    carries; a machine may have none."""
     path = program("chromium", "chromium-browser", "google-chrome")
     if not hasattr(os, "posix_spawn"):
         pytest.skip("the pipes to the browser are those of POSIX")
     (reads, to), (fro, writes) = os.pipe(), os.pipe()
     command = [path, *OPTIONS, f"--user-data-dir={folder / 'profile'}", "about:blank"]
+    found = folder / "fonts.conf"
+    found.write_text(f"<fontconfig><dir>{fonts}</dir><cachedir>{folder / 'cache'}</cachedir></fontconfig>")
     ends = [(os.POSIX_SPAWN_DUP2, reads, 3), (os.POSIX_SPAWN_DUP2, writes, 4)]
     silent = (os.POSIX_SPAWN_OPEN, 2, os.devnull, os.O_WRONLY, 0)
-    process = os.posix_spawn(path, command, os.environ, file_actions=[*ends, silent], setsid=True)
+    process = os.posix_spawn(
+        path, command, os.environ | {"FONTCONFIG_FILE": str(found)}, file_actions=[*ends, silent], setsid=True
+    )
     os.close(reads)
     os.close(writes)
     try:

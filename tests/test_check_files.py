@@ -5,8 +5,10 @@ from __future__ import annotations
 import inspect
 import json
 import os
+import re
 import shlex
 import shutil
+import tomllib
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -139,6 +141,15 @@ def commands(node):
             yield from commands(value)
     elif isinstance(node, str):
         yield from (line for line in node.splitlines() if line.startswith("tmm-report "))
+
+
+@pytest.mark.parametrize("name", ["github-actions.yml", "gitlab-ci.yml"])
+def test_the_examples_install_the_package_from_the_index(name):
+    """The repository that they are copied to holds samples, not the program."""
+    text = (ROOT / "docs" / "ci" / name).read_text("utf-8")
+    package = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]["name"]
+    installs = re.findall(r"pip install (.*)", text)
+    assert installs == [package]
 
 
 @pytest.mark.parametrize("name", ["github-actions.yml", "gitlab-ci.yml"])

@@ -43,7 +43,7 @@ def test_a_missing_key_beside_an_unknown_one_that_is_another_is_told_too():
         ("inertia: 0.0533", "inertia: 5.33*10^-2", "write 5.33e-2"),
         ("inertia: 0.0533", "inertia: 5.33·10⁻² кг·м²", "write 5.33e-2 кг·м²"),
         ("B: 0.4 м", "B: 1 400 мм", "write 1400 мм"),
-        ("speed: 90 об/мин", "speed: 90 об/мин.", "write 90 об/мин"),
+        ("speed: 90 об/мин", "speed: 90 rpm.", "write 90 rpm"),
         ("speed: 90 об/мин", "speed: 90 об/мин // холостой ход", "a comment begins with a space and #"),
         ("speed: 90 об/мин", "speed: 90 об/мин# ход", "a comment begins with a space and #"),
         ("[380 мм, -120 мм]", "[380 мм; -120 мм]", "write a comma"),

@@ -9,12 +9,16 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import pytest
+from notes import VARIANTS
+from told import Told
 
 from tmm_report.commands import whole
-from tmm_report.commands.batch import summary
-from tmm_report.commands.talk import unwritable
+from tmm_report.commands.batch import run, summary
+from tmm_report.commands.files import write
+from tmm_report.commands.talk import Linked, unwritable
 from tmm_report.commands.whole import LIST, NEW, PART, put
 from tmm_report.i18n import Translator
+from tmm_report.problems import ProblemError
 from tmm_report.running import journal
 
 fcntl = pytest.importorskip("fcntl")  # a system with pipes, links and locks
@@ -148,6 +152,29 @@ def test_a_run_that_goes_on_is_waited_for_and_one_that_ended_is_not(folder, monk
     os.close(other)
     put(folder, SET)
     assert (folder / "note.tex").read_bytes() == b"tex"
+
+
+@pytest.mark.parametrize("name", ["figures", "figures/deeper"])
+def test_files_are_written_through_no_link_below_the_folder(folder, outside, name):
+    before = tree(outside)
+    (folder / name).parent.mkdir(exist_ok=True)
+    (folder / name).symlink_to(outside)
+    with pytest.raises(Linked) as error:
+        write(folder, {"note.tex": b"tex", f"{name}/thesis.tex": b"1"})
+    assert tree(outside) == before and tree(folder).keys() <= {f"{name}/{away}" for away in tree(outside)}
+    [problem] = unwritable(folder, error.value).problems
+    assert f"{folder / name} is a link" in problem.text()
+
+
+@pytest.mark.parametrize("name", [run.JOURNAL, run.PARTS])
+def test_a_batch_neither_keeps_its_journal_nor_makes_its_folders_through_a_link(folder, outside, name):
+    target = outside / "thesis.tex" if name == run.JOURNAL else outside
+    (folder / name).symlink_to(target)
+    before = tree(outside)
+    for resume in (False, True):
+        with pytest.raises(ProblemError, match="is a link: nothing is written through it"):
+            run.run([str(VARIANTS / "scotch_yoke.yaml")], folder, "json", None, Told(), jobs=1, resume=resume)
+    assert tree(outside) == before and (folder / name).is_symlink()
 
 
 def test_a_batch_does_not_write_through_links_either(folder, outside):

@@ -81,8 +81,10 @@ def test_findings_are_kept_with_their_texts(tmp_path):
     report = Report(tmp_path, "")
     for k in range(5):
         report.add(k, Outcome("KeyError", 0.1, 90.0, place="a.py:1", told="Traceback"), f"text {k}", "word")
-    report.add(5, Outcome("solved", 0.1, 90.0, words=("no words: x",)), "", "")
+    report.add(5, Outcome("solved", 0.1, 90.0, words=("no words: x",)), "text 5", "")
+    report.add(6, Outcome("refused", 0.1, 90.0, told="a reason"), "text 6", "")
     report.close()
     table = (tmp_path / "table.md").read_text()
     assert "| findings | 5 |" in table and "- 5 × KeyError a.py:1" in table and "- 1 × no words: x" in table
-    assert sorted(file.read_text() for file in tmp_path.glob("*.yaml")) == ["text 0", "text 1", "text 2"]
+    assert sorted(file.read_text() for file in tmp_path.glob("*.yaml")) == [f"text {k}" for k in (0, 1, 2, 5)]
+    assert "- 1 × a reason" in table

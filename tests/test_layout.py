@@ -64,11 +64,11 @@ def test_a_chapter_imports_what_chapters_before_it_found_and_nothing_of_later_on
 
 
 def test_of_another_chapter_only_the_open_rooms_are_entered():
-    """Blocks read blocks before them: a mistake of the loads is told by the links of the structure."""
+    """Blocks read blocks before them: a mistake of the loads is told by the links of the structure. The ways of a drive
+    are those of its stages, too."""
+    more = {"block": ("block",), "ways": ("ways",)}
     wrong = [
-        (start, end)
-        for start, end in between_chapters()
-        if end[1] not in (OPEN if start[1] != "block" else (*OPEN, "block"))
+        (start, end) for start, end in between_chapters() if end[1] not in (*OPEN, *more.get(start[1], ()))
     ]
     assert not wrong
 
@@ -146,7 +146,7 @@ def test_every_folder_of_chapters_is_a_chapter_of_the_note():
 
 @pytest.mark.parametrize("chapter", FOUND)
 def test_a_chapter_has_its_rooms_and_its_template(chapter):
-    for name in ("block", "solve", "quantities", "view"):
+    for name in ("block", "solve", "quantities", "view", "ways"):
         assert course.room(chapter, name).__doc__, name
     assert (ROOT / "templates" / "chapters" / f"{chapter}.j2").is_file()
     assert callable(course.room(chapter, "view").parts)
@@ -253,7 +253,7 @@ def test_a_chapter_taken_out_is_missed_by_nothing(chapter, tmp_path):
         file.unlink()
     courses = tmp_path / "tmm_report" / "course.py"
     text, count = without(courses.read_text("utf-8"), chapter)
-    assert 3 <= count <= 5
+    assert 3 <= count <= 7  # friction is handed on to the machine and to the counting of positions, too
     courses.write_text(text, encoding="utf-8")
     variant = tmp_path / "variant.yaml"
     variant.write_text(not_asking(chapter), encoding="utf-8")

@@ -11,6 +11,7 @@ from browser import Seen
 from notes import NAMES, note, program
 
 from tmm_report.languages import LANGUAGES
+from tmm_report.report import measure
 
 MM = 96 / 25.4  # CSS pixels
 
@@ -37,7 +38,9 @@ def test_nothing_is_fetched(seen):
 def test_formulas_and_figures_are_there(seen):
     text, page = seen.text, seen.measures
     assert len(page["maths"]) == len(re.findall(r"<math[ >]", text)) > 100
-    assert all(width > 1 and height > 5 for width, height in page["maths"])
+    assert all(
+        width > 1 and height >= 5 for width, height in page["maths"]
+    )  # 5: a minus sign that is repeated
     assert len(page["figures"]) == len(re.findall(r"<figure[ >]", text)) >= 7
     # at a dead point all vectors of a plan lie on one line
     assert all(max(box) > 30 * MM and min(box) > 2 * MM for box in page["figures"])
@@ -51,6 +54,35 @@ def test_links_lead_somewhere(seen):
 def test_page_does_not_scroll_sideways(seen):
     page = seen.measures
     assert page["page"] <= page["shown"] and page["overlong"] == 0
+
+
+def test_nothing_printed_is_wider_than_the_text():
+    """What is wider makes the browser shrink the whole note, its drawings with it."""
+    pages = browser.in_print()
+    assert len(pages) == len(NAMES) + len(LANGUAGES)
+    assert {name: page["wide"] for name, page in pages.items() if page["wide"]} == {}
+    assert {round(page["text"]) for page in pages.values()} == {browser.TEXT}
+
+
+def test_formulas_are_as_wide_as_they_are_reckoned():
+    """The metrics by which lines are broken against the browser's own layout."""
+    maths = [one for page in browser.in_print().values() for one in page["maths"]]
+    off = []
+    for text, wide in maths:
+        plain = re.sub(r' xmlns="[^"]*"', "", text).replace("&nbsp;", "\N{NO-BREAK SPACE}")
+        if wide > 20 and not 0.98 < measure.mathematics(plain) / wide < 1.15:
+            off.append((measure.mathematics(plain), wide, plain[:300]))
+    assert len(maths) > 5000 and sum(wide > 20 for _, wide in maths) > 20 and off == []
+
+
+def test_a_long_formula_breaks_at_a_sign_that_is_repeated():
+    text = browser.PAGES["wide-ru"]().decode()
+    ends = re.findall(
+        r'class="again" aria-hidden="true"><mo form="infix">(.)</mo></math><br/>\s*'
+        r'<math displaystyle="true"><mo form="infix">(.)</mo>', text,
+    )  # fmt: skip
+    assert len(ends) == text.count('class="again"') > 3 and all(one == other for one, other in ends)
+    assert "·" not in {one for one, _ in ends}
 
 
 def test_tables_and_figures_fit_a_printed_page(seen):

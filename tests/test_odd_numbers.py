@@ -87,3 +87,26 @@ def test_what_stops_the_solving_is_told_with_the_doubt_that_may_be_its_cause(tmp
     first, *others = done.stderr.splitlines()
     assert "mobility" in first
     assert any("links.3.mass: warning: 2800 kg is odd" in line for line in others)
+
+
+CAM = (VARIANTS[0].parent / "cam_press.yaml").read_text("utf-8")
+
+
+@pytest.mark.parametrize(
+    ("speed", "odd"), [("1000 rpm", False), ("3000 rpm", False), ("380 rad/s", False), ("380", True)]
+)
+def test_a_cam_is_judged_by_its_own_radius(speed, odd):
+    """Base, lift and the roller's arm give 100 mm: what replaces the pair has places a metre away."""
+    said = [one.text() for one in course.loads(CAM.replace("speed: 90 rpm", f"speed: {speed}")).doubts]
+    told = [text for text in said if "end of the driving link" in text]
+    assert bool(told) == odd
+    if odd:
+        assert float(told[0].split(" m/s")[0].split()[-1]) == pytest.approx(
+            380 * (0.055 + 0.145 * 0.31416), rel=0.01
+        )
+
+
+def test_a_mass_in_a_cam_mechanism_is_judged_by_the_links_that_there_are():
+    """Its longest link has 265 mm and not a metre."""
+    said = [one.text() for one in course.loads(CAM.replace("mass: 5.2 kg", "mass: 5200 kg")).doubts]
+    assert any("longest link has 0.26" in text or "longest link has 0.27" in text for text in said), said

@@ -18,7 +18,13 @@ GOOD = [
     ("12 бар", "pressure", 1.2e6), ("9.81 m/s^2", "acceleration", 9.81), ("9,81 м/с2", "acceleration", 9.81),
     ("9.81 m*s^-2", "acceleration", 9.81), ("50 N*m", "moment", 50), ("50 Н м", "moment", 50),
     ("2 kN", "force", 2000), ("2 кН", "force", 2000), ("2 kg*m/s^2", "force", 2), ("5 %", "number", 0.05),
-    ("50 ms", "time", 0.05), ("1.5 т", "mass", 1500),
+    ("50 ms", "time", 0.05), ("1.5 т", "mass", 1500), ("5 кгс", "force", 49.03325), ("5 kgf", "force", 49.03325),
+    ("1 кгс/см²", "pressure", 98066.5), ("2 кгс·м", "moment", 19.6133), ("5 кн", "force", 5000),
+    ("2 КВТ", "power", 2000), ("1,2 мпа", "pressure", 1.2e6), ("50 Н.м", "moment", 50), ("50 Нм", "moment", 50),
+    ("50 Nm", "moment", 50), ("50 Н•м", "moment", 50), ("2 кНм", "moment", 2000), ("50 N-m", "moment", 50),
+    ("1200 об./мин", "speed", 40 * math.pi), ("1200 об/мин.", "speed", 40 * math.pi), ("3 м/сек", "velocity", 3),
+    ("1200 1/мин", "speed", 40 * math.pi), ("1200 мин⁻¹", "speed", 40 * math.pi), ("5 с-1", "speed", 5),
+    ("1200 r/min", "speed", 40 * math.pi), ("0.05 сек", "time", 0.05),
 ]  # fmt: skip
 
 BAD = [
@@ -53,6 +59,9 @@ def test_reads(written, dimension, value):
         ("1.2 x 10^3 kg", "mass", "write 1.2e3 kg"),
         ("1.2*10^3 rpm", "mass", "for example, 1.5 kg"),
         ("20 mm.", "length", "write 20 mm"),
+        ("5 kn", "force", "write 5 kN"),
+        ("1.2 Mpa/s", "force", "for example, 2 kN"),
+        ("20 MM", "length", "write 20 mm"),
         ("20 mmm.", "length", "for example, 300 mm"),
     ],
 )
@@ -98,3 +107,34 @@ def test_any_text_is_a_finite_number_or_a_wrong_value(text, dimension):
         assert math.isfinite(units.parse(text, dimension))
     except units.WrongValue as error:
         assert len(str(error)) < 220
+
+
+# as students write them in cells, heads and rows of units
+SPELLED = {
+    ("m/s", 1.0): ("м/с", "м/сек", "м / с", "м·с⁻¹", "м*с^-1", "м/c", "(м/с)", "[м/с]", "m/sec"),
+    ("m/s", 1e-3): ("мм/с", "мм/сек", "mm/s"),
+    ("m/s²", 1.0): ("м/с²", "м/с2", "м/с^2", "м/с**2", "м/сек²", "м·с⁻²", "m/s/s", "m/s^2"),
+    ("rad/s", 1.0): ("рад/с", "1/с", "с⁻¹", "с-1", "с^-1", "с^(-1)", "c⁻¹", "1/c", "рад/сек", "рад·с⁻¹", "s^-1"),
+    ("rad/s", math.pi / 30): ("об/мин", "об./мин", "об/мин.", "rpm", "r/min", "мин⁻¹", "1/мин", "1/min"),
+    ("rad/s²", 1.0): ("рад/с²", "1/с²", "1/с2", "с⁻²", "с^-2", "рад/с^2", "1/сек²"),
+    ("N·m", 1.0): ("Н·м", "Н м", "Н.м", "Н. м", "Нм", "Н*м", "Н×м", "Н∙м", "Н•м", "Н-м", "Nm", "N m", "N.m", "Дж"),
+    ("N", 1.0): ("Н", "н", "N"),
+    ("N", 1e3): ("кН", "кн", "КН", "kN"),
+    ("N", 9.80665): ("кгс", "kgf"),
+    ("Pa", 98066.5): ("кгс/см²", "кгс/см2", "kgf/cm²"),
+    ("kg·m²", 1.0): ("кг·м²", "кг м2", "кг*м^2", "кг.м²"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("wanted", "spelled"), [(one, text) for one, texts in SPELLED.items() for text in texts]
+)
+def test_a_unit_is_known_in_any_usual_spelling(wanted, spelled):
+    unit, factor = wanted
+    assert units.between(spelled, unit) == pytest.approx(factor, rel=1e-15)
+    assert units.is_unit(spelled)
+
+
+@pytest.mark.parametrize("text", ["", "-", "положение", "v_B", "безразм.", "№", "м" * 50])
+def test_a_word_is_no_unit(text):
+    assert not units.is_unit(text)

@@ -12,7 +12,7 @@ mechanism:
   guides: {{x: {{through: O}}}}
   links:
     1: {{points: {{O: 0, A: {crank}}}}}
-    2: {{points: {{A: 0, B: {rod}}}, mass: {light}, mass_centre: A}}
+    2: {{points: {{A: 0, B: {rod}}}, mass: {light}, mass_centre: A, inertia: 0}}
     3: {{points: [B], slides: x, mass: {heavy}}}
   driver: {{link: 1, speed: {speed}, zero: {{point: B, extreme: right}}}}
   assembly: {{B: right}}

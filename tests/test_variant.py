@@ -163,7 +163,7 @@ loads:
   gravity: {value: 10, direction: left}
   forces:
     - {at: B, direction: up, constant: 2 kN}
-    - {at: B, direction: along motion, by_angle: [[0, 1], [180 deg, 5 N]]}
+    - {at: B, direction: along motion, by_angle: [[0, 1], [180 deg, 5 N], [360 deg, 1]]}
     - {name: газ, at: B, direction: 30 deg, piston_diameter: 100 mm,
        by_displacement: {zero: right, forward: [[0, 1 MPa], [1, 0]], back: [[0, 0.2 MPa]]}}
     - {at: A, direction: against motion, by_displacement: {zero: up, forward: [[50 %, 7]], back: [[0, 8 N]]}}
@@ -175,7 +175,7 @@ loads:
     area = math.pi / 4 * 0.01
     assert loads.gravity == -10
     assert (first.name, first.direction, first.law) == ("F1", 1j, Constant(2000))
-    assert (second.direction, second.law) == ("along", ByAngle((0, math.pi), (1, 5)))
+    assert (second.direction, second.law) == ("along", ByAngle((0, math.pi, 2 * math.pi), (1, 5, 1)))
     assert third.name == "газ"
     assert third.law == ByDisplacement(1, ((0, 1e6 * area), (1, 0)), ((0, 0.2e6 * area),))
     assert (fourth.direction, fourth.law) == ("against", ByDisplacement(1j, ((0.5, 7),), ((0, 8),)))
@@ -240,12 +240,15 @@ MISTAKES = [
     (("300 mm", "300 mm, C: {from: {A: 1 mm}, side: left}"), 7, 39, "mechanism.links.2.points.C.from",
      "too few values: 2 expected, 1 found"),
     (("300 mm", "300 mm, C: {from: {A: 1, B: 1}, side: up}"), 7, 59, "mechanism.links.2.points.C.side", "up is not a word known here"),
-    (("300 mm", "300 mm, B_2: 5 mm"), 7, 35, "mechanism.links.2.points.B_2", "B_2 is not a name"),
+    (("300 mm", "300 mm, B_2: 5 mm"), 7, 35, "mechanism.links.2.points.B_2", "B_2 is not a name: «_» may not stand in one"),
     (("300 mm}", "300 mm}, mass: 2 kg"), 7, 36, "mechanism.links.2.mass", "the link has a mass and no mass centre"),
     (("300 mm}", "300 mm}, mass: -2 kg"), 7, 36, "mechanism.links.2.mass", "-2 kg is negative: a mass cannot be"),
     (("300 mm}", "300 mm}, inertia: -2"), 7, 36, "mechanism.links.2.inertia", "-2 is negative: a moment of inertia cannot be"),
     (("300 mm}", "300 mm}, mass_centre: O"), 7, 36, "mechanism.links.2.mass_centre", "the point O is not on link 2"),
-    (("[B]", "[B, C]"), 8, 9, "mechanism.links.3.points", "too many values: 1 expected"),
+    (
+        ("[B]", "[B, C]"), 8, 9, "mechanism.links.3.points",
+        "the list names several points (B, C), but not their places on the link",
+    ),
     (("[B]", "B"), 8, 9, "mechanism.links.3.points", "this has another form than expected here"),
     (("slides: x", "slides: z"), 8, 22, "mechanism.links.3.slides", "there is no guide z"),
     (("slides: x", "slides: {guide: x, at: A}"), 8, 41, "mechanism.links.3.slides.at", "the point A is not on link 3"),

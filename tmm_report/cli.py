@@ -322,7 +322,7 @@ def grade(
         if template is not None:
             from tmm_report.commands.grade.sheet import run as write_sheet
 
-            done = write_sheet(variants, template, console.language, console, rubric=rubric, table=table)
+            done = write_sheet(variants, template, lang, console, rubric=rubric, table=table)
         else:
             from tmm_report.commands.grade.run import run
 

@@ -191,8 +191,11 @@ def _unsolvable(run: Callable[[], object]) -> list[Problem]:
 
 
 def _solved(variant: Variant, moved: Moved | None) -> Results:
-    lever = solve_lever(variant.lever, moved) if variant.lever else None
-    moving = Moving(lever.kinematics, lever.kinetostatics) if lever else None
+    rubs = getattr(
+        getattr(variant, "flywheel", None), "friction", True
+    )  # the chapter may have been taken out
+    lever = solve_lever(variant.lever, moved, rubs) if variant.lever else None
+    moving = _moving(lever) if lever else None
     # what goes on over the cycle is asked of a mechanism that closes all round
     whole = not lever or not lever.kinematics.gaps
     return Results(
@@ -214,8 +217,17 @@ def _solved(variant: Variant, moved: Moved | None) -> Results:
     )
 
 
-def solve_lever(given: LeverGiven, moved: Moved | None = None) -> LeverFound:
-    """The chapters of a lever mechanism. Raises ProblemError."""
+def _moving(lever: LeverFound) -> Moving:
+    return Moving(
+        lever.kinematics,
+        lever.kinetostatics,
+        friction=lever.friction,
+    )
+
+
+def solve_lever(given: LeverGiven, moved: Moved | None = None, rubs: bool = True) -> LeverFound:
+    """The chapters of a lever mechanism. `rubs`: the friction of the pairs is in the machine whose positions are
+    counted, as it is in the flywheel. Raises ProblemError."""
     links = moved.structure if moved else structure.solve(given.mechanism)
     motion = moved.kinematics if moved else kinematics.solve(given.positions, links, given.way)
     drawn = plans.solve(given.drawing, given.positions.plans, motion)
@@ -230,8 +242,10 @@ def solve_lever(given: LeverGiven, moved: Moved | None = None) -> LeverFound:
         force_plans.solve(given.drawing, given.positions.force_plan, forces, drawn) if forces else None,
         friction.solve(given.friction, forces) if given.friction and forces else None,
         _reduction(motion, forces, drawn) if given.reduction else None,
-        methods=_methods(given.methods, motion, forces) if given.methods else None,
     )
+    if given.methods:
+        moving = replace(_moving(found), friction=found.friction if rubs else None)
+        found = replace(found, methods=_methods(given.methods, moving))
     return replace(found, readings=_readings(found)) if given.readings else found
 
 
@@ -253,12 +267,10 @@ def _reduction(
     return solve(motion, forces, drawn)
 
 
-def _methods(
-    given: Comparison, motion: kinematics.Kinematics, forces: kinetostatics.Kinetostatics | None
-) -> methods.Found:
+def _methods(given: Comparison, moving: Moving) -> methods.Found:
     from tmm_report.chapters.methods.solve import solve
 
-    return solve(given, motion, forces)
+    return solve(given, moving)
 
 
 def _readings(found: LeverFound) -> readings.ReadingsFound:

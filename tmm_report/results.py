@@ -67,6 +67,7 @@ def as_json(results: Results, tr: Translator) -> bytes:
 
 def _value(value: Value, tr: Translator) -> dict[str, Any]:
     at = {} if value.at is None else {"at_deg": _finite(math.degrees(value.at))}
+    side = {"side": value.side} if value.side else {}
     return {
         "key": value.key,
         **_symbol(value.quantity),
@@ -74,6 +75,7 @@ def _value(value: Value, tr: Translator) -> dict[str, Any]:
         "unit": value.unit,
         "meaning": value.meaning.render(tr.gettext),
         **at,
+        **side,
     }
 
 

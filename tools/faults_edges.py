@@ -128,8 +128,8 @@ FAULTS = (
     Fault(
         "one side of a corner alone among the extremes",
         MECHANICS + "cycle.py",
-        "np.concatenate([corners + k, corners - k], axis=1)",
-        "np.concatenate([corners + k, corners + k], axis=1)",
+        "            motion = self.beside(at, side)\n",
+        "            motion = self.beside(at, 1)\n",
         tests=DEAD,
     ),
     Fault(
@@ -162,7 +162,7 @@ FAULTS = (
     ),
     Fault(
         "a stroke that ends beside its limit",
-        KIN + "travels.py",
+        KIN + "swings.py",
         "cycle.repeated(stops), cycle.repeated(cycle.ends)]",
         "cycle.repeated(stops)]",
         tests=PARTIAL,
@@ -337,13 +337,13 @@ FAULTS = (
     Fault(
         "values beside a limit decide what is alike",
         MECHANICS + "cycle.py",
-        "least_and_greatest(row, x, ~np.isin(x, self._beside_limits))",
-        "least_and_greatest(row, x)",
+        "least_and_greatest(row, x, ~np.isin(x, self._beside_limits), side)",
+        "least_and_greatest(row, x, np.ones(x.shape, bool), side)",
         tests=MOTION,
     ),
     Fault(
         "angles behind a gap a turn off",
-        KIN + "travels.py",
+        KIN + "swings.py",
         "angle[behind:] += angle[0] - angle[-1]",
         "pass",
         tests=MOTION,

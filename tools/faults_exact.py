@@ -192,7 +192,7 @@ FAULTS = (
     ),
     Fault(
         "poses beside a change point taken from their neighbours",
-        "tmm_report/mechanics/singular.py",
+        "tmm_report/mechanics/meeting.py",
         "POSED = 1e-5",
         "POSED = 1.0",
         tests=("tests/mechanics/test_branch_steps.py",),
@@ -242,14 +242,14 @@ FAULTS = (
     ),
     Fault(
         "joints on known links are interpolated",
-        "tmm_report/mechanics/singular.py",
+        "tmm_report/mechanics/meeting.py",
         '        if name in "rva" and reference.kind == "R" and reference in group.group.outer:',
         "        if False:",
         tests=("tests/mechanics/test_digits_over_decades.py",),
     ),
     Fault(
         "groups behind a change point not solved anew",
-        "tmm_report/mechanics/singular.py",
+        "tmm_report/mechanics/meeting.py",
         "            if taken:\n                group.place(s)",
         "            if False:\n                group.place(s)",
         tests=("tests/mechanics/test_failing_scenes.py",),

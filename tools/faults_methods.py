@@ -192,8 +192,8 @@ FAULTS = (
     Fault(
         "half of J' in the rivals' equation of motion",
         "tmm_report/mechanics/methods/run_up.py",
-        "moment - slope * omega * omega / 2) / J",
-        "moment - slope * omega * omega / 4) / J",
+        "left = moment - slope * omega * omega / 2",
+        "left = moment - slope * omega * omega / 4",
         tests=("tests/mechanics/test_methods_of_run_up.py",),
     ),
     Fault(
@@ -235,8 +235,8 @@ FAULTS = (
     Fault(
         "the dearest method is called the cheapest",
         "tmm_report/mechanics/methods/trials.py",
-        "return min(good, key=lambda one: one.seconds, default=None)",
-        "return max(good, key=lambda one: one.seconds, default=None)",
+        "least = min((one.seconds for one in good), default=math.nan)\n    equal",
+        "least = max((one.seconds for one in good), default=math.nan)\n    equal",
         tests=("tests/mechanics/test_trials_of_methods.py",),
     ),
     Fault(

@@ -1,8 +1,10 @@
-"""Mutated variants, each read, solved and some of them rendered: nothing but a note or a refusal in words may come out.
+"""Mutated or generated variants, each read, solved and some rendered: a note or a refusal in words must come out.
 
     python -m benchmarks.fuzz --count 20000 --render 2000 --seed 1 --jobs 1 -o /tmp/fuzz
+    python -m benchmarks.fuzz --generated --count 20000 --seed 1 --jobs 1 -o /tmp/generated
 
-A mutation changes the text or the data of a ready variant or a sample. Wrong are an exception, a warning of numpy, more
+A mutation changes the text or the data of a ready variant or a sample; a generated variant is drawn from the schema of
+the format, and every one that solves is rendered. Wrong are an exception, a warning of numpy, more
 than 20 s of one core, more than 500 MB, a message without its words or values. Each finding is kept with its text.
 Printed, never asserted; the same seed makes the same cases.
 """
@@ -22,6 +24,7 @@ ROOT = Path(__file__).parents[2]
 sys.path[:0] = [str(ROOT / "tests")]
 
 from benchmarks.fuzz import data, texts  # noqa: E402
+from benchmarks.fuzz.generated import whole  # noqa: E402
 from benchmarks.fuzz.judge import Outcome, tried  # noqa: E402
 from benchmarks.fuzz.report import Report  # noqa: E402
 from benchmarks.fuzz.workers import outcomes  # noqa: E402
@@ -53,19 +56,31 @@ class Cases:
         return made, f"{name}: {how}"
 
 
+class Generated:
+    """Case k of a seed, drawn from the schema."""
+
+    def __init__(self, seed: int):
+        self.seed = seed
+
+    def text(self, k: int) -> tuple[str, str]:
+        return whole.text(f"{self.seed} {k}"), "generated"
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("--count", type=int, default=20_000, help="cases")
     parser.add_argument("--render", type=int, default=2_000, help="how many of the solved ones are rendered")
+    parser.add_argument("--generated", action="store_true", help="drawn from the schema, all rendered")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--first", type=int, default=0, help="number of the first case")
     parser.add_argument("--jobs", type=int, default=1, help="processes at once")
     parser.add_argument("-o", type=Path, required=True, help="folder of findings")
     asked = parser.parse_args()
-    cases, numbers = Cases(asked.seed), range(asked.first, asked.first + asked.count)
-    _warm(cases)
+    numbers, ready = range(asked.first, asked.first + asked.count), Cases(asked.seed)
+    _warm(ready)
+    cases = Generated(asked.seed) if asked.generated else ready
     for job in range(1, asked.jobs):
         if os.fork() == 0:
             _run(cases, numbers[job :: asked.jobs], asked, f"-{job}")
@@ -75,7 +90,7 @@ def main() -> None:
         os.wait()
 
 
-def _run(cases: Cases, numbers: Sequence[int], asked: argparse.Namespace, name: str) -> None:
+def _run(cases: Cases | Generated, numbers: Sequence[int], asked: argparse.Namespace, name: str) -> None:
     """These cases, and what is found of them."""
     report = Report(asked.o, name)
     share = _share(asked)
@@ -91,6 +106,8 @@ def _run(cases: Cases, numbers: Sequence[int], asked: argparse.Namespace, name: 
 
 def _share(asked: argparse.Namespace) -> float:
     """Which part of the cases is rendered if it solves: about three of ten do."""
+    if asked.generated:
+        return 1.0
     return min(1.0, asked.render / max(1, asked.count) / 0.28)
 
 

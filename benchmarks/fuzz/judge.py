@@ -22,6 +22,8 @@ from tmm_report.course import doubts, loads
 from tmm_report.i18n import Translator
 from tmm_report.problems import Message, Problem, ProblemError
 
+# an example of keys with their values, the same in every language: mass: 2 kg, radius: 30 mm
+KEYS = re.compile(r"(?:\w+: (?:-?[\d.,/]+(?: ?[\w*/^%]+)?|\{.*\}|\[.*\])(?:, )?)+")
 SECONDS, MEGABYTES = 20.0, 500.0
 ROOT = str(Path(__file__).parents[2])
 
@@ -29,7 +31,9 @@ ROOT = str(Path(__file__).parents[2])
 @dataclass(frozen=True)
 class Outcome:
     """Of one case: `kind` is solved, refused or the name of an exception; `place`: where it was raised; `words`: texts
-    without a translation or with values left out; `megabytes`: the most of memory that the process had."""
+    without a translation or with values left out, and what no page should print; `megabytes`: the most of memory that
+    the process had; `sound`: whether every check held (exit code 0, else 1);
+    `told`: the traceback, or the first reason of a refusal."""
 
     kind: str
     seconds: float
@@ -38,6 +42,7 @@ class Outcome:
     place: str = ""
     told: str = ""
     words: tuple[str, ...] = ()
+    sound: bool = True
 
     @property
     def finding(self) -> str:
@@ -58,6 +63,7 @@ class Said:
     """What a command says, kept (see `commands.talk.Talk`)."""
 
     lines: list[Message | Problem | str] = field(default_factory=list)
+    pages: list[str] = field(default_factory=list)
 
     def speak(self, language: str) -> None: ...
 
@@ -73,40 +79,70 @@ class Said:
 def tried(text: str, rendered: bool) -> Outcome:
     """Read, solved, written as JSON and, where that is asked for, as a note for paper and for the screen."""
     _forget_peak()
-    began, said, kind, place, told, noted = time.process_time(), Said(), "solved", "", "", False
+    began, said, kind, place, told, noted, sound = time.process_time(), Said(), "solved", "", "", False, True
     signal.signal(signal.SIGPROF, _stop)
     signal.setitimer(signal.ITIMER_PROF, 1.25 * SECONDS)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
-            noted = _solved(text, rendered, said)
+            noted, sound = _solved(text, rendered, said)
     except ProblemError as error:
         kind = "refused"
         said.lines += error.problems
+        told = next(problem for problem in error.problems if not problem.doubt).wrong.text
     except Exception as error:
         kind, place, told = type(error).__name__, _place(error), traceback.format_exc(limit=-25)
     finally:
         signal.setitimer(signal.ITIMER_PROF, 0)
     seconds = time.process_time() - began
-    return Outcome(kind, seconds, _peak(), noted, place, told, tuple(sorted(set(unsaid(said.lines)))))
+    words = tuple(sorted({*unsaid(said.lines), *said.pages}))
+    return Outcome(kind, seconds, _peak(), noted, place, told, words, sound)
 
 
 def _stop(*_: Any) -> None:
     raise TooLong
 
 
-def _solved(text: str, rendered: bool, said: Said) -> bool:
-    """Whether a note was made."""
+def _solved(text: str, rendered: bool, said: Said) -> tuple[bool, bool]:
+    """Whether a note was made, and whether every check held."""
     results = solve(loads(text.encode("utf-8", "surrogatepass"), "v.yaml"))
     said.lines += doubts(results)
-    summary(results, said)
+    sound = summary(results, said)
     json.loads(render(results, "json")["results.json"], parse_constant=_refused)
     for form in ("html", "tex") if rendered else ():
-        for file in render(results, form).values():
+        for name, file in render(results, form).items():
             assert not re.search(rb"%\([a-z_]+\)[sdg]|&lt;(?:tmm_report|Markup)", file), (
                 "a text without its values"
             )
-    return rendered
+            if name == f"note.{form}":
+                page = file.decode()
+                said.pages += odd_words(page) if form == "html" else unbalanced(page)
+    return rendered, sound
+
+
+def odd_words(page: str) -> Iterator[str]:
+    """What a program says and no page should: None, nan, inf, null."""
+    seen = re.sub(r"<(style|script)\b.*?</\1>|<[^>]*>", " ", page, flags=re.S)
+    for found in re.finditer(r"\b(None|nan|NaN|inf|null|undefined)\b", seen):
+        around = " ".join(seen[max(0, found.start() - 30) : found.end() + 20].split())
+        yield f"on the page: {found[0]} in {around!r}"
+
+
+def unbalanced(page: str) -> Iterator[str]:
+    """Braces and environments of LaTeX that do not close."""
+    page = re.sub(r"(?<!\\)((?:\\\\)*)%.*", r"\1", page)
+    bare = re.sub(r"\\[\\{}]", "", page)
+    if bare.count("{") != bare.count("}"):
+        yield f"LaTeX: {bare.count('{')} braces open, {bare.count('}')} close"
+    stack: list[str] = []
+    for kind, name in re.findall(r"\\(begin|end)\{(\w+\*?)\}", page):
+        if kind == "begin":
+            stack.append(name)
+        elif not stack or stack.pop() != name:
+            yield f"LaTeX: \\end{{{name}}} ends nothing"
+            return
+    if stack:
+        yield f"LaTeX: {stack[-1]} does not end"
 
 
 def _refused(constant: str) -> None:
@@ -160,6 +196,7 @@ def unsaid(lines: list[Message | Problem | str]) -> Iterator[str]:
             if (
                 re.search("[a-z]{3}", re.sub(r"%\(\w+\)", "", message.text))
                 and russian()(message.text) == message.text
+                and not KEYS.fullmatch(message.text)
             ):
                 yield f"no words: {message.text}"
 

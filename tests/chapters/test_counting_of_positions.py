@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from conftest import solved
+from conftest import ALL_FILES, solved
 
 from tmm_report import course
 from tmm_report.chapters.machine import Moving
@@ -11,7 +11,7 @@ from tmm_report.chapters.methods.counting import MEANINGS, Tables, counting, wan
 
 def moving(name):
     lever = solved(name).lever
-    return Moving(lever.kinematics, lever.kinetostatics)
+    return Moving(lever.kinematics, lever.kinetostatics, lever.friction)
 
 
 @pytest.mark.parametrize(
@@ -34,10 +34,34 @@ def test_the_balancing_moment_of_a_table_is_that_by_groups(name):
 
 
 def test_the_swing_of_the_excess_work_is_what_mertsalov_sizes_a_flywheel_by():
-    results = solved("compressor")
-    flywheel = next(one for one in results.flywheel.methods.values() if one.key == "mertsalov")
-    swing = next(one for one in wanted(moving("compressor")) if one.key == "unevenness").exact[0]
-    assert flywheel.upper.cut - flywheel.lower.cut == pytest.approx(swing, rel=1e-9)
+    """With the friction of the pairs, which is among the resistances of both."""
+    assert solved("compressor").flywheel.sides.machine.rubs
+    one = swing(moving("compressor"))
+    assert one.exact[0] == pytest.approx(sized_by(solved("compressor")), rel=1e-9)
+    assert one.error(720) < 1e-3
+
+
+def test_the_friction_that_a_flywheel_leaves_out_is_left_out_of_the_counting():
+    text = next(path for path in ALL_FILES if path.stem == "compressor").read_text("utf-8")
+    assert text.count("\nflywheel:") == 1 and "\nmethods:" not in text
+    without = course.solve(
+        course.loads(text.replace("\nflywheel:", "\nmethods: true\nflywheel:\n  friction: false"))
+    )
+    lever = without.lever
+    bare = Moving(lever.kinematics, lever.kinetostatics)
+    assert swing(bare).exact[0] == pytest.approx(sized_by(without), rel=1e-9)
+    assert swing(bare).exact[0] < 0.99 * swing(moving("compressor")).exact[0]
+    assert lever.methods.counted.errors == counting(bare).errors != counting(moving("compressor")).errors
+
+
+def swing(of):
+    return next(one for one in wanted(of) if one.key == "unevenness")
+
+
+def sized_by(results):
+    """The swing of the first group's energy by which Mertsalov's method sizes the flywheel, J."""
+    method = results.flywheel.methods["mertsalov"]
+    return method.upper.cut - method.lower.cut
 
 
 def test_the_accuracy_of_the_variant_says_how_many_are_enough():

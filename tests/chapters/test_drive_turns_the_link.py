@@ -1,10 +1,12 @@
 """`speed: drive`: the driving link turned by the gear drive, its balancing moment in the gears, or both at odds."""
 
 import math
+from dataclasses import replace
 
+import numpy as np
 import pytest
 
-from tmm_report import course
+from tmm_report import course, render
 from tmm_report.problems import ProblemError
 
 MECHANISM = """
@@ -44,6 +46,34 @@ def test_the_link_takes_the_speed_and_the_sense_of_the_output():
     omega = found.lever.given.mechanism.driver.omega
     assert omega == pytest.approx(-960 / 4 * math.pi / 30) == found.drive.speed[found.drive.output]
     assert solved("speed: drive", ratio=4).lever.given.mechanism.driver.omega > 0
+
+
+FRICTION = "friction: {pivots: {coefficient: 0.1, diameter: 60 mm}, guides: {coefficient: 0.15}}\n"
+
+
+def test_friction_of_the_pairs_loads_the_drive():
+    """By its dense mean and, of the greatest moment, by a fine table; `friction: false` leaves it out."""
+    said = "language: en\n" + text("speed: drive", extra=FRICTION)
+    found, without = (
+        course.solve(course.loads(said.replace("  speed: 960", f"{more}  speed: 960")))
+        for more in ("", "  friction: false\n")
+    )
+    left, plain = without.drive, solved("speed: drive").drive
+    lever, moments = found.lever, found.drive.moments
+    omega = abs(lever.kinematics.omega)
+    assert moments.mean * omega == pytest.approx(
+        plain.moments.mean * omega + lever.friction.mean_power, rel=1e-9
+    )
+    assert found.drive.given.torque == pytest.approx(moments.mean / (4 * 0.97))
+    positions = replace(lever.given.positions, diagram=720)
+    fine = course.solve_lever(replace(lever.given, positions=positions))
+    sense = math.copysign(1, lever.kinematics.omega)
+    whole = sense * fine.kinetostatics.diagram.balancing + fine.friction.diagram.reduced
+    assert moments.greatest == pytest.approx(whole[np.abs(whole).argmax()], rel=1e-3)
+    assert left.moments.mean == pytest.approx(plain.moments.mean)
+    assert left.moments.greatest == pytest.approx(plain.moments.greatest)
+    for one, words in ((found, "is in both, "), (without, "is in neither")):
+        assert words in render(one, "html")["note.html"].decode()
 
 
 @pytest.mark.parametrize(("rotation", "sign"), [("clockwise", -1), ("counter-clockwise", 1)])

@@ -47,7 +47,9 @@ def test_the_moment_of_inertia_is_that_of_the_mechanism_with_the_parts(pump):
     assert table["J"].numbers() == pytest.approx(pump.lever.reduction.table.whole_inertia + rotor, rel=1e-9)
     assert table["J_slope"].numbers() == pytest.approx(pump.lever.reduction.table.slope, abs=1e-8)
     assert table["M_red"].numbers() == pytest.approx(pump.lever.reduction.table.whole_moment, abs=1e-6 * 700)
-    assert found.conservative < 1e-9
+    assert (
+        found.conservative < 1e-8
+    )  # a derivative, on panels as narrow as 0.01° between kinks of the friction
 
 
 def test_the_steady_motion_keeps_its_energy_from_position_to_position(pump):
@@ -57,7 +59,7 @@ def test_the_steady_motion_keeps_its_energy_from_position_to_position(pump):
     assert energy == pytest.approx(values["dynamics_T_0"].value + table["A"].numbers(), rel=1e-9)
     assert energy[0] == pytest.approx(energy[-1], rel=1e-11)
     slope = np.gradient(table["omega"].numbers(), table["t"].numbers(), edge_order=2)
-    assert np.corrcoef(slope, table["epsilon"].numbers())[0, 1] > 0.98
+    assert np.corrcoef(slope, table["epsilon"].numbers())[0, 1] > 0.97
 
 
 def test_lagrange_s_force_is_what_has_no_potential(pump):
@@ -84,7 +86,9 @@ def test_works_of_each_regime_are_the_change_of_the_energy(pump):
     loads = machine(Moving(pump.lever.kinematics, pump.lever.kinetostatics))
     done = sum(float(loads.panels.total(values)) for _, values in loads.moments)
     steady = dict(zip(table["acting"].values, table["A_steady"].numbers(), strict=True))
-    assert steady["motor"] + steady["res1"] == pytest.approx(-done)
+    rubbed = -pump.lever.friction.mean_power * 2 * math.pi / abs(pump.lever.kinematics.omega)
+    assert steady["pairs"] == pytest.approx(rubbed)
+    assert steady["motor"] + steady["res1"] + rubbed == pytest.approx(-done)
 
 
 def test_without_a_motor_a_constant_moment_closes_the_cycle_at_the_speed_of_the_mechanism(pump):
@@ -95,7 +99,8 @@ def test_without_a_motor_a_constant_moment_closes_the_cycle_at_the_speed_of_the_
     assert found.steady.mean == pytest.approx(90 * math.pi / 30, rel=1e-9)
     closing = book(found)["dynamics_M_closing"].value
     table = pump.lever.reduction.diagram
-    assert closing == pytest.approx(-np.mean(table.whole_moment[:-1]), rel=0.02)
+    rubbed = pump.lever.friction.mean_power / found.steady.mean
+    assert closing == pytest.approx(rubbed - np.mean(table.whole_moment[:-1]), rel=0.02)
     assert abs(sum(found.steady.works.values())) < 1e-9 * found.steady.works["motor"]
 
 

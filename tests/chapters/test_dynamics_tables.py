@@ -55,7 +55,8 @@ def test_the_characteristic_is_kloss_s_formula_on_the_main_shaft(book):
     slip = 1 - of["omega"] * i / value(book, "omega_0")
     ratio = slip / value(book, "s_cr")
     assert of["s"] == pytest.approx(slip)
-    assert of["M_dr"] == pytest.approx(i * eta * 2 * value(book, "M_max") / (ratio + 1 / ratio))
+    moment = i * 2 * value(book, "M_max") / (ratio + 1 / ratio)
+    assert of["M_dr"] == pytest.approx(np.where(moment > 0, moment * eta, moment / eta))
 
 
 def test_the_cycle_obeys_the_equation_of_motion_row_by_row(pump):
@@ -65,7 +66,7 @@ def test_the_cycle_obeys_the_equation_of_motion_row_by_row(pump):
     assert of["M"] == pytest.approx(of["M_dr"] - of["M_res"])
     assert of["epsilon"] == pytest.approx((of["M"] - of["J_slope"] * of["omega"] ** 2 / 2) / of["J"])
     assert of["omega"] == pytest.approx(np.sqrt(2 * (value(pump, "T_0") + of["A"]) / of["J"]))
-    assert of["M_fr"] == pytest.approx(12.0)
+    assert of["M_fr"] == pytest.approx(6.0 + solved("piston_pump").lever.friction.table.reduced, rel=1e-5)
     slip = 1 - of["omega"] * value(pump, "i_motor") / value(pump, "omega_0")
     ratio = slip / value(pump, "s_cr")
     moment = 2 * value(pump, "M_max") / (ratio + 1 / ratio)

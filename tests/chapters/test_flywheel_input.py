@@ -120,4 +120,4 @@ def test_a_motor_beside_an_engine_that_drives_is_not_asked_for_its_power():
 
 def test_summary_says_the_inertia_and_the_measured_unevenness():
     (line,) = solved("compressor").flywheel.summary()
-    assert "1.08" in str(line) and str(line).count("0.0125") == 2
+    assert "1.106" in str(line) and str(line).count("0.0125") == 2

@@ -16,9 +16,9 @@ from tmm_report.problems import ProblemError
 
 UNDERCUT = "ratio: -1, module: 2 mm, teeth: [10, 10], shift: [0, 0]"
 UNDERCUT_WHEEL = "ratio: -3.43, module: 1 mm, teeth: [14, 48], shift: [-0.317, 0.774]"
-CLOSED = "ratio: 3, module: 3 mm, teeth: [25, 75], shift: [0.5, 2.5]"
-INTERNAL = "ratio: 3, module: 3 mm, teeth: [25, 75], shift: [0.4, 0.5]"
-NARROW = "ratio: 1.4, module: 3 mm, teeth: [25, 35], shift: [0, 0], rack: {ha*: 0.8}"
+CLOSED = "ratio: 3, mesh: internal, module: 3 mm, teeth: [25, 75], shift: [0.5, 2.5]"
+INTERNAL = "ratio: 3, mesh: internal, module: 3 mm, teeth: [25, 75], shift: [0.4, 0.5]"
+NARROW = "ratio: 1.4, mesh: internal, module: 3 mm, teeth: [25, 35], shift: [0, 0], rack: {ha*: 0.8}"
 ROUNDED = "ratio: -2, module: 6 mm, centre_distance: 130 mm, teeth: [14, 28], shift: [0.18, 0.559]"
 
 

@@ -101,10 +101,9 @@ def test_the_last_position_of_a_range_has_its_own_loads_and_teeth():
         "direction: against motion, constant: 100 N",
         "direction: left, by_angle: [[0, -9], [95 deg, -9], [96 deg, 9]]",
     )
-    shut, open_ = (
-        course.solve(loads(text)).lever
-        for text in (pulled, pulled.replace("60 rpm", "60 rpm, zero: {angle: 20 deg}, range: 100 deg"))
-    )
+    whole = pulled.replace("[96 deg, 9]", "[96 deg, 9], [360 deg, 9]")  # a full turn is told all round
+    part = pulled.replace("60 rpm", "60 rpm, zero: {angle: 20 deg}, range: 100 deg")
+    shut, open_ = (course.solve(loads(text)).lever for text in (whole, part))
     page = Page(Html(), Translator("en"), Numbering())
     view = GearView(open_.kinetostatics, 0, page)
     force = view.book.tables["gear_table"]["F_bal"].values

@@ -261,7 +261,12 @@ WRONG = {
         "spring",
         "holds the sleeve down",
     ),
-    "speeds swapped": ({"choose": "{spring: [200 rpm, 190 rpm]}"}, "choose.spring", "upper stop"),
+    "speeds fall too far": (
+        {"choose": "{spring: [200 rpm, 190 rpm]}"},
+        "choose.spring",
+        "cannot fall so far",
+    ),
+    "no fulcrum": ({**CRANK, "bell_crank": "{ball_arm: 80 mm, sleeve_arm: 60 mm}"}, "bell_crank", "fulcrum"),
     "speeds too near": ({"choose": "{spring: [200 rpm, 201 rpm]}"}, "choose.spring", "weights alone"),
     "too slow": ({"choose": "{spring: [100 rpm, 120 rpm]}"}, "choose.spring", "do not even carry"),
     "chosen and stated": ({"choose": "{balls: 150 rpm}"}, "choose.balls", "stated"),
@@ -322,3 +327,36 @@ def test_of_what_is_mistyped_nothing_else_is_said():
 def test_what_is_right_is_solved():
     found = course.solve(course.loads(text())).governor
     assert found.direct.word == "stable" and [str(line) for line in found.summary()]
+
+
+# --- a falling characteristic; an angle lever whose obliquity is neglected
+
+HARTNELL = """governor:
+  bell_crank: {ball_arm: 120 mm, sleeve_arm: 80 mm, %slevel: true}
+  balls: {mass: 2 kg}
+  radius: {lowest: 100 mm, highest: 160 mm}
+  sleeve: {mass: 3 kg}
+  choose: {spring: [%s rpm, %s rpm]}
+"""
+
+
+@pytest.mark.parametrize("speeds", [(430, 415), (300, 290), (415, 430)])
+def test_a_spring_for_speeds_that_fall_is_found_and_called_unstable(speeds):
+    found = course.solve(course.loads(HARTNELL % ("fulcrum: 150 mm, ", *speeds))).governor
+    own = found.direct
+    forces = [  # moments about the fulcrum: two balls by the arm of 120 mm, sleeve and spring by that of 80 mm
+        2 * 2.0 * (n * math.pi / 30) ** 2 * r * 120 / 80 - 3.0 * 9.81
+        for n, r in zip(speeds, (0.1, 0.16), strict=True)
+    ]
+    assert own.spring_ends == pytest.approx(forces)
+    falls = speeds[1] < speeds[0]
+    assert (own.word == "unstable") == falls and (own.delta < 0) == falls
+    assert any("unstable" in line.text for line in found.summary()) == falls
+
+
+def test_a_level_angle_lever_needs_no_fulcrum():
+    without, stated = (
+        course.solve(course.loads(HARTNELL % (key, 400, 430))).governor.direct
+        for key in ("", "fulcrum: 150 mm, ")
+    )
+    assert without.table.omega == pytest.approx(stated.table.omega) and without.weights == stated.weights

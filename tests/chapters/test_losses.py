@@ -33,7 +33,8 @@ def rubbing_speed(results, loss) -> np.ndarray:
 
 
 def test_power_by_hand(results):
-    """f·R·(d/2)·|ω| in pivots, f·R·|v| in guides, every pair of the mechanism once."""
+    """f·R·(d/2)·|ω| in pivots, f·N·|v| in guides, every pair of the mechanism once; N: the reaction, and of a slider of
+    stated length that its moment tilts the forces at both its ends, 2·|M|/l."""
     found, given = results.lever.friction, results.variant.lever.friction
     forces = results.lever.kinetostatics.table.statics
     total = 0.0
@@ -42,7 +43,8 @@ def test_power_by_hand(results):
         stated = given.joints.get(name) or (given.pivots if loss.pair.kind == "R" else given.guides)
         arm = (stated.diameter or 0) / 2 if loss.pair.kind == "R" else 1.0
         reaction = np.abs(forces.force(loss.pair.links[1], by=loss.pair.links[0]))
-        power = stated.coefficient * reaction * arm * rubbing_speed(results, loss)
+        tilt = 2 * np.abs(forces.reactions[loss.pair.key].moment) / stated.length if stated.length else 0.0
+        power = stated.coefficient * np.maximum(reaction, tilt) * arm * rubbing_speed(results, loss)
         np.testing.assert_allclose(loss.power, power, rtol=1e-6, atol=1e-6 * np.abs(power).max() + 1e-12)
         total = total + power
     np.testing.assert_allclose(found.table.total, total, rtol=1e-6)

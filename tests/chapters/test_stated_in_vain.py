@@ -71,7 +71,8 @@ def test_what_has_no_effect_is_doubted(text, key):
 
 
 def test_a_line_to_an_angle_beyond_the_range_has_an_effect():
-    assert doubted(RANGE + at("T", "by_angle: [[0, 1 N], [70 deg, 2 N]]")) == {}
+    stated = RANGE.replace("mass_centre: T", "mass_centre: T, inertia: 0")
+    assert doubted(stated + at("T", "by_angle: [[0, 1 N], [70 deg, 2 N]]")) == {}
 
 
 def test_where_nothing_acts_the_note_says_so_and_prints_no_quotient_of_nothing():
@@ -147,3 +148,16 @@ def test_a_machine_of_links_without_masses_is_refused():
 def test_a_motor_without_power_is_refused(motor):
     said = refused(f"language: en\ndynamics: {{motor: {{{motor}}}, parts: [{{inertia: 1}}]}}")
     assert "dynamics.motor" in said and "power" in said
+
+
+SHAKEN = "vibration: {mass: 90, stiffness: 9 kN/m, mechanism: right}\n"
+
+
+@pytest.mark.parametrize(
+    "block", [SHAKEN, "dynamics: {parts: [{name: rotor, inertia: 2}], start: {speed: 9}}\n"]
+)
+def test_masses_that_another_chapter_uses_are_not_called_useless(block):
+    """Of a block that needs no loads."""
+    said = [one.text() for one in course.loads(PUMP + block).doubts]
+    assert not any("no force analysis is made" in text for text in said)
+    assert any("no force analysis is made" in one.text() for one in course.loads(PUMP).doubts)

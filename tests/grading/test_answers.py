@@ -194,6 +194,19 @@ LAID = {
     "words before the number": "Положение;v_B;w_2\nпол. 6;0;-41,9\n№ 7;4,444;-36,8\n",
     "a quantity a line": "Положение;6;7;8\nv_B, м/с;0;4,444;1\nω2, 1/с;-41,9;-36,8;2\n",
     "units under the head": "position;v_B;w_2\n;мм/с;1/с\n6;0;-41,9\n7;4444;-36,8\n",
+    "a title above commas": "Вариант 7\nposition,v_B,w_2\n6,0,-41.9\n7,4.444,-36.8\n",
+    "a comma in the title above commas": "Курсовая, вариант 7\nposition,v_B,w_2\n6,0,-41.9\n7,4.444,-36.8\n",
+    "commas in the title above semicolons": "Курсовая, вариант 7, М-21\nposition;v_B;w_2\n6;0;-41,9\n7;4,444;-36,8\n",
+    "whose it is in two cells": "Студент;Иванов И. И.\nГруппа;М-21\n\nposition;v_B;w_2\n6;0;-41,9\n7;4,444;-36,8\n",
+    "a quantity a line under a title": "Таблица 1. Лист\nВеличина;6;7;8\nv_B, м/с;0;4,444;1\nω2, 1/с;-41,9;-36,8;2\n",
+    "a quantity a line, commas": 'Таблица\nВеличина,6,7,8\n"v_B, м/с",0,4.444,1\n"ω2, 1/с",-41.9,-36.8,2\n',
+    "a quantity a line, units beside": "Величина;Ед. изм.;6;7;8\nv_B;мм/с;0;4444;1\nω2;1/с;-41,9;-36,8;2\n",
+    "a quantity a line, nothing above them": "Лист 1\n;6;7;8\nv_B;0;4,444;1\nω2;-41,9;-36,8;2\n",
+    "a quantity a line, words": "Величина;пол. 6;пол. 7;№ 8\nv_B мм/с;0;4444;1\nω2;-41,9;-36,8;2\n",
+    "a row of units with its name": "position;v_B;w_2\nЕд. изм.;мм/с;с^-1\n6;0;-41,9\n7;4444;-36,8\n",
+    "units in the cells": "position;v_B;w_2\n6;0;−41,9 1/с\n7;4444 мм/с;−36,8 с⁻¹\n",
+    "units in the cells, parted": "position;v_B;w_2\n6;0;−41,9 рад / с\n7;4444 мм / сек;-2,108484686E3 °/с\n",
+    "units behind the names": "position;v_B мм/с;w_2 / (1/с)\n6;0;-41,9\n7;4444;-36,8\n",
     "a name before the position": "ФИО;№ положения;v_B;w_2\nИванов;6;0;-41,9\nИванов;7;4,444;-36,8\n",
 }
 
@@ -203,6 +216,23 @@ def test_a_table_may_be_laid_out_in_many_ways(text, asked):
     found = answers(text, asked, "a.csv")
     assert number(found, "v_B") == pytest.approx(4.444) and number(found, "w_2") == pytest.approx(-36.8)
     assert not [note for note in found.notes if note.key or "row" in str(note.wrong)]
+
+
+@pytest.mark.parametrize("text", ["М.ур, Н м", "M_bal (Н.м)", "M_bal [кгс·м]", "M_bal, кН·м", "M_bal, кНм"])
+def test_a_moment_is_one_in_any_spelling(text, asked):
+    number_ = {"кгс·м": 164.27 / 9.80665, "кН·м": 0.16427, "кНм": 0.16427}
+    value = next((value for unit, value in number_.items() if unit in text), 164.27)
+    head = text.replace("М.ур", "M_bal")
+    found = answers(f"position;{head};v_B\n7;{value!r};1\n", asked, "a.csv")
+    assert (
+        number(found, "M_bal", 7, "balancing_table") == pytest.approx(164.27, rel=1e-12) and not found.notes
+    )
+
+
+@pytest.mark.parametrize("text", ["12 или 13", "4,4 да нет", "4 4 4", "1/2", "=1+1 м"])
+def test_words_behind_a_number_make_it_none(text, asked):
+    found = answers(f"position;v_B\n7;{text}\n", asked, "a.csv")
+    assert np.isnan(number(found, "v_B"))
 
 
 def test_of_two_columns_of_one_name_that_which_counts_is_meant(asked):

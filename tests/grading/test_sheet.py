@@ -5,16 +5,21 @@ from __future__ import annotations
 import csv
 import io
 
+import openpyxl
 import pytest
 from conftest import solved
+from notes import VARIANTS
+from told import Told
 
+from tmm_report.commands.grade.sheet import run as write_sheets
 from tmm_report.grading.answers import read
 from tmm_report.grading.expected import expected
 from tmm_report.grading.marks import closed, grade
 from tmm_report.grading.rubric import Rubric, TableRule, worth
-from tmm_report.grading.template import template
+from tmm_report.grading.template import template, whose_line
 from tmm_report.i18n import Translator
 from tmm_report.intake import cells
+from tmm_report.languages import LANGUAGES
 
 
 def every(asked) -> Rubric:
@@ -29,7 +34,8 @@ def every(asked) -> Rubric:
 def filled(name: str, content: bytes, asked) -> bytes:
     """A file of the template with the right numbers in it."""
     text = content.decode("utf-8-sig")
-    rows = list(csv.reader(io.StringIO(text), delimiter=";" if ";" in text.partition("\n")[0] else ","))
+    rows = list(csv.reader(io.StringIO(text), delimiter=";" if ";" in text.splitlines()[1] else ","))
+    titles, rows = (rows[:1], rows[1:]) if len(rows[0]) == 1 else ([], rows)
     heads = [cells.header(head)[0] for head in rows[0]]
     table = name.removesuffix(".csv").partition("-")[2]
     for row in rows[1:]:
@@ -44,19 +50,44 @@ def filled(name: str, content: bytes, asked) -> bytes:
                 k = ones[0].rows.index("" if table == "values" else row[0])
                 row[column] = repr(float(ones[0].values[k])).replace("nan", "")
     out = io.StringIO()
-    csv.writer(out).writerows(rows)
+    csv.writer(out).writerows([*titles, *rows])
     return out.getvalue().encode()
 
 
+@pytest.mark.parametrize("language", LANGUAGES)
 @pytest.mark.parametrize("name", ["compressor", "hoist_drive", "eccentric", "scotch_yoke"])
 @pytest.mark.parametrize("rubric", [lambda asked: Rubric(), every], ids=["usual", "everything"])
-def test_files_of_a_template_filled_in_are_full_marks(name, rubric):
+def test_files_of_a_template_filled_in_are_full_marks(name, rubric, language):
     results = solved(name)
     asked = expected(results)
     rule = rubric(asked)
     points = worth(rule, asked, results.lever is not None and closed(results))
-    made = template({n: asked[n] for n in asked}, points, ".csv", Translator("en"))
+    tr = Translator(language)
+    whose = whose_line({"student": 'Ёлкина-Петрова А. С., "A"; 7', "group": "М-31"}, tr)
+    made = template({n: asked[n] for n in asked}, points, ".csv", tr, whose)
     files = [(f"sheet{end}", filled(f"sheet{end}", content, asked)) for end, content in made.items()]
     answers = read(files, "x", asked, (), rule.asks)
     assert not answers.notes
     assert grade(results, answers, rule, asked).points == 100
+
+
+@pytest.mark.parametrize("suffix", ["", ".xlsx"])
+def test_sheets_speak_the_variants_language_and_say_whose_they_are(tmp_path, suffix):
+    text = (VARIANTS / "compressor.yaml").read_text("utf-8")
+    body = text[text.index("\nmechanism:") : text.index("\ndrive:")]
+    for id, language in (("anna", "ru"), ("john", "en")):
+        title = f'title: {{student: "Ёлкина {id}", group: М-31, variant: 7}}\nlanguage: {language}\n'
+        (tmp_path / f"{id}.yaml").write_text(title + body, "utf-8")
+    write_sheets(str(tmp_path), tmp_path / f"sheets{suffix}", None, Told())
+    made = (
+        [tmp_path / "sheets.xlsx"]
+        if suffix
+        else [tmp_path / "sheets" / f"{id}.xlsx" for id in ("anna", "john")]
+    )
+    heads = [("Студент: ", "положение"), ("Student: ", "position")]
+    for file, id, (words, head) in zip(made, ("anna", "john"), heads, strict=False):
+        for sheet in openpyxl.load_workbook(file):
+            first, second = (row[0].value for row in sheet.iter_rows(max_row=2))
+            assert first.startswith(words) and sheet.freeze_panes == "A3"
+            assert second == head or sheet.title == "values"
+            assert ("____" in first) if suffix else (f"Ёлкина {id}" in first and "М-31" in first)

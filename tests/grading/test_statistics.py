@@ -210,10 +210,10 @@ def test_a_mixed_up_variant_and_a_work_that_failed_are_told():
     works.append(Digest("broken", failed=("a.csv:3: no number",)))
     found = statistics(works)
     assert [(mixed.one.id, mixed.other.id) for mixed in found.mixed] == [("w0002", "w0004")]
-    assert [who.id for who in found.failed] == ["broken"]
+    assert [one.who.id for one in found.failed] == ["broken"]
     said_lines = [str(line) for line in lines(found)]
     assert any("w0002 → w0004" in line for line in said_lines)
-    assert "works marked: 5, not marked: 1" in said_lines
+    assert "works marked: 5, not handed in: 0, not marked: 1" in said_lines
 
 
 def test_five_lines_at_most_and_one_where_there_is_nothing():

@@ -16,7 +16,7 @@ import numpy as np
 
 from tmm_report import course
 from tmm_report.grading.expected import expected
-from tmm_report.grading.model import KINDS, Answered, Answers, Asked, Expected, Judged, Name
+from tmm_report.grading.model import KINDS, OF_WHOLE, Answered, Answers, Asked, Expected, Judged, Name
 from tmm_report.judging.judge import default_floor, judge
 from tmm_report.problems import ProblemError
 
@@ -217,12 +217,41 @@ SPECIAL = (0.1, 0.5, 1 / 9.81, 2.0, 9.549, 10.0, 1.0)
 def _scale(scene: Scene) -> Made:
     """Of a plan: all that is read off it. A column that does not change shows no scale, so some must."""
     by = float(np.exp(scene.rng.uniform(-1.2, 1.2)))
-    if any(abs(np.log(by / one)) < 0.08 for one in SPECIAL):
+    if any(abs(np.log(by / one)) < 0.12 for one in SPECIAL):
         return None
     names = scene.some(lambda n, a: not a.angle)
     names = [n for n in names if scene.own[n].unit == scene.own[names[0]].unit]
     varies = [n for n in names if np.ptp(np.abs(scene.own[n].values)) > 0.3 * scene.own[n].largest]
     return (_times(scene, names, by), "") if varies else None
+
+
+def _turns_given(scene: Scene) -> Made:
+    by = 1 / (2 * np.pi)
+    return _times(scene, scene.some(lambda n, a: a.unit == "rad/s"), by), f"{by:.4g}"
+
+
+def _speed(scene: Scene) -> Made:
+    """Another number taken for ω: velocities by its part, accelerations by its square."""
+    by = float(scene.rng.choice([30 / np.pi, 1 / (2 * np.pi), 60.0]))
+    squared = scene.rng.random() < 0.3
+    names = scene.some(lambda n, a: a.unit in (("m/s²", "rad/s²") if squared else ("m/s",)))
+    return _times(scene, names, by**2 if squared else by), f"{by:.4g}{'²' * squared}"
+
+
+def _weight(scene: Scene) -> Made:
+    return _times(scene, scene.some(lambda n, a: n[1].startswith(("F_I", "M_I"))), 9.81), "9.81"
+
+
+def _coriolis(scene: Scene) -> Made:
+    return _times(scene, scene.some(lambda n, a: n[1].endswith("_k")), 0.5), "0.5"
+
+
+def _rows(scene: Scene) -> Made:
+    n = len(next(iter(scene.numbers.values()))) - 1
+    one, other = (int(row) for row in scene.rng.choice(np.arange(1, n), 2, replace=False))
+    order = np.arange(n)
+    order[[one, other]] = order[[other, one]]
+    return _moved(scene, list(scene.numbers), order), f"{min(one, other)}, {max(one, other)}"
 
 
 def _mass(scene: Scene) -> Made:
@@ -303,13 +332,19 @@ MAKERS: dict[str, Callable[[Scene], Made]] = {
     "factor": _factor,
     "scale": _scale,
     "mass for weight": _mass,
+    "weight for mass": _weight,
+    "turns for radians": _turns_given,
+    "speed": _speed,
+    "coriolis": _coriolis,
+    "rows": _rows,
     "shifted": _shifted,
     "reversed": _reversed,
     "swapped": _swapped,
     "component": _component,
     "variant": _variant,
 }
-assert set(MAKERS) == set(KINDS)
+OF_OTHER_TABLES = {"radius for diameter"}  # no table by positions shows it
+assert set(MAKERS) == set(KINDS) - OF_OTHER_TABLES - set(OF_WHOLE)
 
 
 def planted(world: World, rng: np.random.Generator, *kinds: str) -> Work:
@@ -332,7 +367,7 @@ def _attempt(world: World, rng: np.random.Generator, kinds: Sequence[str]) -> Wo
     numbers, rows, plants = honest(own, names, rng), rows_of(rng, 13), []
     for kind in kinds:
         made = MAKERS[kind](Scene(own, others, dict(numbers), rng))
-        wrong = _made_wrong(own, made[0], rows) if made is not None else frozenset()
+        wrong = _made_wrong(own, made[0], rows, kind) if made is not None else frozenset()
         if made is None or not _told(own, made[0], wrong, rows, kind, made[1]) or _overlap(made[0], plants):
             return None
         numbers |= made[0]
@@ -351,9 +386,10 @@ def _overlap(numbers: Numbers, plants: Sequence[Plant]) -> bool:
     return any(name in plant.names for plant in plants for name in numbers)
 
 
-def _made_wrong(own: Expected, numbers: Numbers, rows: Array) -> frozenset[Name]:
-    """The columns of which at least a third is wrong now."""
-    return frozenset(name for name, values in numbers.items() if _share(own[name], values, rows) <= 2 / 3)
+def _made_wrong(own: Expected, numbers: Numbers, rows: Array, kind: str) -> frozenset[Name]:
+    """The columns of which at least a third is wrong now; of two rows exchanged both."""
+    most = 10.1 / 12 if kind == "rows" else 2 / 3
+    return frozenset(name for name, values in numbers.items() if _share(own[name], values, rows) <= most)
 
 
 def _share(asked: Asked, values: Array, rows: Array) -> float:

@@ -7,9 +7,11 @@ from functools import cache
 
 import numpy as np
 import pytest
-from planted import LIMIT, Work, World, asked_of, handed_in, honest, planted
+from planted import LIMIT, MAKERS, VARIANTS, Work, World, asked_of, handed_in, honest, planted
 
-from tmm_report.grading.model import KINDS, Answered, Answers, Cause, Name
+from tmm_report import course
+from tmm_report.grading.expected import expected
+from tmm_report.grading.model import Answered, Answers, Cause, Name
 from tmm_report.judging.diagnose import diagnose, prepared
 from tmm_report.judging.judge import judge
 
@@ -69,9 +71,9 @@ def is_named(work: Work, found: list[Cause]) -> bool:
 # ---------------------------------------------------------------- many works
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", MAKERS)
 def test_nearly_every_planted_mistake_is_named(kind):
-    rng = np.random.default_rng(KINDS.index(kind))
+    rng = np.random.default_rng(list(MAKERS).index(kind))
     works = [planted(world(), rng, kind) for _ in range(10)]
     assert sum(is_named(work, cause_of(work)) for work in works) >= 9
 
@@ -106,7 +108,7 @@ def test_numbers_without_sense_get_no_explanation():
 
 def test_undoing_a_named_mistake_gives_the_marks_he_would_have_had():
     rng = np.random.default_rng(6)
-    for kind in KINDS:
+    for kind in MAKERS:
         work = planted(world(), rng, kind)
         for cause in cause_of(work):
             assert cause.explains >= 0.75 and set(cause.mended) == set(cause.names)
@@ -118,6 +120,31 @@ def test_undoing_a_named_mistake_gives_the_marks_he_would_have_had():
 
 
 # ---------------------------------------------------------------- one mistake at a time
+
+
+def test_a_sign_and_a_power_of_ten_in_one_column_are_two_causes():
+    name = (OUTPUTS, "V_B")
+    found = causes(exact() | {name: own()[name].values * -10})
+    assert {(cause.kind, cause.names) for cause in found} == {("sign", (name,)), ("power of ten", (name,))}
+
+
+def test_numbers_that_scatter_show_no_scale():
+    rng = np.random.default_rng(8)
+    for _ in range(20):
+        numbers = {name: one * rng.choice([0.92, 1.08], 13) for name, one in exact().items()}
+        assert not causes(numbers)
+
+
+def test_radii_given_for_diameters():
+    asked = expected(course.solve(course.load(VARIANTS / "hoist_drive.yaml")))
+    names = [n for n in asked if n[0].endswith("_wheels") and n[1].split("_")[0] == "d"]
+    columns = {}
+    for name in names:
+        given = np.isfinite(asked[name].values)
+        columns[name] = Answered(asked[name].values / 2, given, ("",) * len(given), ("",) * len(given))
+    judged = {n: judge(asked[n], one.values, one.given, limit=LIMIT) for n, one in columns.items()}
+    (cause,) = diagnose(Answers("one", columns), asked, judged, limit=LIMIT)
+    assert names and cause.kind == "radius for diameter" and set(cause.names) == set(names)
 
 
 def test_millimetres_for_metres_in_all_strokes_are_one_cause():

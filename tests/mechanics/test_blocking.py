@@ -1,11 +1,14 @@
 """Blocking contour: its lines, its region, and the nearest feasible point."""
 
+import pickle
+
 import numpy as np
 import pytest
 
 from tmm_report.mechanics import spur
 from tmm_report.mechanics.blocking import Blocking
 from tmm_report.mechanics.isolines import isolines
+from tmm_report.mechanics.pair_limits import limits_of
 from tmm_report.mechanics.polygons import inside
 from tmm_report.mechanics.spur import Rack
 
@@ -137,6 +140,16 @@ def test_shifts_without_a_centre_distance_lack_everything():
 def grid(half, count):
     x = np.linspace(-half, half, count)
     return x + 1j * x[:, None]
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_limits_are_pickled_with_the_results_that_keep_them(case):
+    pair = case.pair(CHOSEN)
+    limits = limits_of(pair, 0.25, 1.2, sliding=3.0)
+    assert len(limits) > 10
+    back = pickle.loads(pickle.dumps(limits))
+    margins = [[float(limit.margin(pair)) for limit in them] for them in (limits, back)]
+    np.testing.assert_array_equal(*margins)
 
 
 def test_a_circle_is_one_closed_chain_on_the_circle():

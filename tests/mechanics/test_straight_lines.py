@@ -20,7 +20,7 @@ from tmm_report.mechanics.compiled import straight
 from tmm_report.mechanics.dyads import Dyad
 from tmm_report.mechanics.each import together
 from tmm_report.mechanics.mechanism import Driver, Guide, Link, Mechanism, Slide
-from tmm_report.mechanics.singular import settle
+from tmm_report.mechanics.meeting import settle
 from tmm_report.mechanics.straight.tape import Tape, Untraceable
 
 VARIANTS = sorted((Path(__file__).parents[2] / "variants").rglob("*.yaml"))

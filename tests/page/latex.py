@@ -14,7 +14,7 @@ GREEK = dict(zip(NAMES.split(), "αβγδεζηθικλμνξπρστυφχψω�
 SIGNS = GREEK | {
     "cdot": "·", "to": "→", "times": "×", "leqslant": "≤", "geqslant": "≥", "pm": "±", "approx": "≈", "infty": "∞",
     "parallel": "∥", "perp": "⟂", "neq": "≠", "prime": "′", "circ": "°", "ge": "≥", "le": "≤", "sum": "Σ",
-    "textbackslash": "\\", "textasciitilde": "~", "textasciicircum": "^", "gg": "≫", "ll": "≪",
+    "NoteTimes": "·", "textbackslash": "\\", "textasciitilde": "~", "textasciicircum": "^", "gg": "≫", "ll": "≪",
     "circlearrowright": "↻", "circlearrowleft": "↺",
 }  # fmt: skip
 _COMMAND = re.compile(r"\\([A-Za-z]+) ?")

@@ -16,6 +16,11 @@ from xml.etree.ElementTree import Element, fromstring
 from printed import LEAST, Printed, Unit, number, unit
 
 _SVG = re.compile(r"<svg.*?</svg>", re.S)
+_BAR = re.compile(r'<svg class="bar".*?</svg>')  # a length to measure, no drawing of the mechanism
+_AGAIN = re.compile(
+    r'<math class="again"[^>]*><mo [^>]*>[^<]*</mo></math><br/>'
+)  # a sign repeated at a line's end
+_CROSS = '<math displaystyle="true"><mo form="infix">×</mo>'  # with which a product goes on in the next line
 _MAIN = re.compile(r"<main>.*</main>", re.S)
 
 
@@ -328,6 +333,11 @@ class Note:
         return list(_lines(self.root))
 
 
+def steady(lines: list[str]) -> list[str]:
+    """The lines without the digits of what rounding leaves, below 1e-9: those are other ones on every processor."""
+    return [re.sub(r"\d+(?:[.,]\d+)?·10⁻(?:[¹²][⁰¹²³⁴⁵⁶⁷⁸⁹])", "~0", line) for line in lines]
+
+
 def _tables(root: Element) -> Iterator[Table]:
     anchor, part = "", 0
     for box in root.iter("div"):
@@ -414,7 +424,10 @@ def read(html: str) -> Note:
         drawings[f"{len(drawings) + 1}"] = svg[0]
         return "<svg/>"
 
-    root = fromstring(_SVG.sub(keep, match[0]).replace("″", "′′"))  # one sign for what is two
+    text = _AGAIN.sub("<wbr/>", _SVG.sub(keep, _BAR.sub("", match[0]))).replace(
+        _CROSS, _CROSS.replace("×", "·")
+    )
+    root = fromstring(text.replace("″", "′′"))  # one sign for what is two
     return Note(root, _by_anchor(root, drawings))
 
 

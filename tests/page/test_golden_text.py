@@ -6,6 +6,7 @@ import difflib
 from pathlib import Path
 
 import pytest
+from note import steady
 from reading import CHOSEN, html
 
 GOLDEN = Path(__file__).resolve().parents[1] / "golden"
@@ -15,7 +16,7 @@ SHOWN = 60  # changed lines that are told
 
 def changes(old: list[str], new: list[str]) -> list[str]:
     """Lines that came and went, with one line around them."""
-    return list(difflib.unified_diff(old, new, "approved", "now", lineterm="", n=1))
+    return list(difflib.unified_diff(steady(old), steady(new), "approved", "now", lineterm="", n=1))
 
 
 @pytest.mark.parametrize("text", [text for text in TEXTS if text.split(".")[0] in CHOSEN])

@@ -10,12 +10,15 @@ from xml.etree.ElementTree import fromstring
 
 import numpy as np
 import pytest
-from browser import seen
+from browser import printed_without_fonts, seen
+from note import text_of
 from notes import note
 from pages import table_of
 from paper import arrows, strokes
+from picture import SVG
 from reading import CHOSEN, LEVERS, html, results, wrong
 from test_drawings import figures, position_of
+from test_mesh_picture import MESH
 from test_note_tex import typeset
 from vectors import vectors
 
@@ -151,6 +154,66 @@ def unprinted(pdf: bytes, name: str) -> list[str]:
 @pytest.mark.skipif("compressor" not in CHOSEN, reason="looks at another variant")
 def test_the_browser_prints_them_at_their_length():
     wrong(unprinted(seen()["compressor-ru"].pdf, "compressor"))
+
+
+@pytest.mark.skipif("compressor" not in CHOSEN, reason="looks at another variant")
+def test_the_browser_prints_them_at_their_length_where_no_font_is_installed():
+    wrong(unprinted(printed_without_fonts("compressor", "ru"), "compressor"))
+
+
+def bar_of_a_hundred(pdf: bytes) -> list[float]:
+    """Lengths of lines that may be the bar of the introduction: level, with an end mark of 4 mm at both ends."""
+    lines = [stroke for stroke in strokes(pdf) if len(stroke) == 2]
+    marks = [
+        k for k, (a, b) in enumerate(lines) if abs(abs(b - a) - 4) < MEASURED and abs((b - a).real) < 0.01
+    ]
+    return [
+        abs(lines[k - 1][1] - lines[k - 1][0])
+        for k in marks
+        if k
+        and abs((lines[k - 1][1] - lines[k - 1][0]).imag) < 0.01
+        and abs(lines[k - 1][0] - sum(lines[k]) / 2) < 0.1
+    ]
+
+
+@pytest.mark.skipif("compressor" not in CHOSEN, reason="looks at another variant")
+@pytest.mark.parametrize(
+    "printed",
+    [
+        lambda: seen()["compressor-ru"].pdf,
+        lambda: printed_without_fonts("compressor", "ru"),
+        lambda: typeset("compressor", "ru")[1],
+    ],
+    ids=["browser", "without fonts", "latex"],
+)
+def test_the_bar_is_a_hundred_millimetres_long(printed):
+    assert any(abs(length - 100) <= MEASURED for length in bar_of_a_hundred(printed()))
+
+
+def meshes(name: str) -> Iterator[tuple[str, complex]]:
+    """Figure and the long straight lines of each picture of a mesh, as on paper; y is up there."""
+    page = html(name)
+    for figure in page.root.iter("figure"):
+        anchor = figure.get("id") or ""
+        if MESH.search(text_of(figure.find("figcaption"))):  # type: ignore[arg-type]
+            nodes = fromstring(page.drawings[anchor]).iter(SVG + "path")
+            paths = [node.get("d", "") for node in nodes if not node.get("stroke-dasharray")]
+            ends = [tuple(map(float, found.groups())) for path in paths if (found := LINE.fullmatch(path))]
+            lines = [complex(x2 - x1, y1 - y2) for x1, y1, x2, y2 in ends]
+            yield from ((anchor, line) for line in lines if abs(line) > 30)
+
+
+LINE = re.compile(r"M(-?[\d.]+) (-?[\d.]+)L(-?[\d.]+) (-?[\d.]+)")
+
+
+@pytest.mark.skipif("compressor" not in CHOSEN, reason="looks at another variant")
+def test_a_mesh_is_of_its_size_where_no_font_is_installed():
+    pdf = printed_without_fonts("compressor", "ru")
+    lines = np.array([stroke[1] - stroke[0] for stroke in strokes(pdf) if len(stroke) == 2])
+    found: dict[str, int] = {}
+    for anchor, line in meshes("compressor"):  # some are drawn as dashes, of which none is as long
+        found[anchor] = found.get(anchor, 0) + bool(abs(lines - line).min() <= MEASURED)
+    assert len(found) == 2 and sum(found.values()) >= 3, found
 
 
 @pytest.mark.skipif("compressor" not in CHOSEN, reason="looks at another variant")

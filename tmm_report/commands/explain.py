@@ -10,8 +10,10 @@ import numpy as np
 
 from tmm_report import load, solve
 from tmm_report.commands.derivation import Derivation, Walk, derive
+from tmm_report.commands.explain_stated import stated, written
 from tmm_report.commands.explain_target import Target, find
 from tmm_report.commands.explain_text import lines
+from tmm_report.commands.explain_way import Ways
 from tmm_report.commands.files import translator
 from tmm_report.commands.talk import Talk
 from tmm_report.course import Results, Variant
@@ -21,6 +23,7 @@ from tmm_report.problems import N_, Message
 from tmm_report.quantity.formula import Formula, Var
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.text import number
+from tmm_report.quantity.ways import STATED
 from tmm_report.report.heard import Heard, listen
 from tmm_report.report.words import method_name
 
@@ -43,7 +46,13 @@ def run(variant: Path, quantity: str, position: int | None, language: str | None
         results = solve(written_out(loaded, position))
         target = find(results, quantity, position)
         heard, derivation = _derived(results, target, tr)
-    for line in lines(target, heard, derivation, own, tr):
+    told = Ways.of(results).told(target)
+    given = (
+        written(stated(variant), target.numbers, target.quantity.unit)
+        if told and told.way.text == STATED
+        else []
+    )
+    for line in lines(target, heard, derivation, told, own, tr, given):
         talk.tell(line)
     if results.lever is not None and (choice := results.lever.kinematics.choice) and not choice.own:
         values = {
@@ -51,7 +60,7 @@ def run(variant: Path, quantity: str, position: int | None, language: str | None
             "worst": number(choice.worst, 1, tr.decimal, scale=0),
         }
         talk.tell(Message(OTHER_METHOD, values))
-    return bool(np.isfinite(target.numbers).any())
+    return bool(target.texts) or bool(np.isfinite(target.numbers).any())
 
 
 def written_out(variant: Variant, position: int | None) -> Variant:
@@ -77,6 +86,8 @@ def starts(target: Target) -> Callable[[Formula], bool]:
             return False
         if target.table is None:
             return (ref.table, ref.key) == ("", target.quantity.key)
+        if target.worked:
+            return ref.table == target.table.name
         if target.position is None:
             return (ref.table, ref.key) == (target.table.name, target.quantity.key)
         return ref.row == target.position and _meant(ref.key, item, target)

@@ -29,17 +29,33 @@ class Target:
         return self.table is not None and "position" in self.table
 
     @property
+    def worked(self) -> bool:
+        """Whether these are numbers worked by hand, of which each is a row."""
+        return self.table is not None and "key" in self.table and self.quantity.key == "value"
+
+    @property
     def column(self) -> Column:
         """All its numbers."""
         return self.table[self.quantity.key] if self.table is not None else self.quantity.column([self.value])
 
     @property
+    def rows(self) -> list[int]:
+        """Of the table, those asked for: none where it has not the position."""
+        if self.position is None:
+            return list(range(len(self.column.values)))
+        assert self.table is not None
+        return [k for k, at in enumerate(self.table["position"].values) if int(at) == self.position]
+
+    @property
     def numbers(self) -> list[float]:
-        """Those asked for: one, or of a table of things all."""
-        if self.table is None or self.position is None:
-            return [float(x) for x in self.column.values]
-        at = [int(k) for k in self.table["position"].values]
-        return [float(self.column.values[at.index(self.position)])] if self.position in at else [math.nan]
+        """Those asked for: one, or of a table of things all; none of texts."""
+        if is_text(self.column):
+            return []
+        return [float(self.column.values[row]) for row in self.rows] or [math.nan]
+
+    @property
+    def texts(self) -> list[str]:
+        return [str(self.column.values[row]) for row in self.rows] if is_text(self.column) else []
 
     @property
     def name(self) -> str:
@@ -74,11 +90,14 @@ def _turned(results: Results, key: str) -> str:
 
 
 def _all(results: Results, table: str) -> Iterator[Target]:
-    """Every number and column of numbers that may be asked for; with the name of a table only its own."""
+    """Every number and column that may be asked for; with the name of a table all of its own, without one those that
+    are told by their names alone."""
     for value in values(results) if not table else ():
         yield Target(value.quantity, value=float(value.value))
     for t in tables(results):
-        if table in ("", t.name) and "key" not in t and (table or not t.name.endswith("_diagram")):
+        if table == t.name:
+            yield from (Target(column.quantity, t) for column in t.columns)
+        elif not table and "key" not in t and not t.name.endswith("_diagram"):
             asked = (c for c in t.columns if c.key not in ("position", "phi") and not is_text(c))
             yield from (Target(column.quantity, t) for column in asked)
 

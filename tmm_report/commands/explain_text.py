@@ -2,26 +2,41 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from itertools import chain
 
 import numpy as np
 
 from tmm_report.commands.derivation import Derivation
+from tmm_report.commands.explain_stated import Written
 from tmm_report.commands.explain_target import Target, is_text
+from tmm_report.commands.explain_way import Told
 from tmm_report.i18n import Translator
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.formula import Page, Var
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.text import number
+from tmm_report.quantity.ways import STATED, Input, Line
 from tmm_report.report.heard import Heard
 from tmm_report.report.plain import Plain, gap, said, text
 
 DIGITS = 5
 MOST_ROWS = 40  # of a table of things, wheels or solutions: more are not told
+MOST_INPUTS = 24
+MORE = N_("… and %(count)s more")
 
 
-def lines(target: Target, heard: Heard, derivation: Derivation, own: bool, tr: Translator) -> Iterator[str]:
-    """The derivation, a line each. `own`: these formulas stand in the note of the variant, with these numbers."""
+def lines(
+    target: Target,
+    heard: Heard,
+    derivation: Derivation,
+    told: Told | None,
+    own: bool,
+    tr: Translator,
+    given: Sequence[Written] = (),
+) -> Iterator[str]:
+    """The derivation, a line each. `told`: the way that the chapter tells; `own`: these formulas stand in the note of
+    the variant, with these numbers; `given`: where the numbers stand in its file."""
     yield _title(target, tr)
     if derivation.spoken and not own:
         yield ""
@@ -30,7 +45,9 @@ def lines(target: Target, heard: Heard, derivation: Derivation, own: bool, tr: T
         )
     yield from _derived(derivation, own, tr)
     yield from _beginning(derivation, tr)
-    yield from _way(target, derivation, tr)
+    yield from _way(target, derivation, told, tr)
+    if told is not None and told.way.text == STATED and not derivation.spoken:
+        yield from _given(given, tr)
     yield from _found(target, tr)
     yield _where(target, heard, own, tr)
 
@@ -75,75 +92,73 @@ def text_of(var: Var, tr: Translator) -> str:
     return f"{form.symbol(var.sign)} = {piece.text}{'' if var.unit == 'deg' else gap(var.unit, tr)}"
 
 
-WAYS = {
-    "positions": N_(
-        "Found from the closed vector contours of the groups, group by group in the order of assembly."
-    ),
-    "rates": N_(
-        "Found analytically: the contours of the groups, differentiated with respect to time once for the velocities "
-        "and twice for the accelerations, are linear equations that are solved together, group by group."
-    ),
-    "reactions": N_(
-        "Found analytically: the equations of equilibrium of the links of a group, with their inertia forces and "
-        "couples, are solved together; the groups go in the order opposite to that of assembly."
-    ),
-    "M_bal": N_("Found analytically from the moments about the pivot of the driving link."),
-    "M_lever": N_(
-        "Found from the balance of Zhukovsky's lever: the powers of all the forces at the position."
-    ),
-    "M_power": N_(
-        "Found from the power balance: the rate of change of the kinetic energy less the power of the loads, divided "
-        "by the angular velocity of the driving link."
-    ),
-    "powers": N_("Power of the loads: force times the velocity of its point along it, moment times rate."),
-    "loads": N_("Found from the given masses and the accelerations: G = mg, F = ma, M = Jε."),
-    "stated": N_("Stated by the variant: the law of the load at the position."),
-    "friction": N_("Found from the reaction and from the relative motion of the two links."),
-    "P_fr": N_("Sum of the powers of friction in all pairs."),
-    "reduced": N_(
-        "Found from the equality of kinetic energies and of powers with those of the driving link."
-    ),
-    "segments": N_("Measured in the plan."),
-    "plan_values": N_("Found by the plan: the measured segment times the scale."),
-    "H": N_(
-        "The way from one extreme position of the output to the other; both are found exactly, not by the table."
-    ),
-    "K": N_(
-        "The time of the one stroke to that of the other, between the exact extreme positions of the output."
-    ),
-    "min": N_("The least value over the whole cycle, found exactly between the positions of the table too."),
-    "max": N_(
-        "The greatest value over the whole cycle, found exactly between the positions of the table too."
-    ),
-}
-"""How a number of the results is found that the formulas of the note only approach, by its name; see `_names`."""
-WAYS["outputs"] = WAYS["rates"]
-APPROACHED = ("rates", "outputs", "reactions", "M_bal")  # the note writes them out by plans, as by hand
-
-
-def _way(target: Target, derivation: Derivation, tr: Translator) -> Iterator[str]:
-    """How the number in the results is found, where that is not by the formulas above."""
-    name = next((name for name in _names(target) if name in WAYS), "")
-    if derivation.spoken and name not in APPROACHED:
+def _way(target: Target, derivation: Derivation, told: Told | None, tr: Translator) -> Iterator[str]:
+    """How the number in the results is found, where that is not by the formulas above alone."""
+    if told is None or (derivation.spoken and not told.way.beside):
         return
-    way = WAYS.get(name)
     yield ""
-    yield tr.gettext(
-        way or N_("It has no formula of its own in the note: it is given, counted, searched or measured.")
-    )
+    if told.way.text:
+        yield tr.gettext(told.way.text)
+    said = [f"  {one}" for line in told.worked for one in _line(line, tr)]
+    yield from (one for one, before in zip(said, ["", *said], strict=False) if one != before)
+    yield from (f"  {text(one, tr)}" for one in told.formulas[:MOST_ROWS])
+    yield from _inputs(target, told, tr)
 
 
-def _names(target: Target) -> tuple[str, ...]:
-    """Under what the way to a number may be listed: its key, its table, the first or last word of its key."""
-    key = target.quantity.key
-    if target.table is not None:
-        table = target.table.name
-        return (key, table.rsplit("_", 1)[0], table.split("_")[0]) if target.by_position else ()
-    return key.split("_")[-1], key.split("_")[0]
+def _line(line: Line, tr: Translator) -> Iterator[str]:
+    """What a chapter works out with numbers."""
+    match line:
+        case Message():
+            yield line.render(tr.gettext)
+        case Input():
+            yield _input(line, tr)
+        case _:
+            yield f"  {text(line, tr)}"
+
+
+def _inputs(target: Target, told: Told, tr: Translator) -> Iterator[str]:
+    """The numbers with which it starts; of a table of things what stands in the row beside its number."""
+    given = {_input(one, tr): one for one in chain.from_iterable(told.inputs)}
+    if not given:
+        return
+    yield tr.gettext(N_("It starts with:"))
+    if target.table is None or len(told.inputs) == 1:
+        named = [f"  {line} – {said(one.quantity.meaning, tr)}" for line, one in given.items()]
+        yield from _short(named, tr)
+        return
+    shared = [one for one in told.inputs[0] if all(one in row for row in told.inputs)]
+    yield from (f"  {_input(one, tr)} – {said(one.quantity.meaning, tr)}" for one in shared)
+    rows = ([_input(one, tr) for one in row if one not in shared] for row in told.inputs)
+    yield from _short([f"  {n}: {', '.join(row)}" for n, row in enumerate(rows, 1) if row], tr)
+
+
+def _given(given: Sequence[Written], tr: Translator) -> Iterator[str]:
+    """Where the numbers stand in the file."""
+    line = N_("line %(line)s: %(key)s: %(text)s")
+    yield from _short([f"  {Message(line, one._asdict()).render(tr.gettext)}" for one in given], tr)
+    if not given:
+        yield f"  {tr.gettext(N_('The file does not state this number: it is the usual value.'))}"
+
+
+def _short(every: list[str], tr: Translator) -> Iterator[str]:
+    yield from every[:MOST_INPUTS]
+    if len(every) > MOST_INPUTS:
+        yield f"  {tr.gettext(MORE) % {'count': len(every) - MOST_INPUTS}}"
+
+
+def _input(one: Input, tr: Translator) -> str:
+    """A number or a text of the results: m = 2 kg."""
+    name = Plain(tr).symbol(one.symbol) if one.symbol is not None else one.quantity.key
+    if isinstance(one.number, str):
+        return f"{name}: {one.number}"
+    return f"{name} = {number(one.number, DIGITS, tr.decimal, scale=0.0)}{gap(one.unit, tr)}"
 
 
 def _found(target: Target, tr: Translator) -> Iterator[str]:
     """The number as it stands in the results; of a table of things a line for each row."""
+    if target.texts:
+        yield from _texts(target, tr)
+        return
     numbers, every = target.numbers, np.asarray(target.column.values, dtype=float)
     largest = float(np.max(np.abs(every), initial=0.0, where=np.isfinite(every)))
     scale = largest if target.table is not None else 0.0
@@ -151,12 +166,17 @@ def _found(target: Target, tr: Translator) -> Iterator[str]:
     for row, x in enumerate(numbers[:MOST_ROWS]):
         yield f"  {_named(target, row, tr)} = {number(x, DIGITS, tr.decimal, scale=scale)}{_unit(target, row, tr)}"
     if len(numbers) > MOST_ROWS:
-        more = tr.gettext(N_("… and %(count)s more")) % {"count": len(numbers) - MOST_ROWS}
-        yield f"  {more}"
+        yield f"  {tr.gettext(MORE) % {'count': len(numbers) - MOST_ROWS}}"
     if target.position is not None and not np.isfinite(numbers).any():
         yield tr.gettext(
             N_("It is not determined at this position: the mechanism is singular or cannot be assembled.")
         )
+
+
+def _texts(target: Target, tr: Translator) -> Iterator[str]:
+    """The texts as they stand in the results."""
+    yield tr.gettext(N_("In the results:"))
+    yield from _short([f"  {row}: {one}" for row, one in enumerate(target.texts, 1)], tr)
 
 
 def _named(target: Target, row: int, tr: Translator) -> str:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import errno
 import os
 from collections.abc import Mapping
 from contextlib import suppress
 from hashlib import sha256
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
-from tmm_report.commands.talk import failure
+from tmm_report.commands.talk import failure, unlinked
 from tmm_report.course import Results, Variant
 from tmm_report.i18n import Translator
 from tmm_report.problems import N_
@@ -67,12 +68,14 @@ def write(folder: Path, files: Mapping[str, bytes]) -> list[Path]:
     """Write files into a folder, each whole or not at all; other files there are left alone.
 
     Everything is first written beside the old files and renamed at the end, so that a full disk leaves the folder as
-    it was; what a run that was stopped left beside them goes. A note is put by `whole.put`. Raises OSError.
+    it was; what a run that was stopped left beside them goes. No folder under it may be a link, and a file that is one
+    is replaced, not followed. A note is put by `whole.put`. Raises OSError.
     """
     waiting: list[tuple[Path, Path]] = []
     try:
         for name, content in files.items():
             target = folder / name
+            unlinked(*_between(folder, name))
             target.parent.mkdir(parents=True, exist_ok=True)
             waiting.append((_beside(target), target))
             _written(waiting[-1][0], content)
@@ -84,6 +87,23 @@ def write(folder: Path, files: Mapping[str, bytes]) -> list[Path]:
             with suppress(OSError):
                 os.unlink(temporary)
     return [folder / name for name in files]
+
+
+def _between(folder: Path, name: str) -> list[Path]:
+    """The folders in which a file stands, under the folder of the output."""
+    return [folder / parent for parent in PurePosixPath(name).parents if parent.name]
+
+
+def move(staged: Path, folder: Path) -> None:
+    """Give the files of a folder within `folder`, all made by now, their places in it. Raises OSError."""
+    names = sorted(path.relative_to(staged).as_posix() for path in staged.rglob("*") if path.is_file())
+    for name in names:  # before the first is moved
+        unlinked(*_between(folder, name))
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        if (folder / name).is_dir():
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(folder / name))
+    for name in names:
+        os.replace(staged / name, folder / name)
 
 
 def _beside(target: Path) -> Path:

@@ -15,11 +15,12 @@ from tmm_report.jsontext import indented
 
 def rows(found: All) -> Iterator[dict[str, Any]]:
     for family in found.families:
-        for k, one in enumerate(family.trials):
+        for k, one in enumerate(family.rows):
             yield {
                 "family": family.key,
                 "method": one.method.key,
                 "count": one.count,
+                "counts": list(family.counts(one)),
                 "ms": _known(1e3 * one.seconds),
                 "errors": {kind: _known(error) for kind, error in one.errors.items()},
                 "front": k in family.front,

@@ -77,12 +77,12 @@ class MethodsPage:
         rows = [
             [
                 self.name(one.method) if first else "",
-                str(one.count),
+                counted(family, one),
                 self.page.num(1e3 * one.seconds, digits=3),
                 *(self._error(one, kind) for kind in family.kinds),
                 self._remark(family, k),
             ]
-            for k, (one, first) in enumerate(_led(family.trials))
+            for k, (one, first) in enumerate(_led(family.rows))
         ]
         return worded(caption, heads, rows, (6, 2, 2, *(2 for _ in kinds), 3))
 
@@ -91,7 +91,7 @@ class MethodsPage:
         return self.page.num(error, digits=1, scale=0) if error > 0 or error != error else "0"
 
     def _remark(self, family: Measured, row: int) -> Markup | str:
-        one = family.trials[row]
+        one = family.rows[row]
         if one.broken is not None:
             return self.t(BROKE, what=one.broken)
         if any(error != error for error in one.errors.values()):
@@ -111,9 +111,9 @@ class MethodsPage:
 
     def _chart(self, family: Measured, kind: str) -> Drawing:
         series = []
-        for own in by_method(family.trials):
+        for own in by_method(family.rows):
             points = [complex(1e3 * one.seconds, max(LEAST, one.errors.get(kind, math.nan))) for one in own]
-            front = [k for k, one in enumerate(own) if _first(family.trials, one) in family.front]
+            front = [k for k, one in enumerate(own) if _first(family.rows, one) in family.front]
             series.append(Series(points, (self.name(own[0].method),), tuple(front)))
         tr = self.page.tr
         time = (*letter("t", tr), f", {self.page.unit('ms')}")
@@ -135,6 +135,11 @@ def _led(trials: Sequence[Trial]) -> Iterator[tuple[Trial, bool]]:
 
 def _first(trials: Sequence[Trial], one: Trial) -> int:
     return next(k for k, other in enumerate(trials) if other is one)
+
+
+def counted(family: Measured, one: Trial) -> str:
+    """The size of a row's task: 12, or 12 + 36 where it is several together; a dash where the method takes its own."""
+    return " + ".join(map(str, family.counts(one))) or "—"
 
 
 def cheapest_of(family: Measured, tr: Translator) -> Message:
@@ -177,14 +182,16 @@ def lines(family: Measured, tr: Translator) -> Iterator[str]:
     yield f"  {'':{wide}} {'':>7} {unit_text('ms', tr.language):>9}  " + "  ".join(
         f"{kind:>9}" for kind in kinds
     )
-    for k, one in enumerate(family.trials):
+    for k, one in enumerate(family.rows):
         errors = [one.errors.get(kind, math.nan) for kind in family.kinds]
         cells = [
             f"{'—' if error != error else f'{error:.0e}':>{max(9, len(kind))}}"
             for error, kind in zip(errors, kinds, strict=True)
         ]
         mark = "*" if k in family.front else " "
-        who = f"{mark} {method_name(one.method, tr):{wide}} {one.count:>7} {1e3 * one.seconds:>9.3f}"
+        who = (
+            f"{mark} {method_name(one.method, tr):{wide}} {counted(family, one):>7} {1e3 * one.seconds:>9.3f}"
+        )
         yield "  ".join([who, *cells])
 
 

@@ -11,13 +11,12 @@ from tmm_report.course import LeverFound, Results, room
 from tmm_report.mechanics.methods.choice import choose
 from tmm_report.mechanics.methods.counts import Counted
 from tmm_report.mechanics.methods.model import Method
-from tmm_report.mechanics.methods.trials import COUNTS, Judged, Rivals, trials
+from tmm_report.mechanics.methods.trials import COUNTS, Judged, Rivals, run_off, trials
 from tmm_report.problems import N_
 from tmm_report.records import dataclass
 
 SECONDS, QUICK = 6.0, 1.0  # of taking turns, in all
 ARRAYS = (100, 10_000)  # angles of an inverse involute
-RUNS = (100, 400)  # steps of integrators with fixed ones
 SIZED = {"motion", "forces", "work"}  # whose counts are positions of the cycle
 
 
@@ -49,7 +48,7 @@ def measured(results: Results, accuracy: float, stated: bool, quick: bool) -> Al
     families = tuple(_family(*scene, accuracy, seconds) for scene in scenes)
     lever = results.lever
     auto = choose(lever.kinematics.cycle, _asked(lever), accuracy).taken.key if lever else None
-    return All(families, accuracy, auto, _counted(lever, accuracy if stated else None) if lever else None)
+    return All(families, accuracy, auto, _counted(results, accuracy if stated else None) if lever else None)
 
 
 def _family(
@@ -58,7 +57,8 @@ def _family(
     found = trials(rivals, seconds)
     order = {method.key: k for k, method in enumerate(rivals.methods)}
     found.sort(key=lambda one: (order[one.method.key], one.count))
-    return Measured(key, tuple(found), tuple(rivals.refused), accuracy, tuple(asked), title)
+    judged = Measured(key, tuple(found), tuple(rivals.refused), accuracy, tuple(asked), title)
+    return run_off(rivals, judged, seconds / 2)
 
 
 Scene = tuple[str, str, Rivals[Any, Any], Sequence[int]]
@@ -83,7 +83,7 @@ def _of_lever(lever: LeverFound) -> Iterator[Scene]:
         yield "forces", N_("Methods of the forces"), scenes.forces(lever.kinetostatics, counts, acting), asked
     rivals = scenes.work(scenes.Moving(lever.kinematics, lever.kinetostatics), counts)
     if rivals is not None:
-        yield "work", N_("Methods of the work over the cycle"), rivals, asked
+        yield "work", N_("Methods of the work over the cycle"), rivals, ()
 
 
 def _asked(lever: LeverFound) -> tuple[int, ...]:
@@ -91,11 +91,13 @@ def _asked(lever: LeverFound) -> tuple[int, ...]:
     return tuple(dict.fromkeys((lever.kinematics.positions.table, lever.kinematics.positions.diagram)))
 
 
-def _counted(lever: LeverFound, accuracy: float | None) -> Counted | None:
-    scenes = room("methods", "scenes")
-    found: Counted | None = room("methods", "counting").counting(
-        scenes.Moving(lever.kinematics, lever.kinetostatics), accuracy
-    )
+def _counted(results: Results, accuracy: float | None) -> Counted | None:
+    """Of the machine with the friction that its flywheel has."""
+    lever, flywheel = results.lever, results.variant.flywheel
+    assert lever is not None
+    friction = lever.friction if flywheel is None or flywheel.friction else None
+    moving = room("methods", "scenes").Moving(lever.kinematics, lever.kinetostatics, friction)
+    found: Counted | None = room("methods", "counting").counting(moving, accuracy)
     return found
 
 
@@ -107,8 +109,8 @@ def _start_up(run: Any) -> Iterator[Scene]:
         true = run_up.reference(scene)
     except ArithmeticError:
         return  # so stiff that nothing is there to judge by
-    rivals = Rivals(run_up.RUN_UPS, scene, lambda _, found: run_up.errors(true, found), RUNS)
-    yield "start_up", N_("Methods of the start-up"), rivals, RUNS[-1:]
+    rivals = Rivals(run_up.RUN_UPS, scene, lambda _, found: run_up.errors(true, found), run_up.STEPS)
+    yield "start_up", N_("Methods of the start-up"), rivals, ()
 
 
 def _angles(results: Results) -> Iterator[float]:

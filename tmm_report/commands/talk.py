@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 from pathlib import Path
 from typing import Protocol
@@ -33,11 +34,31 @@ def written(*places: Path | str) -> Message:
     return Message(N_("written: %(files)s"), {"files": ", ".join(map(str, places))})
 
 
+UNWRITABLE = N_("cannot write into %(folder)s: %(reason)s")
+
+
+class Linked(OSError):
+    """A link stands where a file or a folder of the output is to be: what it leads to is somebody's own."""
+
+
+def unlinked(*places: Path) -> None:
+    """See that none of the places is a link. Raises Linked."""
+    for place in places:
+        if place.is_symlink():
+            raise Linked(errno.ELOOP, os.strerror(errno.ELOOP), str(place))
+
+
 def unwritable(folder: Path, error: OSError) -> ProblemError:
     """What stops a command that cannot write into its folder; what is in the way is named."""
     if isinstance(error, BlockingIOError):
         return ProblemError([mistake(N_("another run is writing into %(folder)s"), folder=folder)])
-    text, place = N_("cannot write into %(folder)s: %(reason)s"), error.filename2 or error.filename
+    if isinstance(error, Linked):
+        place = Path(shown(os.fsdecode(error.filename), 1000))
+        right = Message(N_("remove the link, or name another folder for the output"))
+        return ProblemError(
+            [mistake(N_("%(place)s is a link: nothing is written through it"), (), right, place=place)]
+        )
+    text, place = UNWRITABLE, error.filename2 or error.filename
     if isinstance(error, NotADirectoryError | IsADirectoryError) and place is not None:
         folder = Path(shown(os.fsdecode(place), 1000))
     return ProblemError([mistake(text, folder=folder, reason=reason(error))])

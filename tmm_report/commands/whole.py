@@ -70,7 +70,7 @@ def put(folder: Path, files: Mapping[str, bytes], source: str = "") -> Put:
     made = _missing(folder)
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        with _alone(folder):
+        with alone(folder):
             finish(folder)
             return _put(folder, files, source)
     except BaseException:
@@ -275,7 +275,7 @@ def _missing(folder: Path) -> list[Path]:
 
 
 @contextmanager
-def _alone(folder: Path) -> Iterator[None]:
+def alone(folder: Path) -> Iterator[None]:
     """No other run puts a set into the folder meanwhile, where the system can see to it; a lock ends with its run.
     Raises BlockingIOError where another one goes on for long."""
     if sys.platform == "win32":

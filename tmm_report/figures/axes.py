@@ -125,17 +125,19 @@ def scales_of(axes: Sequence[Values], rest: float) -> list[float]:
     curves `LEAST` at most; the lowest panels are then drawn larger while there is room."""
     coarse = [axis.scale(LEAST) for axis in axes]
     need = sum(map(Values.tall, axes, coarse)) + rest
-    return _grown(axes, coarse, next((room for room in ROOMS if need <= room), ROOMS[-1]) - rest)
+    return _grown(axes, coarse, next((room for room in ROOMS if need <= room + 1e-6), ROOMS[-1]) - rest)
 
 
 def _grown(axes: Sequence[Values], scales: list[float], room: float) -> list[float]:
     tallest = ALONE if len(axes) == 1 else TALLEST
     growing = set(range(len(axes)))
     while growing:
-        k = min(growing, key=lambda k: (axes[k].filled(scales[k]), k))
+        k = min(
+            growing, key=lambda k: (round(axes[k].filled(scales[k]), 6), k)
+        )  # of equal ones not by rounding
         finer = _finer(scales[k])
         larger = [*scales[:k], finer, *scales[k + 1 :]]
-        if axes[k].filled(finer) <= tallest + 1e-9 and sum(map(Values.tall, axes, larger)) <= room:
+        if axes[k].filled(finer) <= tallest + 1e-9 and sum(map(Values.tall, axes, larger)) <= room + 1e-6:
             scales = larger
         else:
             growing.remove(k)

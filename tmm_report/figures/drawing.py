@@ -122,7 +122,7 @@ def together(places: Mapping[str, complex], within: float = 0.5) -> list[tuple[l
 
 # --- SVG ---
 
-_FONTS = "'STIX Two Text','Times New Roman','Liberation Serif','DejaVu Serif',serif"
+_FONTS = "'Note Serif','Note Math','Times New Roman','Liberation Serif','DejaVu Serif',serif"
 FAR = 1000.0  # mm: TeX knows no length over 5.7 m, and a browser counts in single precision
 
 
@@ -153,9 +153,8 @@ def svg(drawing: Drawing, turned: bool = False) -> str:
     style = f'<g {look} font-family="{_FONTS}" font-size="{TEXT}">'
     body = "".join([item.svg() if not isinstance(item, Text) else "" for item in drawing.items])
     texts = "".join([item.svg() for item in drawing.items if isinstance(item, Text)])
-    return (
-        f'{head}<title>{xml_text(drawing.title)}</title>{style}{body}<g fill="#000000">{texts}</g></g></svg>'
-    )
+    title = f"<title>{xml_text(drawing.title)}</title>" if drawing.title else ""
+    return f'{head}{title}{style}{body}<g fill="#000000">{texts}</g></g></svg>'
 
 
 # --- TikZ ---

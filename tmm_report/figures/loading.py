@@ -82,7 +82,8 @@ def loading(
     arms: Sequence[Arm] = (),
     couples: Sequence[Couple] = (),
 ) -> Drawing:
-    """`items`, `tags`: the links and their letters."""
+    """`items`, `tags`: the links and their letters. A force that is nil has no arrow."""
+    forces = [force for force in forces if force.vector]
     arrows = _arrows(forces)
     drawn = [(arm, lane) for arm, lane in _lanes(arms, items, arrows)]
     lines = [item for arm, lane in drawn for item in _dimension(arm, lane)]

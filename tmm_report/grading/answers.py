@@ -13,50 +13,26 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
-from tmm_report import yamlread
+from tmm_report.grading.entries import Entry, plain, readable
 from tmm_report.grading.model import Answered, Answers, Asked, Expected, Name
-from tmm_report.intake import cells, sheets
+from tmm_report.intake import cells
 from tmm_report.judging.asked import of_motion
-from tmm_report.problems import N_, Message, Problem, ProblemError, mistake, shown
+from tmm_report.problems import N_, Message, Problem, mistake, shown
 from tmm_report.quantity import naming
 from tmm_report.quantity.model import Quantity
-from tmm_report.quantity.units import WrongValue, between
-from tmm_report.records import dataclass
+from tmm_report.quantity.units import WrongValue, between, is_unit
 
-POSITION_HEADS = ("position", "положение", "становище", "орналасу", "k", "n", "№", "pos", "пол")
-POSITION_WORDS = ("position", "положени", "становищ")  # within a head: № положения
 ROW_WORDS = re.compile(r"(?:position|pos|положение|пол|становище|№|n|k)?[\s.:=№]*0*(\d{1,3})")
-KEY_HEADS = ("key", "quantity", "величина", "обозначение", "позначення")
-VALUE_HEADS = ("value", "значение", "число", "значення")
-UNIT_HEADS = ("unit", "единица", "ед", "единицы", "одиниця")
 SCALES = ("mu_l", "mu_v", "mu_a", "mu_F")
-ABOUT = (
-    "student",
-    "variant",
-    "group",
-    "title",
-)  # what a file says of its writer: who he is, the teacher's list says
-FEW_POSITIONS = 2  # columns named by numbers: as many of them are positions
 LARGEST_SCALE = 1e9
+LONGEST = 60  # characters of a number with its unit
+_UNIT_BEGINS = re.compile(r"(?<=\s)1\s?/|(?<![^\W\d_])[^\W\d_]|[°%]|[(\[](?=[^\W\d_])")
 NOTES = 50  # more of them are counted, not told
-
-
-@dataclass(frozen=True)
-class Entry:
-    """One cell as it was handed in. `row`: its position or thing, None where the file names none."""
-
-    sheet: str
-    quantity: str
-    unit: str
-    row: str | None
-    text: str
-    place: tuple[str, int, int]
 
 
 def read(
@@ -65,16 +41,19 @@ def read(
     asked: Expected,
     also: Sequence[tuple[Quantity, Name]] = (),
     counts: Callable[[Asked], bool] = lambda one: True,
+    unread: list[Problem] | None = None,
 ) -> Answers:
     """The answers of one student, of which there may be several files: (label, content) each.
 
     `also`: other quantities whose numbers are those of a column asked, R₅₄ for R₄₅. `counts`: whether a column is worth
     points: of several that a name can mean, z of the wheels or of a list of speeds, such a one is meant.
 
-    What is wrong in them is among the notes: a cell, or a file that cannot be read at all.
+    What is wrong in them is among the notes: a cell, or a file that cannot be read at all; the latter is added to
+    `unread`, too.
     """
     notes: list[Problem] = []
-    entries = [entry for label, content in files for entry in _readable(label, content, notes)]
+    faults: list[Problem] = [] if unread is None else unread
+    entries = [entry for label, content in files for entry in readable(label, content, notes, faults)]
     wanted = _Wanted(asked, also, counts)
     scales = _scales(entries, notes)
     columns = _columns(entries, wanted, notes)
@@ -86,166 +65,6 @@ def _few(notes: list[Problem]) -> list[Problem]:
         return notes
     more = mistake(N_("and %(count)s more of such lines"), count=len(notes) - NOTES)
     return [*notes[:NOTES], replace(more, file=notes[0].file)]
-
-
-# ---------------------------------------------------------------- cells of a file
-
-
-def _readable(label: str, content: bytes, notes: list[Problem]) -> list[Entry]:
-    try:
-        return [*_entries(label, content, notes)]
-    except ProblemError as error:
-        notes += error.problems
-        return []
-
-
-def _entries(label: str, content: bytes, notes: list[Problem]) -> Iterator[Entry]:
-    suffix = label.rpartition(".")[2].lower()
-    if suffix in ("yaml", "yml"):
-        yield from _of_yaml(yamlread.loads(content, label, notes), label, notes)
-        return
-    for sheet in sheets.read_sheets(label, label, content):
-        notes.extend(sheet.notes)
-        yield from _of_sheet(sheet)
-
-
-def _of_sheet(sheet: sheets.Sheet) -> Iterator[Entry]:
-    heads = [cells.header(text) for text in sheet.header]
-    names = [_plain(name) for name, _ in heads]
-    key = _first(names, KEY_HEADS)
-    value = _first(names, VALUE_HEADS)
-    if key is not None and value is not None:
-        unit = _first(names, UNIT_HEADS)
-        for row in sheet.rows:
-            stated = row[unit].text if unit is not None else ""
-            yield _entry(sheet, row[key].text, stated, None, row[value])
-        return
-    if len(names) > FEW_POSITIONS and all(map(_is_position, filter(None, names[1:]))):
-        yield from _of_lying(sheet, names)
-        return
-    label = _label(names)
-    rows = list(sheet.rows)
-    if rows and _are_units(rows[0], label):
-        below = [cells.header(f"x ({cell.text})")[1] for cell in rows.pop(0)]
-        heads = [(name, own or unit_) for (name, own), unit_ in zip(heads, below, strict=False)]
-    for row in rows:
-        for (name, unit_), cell, index in zip(heads, row, range(len(row)), strict=False):
-            if index != label and name and cell.text:
-                yield _entry(sheet, name, unit_, row[label].text.strip(), cell)
-
-
-def _of_lying(sheet: sheets.Sheet, positions: Sequence[str]) -> Iterator[Entry]:
-    """A table with a line a quantity and a column a position, as courses print them."""
-    for row in sheet.rows:
-        name, unit = cells.header(row[0].text)
-        for position, cell in zip(positions[1:], row[1:], strict=False):
-            if name and position:
-                yield _entry(sheet, name, unit, position, cell)
-
-
-def _are_units(row: Sequence[sheets.Cell], label: int) -> bool:
-    """Whether the line under the head says the units: no position, no number, some words."""
-    texts = [cell.text for cell in row if not cells.is_blank(cell.text)]
-    return not row[label].text.strip() and bool(texts) and all(math.isnan(cells.number(x)) for x in texts)
-
-
-def _label(names: Sequence[str]) -> int:
-    """The column that names the rows: that of the positions, else the first."""
-    known = _first(names, POSITION_HEADS)
-    if known and len(names[known]) == 1:  # n is a quantity, too: speed
-        known = 0
-    if known is None:
-        with_word = (i for i, name in enumerate(names) if any(word in name for word in POSITION_WORDS))
-        known = next(with_word, 0)
-    return known
-
-
-def _entry(sheet: sheets.Sheet, quantity: str, unit: str, row: str | None, cell: sheets.Cell) -> Entry:
-    return Entry(
-        sheet.name, quantity.strip(), unit.strip(), row, cell.text, (sheet.label, cell.line, cell.column)
-    )
-
-
-def _first(names: Sequence[str], known: Sequence[str]) -> int | None:
-    return next((index for index, name in enumerate(names) if name in known), None)
-
-
-def _plain(name: str) -> str:
-    return name.strip().strip(".").casefold()
-
-
-def _of_yaml(document: yamlread.Document, label: str, notes: list[Problem]) -> Iterator[Entry]:
-    data = document.data
-    if not isinstance(data, dict):
-        right = Message(N_("start from the sheet that `tmm-report grade --template` writes"))
-        raise ProblemError([replace(mistake(N_("the file has no answers"), right=right), file=label)])
-    units = data.get("units")
-    walker = _Yaml(document, label, notes, units if isinstance(units, dict) else {})
-    for key, value in data.items():
-        if key not in ("units", *ABOUT):
-            yield from walker.top(key, value)
-
-
-@dataclass(frozen=True, eq=False)
-class _Yaml:
-    """The cells of a YAML file of answers."""
-
-    document: yamlread.Document
-    label: str
-    notes: list[Problem]
-    units: Mapping[str, Any]
-
-    def top(self, key: str, value: Any) -> Iterator[Entry]:
-        """`7: {…}`, `v_B: […]`, `H_B: 200 mm`, `values: {…}` or a table by its name."""
-        if not isinstance(value, dict):
-            yield from self.column("", key, value, (key,))
-        elif _is_position(key):
-            yield from self.row("", key, value, (key,))
-        else:
-            for inner, below in value.items():
-                path = (key, inner)
-                if isinstance(below, dict):
-                    yield from self.row(key, inner, below, path)
-                else:
-                    # `values: {H_B: 200 mm}`, `v_B: {7: 4.44}`, or a list by positions in a table
-                    one = (key, inner) if _is_position(inner) else (inner, None)
-                    sheet = "" if _is_position(inner) or key in ("values", "scales") else key
-                    yield from self.column(sheet, one[0], below, path, one[1])
-
-    def row(self, sheet: str, row: str, value: Mapping[str, Any], path: yamlread.Path) -> Iterator[Entry]:
-        """`7: {v_B: 4.44}`, or `v_B: {7: 4.44}` within a table."""
-        for key, below in value.items():
-            name, at = (row, key) if _is_position(key) and not _is_position(row) else (key, row)
-            yield from self.column(sheet, name, below, (*path, key), at)
-
-    def column(
-        self, sheet: str, name: str, value: Any, path: yamlread.Path, row: str | None = None
-    ) -> Iterator[Entry]:
-        """A single answer, or a list of them by positions."""
-        if isinstance(value, list) and row is None:
-            for index, item in enumerate(value):
-                yield self.entry(sheet, name, str(index), item, (*path, index))
-        else:
-            yield self.entry(sheet, name, row, value, path)
-
-    def entry(self, sheet: str, name: str, row: str | None, value: Any, path: yamlread.Path) -> Entry:
-        line, column = self.document.places.get(path, (1, 1))
-        text = "" if value is None else self.document.raw.get(path, str(value))
-        if isinstance(value, dict | list):
-            self.notes.append(
-                replace(
-                    mistake(N_("a number is expected here"), path), file=self.label, line=line, column=column
-                )
-            )
-            text = ""
-        unit = self.units.get(name, "")
-        return Entry(
-            sheet, name, unit if isinstance(unit, str) else "", row, text, (self.label, line, column)
-        )
-
-
-def _is_position(key: str) -> bool:
-    return re.fullmatch("[0-9]{1,3}", key) is not None
 
 
 # ---------------------------------------------------------------- which column is meant
@@ -270,7 +89,7 @@ class _Wanted:
                 self.quantities.append(quantity)
         labels = {table: one.rows for (table, _), one in asked.items()}
         self.rows = {
-            table: {_plain(row): index for index, row in enumerate(rows)} for table, rows in labels.items()
+            table: {plain(row): index for index, row in enumerate(rows)} for table, rows in labels.items()
         }
         self.known: dict[tuple[str, str], tuple[Asked, ...]] = {}
         # of a sheet's column, the column by positions that it meant
@@ -343,8 +162,8 @@ class _Wanted:
 
 def _row(text: str) -> str:
     """The label of a row: of a position its number, "7.0" and "7" alike."""
-    plain = _plain(text)
-    return plain.partition(".")[0].partition(",")[0] if re.fullmatch(r"\d{1,3}[.,]0+", plain) else plain
+    label = plain(text)
+    return label.partition(".")[0].partition(",")[0] if re.fullmatch(r"\d{1,3}[.,]0+", label) else label
 
 
 def _position(row: str) -> str:
@@ -446,15 +265,14 @@ def _number(entry: Entry, asked: Asked, told: set[tuple[str, str]], notes: list[
 
 
 def _with_unit(text: str) -> tuple[float, str]:
-    """A number with its unit, `200 mm`; nan for what is none."""
-    parts = (
-        re.fullmatch(r"(.*[0-9.,])\s*([^\W\d_]{1,8}[^\s]{0,20}|[°%])", text.strip())
-        if len(text) <= 60
-        else None
-    )
-    if parts is None or re.fullmatch(r"[eExX][-+]?\d+", parts[2]):
+    """A number with its unit, `200 mm`, `11,5 1/с²`, `3,2 Н м`; nan for what is none."""
+    if len(text) > LONGEST:
         return math.nan, ""
-    return cells.number(parts[1]), parts[2]
+    for begun in reversed([*_UNIT_BEGINS.finditer(text)]):
+        number, unit = cells.number(text[: begun.start()].strip()), text[begun.start() :].strip()
+        if not math.isnan(number) and not re.fullmatch(r"[eExX][-+]?\d+", unit):
+            return (number, unit) if len(unit.split()) == 1 or is_unit(unit) else (math.nan, "")
+    return math.nan, ""
 
 
 def _scales(entries: Iterable[Entry], notes: list[Problem]) -> dict[str, float]:

@@ -2,17 +2,37 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from tmm_report.course import INITIAL_DATA, Results, chapters, room
 from tmm_report.judging import asked
 from tmm_report.judging.model import Asked, Name
 from tmm_report.quantity.model import Quantity
 
+OF_MOTION = {"positions_table", "outputs_table", "rates_table"}
+OF_FORCES = {"powers_table", "loads_table", "reactions_table", "balancing_table"}
+
 
 def expected(results: Results) -> dict[Name, Asked]:
     """Every column of numbers of a solved variant that a student may be asked for, in the order of the note."""
     return {one.name: one for chapter, found in _rooms(results) for one in _of_chapter(chapter, found)}
+
+
+def of_tables(results: Results, names: Collection[str]) -> dict[Name, Asked]:
+    """The columns of some tables of motion and forces alone: no other is made."""
+    lever, found = results.lever, {}
+    assert lever is not None
+    left = set(names)
+    for chapter, solved in (("kinematics", lever.kinematics), ("kinetostatics", lever.kinetostatics)):
+        tables = room(chapter, "quantities").tables(solved) if solved is not None else ()
+        own = OF_MOTION if chapter == "kinematics" else OF_FORCES
+        for table in tables:
+            if not left & own:
+                break
+            if table.name in left:
+                left.discard(table.name)
+                found.update({one.name: one for one in asked.of_table(table, chapter)})
+    return found
 
 
 def reversed_reactions(results: Results) -> list[tuple[Quantity, Name]]:

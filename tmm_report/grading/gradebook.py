@@ -8,10 +8,11 @@ The works stand by their ids, whatever their order before. Nothing here says wha
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 
-from tmm_report.grading.model import RIGHT, Digest, Rule
-from tmm_report.grading.words import cause_text
+from tmm_report.grading.model import HELD, RIGHT, Digest, Rule
+from tmm_report.grading.words import attempt_text, cause_text, override_text, state_text
 from tmm_report.i18n import Translator
 from tmm_report.intake.writing import csv_bytes, xlsx_bytes
 from tmm_report.jsontext import indented
@@ -52,21 +53,21 @@ class Line:
 
     @property
     def marked(self) -> bool:
-        return not self.digest.failed
+        return self.digest.marked
 
     @property
     def points(self) -> float | None:
-        return round(self.digest.points, PLACES) if self.marked else None
+        return round(self.digest.mark, PLACES) if self.marked else None
 
     @property
     def worth(self) -> float | None:
-        return round(self.digest.worth, PLACES) if self.marked else None
+        return round(self.digest.worth, PLACES) if self.digest.worth else None
 
     @property
     def percent(self) -> float | None:
         if not self.marked or not self.digest.worth:
             return None
-        return round(100 * self.digest.points / self.digest.worth, 1)
+        return round(100 * self.digest.mark / self.digest.worth, 1)
 
 
 def line(digest: Digest) -> Line:
@@ -76,11 +77,7 @@ def line(digest: Digest) -> Line:
         rules.setdefault((table, key), []).append(str(rule))
     columns = {name: _count(some) for name, some in rules.items()}
     total = _count([rule for some in rules.values() for rule in some])
-    kept = Digest(
-        digest.id, digest.student, digest.group, digest.variant, digest.points, digest.worth,
-        causes=digest.causes, failed=digest.failed, columns=digest.columns,
-    )  # fmt: skip
-    return Line(kept, columns, total)
+    return Line(replace(digest, cells={}, right={}), columns, total)
 
 
 def _count(rules: Sequence[str]) -> Count:
@@ -124,6 +121,8 @@ HEADS = (
     N_("wrong"),
     N_("no answer"),
     N_("likely causes"),
+    N_("points reckoned"),
+    N_("remark"),
 )
 
 
@@ -135,11 +134,26 @@ def table(lines: Sequence[Line], tr: Translator) -> list[Row]:
 def _marks(one: Line, tr: Translator) -> Row:
     digest, total = one.digest, one.total
     whose = [digest.id, digest.student, digest.group, digest.variant]
-    if not one.marked:
-        return [*whose, *[None] * 7, "; ".join(digest.failed)]
+    remark = "; ".join(message.render(tr.gettext) for message in _remarks(digest))
+    if not digest.judged:
+        mark = [one.points, one.worth, one.percent] if one.marked else [None] * 3
+        return [*whose, *mark, *[None] * 4, "; ".join(digest.failed), None, remark]
     causes = "; ".join(cause_text(cause, private=True).render(tr.gettext) for cause in digest.causes)
     counts = [total.right, total.carried, total.wrong, total.missing]
-    return [*whose, one.points, one.worth, one.percent, *counts, causes]
+    reckoned = round(digest.points, PLACES) if digest.override is not None else None
+    return [*whose, one.points, one.worth, one.percent, *counts, causes, reckoned, remark]
+
+
+def _remarks(digest: Digest) -> Iterator[Message]:
+    """What is to be known of a mark: why there is none, who set it, of which attempt it is, what it is without."""
+    if (state := state_text(digest)) is not None:
+        yield state
+    if digest.override is not None:
+        yield override_text(digest.override)
+    if (attempt := attempt_text(digest)) is not None:
+        yield attempt
+    for text in digest.missed:
+        yield Message("%(text)s", {"text": text})
 
 
 def by_columns(lines: Sequence[Line], tr: Translator) -> list[Row]:
@@ -148,7 +162,8 @@ def by_columns(lines: Sequence[Line], tr: Translator) -> list[Row]:
     heads = [" ".join(filter(None, (table, key))) for table, key in names]
     rows: list[Row] = [["id", tr.gettext(N_("student")), *heads]]
     for one in lines:
-        shares = [_share(one.columns.get(name, Count())) for name in names]
+        judged = one.columns if one.digest.judged else {}
+        shares = [_share(judged.get(name, Count())) for name in names]
         rows.append([one.digest.id, one.digest.student, *shares])
     return rows
 
@@ -212,9 +227,10 @@ def canvas(lines: Sequence[Line], roster: Roster, title: str) -> list[Row]:
 
 def gradescope(one: Line, tr: Translator) -> bytes:
     """results.json of Gradescope's autograder: a test for every column."""
-    tests = [_test(one, name, count, tr) for name, count in one.columns.items() if count.asked]
+    columns = one.columns.items() if one.digest.judged else ()
+    tests = [_test(one, name, count, tr) for name, count in columns if count.asked]
     document = {
-        "score": one.points or 0.0,
+        **({"score": one.points} if one.marked else {}),  # a score of 0 would be a mark
         "output": "\n".join(said(one, tr)),
         "output_format": "text",
         "visibility": "visible",
@@ -243,10 +259,20 @@ def _test(one: Line, name: Name, count: Count, tr: Translator) -> dict[str, obje
 
 def said(one: Line, tr: Translator) -> list[str]:
     """What a student reads beside his mark: how many cells of each kind, and the likely causes, without numbers."""
-    if not one.marked:
-        return list(one.digest.failed)
-    causes = [Message(N_("Likely cause: %(cause)s."), {"cause": cause_text(c)}) for c in one.digest.causes]
-    return [message.render(tr.gettext) for message in (_counted(one.total), *causes)]
+    digest = one.digest
+    by_hand = [] if digest.override is None else [_sentence(override_text(digest.override), tr)]
+    if (state := state_text(digest)) is not None:
+        reasons = [] if digest.state == HELD else list(digest.failed)
+        return by_hand or [*([_sentence(state, tr)] if digest.state else ()), *reasons]
+    attempt = attempt_text(digest)
+    causes = [Message(N_("Likely cause: %(cause)s."), {"cause": cause_text(c)}) for c in digest.causes]
+    messages = [message.render(tr.gettext) for message in (_counted(one.total), *causes)]
+    return [*by_hand, *([_sentence(attempt, tr)] if attempt else ()), *messages]
+
+
+def _sentence(message: Message, tr: Translator) -> str:
+    text = message.render(tr.gettext)
+    return f"{text[:1].upper()}{text[1:]}."
 
 
 def _counted(count: Count) -> Message:

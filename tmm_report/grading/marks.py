@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import field, replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
@@ -12,7 +12,9 @@ import numpy as np
 
 from tmm_report.course import Results
 from tmm_report.grading import rubric as rubrics
+from tmm_report.grading.charge import Clause, charged
 from tmm_report.grading.expected import expected
+from tmm_report.grading.first_row import full_turn
 from tmm_report.grading.follow import Follow, carried
 from tmm_report.grading.model import (
     Answered,
@@ -27,7 +29,9 @@ from tmm_report.grading.model import (
     Name,
     Rule,
 )
+from tmm_report.grading.recognised import COLUMNS, FEWEST, Handed, Recognised, recognised
 from tmm_report.grading.rubric import Rubric
+from tmm_report.grading.senses import in_our_sense
 from tmm_report.judging.asked import of_motion
 from tmm_report.judging.diagnose import diagnose
 from tmm_report.judging.diagnose.variants import Others
@@ -44,10 +48,12 @@ MOST = (
     0.7  # of the wrong cells of a mistake: if more of them follow from another value, that one is the mistake
 )
 FEW = 3  # answered cells: fewer of them may be alike by chance
+HUGE = 1e6  # times the greatest number of a column: no plan is drawn of it
 ALIKE, VARIED = 0.02, 0.2  # of the greatest number of a column: it stays the same; it clearly does not
-OF_WRITING = ("mm for m", "shifted", "reversed", "swapped", "variant")
+OF_WRITING = ("mm for m", "shifted", "reversed", "rows", "swapped", "variant")
 """Mistakes that are made in writing numbers down, not in working them out: they are named also where the columns,
 mistaken alike, follow from one another."""
+WORLD = "world"  # from which columns follow that are right in another world
 # how far along the course a number is found; within a stage by its unit
 STAGES = {
     "positions_table": 0, "outputs_table": 1, "rates_table": 1,
@@ -66,11 +72,13 @@ def grade(
     """Mark a student's answers. `asked`: `expected(results)`, if it is at hand; `others`: the solutions of the other
     variants, to tell whose numbers these are."""
     asked = expected(results) if asked is None else asked
-    answers = _full_turn(answers, asked) if closed(results) else answers
+    answers = full_turn(answers, asked) if closed(results) else answers
+    answers, senses = _in_our_sense(results, asked, answers, rubric)
     work = _Work(results, asked, answers, rubric, others)
-    causes = tuple(cause for one in work.mistakes if (cause := work.made(one)) is not None)
+    causes = (*senses, *work.causes)
     columns = {name: work.column(name, causes) for name in work.judged}
     points = math.fsum(float(column.points.sum()) for column in columns.values())
+    points = max(points - rubric.senses * len(senses), 0.0)
     title = {key: str(text) for key, text in vars(results.variant.title).items() if text}
     return Marked(
         answers.id,
@@ -79,7 +87,10 @@ def grade(
         answers,
         columns,
         causes,
-        tuple(_cents(points + work.gain(cause, columns)) for cause in causes),
+        tuple(
+            _cents(points + (rubric.senses if cause in senses else work.gain(cause, columns)))
+            for cause in causes
+        ),
         _cents(points),
         rubric.points,
     )
@@ -90,19 +101,15 @@ def closed(results: Results) -> bool:
     return results.lever is not None and bool(results.lever.kinematics.cycle.closed)
 
 
-def _full_turn(answers: Answers, asked: Expected) -> Answers:
-    """The same where position 0 is answered by the last one alone, which it is: who numbers from 1 to 12 says 12."""
-    columns = {name: _begun(one) if asked[name].by_position else one for name, one in answers.columns.items()}
-    return replace(answers, columns=columns)
+def _in_our_sense(
+    results: Results, asked: Expected, answers: Answers, rubric: Rubric
+) -> tuple[Answers, tuple[Cause, ...]]:
+    work = _Work(results, asked, answers, rubric)
 
+    def judged(one: Asked, answered: Answered) -> Judged:
+        return work.judge(one, answered.values, answered.given)
 
-def _begun(one: Answered) -> Answered:
-    if one.given[0] or not one.given[-1]:
-        return one
-    values, given = one.values.copy(), one.given.copy()
-    values[0], given[0] = values[-1], True
-    texts, places = (one.texts[-1], *one.texts[1:]), (one.places[-1], *one.places[1:])
-    return replace(one, values=values, given=given, texts=texts, places=places)
+    return in_our_sense(results, asked, answers, judged, rubric.strict)
 
 
 def _cents(points: float) -> float:
@@ -119,7 +126,6 @@ class _Work:
     answers: Answers
     rubric: Rubric
     others: Others | None = None
-    _carried: dict[Name, tuple[str, ...]] = field(default_factory=dict)
 
     @cached_property
     def mistakes(self) -> Sequence[Cause]:
@@ -166,18 +172,26 @@ class _Work:
         said = wanted & (values > floor)
         return bool(loud.any() and not judged.ok[loud].any() and 2 * said.sum() <= loud.sum())
 
-    def judge(self, one: Asked, values: Array, given: Array) -> Judged:
+    def judge(self, one: Asked, values: Array, given: Array, floor: float | None = None) -> Judged:
         free = not self.rubric.strict(one.table) and not of_motion(one)
         return judge(
             one,
             values,
             given,
             limit=self.rubric.limit_of(one.table),
-            floor=self.floor(one),
+            floor=self.floor(one) if floor is None else floor,
             magnitudes=free and takes_magnitudes(one, values),
         )
 
-    def floor(self, one: Asked) -> float:
+    def floor(self, one: Asked, values: Array | None = None) -> float:
+        """What cannot be read off the plan; of a plan with other values, where these are all there, as they are."""
+        floor = self.own_floor(one)
+        if values is None or (np.isnan(values) & np.isfinite(one.values)).any():
+            return floor
+        largest = float(np.nanmax(np.abs(values), initial=0.0))
+        return floor * largest / one.largest if 0 < largest < HUGE * one.largest else floor
+
+    def own_floor(self, one: Asked) -> float:
         """What cannot be read off the plan: `reading` mm at the student's own scale, else of a vector of `LONGEST`.
 
         A scale at which the longest vector of the plan would be shorter than that is not believed. What does not
@@ -209,17 +223,26 @@ class _Work:
         wrong = any(rule in WRONG for one in self.judged.values() for rule in one.rules)
         if self.results.lever is None or not wrong:
             return {}
-        columns = self.answers.columns.items()
-        return carried(self.results, {name[1]: one.values for name, one in columns if name[0] in STAGES})
+        return carried(self.results, self.given)
+
+    @property
+    def given(self) -> Mapping[str, Array]:
+        return {name[1]: one.values for name, one in self.answers.columns.items() if name[0] in STAGES}
 
     @cached_property
-    def wrong(self) -> Mapping[str, tuple[tuple[int, int, int], Array]]:
-        """Key of a wrong column by positions -> where along the course it is found, and where it is wrong, (P,)."""
-        return {
-            name[1]: (self.order[name], np.array([rule in WRONG for rule in judged.rules]))
+    def names(self) -> Mapping[str, Name]:
+        """Key of a column by positions that was answered -> its name."""
+        return {name[1]: name for name in self.judged if self.asked[name].by_position}
+
+    @cached_property
+    def wrong(self) -> Mapping[str, Array]:
+        """Key of a wrong column by positions -> where it is wrong, (P,), in the order in which values are found."""
+        found = {
+            name: np.array([rule in WRONG for rule in judged.rules])
             for name, judged in self.judged.items()
             if self.asked[name].by_position and any(rule in WRONG for rule in judged.rules)
         }
+        return {name[1]: found[name] for name in sorted(found, key=self.order.__getitem__)}
 
     @cached_property
     def unchanging(self) -> frozenset[str]:
@@ -237,29 +260,127 @@ class _Work:
         return frozenset(name for cause in self.mistakes if cause.kind == "variant" for name in cause.names)
 
     def carried(self, name: Name) -> tuple[str, ...]:
-        if name in self.anothers:
-            return ("",) * len(self.asked[name].rows)
-        if name not in self._carried:
-            self._carried[name] = self._found_carried(name)
-        return self._carried[name]
-
-    def _found_carried(self, name: Name) -> tuple[str, ...]:
         """(P,): the key of the wrong value from which a wrong cell follows rightly, "" elsewhere."""
-        one, found = self.asked[name], [""] * len(self.asked[name].rows)
-        if not one.by_position or one.key not in self.wrong:
-            return tuple(found)
-        answered, wrong = self.answers.columns[name], self.wrong[one.key][1]
-        if one.key in self.unchanging:
-            return tuple(found)
-        for follow in self.followed.get(one.key, ()):
-            if not self.unchanging.isdisjoint(follow.sources):
+        if self.asked[name].by_position and name[1] in self.wrong:
+            return self.charged[name[1]]
+        if (
+            self.world is not None
+            and (there := self.world.there.get(name)) is not None
+            and not there.by_position
+        ):
+            return self.of_world(self.world, self.asked[name], there)
+        return ("",) * len(self.asked[name].rows)
+
+    def of_world(self, world: Recognised, one: Asked, there: Asked) -> tuple[str, ...]:
+        """A single number that is wrong, but right in another world, follows from that world's first column."""
+        rules, answered = self.judged[one.name].rules, self.answers.columns.get(one.name)
+        if answered is None or there.values.shape != one.values.shape:
+            return ("",) * len(one.rows)
+        agrees = self.agrees(one, answered, there.values)
+        first = next(key for key in self.wrong if self.names[key] in world.fits)
+        return tuple(first if ok and rule in WRONG else "" for rule, ok in zip(rules, agrees, strict=True))
+
+    @cached_property
+    def causes(self) -> tuple[Cause, ...]:
+        """What has likely gone wrong, where it was made: of the whole work, and in columns besides."""
+        made = tuple(cause for one in self.mistakes if (cause := self.made(one)) is not None)
+        if self.world is None:
+            return made
+        left = [of_some(one, [n for n in one.names if n not in self.world.fits], self.asked) for one in made]
+        return (self.world.cause, *(one for one in left if one is not None))
+
+    @cached_property
+    def world(self) -> Recognised | None:
+        """The mistake in the whole of the work, if it is one, looked for where others leave much unexplained."""
+        if len(self.wrong) < COLUMNS or sum(int(some.sum()) for some in self.unexplained.values()) < FEWEST:
+            return None
+        wrong = {self.names[key]: some for key, some in self.wrong.items()}
+        judged = {name: one for name, one in self.judged.items() if name in self.names.values()}
+        answered = {name: one for name, one in self.answers.columns.items() if name in judged}
+        judged = {name: one for name, one in judged.items() if name in answered and name[0] in STAGES}
+        wrong = {name: some for name, some in wrong.items() if name in judged}
+        floors = {name: self.floor(self.asked[name]) for name in judged}
+        limit = self.rubric.limit
+        return recognised(
+            Handed(self.results, self.asked, answered, judged, wrong, self.agrees, limit, floors)
+        )
+
+    @cached_property
+    def unexplained(self) -> Mapping[str, Array]:
+        """Key of a wrong column -> where neither a mistake in it nor what it follows from explains it, (P,)."""
+        if self.results.lever is None or self.anothers or not self.followed:
+            return {}
+        sources = charged(self.wrong, self.ways(self.followed))
+        left = {key: wrong & (np.array(sources[key]) == "") for key, wrong in self.wrong.items()}
+        for cause in self.mistakes:
+            for name in cause.names:
+                if name[1] in left and self.names.get(name[1]) == name:
+                    left[name[1]] = left[name[1]] & ~self.mended(name, cause)
+        idle = {key for key in left if key in self.unchanging}
+        return {key: some for key, some in left.items() if key not in idle}
+
+    @cached_property
+    def charged(self) -> Mapping[str, tuple[str, ...]]:
+        """Every wrong column by positions: what follows from another wrong value, and from which. What follows from
+        the mistakes alone is looked for once more: a slip of the pen on the way need not have been carried on."""
+        ways = list(self.ways(self.followed))
+        found = charged(self.wrong, ways)
+        for own in self.mistaken(found):
+            ways += self.ways(carried(self.results, own, self.wrong))
+        return charged(self.wrong, ways) if self.world is None else self.elsewhere(self.world, ways)
+
+    def elsewhere(self, world: Recognised, ways: list[Clause]) -> Mapping[str, tuple[str, ...]]:
+        """The same of a work that is right in another world: all its cells follow from the first column's."""
+        ways += self.ways(carried(world.results, self.given, self.wrong))
+        keys = [key for key in self.wrong if self.names[key] in world.fits]
+        first, always = keys[0], np.ones(len(self.wrong[keys[0]]), dtype=bool)
+        fits = world.fits[self.names[first]]
+        ways = [replace(one, agrees=one.agrees & ~fits) if one.key == first else one for one in ways]
+        ways += [Clause(key, (WORLD,), world.fits[self.names[key]]) for key in keys[1:]]
+        found = charged({WORLD: always, **self.wrong}, ways)
+        return {
+            key: tuple(first if source == WORLD else source for source in sources)
+            for key, sources in found.items()
+            if key != WORLD
+        }
+
+    def mistaken(self, found: Mapping[str, tuple[str, ...]]) -> Iterator[Mapping[str, Array]]:
+        """The student's numbers where they are mistakes by themselves: all of them, and the first column alone."""
+        cells = {key: self.wrong[key] & (np.array(sources) == "") for key, sources in found.items()}
+        own = {
+            key: np.where(some, self.answers.columns[self.names[key]].values, np.nan)
+            for key, some in cells.items()
+            if some.any() and key not in self.unchanging
+        }
+        if self.followed and own:
+            yield own
+            if len(own) > 1:
+                first = next(iter(own))
+                yield {first: own[first]}
+
+    def ways(self, followed: Mapping[str, Sequence[Follow]]) -> Iterator[Clause]:
+        """In which ways wrong values follow from others of the student's."""
+        for key, wrong in self.wrong.items():
+            name = self.names[key]
+            one, answered = self.asked[name], self.answers.columns[name]
+            if key in self.unchanging or name in self.anothers:
                 continue
-            again = self.judge(replace(one, values=follow.values), answered.values, answered.given)
-            # noughts all along follow from each other, and from nothing that a student did
-            some = np.abs(follow.values) > self.floor(one)
-            for k in np.flatnonzero(wrong & again.ok & some):
-                found[k] = found[k] or self.source(follow, int(k), self.order[name])
-        return tuple(found)
+            for follow in followed.get(key, ()):
+                if self.unchanging.isdisjoint(follow.sources):
+                    yield Clause(key, follow.sources, wrong & self.follows_from(one, answered, follow.values))
+
+    def follows_from(self, one: Asked, answered: Answered, values: Array) -> Array:
+        """(P,) of bool: where the student's numbers are those of a column as it would be from his own. Noughts all
+        along follow from each other, and from nothing that a student did."""
+        ok = self.agrees(one, answered, values)
+        some = np.abs(values) > self.floor(one, values)
+        return ok if 2 * (ok & some).sum() > ok.sum() else ok & some
+
+    def agrees(self, one: Asked, answered: Answered, values: Array) -> Array:
+        """(P,) of bool: where the student's numbers are those of a column with other values, which is read off a plan
+        of its own size."""
+        floor = self.floor(one, values)
+        return self.judge(replace(one, values=values), answered.values, answered.given, floor).ok
 
     def made(self, cause: Cause) -> Cause | None:
         """A mistake where it was made: without the columns that follow from others, where most of it follows."""
@@ -274,15 +395,6 @@ class _Work:
         ]
         sources = [source for rule, source in pairs if rule in WRONG]
         return sum(map(bool, sources)) > MOST * len(sources)
-
-    def source(self, follow: Follow, k: int, order: tuple[int, int, int]) -> str:
-        """The wrong value that a cell follows from. A value follows from earlier ones alone, or two wrong ones would
-        excuse each other."""
-        for key in follow.sources:
-            earlier, wrong = self.wrong.get(key, ((9, 9, 0), None))
-            if wrong is not None and wrong[k] and earlier < order:
-                return key
-        return ""
 
     # ------------------------------------------------------------ points
 

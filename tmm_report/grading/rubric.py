@@ -28,6 +28,7 @@ Array = Any
 
 Weight = Annotated[float, quantity("number", 0.0, 1e6)]
 Points = Annotated[float, quantity("number", 1e-9, 1e6)]
+Sense = Annotated[float, quantity("number", 0.0, 1e6)]
 Limit = Annotated[float, quantity("number", 0.0, 1.0, "0 % … 100 %")]
 Share = Annotated[float, quantity("number", 0.0, 1.0, "0 … 1")]
 Reading = Annotated[float, quantity("length", 0.0, 0.01, "0 … 10 mm")]
@@ -37,6 +38,7 @@ Weights = Annotated[
     by_shape(N_("a list of keys, or keys with weights: {v_B: 2}")),
 ]
 Signs = Literal["free", "strict"]
+Attempts = Literal["last", "best"]
 SCALES = ("mu_l", "mu_v", "mu_a", "mu_F")
 VALUES = "values"  # single numbers, of whatever chapter, share the points as a chapter of their own
 
@@ -68,7 +70,11 @@ class Block(model.Block):
     reading: Reading = Field(default=0.001, description="what cannot be read off a plan, on paper")
     carried: Share = Field(default=1.0, description="share of the points for what follows from a wrong value")
     named: Share = Field(default=0.0, description="share of the points for what one named mistake explains")
+    senses: Sense = Field(
+        default=0.0, description="points taken for another positive sense held throughout, once for each"
+    )
     signs: Signs = Field(default="free", description="free: magnitudes read off plans are taken as such")
+    attempts: Attempts = Field(default="last", description="which of several attempts counts")
     positions: list[Position] | None = Field(default=None, min_length=1, description="asked; left out, all")
     chapters: dict[Key, Weight] = Field(default={}, description="weights of the chapters")
     tables: dict[Key, Tables] | None = Field(
@@ -91,14 +97,17 @@ class TableRule:
 
 @dataclass(frozen=True)
 class Rubric:
-    """`limit`: per cent; `reading`: mm of paper; `carried`, `named`: shares of a cell's points, 0 … 1."""
+    """`limit`: per cent; `reading`: mm of paper; `carried`, `named`: shares of a cell's points, 0 … 1;
+    `senses`: points."""
 
     points: float = 100.0
     limit: float = 5.0
     reading: float = 1.0
     carried: float = 1.0
     named: float = 0.0
+    senses: float = 0.0
     signs: Signs = "free"
+    attempts: Attempts = "last"
     positions: tuple[int, ...] | None = None
     chapters: Mapping[str, float] = field(default_factory=dict)
     tables: Mapping[str, TableRule] | None = None
@@ -162,7 +171,9 @@ def _rubric(document: yamlread.Document, file: str, soft: list[Problem]) -> Rubr
         reading=1000 * block.reading,
         carried=block.carried,
         named=block.named,
+        senses=block.senses,
         signs=block.signs,
+        attempts=block.attempts,
         positions=_tuple(block.positions),
         chapters=block.chapters,
         tables=None if block.tables is None else {key: _table(one) for key, one in block.tables.items()},

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from tmm_report.grading.copies import Copy, Entries, copies
-from tmm_report.grading.model import RIGHT, Digest, Rule
+from tmm_report.grading.model import ABSENT, RIGHT, Digest, Rule
 from tmm_report.problems import N_, Message, shown
 from tmm_report.records import dataclass
 
@@ -108,10 +108,33 @@ class Mixed:
         return Message(N_("%(one)s: the numbers of the variant of %(other)s"), values)
 
 
+@dataclass(frozen=True)
+class Beside:
+    """A work without a mark, or with one set by hand. `why` is fit to be shown; `mark`: as set; `reckoned`: without."""
+
+    who: Who
+    why: str = ""
+    mark: float | None = None
+    reckoned: float | None = None
+
+    @property
+    def text(self) -> Message:
+        who = shown(self.who.name, 80)
+        if self.mark is None:
+            return Message("%(who)s: %(why)s" if self.why else "%(who)s", {"who": who, "why": self.why})
+        values = {"who": who, "mark": f"{self.mark:g}", "reckoned": "—", "why": self.why}
+        if self.reckoned is not None:
+            values["reckoned"] = f"{self.reckoned:g}"
+        if not self.why:
+            return Message(N_("%(who)s: %(mark)s, reckoned: %(reckoned)s"), values)
+        return Message(N_("%(who)s: %(mark)s, reckoned: %(reckoned)s; %(why)s"), values)
+
+
 @dataclass(frozen=True, eq=False)
 class Statistics:
-    """`parts`: (N,) points of what each marked work is worth, sorted, 0 … 1. `columns`, `cells`: the hardest first.
-    `causes`: kinds of mistakes with the number of works. `failed`: works that could not be marked."""
+    """`parts`: (N,) points of what each work with a mark is worth, sorted, 0 … 1. `columns`, `cells`: the hardest
+    first. `causes`: kinds of mistakes with the number of works. `absent`: works not handed in; `failed`: those that
+    could not be marked; `by_hand`: those whose marks were set by hand."""
 
     parts: Array
     columns: tuple[Share, ...] = ()
@@ -119,7 +142,9 @@ class Statistics:
     causes: tuple[tuple[str, int], ...] = ()
     copies: tuple[Alike, ...] = ()
     mixed: tuple[Mixed, ...] = ()
-    failed: tuple[Who, ...] = ()
+    absent: tuple[Beside, ...] = ()
+    failed: tuple[Beside, ...] = ()
+    by_hand: tuple[Beside, ...] = ()
 
     @property
     def histogram(self) -> list[int]:
@@ -154,7 +179,10 @@ class _Gathered:
     kinds: Counter[str] = field(default_factory=Counter)
     by_key: Counter[tuple[str, str]] = field(default_factory=Counter)
     mixed: list[tuple[str, str]] = field(default_factory=list)
-    failed: list[Who] = field(default_factory=list)
+    unmarked: list[Who] = field(default_factory=list)
+    absent: list[Beside] = field(default_factory=list)
+    failed: list[Beside] = field(default_factory=list)
+    by_hand: list[Beside] = field(default_factory=list)
 
 
 def statistics(digests: Iterable[Digest]) -> Statistics:
@@ -171,12 +199,12 @@ def statistics(digests: Iterable[Digest]) -> Statistics:
         tuple(sorted(found.kinds.items(), key=lambda item: (-item[1], item[0]))),
         tuple(_alike(copies(works), sorted(found.who, key=_by_id))),
         tuple(_mixed(found)),
-        tuple(sorted(found.failed, key=_by_id)),
+        *(tuple(sorted(some, key=_of_id)) for some in (found.absent, found.failed, found.by_hand)),
     )
 
 
 def _mixed(found: _Gathered) -> Iterator[Mixed]:
-    who = {one.id: one for one in (*found.failed, *found.who)}
+    who = {one.id: one for one in (*found.unmarked, *found.who)}
     return (Mixed(who[one], who.get(other, Who(other))) for one, other in sorted(set(found.mixed)))
 
 
@@ -184,14 +212,26 @@ def _by_id(who: Who) -> str:
     return who.id
 
 
+def _of_id(one: Beside) -> str:
+    return one.who.id
+
+
 def _take(found: _Gathered, digest: Digest) -> None:
     """Add one work."""
     who = Who(digest.id, digest.student, digest.group, digest.variant)
-    if digest.failed:
-        found.failed.append(who)
+    if digest.override is not None:
+        reckoned = digest.points if digest.judged else None
+        found.by_hand.append(Beside(who, digest.override.reason, digest.override.points, reckoned))
+    elif not digest.marked:
+        (found.absent if digest.state == ABSENT else found.failed).append(
+            Beside(who, "; ".join(digest.failed))
+        )
+    if digest.marked:
+        found.parts.append(digest.mark / digest.worth if digest.worth else 0.0)
+    if not digest.judged:
+        found.unmarked.append(who)
         return
     found.who.append(who)
-    found.parts.append(digest.points / digest.worth if digest.worth else 0.0)
     _take_cells(found, digest)
     found.kinds.update({kind for kind, _, _ in digest.causes})
     found.by_key.update({(key, kind) for kind, _, keys in digest.causes for key in keys})
@@ -271,12 +311,13 @@ def _alike(found: Sequence[Copy], who: Sequence[Who]) -> Iterator[Alike]:
 # ---------------------------------------------------------------- for the terminal
 
 
+MARKED = N_("works marked: %(marked)s, not handed in: %(absent)s, not marked: %(failed)s")
+
+
 def lines(found: Statistics) -> list[Message]:
     """Five lines at most."""
-    marked, failed = len(found.parts), len(found.failed)
-    said = [
-        Message(N_("works marked: %(marked)s, not marked: %(failed)s"), {"marked": marked, "failed": failed})
-    ]
+    marked = len(found.parts)
+    said = [Message(MARKED, {"marked": marked, "absent": len(found.absent), "failed": len(found.failed)})]
     if marked:
         lower, median, upper = (f"{100 * part:.0f}" for part in found.quartiles)
         text = N_(

@@ -27,17 +27,29 @@ WIDEST = 100  # columns of one file of CSV
 FORMATS = (".xlsx", ".csv", ".yaml")
 
 
-def template(asked: Expected, worth: Mapping[Name, Array], suffix: str, tr: Translator) -> dict[str, bytes]:
-    """Ending of the file's name -> content: one file, of CSV one for each kind of table."""
+def template(
+    asked: Expected,
+    worth: Mapping[Name, Array],
+    suffix: str,
+    tr: Translator,
+    whose: str = "",
+    senses: Sequence[str] = (),
+) -> dict[str, bytes]:
+    """Ending of the file's name -> content: one file, of CSV one for each kind of table. `whose` stands above each
+    table; `senses`: which way positive numbers point, said below the single numbers."""
     tables = _tables(asked, worth)
+    above: list[Row] = [[whose]] if whose else []
     match suffix:
         case ".xlsx":
-            sheets = {name: list(_sheet(columns, rows, tr)) for name, (columns, rows) in tables.items()}
-            return {".xlsx": writing.xlsx_bytes({**sheets, "values": list(_values(asked, worth, tr))})}
+            sheets = {name: [*above, *_sheet(columns, rows, tr)] for name, (columns, rows) in tables.items()}
+            sheets["values"] = [*above, *_values(asked, worth, tr, senses)]
+            return {".xlsx": writing.xlsx_bytes(sheets, titles=len(above))}
         case ".csv":
-            return _csv(asked, worth, tables, tr)
+            made = _csv(asked, worth, tables, tr, senses)
+            return {end: writing.csv_bytes([*above, *rows], tr.decimal) for end, rows in made.items()}
         case ".yaml":
-            return {".yaml": "".join(_yaml(asked, worth, tables, tr)).encode()}
+            comment = f"# {_one_line(whose)}\n" if whose else ""
+            return {".yaml": (comment + "".join(_yaml(asked, worth, tables, tr, senses))).encode()}
         case _:
             raise ValueError(f"no template as {suffix!r}")
 
@@ -61,44 +73,53 @@ def _head(one: Asked, tr: Translator) -> str:
 
 
 def _sheet(columns: Sequence[Asked], rows: Sequence[str], tr: Translator) -> Iterator[Row]:
-    first = "position" if columns[0].by_position else "row"
-    yield [first, *(_head(one, tr) for one in columns)]
+    first = N_("position") if columns[0].by_position else N_("row")
+    yield [tr.gettext(first), *(_head(one, tr) for one in columns)]
     for row in rows:
         yield [int(row) if columns[0].by_position else row, *(None for _ in columns)]
 
 
-def _values(asked: Expected, worth: Mapping[Name, Array], tr: Translator) -> Iterator[Row]:
-    """A line a single number; then the scales of the student's own plans."""
-    yield ["key", "value", "unit", "meaning"]
+def _values(
+    asked: Expected, worth: Mapping[Name, Array], tr: Translator, senses: Sequence[str] = ()
+) -> Iterator[Row]:
+    """A line a single number; then the scales of the student's own plans, and which way positive numbers point."""
+    yield [tr.gettext(head) for head in (N_("key"), N_("value"), N_("unit"), N_("meaning"))]
     for name in worth:
         if not name[0]:
             one = asked[name].quantity
             yield [one.key, None, unit_text(one.unit, tr.language), one.meaning.render(tr.gettext)]
     for key, unit, meaning in SCALES:
         yield [key, None, unit_text(unit, tr.language), tr.gettext(meaning)]
+    for line in senses:
+        yield [None, None, None, line]
 
 
-def _csv(asked: Expected, worth: Mapping[Name, Array], tables: Tables, tr: Translator) -> dict[str, bytes]:
+def _csv(
+    asked: Expected, worth: Mapping[Name, Array], tables: Tables, tr: Translator, senses: Sequence[str] = ()
+) -> dict[str, Iterator[Row]]:
     """One file of all that goes by positions, one a table where it would be too wide or have a key twice; one of each
     other table, and one of the single numbers."""
     wide = [one for columns, _ in tables.values() for one in columns if one.by_position]
-    files = {}
+    files: dict[str, Iterator[Row]] = {}
     together = len(wide) <= WIDEST and len({one.key for one in wide}) == len(wide)
     if wide and together:
         rows = sorted(
             {int(row) for columns, rows in tables.values() if columns[0].by_position for row in rows}
         )
-        files[".csv"] = writing.csv_bytes(_sheet(wide, [str(row) for row in rows], tr), tr.decimal)
+        files[".csv"] = _sheet(wide, [str(row) for row in rows], tr)
     for name, (columns, labels) in tables.items():
         if not (together and columns[0].by_position):
-            files[f"-{name}.csv"] = writing.csv_bytes(_sheet(columns, labels, tr), tr.decimal)
-    files["-values.csv"] = writing.csv_bytes(_values(asked, worth, tr), tr.decimal)
+            files[f"-{name}.csv"] = _sheet(columns, labels, tr)
+    files["-values.csv"] = _values(asked, worth, tr, senses)
     return files
 
 
-def _yaml(asked: Expected, worth: Mapping[Name, Array], tables: Tables, tr: Translator) -> Iterator[str]:
+def _yaml(
+    asked: Expected, worth: Mapping[Name, Array], tables: Tables, tr: Translator, senses: Sequence[str] = ()
+) -> Iterator[str]:
     """Lines of a YAML file with the numbers left out."""
     yield f"# {tr.gettext(HOW)}\n"
+    yield from (f"# {_one_line(line)}\n" for line in senses)
     for name, (columns, rows) in tables.items():
         yield f"\n{name}:\n"
         for one in columns:
@@ -115,6 +136,12 @@ def _yaml(asked: Expected, worth: Mapping[Name, Array], tables: Tables, tr: Tran
     yield "\nscales:\n"
     for key, unit, text in SCALES:
         yield f"  {key}:  # {unit_text(unit, tr.language)}: {tr.gettext(text)}\n"
+
+
+def whose_line(title: Mapping[str, str], tr: Translator) -> str:
+    """Whose sheet it is; what is not known is left to be filled in."""
+    values = {key: title.get(key) or "_" * 12 for key in ("student", "group", "variant")}
+    return tr.gettext(N_("Student: %(student)s, group: %(group)s, variant: %(variant)s")) % values
 
 
 HOW = N_(

@@ -56,8 +56,10 @@ def members(
     *,
     each: int = MEMBER,
     total: int = TOTAL,
+    passed: list[str] | None = None,
 ) -> tuple[list[Member], list[Problem]]:
-    """The files of an archive whose names are wanted, and what was refused of it; `file` names it in messages.
+    """The files of an archive whose names are wanted, and what was refused of it; `file` names it in messages. Names
+    that are not wanted, those of folders among them, are added to `passed`.
 
     Refused are names that lead elsewhere, links, archives, what is encrypted, larger than `each` bytes or packed
     too well. Raises ProblemError for an archive that cannot be read, or is larger than `total` altogether.
@@ -73,6 +75,8 @@ def members(
             found[name] = Member(
                 name, info.header_offset, info.compress_size, info.file_size, info.compress_type, info.CRC
             )
+        elif passed is not None and not _junk(name):
+            passed.append(name)
     if sum(member.size for member in found.values()) > total:
         raise _refused(
             file, N_("the files of the archive are larger than %(limit)s MB"), limit=total // 2**20

@@ -7,12 +7,15 @@ import io
 import re
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import islice
 from typing import Any
 
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 
 _CONTROL = re.compile(rb"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
 _QUOTED = re.compile('"[^"]*"?')
+_LETTER = re.compile(r"[^\W\d_]")
+FIRST = 12  # lines by which it is told what parts cells
 _UTF8 = Message(N_("save the file as UTF-8"))
 Row = tuple[int, list[str]]
 
@@ -78,15 +81,21 @@ def _next(reader: Any, label: str, line: int, characters: int) -> list[str] | No
 def _delimiter(lines: io.TextIOWrapper) -> tuple[str, int]:
     """What parts cells, and how many lines stand before the table: Excel's own `sep=;`.
 
-    It is found from the head alone: a semicolon wins, as the comma is then a decimal one or parts name and unit. A
-    single column is taken to be parted by semicolons too, so that its decimal commas are none.
+    It is found from the lines below the titles, which the latter half of the first ones are. A semicolon wins, as the
+    comma is then a decimal one or parts name and unit. A single column is taken to be parted by semicolons too, so
+    that its decimal commas are none.
     """
     count, first = next(((number, line) for number, line in enumerate(lines, 1) if line.strip()), (0, ""))
     if said := re.fullmatch("sep=([;,\t])\\s*", first, re.IGNORECASE):
         return said[1], count
     lines.seek(0)
-    bare = _QUOTED.sub("", first)
-    return next((sign for sign in ";\t," if sign in bare), ";"), 0
+    bare = [_QUOTED.sub("", line) for line in islice(filter(str.strip, lines), FIRST)]
+    lines.seek(0)
+    table = bare[len(bare) // 2 :]
+    for sign in ";\t":
+        if table and 2 * sum(sign in line for line in table) >= len(table):
+            return sign, 0
+    return ("," if any("," in line and _LETTER.search(line) for line in bare) else ";"), 0
 
 
 def _refused(

@@ -6,6 +6,7 @@ filled up with empty cells.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import chain, islice
@@ -13,6 +14,7 @@ from pathlib import PurePosixPath
 from typing import Any
 
 from tmm_report.intake import delimited, workbook
+from tmm_report.intake.cells import number
 from tmm_report.intake.writing import unguarded
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.records import dataclass
@@ -122,21 +124,25 @@ def _stream(label: str, lines: Iterator[delimited.Row], rows: int, notes: Iterab
 
 
 def _head(lines: Iterator[delimited.Row]) -> tuple[int, tuple[str, ...], Iterator[delimited.Row]]:
-    """The head with its line, and the rows below. A title above it, alone in its row where the next has more, is passed
-    over; so are a few of them."""
+    """The head with its line, and the rows below. A few rows of titles above it are passed over."""
     waiting = list(islice(lines, TITLES + 1))
     texts = [_trimmed([cell.strip() for cell in row]) for _, row in waiting]
-    start = next((k for k, row in enumerate(texts) if not _is_title(row)), 0)
-    if start and sum(map(bool, texts[start])) < 2:
-        start = 0
+    widest = max((_said(row) for row in texts), default=0)
+    start = next((k for k, row in enumerate(texts) if _is_head(row, widest)), 0)
     line, head = (waiting[start][0], texts[start]) if waiting else (1, [])
     return line, tuple(head), chain(waiting[start + 1 :], lines)
 
 
-def _is_title(row: list[str]) -> bool:
-    """Whether all that a row says is a few words: "Variant 7"."""
-    said = [text for text in row if text]
-    return len(said) == 1 and " " in said[0]
+def _said(row: list[str]) -> int:
+    """How many cells of a row say something."""
+    return sum(map(bool, row))
+
+
+def _is_head(row: list[str], widest: int) -> bool:
+    """Whether a row names columns: most that the widest of the first rows has, the first of them by a word; what
+    stands above, "Variant 7" or a name beside "Student", does not."""
+    said = _said(row)
+    return said >= 2 and 4 * said >= 3 * widest and math.isnan(number(row[0]))
 
 
 def _rows(

@@ -75,9 +75,12 @@ def _clean(text: str) -> str:
 
 
 def xlsx_bytes(
-    sheets: Mapping[str, Sequence[Sequence[Value]]], widths: Mapping[str, Sequence[float]] | None = None
+    sheets: Mapping[str, Sequence[Sequence[Value]]],
+    widths: Mapping[str, Sequence[float]] | None = None,
+    titles: int = 0,
 ) -> bytes:
-    """A workbook with a sheet for each name, the first row bold and in view; `widths` of its columns by sheet.
+    """A workbook with a sheet for each name, its head bold and in view, with so many rows of titles above it; `widths`
+    of its columns by sheet.
 
     Text cells are typed as text, so that none is a formula. Names are cut to what Excel allows, and told apart.
     """
@@ -85,7 +88,9 @@ def xlsx_bytes(
 
     book = Workbook(write_only=True)
     for title, (name, rows) in zip(_titles(sheets), sheets.items(), strict=True):
-        _fill(book.create_sheet(title), rows, (widths or {}).get(name) or _measured(rows))
+        _fill(
+            book.create_sheet(title), rows, (widths or {}).get(name) or _measured(rows[titles:]), titles + 1
+        )
     if not sheets:
         book.create_sheet("Sheet")
     out = io.BytesIO()
@@ -93,17 +98,17 @@ def xlsx_bytes(
     return _dateless(out)
 
 
-def _fill(sheet: Any, rows: Sequence[Sequence[Value]], widths: Sequence[float]) -> None:
+def _fill(sheet: Any, rows: Sequence[Sequence[Value]], widths: Sequence[float], head: int) -> None:
     """Write the rows; what stands before them in the file, widths and the frozen head, is said before."""
     from openpyxl.styles import Font
     from openpyxl.utils import get_column_letter
 
     bold = Font(bold=True)
-    sheet.freeze_panes = "A2"
+    sheet.freeze_panes = f"A{head + 1}"
     for column, width in enumerate(widths, 1):
         sheet.column_dimensions[get_column_letter(column)].width = width
     for index, row in enumerate(rows):
-        sheet.append([_xlsx_cell(sheet, value, bold if index == 0 else None) for value in row])
+        sheet.append([_xlsx_cell(sheet, value, bold if index < head else None) for value in row])
 
 
 def _xlsx_cell(sheet: Any, value: Value, font: Any) -> Any:

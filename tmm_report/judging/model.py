@@ -138,19 +138,31 @@ class Cause:
     explains: float = 0.0
 
 
+OF_WHOLE = (  # of the work: recognised by solving the mechanism with the mistake in it, or
+    "sense",  # by another positive sense held throughout
+    "assembly",  # the other one
+    "datum",  # another number than the assignment's
+)
 KINDS = (
     "sign",  # the opposite sign all along
     "modulus",  # magnitudes where a sign is asked
     "mm for m",
     "rpm for rad/s",
+    "turns for radians",  # revolutions a second for rad/s
+    "speed",  # what follows from ω: n taken for it
     "degrees for radians",
     "power of ten",
     "factor",  # 2 or 1/2
     "scale",  # one free factor: the scale of the plan
     "mass for weight",
+    "weight for mass",  # times g
+    "coriolis",  # without its 2
+    "radius for diameter",
     "shifted",  # positions shifted
     "reversed",  # positions counted the other way round
+    "rows",  # two positions in each other's place
     "swapped",  # two columns in each other's place
     "component",  # the normal component for the tangential one, or the other way round
     "variant",  # the numbers of another variant
+    *OF_WHOLE,
 )

@@ -8,7 +8,7 @@ import numpy as np
 
 from tmm_report.mechanics.characteristics import BySpeed, Geared
 from tmm_report.mechanics.distinct import distinct
-from tmm_report.mechanics.machine import Acting, Plant
+from tmm_report.mechanics.machine import LOST, Acting, Plant
 from tmm_report.mechanics.motion_law import SAMPLES, NeverReached, Run
 from tmm_report.mechanics.panels import Panels
 
@@ -22,7 +22,7 @@ def by_speed(plant: Plant, start: float, end: float, phi: float = 0.0) -> Run:
     pieces = Panels(edges)
     way = np.sign(end - start) or 1.0
     omega = start + way * pieces.x
-    moment = plant.net(omega) + np.zeros(omega.shape)
+    moment = plant.accelerating(omega) + np.zeros(omega.shape)
     _drives(plant, start, end, np.concatenate([omega.ravel(), [start, end]]), way)
     slowness = J * way / moment  # dt/d|Δω|
     places = np.searchsorted(edges, np.abs(grid - start))
@@ -36,17 +36,36 @@ def by_speed(plant: Plant, start: float, end: float, phi: float = 0.0) -> Run:
         )
         for one in plant.acting
     }
+    if plant.passing is not None:
+        works[LOST] = float(pieces.total((moment - plant.net(omega)) * omega * slowness))
     return Run(plant, "speed", running(slowness), phi + running(omega * slowness), grid, works)
 
 
 def _edges(plant: Plant, start: float, end: float) -> tuple[Array, Array]:
     """Edges of the pieces, as distances from `start`, and the speeds that are listed, which are among them."""
     grid = np.linspace(start, end, SAMPLES + 1)
-    breaks = np.array([x for one in plant.laws for x in _kinks(one)])
+    breaks = np.array([*(x for one in plant.laws for x in _kinks(one)), *_turns(plant, grid)])
     low, high = min(start, end), max(start, end)
     inner = breaks[(breaks > low) & (breaks < high)] if breaks.size else breaks
     distances = distinct(np.abs(np.concatenate([grid, inner]) - start))
     return distances, grid
+
+
+def _turns(plant: Plant, grid: Array) -> list[float]:
+    """Speeds at which the power of a geared part turns: the moment is bent there."""
+    if plant.passing is None:
+        return []
+    moment, found = plant.net(grid) + np.zeros(len(grid)), []
+    for wanted in plant.passing.moments(float(plant.inertia.flat[0])):
+        off = moment - wanted
+        for k in np.nonzero(off[:-1] * off[1:] < 0)[0]:
+            low, high, sign = grid[k], grid[k + 1], np.sign(off[k])
+            for _ in range(60):
+                middle = (low + high) / 2
+                inside = sign * (float(plant.net(middle)) - wanted) > 0
+                low, high = (middle, high) if inside else (low, middle)
+            found.append(float((low + high) / 2))
+    return found
 
 
 def _kinks(one: Acting) -> list[float]:

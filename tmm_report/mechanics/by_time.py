@@ -8,16 +8,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from itertools import count, pairwise
-from math import cos
+from math import cos, nextafter
 from typing import Any
 
 import numpy as np
 
 from tmm_report.mechanics.by_angle import running_at
 from tmm_report.mechanics.characteristics import TIME, ByTime, Geared
-from tmm_report.mechanics.machine import Acting, Plant, level, pointwise
+from tmm_report.mechanics.machine import LOST, Acting, Plant, level, pointwise
 from tmm_report.mechanics.motion_law import MOST, SAMPLES, STEPPED, TURNS, Goal, NeverReached, Run
-from tmm_report.mechanics.steady import advanced
+from tmm_report.mechanics.steady import advanced, moment_at
 from tmm_report.records import dataclass
 
 Array = Any
@@ -56,7 +56,7 @@ def by_time(plant: Plant, start: float, goal: Goal, phi: float = 0.0) -> Run:
         [np.array(pieces[i].at(t[k == i])) for i in range(len(pieces)) if (k == i).any()], axis=1
     )
     found[:2, 0], found[:2, -1] = (phi, start), last.last
-    works = {one.key: sum(piece.works[one.key] for piece in pieces) for one in plant.laws}
+    works = {key: sum(piece.works[key] for piece in pieces) for key in first.works}
     steps = sum(piece.steps for piece in pieces)
     return Run(plant, "time", t, found[0], found[1], works | plant.works(phi, last.last[0]), steps, found[2])
 
@@ -98,7 +98,8 @@ def _between_kinks(plant: Plant, start: float, goal: Goal, phi: float, longest: 
 def waits(plant: Plant, phi: float) -> float:
     """Time for which a machine stands still before it starts, s: until what drives at rest is more than what resists,
     by which it is held. Raises NeverReached where that is never so."""
-    times = sorted({0.0, *(x for one in plant.laws for x in kinks(one))})
+    kinked = {x for one in plant.laws for x in kinks(one) if x > 0}
+    times = sorted({0.0, *kinked, *(nextafter(x, 0.0) for x in kinked)})  # both sides of a jump
     moments = [plant.places(phi)[2] + sum(float(one.at(0.0, t)) for one in plant.laws) for t in times]
     k = next((k for k, moment in enumerate(moments) if moment > 0), None)
     if k is None:
@@ -167,7 +168,7 @@ def _passed(plant: Plant, energy: Array, energy0: float, t: float, angle: float)
     """A whole cycle. Of a thousand only T is kept, the rest found again for the few that are sampled."""
     panels = plant.panels
     omega = np.sqrt(2 * energy / plant.inertia)
-    moment = plant.placed + sum((one.at(omega) for one in plant.laws), np.zeros(omega.shape))
+    moment = moment_at(plant, omega)
     last = float(np.sqrt(2 * (energy0 + panels.total(moment)) / plant.places(0.0)[0]))
     end = t + float(panels.total(1 / omega))
 
@@ -182,6 +183,8 @@ def _passed(plant: Plant, energy: Array, energy0: float, t: float, angle: float)
         return angle + x, panels.at(omega, inner), panels.at(rates, inner)
 
     works = {one.key: float(panels.total(one.at(omega))) for one in plant.laws}
+    if plant.passing is not None:
+        works[LOST] = float(panels.total(moment - plant.acted(omega)))
     return Piece(t, end, at, (angle + panels.period, last), works)
 
 
@@ -202,9 +205,17 @@ def _stepped(
     from tmm_report.mechanics.ode import integrate
 
     laws = plant.laws
-    unknowns = np.array([*state, *(0.0 for _ in laws), 0.0])
+    keys = [*(one.key for one in laws), *([LOST] if plant.passing is not None else [])]
+    unknowns = np.array([*state, *(0.0 for _ in keys), 0.0])
     events = _events(plant, goal, phi, state, to)
-    found = integrate(_rate(plant, phi), unknowns, span, events=events, relative=RELATIVE, absolute=ABSOLUTE)
+    found = integrate(
+        _rate(plant, phi, nextafter(span[1], span[0])),
+        unknowns,
+        span,
+        events=events,
+        relative=RELATIVE,
+        absolute=ABSOLUTE,
+    )
     angle, omega = float(found.y[0, -1]), float(found.y[1, -1])
     stops = goal.speed is not None and goal.speed == 0
     if found.ended == 0 and not stops:
@@ -213,7 +224,7 @@ def _stepped(
     arrived = found.ended == wanted and (last or wanted is not None)
     if not arrived and last and (to is None or found.ended is None or abs(angle - to) > 1e-6):
         raise NeverReached("long", omega, angle - phi)
-    works = {one.key: float(found.y[2 + k, -1]) for k, one in enumerate(laws)}
+    works = {key: float(found.y[2 + k, -1]) for k, key in enumerate(keys)}
     end = float(found.x[-1])
 
     def at(times: Array) -> tuple[Array, Array, Array]:
@@ -223,10 +234,11 @@ def _stepped(
     return Piece(span[0], end, at, (angle, omega), works, found.steps, arrived)
 
 
-def _rate(plant: Plant, begin: float) -> Callable[[float, Array], list[float]]:
+def _rate(plant: Plant, begin: float, end: float) -> Callable[[float, Array], list[float]]:
     """The last unknown is a pilot, sin 8φ/8: on a stretch without a load it keeps the steps from leaping over the next
-    load. Where nothing depends on the angle it stands still."""
-    places, laws, pilots = plant.places, plant.laws, 0.0 if plant.even else 1.0
+    load. Where nothing depends on the angle it stands still. `end`: the last time before a jump, at which its later
+    side would hold already."""
+    places, laws, pilots, passing = plant.places, plant.laws, 0.0 if plant.even else 1.0, plant.passing
     calls = count()
 
     def rate(t: float, y: Array) -> list[float]:
@@ -234,8 +246,12 @@ def _rate(plant: Plant, begin: float) -> Callable[[float, Array], list[float]]:
         if next(calls) > MOST_CALLS:
             raise NeverReached("long", omega, phi - begin)
         J, slope, moment = places(phi)
-        moments = [float(one.at(omega, t)) for one in laws]
-        epsilon = (moment + sum(moments) - slope * omega * omega / 2) / J
+        moments = [float(one.at(omega, min(t, end))) for one in laws]
+        left = moment + sum(moments) - slope * omega * omega / 2
+        epsilon = left / J
+        if passing is not None:
+            epsilon = float(passing.acceleration(left, J))
+            moments.append(J * epsilon - left)
         return [omega, epsilon, *(m * omega for m in moments), pilots * omega * cos(PILOT * phi)]
 
     return rate

@@ -63,7 +63,15 @@ def slope_within(of: Callable[[Array], Array], phi: Array, sense: int, edges: Ar
     k = np.searchsorted(at, here, side="right")
     before = np.where(k > 0, at[k - 1], at[-1] - FULL_TURN)
     after = np.where(k < len(at), at[k % len(at)], at[0] + FULL_TURN)
-    behind, ahead = np.maximum(here - EDGE - before, 0.0), after - here
+    return slope_between(of, phi, sense, np.maximum(here - EDGE - before, 0.0), after - here)
+
+
+def slope_between(
+    of: Callable[[Array], Array], phi: Array, sense: int, behind: Array, ahead: Array
+) -> tuple[Array, Array]:
+    """The same of pieces that begin so far behind the angles and end so far ahead of them in the sense of rotation,
+    rad, (P,)."""
+    x = sense * np.asarray(phi, dtype=float)
     low, high = -np.minimum(behind, HALF), np.minimum(ahead, HALF)
     half, middle = (high - low) / 2, (high + low) / 2
     nodes = np.cos(np.pi * (np.arange(NODES) + 0.5) / NODES)

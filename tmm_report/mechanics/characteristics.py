@@ -129,7 +129,7 @@ class ByAngle:
 
 @dataclass(frozen=True, eq=False)
 class ByTime:
-    """The same of time, s."""
+    """The same of time, s; two points of the same time are a jump, at which the later one holds."""
 
     of: ClassVar[str] = TIME
     x: tuple[float, ...]
@@ -155,11 +155,19 @@ class Reversed:
         return -self.motor.at(-omega, phi, t)
 
 
+def reversed_(law: Characteristic) -> Characteristic:
+    """The motor itself reversed, not its gear."""
+    if isinstance(law, Geared):
+        return Geared(Reversed(law.inner), law.ratio, law.efficiency)
+    return Reversed(law)
+
+
 @dataclass(frozen=True, eq=False)
 class Geared:
-    """A characteristic stated on another shaft, on the main one: M i η(ω i), `ratio` i of their speeds.
+    """A characteristic of a motor on another shaft, on the main one: M(ω i) i η, `ratio` i of their speeds.
 
-    `efficiency` of the gear between, through which a motor drives. By angle it is stated of the main shaft's.
+    `efficiency` of the gear between: where the motor brakes, the power goes the other way, and the gear's losses brake
+    too: M i/η. By angle it is stated of the main shaft's.
     """
 
     inner: Characteristic
@@ -170,8 +178,15 @@ class Geared:
     def of(self) -> str:
         return self.inner.of
 
+    @property
+    def lossy(self) -> bool:
+        return self.efficiency < 1
+
     def at(self, omega: Array, phi: Array = 0.0, t: Array = 0.0) -> Array:
-        return self.ratio * self.efficiency * self.inner.at(omega * self.ratio, phi, t)
+        own, eta = self.inner.at(omega * self.ratio, phi, t), self.efficiency
+        if isinstance(own, float):  # an integrator asks for one value at a time
+            return self.ratio * own * (eta if own > 0 else 1 / eta)
+        return self.ratio * own * np.where(np.asarray(own) > 0, eta, 1 / eta)
 
 
 # ---------------------------------------------------------------- from what a name plate says

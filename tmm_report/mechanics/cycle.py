@@ -26,29 +26,35 @@ Array = Any
 
 EQUAL = 1e-12  # values nearer than this part of the largest are one
 WITHIN = np.array([-1e-9, -1e-13, 1e-13, 1e-9])  # rad from a limit: to its rounding, and surely within
-CORNER_STEP = 3e-3  # rad, between the places beside a corner
-BEFORE = (4.0, -6.0, 4.0, -1.0)  # a value from the next four, fourth order: f(0) ≈ Σ c_k f(kh)
 
 
 @dataclass(frozen=True)
 class Extreme:
-    """An extreme value and the angle turned from position 0, rad, at which it is reached."""
+    """An extreme value and the angle turned from position 0, rad, at which it is reached; in a corner on which `side`
+    of it, -1 before and +1 after, elsewhere 0."""
 
     value: float
     turned: float
+    side: int = 0
 
 
-def least_and_greatest(values: Array, turned: Array, usual: Array | None = None) -> tuple[Extreme, Extreme]:
+def least_and_greatest(
+    values: Array, turned: Array, usual: Array | None = None, side: Array = 0
+) -> tuple[Extreme, Extreme]:
     """Extremes among values (P,) at angles `turned`, rad; nan is passed over; of nothing but nan, nan.
 
-    `usual`: which values, (P,) of bool, are not those beside a limit, where they may grow without bound: by the
-    largest of these it is judged whether two are one.
+    `side`: on which side of a corner each stands, 0 elsewhere. `usual`: which values, (P,) of bool, are not those
+    beside a limit, where they may grow without bound: by the largest of these it is judged whether two are one.
     """
     low, high = np.fmin.reduce(values), np.fmax.reduce(values)
     if np.isnan(low):
         return Extreme(np.nan, np.nan), Extreme(np.nan, np.nan)
     alike = EQUAL * float(np.nanmax(np.abs(values if usual is None else values[usual]), initial=0.0))
-    return _first(values <= low + alike, values, turned), _first(values >= high - alike, values, turned)
+    sides = np.broadcast_to(side, values.shape)
+    return (
+        _first(values <= low + alike, values, turned, sides),
+        _first(values >= high - alike, values, turned, sides),
+    )
 
 
 def larger(extremes: tuple[Extreme, Extreme]) -> Extreme:
@@ -57,11 +63,11 @@ def larger(extremes: tuple[Extreme, Extreme]) -> Extreme:
     return second if abs(second.value) > abs(first.value) * (1 + EQUAL) else first
 
 
-def _first(alike: Array, values: Array, turned: Array) -> Extreme:
+def _first(alike: Array, values: Array, turned: Array, side: Array) -> Extreme:
     """Of values that rounding alone tells apart the first from position 0."""
     at = np.flatnonzero(alike)
     first = at[np.argmin(turned[at])]
-    return Extreme(float(values[first]), float(turned[first]))
+    return Extreme(float(values[first]), float(turned[first]), int(side[first]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,9 +95,15 @@ class Cycle(Search):
 
     def once(self, count: int) -> Array:
         """The same angles with the last, each within its own turn, rad, (count + 1,): where the motion repeats, the
-        angle does to the last bit. Position N of a full turn is position 0."""
+        angle does to the last bit. Position N of a full turn is position 0, but where the motion does not come back to
+        it: then position N ends the turn, and of turns beyond it there is no motion, nan."""
         k = np.arange(count + 1)
-        return (k * self.turns % count if self.closed else k) * (self.sweep / count)
+        turned = (k * self.turns % count if self.closed else k) * (self.sweep / count)
+        if self.closed and not self.returns:
+            turned = np.where(k * self.turns <= count, k * (self.period / count), np.nan)
+        if self.closed and np.any(self.corners == 0.0):
+            turned[-1] = self.sweep
+        return turned
 
     def repeated(self, turned: Array) -> Array:
         """Angles turned (P,) within one turn, and the same of every other turn of the cycle, rad."""
@@ -105,30 +117,29 @@ class Cycle(Search):
         self, values: Sequence[Quantity], still: Sequence[Array]
     ) -> list[tuple[Extreme, Extreme]]:
         """The least and the greatest of several values, which stand still at the angles turned `still`."""
-        ends = [0.0] if self.closed else [0.0, self.sweep]
+        ends = [0.0] if self.returns else [0.0, self.sweep]
         where = [np.concatenate([roots, ends, self.ends]) for roots in still]
         found = self.sampled(values, where)
-        if self.corners.size:
-            found, where = self._with_corners(values, found, where)
+        sides = [np.zeros(x.shape, dtype=int) for x in where]
+        for at, side in self.sides if self.corners.size else ():
+            motion = self.beside(at, side)
+            found = [
+                np.concatenate([row, np.broadcast_to(np.real(of(motion)), at.shape)])
+                for row, of in zip(found, values, strict=True)
+            ]
+            where = [np.concatenate([x, at]) for x in where]
+            sides = [np.concatenate([row, np.full(at.shape, side)]) for row in sides]
         return [
-            least_and_greatest(row, x, ~np.isin(x, self._beside_limits))
-            for row, x in zip(found, where, strict=True)
+            least_and_greatest(row, x, ~np.isin(x, self._beside_limits), side)
+            for row, x, side in zip(found, where, sides, strict=True)
         ]
 
-    def _with_corners(
-        self, values: Sequence[Quantity], found: Sequence[Array], where: Sequence[Array]
-    ) -> tuple[list[Array], list[Array]]:
-        """Values and their angles, with those of both sides of every corner: extrapolated (fourth order) from places
-        beside it, as in it there are none."""
-        corners = self.corners[self.corners <= self.sweep]
-        k = np.arange(1, len(BEFORE) + 1)[:, None] * CORNER_STEP
-        motion = self.motion(np.concatenate([corners + k, corners - k], axis=1))
-        at = np.concatenate([corners, corners])
-        sides = [np.tensordot(BEFORE, np.broadcast_to(of(motion), motion.shape), axes=1) for of in values]
-        return (
-            [np.concatenate([row, side]) for row, side in zip(found, sides, strict=True)],
-            [np.concatenate([x, at]) for x in where],
-        )
+    @property
+    def sides(self) -> tuple[tuple[Array, int], tuple[Array, int]]:
+        """Angles turned of the corners within the sweep, before them and after them, rad: of one in position 0 the
+        turn ends before it and begins after it."""
+        before = self.corners if not self.closed else np.where(self.corners == 0.0, self.sweep, self.corners)
+        return (before[before <= self.sweep], -1), (self.corners[self.corners < self.sweep], 1)
 
     @cached_property
     def limits(self) -> Array:

@@ -93,7 +93,8 @@ class Dyad:
 
     `sign` is stated for the driver angle `told_at`, rad. At the driver angles `changes` the two roots meet, and there
     the motion goes smoothly on to the other sign; at `corner` they meet and the sign stays. `size`: greatest distance
-    A-C of kind 3 over the cycle, m.
+    A-C of kind 3 over the cycle, m. `held`: the sign at each of the positions that are being solved, where it is told
+    one by one.
     """
 
     group: Group
@@ -109,6 +110,7 @@ class Dyad:
     told_at: float | None = None
     sense: int = 1  # of the driving link's rotation
     size: Scalar = None
+    held: Array = None
 
     @cached_property
     def carrier_a(self) -> str:
@@ -140,6 +142,8 @@ class Dyad:
 
     def root(self, phi: Array) -> Array:
         """The sign at driver angles `phi`, rad."""
+        if self.held is not None:
+            return self.held
         if not self.changes:
             return self.sign
         passed = np.searchsorted(self._changes_after, np.mod(phi - (self.told_at or 0.0), 2 * np.pi))
@@ -161,6 +165,11 @@ class Dyad:
     def closeness(self, s: State) -> Array:
         """How far from a singular position, 1 … 0, (..., P)."""
         return singularity(s, self)
+
+    @property
+    def meetings(self) -> tuple[float, ...]:
+        """Driver angles at which the two assemblies meet, the corner among them, rad."""
+        return self.changes if self.corner is None else (*self.changes, self.corner)
 
     @property
     def two_roots(self) -> bool:
@@ -242,7 +251,7 @@ def _offset(d: Dyad) -> Scalar:
 
 def _signed_root(s: State, d: Dyad, square: Array, scale: Array) -> Array:
     """±√square by the dyad's sign; nan where it is negative, but at a change point rounding may make it so."""
-    if d.changes or d.corner is not None:
+    if d.meetings:
         square = np.where((square < 0) & (square > -ROUNDING * scale), 0.0, square)
     return d.root(s.phi) * np.sqrt(square)
 

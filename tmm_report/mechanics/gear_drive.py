@@ -18,6 +18,11 @@ from tmm_report.records import dataclass
 Array = Any
 
 
+def pressed_flank(moment: Array) -> Array:
+    """The flank of a gear's teeth that a moment presses: 1, or -1 of a moment below zero; (..., P)."""
+    return np.where(np.asarray(moment) < 0, -1.0, 1.0)
+
+
 @dataclass(frozen=True, eq=False)
 class GearDrive:
     """`radius` of the gear's pitch circle, m; `pressure`: alpha_w, rad; `at`: direction from the pivot to the pitch
@@ -45,16 +50,17 @@ class GearDrive:
         sense = np.sign(omega) if self.one_flank else 1.0
         return moment / (sense * self.base_radius)
 
-    def line(self, moment: Array, omega: Any) -> Array:
-        """Unit direction of the line of action in which a positive force of `size` pushes, complex (..., P)."""
+    def line(self, moment: Array, omega: Any, flank: Array | None = None) -> Array:
+        """Unit direction of the line of action in which a positive force of `size` pushes, complex (..., P). `flank`:
+        the sense of the moment whose flank is in contact, where `moment` is but a part of it."""
         outward = np.exp(1j * self.at)
         if self.one_flank:
             sense = np.sign(omega) * np.ones_like(np.asarray(moment, dtype=float))
             return outward * (1j * sense * np.cos(self.pressure) - np.sin(self.pressure))
-        sense = np.where(np.asarray(moment) < 0, -1.0, 1.0)
+        sense = pressed_flank(moment) if flank is None else flank
         # a negative force along −d is a positive one along d, which pushes the wheels apart
         return outward * (1j * np.cos(self.pressure) - sense * np.sin(self.pressure))
 
-    def force(self, moment: Array, omega: Any) -> Array:
+    def force(self, moment: Array, omega: Any, flank: Array | None = None) -> Array:
         """On the gear, complex N, (..., P)."""
-        return self.size(moment, omega) * self.line(moment, omega)
+        return self.size(moment, omega) * self.line(moment, omega, flank)

@@ -128,11 +128,12 @@ class BellCrank:
     """A right-angled lever: the ball on its upright arm `ball_arm`, the sleeve on its level arm `sleeve_arm`; the
     fulcrum is at the radius `fulcrum`, at which the ball arm stands upright, m.
 
-    `level`: the obliquity of the arms and with it the weight of the balls is neglected, as books often do."""
+    `level`: the obliquity of the arms and with it the weight of the balls is neglected, as books often do; the
+    `fulcrum` is of no matter then, and may be None."""
 
     ball_arm: float
     sleeve_arm: float
-    fulcrum: float
+    fulcrum: float | None
     level: bool = False
 
     def lift(self, lowest: float, r: Array) -> Array:
@@ -148,6 +149,7 @@ class BellCrank:
         nought, ones = np.zeros_like(z), np.ones_like(z)
         if self.level:
             return Balls(z, r, ratio * ones, nought, nought, nought, {"theta": nought})
+        assert self.fulcrum is not None  # not level
         theta = np.arcsin((r - self.fulcrum) / self.ball_arm)
         turn = 1 / (self.sleeve_arm * np.cos(theta))
         dh, ddh = -ratio * np.tan(theta), -ratio * turn / np.cos(theta) ** 2

@@ -68,6 +68,11 @@ class HigherGroup:
     def changes(self) -> tuple[float, ...]:
         return self.branches[0].changes
 
+    @property
+    def meetings(self) -> tuple[float, ...]:
+        """Driver angles at which two assemblies meet, rad: each is passed straight on."""
+        return self.changes
+
     def beginning(self, phi: float, sweep: float) -> HigherGroup:
         """The group followed from position 0 at driver angle `phi`, rad, over the sweep, if it goes not all round or
         not so far. Its assembly there is the sketch's, brought to it the shorter way; where it cannot be brought to it,

@@ -1,8 +1,9 @@
 """A machine reduced to one shaft: moment of inertia over the cycle and what acts, by angle or by speed and time.
 
-    d(J ω²/2)/dφ = M,    J dω/dt + J′ ω²/2 = M,    M = Σ M_i(φ) + Σ ±M_k(ω, t)
+    d(J ω²/2)/dφ = M,    J dω/dt + J′ ω²/2 = M,    M = Σ M_i(φ) + Σ ±M_k(ω, t) − M_lost(ε)
 
-What depends on the angle alone stands as values at the points of the panels, all else as a characteristic.
+What depends on the angle alone stands as values at the points of the panels, all else as a characteristic; what the
+gears lose by the acceleration ε follows from the others.
 """
 
 from __future__ import annotations
@@ -16,9 +17,11 @@ import numpy as np
 
 from tmm_report.mechanics.characteristics import SPEED, TIME, Characteristic
 from tmm_report.mechanics.panels import Panels
+from tmm_report.mechanics.passing import Passing
 from tmm_report.records import dataclass
 
 Array = Any
+LOST = "gears"  # key of the work that the gears lose by the acceleration
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,12 +46,14 @@ class Acting:
 
 @dataclass(frozen=True, eq=False)
 class Plant:
-    """`inertia`, `slope` (K, n): J, kg m², and dJ/dφ, kg m²/rad, at the points of `panels`."""
+    """`inertia`, `slope` (K, n): J, kg m², and dJ/dφ, kg m²/rad, at the points of `panels`; `passing`: the geared parts
+    whose acceleration costs losses, None where there are none."""
 
     panels: Panels
     inertia: Array
     slope: Array
     acting: tuple[Acting, ...]
+    passing: Passing | None = None
 
     @cached_property
     def placed(self) -> Array:
@@ -80,6 +85,22 @@ class Plant:
     def net(self, omega: Array, t: Array = 0.0) -> Array:
         """Mean over the cycle of all the moment at a speed that does not change, N m."""
         return self.mean_moment + sum((one.at(omega, t) for one in self.laws), np.zeros(np.shape(omega)))
+
+    def acted(self, omega: Array) -> Array:
+        """Moment of all that acts at speeds at the points of the panels, N m, (K, n)."""
+        return self.placed + sum((one.at(omega) for one in self.laws), np.zeros(np.shape(omega)))
+
+    def lost(self, moment: Array, omega: Array, inertia: Array, slope: Array) -> Array:
+        """What the gears lose more than at a constant speed, N m, where all else is `moment`; J and J′ at the angle."""
+        if self.passing is None:
+            return np.zeros(np.shape(moment))
+        left = moment - slope * np.asarray(omega) ** 2 / 2
+        return self.passing.lost(self.passing.acceleration(left, inertia))
+
+    def accelerating(self, omega: Array) -> Array:
+        """`net` less what the gears then lose, N m: of a moment of inertia that does not vary."""
+        net = self.net(omega)
+        return net - self.lost(net, omega, float(self.inertia.flat[0]), 0.0)
 
     @cached_property
     def places(self) -> Callable[[float], tuple[float, ...]]:

@@ -81,6 +81,7 @@ class Motion:
     """Positions, velocities and accelerations of every link (`state`) and named point at driver angles `phi`.
 
     `phi`: (..., P), rad, angle of the driving link's x axis; `omega`: rad/s; `shape`: that of all results. SI.
+    `limits`: label of a group -> where its motion is the limit from its neighbours (see `meeting`), (..., P) of bool.
     """
 
     linkage: Linkage
@@ -88,6 +89,7 @@ class Motion:
     omega: Array
     state: State
     shape: tuple[int, ...]
+    limits: dict[str, Array] = field(default_factory=dict, repr=False)
     _arms: dict[str, tuple[str, Array]] = field(default_factory=dict, repr=False)
 
     @cached_property

@@ -72,8 +72,17 @@ class Run:
 
     @cached_property
     def moment(self) -> Array:
-        """Of all that acts."""
+        """Of all that acts, less what the gears lose by the acceleration."""
+        return self._acting - self.lost
+
+    @cached_property
+    def _acting(self) -> Array:
         return sum((self.of(one) for one in self.plant.acting), np.zeros(len(self.t)))
+
+    @cached_property
+    def lost(self) -> Array:
+        """What the gears lose more than at a constant speed, N m, (P,)."""
+        return self.plant.lost(self._acting, self.omega, self.inertia, self._at(self.plant.slope))
 
     @cached_property
     def epsilon(self) -> Array:

@@ -1,12 +1,15 @@
 """What limits a pair of wheels: one list, by which a pair is judged, refused, and its blocking contour is bounded.
 
 A limit is kept where its margin is not negative. Margins are in modules, radians or pure numbers, and smooth up to the
-limit, so that lines can be traced along it. Source: Bolotovsky, Involute gears: a reference book, part 1.
+limit, so that lines can be traced along it. They are plain functions, so that results that keep them can be pickled.
+Source: Bolotovsky, Involute gears: a reference book, part 1.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import partial
+from operator import attrgetter
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -44,35 +47,35 @@ def limits_of(pair: Pair, thickness: float, ratio: float, sliding: float | None 
 
 def _soft(pair: Pair, thickness: float, ratio: float, sliding: float | None) -> Iterator[Limit]:
     for i in _outer(pair):
-        yield Limit("undercut", i + 1, float(pair.x_min[i]), _shift(i))
+        yield Limit("undercut", i + 1, float(pair.x_min[i]), partial(_shift, i))
     for i in (0, 1):
-        yield Limit("pointing", i + 1, thickness, _tip(i))
-    yield Limit("contact", 0, ratio, lambda pair: pair.eps)
+        yield Limit("pointing", i + 1, thickness, partial(_tip, i))
+    yield Limit("contact", 0, ratio, attrgetter("eps"))
     for i in _touched(pair):
-        yield Limit("interference", i + 1, 0.0, _interference(i))
+        yield Limit("interference", i + 1, 0.0, partial(_interference, i))
     if pair.internal:
-        yield Limit("fouling", 0, 0.0, lambda pair: pair.fouling)
+        yield Limit("fouling", 0, 0.0, attrgetter("fouling"))
     for i in _cut_rings(pair):
-        yield Limit("trimming", i + 1, 0.0, _ring_tip_in_cutting(i))
-        yield Limit("cutter fouling", i + 1, 0.0, _fouling_in_cutting(i))
+        yield Limit("trimming", i + 1, 0.0, partial(_ring_tip_in_cutting, i))
+        yield Limit("cutter fouling", i + 1, 0.0, partial(_fouling_in_cutting, i))
     for i in (0, 1) if sliding is not None else ():
-        yield Limit("root sliding", i + 1, 1 / (1 + (sliding or 0.0)), _rolling(i))
+        yield Limit("root sliding", i + 1, 1 / (1 + (sliding or 0.0)), partial(_rolling, i))
 
 
 def _hard(pair: Pair) -> Iterator[Limit]:
     yield Limit("mesh", 0, 0.0, _in_mesh, hard=True)
     for i in (0, 1):
         if isinstance(pair.cuts[i], ByCutter):
-            yield Limit("cut", i + 1, 0.0, _in_cutting(i), hard=True)
+            yield Limit("cut", i + 1, 0.0, partial(_in_cutting, i), hard=True)
     for i in _rings(pair):
-        yield Limit("tips", i + 1, 0.0, _above_base(i), hard=True)
-        yield Limit("space", i + 1, 0.0, _space(i), hard=True)
+        yield Limit("tips", i + 1, 0.0, partial(_above_base, i), hard=True)
+        yield Limit("space", i + 1, 0.0, partial(_space, i), hard=True)
     for i in (0, 1):
-        yield Limit("height", i + 1, 0.0, _height(i), hard=True)
-        yield Limit("root", i + 1, 0.0, _root(i), hard=True)
-        yield Limit("thickness", i + 1, 0.0, _working(i), hard=True)
-        yield Limit("involute", i + 1, 0.0, _left(i), hard=True)
-    yield Limit("reach", 0, 0.0, lambda pair: pair.eps, hard=True)
+        yield Limit("height", i + 1, 0.0, partial(_height, i), hard=True)
+        yield Limit("root", i + 1, 0.0, partial(_root, i), hard=True)
+        yield Limit("thickness", i + 1, 0.0, partial(_working, i), hard=True)
+        yield Limit("involute", i + 1, 0.0, partial(_left, i), hard=True)
+    yield Limit("reach", 0, 0.0, attrgetter("eps"), hard=True)
 
 
 def broken(limits: tuple[Limit, ...], pair: Pair, rounding: float = 0.0) -> tuple[Limit, ...]:
@@ -105,29 +108,29 @@ def _cut_rings(pair: Pair) -> tuple[int, ...]:
     return _rings(pair) if pair.cutter else ()
 
 
-def _shift(i: int) -> Quality:
-    return lambda pair: (pair.x1, pair.x2)[i] + 0 * pair.a_w
+def _shift(i: int, pair: Pair) -> Array:
+    return (pair.x1, pair.x2)[i] + 0 * pair.a_w
 
 
-def _tip(i: int) -> Quality:
-    return lambda pair: pair.s_na[i] / pair.m
+def _tip(i: int, pair: Pair) -> Array:
+    return pair.s_na[i] / pair.m
 
 
-def _interference(i: int) -> Quality:
-    return lambda pair: pair.interference[i] / pair.m
+def _interference(i: int, pair: Pair) -> Array:
+    return pair.interference[i] / pair.m
 
 
-def _rolling(i: int) -> Quality:
+def _rolling(i: int, pair: Pair) -> Array:
     """1 for no sliding at all, 0 where it has no bound."""
-    return lambda pair: 1 / (1 + np.abs(pair.root_sliding[i]))
+    return 1 / (1 + np.abs(pair.root_sliding[i]))
 
 
-def _ring_tip_in_cutting(i: int) -> Quality:
-    return lambda pair: pair.cut_ring(i).trimming / pair.m
+def _ring_tip_in_cutting(i: int, pair: Pair) -> Array:
+    return pair.cut_ring(i).trimming / pair.m
 
 
-def _fouling_in_cutting(i: int) -> Quality:
-    return lambda pair: pair.cut_ring(i).fouling
+def _fouling_in_cutting(i: int, pair: Pair) -> Array:
+    return pair.cut_ring(i).fouling
 
 
 def _in_mesh(pair: Pair) -> Array:
@@ -136,46 +139,38 @@ def _in_mesh(pair: Pair) -> Array:
     return np.where(np.isfinite(found), found, -1.0)
 
 
-def _in_cutting(i: int) -> Quality:
+def _in_cutting(i: int, pair: Pair) -> Array:
     """The same of a wheel and the pinion cutter that cuts it."""
-
-    def found(pair: Pair) -> Array:
-        cut = pair.cuts[i]
-        assert isinstance(cut, ByCutter)
-        value = 1 - np.cos(cut.alpha)
-        return np.where(np.isfinite(value), value, -1.0)
-
-    return found
+    cut = pair.cuts[i]
+    assert isinstance(cut, ByCutter)
+    value = 1 - np.cos(cut.alpha)
+    return np.where(np.isfinite(value), value, -1.0)
 
 
-def _above_base(i: int) -> Quality:
-    return lambda pair: (pair.d_a[i] - pair.d_b[i]) / pair.m
+def _above_base(i: int, pair: Pair) -> Array:
+    return (pair.d_a[i] - pair.d_b[i]) / pair.m
 
 
-def _space(i: int) -> Quality:
-    return lambda pair: pair.spaces[i] / pair.m
+def _space(i: int, pair: Pair) -> Array:
+    return pair.spaces[i] / pair.m
 
 
-def _height(i: int) -> Quality:
-    return lambda pair: pair.height[i] / pair.m
+def _height(i: int, pair: Pair) -> Array:
+    return pair.height[i] / pair.m
 
 
-def _root(i: int) -> Quality:
-    return lambda pair: pair.d_f[i] / pair.m
+def _root(i: int, pair: Pair) -> Array:
+    return pair.d_f[i] / pair.m
 
 
-def _working(i: int) -> Quality:
-    return lambda pair: pair.s_w[i] / pair.m
+def _working(i: int, pair: Pair) -> Array:
+    return pair.s_w[i] / pair.m
 
 
-def _left(i: int) -> Quality:
+def _left(i: int, pair: Pair) -> Array:
     """Of an external wheel that a pinion cutter cuts also what a rack would leave, whose fillets are drawn."""
-
-    def found(pair: Pair) -> Array:
-        own, cut = pair.involute_left[i], pair.cuts[i]
-        if isinstance(cut, ByRack) or pair.internal:
-            return own / pair.m
-        by_rack = real_start(ByRack(cut.z, cut.m, cut.x, cut.rack))
-        return np.minimum(own, pair.tops[i] - by_rack) / pair.m
-
-    return found
+    own, cut = pair.involute_left[i], pair.cuts[i]
+    if isinstance(cut, ByRack) or pair.internal:
+        return own / pair.m
+    by_rack = real_start(ByRack(cut.z, cut.m, cut.x, cut.rack))
+    return np.minimum(own, pair.tops[i] - by_rack) / pair.m

@@ -17,6 +17,7 @@ import numpy as np
 
 from tmm_report.mechanics import statics
 from tmm_report.mechanics.dyads import State
+from tmm_report.mechanics.gear_drive import pressed_flank
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.planar import cross, dot
@@ -63,9 +64,22 @@ class Rubbed:
 def solve(motion: Motion, loads: Mapping[str, Load], rubs: Sequence[Rub]) -> Rubbed:
     """Reactions and balancing moment with the friction of `rubs` under `loads`. Where no equilibrium of motion exists
     (jamming) they are nan, and `borne` says how much of the friction the position bears."""
+    gear = motion.linkage.mechanism.driver.gear
+    if gear is None or gear.one_flank:
+        return _solved(motion, loads, rubs)
+    # the parts of the force of the teeth add up on one flank alone: that of the whole moment, with the friction in it
+    flank = pressed_flank(statics.solve(motion, loads).balancing)
+    found = _solved(motion, loads, rubs, flank)
+    other = pressed_flank(found.statics.balancing)
+    return _solved(motion, loads, rubs, other) if (other != flank).any() else found
+
+
+def _solved(
+    motion: Motion, loads: Mapping[str, Load], rubs: Sequence[Rub], flank: Array | None = None
+) -> Rubbed:
     count, shape = len(rubs), motion.shape
     units = [_unit(motion.state, rub, shape) for rub in rubs]
-    basis = statics.solve(motion, _stacked(loads, units, shape))
+    basis = statics.solve(motion, _stacked(loads, units, shape), flank)
     found = [_pressed(rub, basis.reactions[rub.pair.key], count, shape) for rub in rubs]
     x, steps, borne = _equilibrium(np.array([one for one, _ in found]), np.array([two for _, two in found]))
     x = np.where(borne < 1, np.nan, x)
@@ -76,6 +90,28 @@ def solve(motion: Motion, loads: Mapping[str, Load], rubs: Sequence[Rub]) -> Rub
         borne,
         steps,
     )
+
+
+# ---------------------------------------------------------------- what presses a pair
+
+
+def pressing(reaction: Reaction, half: float | None = None) -> Array:
+    """The force that presses the links of a pair by its reaction, N, (..., P): of a pivot the whole of it; of a guide
+    the normal force or, of a slider of the half length `half`, m, that its couple tilts, the sum of the forces at both
+    its ends, 2|M|/l, where that is more: the normal force then passes beyond the ends."""
+    return _size(*_parts(reaction, half))
+
+
+def _parts(reaction: Reaction, half: float | None) -> tuple[Array, Array]:
+    """A pivot's force, complex, and nothing; a guide's normal force and the couple of the faces M/(l/2), real."""
+    if reaction.pair.kind == "R":
+        return reaction.force, np.zeros(())
+    return cross(reaction.along, reaction.force), reaction.moment / half if half else np.zeros(())
+
+
+def _size(force: Array, couple: Array) -> Array:
+    """The sum of what presses the faces: of a slider that touches at both ends its couple, else its force."""
+    return np.maximum(np.abs(force), np.abs(couple))
 
 
 # ---------------------------------------------------------------- the relative motion
@@ -142,11 +178,8 @@ def _pressed(rub: Rub, reaction: Reaction, count: int, shape: tuple[int, ...]) -
     """What presses the pair, of each row: a pivot its force, complex; a guide the normal force and the couple of its
     faces M/(l/2), each real; (1 + pairs, ..., P)."""
     full = (count + 1, *shape)
-    force = np.broadcast_to(reaction.force, full)
-    if rub.pair.kind == "R":
-        return force, np.zeros(full, dtype=complex)
-    couple = np.broadcast_to(reaction.moment, full) / rub.half if rub.half else np.zeros(full)
-    return cross(reaction.along, force) + 0j, couple + 0j
+    force, couple = (np.broadcast_to(part, full) + 0j for part in _parts(reaction, rub.half))
+    return force, couple
 
 
 def _combined(basis: Statics, x: Array, shape: tuple[int, ...]) -> Statics:
@@ -179,11 +212,6 @@ def _equilibrium(force: Array, couple: Array) -> tuple[Array, int, Array]:
     for p in np.flatnonzero(~good & known):
         x[:, p : p + 1], borne[p] = _by_parts(force[..., p : p + 1], couple[..., p : p + 1])
     return np.where(known, x, np.nan), steps, borne
-
-
-def _size(force: Array, couple: Array) -> Array:
-    """The sum of what presses the faces: of a slider that touches at both ends its couple, else its force."""
-    return np.maximum(np.abs(force), np.abs(couple))
 
 
 def _by_parts(force: Array, couple: Array) -> tuple[Array, float]:

@@ -13,6 +13,6 @@ def run(plant: Plant, start: float, goal: Goal, phi: float = 0.0) -> Run:
     """The motion from the speed `start`, rad/s, at the angle `phi` turned. Raises NeverReached."""
     if plant.even and "time" not in plant.of and goal.speed is not None:
         return by_speed(plant, start, goal.speed, phi)
-    if not plant.of:
+    if not plant.of and plant.passing is None:
         return by_angle(plant, start, goal, phi)
     return by_time(plant, start, goal, phi)

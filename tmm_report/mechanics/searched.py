@@ -12,9 +12,10 @@ from tmm_report.mechanics.brackets import LOW, certain, dips, finer, lowest, ope
 from tmm_report.mechanics.distinct import distinct
 from tmm_report.mechanics.dyads import Dyad
 from tmm_report.mechanics.mechanism import Scalar
+from tmm_report.mechanics.meeting import AT, BESIDE, meets, settle
 from tmm_report.mechanics.motion import Linkage, Motion, solve
 from tmm_report.mechanics.roots import Finder, bracketed, interpolated
-from tmm_report.mechanics.singular import Critical, settle
+from tmm_report.mechanics.singular import Critical
 from tmm_report.records import dataclass
 
 Array = Any
@@ -22,6 +23,7 @@ Quantity = Callable[[Motion], Array]
 
 SEARCH = 720  # brackets of the root search over a turn
 NOISE = 1e-13  # rounding error of a solved rate, relative to its largest value, to which a root is found
+INTERPOLATED = 100.0  # times that error: what is interpolated over a change point has
 STEP = 1e-4  # rad, of the difference that stands for a derivative that is not solved for
 STEP_NOISE = 1e-9  # rounding error of such a difference
 FULL_TURN = 2 * np.pi
@@ -62,11 +64,24 @@ class Search:
     def phi(self, turned: Array) -> Array:
         return self.zero + self.sense * turned
 
+    @cached_property
+    def returns(self) -> bool:
+        """Whether the motion goes on as it began, once the driving link has turned all round."""
+        return self.closed and all(c.run is None or c.run.returns for c in self.critical)
+
     def motion(self, turned: Array) -> Motion:
-        """Motion at angles turned from position 0, rad; in change points its limit."""
-        motion = solve(self.linkage, self.phi(np.asarray(turned, dtype=float)))
-        if any(group.changes for group in self.linkage.groups):
-            settle(motion)
+        """Motion at angles turned from position 0, rad; in change points its limit, in corners the places before them,
+        but in position 0 those after it."""
+        turned = np.asarray(turned, dtype=float)
+        motion = solve(self.linkage, self.phi(turned))
+        if meets(self.linkage.groups):
+            settle(motion, side_of(turned))
+        return motion
+
+    def beside(self, turned: Array, side: int) -> Motion:
+        """Motion at angles turned, of which those of corners are its limits before (-1) or after them (+1)."""
+        motion = solve(self.linkage, self.phi(turned))
+        settle(motion, side, alone=True)
         return motion
 
     @cached_property
@@ -74,7 +89,7 @@ class Search:
         """Angles turned in equal steps over a turn, rad, and the motion there."""
         grid = np.linspace(0.0, self.sweep, SEARCH + 1)
         # half a step aside, so that a root at position 0 falls inside a bracket and not on its edge
-        grid = grid - (grid[1] / 2 if self.closed else 0.0)
+        grid = grid - (grid[1] / 2 if self.returns else 0.0)
         return grid, self.motion(grid)
 
     @cached_property
@@ -85,7 +100,7 @@ class Search:
         if not marks.size:
             return grid, motion
         beside = finer(marks)
-        if self.closed:
+        if self.returns:
             beside = grid[0] + np.mod(beside - grid[0], self.sweep)
         beside = beside[(beside > grid[0]) & (beside < grid[-1])]
         grid = distinct(np.concatenate([grid, beside]))
@@ -103,7 +118,7 @@ class Search:
         """Angles turned at which the closeness of a group is least and below `LOW`, rad."""
         grid, motion = self._even
         square = motion.sines[label] ** 2
-        around = square if not self.closed else np.append(square, square[1])
+        around = square if not self.returns else np.append(square, square[1])
         middle = np.flatnonzero((around[1:-1] <= around[:-2]) & (around[1:-1] < around[2:])) + 1
         middle = middle[around[middle] < LOW**2]
         if not middle.size:
@@ -117,7 +132,12 @@ class Search:
     def _closeness(self) -> Array:
         """How near the nearest of the groups is to a singular position, at the angles of the search, (P,)."""
         motion = self.search[1]
-        return np.fmin.reduce([np.ones(motion.shape), *motion.sines.values()])
+        sines = [
+            # what is taken from neighbours is as sure as where that begins
+            np.maximum(sine, BESIDE) if group.meetings else sine
+            for group, sine in ((g, motion.sines[g.group.label]) for g in self.linkage.groups)
+        ]
+        return np.fmin.reduce([np.ones(motion.shape), *sines])
 
     @cached_property
     def _search_beside(self) -> Motion:
@@ -148,8 +168,9 @@ class Search:
 
         found = left = np.concatenate(low)
         if found.size:
+            floor = INTERPOLATED if meets(self.linkage.groups) else 1.0
             noise = np.repeat(
-                [noise_of(rate) * size for rate, size in zip(rates, sizes, strict=True)], counts
+                [floor * noise_of(rate) * size for rate, size in zip(rates, sizes, strict=True)], counts
             )
             found, left = finder(sampled, found, np.concatenate(high), np.concatenate(starts), noise)
         # a pole changes sign too; beside a singular position rounding errors leave more of a rate than elsewhere
@@ -180,7 +201,7 @@ class Search:
         """Brackets of roots that lie by twos within a step of the search: no sign changes on it, but the rate comes to
         zero between."""
         grid = self.search[0]
-        if self.closed:
+        if self.returns:
             grid = np.append(grid, grid[1] + self.sweep)
             rows = [np.append(row, row[1]) for row in rows]
         middles = [
@@ -205,7 +226,8 @@ class Search:
         found = [
             c.group.corner for c in self.critical if isinstance(c.group, Dyad) and c.group.corner is not None
         ]
-        return np.mod(self.sense * (np.array(found) - self.zero), FULL_TURN)
+        turned = np.mod(self.sense * (np.array(found) - self.zero), FULL_TURN)
+        return np.where(np.minimum(turned, FULL_TURN - turned) < AT, 0.0, turned)
 
     def searched(self, rate: Rate) -> Array:
         """A rate at the angles of the search."""
@@ -230,7 +252,7 @@ class Search:
 
     def within(self, turned: Array) -> Array:
         """Angles turned, ascending, within one turn."""
-        if self.closed:
+        if self.returns:
             turned = np.mod(turned, self.sweep)
             turned = np.where(
                 np.minimum(turned, self.sweep - turned) < 1e-9, 0.0, turned
@@ -249,6 +271,11 @@ class Search:
         By regula falsi, as ever: position 0 is made of them, and all tables keep their last digits with it.
         """
         return self.roots_of([rate], bracketed)[0] if self.moves(rate, size) else np.array([])
+
+
+def side_of(turned: Array) -> Array:
+    """The side of a corner whose places are taken at angles turned: at position 0 the motion begins after it."""
+    return np.where(np.abs(turned) < AT, 1, -1)
 
 
 def noise_of(rate: Rate) -> float:

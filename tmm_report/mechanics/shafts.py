@@ -27,7 +27,12 @@ def travelling(mass: Array, arm: Array, efficiency: Array = 1.0) -> Array:
 
 def moment(ratio: Array, M: Array, efficiency: Array = 1.0) -> Array:
     """A resisting moment on such a shaft, on the main one; a driving one is below zero."""
-    return M * ratio * np.where(np.asarray(M) < 0, efficiency, 1 / np.asarray(efficiency))
+    return M * ratio * side(M, efficiency)
+
+
+def side(M: Array, efficiency: Array) -> Array:
+    """The factor of the losses, by the way that the power goes: 1/η to the part, η from it."""
+    return np.where(np.asarray(M) < 0, efficiency, 1 / np.asarray(efficiency))
 
 
 def best_ratio(

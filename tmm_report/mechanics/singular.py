@@ -20,9 +20,8 @@ from tmm_report.mechanics.cam_group import CamDyad
 from tmm_report.mechanics.distinct import distinct
 from tmm_report.mechanics.dyads import ROUNDING, Dyad, State, margin, reach
 from tmm_report.mechanics.higher import HigherGroup, Run
-from tmm_report.mechanics.motion import SINGULAR, Linkage, Motion, drive, known_motion, positions, solve
-from tmm_report.mechanics.planar import if_known
-from tmm_report.mechanics.roots import MIDDLE, bracketed, slope
+from tmm_report.mechanics.motion import Linkage, drive, known_motion, positions
+from tmm_report.mechanics.roots import bracketed, slope
 from tmm_report.records import dataclass
 
 Array = Any
@@ -31,11 +30,8 @@ SEARCH = 720  # brackets of the search over a turn
 STEP = 0.007  # rad, of the differences by which minima are found
 FULL_TURN = 2 * np.pi
 SOON = 0.05  # a margin that nowhere falls below this has no zero between the brackets
-LIMIT_STEP = 0.03  # rad, of the values beside a change point from which those in it are found
 ONE = 1e-7  # rad: minima as near as this are one
 HAIR = 1e-9  # rad, beside an end of the groups before
-POSED = 1e-5  # closeness from which poses beside it are solved more exactly than that finds them
-BESIDE = 5e-3  # closeness below which a position beside a change point is taken from its neighbours too
 
 
 @dataclass(frozen=True, eq=False)
@@ -254,88 +250,3 @@ def _without(
                 part for x, y in left for part in ((x, min(y, a)), (max(x, b), y)) if part[1] - part[0] > 1e-9
             ]
     return tuple(sorted(left))
-
-
-# ---------------------------------------------------------------- values in a change point
-
-
-def settle(motion: Motion) -> Array:
-    """Replace the motion at change points by its limit, where there is none by nan; the mask of the latter, (..., P).
-
-    The limit of a group in its change point is taken from four positions on either side (eighth order), all of which
-    are regular; groups behind it are solved anew from there. Where the two sides do not agree, or one of them does not
-    exist, velocities are not defined: nan, never a number made of rounding errors.
-    """
-    s, linkage = motion.state, motion.linkage
-    lost = np.zeros(motion.shape, dtype=bool)
-    taken = False
-    for k, group in enumerate(linkage.groups):
-        with np.errstate(invalid="ignore", divide="ignore"):
-            if taken:
-                group.place(s)
-                group.move(s)
-            sine = (
-                np.broadcast_to(group.closeness(s), motion.shape)
-                if taken
-                else motion.sines[group.group.label]
-            )
-        # a change point in which a link has no length to be placed by has no sine either
-        near = (sine <= BESIDE) | ~np.isfinite(sine) if group.changes else sine <= SINGULAR
-        if near.any():
-            exists = _take_limits(motion, k, near, sine)
-            lost, taken = lost | (near & ~exists), taken or bool(exists.any())
-        if lost.any():
-            for rates in (s.v, s.w, s.a, s.e, s.iw, s.ie):
-                for link in group.links:
-                    rates[link] = if_known(~lost, rates[link])
-    if taken:
-        vars(motion).pop("sines", None)
-    return lost
-
-
-def _take_limits(motion: Motion, number: int, near: Array, sine: Array) -> Array:
-    """Put the limits of poses and rates of the group with this number into the state at the positions `near`; where
-    they exist, (..., P). Poses that lose no more than rounding over `sine` stay as they are solved."""
-    exists = np.zeros(motion.shape, dtype=bool)
-    if motion.linkage.axes:
-        return exists
-    s, phi = motion.state, np.broadcast_to(motion.phi, motion.shape)[near]
-    wide, narrow = (_limits(motion, number, phi, LIMIT_STEP / n) for n in (1, 2))
-    good = np.ones(phi.shape, dtype=bool)
-    omega = float(np.max(np.abs(motion.omega)))
-    scales = dict.fromkeys(("r", "u", "v", "a"), 1e-300) | {"w": omega, "e": omega**2}
-    for (name, _), values in wide.items():
-        scales[name] = float(np.nanmax(np.abs(values), initial=scales[name]))
-    for key, values in wide.items():
-        with np.errstate(invalid="ignore"):
-            good &= np.abs(values - narrow[key]) <= 1e-6 * scales[key[0]]
-    exists[near] = good
-    group = motion.linkage.groups[number]
-    for (name, link), values in wide.items():
-        reference = group.references[link]
-        if name in "rva" and reference.kind == "R" and reference in group.group.outer:
-            continue  # a joint on a link known before moves as that link does
-        part = getattr(s, name)
-        whole = np.array(np.broadcast_to(part[link], motion.shape), dtype=values.dtype)
-        taken = exists & ~(sine > POSED) if name in ("r", "u") else exists
-        whole[taken] = values[taken[near]]
-        part[link] = whole
-    for link in group.links:
-        with np.errstate(invalid="ignore", divide="ignore"):  # of positions that cannot be assembled
-            s.u[link] = s.u[link] / np.abs(s.u[link])
-        s.turn(link, s.w[link], s.e[link])
-    return exists
-
-
-def _limits(motion: Motion, number: int, phi: Array, step: float) -> dict[tuple[str, str], Array]:
-    """Poses and rates of one group's links at `phi`, (N,), each from its values at four positions on either side."""
-    k = np.arange(1, len(MIDDLE) + 1)[:, None] * step
-    linkage = replace(motion.linkage, groups=motion.linkage.groups[: number + 1])
-    beside = solve(linkage, np.stack([phi + k, phi - k]), motion.omega).state
-    shape = (2, len(MIDDLE), len(phi))
-    found = {}
-    for name in ("r", "u", "v", "w", "a", "e"):
-        for link in linkage.groups[number].links:
-            values = np.broadcast_to(getattr(beside, name)[link], shape)
-            found[name, link] = np.tensordot(MIDDLE, values[0] + values[1], axes=1)
-    return found

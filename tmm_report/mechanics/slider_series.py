@@ -154,20 +154,20 @@ class SliderCrank:
 
 def slider_cranks(linkage: Linkage, cycle: Cycle, sliding: Mapping[str, float]) -> Iterator[SliderCrank]:
     """Found by structure, whatever the names: a dyad of rod and slider on the driving link and a fixed guide, whose
-    motion has all angles of the crank. `sliding`: reciprocating masses by the sliding links."""
-    driver = linkage.mechanism.driver.link
+    motion has all angles of the crank. `sliding`: reciprocating masses by the sliding links. A link that replaces a
+    cam pair is no rod: it is another in every position."""
+    driver, put = linkage.mechanism.driver.link, {cam.name for cam in linkage.mechanism.cams}
     for group in linkage.groups:
-        if not isinstance(group, Dyad) or group.kind != 2:
+        if not isinstance(group, Dyad) or group.kind != 2 or put & set(group.links):
             continue
         if group.carrier_a == driver and group.carrier_b == FRAME:
             found = _slider_crank(linkage, cycle, group, sliding.get(group.b, 0.0))
-            if found.r + abs(found.offset) < found.l * (
-                1 - CENTRAL
-            ):  # else the rod turns over: other formulas
+            if found is not None:
                 yield found
 
 
-def _slider_crank(linkage: Linkage, cycle: Cycle, group: Dyad, mass: float) -> SliderCrank:
+def _slider_crank(linkage: Linkage, cycle: Cycle, group: Dyad, mass: float) -> SliderCrank | None:
+    """None where the rod turns over: that has other formulas."""
     pair, driver = linkage.structure.driver_pair, linkage.mechanism.driver.link
     pivot = complex(pair.at[FRAME])
     pin = complex(group.outer_a.at[driver] - pair.at[driver])
@@ -178,6 +178,8 @@ def _slider_crank(linkage: Linkage, cycle: Cycle, group: Dyad, mass: float) -> S
     along = along if np.mean(dot(place - pivot, along)) > 0 else -along
     offset = cycle.sense * float(np.mean(cross(along + 0 * place, place - pivot)))
     offset = 0.0 if abs(offset) <= CENTRAL * length else offset
+    if r + abs(offset) >= length * (1 - CENTRAL):
+        return None
     turn = complex(motion.turn(driver)[0]) * pin / abs(pin)
     start = cycle.sense * float(np.angle(turn / along))
     harmonics = acceleration_harmonics(r / length, ALL, offset / length)

@@ -88,9 +88,10 @@ def _inertia_and_gravity(motion: Motion, link: Link, gravity: complex) -> Load:
     return Load(force, moment if is_zero(arm) else moment + cross(s.u[link.name] * arm, force))
 
 
-def solve(motion: Motion, loads: Mapping[str, Load]) -> Statics:
+def solve(motion: Motion, loads: Mapping[str, Load], flank: Array | None = None) -> Statics:
     """Reactions in every pair and the balancing moment under `loads` (link -> resultant), inertia among them. Where a
-    gear turns the driving link, the reaction of the frame on it holds the force of the teeth too."""
+    gear turns the driving link, the reaction of the frame on it holds the force of the teeth too; `flank`: the one that
+    is in contact, of loads that are but a part of the whole."""
     if isinstance(motion, Run) and motion.unaltered and (values := motion.forces(loads)):
         reactions, driver, pivot = _by_lines(motion.straight, values)
     else:
@@ -98,7 +99,7 @@ def solve(motion: Motion, loads: Mapping[str, Load]) -> Statics:
         link = motion.linkage.mechanism.driver.link
         driver, pivot = rest[link], motion.state.r[link]
     driven, pair = motion.linkage.mechanism.driver, motion.linkage.structure.driver_pair
-    pushed = driven.gear.force(-driver.moment, driven.omega) if driven.gear else 0.0
+    pushed = driven.gear.force(-driver.moment, driven.omega, flank) if driven.gear else 0.0
     reactions[pair.key] = Reaction(pair, -driver.force - pushed, 0.0, pivot)
     return Statics(reactions, -driver.moment)
 

@@ -9,12 +9,14 @@ Seydel, Bifurcation and stability analysis, ch. 7)
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from tmm_report.mechanics.machine import Plant
+from tmm_report.mechanics.characteristics import Geared
+from tmm_report.mechanics.machine import LOST, Acting, Plant
 from tmm_report.mechanics.panels import Panels
 from tmm_report.records import dataclass
 
@@ -48,7 +50,7 @@ class Steady:
     @cached_property
     def moment(self) -> Array:
         """Of all that acts, N m, (K, n)."""
-        return _moment(self.plant, self.omega)
+        return moment_at(self.plant, self.omega)
 
     @cached_property
     def epsilon(self) -> Array:
@@ -88,7 +90,21 @@ class Steady:
         for one in self.plant.acting:
             values = one.values if one.by_angle else one.at(self.omega) + np.zeros(panels.shape)
             found[one.key] = float(panels.total(values))
+        if self.plant.passing is not None:
+            found[LOST] = float(panels.total(self.moment - self.plant.acted(self.omega)))
         return found
+
+    @cached_property
+    def bends(self) -> Array:
+        """Angles at which a power turns in a gear, of a part that is accelerated or of a motor that brakes: the moment
+        is bent there, and integrals over it want an edge, (B,)."""
+        panels = self.plant.panels
+        turns = [
+            one.at(self.omega) for one in self.plant.laws if isinstance(one.law, Geared) and one.law.lossy
+        ]
+        if self.plant.passing is not None:
+            turns += [self.epsilon - one for one in self.plant.passing.bends]
+        return np.concatenate([np.zeros(0), *(panels.roots(one, within=True) for one in turns)])
 
     @cached_property
     def residual(self) -> float:
@@ -103,8 +119,10 @@ class Steady:
         return float(np.abs(by_slope - self.epsilon).max()) / (size or 1.0)
 
 
-def _moment(plant: Plant, omega: Array) -> Array:
-    return plant.placed + sum((one.at(omega) for one in plant.laws), np.zeros(omega.shape))
+def moment_at(plant: Plant, omega: Array) -> Array:
+    """Of all that acts, less what the gears lose by the acceleration, N m, at speeds at the points (K, n)."""
+    acted = plant.acted(omega)
+    return acted - plant.lost(acted, omega, plant.inertia, plant.slope)
 
 
 def periodic(plant: Plant, guess: float) -> Steady:
@@ -202,7 +220,7 @@ def _step(plant: Plant, rule: _Rule, energy: Array, start: float) -> _Step:
     """The edges are summed up from the start, so that they are off nowhere but at the end."""
     panels, half = plant.panels, plant.panels.half
     omega = np.sqrt(2 * energy / plant.inertia)
-    moment = _moment(plant, omega)
+    moment = moment_at(plant, omega)
     rate = _slope(plant, omega) / (plant.inertia * omega)  # dM/dT
     edges = start + np.concatenate([[0.0], np.cumsum((moment @ rule.weights) * half[:, 0])])
     off = energy - edges[:-1, None] - half * (moment @ rule.running.T)
@@ -215,18 +233,53 @@ def _step(plant: Plant, rule: _Rule, energy: Array, start: float) -> _Step:
 
 
 def _slope(plant: Plant, omega: Array) -> Array:
-    """dM/dω of the characteristics."""
+    """dM/dω of the characteristics, and of what the gears lose."""
     step = NUDGE * omega
-    up, down = (sum((one.at(omega + s) for one in plant.laws), np.zeros(omega.shape)) for s in (step, -step))
+    if plant.passing is not None:
+        up, down = (moment_at(plant, omega + s) for s in (step, -step))
+    else:
+        up, down = (
+            sum((one.at(omega + s) for one in plant.laws), np.zeros(omega.shape)) for s in (step, -step)
+        )
     return (up - down) / (2 * step)
 
 
 def at_mean_speed(plant: Plant, mean: float) -> Steady:
     """The motion under moments that depend on the angle alone and whose work over the cycle is nil: T is their running
     work from an energy by which the mean of the extremes of ω is `mean`. Raises NotSteady where that is not above zero
-    all round."""
+    all round.
+
+    What gears lose by the acceleration depends on the motion a little: it is found again from each until none changes;
+    its work is what the cycle then lacks."""
+    found = _of_works(plant, plant.placed, mean)
+    if plant.passing is None:
+        return found
+    for _ in range(STEPS):
+        before, found = found, _of_works(plant, found.moment, mean)
+        if float(np.abs(found.energy - before.energy).max()) <= DONE * float(found.energy.max()):
+            break
+    return found
+
+
+def closing(plant: Plant, mean: float) -> float:
+    """The constant moment by which the work of a cycle at this mean speed is nil, N m, where moments depend on the
+    angle alone. Raises NotSteady."""
+    more = -plant.mean_moment
+    if plant.passing is None:
+        return more
+    for _ in range(STEPS):
+        driven = replace(plant, acting=(*plant.acting, Acting("closing", np.full(plant.panels.shape, more))))
+        lacks = float(plant.panels.mean(at_mean_speed(driven, mean).moment))
+        more -= lacks
+        if abs(lacks) <= DONE * float(np.abs(driven.placed).max()):
+            break
+    return more
+
+
+def _of_works(plant: Plant, moment: Array, mean: float) -> Steady:
+    """T as the running work of a `moment` at the points, (K, n)."""
     panels = plant.panels
-    swing = panels.running(plant.placed)
+    swing = panels.running(moment)
     low = -float(swing.min())
 
     def motion(start: float) -> Steady:

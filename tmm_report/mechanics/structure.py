@@ -105,7 +105,8 @@ def mobility(mechanism: Mechanism) -> int:
 
 
 def decompose(mechanism: Mechanism, sliding: bool = False) -> Structure:
-    """Find the Assur groups. Raises ProblemError for W ≠ 1, redundant constraints and loose links.
+    """Find the Assur groups. Raises ProblemError for W ≠ 1, redundant constraints, loose links and links that stand
+    still.
 
     `sliding`: the driving link may also slide on the frame; its groups are found, but such a drive is not solved.
     """
@@ -118,7 +119,10 @@ def decompose(mechanism: Mechanism, sliding: bool = False) -> Structure:
     groups: list[Group] = []
     while rest := [name for name in mechanism.moving if name not in known]:
         links = _next_group(mechanism, known, rest)
-        groups.append(_group(mechanism, known, links))
+        group = _group(mechanism, known, links)
+        if all(pair.links[0] == FRAME for pair in group.outer):
+            raise ProblemError([_still(links)])
+        groups.append(group)
         known += links
     return Structure(mechanism, driver_pair, tuple(groups))
 
@@ -270,6 +274,13 @@ def _redundant(links: Sequence[str], known: list[str], w: int) -> Problem:
     right = Message(N_("leave out the redundant link or pair (another part of the mechanism is too free)"))
     values = {"links": ", ".join(links), "known": ", ".join(known), "w": w}
     return mistake(text, ("mechanism", "links", links[0]), right, **values)
+
+
+def _still(links: Sequence[str]) -> Problem:
+    """Of a group that hangs on the frame alone: the first such one is met before all that would hang on it."""
+    text = N_("links %(links)s stand still: the frame alone holds them, the driving link does not move them")
+    right = Message(N_("join them to a moving link; a guide on a moving link states it: link: 1"))
+    return mistake(text, ("mechanism", "links", links[0]), right, links=", ".join(links))
 
 
 def _group(mechanism: Mechanism, known: list[str], links: list[str]) -> Group:

@@ -57,9 +57,9 @@ class Quantity:
         """Its numbers (P,), or a list of texts, one for each row of a table."""
         return Column(self, values)
 
-    def value(self, number: float, at: float | None = None) -> Value:
-        """One number; `at`: the angle turned from position 0 at which it holds, rad."""
-        return Value(self, number, at)
+    def value(self, number: float, at: float | None = None, side: int = 0) -> Value:
+        """One number; `at`: the angle turned from position 0 at which it holds, rad, `side`: see `Value`."""
+        return Value(self, number, at, side)
 
     def vector(self, values: Array) -> Iterator[Column]:
         """Size and both components of complex values (P,); of what does not exist neither."""
@@ -188,11 +188,13 @@ class Table:
 
 @dataclass(frozen=True)
 class Value(OfQuantity):
-    """A single number in its quantity's unit; `at`: the angle turned from position 0 at which it holds, rad."""
+    """A single number in its quantity's unit; `at`: the angle turned from position 0 at which it holds, rad; where it
+    jumps there, on which `side`: -1 before, +1 after."""
 
     quantity: Quantity
     value: float
     at: float | None = None
+    side: int = 0
 
     @property
     def symbol(self) -> Symbol:

@@ -6,9 +6,11 @@ from __future__ import annotations
 
 import math
 import re
+from contextlib import suppress
 from typing import NamedTuple
 
 from tmm_report.problems import N_, Message, shown
+from tmm_report.quantity import alike
 
 Exponents = tuple[int, int, int, int]  # of metre, kilogram, second, radian
 
@@ -68,17 +70,22 @@ _TABLE: list[tuple[str, float, Exponents]] = [  # the names of a unit, its facto
     ("kg кг", 1, (0, 1, 0, 0)),
     ("g г", 1e-3, (0, 1, 0, 0)),
     ("t т", 1e3, (0, 1, 0, 0)),
-    ("s с", 1, (0, 0, 1, 0)),
+    ("s с sec сек", 1, (0, 0, 1, 0)),
     ("ms мс", 1e-3, (0, 0, 1, 0)),
     ("min мин хв", 60, (0, 0, 1, 0)),
-    ("h ч", 3600, (0, 0, 1, 0)),
+    ("h ч час", 3600, (0, 0, 1, 0)),
     ("rad рад", 1, _TURN),
-    ("deg ° град", math.pi / 180, _TURN),
-    ("rev об", 2 * math.pi, _TURN),
+    ("deg ° º град", math.pi / 180, _TURN),
+    ("rev r об", 2 * math.pi, _TURN),
     ("rpm", _RPM, _TURN_RATE),
     ("N Н", 1, _FORCE),
     ("kN кН", 1e3, _FORCE),
     ("MN МН", 1e6, _FORCE),
+    ("kgf кгс", 9.80665, _FORCE),  # exactly: the third CGPM's acceleration of free fall
+    ("tf тс", 9806.65, _FORCE),
+    ("Nm Нм", 1, _WORK),  # a product whose sign was left out
+    ("kNm кНм", 1e3, _WORK),
+    ("Nmm Нмм", 1e-3, _WORK),
     ("Pa Па", 1, _PRESSURE),
     ("kPa кПа", 1e3, _PRESSURE),
     ("MPa МПа", 1e6, _PRESSURE),
@@ -91,6 +98,9 @@ _TABLE: list[tuple[str, float, Exponents]] = [  # the names of a unit, its facto
     ("%", 1e-2, _NONE),
 ]
 UNITS = {name: (factor, exponents) for names, factor, exponents in _TABLE for name in names.split()}
+# "кн", "КВТ", "мпа": no two units of Cyrillic letters differ by capitals alone; of Latin ones mm and Mm do
+_ANY_CASE = {name.casefold(): size for name, size in UNITS.items() if re.fullmatch("[А-яЁё]{2,}|[НГ]", name)}
+_CUT = re.compile(r"(об|мин|хв|сек|рад|град|час|ч|кгс)\.(?![^\W\d_])")  # words cut short, with their point
 
 _SHOWN = {  # (unit of the results, unit of print) -> factor
     ("m", "mm"): 1e3, ("m²", "mm²"): 1e6, ("rad", "deg"): 180 / math.pi, ("deg", "rad"): math.pi / 180,
@@ -107,7 +117,8 @@ def factor(given: str, wanted: str) -> float:
 
 _NUMBER = re.compile(r"([-+]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][-+]?[0-9]+)?)\s*(.*)")
 _FACTOR = re.compile(r"([^\W\d_]+|[°%])(?:\^?([-+]?[0-9]))?")
-_PLAIN = str.maketrans("−·⋅×⁻⁰¹²³⁴", "-***-01234", "\N{NO-BREAK SPACE}\N{NARROW NO-BREAK SPACE}")
+_TIMES = re.compile(r"\s*[*.]\s*|\s+|(?<=[^\W\d_])-(?=[^\W\d_])")  # N*m, N.m, N m, N-m
+_PLAIN = str.maketrans("−·⋅∙•×⁻⁰¹²³⁴", "-*****-01234", "\N{NO-BREAK SPACE}\N{NARROW NO-BREAK SPACE}")
 
 
 def parse(value: object, dimension: str) -> float:
@@ -126,6 +137,7 @@ def parse(value: object, dimension: str) -> float:
         raise WrongValue(error.wrong, _cure(str(value), dimension) or error.right) from None
     if not _agree(exponents, wanted.exponents):
         raise _other_dimension(value, unit, exponents, wanted)
+    factor = _turning(factor, exponents, wanted.exponents)
     if not math.isfinite(number * factor):
         raise _not_a_number(value, wanted)
     return number * factor
@@ -137,7 +149,7 @@ def _cure(text: str, dimension: str) -> Message | None:
 
     if sign := mistyped.sign(text):
         return sign
-    if (near := mistyped.corrected(text)) is None:
+    if (near := mistyped.corrected(text, UNITS)) is None:
         return None
     try:
         parse(near, dimension)
@@ -165,11 +177,31 @@ def between(given: str, wanted: str) -> float:
     if given.strip() == wanted:
         return 1.0
     asked = Dimension(N_("a number"), _NONE, wanted, f"12,3 {wanted}".strip())
-    (size, exponents), (own, needed) = (_quotients(text, asked) for text in (given, wanted))
+    (size, exponents), (own, needed) = _spelled(given, asked), _quotients(wanted, asked)
     if not (_agree(exponents, needed) or _agree(needed, exponents)):
         text = N_("%(given)s does not measure what is asked: expected %(unit)s")
         raise WrongValue(Message(text, {"given": shown(given), "unit": wanted or "1"}))
-    return size / own
+    return _turning(size, exponents, needed) / own
+
+
+def is_unit(text: str) -> bool:
+    """Whether a text is a unit, as `between` takes it."""
+    try:
+        _spelled(text, DIMENSIONS["number"])
+    except WrongValue:
+        return False
+    return bool(text.strip())
+
+
+def _spelled(text: str, asked: Dimension) -> tuple[float, Exponents]:
+    """A unit as a person spells it: with letters of another alphabet that look the same, too. Raises WrongValue."""
+    try:
+        return _quotients(text, asked)
+    except WrongValue as error:
+        for reading in alike.readings(text):
+            with suppress(WrongValue):
+                return _quotients(reading, asked)
+        raise error
 
 
 def _quotients(text: str, asked: Dimension) -> tuple[float, Exponents]:
@@ -179,7 +211,7 @@ def _quotients(text: str, asked: Dimension) -> tuple[float, Exponents]:
         return 1.0, _NONE
     if len(plain) > 40:
         raise _unknown_unit(text, asked)
-    over, *under = plain.replace("(", "").replace(")", "").replace("**", "^").split("/")
+    over, *under = _CUT.sub(r"\1", re.sub(r"[()\[\]]", "", plain)).replace("**", "^").split("/")
     factor, total = (1.0, _NONE) if over.strip() in ("", "1") else _product(over, 1, text, asked)
     for part in under:
         size, exponents = _product(part, -1, text, asked)
@@ -203,7 +235,7 @@ def _split(text: str, wanted: Dimension) -> tuple[float, str]:
 
 def _unit(text: str, wanted: Dimension) -> tuple[float, Exponents]:
     """Factor and exponents of products and powers with at most one quotient: `kg*m^2`, `об/мин`, `м/с2`."""
-    over, *under = text.replace("**", "^").split("/")
+    over, *under = _CUT.sub(r"\1", text).replace("**", "^").split("/")
     if len(under) > 1:
         raise _unknown_unit(text, wanted)
     reciprocal = bool(under) and over.strip() == "1"
@@ -216,14 +248,21 @@ def _unit(text: str, wanted: Dimension) -> tuple[float, Exponents]:
 
 def _product(text: str, sign: int, whole: str, wanted: Dimension) -> tuple[float, Exponents]:
     factor, total = 1.0, _NONE
-    for part in re.split(r"\s*\*\s*|\s+", text.strip()):
+    for part in _TIMES.split(text.strip()):
         match = _FACTOR.fullmatch(part)
-        if match is None or match[1] not in UNITS:
+        known = match and (UNITS.get(match[1]) or _ANY_CASE.get(match[1].casefold()))
+        if match is None or known is None:
             raise _unknown_unit(whole, wanted)
         power = sign * int(match[2] or 1)
-        size, exponents = UNITS[match[1]]
+        size, exponents = known
         factor, total = factor * size**power, _sum(total, exponents, power)
     return factor, total
+
+
+def _turning(size: float, given: Exponents, wanted: Exponents) -> float:
+    """The size of a unit of speed, where minutes alone mean turns: 1/min and мин⁻¹ are rpm, as 1/s is rad/s."""
+    per_minute = given == (0, 0, -1, 0) and wanted == _TURN_RATE and math.isclose(size, 1 / 60)
+    return _RPM if per_minute else size
 
 
 def _sum(a: Exponents, b: Exponents, times: int = 1) -> Exponents:

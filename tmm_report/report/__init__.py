@@ -21,7 +21,7 @@ from tmm_report.report.page import Page, template
 from tmm_report.report.part import Failed, Part, Title
 from tmm_report.resources import data_root
 
-FORMATS: dict[str, type[Html] | type[Tex]] = {"html": Html, "tex": Tex, "png": Png}
+FORMATS: dict[str, Callable[[], Html | Tex]] = {"html": lambda: Html(breaking=True), "tex": Tex, "png": Png}
 
 
 def render(
@@ -76,13 +76,26 @@ def _given(title: Title, page: Page) -> dict[str, Any]:
     return {"title": title, "page": page, **{name: getattr(page, name) for name in functions}}
 
 
-def _own_files(fmt: str) -> dict[str, Markup]:
-    """What the HTML carries in itself: its style sheet and the font of its formulas."""
+FACES = (
+    ("Note Serif", "", "NoteSerif-Regular"),
+    ("Note Serif", "font-weight: bold; ", "NoteSerif-Bold"),
+    ("Note Serif", "font-style: italic; ", "NoteSerif-Italic"),
+    ("Note Math", "", "STIXTwoMath-subset"),
+)
+
+
+def _own_files(fmt: str) -> dict[str, Any]:
+    """What the HTML carries in itself: its style sheet and the faces of its text and formulas, with which it is the
+    same on every machine."""
     if fmt != "html":
         return {}
     root = data_root() / "templates"
-    font = (root / "fonts" / "STIXTwoMath-subset.woff2").read_bytes()
-    return {
-        "style": Markup((root / "style.css").read_text("utf-8")),
-        "font": Markup(b64encode(font).decode()),
-    }
+    faces = [
+        {
+            "family": family,
+            "style": style,
+            "data": Markup(b64encode((root / "fonts" / f"{file}.woff2").read_bytes()).decode()),
+        }
+        for family, style, file in FACES
+    ]
+    return {"style": Markup((root / "style.css").read_text("utf-8")), "faces": faces}

@@ -26,6 +26,12 @@ STEPS = (1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 180.0, 360.0)  # deg
 APART = 9.0  # mm between ticks at least
 
 
+def _step(least: float) -> float:
+    """The smallest round step that is not smaller, degrees: whole turns, times a power of ten, of many turns."""
+    turns = (360.0 * n * 10.0**power for power in range(16) for n in (1, 2, 5))
+    return next(step for step in (*STEPS, *turns) if step >= least * (1 - 1e-12))
+
+
 class CycleGraphs:
     """`turned`: angles of the diagram positions, rad; `positions`: how many are numbered on the axis."""
 
@@ -40,7 +46,7 @@ class CycleGraphs:
         angle = (*letter("phi", self.tr), f", {unit_text('deg', self.tr.language)}")
         return graph(
             curves, degrees, angle, labels,
-            wide=wide, step=next(step for step in STEPS if step * wide >= APART * extent),
+            wide=wide, step=_step(APART * extent / wide),
             positions=self.positions, comma=self.tr.decimal == ",", join=join,
         )  # fmt: skip
 

@@ -8,17 +8,18 @@ from __future__ import annotations
 import re
 from dataclasses import field
 from typing import Any, Protocol
-from xml.etree.ElementTree import Element, fromstring
 
 from markupsafe import Markup
 
 from tmm_report.figures.drawing import Drawing, svg, tikz
 from tmm_report.figures.graphs import Graph
 from tmm_report.i18n import Translator
-from tmm_report.quantity.ref import Ref, attributes, without_attributes
+from tmm_report.quantity.ref import Ref, attributes
 from tmm_report.quantity.symbols import GREEK, latex_escape, xml_escape
 from tmm_report.records import dataclass
 from tmm_report.report.layout import Cell, Words
+from tmm_report.report.lines import broken, finer, pieces
+from tmm_report.report.measure import breakable
 from tmm_report.report.sheets import CAPTION, Sheet, percent, sheet_of
 from tmm_report.report.sheets import PAGE as PAGE
 
@@ -35,16 +36,20 @@ class Mathematics(Protocol):
 class Html:
     """One self-contained file: pictures stand in it as svg.
 
+    `breaking`: whether a line may break within words longer than any of a language, as in a note.
     `waiting`: figures that have sheets of their own. They stand before the next figure or heading, together, so that
     the text is broken once.
     """
 
     name = "html"
+    breaking: bool = False
     files: dict[str, bytes] = field(default_factory=dict)
     waiting: list[tuple[Sheet, float, Markup]] = field(default_factory=list)
 
     def escape(self, text: str) -> Markup:
-        return Markup(xml_escape(text))
+        if not self.breaking:
+            return Markup(xml_escape(text))
+        return Markup(_BREAK_HTML.join(map(xml_escape, breakable(text))))
 
     def marked(self, text: str, ref: Ref) -> Markup:
         """A number in running text that says where it stands in the results."""
@@ -55,9 +60,8 @@ class Html:
         return Markup(attributes(cell.ref) if isinstance(cell, Cell | Words) else "")
 
     def math(self, item: Mathematics, tr: Translator, display: bool = False) -> Markup:
-        text = item.mathml(tr)
-        size = LINE / max(LINE, widest(text)) if display else 1.0
-        return Markup(text if size == 1 else f'<span style="font-size:{100 * size:.0f}%">{text}</span>')
+        text, share = broken(item.mathml(tr)) if display else (item.mathml(tr), 1.0)
+        return Markup(text if share == 1 else f'<span style="font-size:{100 * share:.0f}%">{text}</span>')
 
     def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
         return Markup(svg(_drawing(picture)))
@@ -91,16 +95,14 @@ class Tex:
     files: dict[str, bytes] = field(default_factory=dict)
 
     def escape(self, text: str) -> Markup:
-        return Markup(tex_escape(text))
+        return Markup(_BREAK_TEX.join(map(tex_escape, breakable(text))))
 
     def marked(self, text: str, ref: Ref) -> Markup:
         return self.escape(text)
 
     def math(self, item: Mathematics, tr: Translator, display: bool = False) -> Markup:
         text = item.latex(tr)
-        return Markup(
-            "".join(f"\\NotePiece{{{piece}}}" for piece in pieces(text)) if display else f"${text}$"
-        )
+        return Markup("".join(map(_displayed, pieces(text))) if display else f"${text}$")
 
     def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
         name = f"figures/{anchor}.tex"
@@ -115,6 +117,16 @@ class Tex:
         found = sheet_of(picture.size)
         sizes = () if found is None else (found.wide, found.tall, *found.field, *found.corner)
         return Markup("".join(f"{{{size:g}mm}}" for size in sizes))
+
+
+def _displayed(piece: str) -> str:
+    """A piece of a formula for TeX to break before: where it is too long, at its products, too."""
+    first, *others = finer(piece)
+    factors = [f"\\NoteTimes{{{other.removeprefix(_DOT)}}}" for other in others]
+    return "".join([f"\\NotePiece{{{first}}}", *factors])
+
+
+_DOT = "\\cdot "
 
 
 class Png(Tex):
@@ -134,43 +146,11 @@ def _drawing(picture: Drawing | Graph) -> Drawing:
     return picture if isinstance(picture, Drawing) else picture.drawing
 
 
-# --- lines of formulas ---
+# --- long words ---
 
-LINE = 34.0  # em: what a line of formulas holds
-_LONG = 800  # characters of MathML below which no formula is too wide
+_BREAK_HTML, _BREAK_TEX = "<wbr/>", "\\allowbreak{}"
 
-
-def widest(text: str) -> float:
-    """Estimated width of the widest of neighbouring `math` elements, em: each stays on one line."""
-    if len(text) < _LONG or len(text := without_attributes(text)) < _LONG:
-        return 0.0
-    return max(map(_width, fromstring(f"<p>{text}</p>")), default=0.0)
-
-
-def _width(node: Element) -> float:
-    widths = [_width(child) for child in node]
-    if node.tag == "mfrac":
-        return max(widths)
-    if node.tag in ("msub", "msup", "msubsup"):
-        return widths[0] + 0.7 * max(widths[1:])
-    signs = len(node.text or "") * 0.47
-    return sum(widths) + signs + (0.5 if node.get("form") == "infix" else 0.0)
-
-
-def pieces(latex: str) -> list[str]:
-    """A formula cut before its relations and signs outside all braces and brackets: a line may break there."""
-    found, depth, start = [], 0, 0
-    for mark in _CUTS.finditer(latex):
-        if mark[0] == " ":
-            if depth == 0:
-                found.append(latex[start : mark.start()])
-                start = mark.end()
-        else:
-            depth += 1 if mark[0] in ("{", "\\left") else -1
-    return [*found, latex[start:]]
-
-
-_CUTS = re.compile(r"\\left(?![a-z])|\\right(?![a-z])|(?<!\\)[{}]| (?=[=+-])")
+# --- text of LaTeX ---
 
 _LOWERED = dict(zip("₀₁₂₃₄₅₆₇₈₉", "0123456789", strict=True))
 _RAISED = dict(zip("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789", strict=True))

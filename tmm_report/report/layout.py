@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 
 from markupsafe import Markup
 
 from tmm_report.quantity.ref import Ref
 from tmm_report.records import dataclass
+from tmm_report.report.measure import whole, widest_word
 
 TEXT_WIDTH = 165.0  # mm, of A4 between margins of 30 and 15 mm
-CHAR, PADDING = (
-    2.15,
-    2.6,
-)  # mm: a digit of a table's font, in the widest of the fonts asked for; both cell margins
+EM = 3.73  # mm: of a table's letters
+PADDING = 3.6  # mm: both margins of a cell and its line
 WHOLE = 20  # rows: a longer table may be cut by the end of a page
 
 
@@ -48,11 +47,11 @@ class Words(Markup):
 class Column(NamedTuple):
     head: Any
     cells: Sequence[str]
-    least: int = 6  # characters that the head needs
 
     @property
     def width(self) -> float:
-        return PADDING + CHAR * max(self.least, *(len(cell) for cell in self.cells))
+        """mm, no word of the head and no number being broken."""
+        return _least(self.head, self.cells)
 
 
 @dataclass(frozen=True)
@@ -78,14 +77,45 @@ class Table:
 def worded(
     caption: Any, head: Sequence[Any], rows: Iterable[Sequence[Any]], shares: Sequence[float]
 ) -> Table:
-    """A table with text in its cells; widths in proportion to `shares`, but no word of the head is broken."""
+    """A table with text in its cells; widths in proportion to `shares`, but no word is broken.
+
+    What is wider than the page is cut into parts; each begins with the first column.
+    """
     head, lines, shares = _told(head, [list(row) for row in rows], shares)
-    least = [(PADDING + CHAR * _longest_word(str(cell))) / TEXT_WIDTH for cell in head]
+    lines = _aligned(lines)
+    columns = list(zip(*lines, strict=True)) or [()] * len(head)
+    least = [_least(name, cells) for name, cells in zip(head, columns, strict=True)]
+    blocks = _blocks(least[1:], TEXT_WIDTH - least[0])
+    kept = [[0, *(1 + k for k in block)] for block in blocks]
+    parts = [
+        Part(
+            [head[k] for k in ks],
+            [[row[k] for k in ks] for row in lines],
+            _shared([shares[k] for k in ks], [least[k] / TEXT_WIDTH for k in ks]),
+        )
+        for ks in kept
+    ]
+    return Table(caption, parts, words=True)
+
+
+def _shared(shares: Sequence[float], least: Sequence[float]) -> list[float]:
+    """Parts of the page's width: in proportion, but none is less than it must be."""
     wide = [max(0.0, share / sum(shares) - low) for share, low in zip(shares, least, strict=True)]
     room = max(0.0, 1 - sum(least)) / (sum(wide) or 1.0)
     whole = sum(least) + room * sum(wide)
-    parts = [(low + room * more) / whole for low, more in zip(least, wide, strict=True)]
-    return Table(caption, [Part(head, _aligned(lines), parts)], words=True)
+    return [(low + room * more) / whole for low, more in zip(least, wide, strict=True)]
+
+
+def _least(head: Any, cells: Iterable[Any]) -> float:
+    """The width of a column, mm, in which nothing is broken that may not be."""
+    texts = {str(cell) for cell in cells}
+    if all(map(_NUMERIC.fullmatch, texts)):  # of numbers the longest is the widest, but for a comma or a sign
+        most = max(map(len, texts), default=0)
+        texts = {text for text in texts if len(text) > most - 2}
+    return PADDING + EM * max(map(widest_word, (str(head), *texts)))
+
+
+_NUMERIC = re.compile(r"[\d.,−-]*|—")
 
 
 DASH = "\N{EM DASH}"
@@ -129,29 +159,34 @@ def _decimals(text: str) -> int:
     return len(match[1]) if match else 0
 
 
-def _longest_word(text: str) -> int:
-    """Letters of the longest word of a cell that may hold markup."""
-    return max((len(word) for word in re.findall(r"[^\W\d_]+(?![^<]*>)", text)), default=0)
-
-
 def numeric(caption: Any, first: Column, columns: Sequence[Column]) -> Table:
     """A table of numbers, cut into parts as wide as the page; each begins with the first column.
 
     A column of dashes alone is left out.
     """
     columns = [column for column in columns if not column.cells or any(c != DASH for c in column.cells)]
-    return Table(caption, [_part([first, *block]) for block in _blocks(columns, TEXT_WIDTH - first.width)])
+    blocks = _blocks([column.width for column in columns], TEXT_WIDTH - first.width)
+    return Table(caption, [part([first, *(columns[k] for k in block)]) for block in blocks])
 
 
-def _blocks(columns: Sequence[Column], room: float) -> Iterator[Sequence[Column]]:
-    """Neighbouring columns, about equally many in each block, none wider than the room."""
-    widest = max((column.width for column in columns), default=room)
-    most = max(1, int(room / widest))
-    count = max(1, -(-len(columns) // most))
-    size = max(1, -(-len(columns) // count))
-    return (columns[k : k + size] for k in range(0, max(1, len(columns)), size))
+def _blocks(widths: Sequence[float], room: float) -> list[range]:
+    """Neighbouring columns by their numbers, about equally many in each block, no block wider than the room."""
+    for size in range(len(widths), 1, -1):
+        size = -(-len(widths) // -(-len(widths) // size))  # as many blocks, about equally long
+        blocks = [range(k, min(k + size, len(widths))) for k in range(0, len(widths), size)]
+        if all(sum(widths[k] for k in block) <= room for block in blocks):
+            return blocks
+    return [range(k, k + 1) for k in range(len(widths))] or [range(0)]
 
 
-def _part(columns: Sequence[Column]) -> Part:
+def part(columns: Sequence[Column]) -> Part:
+    """Columns side by side; the room that is left goes to heads that would stand on several lines."""
     rows = list(zip(*(column.cells for column in columns), strict=True))
-    return Part([c.head for c in columns], rows, [c.width / TEXT_WIDTH for c in columns])
+    least = [column.width for column in columns]
+    more = [
+        max(0.0, PADDING + EM * whole(str(column.head)) - width)
+        for column, width in zip(columns, least, strict=True)
+    ]
+    share = min(1.0, max(0.0, TEXT_WIDTH - sum(least)) / (sum(more) or 1.0))
+    widths = [width + share * extra for width, extra in zip(least, more, strict=True)]
+    return Part([c.head for c in columns], rows, [width / TEXT_WIDTH for width in widths])

@@ -8,6 +8,8 @@ from dataclasses import field
 from secrets import token_hex
 from typing import Any, NamedTuple
 
+from markupsafe import Markup
+
 from tmm_report.records import dataclass
 
 
@@ -91,7 +93,7 @@ class Numbering:
             return self.places[label]
         if label not in self._awaited:
             mark = f"{self._secret}x{len(self._awaited)}"
-            self._awaited[label] = Place(f"{mark}n", f"{mark}a")
+            self._awaited[label] = Place(Markup(f"{mark}n"), Markup(f"{mark}a"))
         return self._awaited[label]
 
     def resolved(self, text: str) -> str:

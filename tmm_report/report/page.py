@@ -23,7 +23,7 @@ from tmm_report.i18n import Translator
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.formula import Formula, Inline, Var
 from tmm_report.quantity.model import Column, Table, Value
-from tmm_report.quantity.symbols import Symbol, math_symbol
+from tmm_report.quantity.symbols import Symbol, math_symbol, xml_escape
 from tmm_report.quantity.text import column, number, unit_text
 from tmm_report.quantity.written import Equation, explained
 from tmm_report.report import layout
@@ -91,6 +91,10 @@ class Page:
     def text(self, value: Any) -> Markup:
         """Anything for output: Markup as it is, other text escaped for the format."""
         return value if isinstance(value, Markup) else self.form.escape(str(value))
+
+    def on_one_line(self, text: str) -> Markup:
+        """Text that stands where no markup is read."""
+        return Markup(xml_escape(text))
 
     def said(self, cell: Cell) -> Markup:
         """A cell in running text."""
@@ -180,6 +184,11 @@ class Page:
         """The symbol of a key, "v_BA"."""
         return self.math(math_symbol(key) if isinstance(key, str) else key)
 
+    @staticmethod
+    def plain(text: Markup) -> str:
+        """What is read without its markup: the title of a picture, which browsers show as they get it."""
+        return Markup(re.sub(r"<mspace[^>]*>", " ", text)).striptags()
+
     def value(self, of: Var, digits: int | None = None) -> Markup:
         """symbol = value unit."""
         digits = digits or of.digits or 5
@@ -216,7 +225,6 @@ class Page:
         size: bool = False,
         rows: int | None = None,
         digits: int = 5,
-        least: int = 6,
     ) -> layout.Column:
         """A column of the results as a table of the note prints it: symbol and unit, one number of decimals.
 
@@ -227,7 +235,7 @@ class Page:
         numbers = column.numbers(unit)[:rows]
         texts = self.col(np.abs(numbers) if size else numbers, digits)
         cells = [Cell(text, table.ref(key, row, unit, size)) for row, text in enumerate(texts)]
-        return layout.Column(self.head(column.symbol(), unit or column.unit), cells, least)
+        return layout.Column(self.head(column.symbol(), unit or column.unit), cells)
 
     def cell(
         self,
@@ -264,7 +272,7 @@ class Page:
         head = self.t("Position")
         numbers = list(table["position"].values)[:rows]
         cells = [Cell(str(k), table.ref("position", row)) for row, k in enumerate(numbers)]
-        return layout.Column(head, cells, least=len(head))
+        return layout.Column(head, cells)
 
     def unit(self, unit: str) -> str:
         return unit_text(unit, self.tr.language)

@@ -10,6 +10,7 @@ from markupsafe import Markup
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.structure import ROMAN, Group, Structure
 from tmm_report.problems import N_
+from tmm_report.quantity.directions import COMPASS
 from tmm_report.quantity.text import unit_text
 from tmm_report.report.page import Page
 
@@ -18,7 +19,6 @@ if TYPE_CHECKING:  # loaded only where methods are compared
 
 SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 PAIR_KINDS = {"R": N_("revolute"), "P": N_("prismatic"), "H": N_("higher")}
-COMPASS = {1: N_("to the right"), -1: N_("to the left"), 1j: N_("upwards"), -1j: N_("downwards")}
 ALONG_POINT = {
     "along": N_("along the motion of the point"),
     "against": N_("against the motion of the point"),

@@ -13,7 +13,7 @@ from tmm_report.problems import N_, Message, Problem, mistake, shown
 from tmm_report.quantity.alike import difference, skeleton
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant import elsewhere
-from tmm_report.variant.forms import fields_at
+from tmm_report.variant.forms import fields_at, forms_at
 from tmm_report.variant.leaves import leaves
 from tmm_report.yamlread import Path
 
@@ -103,11 +103,23 @@ def _problem(
     if kind == "literal_error":
         return _not_a_word(error, path)
     right = Message(error["msg"]) if kind == "shape" else None
+    if kind == "shape" and isinstance(error["input"], dict) and (named := error["input"].get("kind")):
+        return mistake(N_("kind: %(value)s is not offered"), path, right, value=shown(named))
+    if kind in ("list_type", "tuple_type") and (listed := _as_list(error["input"])):
+        return mistake(_TEXTS[kind], path, Message(N_("write %(text)s"), {"text": listed}))
     if kind == "list_type" and isinstance(error["input"], dict):
         return mistake(N_("a list is expected here"), path, Message(N_("begin each item with - and a space")))
     if kind in _TEXTS:
         return mistake(_TEXTS[kind], path, right, **context)
     return mistake(N_("the value does not fit: %(reason)s"), path, reason=shown(error["msg"], 120))
+
+
+def _as_list(value: Any) -> str | None:
+    """Values parted by commas without square brackets, as a list; None of another text."""
+    if not isinstance(value, str):
+        return None
+    inner = value.strip().strip("()").strip()
+    return f"[{shown(inner)}]" if "," in inner and not set(inner) & set("[](){}") else None
 
 
 def _missing(path: Path, roots: Roots) -> Problem:
@@ -150,10 +162,19 @@ def unknown(
 ) -> Message | None:
     """What would be right where a key is unknown. `own`: the keys that are known there."""
     key = str(path[-1])
+    if (refused := _not_offered(key, path, roots)) is not None:
+        return refused
     if own is None:
         return near(key, sorted(fields_at(path[:-1], roots())))
     alike = any(skeleton(one) == skeleton(key) for one in own)
     return (None if alike else elsewhere.right(path, data, own, roots(), stated)) or near(key, sorted(own))
+
+
+def _not_offered(key: str, path: Path, roots: Roots) -> Message | None:
+    """What a block says of a key that other programs, or assignments, have there."""
+    models = forms_at(path[:-1], roots()) if len(path) > 1 else []
+    texts: list[Mapping[str, str]] = [getattr(model, "NOT_OFFERED", {}) for model in models]
+    return next((Message(text[key]) for text in texts if key in text), None)
 
 
 def unknown_block(key: str, data: Any, known: Sequence[str], roots: Roots) -> Message | None:

@@ -19,6 +19,9 @@ class Model(BaseModel):
         extra="forbid", allow_inf_nan=False, hide_input_in_errors=True, defer_build=True, frozen=True
     )
 
+    NOT_OFFERED: ClassVar[Mapping[str, str]] = {}
+    """Keys that one may look for here, with what to say of each: what they ask for is not offered."""
+
 
 class Block(Model):
     """The keys of a variant that one chapter owns, as fields."""

@@ -63,8 +63,7 @@ def said(measure: Measure, text: str, low: float, high: float, **values: object)
 
 def lengths(read: Read, found: Sequence[Measure]) -> Iterator[Problem]:
     """Doubts about lengths."""
-    stated = [one for one in found if one.dimension == "length" and one.size and not one.bounded]
-    alike = [one for one in stated if one.path[0] in _one_size(read)]
+    stated, alike = _stated(read, found)
     if not alike:  # nothing to judge by but what a person builds
         yield from (_too_large(one) for one in stated if abs(one.size) > LARGE)
         return
@@ -78,6 +77,20 @@ def lengths(read: Read, found: Sequence[Measure]) -> Iterator[Problem]:
             text = N_("%(value)s is odd: the usual length here is %(usual)s m")
             low, high = usual * FAMILY[0], usual * FAMILY[1]
             yield said(one, text, low, high, usual=f"{usual:.3g}")
+
+
+def all_lengths(read: Read) -> Iterator[Problem]:
+    """The doubt about all lengths together: it is told beside mistakes, too, as it may be the cause of some."""
+    _, alike = _stated(read, measures(read))
+    usual = median(abs(one.size) for one in alike) if alike else 0.0
+    if alike and not SMALL <= usual <= LARGE:
+        yield _all_of_them(alike, usual)
+
+
+def _stated(read: Read, found: Sequence[Measure]) -> tuple[list[Measure], list[Measure]]:
+    """Lengths that have no range of their own, and those of them that are of one order of magnitude."""
+    stated = [one for one in found if one.dimension == "length" and one.size and not one.bounded]
+    return stated, [one for one in stated if one.path[0] in _one_size(read)]
 
 
 def _too_large(one: Measure) -> Problem:

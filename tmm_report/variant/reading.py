@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Collection, Iterable, Iterator
 from copy import deepcopy
 from dataclasses import replace
@@ -49,7 +50,7 @@ def read(
             problems += islice(room.mistakes(found), MOST_FOUND)
         if problems:
             keys = frozenset(problem.path for problem in problems if problem.path)
-            problems += further(replace(found, broken=keys))
+            problems += [*further(replace(found, broken=keys)), *odd.all_lengths(found)]
     if problems or len(blocks) < len(needed):
         raise _error(problems, document, file)
     return replace(found, doubts=tuple(_placed(_doubts(found, needed), document, file)))
@@ -84,6 +85,9 @@ def _with_comma(problem: Problem, document: Document) -> Problem:
     path = problem.path if problem.path in document.commas else problem.path[:-1]
     if path not in document.commas or problem.doubt:
         return problem
+    wanted = problem.wrong.values.get("count", problem.wrong.values.get("max_length"))
+    if isinstance(wanted, int) and document.commas[path].count(",") + 1 != wanted:
+        return problem  # with points for commas there would not be so many either
     text = N_("a decimal comma inside [ ] parts two values: write %(list)s")
     return replace(problem, right=Message(text, {"list": shown(document.commas[path], 80)}))
 
@@ -142,13 +146,27 @@ def _blocks(
     blocks: dict[type[Block], Block] = {}
     known = [key for room in needed for key in room.Block.model_fields]
     strange = [key for key in data if key not in known]
-    problems = [_unknown(key, data, known, rooms, n < errors.WORDED) for n, key in enumerate(strange)]
+    problems, strange = _foreign(strange)
+    problems += [_unknown(key, data, known, rooms, n < errors.WORDED) for n, key in enumerate(strange)]
     for kind in (room.Block for room in needed):
         written = {key: data[key] for key in kind.model_fields if key in data}
         block = _validated(kind, written, problems, rooms, data) if written else kind.model_construct()
         if block is not None:
             blocks[kind] = block
     return blocks, problems
+
+
+def _foreign(strange: list[str]) -> tuple[list[Problem], list[str]]:
+    """One mistake for all keys that are written in letters of no known key; the other unknown keys."""
+    foreign = [
+        key for key in strange if any(char.isalpha() for char in key) and not re.search("[A-Za-z]", key)
+    ]
+    if len(foreign) < 2:
+        return [], strange
+    text = N_("keys are English words, and these are not: %(keys)s")
+    right = Message(N_("start from the one that `tmm-report new` writes"))
+    told = mistake(text, (foreign[0],), right, keys=shown(", ".join(foreign), 120))
+    return [told], [key for key in strange if key not in foreign]
 
 
 def _unknown(key: str, data: Any, known: list[str], rooms: Rooms, worded: bool) -> Problem:

@@ -21,6 +21,7 @@ from tmm_report.quantity.units import DIMENSIONS, WrongValue
 from tmm_report.records import dataclass
 
 NAME = r"[0-9A-Za-z\u0400-\u0481\u048a-\u052f][0-9A-Za-z\u0400-\u0481\u048a-\u052f'’]{0,11}"
+_NAMING = r"[0-9A-Za-z\u0400-\u0481\u048a-\u052f'’]"  # what it is made of
 LONGEST = 12  # letters of a name
 SIDES = {"right": 1 + 0j, "up": 1j, "left": -1 + 0j, "down": -1j}
 SENSES = {"counter-clockwise": 1, "clockwise": -1}
@@ -161,6 +162,12 @@ def _name(value: object) -> str:
     if text is not None and _is_name(text):
         return text
     wrong = Message(N_("%(value)s is not a name"), {"value": _quoted(value)})
+    if text and (odd := next((char for char in text if not re.fullmatch(_NAMING, char)), "")):
+        told = {"value": _quoted(value), "char": f"«{shown(odd)}»"}
+        wrong = Message(N_("%(value)s is not a name: %(char)s may not stand in one"), told)
+    elif text and len(text) > LONGEST:
+        told = {"value": _quoted(value), "count": str(len(text))}
+        wrong = Message(N_("%(value)s is not a name: it has %(count)s letters"), told)
     raise WrongValue(wrong, Message(N_("letters, digits and ', at most 12, for example A or S2")))
 
 

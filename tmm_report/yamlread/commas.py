@@ -16,6 +16,7 @@ from tmm_report.problems import N_, Message, shown
 
 _WHOLE = re.compile(r"[-+]?[0-9]+")
 _REST = re.compile(r"[0-9]+([eE][-+]?[0-9]+)?(\s*[^\s0-9:].*)?")  # of a number, behind its comma
+_MEASURED = re.compile(r"[-+−]?[0-9][0-9.,]*(\s*[^\s0-9:][^:]*)?")
 _TIGHT = re.compile(r"([^\W\d][\w'’-]*|[0-9]+'?):(\S.*)")
 _LOOSE = re.compile(r"([^\W\d][\w'’-]*|[0-9]+'?)\s+([-+]?[0-9].*)")
 
@@ -37,6 +38,10 @@ def lone(text: str, before: tuple[str, str] | None, touching: bool) -> Item | No
     """
     if before is not None and touching and _REST.fullmatch(text) and _WHOLE.fullmatch(before[1]):
         return _comma(before, text)
+    if before is not None and (listed := _listed(before[1], text)):
+        wrong = Message(N_("a comma inside { } ends the value: a list stands in square brackets"))
+        right = Message(N_("write %(text)s"), {"text": shown(f"{before[0]}: {listed}")})
+        return Item(before[0], listed, wrong, right, joined=True)
     if found := _TIGHT.fullmatch(text):
         right = Message(N_("write %(text)s"), {"text": shown(f"{found[1]}: {found[2]}")})
         return Item(found[1], found[2], Message(N_("a space is missing after the colon")), right)
@@ -49,6 +54,14 @@ def lone(text: str, before: tuple[str, str] | None, touching: bool) -> Item | No
         right = Message(N_("put the text into quotes: '%(text)s'"), {"text": shown(whole)})
         return Item(before[0], whole, wrong, right, joined=True)
     return None
+
+
+def _listed(first: str, second: str) -> str | None:
+    """Two halves of `(350, -50)` or of `350 mm, -50 mm` as the list that they are meant to be."""
+    if first.startswith("(") and second.endswith(")"):
+        return f"[{first[1:].strip()}, {second[:-1].strip()}]"
+    both = _MEASURED.fullmatch(first) and _MEASURED.fullmatch(second)
+    return f"[{first}, {second}]" if both else None
 
 
 def _comma(before: tuple[str, str], rest: str) -> Item:

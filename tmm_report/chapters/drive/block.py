@@ -26,7 +26,7 @@ from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.quantity.paper import ACCURACY
 from tmm_report.variant import model
 from tmm_report.variant.model import Model, Read
-from tmm_report.variant.values import Scale, Speed, quantity
+from tmm_report.variant.values import Flag, Scale, Speed, quantity
 
 Tolerance = Annotated[float, quantity("number", 0.0, 0.2, "0 … 20 %")]
 Torque = Annotated[float, quantity("moment", 1e-12)]  # the input drives: else there is no efficiency
@@ -68,6 +68,9 @@ class DriveModel(Model):
     scales: DriveScalesModel = Field(default_factory=DriveScalesModel)
     output: Literal["crank", "other"] = Field(
         default="crank", description="what the output shaft turns: the driving link, or something else"
+    )
+    friction: Flag | None = Field(
+        default=None, description="false: the friction of the mechanism's pairs does not load the drive"
     )
 
 
@@ -113,6 +116,7 @@ def linked_by_drive(data: Any) -> bool:
 
 def _turning(found: drive.Given, model: DriveModel, crank: Crank | None) -> drive.Given:
     """With the driving link that the output turns; of a linked one whose sense is stated, the input turns to suit."""
+    found = replace(found, friction=model.friction is not False)
     if crank is None or model.output == "other":
         return found
     if crank.linked and crank.turned and math.isfinite(crank.omega):
@@ -152,7 +156,16 @@ def mistakes(read: Read) -> Iterator[Problem]:
         wrong = N_("the driving link takes the speed of the drive, and the drive turns something else")
         right = Message(N_("either speed: drive in the driver or output: other in the drive"))
         yield mistake(wrong, ("drive", "output"), right)
+    yield from structure.of_friction(written.friction, structure.stated(read), ("drive", "friction"), read)
     yield from _tolerances(written)
+
+
+def doubts(read: Read) -> Iterator[Problem]:
+    """What is odd of the stages and is solved all the same."""
+    written = read.block(Block).drive
+    for k, stage in enumerate(written.stages if written else ()):
+        if isinstance(stage, SpurModel):
+            yield from spur.doubts(stage, ("drive", "stages", k))
 
 
 def _tolerances(written: DriveModel) -> Iterator[Problem]:

@@ -6,10 +6,12 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from tmm_report.mechanics.peaks import peaks
 from tmm_report.problems import N_, Message, Problem, doubt
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
+    from tmm_report.chapters.friction.solve import FrictionFound
     from tmm_report.chapters.machine import Moving
 
 SPEED = ("mechanism", "driver", "speed")
@@ -31,11 +33,14 @@ class Crank:
 @dataclass(frozen=True)
 class Moments:
     """Of the balancing moment over the cycle, N·m, positive where the drive must give work: its mean, the greatest
-    size and the angle of the link at it, rad."""
+    size and the angle of the link at it, rad. `friction`: the mean moment of the friction of the pairs, which is in all
+    of them where it is `rubs`; None where none is stated, nan where it has no mean."""
 
     mean: float
     greatest: float
     angle: float
+    friction: float | None = None
+    rubs: bool = False
 
     @property
     def peak(self) -> float:
@@ -43,18 +48,33 @@ class Moments:
         return self.greatest / self.mean if self.mean else math.inf
 
 
-def moments(moving: Moving | None) -> Moments | None:
-    """None without loads, or where the cycle has no mean."""
+def moments(moving: Moving | None, friction: bool) -> Moments | None:
+    """None without loads, or where the cycle has no mean; `friction`: with that of the pairs, where it is stated."""
     if moving is None or moving.forces is None:
         return None
     forces = moving.forces
     omega = float(forces.table.motion.omega)
     if forces.works is None or not forces.bounded:
         return None
-    sense = math.copysign(1.0, omega)
-    ends = [(sense * end.value, end.turned) for end in forces.extremes]
+    sense, mean = math.copysign(1.0, omega), forces.works.power / abs(omega)
+    ends, lost = [(sense * end.value, end.turned) for end in forces.extremes], None
+    reduced = moving.friction.reduced if moving.friction else None
+    if moving.friction:
+        lost = float(reduced.panels.mean(reduced.moment)) if reduced else math.nan
+    if rubs := friction and reduced is not None and moving.friction is not None:
+        mean, ends = mean + float(lost or 0.0), _rubbing_ends(moving.friction, sense)
     greatest, angle = max(ends, key=lambda end: abs(end[0]))
-    return Moments(forces.works.power / abs(omega), float(greatest), float(angle))
+    return Moments(mean, float(greatest), float(angle), lost, rubs)
+
+
+def _rubbing_ends(found: FrictionFound, sense: float) -> list[tuple[float, float]]:
+    """Least and greatest of the balancing moment with the friction of the pairs in it, with their angles."""
+    assert found.whole is not None and found.reduced is not None  # asked for only where it is known
+    over, reduced = found.whole[0], found.reduced
+    return [
+        (end.value, end.turned)
+        for end in peaks(over.panels, (sense * over.balancing + reduced.moment)[None], over.closed)[0]
+    ]
 
 
 def doubts(crank: Crank, speed: float, ratio: float, tolerance: float) -> Iterator[Problem]:

@@ -25,7 +25,12 @@ def crank_rows(found: Found) -> Iterator[Row]:
     moments, torque = found.moments, found.given.torque
     if moments is None:
         return
+    if moments.friction is not None and not math.isnan(moments.friction):
+        rubbing = N_("mean moment of friction in the pairs, reduced to the driving link")
+        yield "M_fr", Symbol("M", "fr"), "N·m", rubbing, moments.friction
     mean = N_("mean balancing moment of the driving link over the cycle")
+    if moments.rubs:
+        mean = N_("mean balancing moment of the driving link over the cycle, friction in the pairs in it")
     yield "M_mean", Symbol("M", MEAN), "N·m", mean, moments.mean
     greatest = N_("balancing moment of the driving link of the greatest size")
     yield "M_greatest", Symbol("M", GREATEST), "N·m", greatest, moments.greatest

@@ -32,7 +32,8 @@ if TYPE_CHECKING:
 class Given:
     """A drive. `speed`: of the input shaft, rad/s; `tolerance`: of the whole ratio, relative; `torque`: on the input
     shaft, N·m, None: all torques are found for 1 N·m, or for the balancing moment of the link that is turned;
-    `accuracy`: m of paper; `scales`: of the diagrams; `crank`: the driving link that the output turns, if any."""
+    `accuracy`: m of paper; `scales`: of the diagrams; `crank`: the driving link that the output turns, if any;
+    `friction`: whether that of its mechanism's pairs, where it is stated, loads the drive."""
 
     speed: float
     stages: tuple[StageGiven, ...]
@@ -41,6 +42,7 @@ class Given:
     accuracy: float = ACCURACY
     scales: Scales = field(default_factory=Scales)
     crank: Crank | None = None
+    friction: bool = True
 
 
 @dataclass(frozen=True, eq=False)
@@ -216,7 +218,7 @@ def solve(given: Given, moving: Moving | None = None) -> Found:
         spur.moving(one, speed[one.input]) if isinstance(one, spur.Found) else one for one in stages
     )
     load = _loads(given, stages, train, speed)
-    found = moments(moving) if given.crank is not None and given.crank.linked else None
+    found = moments(moving, given.friction) if given.crank is not None and given.crank.linked else None
     if found is not None and given.torque is None and (torque := _for_mean(found, stages, load)):
         given = replace(given, torque=torque)
         load = _loads(given, stages, train, speed)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import Any, assert_never
@@ -131,25 +132,25 @@ class DriveView(DriveFormulas):
         names = [
             self.page.word(name, table, "member", row) for row, name in enumerate(table["member"].values)
         ]
-        return Column(self.t("Member"), names, 8)
+        return Column(self.t("Member"), names)
 
-    def _of_members(self, key: str, names: Sequence[str], least: int) -> Column:
+    def _of_members(self, key: str, names: Sequence[str]) -> Column:
         """Speeds of some of the members."""
         table, rows = self.speeds_of, [self.place[name] for name in names]
         texts = self.page.col(table[key].number(row) for row in rows)
         cells = [Cell(text, table.ref(key, row)) for text, row in zip(texts, rows, strict=True)]
-        return Column(self.page.head(table[key].symbol(), table[key].unit), cells, least)
+        return Column(self.page.head(table[key].symbol(), table[key].unit), cells)
 
     def speeds_table(self) -> Table:
         table, members = self.speeds_of, self.found.train.members
         teeth = [Cell(str(m.teeth), table.ref("z", row)) if m.teeth else "—" for row, m in enumerate(members)]
         columns = [
             Column(self.page.head(table["z"].symbol()), teeth),
-            self.page.column(table, "omega", least=11),
-            self.page.column(table, "n", least=11),
+            self.page.column(table, "omega"),
+            self.page.column(table, "n"),
         ]
         if carried := [m.name for m in members if m.carried_by]:
-            some = self._of_members("omega_rel", carried, 11)
+            some = self._of_members("omega_rel", carried)
             cells = iter(some.cells)
             columns.append(some._replace(cells=[next(cells) if m.carried_by else "—" for m in members]))
         return numeric(self.t("Speeds of all the members of the drive"), self._names(table), columns)
@@ -179,9 +180,9 @@ class DriveView(DriveFormulas):
         """External torques and powers; a positive power is supplied."""
         table, page = self.of.table("loads"), self.page
         columns = [
-            page.column(table, "T", least=9),
-            self._of_members("omega", table["member"].values, 9),
-            page.column(table, "N", least=9),
+            page.column(table, "T"),
+            self._of_members("omega", table["member"].values),
+            page.column(table, "N"),
         ]
         return numeric(self.t("External torques and powers"), self._names(table), columns)
 
@@ -210,13 +211,33 @@ class DriveView(DriveFormulas):
         table, page = self.of.table("teeth"), self.page
         names = [page.word(name, table, "mesh", row) for row, name in enumerate(table["mesh"].values)]
         keys = ("F_t_mean", "F_r_mean", "F_t_greatest", "F_r_greatest")
-        columns = [page.column(table, key, least=11) for key in keys]
-        return numeric(self.t("Forces in the teeth of the drive"), Column(self.t("Mesh"), names, 8), columns)
+        columns = [page.column(table, key) for key in keys]
+        return numeric(self.t("Forces in the teeth of the drive"), Column(self.t("Mesh"), names), columns)
 
     @property
     def turned(self) -> bool:
         """Whether the torques are found for the balancing moment of the link that the drive turns."""
         return self.found.moments is not None and self.found.given.torque is not None
+
+    def friction(self) -> Markup | str:
+        """What is said of the friction of the pairs beside the moments of the driving link."""
+        moments = self.found.moments
+        if moments is None or moments.friction is None:
+            return ""
+        if math.isnan(moments.friction):
+            return self.t(
+                N_(
+                    "The friction of the kinematic pairs is left out: beside some position of the cycle the reactions "
+                    "grow without bound, and it has no mean."
+                )
+            )
+        text = N_("The friction of the kinematic pairs is in both, %(moment)s on the mean.")
+        if not moments.rubs:
+            text = N_(
+                "The friction of the kinematic pairs is in neither, as the variant states; it is %(moment)s on the "
+                "mean."
+            )
+        return self.t(text, moment=self.page.value(self.of["M_fr"].var()))
 
     # ------------------------------------------------------------ pictures
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from tmm_report.chapters.dynamics import quantities as q
 from tmm_report.chapters.dynamics.solve import Found
-from tmm_report.mechanics.characteristics import Kloss, Linear, Series
+from tmm_report.mechanics.characteristics import Constant, Kloss, Linear, Series
 from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Expr, Formula, Number, Var, sqrt
 from tmm_report.quantity.model import Book, Table
@@ -49,14 +49,13 @@ class DynamicsFormulas:
         return self.book["dynamics_J_parts"].formula(_total(list(self._inertias())))
 
     def _inertias(self) -> Iterator[Expr]:
-        table, passing = self.table("parts"), self.found.given.passing
+        table = self.table("parts")
         for row, one in enumerate(self.found.whole.parts):
             part = one.part
             for key, arm, plain in (("J", "i", part.ratio == 1), ("m", "r", False)):
                 if (part.inertia if key == "J" else part.mass and part.arm) == 0:
                     continue
-                term: Expr = table.var(key, row) if plain else table.var(key, row) * table.var(arm, row) ** 2
-                yield term / table.var("eta", row) if passing and part.efficiency != 1 else term
+                yield table.var(key, row) if plain else table.var(key, row) * table.var(arm, row) ** 2
 
     @property
     def resisted(self) -> bool:
@@ -68,16 +67,56 @@ class DynamicsFormulas:
         return self.book["dynamics_M_parts"].formula(_total(list(self._moments())))
 
     def _moments(self) -> Iterator[Expr]:
-        table = self.table("parts")
         for row, one in enumerate(self.found.whole.parts):
-            for key, arm in (("M", "i"), ("F", "r")):
-                size = float(table[key].values[row])
-                if not size or np.isnan(size):
-                    continue
-                plain = key == "M" and one.part.ratio == 1
-                term: Expr = table.var(key, row) if plain else table.var(key, row) * table.var(arm, row)
-                eta = table.var("eta", row)
-                yield term if one.part.efficiency == 1 else term * eta if size < 0 else term / eta
+            terms = self._taken(row)
+            if terms:
+                yield self._passed(_total(terms), row, one.moment)
+
+    def _taken(self, row: int) -> list[Expr]:
+        """What a part takes from the main shaft without losses."""
+        table, part = self.table("parts"), self.found.whole.parts[row].part
+        sizes = {key: float(table[key].values[row]) for key in ("M", "F")}
+        return [
+            table.var(key, row)
+            if key == "M" and part.ratio == 1
+            else table.var(key, row) * table.var(arm, row)
+            for key, arm in (("M", "i"), ("F", "r"))
+            if sizes[key] and not np.isnan(sizes[key])
+        ]
+
+    def _passed(self, taken: Expr, row: int, sign: float) -> Expr:
+        """With the losses of the gears, on the side to which the power goes."""
+        if self.found.whole.parts[row].part.efficiency == 1:
+            return taken
+        eta = self.table("parts").var("eta", row)
+        return taken * eta if sign < 0 else taken / eta
+
+    def lost(self, name: str) -> list[Formula]:
+        """What the gears lose by the acceleration, in the middle row of a start-up or a run-down, or at the sample
+        position; of the parts whose power turns round the whole moment, less what is counted without acceleration."""
+        run = dict(self.found.runs).get(name)
+        plant = run.plant if run else self.found.supplied
+        given = self.found.given
+        unloaded = name == "coast" and given.coast is not None and not given.coast.load
+        if plant.passing is None or (unloaded and any(one.moment or one.force for one in given.parts)):
+            return []
+        table, row = (self.table(name), len(self.table(name)) // 2) if run else (self.cycle, self.position)
+        epsilon = table.var("epsilon", row)
+        return [table.formula("M_lost", row, _total(list(self._losing(epsilon))))]
+
+    def _losing(self, epsilon: Var) -> Iterator[Expr]:
+        parts = self.table("parts")
+        for row, one in enumerate(self.found.whole.parts):
+            if not one.inertia or one.part.efficiency == 1:
+                continue
+            still = float(one.moment)
+            gained, eta = parts.var("J_red", row) * epsilon, parts.var("eta", row)
+            whole = still * (one.part.efficiency if still > 0 else 1 / one.part.efficiency) + gained.value
+            if still == 0 or still * whole > 0:
+                yield gained * (eta - 1) if whole < 0 else gained * (1 / eta - 1)
+            else:
+                taken = self._passed(_total([gained, *self._taken(row)]), row, whole)
+                yield taken - gained - parts.var("M_red", row)
 
     # ------------------------------------------------------------ the motor
 
@@ -90,8 +129,7 @@ class DynamicsFormulas:
         motor, table = self.found.given.motor, self.table("characteristics")
         assert motor is not None  # asked for only where there is one
         omega: Expr = table.var("omega", self.row)
-        geared = motor.ratio != 1 or motor.efficiency != 1
-        own = omega * self.var("i_motor") if geared else omega
+        own = omega * self.var("i_motor") if motor.geared else omega
         found: list[Formula] = []
         match motor.own:
             case Linear():
@@ -103,7 +141,10 @@ class DynamicsFormulas:
                 moment = self._kloss(table.var("s", self.row))
             case _:
                 return []
-        moment = self.var("i_motor") * self.var("eta_motor") * moment if geared else moment
+        if motor.geared:
+            eta = self.var("eta_motor")
+            brakes = table["M_dr"].values[self.row] < 0
+            moment = self.var("i_motor") * moment / eta if brakes else self.var("i_motor") * eta * moment
         return [*found, table.formula("M_dr", self.row, moment)]
 
     def _kloss(self, s: Expr) -> Expr:
@@ -151,6 +192,16 @@ class DynamicsFormulas:
         moments = table.var("M_dr", row) - table.var("M_res", row)
         return table.formula("epsilon", row, moments / self.var("J"))
 
+    def uniform(self) -> list[Formula]:
+        """The angular acceleration under constant moments, of a constant moment of inertia."""
+        driving, motor = self.var("M_dr"), self.found.given.motor
+        found = []
+        if motor is not None and motor.geared and isinstance(motor.own, Constant):
+            own = self.var("i_motor") * self.var("eta_motor") * self.var("M_motor")
+            found.append(self.book["dynamics_M_dr"].formula(own))
+        epsilon = (driving - self.var("M_res")) / self.var("J")
+        return [*found, self.book["dynamics_epsilon"].formula(epsilon)]
+
     def kinetic(self) -> Formula:
         """Energy of the steady motion, of a constant moment of inertia."""
         return self.book["dynamics_T_steady"].formula(self.var("J") * self.var("omega_m") ** 2 / 2)
@@ -182,11 +233,14 @@ class DynamicsFormulas:
 
     def _reduced(self) -> Iterator[Formula]:
         k, cycle = self.position, self.cycle
+        yield from self.lost("steady")
         if "I_red" in cycle:
             parts = [self.at("I_red"), *([self.var("J_parts")] if self.found.whole.parts else [])]
             if len(parts) > 1:
                 yield cycle.formula("J", k, _total(list(parts)))
             resisting: Expr = self.at("M_fr") - self.at("M_red")
+            if "M_lost" in cycle:
+                resisting = resisting + self.at("M_lost")
             yield cycle.formula("M_res", k, resisting)
 
     def by_potential(self) -> Formula:

@@ -62,6 +62,11 @@ class Motor:
     ratio: float = 1.0
     efficiency: float = 1.0
 
+    @property
+    def geared(self) -> bool:
+        """Whether its own shaft is not the main one."""
+        return self.ratio != 1 or self.efficiency != 1
+
 
 @dataclass(frozen=True, eq=False)
 class Resistance:
@@ -102,7 +107,8 @@ class Coast:
 class Given:
     """SI. `speed`: of the main shaft as stated, rad/s; `period`: angle of a cycle without a mechanism, rad; `varying`:
     points (angle, kg m²) of a moment of inertia that is stated; `passing`: whether what accelerates a part is lost in
-    its gears too; `steady`: None: where it follows from what is stated."""
+    its gears too; `friction`: whether that of the mechanism's pairs resists, where it is stated; `steady`: None: where
+    it follows from what is stated."""
 
     parts: tuple[Part, ...] = ()
     motor: Motor | None = None
@@ -113,6 +119,7 @@ class Given:
     varying: tuple[tuple[float, float], ...] = ()
     passing: bool = False
     gravity: float = G
+    friction: bool = True
     start: Start | None = None
     steady: bool | None = None
     coast: Coast | None = None

@@ -2,45 +2,55 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from tmm_report.chapters.dynamics import refusals
 from tmm_report.chapters.dynamics.given import Given, Part, Spring, Supply
 from tmm_report.chapters.machine import Machine, Moving, machine
 from tmm_report.mechanics import shafts
-from tmm_report.mechanics.characteristics import ANGLE, NOTHING, ByAngle, Characteristic, Reversed
+from tmm_report.mechanics.characteristics import ANGLE, NOTHING, ByAngle, Characteristic, reversed_
 from tmm_report.mechanics.machine import Acting, Plant
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.panels import Panels, panels
+from tmm_report.mechanics.passing import Passing
 from tmm_report.mechanics.planar import dot
 from tmm_report.mechanics.repeated import repeated
+from tmm_report.mechanics.steady import NotSteady, closing
 from tmm_report.problems import N_, Message, ProblemError, mistake
 from tmm_report.records import dataclass
 
+if TYPE_CHECKING:
+    from tmm_report.chapters.friction.solve import Reduced
+
 Array = Any
 MOTOR, BRAKE = "motor", "brake"
+PAIRS = "pairs"  # friction of the mechanism's pairs
+BESIDE = 1e-3  # rad: a bend so near to an edge costs no digits, a panel so narrow does
 WORK, WEIGHT, RUBBING = "work", "weight", "friction"  # kinds of what acts beside the motor
 
 
 @dataclass(frozen=True)
 class ReducedPart:
     """`inertia`, kg m², and `moment`, N m, on the main shaft: the moment above zero where it resists. `weight`: the
-    part of the mass's weight in it."""
+    part of the mass's weight in it; `hanging`: what the weight alone is, without the working resistances."""
 
     part: Part
     inertia: float
     moment: float
     weight: float
+    hanging: float
 
 
 @dataclass(frozen=True, eq=False)
 class Whole:
-    """`acting`: all that acts without the motor, with its kind; `potential` (K, n): energy of weights and springs that
-    depends on the angle alone, J; `lifted`: moment of the weights that are lifted with the shaft, N m."""
+    """`acting`: all that acts without the motor, with its kind; `unloaded` (K, n): moment of the friction of the pairs
+    where the stated loads do not act, None where it is not asked for; `potential` (K, n): energy of weights and springs
+    that depends on the angle alone, J; `lifted`: moment of the weights that are lifted with the shaft, N m."""
 
     given: Given
     machine: Machine | None
@@ -51,6 +61,7 @@ class Whole:
     acting: tuple[tuple[str, Acting], ...]
     potential: Array
     balanced: float | None = None
+    unloaded: Array = None
 
     @cached_property
     def added(self) -> float:
@@ -68,9 +79,29 @@ class Whole:
 
     def plant(self, supply: Supply = "on", brake: float = 0.0, load: bool = True) -> Plant:
         acting = [one for kind, one in self.acting if load or kind != WORK]
+        if not load:
+            acting = [self._unloaded(one) for one in acting]
         if brake:
             acting.append(Acting(BRAKE, values=np.full(self.panels.shape, -brake)))
-        return Plant(self.panels, self.inertia, self.slope, (*self._motor(supply), *acting))
+        acting = [*self._motor(supply), *acting]
+        return Plant(self.panels, self.inertia, self.slope, tuple(acting), self._passing(load))
+
+    def _unloaded(self, one: Acting) -> Acting:
+        """A weight that is lifted passes the gears alone; friction is that of the reactions without loads."""
+        if one.key == PAIRS and self.unloaded is not None:
+            return replace(one, values=self.unloaded)
+        for k, part in enumerate(self.parts, 1):
+            if one.key == f"weight{k}" and part.weight:
+                return Acting(one.key, values=np.full(self.panels.shape, -part.hanging))
+        return one
+
+    def _passing(self, load: bool) -> Passing | None:
+        parts = [one for one in self.parts if one.inertia and one.part.efficiency < 1]
+        if not (self.given.passing and parts):
+            return None
+        moments = [taking(one.part, self.given.gravity, load) for one in parts]
+        of = [[one.inertia for one in parts], moments, [one.part.efficiency for one in parts]]
+        return Passing(*(np.array(row) for row in of))
 
     def _motor(self, supply: Supply) -> Iterator[Acting]:
         if supply == "off":
@@ -81,9 +112,11 @@ class Whole:
             yield Acting(MOTOR, values=np.full(self.panels.shape, self.balanced))
 
 
-def whole(given: Given, moving: Moving | None) -> Whole:
-    of = machine(moving) if moving else None
-    over = _panels(given, of)
+def whole(given: Given, moving: Moving | None, bends: Sequence[float] = ()) -> Whole:
+    """`bends`: angles at which a moment is bent in the motion, edges of the panels too."""
+    of = machine(moving, given.friction) if moving else None
+    idle = _unloaded(given, moving, of)
+    over = _panels(given, of, idle, bends)
     parts = tuple(_part(one, given) for one in given.parts)
     inertia, slope = _varying(given, of, over)
     added = sum(one.inertia for one in parts)
@@ -94,23 +127,44 @@ def whole(given: Given, moving: Moving | None) -> Whole:
     acting += [*_springs(given, of, over), *_laws(given, over)]
     pull = moving.forces.given.gravity if moving and moving.forces else 0j
     potential = _of_links(of, over, pull) + _potential(given, of, over)
-    found = Whole(given, of, over, parts, inertia + added, slope, tuple(acting), potential)
+    unloaded = None if idle is None else -idle.panels.at(idle.moment, over.x)
+    found = Whole(given, of, over, parts, inertia + added, slope, tuple(acting), potential, unloaded=unloaded)
     if of is None or given.motor is not None:
         return found
     free = found.plant("off")
     closes = "speed" in free.of and free.mean_moment > 0
     if closes:  # an engine whose load depends on the speed
         return found
-    return replace(found, balanced=-float(free.net(given.speed or of.omega)))
+    mean = given.speed or of.omega
+    return replace(found, balanced=-float(free.net(mean)) if "speed" in free.of else _closing(free, mean))
 
 
-def _panels(given: Given, of: Machine | None) -> Panels:
+def _unloaded(given: Given, moving: Moving | None, of: Machine | None) -> Reduced | None:
+    """Friction of the pairs of a machine that runs down without its loads: of the reactions without them."""
+    if of is None or of.friction is None or of.friction.moment is None or moving is None:
+        return None
+    idle = given.coast is not None and not given.coast.load
+    return moving.friction.unloaded if idle and moving.friction else None
+
+
+def _closing(free: Plant, mean: float) -> float:
+    try:
+        return closing(free, mean)
+    except NotSteady as stops:
+        raise refusals.not_steady(stops.phi) from None
+
+
+def _panels(given: Given, of: Machine | None, idle: Reduced | None, bends: Sequence[float]) -> Panels:
     """Those of the mechanism, or of the period, cut at the points of what is stated by angle too."""
     laws = [one.law for one in given.resistances] + ([given.motor.own] if given.motor else [])
     breaks = [x for law in laws if isinstance(law, ByAngle) for x in law.x] + [x for x, _ in given.varying]
     if of is None:
-        return panels(given.period, breaks)
-    return panels(of.panels.period, np.concatenate([of.panels.edges, breaks])) if breaks else of.panels
+        found = panels(given.period, breaks)
+    else:
+        breaks += idle.panels.edges.tolist() if idle is not None else []
+        found = panels(of.panels.period, np.concatenate([of.panels.edges, breaks])) if breaks else of.panels
+    apart = [x for x in bends if np.abs(found.edges - x).min() > BESIDE]
+    return panels(found.period, np.concatenate([found.edges, apart])) if apart else found
 
 
 def _moved(of: Machine, over: Panels, values: Array) -> Array:
@@ -137,26 +191,32 @@ def _varying(given: Given, of: Machine | None, over: Panels) -> tuple[Array, Arr
 
 def _acting(key: str, law: Characteristic, sign: float, over: Panels, reverse: bool = False) -> Acting:
     """What depends on the angle alone as values at the points."""
+    law = reversed_(law) if reverse else law
     if law.of in (NOTHING, ANGLE):
-        sense = -sign if reverse else sign
-        return Acting(key, values=sense * law.at(0.0, over.x) + np.zeros(over.shape))
-    return Acting(key, law=Reversed(law) if reverse else law, sign=sign)
+        return Acting(key, values=sign * law.at(0.0, over.x) + np.zeros(over.shape))
+    return Acting(key, law=law, sign=sign)
 
 
 def _loads(of: Machine | None, over: Panels) -> Iterator[tuple[str, Acting]]:
     for load, values in of.moments if of else ():
         kind = WEIGHT if load.key.startswith("G_") else WORK
         yield kind, Acting(load.key, values=_moved(of, over, values))  # type: ignore[arg-type]
+    if of is not None and of.friction is not None and of.friction.moment is not None:
+        yield RUBBING, Acting(PAIRS, values=_moved(of, over, of.rubbing))
 
 
 def _part(one: Part, given: Given) -> ReducedPart:
-    eta = one.efficiency
-    passing = eta if given.passing else 1.0
-    inertia = shafts.inertia(one.ratio, one.inertia, passing) + shafts.travelling(one.mass, one.arm, passing)
-    own, force = one.moves * one.mass * given.gravity, one.moves * one.mass * given.gravity + one.force
-    whole = float(shafts.moment(one.arm, force, eta))
-    weight = whole * own / force if force else 0.0
-    return ReducedPart(one, float(inertia), whole + float(shafts.moment(one.ratio, one.moment, eta)), weight)
+    inertia = shafts.inertia(one.ratio, one.inertia) + shafts.travelling(one.mass, one.arm)
+    whole, own = taking(one, given.gravity), taking(one, given.gravity, load=False)
+    share, alone = (float(shafts.side(of, one.efficiency)) for of in (whole, own))
+    return ReducedPart(one, float(inertia), whole * share, own * share, own * alone)
+
+
+def taking(one: Part, gravity: float, load: bool = True) -> float:
+    """Moment that a part takes from the main shaft without losses, N m, all that acts on it together, as one power
+    passes its gears; not `load`: by its weight alone."""
+    weight = one.moves * one.mass * gravity * one.arm
+    return weight + one.force * one.arm + one.moment * one.ratio if load else weight
 
 
 def _of_parts(parts: tuple[ReducedPart, ...], over: Panels, gravity: float) -> Iterator[tuple[str, Acting]]:

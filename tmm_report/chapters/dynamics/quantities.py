@@ -17,6 +17,7 @@ from tmm_report.chapters.dynamics.terms import (
     FRICTION,
     GENERALISED,
     INERTIA,
+    LOST,
     OF_LINKS,
     OF_LOADS,
     POTENTIAL,
@@ -28,6 +29,7 @@ from tmm_report.chapters.dynamics.terms import (
     SPEED,
     TIME,
     TOTAL,
+    WITH_PAIRS,
     WORK,
 )
 from tmm_report.chapters.dynamics.values import values
@@ -71,7 +73,8 @@ def tables(found: Found) -> Iterator[Table]:
     for name, run in found.runs:
         yield Table(f"dynamics_{name}", RUNS[name], tuple(_run(run, slice(None, None, rows_apart(run)))))
         yield Table(f"dynamics_{name}_diagram", RUNS[name], tuple(_run(run, slice(None))))
-    yield Table("dynamics_works", WORKS, tuple(_works(found)))
+    if found.moves:
+        yield Table("dynamics_works", WORKS, tuple(_works(found)))
 
 
 def rows_apart(run: Run) -> int:
@@ -155,7 +158,9 @@ def _cycle(found: Found, turned: Array) -> Iterator[Column]:
     yield DRIVING.column(shown(driving))
     if found.whole.machine is not None:
         yield OF_LOADS.column(shown(loads))
-        yield FRICTION.column(shown(rubbing))
+        yield (WITH_PAIRS if found.whole.machine.rubs else FRICTION).column(shown(rubbing))
+    if plant.passing is not None:
+        yield LOST.column(shown(plant.acted(steady.omega) - steady.moment))
     yield RESISTING.column(shown(driving - steady.moment))
     yield TOTAL.column(shown(steady.moment))
     yield WORK.column(found.work(turned))
@@ -171,10 +176,12 @@ def _cycle(found: Found, turned: Array) -> Iterator[Column]:
 
 def _run(run: Run, rows: slice) -> Iterator[Column]:
     driving = sum((run.of(one) for one in run.plant.acting if one.key == MOTOR), np.zeros(len(run.t)))
-    columns = (
+    columns = [
         (TIME, run.t), (ANGLE, run.phi), (SPEED, run.omega), (ACCELERATION, run.epsilon), (DRIVING, driving),
         (RESISTING, driving - run.moment),
-    )  # fmt: skip
+    ]  # fmt: skip
+    if run.plant.passing is not None:
+        columns.append((LOST, run.lost))
     for quantity, numbers in columns:
         yield quantity.column(numbers[rows])
 

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any, NoReturn
 
 from tmm_report.mechanics.motion_law import NeverReached
-from tmm_report.problems import N_, Message, ProblemError, mistake
+from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.quantity.text import number
 
 
@@ -26,6 +27,18 @@ def too_weak(drive: float, load: float) -> NoReturn:
     )
     right = N_("a stronger motor, a greater ratio, a start without load, or another position to start from")
     raise _error(text, "motor", right, drive=_text(drive), load=_text(load))
+
+
+def inverted(problem: Problem, path: tuple[str | int, ...], ratio: float) -> ProblemError:
+    """Of a machine that would move with a ratio the other way round: the same problem with another cure."""
+    right = N_(
+        "look at %(key)s: it is the speed of that shaft by that of the main shaft, and with %(ratio)s, the other way "
+        "round, the machine would move; else a stronger motor, or less load"
+    )
+    key = ".".join(map(str, path))
+    return ProblemError(
+        [replace(problem, right=Message(right, {"key": key, "ratio": _text(ratio)}), path=path)]
+    )
 
 
 def never(key: str, why: NeverReached, speed: float | None) -> ProblemError:

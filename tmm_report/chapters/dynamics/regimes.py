@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from tmm_report.chapters.dynamics import refusals
 from tmm_report.chapters.dynamics.given import Coast, Given, Start
 from tmm_report.chapters.dynamics.plant import MOTOR, Whole
 from tmm_report.mechanics.by_time import kinks
-from tmm_report.mechanics.characteristics import BySpeed, Kloss, Linear
-from tmm_report.mechanics.machine import Plant, level
+from tmm_report.mechanics.characteristics import BySpeed, Kloss, Linear, Power
+from tmm_report.mechanics.machine import LOST, Plant, level
 from tmm_report.mechanics.motion_law import Goal, NeverReached, Run
 from tmm_report.mechanics.running import run
 from tmm_report.mechanics.steady import NotSteady, Steady, at_mean_speed, periodic
@@ -33,7 +35,8 @@ def starts(plant: Plant, start: Start) -> None:
 
 def _strongest(plant: Plant) -> float:
     """The time at which most is left to drive a machine at rest, s."""
-    times = [0.0, *(x for one in plant.laws for x in kinks(one))]
+    kinked = [x for one in plant.laws for x in kinks(one)]
+    times = [0.0, *kinked, *(math.nextafter(x, 0.0) for x in kinked)]  # both sides of a jump
     return max(times, key=lambda t: float(plant.net(0.0, t)))
 
 
@@ -89,11 +92,23 @@ def steady_motion(given: Given, machine: Whole, plant: Plant, start: Start | Non
 
 def _by_speed(plant: Plant, begin: float, given: Given) -> Steady | None:
     speed = balance(plant, begin)
+    if speed == 0 and not plant.even:
+        # from a place where little resists it may start, though the mean moment would not let it
+        speed = balance(plant, _running(plant, given))
     if speed:
         return periodic(plant, speed)
+    if _only_runs_down(given):
+        return None
     if given.steady or given.start is None or is_open(given.start):
         raise refusals.no_level(float(plant.net(begin)), speed)
     return None
+
+
+def _only_runs_down(given: Given) -> bool:
+    """Whether no steady motion is wanted: the machine is let go at a speed, or nothing drives it."""
+    coast = given.coast
+    alone = coast is not None and given.start is None and not given.steady
+    return alone and coast is not None and (coast.begin is not None or given.motor is None)
 
 
 def _running(plant: Plant, given: Given) -> float:
@@ -115,6 +130,13 @@ def _fastest(given: Given) -> float:
         case BySpeed(x=x):
             return x[-1] / (motor.ratio if motor else 1.0)
     return 2 * given.speed if given.speed else 0.0
+
+
+def stated_top(given: Given) -> float:
+    """Speed of the main shaft up to which characteristics say something where no regime does, rad/s."""
+    fans = [one.law.speed for one in given.resistances if isinstance(one.law, Power)]
+    curves = [one.law.x[-1] for one in given.resistances if isinstance(one.law, BySpeed)]
+    return _fastest(given) or max([*fans, *curves], default=0.0) or 1.0
 
 
 def is_open(start: Start) -> bool:
@@ -141,14 +163,17 @@ def _closed(given: Given, machine: Whole, plant: Plant) -> Steady | None:
         return None
     works = [float(plant.panels.total(one.values)) for one in plant.acting]
     size = sum(float(plant.panels.total(np.abs(one.values))) for one in plant.acting)
+    speed = given.speed or (of.omega if of else 0.0)
+    found = at_mean_speed(plant, speed) if speed and plant.passing is not None else None
+    if found is not None:
+        works.append(found.works[LOST])
     if abs(sum(works)) > CLOSED * (size or 1.0):
         if given.steady is None and given.start is not None and not is_open(given.start):
             return None
         raise refusals.not_closed(sum(works), MOTOR in [one.key for one in plant.acting])
-    speed = given.speed or (of.omega if of else 0.0)
     if not speed:
         raise refusals.no_speed()
-    return at_mean_speed(plant, speed)
+    return found or at_mean_speed(plant, speed)
 
 
 # ---------------------------------------------------------------- run-down

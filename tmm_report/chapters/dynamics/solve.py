@@ -7,21 +7,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
+from tmm_report.chapters.dynamics import refusals
 from tmm_report.chapters.dynamics.given import Given
+from tmm_report.chapters.dynamics.inverted import turned_round
 from tmm_report.chapters.dynamics.plant import MOTOR, RUBBING, WEIGHT, WORK, Whole, whole
-from tmm_report.chapters.dynamics.regimes import is_open, run_down, start_up, starts, steady_motion
-from tmm_report.chapters.machine import Moving
+from tmm_report.chapters.dynamics.regimes import (
+    is_open,
+    run_down,
+    start_up,
+    starts,
+    stated_top,
+    steady_motion,
+)
+from tmm_report.chapters.machine import Moving, friction_doubts
 from tmm_report.mechanics.by_angle import running_at
 from tmm_report.mechanics.machine import Acting, Plant
 from tmm_report.mechanics.motion_law import Run
 from tmm_report.mechanics.steady import Steady
-from tmm_report.problems import N_, Message
+from tmm_report.problems import N_, Message, Problem, ProblemError
 from tmm_report.quantity.text import number
 from tmm_report.records import dataclass
 
@@ -53,6 +62,16 @@ class Found:
             for name, found in (("start", self.start), ("coast", self.coast))
             if found is not None
         )
+
+    @property
+    def moves(self) -> bool:
+        """Whether a regime is found; else there is the machine reduced to its shaft alone."""
+        return self.steady is not None or any(True for _ in self.runs)
+
+    @property
+    def uniformly(self) -> bool:
+        """Whether, without a regime, what is reduced says the acceleration: all is constant."""
+        return not self.moves and self.even and not self.supplied.of
 
     @property
     def ends_near(self) -> bool:
@@ -89,7 +108,7 @@ class Found:
             return None
         tops = [self.steady.extremes[1][0]] if self.steady is not None else []
         tops += [float(run.omega.max()) for _, run in self.runs]
-        return np.linspace(0.0, 1.05 * max(tops, default=1.0), CURVE + 1)
+        return np.linspace(0.0, 1.05 * max(tops or [stated_top(self.given)]), CURVE + 1)
 
     def moments(self, omega: Array) -> tuple[Array, Array, Array]:
         """At speeds at the points of the panels (K, n): driving moment; moment of loads, weights and springs, along
@@ -147,6 +166,10 @@ class Found:
         slope = self.whole.panels.slope(self.whole.potential)
         return float(np.abs(moment + slope).max() / (np.abs(moment).max() or 1.0))
 
+    @property
+    def doubts(self) -> Iterator[Problem]:
+        return friction_doubts(self.whole.machine, "dynamics")
+
     def summary(self) -> Iterator[Message]:
         """The main numbers in sentences."""
         if self.steady is not None and self.even:
@@ -157,6 +180,10 @@ class Found:
                 "machine in motion: mean speed %(omega)s rad/s, coefficient of non-uniformity %(delta)s"
             )
             yield Message(text, {"omega": _text(self.steady.mean), "delta": _text(self.steady.delta)})
+        if self.uniformly:
+            plant = self.supplied
+            text = N_("machine in motion: angular acceleration %(epsilon)s rad/s²")
+            yield Message(text, {"epsilon": _text(plant.mean_moment / float(plant.inertia.flat[0]))})
         if self.start is not None:
             text = N_("start-up: %(t)s s, %(turns)s turns")
             yield Message(text, {"t": _text(self.start.t[-1]), "turns": _text(_turns(self.start))})
@@ -175,19 +202,41 @@ def _text(value: float) -> str:
 
 def solve(given: Given, moving: Moving | None) -> Found:
     """`moving`: the solved lever mechanism, where the variant has one. Raises ProblemError."""
-    machine = whole(given, moving)
     start = given.start
-    supply = start.supply if start else "on"
-    plant = machine.plant(supply)
-    if start is not None and start.begin == 0:
-        starts(plant, start)
-    steady = steady_motion(given, machine, plant, start)
+    try:
+        machine, plant, steady = _moved(given, moving, ())
+    except ProblemError as error:
+        raise _with_a_ratio_turned_round(error, given, moving) from None
+    if steady is not None and steady.bends.size:
+        machine, plant, steady = _moved(given, moving, steady.bends)
     turned, diagram = _angles(machine, moving)
     return Found(
         given, machine, moving, turned, diagram, steady,
         start_up(plant, start, steady) if start is not None else None,
         run_down(machine, given.coast, steady) if given.coast is not None else None,
     )  # fmt: skip
+
+
+def _moved(given: Given, moving: Moving | None, bends: Sequence[float]) -> tuple[Whole, Plant, Steady | None]:
+    """The machine as it starts, and its steady motion; `bends`: of that motion. Raises ProblemError."""
+    start, machine = given.start, whole(given, moving, bends)
+    plant = machine.plant(start.supply if start else "on")
+    if start is not None and start.begin == 0:
+        starts(plant, start)
+    return machine, plant, steady_motion(given, machine, plant, start)
+
+
+def _with_a_ratio_turned_round(error: ProblemError, given: Given, moving: Moving | None) -> ProblemError:
+    """What is wrong; of a machine that its motor does not move the ratio with whose reciprocal it would, first."""
+    if [one.path for one in error.problems] != [("dynamics", "motor")]:
+        return error
+    for path, ratio, other in turned_round(given):
+        try:
+            _moved(other, moving, ())
+        except ProblemError:
+            continue
+        return refusals.inverted(error.problems[0], path, ratio)
+    return error
 
 
 def _angles(machine: Whole, moving: Moving | None) -> tuple[Array, Array]:

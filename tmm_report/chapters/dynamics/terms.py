@@ -8,7 +8,8 @@ from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.symbols import Symbol
 
 RED, DR, RES, FR = NP_("index", "red"), NP_("index", "dr"), NP_("index", "res"), NP_("index", "fr")
-MEAN, CR = NP_("index", "mean"), NP_("index", "cr")
+MEAN, CR, OWN = NP_("index", "mean"), NP_("index", "cr"), NP_("index", "own")
+LOST_INDEX = NP_("index", "lost")
 RUN_UP, RUN_DOWN = NP_("index", "start"), NP_("index", "coast")
 BRAKING, BEGIN = NP_("index", "br"), NP_("index", "begin")
 
@@ -41,6 +42,22 @@ FRICTION = Quantity(
     Symbol("M", FR),
     "N·m",
     Message(N_("moment of the resistances of the main shaft, against the rotation")),
+)
+WITH_PAIRS = Quantity(
+    "M_fr",
+    Symbol("M", FR),
+    "N·m",
+    Message(
+        N_(
+            "moment of the friction in the pairs and of the resistances of the main shaft, against the rotation"
+        )
+    ),
+)
+LOST = Quantity(
+    "M_lost",
+    Symbol("M", LOST_INDEX),
+    "N·m",
+    Message(N_("moment that the gears lose more than at a constant speed, by the acceleration of the parts")),
 )
 OF_LINKS = Quantity(
     "I_red", Symbol("I", RED), "kg·m²", Message(N_("reduced moment of inertia of the mechanism"))

@@ -9,7 +9,20 @@ import numpy as np
 
 from tmm_report.chapters.dynamics.plant import MOTOR
 from tmm_report.chapters.dynamics.solve import Found
-from tmm_report.chapters.dynamics.terms import BRAKING, CR, DR, MEAN, RES, RUN_DOWN, RUN_UP
+from tmm_report.chapters.dynamics.terms import (
+    ACCELERATION,
+    BRAKING,
+    CR,
+    DR,
+    DRIVING,
+    MEAN,
+    OWN,
+    RES,
+    RESISTING,
+    RUN_DOWN,
+    RUN_UP,
+)
+from tmm_report.chapters.machine import friction_rows
 from tmm_report.mechanics.characteristics import Constant, Kloss, Linear, Power, Series
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Quantity, Value
@@ -21,7 +34,7 @@ Row = tuple[str, Symbol | None, str, str, float] | tuple[str, Symbol | None, str
 
 def values(found: Found) -> Iterator[Value]:
     """All of them; every key begins with "dynamics_"."""
-    for rows in (_reduced, _motor, _resistances, _steady, _energies, _runs, _checks):
+    for rows in (_reduced, _motor, _resistances, _friction, _steady, _energies, _uniform, _runs, _checks):
         for key, symbol, unit, meaning, number, *at in rows(found):
             quantity = Quantity(f"dynamics_{key}", symbol, unit, Message(meaning))
             yield quantity.value(number, at[0] if at else None)
@@ -45,7 +58,7 @@ def _motor(found: Found) -> Iterator[Row]:
             closing = N_("constant moment on the main shaft that closes the cycle")
             yield "M_closing", Symbol("M", DR), "N·m", closing, found.whole.balanced
         return
-    if motor.ratio != 1 or motor.efficiency != 1:
+    if motor.geared:
         yield (
             "i_motor",
             Symbol("i", DR),
@@ -56,7 +69,8 @@ def _motor(found: Found) -> Iterator[Row]:
         yield "eta_motor", Symbol("eta", DR), "", N_("efficiency of the gear of the motor"), motor.efficiency
     match motor.own:
         case Constant(moment):
-            yield "M_motor", Symbol("M", DR), "N·m", N_("constant moment of the motor"), moment
+            symbol = Symbol("M", OWN if motor.geared else DR)
+            yield "M_motor", symbol, "N·m", N_("constant moment of the motor"), moment
         case Linear(stall, no_load):
             yield "M_stall", Symbol("M", RUN_UP), "N·m", N_("moment of the motor at rest"), stall
             yield "omega_0", Symbol("omega", "0"), "rad/s", N_("speed of the motor without a load"), no_load
@@ -97,6 +111,10 @@ def _resistances(found: Found) -> Iterator[Row]:
             N_("moment of the brake on the main shaft"),
             found.given.coast.brake,
         )
+
+
+def _friction(found: Found) -> Iterator[Row]:
+    return friction_rows(found.whole.machine)
 
 
 def _steady(found: Found) -> Iterator[Row]:
@@ -156,6 +174,19 @@ def _energies(found: Found) -> Iterator[Row]:
         zero = np.zeros(1)
         energy = float(plant.panels.at(plant.inertia, zero)[0] * found.omega(zero)[0] ** 2 / 2)
         yield "T_0", Symbol("T", "0"), "J", N_("kinetic energy of the machine at position 0"), energy
+
+
+def _uniform(found: Found) -> Iterator[Row]:
+    """Of constant moments and a constant moment of inertia, where no regime is asked for."""
+    if not found.uniformly:
+        return
+    acting = found.supplied.acting
+    driving = sum((float(one.values.flat[0]) for one in acting if one.key == MOTOR), 0.0)
+    net = found.supplied.mean_moment
+    yield "M_dr", DRIVING.sign, "N·m", N_("driving moment on the main shaft"), driving
+    yield "M_res", RESISTING.sign, "N·m", N_("resisting moment on the main shaft"), driving - net
+    inertia = float(found.supplied.inertia.flat[0])
+    yield "epsilon", ACCELERATION.sign, "rad/s²", N_("angular acceleration of the main shaft"), net / inertia
 
 
 TEXTS = {

@@ -10,10 +10,12 @@ from markupsafe import Markup
 
 from tmm_report.chapters.dynamics import draw
 from tmm_report.chapters.dynamics.formulas import DynamicsFormulas
-from tmm_report.chapters.dynamics.plant import BRAKE, MOTOR
+from tmm_report.chapters.dynamics.plant import BRAKE, MOTOR, PAIRS
 from tmm_report.chapters.dynamics.solve import Found
+from tmm_report.chapters.machine import friction_told
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.graphs import Graph
+from tmm_report.mechanics.machine import LOST
 from tmm_report.problems import N_
 from tmm_report.quantity.ref import Ref
 from tmm_report.report.layout import Cell, Column, Table, numeric, worded
@@ -151,6 +153,18 @@ class DynamicsView(DynamicsFormulas):
         values = (self.book[f"dynamics_{key}"] for key in keys)
         return [self.page.explained(of.key, of, of.unit) for of in values]
 
+    def friction(self) -> Markup | None:
+        """What is said of the friction of the pairs; None where none is stated."""
+        text = friction_told(self.found.whole.machine)
+        named = {
+            name: key for name, key in (("power", "P_fr"), ("share", "P_fr_share")) if f"%({name})s" in text
+        }
+        return (
+            self.t(text, **{name: self.number(key, digits=4) for name, key in named.items()})
+            if text
+            else None
+        )
+
     # ------------------------------------------------------------ tables
 
     def parts_table(self) -> Table:
@@ -174,7 +188,7 @@ class DynamicsView(DynamicsFormulas):
 
     def _every(self, table: Any, key: str, step: int) -> Column:
         whole = self.page.column(table, key)
-        return Column(whole.head, whole.cells[::step], whole.least)
+        return Column(whole.head, whole.cells[::step])
 
     def cycle_table(self) -> Table:
         columns = [self.page.column(self.cycle, column.key) for column in self.cycle.columns[2:]]
@@ -211,6 +225,8 @@ class DynamicsView(DynamicsFormulas):
         fixed = {
             MOTOR: N_("motor"),
             BRAKE: N_("brake"),
+            PAIRS: N_("friction in the kinematic pairs"),
+            LOST: N_("more losses in the gears by the acceleration"),
             "sum": N_("sum"),
             "gained": N_("change of the kinetic energy"),
         }
@@ -263,6 +279,11 @@ class DynamicsView(DynamicsFormulas):
             )
             omega, delta = self.number("omega_m"), self.number("delta", digits=4)
             lines.append(self.t(text, omega=omega, delta=delta))
+        if self.found.uniformly:
+            text = N_(
+                "Under its constant moments the main shaft has the angular acceleration %(epsilon)s rad/s²."
+            )
+            lines.append(self.t(text, epsilon=self.number("epsilon", digits=4)))
         if self.found.coast is not None:
             text = N_("The run-down of the machine takes %(t)s s.")
             lines.append(self.t(text, t=self.number("t_coast", digits=4)))

@@ -72,7 +72,7 @@ class FurtherView:
         columns[1] = columns[1]._replace(
             cells=[cell if self._known("m4", row) else "—" for row, cell in enumerate(columns[1].cells)]
         )
-        return numeric(caption, Column(page.sym("t"), sets, 4), columns)
+        return numeric(caption, Column(page.sym("t"), sets), columns)
 
     def _known(self, key: str, row: int) -> bool:
         number = float(self._mass_table[key].values[row])

@@ -68,26 +68,22 @@ class EccentricTables(EccentricFormulas):
         whole = float(self.family_of[key].values[row]).is_integer()
         return self.page.cell(self.family_of, key, row) if whole else "—"
 
-    def _words(self, title: str, table: quantity.Table, key: str, least: int = 8) -> Column:
+    def _words(self, title: str, table: quantity.Table, key: str) -> Column:
         """A first column of names."""
         names = [self.page.word(text, table, key, row) for row, text in enumerate(table[key].values)]
-        return Column(self.t(title), names, least)
+        return Column(self.t(title), names)
 
-    def _cells(
-        self, head: Any, table: quantity.Table, key: str, least: int, unit: str = "", **form: Any
-    ) -> Column:
+    def _cells(self, head: Any, table: quantity.Table, key: str, unit: str = "", **form: Any) -> Column:
         """A column with decimals of its own in each cell."""
-        return Column(
-            head, [self.page.cell(table, key, row, unit, **form) for row in range(len(table))], least
-        )
+        return Column(head, [self.page.cell(table, key, row, unit, **form) for row in range(len(table))])
 
     def _whole(self, table: quantity.Table, key: str) -> Column:
         """Whole numbers with all their digits."""
         texts = [Cell(str(int(z)), table.ref(key, row)) for row, z in enumerate(table[key].values)]
-        return Column(self.page.head(table[key].symbol()), texts, 4)
+        return Column(self.page.head(table[key].symbol()), texts)
 
     def _mm(self, table: quantity.Table, key: str) -> Column:
-        return self._cells(self.page.head(table[key].symbol(), "mm"), table, key, 8, "mm", places=3)
+        return self._cells(self.page.head(table[key].symbol(), "mm"), table, key, "mm", places=3)
 
     def sizes(self) -> Table:
         """Teeth and diameters of all the wheels, mm."""
@@ -101,12 +97,12 @@ class EccentricTables(EccentricFormulas):
         columns = [
             self._whole(table, "z"),
             *(
-                self._cells(page.listed([page.sym(table[key].symbol()), "°"]), table, key, 8, places=3)
+                self._cells(page.listed([page.sym(table[key].symbol()), "°"]), table, key, places=3)
                 for key in ("phi1", "phi3")
             ),
             *(self._mm(table, key) for key in ("x", "y")),
-            self._cells(page.head(table["L"].symbol()), table, "L", 8, places=4),
-            self._cells(page.head(table["residue"].symbol()), table, "residue", 6, size=True, places=4),
+            self._cells(page.head(table["L"].symbol()), table, "L", places=4),
+            self._cells(page.head(table["residue"].symbol()), table, "residue", size=True, places=4),
         ]
         first = self._words(N_("Satellite"), table, "wheel")
         return numeric(self.t("Positions of the satellites"), first, columns)
@@ -141,10 +137,10 @@ class EccentricTables(EccentricFormulas):
         table, unit = self.of.table("teeth"), self.page.unit
         columns = [
             self._cells(
-                self.t("Overlap, %(unit)s", unit=unit("mm²")), table, "overlap", 14, "mm²", digits=3, scale=1e3
+                self.t("Overlap, %(unit)s", unit=unit("mm²")), table, "overlap", "mm²", digits=3, scale=1e3
             ),
             self._cells(
-                self.t("Least clearance, %(unit)s", unit=unit("mm")), table, "clearance", 16, "mm",
+                self.t("Least clearance, %(unit)s", unit=unit("mm")), table, "clearance", "mm",
                 places=5, scale=1e-3,
             ),
         ]  # fmt: skip
@@ -155,6 +151,6 @@ class EccentricTables(EccentricFormulas):
         """Speeds of all the members with one of them stopped, rad/s."""
         table = self.of.table("speeds")
         names = [SUN, *(s.wheel for s in self.found.upper), RING, CARRIER]
-        columns = [self.page.column(table, f"omega_{name}", least=8) for name in names]
-        first = self._words(N_("Stopped"), table, "stopped", 12)
+        columns = [self.page.column(table, f"omega_{name}") for name in names]
+        first = self._words(N_("Stopped"), table, "stopped")
         return numeric(self.t("Angular velocities of the members"), first, columns)

@@ -67,7 +67,7 @@ class EngineView(EngineFormulas):
     # ------------------------------------------------------------ tables
 
     def _column(self, name: str, key: str) -> Column:
-        return self.page.column(self.table(name), key, least=7)
+        return self.page.column(self.table(name), key)
 
     def cylinders(self) -> Table:
         table = self.table("cylinders")
@@ -77,7 +77,7 @@ class EngineView(EngineFormulas):
         keys = ["beta", "psi", "z", "direct_1", "direct_2"]
         keys += [] if self.found.in_line else ["reverse_1", "reverse_2"]
         columns = [self.page.column(table, key, digits=4) for key in keys]
-        return numeric(self.t("Cylinders and their cranks"), Column(self.t("Cylinder"), names, 8), columns)
+        return numeric(self.t("Cylinders and their cranks"), Column(self.t("Cylinder"), names), columns)
 
     def coefficients(self) -> Table:
         columns = [self._column("orders", key) for key in ("c", "c_exact")]
@@ -86,7 +86,7 @@ class EngineView(EngineFormulas):
     def _orders(self) -> Column:
         table = self.table("orders")
         cells = [self.page.cell(table, "order", row) for row in range(len(table))]
-        return Column(self.page.head(table["order"].symbol()), cells, 4)
+        return Column(self.page.head(table["order"].symbol()), cells)
 
     def orders(self) -> Table:
         keys = [f"{letter}_{key}" for letter in self.letters for key in ("max", "min", "direction")]
@@ -161,7 +161,7 @@ class EngineView(EngineFormulas):
             self.page.word(text, table, "cylinder", row) for row, text in enumerate(table["cylinder"].values)
         ]
         columns = [self._column("firing", key) for key in ("angle", "interval")]
-        return numeric(self.t("Order of firing"), Column(self.t("Cylinder"), names, 8), columns)
+        return numeric(self.t("Order of firing"), Column(self.t("Cylinder"), names), columns)
 
     @property
     def even(self) -> bool:
@@ -208,7 +208,7 @@ class EngineView(EngineFormulas):
         words = [str(self.t("direct cranks")), str(self.t("reverse cranks"))]
         if self.found.in_line:
             words = ["", ""]
-        return star_picture(star, words, self.found.in_line, str(self.star_caption(star)))
+        return star_picture(star, words, self.found.in_line, self.page.plain(self.star_caption(star)))
 
     def star_caption(self, star: Star) -> Markup:
         text = N_("Cranks of order %(k)s and the sum of the forces, %(scale)s")

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from tmm_report.chapters.flywheel.solve import Found
-from tmm_report.figures.drawing import DASHED, NORMAL, THIN, Arc, Drawing, Item, Tag, line
+from tmm_report.figures.drawing import DASHED, NORMAL, THIN, Arc, Drawing, Item, Tag, dot, line
 from tmm_report.figures.lettering import Parts, symbol
 from tmm_report.figures.plane import Frame, Spot, Trace, framed, plane
 from tmm_report.mechanics.flywheel import Touch
@@ -73,12 +73,9 @@ def energy_mass(
     items += [line(frame.at(0j + 1j * frame.low.imag), frame.at(1j * frame.high.imag), NORMAL)]
     tags = [*_letters(frame, tangents), *_numbers(frame, numbered[:-1])]
     spots = [Spot(complex(one.inertia, one.work), colour="red") for one in tangents]
-    traces = [Trace(curve)]
-    dots = Trace(numbered, marks=range(len(numbered) - 1), pen=replace(THIN, width=0.0, colour="black"))
-    return plane(
-        frame, [*traces, replace(dots, points=numbered)], *labels, num,
-        spots=spots, more=items, tags=tags, title=title,
-    )  # fmt: skip
+    # of the positions dots alone: a line of no width is one where thin lines are drawn as thin as can be
+    items += [dot(frame.at(complex(point)), 0.5) for point in numbered[:-1]]
+    return plane(frame, [Trace(curve)], *labels, num, spots=spots, more=items, tags=tags, title=title)
 
 
 def work_curve(found: Found, num: Callable[[float], str]) -> Drawing:

@@ -139,7 +139,8 @@ USUAL: dict[str, tuple[float, float]] = {  # kind of machine -> usual δ, from f
 class Given:
     """SI. Of `delta`, `speeds` (least, greatest) and `wheel` one is stated. Beside a lever mechanism there are neither
     loads, nor `inertia`, nor `speed`: they are the mechanism's. `own`: constant moment of inertia of the machine that
-    turns with the main link besides; `ratio`: speed of the flywheel's shaft to that of the main link."""
+    turns with the main link besides; `ratio`: speed of the flywheel's shaft to that of the main link; `friction`:
+    whether that of the mechanism's pairs, where it is stated, is among the resistances."""
 
     delta: float | None = None
     speeds: tuple[float, float] | None = None
@@ -159,3 +160,4 @@ class Given:
     shape: Shape = field(default_factory=Disc)
     material: Material = STEEL
     positions: int = 24
+    friction: bool = True

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from tmm_report.chapters.flywheel.given import Areas, Constant, Given, Law, Punch, Series, Table
-from tmm_report.chapters.machine import Moving, machine
+from tmm_report.chapters.machine import Machine, Moving, machine
 from tmm_report.mechanics.flywheel import Cycle
 from tmm_report.mechanics.panels import NARROWEST, WIDEST, Panels, panels
 from tmm_report.problems import N_, Message, ProblemError, mistake
@@ -36,6 +36,13 @@ class Sides:
     turned: Array  # of the table's positions, rad
     drawn: Array  # of the diagrams'
     links: float = 0.0  # kg m²: those parts of the links' inertia that do not vary
+    machine: Machine | None = None  # the mechanism, where there is one
+
+    @property
+    def rubbing(self) -> Array | None:
+        """Moment of the friction of the pairs, a part of `resisting`; None where there is none in it."""
+        friction = self.machine.friction if self.machine else None
+        return None if friction is None or friction.moment is None else -friction.moment
 
 
 def sides(given: Given, moving: Moving | None, omega: float) -> Sides:
@@ -47,25 +54,27 @@ def sides(given: Given, moving: Moving | None, omega: float) -> Sides:
 
 
 def _of_mechanism(given: Given, moving: Moving) -> Sides:
-    """All its loads are one side: they resist where they take work over the cycle, and drive where they give it."""
-    found, kinematics = machine(moving), moving.kinematics
+    """All its loads are one side: they resist where with the friction of the pairs they take work over the cycle, and
+    drive where they give it; the friction resists."""
+    found, kinematics = machine(moving, given.friction), moving.kinematics
     parts = found.inertia
     even = tuple(link for link, part in parts.items() if np.ptp(part) <= EVEN * np.max(part))
     links = sum(float(np.mean(parts[link])) for link in even)
     varying = sum((part for link, part in parts.items() if link not in even), np.zeros(found.panels.shape))
-    moment = found.whole_moment
-    mean = _mean(found.panels, moment, "loads")
+    loads, rubbing = found.whole_moment, found.rubbing
+    mean = _mean(found.panels, loads + rubbing, "loads")
     driven = mean < 0
     other = np.full(found.panels.shape, -mean)
     return Sides(
-        Cycle(found.panels, moment - mean, varying, _constant(given, found.omega) + links),
-        other if driven else moment,
-        moment if driven else other,
+        Cycle(found.panels, loads + rubbing - mean, varying, _constant(given, found.omega) + links),
+        other if driven else loads,
+        loads + rubbing if driven else other + rubbing,
         "driving" if driven else "resisting",
         0.0,
         kinematics.turned,
         kinematics.diagram_turned,
         links,
+        found,
     )
 
 

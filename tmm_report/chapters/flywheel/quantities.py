@@ -32,6 +32,12 @@ DRIVING = Quantity(
 RESISTING = Quantity(
     "M_res", Symbol("M", NP_("index", "res")), "N·m", Message(N_("moment of the resistances"))
 )
+FRICTION = Quantity(
+    "M_fr",
+    Symbol("M", "fr"),
+    "N·m",
+    Message(N_("moment of friction in the pairs, among the moment of the resistances")),
+)
 EXCESS = Quantity("M_ex", Symbol("M", NP_("index", "exc")), "N·m", Message(N_("excess moment")))
 WORK = Quantity(
     "A", Symbol("A"), "J", Message(N_("work of the excess moment from the beginning of the cycle"))
@@ -89,6 +95,8 @@ def cycle(found: Found, turned: Array) -> Iterator[tuple[Quantity, Array]]:
     if sides.driving is not None and sides.resisting is not None:
         yield DRIVING, over.at(sides.driving, turned)
         yield RESISTING, over.at(sides.resisting, turned)
+    if sides.rubbing is not None:
+        yield FRICTION, over.at(sides.rubbing, turned)
     yield EXCESS, over.at(of.moment, turned)
     # the work at the end is that of the whole cycle, nothing: what is left of it is rounding
     yield WORK, work_at(found, turned)

@@ -18,10 +18,10 @@ import numpy as np
 from tmm_report.chapters.flywheel.given import USUAL, Given, Gyration
 from tmm_report.chapters.flywheel.loads import Sides, mean_speed, sides
 from tmm_report.chapters.flywheel.sizes import Sizes, sized
-from tmm_report.chapters.machine import Moving
+from tmm_report.chapters.machine import Moving, friction_doubts
 from tmm_report.mechanics.flywheel import METHODS, Cycle, Method
 from tmm_report.mechanics.flywheel_motion import Integrated, Turning, integrated, turning
-from tmm_report.problems import N_, Message, ProblemError, mistake
+from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.quantity.paper import round_scale
 from tmm_report.records import dataclass
 
@@ -132,6 +132,10 @@ class Found:
         tall = max(high, *cuts) - min(low, *cuts)
         return round_scale(inertia, SHEET), round_scale(tall, SHEET)
 
+    @property
+    def doubts(self) -> Iterator[Problem]:
+        return friction_doubts(self.sides.machine, "flywheel")
+
     def summary(self) -> Iterator[Message]:
         """The main numbers in sentences."""
         text = N_(
@@ -206,6 +210,13 @@ def _strong(given: Given, found: Sides, omega: float) -> None:
             "the motor is too weak: the cycle takes %(needed)s kW on the average, the motor gives %(power)s kW; a "
             "flywheel only lends energy within a cycle, it gives none"
         )
-        right = Message(N_("state a motor of %(needed)s kW or more"), {"needed": f"{power / 1e3:.4g}"})
         values = {"needed": f"{power / 1e3:.4g}", "power": f"{given.motor.power / 1e3:.4g}"}
+        if found.machine is not None and found.machine.rubs:
+            text = N_(
+                "the motor is too weak: the cycle takes %(needed)s kW on the average, %(friction)s kW of it for the "
+                "friction in the pairs, the motor gives %(power)s kW; a flywheel only lends energy within a cycle, it "
+                "gives none"
+            )
+            values["friction"] = f"{found.machine.friction_power / given.motor.efficiency / 1e3:.4g}"
+        right = Message(N_("state a motor of %(needed)s kW or more"), {"needed": f"{power / 1e3:.4g}"})
         raise ProblemError([mistake(text, ("flywheel", "motor", "power"), right, **values)])

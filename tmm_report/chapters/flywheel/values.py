@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tmm_report.chapters.flywheel.given import Constant, Disc, Rim
 from tmm_report.chapters.flywheel.solve import Found
+from tmm_report.chapters.machine import friction_rows
 from tmm_report.i18n import NP_
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Quantity, Value
@@ -81,6 +82,7 @@ def _loads(found: Found) -> Iterator[Row]:
         )
         left = N_("part of the work of the cycle by which both sides do not close")
         yield "left", None, "%", left, 100 * abs(found.sides.spread / found.moment)
+    yield from friction_rows(found.sides.machine)
     if found.needed is not None:
         yield "P_need", Symbol("P"), "W", N_("power that the motor must give on the average"), found.needed
     (low, at_low), (high, at_high) = found.cycle.swing

@@ -14,6 +14,7 @@ from tmm_report.chapters.flywheel import draw, sketch
 from tmm_report.chapters.flywheel import quantities as q
 from tmm_report.chapters.flywheel.formulas import FlywheelFormulas
 from tmm_report.chapters.flywheel.solve import Found
+from tmm_report.chapters.machine import friction_told
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.graphs import Curve, Graph
 from tmm_report.figures.lettering import symbol
@@ -78,6 +79,18 @@ class FlywheelView(FlywheelFormulas):
         if (motor := self.found.given.motor) is not None:
             keys += [("P_nom", "kW"), ("omega_nom", ""), *([("J_r", "")] if motor.inertia else [])]
         return self.page.listed(self.sized(key, unit) for key, unit in keys)
+
+    def friction(self) -> Markup | None:
+        """What is said of the friction of the pairs; None where none is stated."""
+        text = friction_told(self.found.sides.machine)
+        named = {
+            name: key for name, key in (("power", "P_fr"), ("share", "P_fr_share")) if f"%({name})s" in text
+        }
+        return (
+            self.t(text, **{name: self.number(key, digits=4) for name, key in named.items()})
+            if text
+            else None
+        )
 
     @property
     def turns(self) -> float:

@@ -48,6 +48,8 @@ class ForcePlansView:
         self.kinematics, self.length_scale = lever.kinematics, lever.plans.length_scale
         self.book = Book.of(q.tables(found), q.values(found))
         self.picture = cache(self._picture)
+        forces = lever.kinetostatics
+        self.couples = forces is not None and bool(forces.table.loading.couples)
 
     def conclusions(self) -> list[Markup]:
         text = N_(

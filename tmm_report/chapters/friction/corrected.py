@@ -129,22 +129,21 @@ def solve(
     rubbing_of: Callable[[Pair], Rubbing | None],
     found: Kinetostatics,
     first: tuple[Array, Array],
-    over: tuple[Over, Array] | None,
+    panels: Panels | None,
+    whole: Corrected | None,
 ) -> Correction:
     """`rubbing_of`: friction of a pair; `first`: power of friction without correction at the table and the diagram
-    positions; `over`: the whole cycle with the same power. Raises ProblemError where the mechanism jams."""
+    positions; `panels`, `whole`: the whole cycle, by `between`. Raises ProblemError where the mechanism jams."""
     table, diagram = (
         _corrected(rubbing_of, found, solved, power)
         for solved, power in zip((found.table, found.diagram), first, strict=True)
     )
     if not any(np.nanmax(loss.pressing, initial=0.0) > 0 for loss in diagram.pairs):
         raise ProblemError([_idle()])
-    whole = _between(rubbing_of, found, *over) if over is not None else None
-    panels = over[0].panels if over is not None else None
     return Correction(table, diagram, panels, whole, bool(found.kinematics.gaps))
 
 
-def _between(
+def between(
     rubbing_of: Callable[[Pair], Rubbing | None], found: Kinetostatics, over: Over, first: Array
 ) -> Corrected | None:
     """Over the whole cycle; None where it jams between the positions, as it does close beside a change point, of
@@ -186,7 +185,7 @@ def _senses(pairs: Sequence[Pair], rates: Mapping[str, Array]) -> dict[str, Arra
 def _rub(pair: Pair, stated: Rubbing, sense: Array) -> Rub:
     if pair.kind == "R":
         return Rub(pair, stated.coefficient, sense, (stated.diameter or 0.0) / 2)
-    return Rub(pair, stated.coefficient, sense, half=stated.length / 2 if stated.length else None)
+    return Rub(pair, stated.coefficient, sense, half=stated.half)
 
 
 def _losses(rubs: Sequence[Rub], rubbed: Rubbed, rates: Mapping[str, Array]) -> list[Loss]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -10,18 +11,36 @@ from markupsafe import Markup
 from tmm_report.chapters.friction import corrected_quantities as c
 from tmm_report.chapters.friction import quantities as q
 from tmm_report.chapters.friction.corrected import STILL, Correction, Loss
-from tmm_report.chapters.friction.solve import FrictionFound
+from tmm_report.chapters.friction.solve import FrictionFound, PairLoss
 from tmm_report.chapters.kinetostatics import quantities as forces
 from tmm_report.chapters.kinetostatics.solve import Kinetostatics
 from tmm_report.figures.graphs import Curve, Graph
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Expr, Formula, Var
 from tmm_report.quantity.model import Book
+from tmm_report.quantity.model import Table as Numbers
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.diagrams import CycleGraphs
 from tmm_report.report.layout import Table, numeric
 from tmm_report.report.page import Page
+
+
+def tilting(losses: Iterable[PairLoss | Loss], table: Numbers, page: Page) -> Markup | None:
+    """Guides whose slider touches both faces somewhere, each with its positions, of `table`; None where there are
+    none."""
+    where = [(loss, tilted(loss)) for loss in losses]
+    text, lines = N_("guide %(pair)s, positions %(positions)s"), []
+    for loss, positions in where:
+        shown = [page.shown(table, "position", int(k)) for k in positions]
+        lines += [page.t(text, pair=loss.pair.name, positions=page.listed(shown))] if shown else []
+    return page.listed(lines, "; ") if lines else None
+
+
+def tilted(loss: PairLoss | Loss) -> Any:
+    """Positions at which the forces at the ends of a slider are more than its reaction."""
+    more = loss.pressing - np.abs(loss.reaction)
+    return np.flatnonzero(more > STILL * np.nanmax(loss.pressing, initial=0.0))
 
 
 class CorrectedView:
@@ -63,25 +82,8 @@ class CorrectedView:
 
     # ------------------------------------------------------------ the slider that tilts
 
-    @property
-    def guides(self) -> bool:
-        return any(pair.kind == "P" for pair in self.pairs)
-
     def tilting(self) -> Markup | None:
-        """Guides whose slider touches both faces somewhere, each with its positions; None where there are none."""
-        where = [(loss, self._tilted(loss)) for loss in self.correction.table.pairs]
-        lines = [self._tilts(loss, k) for loss, k in where if len(k)]
-        return self.page.listed(lines, "; ") if lines else None
-
-    def _tilted(self, loss: Loss) -> Any:
-        """Positions at which the forces at the ends of a slider are more than its reaction."""
-        more = loss.pressing - np.abs(loss.reaction)
-        return np.flatnonzero(more > STILL * np.nanmax(loss.pressing, initial=0.0))
-
-    def _tilts(self, loss: Loss, positions: Any) -> Markup:
-        text = N_("guide %(pair)s, positions %(positions)s")
-        shown = [self.page.shown(self.moments, "position", int(k)) for k in positions]
-        return self.t(text, pair=loss.pair.name, positions=self.page.listed(shown))
+        return tilting(self.correction.table.pairs, self.moments, self.page)
 
     # ------------------------------------------------------------ formulas of the sample position
 
@@ -95,7 +97,7 @@ class CorrectedView:
     def _pressing(self, row: int, loss: Loss) -> Formula:
         pair, k = loss.pair, self.position
         presses: Expr = self.reactions.var(c.corrected_reaction(pair).key, k)
-        if k in self._tilted(loss):
+        if k in tilted(loss):
             couple = self.reactions.var(c.corrected_couple(pair).key, k)
             presses = 2 * abs(couple) / self.book.tables["friction_given"].var("l", row)
         scale = float(np.nanmax(loss.pressing))
@@ -153,7 +155,7 @@ class CorrectedView:
         """Reactions without friction and with it, pair by pair."""
         before, columns = self.book.tables["friction_table"], []
         for pair, loss in zip(self.pairs, self.correction.table.pairs, strict=True):
-            columns.append(self.page.column(before, q.pressing(pair).key))
+            columns.append(self.page.column(before, q.borne(pair).key))
             columns.append(self.page.column(self.reactions, c.corrected_reaction(pair).key))
             if loss.couple is not None:
                 columns.append(self.page.column(self.reactions, c.corrected_pressing(pair).key))

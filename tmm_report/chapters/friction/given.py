@@ -21,6 +21,11 @@ class Rubbing:
     length: float | None = None
     stock: Stock | None = None
 
+    @property
+    def half(self) -> float | None:
+        """Half the length of the slider, m; None where it is not stated: its moment then presses nothing."""
+        return None if self.length is None else self.length / 2
+
 
 @dataclass(frozen=True)
 class Friction:

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from tmm_report.chapters.friction import corrected_quantities
 from tmm_report.chapters.friction.solve import FrictionFound, Losses, PairLoss
 from tmm_report.chapters.kinematics.quantities import where
-from tmm_report.chapters.kinetostatics.quantities import both, reaction
+from tmm_report.chapters.kinetostatics.quantities import both, guide_moment, reaction
 from tmm_report.mechanics.structure import Pair
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
@@ -50,10 +50,28 @@ def rate(pair: Pair) -> Quantity:
     return Quantity(f"w_rel_{pair.key}", Symbol("omega", f"{one},{other}"), "rad/s", meaning)
 
 
-def pressing(pair: Pair) -> Quantity:
-    """Magnitude of the reaction that presses the links of a pair."""
+def borne(pair: Pair) -> Quantity:
+    """Magnitude of the reaction of a pair."""
     force = reaction(*pair.links)
     return Quantity(f"R_{pair.key}", force.symbol, force.unit, force.meaning)
+
+
+def couple(pair: Pair) -> Quantity:
+    """Magnitude of the moment of the reaction of a guide about the middle of its slider."""
+    of = guide_moment(*pair.links)
+    meaning = Message(
+        N_("moment of the reaction in guide %(pair)s about the middle of the slider"), {"pair": pair.name}
+    )
+    return Quantity(f"M_{pair.key}", of.symbol, of.unit, meaning)
+
+
+def pressing(pair: Pair) -> Quantity:
+    """Force that presses a slider of stated length; of all other pairs it is the reaction."""
+    meaning = Message(
+        N_("force that presses the slider to guide %(pair)s, links %(links)s"),
+        {"pair": pair.name, "links": pair.key},
+    )
+    return Quantity(f"N_{pair.key}", Symbol("N", both(*pair.links)), "N", meaning)
 
 
 def tables(found: FrictionFound) -> Iterator[Table]:
@@ -96,7 +114,10 @@ def _losses(losses: Losses) -> Iterator[Column]:
     yield REDUCED.column(losses.reduced)
     yield EFFICIENCY.column(losses.efficiency)
     for loss in losses.pairs:
-        yield pressing(loss.pair).column(loss.reaction)
+        yield borne(loss.pair).column(loss.reaction)
+        if loss.couple is not None:
+            yield couple(loss.pair).column(loss.couple)
+            yield pressing(loss.pair).column(loss.pressing)
         yield rate(loss.pair).column(loss.rate)
 
 

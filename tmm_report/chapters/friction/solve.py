@@ -1,12 +1,14 @@
 """Chapter 3, friction: power lost in every pair and the instantaneous efficiency.
 
-Pivots f R (d/2) |ω_rel|, guides f R |v_rel| (Frolov (ed.), Theory of mechanisms, ch. 7); the reactions are those
-without friction, as the course takes them. `corrected` finds them with friction, where that is asked for.
+Pivots f R (d/2) |ω_rel|, guides f N |v_rel| (Frolov (ed.), Theory of mechanisms, ch. 7), N by `rubbing.pressing`; the
+reactions are those without friction, as the course takes them. `corrected` finds them with friction, where that is
+asked for.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
@@ -16,25 +18,35 @@ from tmm_report.chapters.friction import corrected
 from tmm_report.chapters.friction.given import Friction, Rubbing
 from tmm_report.chapters.kinetostatics.solve import Kinetostatics, Over, cut_at
 from tmm_report.mechanics.motion import Motion
-from tmm_report.mechanics.rubbing import relative_rate
-from tmm_report.mechanics.statics import Statics
+from tmm_report.mechanics.panels import Panels
+from tmm_report.mechanics.peaks import refined
+from tmm_report.mechanics.planar import cross
+from tmm_report.mechanics.rubbing import pressing, relative_rate
+from tmm_report.mechanics.statics import Reaction, Statics
 from tmm_report.mechanics.structure import Pair
 from tmm_report.records import dataclass
 
 __all__ = ["FrictionFound", "Losses", "PairLoss", "rubbing_of", "solve"]
 
 Array = Any
+NOTHING = 1e-12  # of the largest reaction: a force below it is rounding
+CUTS = 3  # how often panels are cut at most
+APART = 1e-6  # of the period: kinks nearer than this are one
 
 
 @dataclass(frozen=True, eq=False)
 class PairLoss:
-    """Friction in one pair at some positions: `reaction` N, `rate` the relative rad/s or m/s, `power` W; (..., P)."""
+    """Friction in one pair at some positions: `reaction` N, `rate` the relative rad/s or m/s, `power` W; `pressing`: N,
+    of a slider that tilts the sum of both its ends; `couple`: size of the moment of a guide about the middle of a
+    slider of stated length, N m, None of all else; (..., P)."""
 
     pair: Pair
     rubbing: Rubbing
     reaction: Array
     rate: Array
     power: Array
+    pressing: Array
+    couple: Array | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,6 +72,19 @@ class Losses:
         return self.total / abs(self.omega)
 
 
+Whole = tuple[Over, Losses]
+
+
+@dataclass(frozen=True, eq=False)
+class Reduced:
+    """Moment of all the friction reduced to the driving link over the whole cycle, against the rotation: `moment`
+    (K, n), N m, at the points of `panels`, at the stated speed; `corrected`: by the reactions with friction."""
+
+    panels: Panels
+    moment: Array
+    corrected: bool
+
+
 @dataclass(frozen=True, eq=False)
 class FrictionFound:
     """Found by `solve`: losses at the table positions 0..N and the diagram positions. `given`: by pair name."""
@@ -71,11 +96,25 @@ class FrictionFound:
     diagram: Losses
     forces: Kinetostatics  # without friction
     corrected: corrected.Correction | None = None
+    known: Whole | None = None  # where it was found with the correction
 
     @cached_property
-    def whole(self) -> tuple[Over, Losses] | None:
+    def whole(self) -> Whole | None:
         """Over the whole cycle, cut where the losses have kinks; None where some position has no forces."""
-        return _whole(self.given, self.forces)
+        return self.known or _whole(self.given, self.forces)
+
+    @cached_property
+    def reduced(self) -> Reduced | None:
+        """Over the whole cycle; None where some position has no forces, or the cycle does not close."""
+        return _reduced(self.whole, self.corrected.whole if self.corrected else None)
+
+    @cached_property
+    def unloaded(self) -> Reduced | None:
+        """The same where the stated forces and moments do not act."""
+        forces = replace(self.forces, given=replace(self.forces.given, forces=(), moments=()))
+        whole = _whole(self.given, forces)
+        again = _between(self.given, forces, whole) if self.given.corrected else None
+        return _reduced(whole, again)
 
     @cached_property
     def mean_power(self) -> float:
@@ -102,37 +141,93 @@ class FrictionFound:
 def solve(given: Friction, kinetostatics: Kinetostatics) -> FrictionFound:
     table, diagram = kinetostatics.table, kinetostatics.diagram
     at_table, at_diagram = (_losses(given, solved.motion, solved.statics) for solved in (table, diagram))
-    again = _corrected(given, kinetostatics, at_table, at_diagram)
-    return FrictionFound(given, table.turned, diagram.turned, at_table, at_diagram, kinetostatics, again)
+    found = FrictionFound(given, table.turned, diagram.turned, at_table, at_diagram, kinetostatics)
+    if not given.corrected:
+        return found
+    whole = _whole(given, kinetostatics)
+    again = _corrected(given, kinetostatics, at_table, at_diagram, whole)
+    return replace(found, corrected=again, known=whole)
 
 
-def _whole(given: Friction, kinetostatics: Kinetostatics) -> tuple[Over, Losses] | None:
-    """Over the cycle, with edges where two links stop to turn or to slide on one another and where the balancing moment
-    passes through zero: the losses have kinks there."""
+def _whole(given: Friction, kinetostatics: Kinetostatics) -> Whole | None:
+    """Over the cycle, with edges where two links stop to turn or to slide on one another, where a slider changes the
+    face on which it is pressed or begins to tilt, and where the balancing moment passes through zero: the losses have
+    kinks there."""
     over = kinetostatics.over
     if over is None:
         return None
     rates = [relative_rate(over.motion, pair) for pair in over.motion.linkage.structure.pairs]
     known = [over.on(rate) for rate in rates if np.any(rate)]
-    kinks = [over.panels.roots(of) for of in (*known, over.balancing)]
-    finer = cut_at(over, np.concatenate(kinks), kinetostatics.given, kinetostatics.kinematics)
-    return None if finer is None else (finer, _losses(given, finer.motion, finer.statics))
+    reactions = over.statics.reactions.values()
+    least = NOTHING * max(np.abs(one.force).max() for one in reactions)
+    faces = (over.on(of) for reaction in reactions for of in _faces(given, reaction))
+    # what is rounding passes through zero wherever it likes
+    known += [np.where(np.abs(of) > least, of, 0.0) for of in faces]
+    kinks = np.concatenate([over.panels.roots(of) for of in (*known, over.balancing)])
+    cuts = _apart(over.panels, kinks)
+    for _ in range(CUTS):
+        over = cut_at(over, cuts, kinetostatics.given, kinetostatics.kinematics)
+        if over is None:
+            return None
+        losses = _losses(given, over.motion, over.statics)
+        total = over.on(losses.total)
+        # the size of a reaction that comes near to nothing is no polynomial where its components are
+        finer = refined(over.panels, total[None], np.abs(total).max(keepdims=True)[0])
+        if finer is over.panels:
+            break
+        cuts = finer.edges
+    return over, losses
+
+
+def _reduced(whole: Whole | None, again: corrected.Corrected | None) -> Reduced | None:
+    """`again`: the same with friction in the reactions, where that is asked for and known between the positions."""
+    if whole is None or not whole[0].closed:
+        return None
+    over, losses = whole
+    total = losses.total if again is None else again.lost
+    return Reduced(over.panels, over.on(total) / abs(losses.omega), again is not None)
 
 
 def _corrected(
-    given: Friction, kinetostatics: Kinetostatics, table: Losses, diagram: Losses
-) -> corrected.Correction | None:
-    if not given.corrected:
+    given: Friction, kinetostatics: Kinetostatics, table: Losses, diagram: Losses, whole: Whole | None
+) -> corrected.Correction:
+    first, between = (table.total, diagram.total), _between(given, kinetostatics, whole)
+    panels = whole[0].panels if whole is not None else None
+    return corrected.solve(lambda pair: rubbing_of(given, pair), kinetostatics, first, panels, between)
+
+
+def _between(given: Friction, forces: Kinetostatics, whole: Whole | None) -> corrected.Corrected | None:
+    """With friction in the reactions over the whole cycle; None where it is not known."""
+    if whole is None:
         return None
-    whole = _whole(given, kinetostatics)
-    over = (whole[0], whole[1].total) if whole is not None else None
-    first = table.total, diagram.total
-    return corrected.solve(lambda pair: rubbing_of(given, pair), kinetostatics, first, over)
+    return corrected.between(lambda pair: rubbing_of(given, pair), forces, whole[0], whole[1].total)
 
 
 def rubbing_of(given: Friction, pair: Pair) -> Rubbing | None:
     """Friction of a pair: its own, else that of all pivots or guides; None where nothing is stated."""
     return given.joints.get(pair.name) or (given.pivots if pair.kind == "R" else given.guides)
+
+
+def _apart(panels: Panels, kinks: Array) -> Array:
+    """Kinks without those that rounding has moved off an edge or off one another: on the sliver of a panel between them
+    a derivative would be rounding."""
+    near, kept = APART * panels.period, list[float]()
+    for kink in np.sort(kinks):
+        if np.min(np.abs(panels.edges - kink)) > near and (not kept or kink - kept[-1] > near):
+            kept.append(float(kink))
+    return np.array(kept)
+
+
+def _faces(given: Friction, reaction: Reaction) -> Iterator[Array]:
+    """What passes through zero of a guide with friction where the force that presses it has a kink."""
+    rubbing = rubbing_of(given, reaction.pair)
+    if rubbing is None or reaction.pair.kind != "P":
+        return
+    normal = cross(reaction.along, reaction.force)
+    yield normal
+    if rubbing.half:
+        couple = reaction.moment / rubbing.half
+        yield from (couple, normal - couple, normal + couple)
 
 
 def _losses(given: Friction, motion: Motion, statics: Statics) -> Losses:
@@ -141,11 +236,12 @@ def _losses(given: Friction, motion: Motion, statics: Statics) -> Losses:
         rubbing = rubbing_of(given, reaction.pair)
         if rubbing is not None:
             size = np.abs(np.broadcast_to(reaction.force, motion.shape))
+            presses = np.broadcast_to(pressing(reaction, rubbing.half), motion.shape)
             rate = np.abs(relative_rate(motion, reaction.pair))
             arm = (rubbing.diameter or 0.0) / 2 if reaction.pair.kind == "R" else 1.0
-            losses.append(
-                PairLoss(reaction.pair, rubbing, size, rate, rubbing.coefficient * size * arm * rate)
-            )
+            power = rubbing.coefficient * presses * arm * rate
+            couple = np.abs(np.broadcast_to(reaction.moment, motion.shape)) if rubbing.half else None
+            losses.append(PairLoss(reaction.pair, rubbing, size, rate, power, presses, couple))
     order = [pair.key for pair in motion.linkage.structure.pairs]
     losses.sort(key=lambda loss: order.index(loss.pair.key))
     omega = float(motion.omega)

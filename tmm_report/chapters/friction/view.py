@@ -9,7 +9,7 @@ import numpy as np
 from markupsafe import Markup
 
 from tmm_report.chapters.friction import quantities as q
-from tmm_report.chapters.friction.corrected_view import CorrectedView
+from tmm_report.chapters.friction.corrected_view import CorrectedView, tilted, tilting
 from tmm_report.chapters.friction.solve import FrictionFound, PairLoss
 from tmm_report.chapters.kinetostatics import quantities as forces
 from tmm_report.chapters.kinetostatics.solve import Kinetostatics
@@ -17,7 +17,7 @@ from tmm_report.figures.graphs import Curve, Graph
 from tmm_report.mechanics.materials import Range, Stock
 from tmm_report.mechanics.structure import Pair
 from tmm_report.problems import N_
-from tmm_report.quantity.formula import Formula, Var
+from tmm_report.quantity.formula import Expr, Formula, Var
 from tmm_report.quantity.model import Book
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol
@@ -160,15 +160,41 @@ class FrictionView:
         columns.append(self.page.column(self.table, "eta", digits=4))
         return numeric(caption, self.page.positions(self.table), columns)
 
+    # ------------------------------------------------------------ the slider that tilts
+
+    @property
+    def guides(self) -> list[tuple[int, PairLoss]]:
+        """Those whose slider has a stated length, with their row of the given."""
+        return [(row, loss) for row, loss in enumerate(self.found.table.pairs) if loss.couple is not None]
+
+    @property
+    def tilts_here(self) -> bool:
+        """Whether a slider tilts at the position written out."""
+        return any(self.position in tilted(loss) for _, loss in self.guides)
+
+    def tilting(self) -> Markup | None:
+        return tilting(self.found.table.pairs, self.table, self.page)
+
     # ------------------------------------------------------------ formulas of the sample position
 
     def sample(self) -> list[Formula]:
-        """Power lost in each pair."""
-        return [self._loss(row, loss) for row, loss in enumerate(self.found.table.pairs)]
+        """Power lost in each pair, before it the force that presses each slider of stated length."""
+        losses = [self._loss(row, loss) for row, loss in enumerate(self.found.table.pairs)]
+        return [*(self._pressing(row, loss) for row, loss in self.guides), *losses]
+
+    def _pressing(self, row: int, loss: PairLoss) -> Formula:
+        """The reaction, or where the slider tilts the sum of the forces at its ends."""
+        pair, k = loss.pair, self.position
+        presses: Expr = self.table.var(q.borne(pair).key, k)
+        if k in tilted(loss):
+            length = self.book.tables["friction_given"].var("l", row)
+            presses = 2 * abs(self.table.var(q.couple(pair).key, k)) / length
+        return self.table.formula(q.pressing(pair).key, k, presses, scale=float(np.nanmax(loss.pressing)))
 
     def _loss(self, row: int, loss: PairLoss) -> Formula:
         pair, k, stated = loss.pair, self.position, self.book.tables["friction_given"]
-        friction = stated.var("f", row) * self.table.var(q.pressing(pair).key, k)
+        presses = q.borne if loss.couple is None else q.pressing
+        friction = stated.var("f", row) * self.table.var(presses(pair).key, k)
         if pair.kind == "R":
             arm = (
                 stated.var("d", row)

@@ -62,7 +62,7 @@ class BrakeView:
         table = self.book.tables["governor_brake"]
         first = self.page.column(table, "omega")
         return numeric(
-            caption, first, [self.page.column(table, "omega", "rpm", least=9), self.page.column(table, "M_b")]
+            caption, first, [self.page.column(table, "omega", "rpm"), self.page.column(table, "M_b")]
         )
 
     @cached_property

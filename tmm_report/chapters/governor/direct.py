@@ -157,7 +157,7 @@ def _lift(given: Direct) -> float:
 def _crank_lift(crank: BellCrank, given: Direct) -> float:
     highest = given.highest or given.lowest + (given.lift or 0.0) * crank.ball_arm / crank.sleeve_arm
     for radius in (given.lowest, highest):
-        if not crank.level and abs(radius - crank.fulcrum) >= crank.ball_arm:
+        if not crank.level and crank.fulcrum is not None and abs(radius - crank.fulcrum) >= crank.ball_arm:
             raise mistakes.crank_over(
                 radius, max(0.0, crank.fulcrum - crank.ball_arm), crank.fulcrum + crank.ball_arm
             )
@@ -208,9 +208,7 @@ def _chosen(given: Direct, lift: float) -> Weights:
 
 
 def _spring(given: Direct, lift: float, speeds: tuple[float, float]) -> Weights:
-    """The spring for the speeds at both stops."""
-    if speeds[1] <= speeds[0]:
-        raise mistakes.swapped(speeds)
+    """The spring for the speeds at both stops; of speeds that fall it makes an unstable governor, and that is told."""
     ends = given.geometry.moves(np.array([0.0, lift]), given.lowest)
     low, high = map(float, spring_force(ends, given.weights, np.array(speeds)))
     bare = equilibrium(ends, replace(given.weights, stiffness=0.0, preload=0.0))

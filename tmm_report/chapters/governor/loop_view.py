@@ -126,10 +126,10 @@ class LoopView:
             for row, one in enumerate(table["state"].values)
         ]
         columns = [
-            page.column(table, "M_c"), page.column(table, "omega"), page.column(table, "omega", "rpm", least=9),
+            page.column(table, "M_c"), page.column(table, "omega"), page.column(table, "omega", "rpm"),
             page.column(table, "z", "mm"), page.column(table, "s"),
         ]  # fmt: skip
-        return numeric(caption, Column(self.t(N_("State")), names, 14), columns)
+        return numeric(caption, Column(self.t(N_("State")), names), columns)
 
     def matrix(self, caption: Any) -> Table:
         """Each number with its own digits."""
@@ -147,8 +147,8 @@ class LoopView:
     def roots(self, caption: Any) -> Table:
         table, page = self.book.tables["governor_eigenvalues"], self.page
         numbers = [page.cell(table, "number", row) for row in range(len(table))]
-        columns = [page.column(table, key, least=12) for key in ("real", "imaginary")]
-        return numeric(caption, Column(self.t(N_("No.")), numbers, 4), columns)
+        columns = [page.column(table, key) for key in ("real", "imaginary")]
+        return numeric(caption, Column(self.t(N_("No.")), numbers), columns)
 
     def hurwitz(self, caption: Any) -> Table:
         """Each number with its own digits: they differ by many powers of ten."""

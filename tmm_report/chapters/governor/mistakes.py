@@ -65,21 +65,16 @@ def stuck(friction: float, least: float) -> ProblemError:
     return error(mistake(text, (*PATH, "sleeve", "friction"), right, **values))
 
 
-def swapped(speeds: tuple[float, ...]) -> ProblemError:
-    text = N_(
-        "the sleeve rises as the speed grows, but the speed of the upper stop, %(high)s rpm, is not above that of the "
-        "lower one, %(low)s rpm"
-    )
-    right = Message(N_("write the lower speed first"))
-    values = {"low": rpm(speeds[0]), "high": rpm(speeds[1])}
-    return error(mistake(text, (*PATH, "choose", "spring"), right, **values))
-
-
 def soft_spring(force: tuple[float, float], speeds: tuple[float, float], most: float) -> ProblemError:
     text = N_(
         "for these speeds the spring would press with %(low)s N at the lower stop and with less, %(high)s N, at the "
         "upper one, which no spring does: the weights alone spread the speeds further"
     )
+    if speeds[1] <= speeds[0]:
+        text = N_(
+            "for these speeds the spring would press with %(low)s N at the lower stop and with less, %(high)s N, at "
+            "the upper one, which no spring does: the speed cannot fall so far as the sleeve rises"
+        )
     right = Message(
         N_("with %(low)s rpm at the lower stop, more than %(most)s rpm at the upper one"),
         {"low": rpm(speeds[0]), "most": rpm(most)},

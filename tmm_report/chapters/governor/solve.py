@@ -30,6 +30,8 @@ class Found:
         """The main numbers in sentences."""
         if self.direct is not None:
             yield _of_direct(self.direct)
+            if self.direct.word in FALLS:
+                yield Message(FALLS[self.direct.word])
         if self.loop is not None:
             said = N_("governor with its machine: stable"), N_("governor with its machine: unstable")
             yield Message(said[not self.loop.stable])
@@ -37,6 +39,15 @@ class Found:
             text = N_("centrifugal brake: contact at %(contact)s rpm, held speed %(held)s rpm")
             values = {"contact": rpm(self.brake.given.brake.contact), "held": rpm(self.brake.held)}
             yield Message(text, values)
+
+
+FALLS = {
+    "unstable": N_("the governor is unstable: its speed falls as the sleeve rises"),
+    "partly": N_(
+        "the governor is unstable over a part of its lift: there its speed falls as the sleeve rises"
+    ),
+    "flat": N_("the governor is flat: one speed holds the sleeve at every lift"),
+}
 
 
 def _of_direct(found: DirectFound) -> Message:

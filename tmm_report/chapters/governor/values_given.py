@@ -69,7 +69,8 @@ def _of_arms(arms: Arms, lowest: float) -> Iterator[Value]:
 def _of_crank(crank: BellCrank, lowest: float) -> Iterator[Value]:
     yield value("a", Symbol("a"), "m", N_("length of the ball arm"), crank.ball_arm)
     yield value("b", Symbol("b"), "m", N_("length of the sleeve arm"), crank.sleeve_arm)
-    yield value("r_0", Symbol("r", "0"), "m", N_("distance of the fulcrum from the axis"), crank.fulcrum)
+    if crank.fulcrum is not None:
+        yield value("r_0", Symbol("r", "0"), "m", N_("distance of the fulcrum from the axis"), crank.fulcrum)
     yield value("r_min", Symbol("r", "min"), "m", N_("radius of a ball at the lower stop"), lowest)
 
 

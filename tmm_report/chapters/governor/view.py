@@ -192,7 +192,7 @@ class GovernorView:
     def speeds(self, caption: Any) -> Table:
         """Speeds in rpm, with the band of insensitivity where there is friction."""
         keys = ["omega_g", *(["omega_low", "omega_up"] if self.direct.given.friction else [])]
-        columns = [self.page.column(self.places, key, "rpm", least=10) for key in keys]
+        columns = [self.page.column(self.places, key, "rpm") for key in keys]
         if self.direct.given.friction:
             columns.append(self.page.column(self.places, "epsilon", "%", digits=4))
         return numeric(caption, self._lifts(), columns)

@@ -68,15 +68,15 @@ class HarmonicsView:
         table, page = self.book.tables["harmonic_content"], self.page
         orders = [page.cell(table, "order", row) for row in range(len(table))]
         columns = [self._column(table, column.key) for column in table.columns[1:]]
-        return numeric(caption, Column(page.sym("k"), orders, 3), columns)
+        return numeric(caption, Column(page.sym("k"), orders), columns)
 
     def _column(self, table: Any, key: str) -> Column:
         unit = "mm" if table[key].unit == "m" else "deg" if table[key].unit == "rad" else ""
         if not key.startswith("alpha"):
-            return self.page.column(table, key, unit, least=9)
+            return self.page.column(table, key, unit)
         head = self.page.head(table[key].symbol(), "°")
         cells = [self.page.cell(table, key, row, places=2) for row in range(len(table))]
-        return Column(head, cells, 7)
+        return Column(head, cells)
 
     def left(self, caption: Any) -> Table:
         table, page = self.book.tables["harmonics_left"], self.page
@@ -130,7 +130,7 @@ class HarmonicsView:
         xi = [page.cell(table, "xi", row, places=3) for row in range(len(table))]
         keys = [column.key for column in table.columns if column.key.startswith(prefix)]
         columns = [self._column(table, key) for key in keys]
-        return numeric(caption, Column(page.sym("xi"), xi, 5), columns)
+        return numeric(caption, Column(page.sym("xi"), xi), columns)
 
     def amplitudes(self, wave: Wave) -> Graph:
         """Amplitudes along the link, a panel for x and one for y."""

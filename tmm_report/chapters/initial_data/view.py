@@ -139,12 +139,17 @@ class InitialData:
 
     def _names(self, table: Any, key: str, head: Markup) -> Column:
         cells = [self.page.word(name, table, key, row) for row, name in enumerate(table[key].values)]
-        return Column(head, cells, least=len(head))
+        return Column(head, cells)
 
     @property
     def heavy(self) -> bool:
         """Whether a link has a mass."""
         return "masses" in self.book.tables
+
+    @property
+    def inert(self) -> bool:
+        """Whether a link has a moment of inertia."""
+        return any(link.inertia for link in q.heavy_links(self.mechanism))
 
     def masses(self, caption: Any) -> Table:
         table = self.book.tables["masses"]
@@ -155,7 +160,7 @@ class InitialData:
         inertias = [self.page.cell(table, "J", row) for row in range(len(table))]
         columns = [
             self._single(table, "m"),
-            Column(self.t("Mass centre"), centres, least=11),
+            Column(self.t("Mass centre"), centres),
             Column(self.page.head("J", "kg·m²"), inertias),
         ]
         return numeric(caption, self._names(table, "link", self.t("Link")), columns)

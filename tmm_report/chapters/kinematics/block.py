@@ -62,9 +62,14 @@ def given(read: Read) -> Given:
     """Left out: the plans of the first and the opposite position, the force plan of the last of the plans."""
     written, turns = read.block(Block).positions, turns_of(read)
     table, diagram = written.table or TABLE * turns, written.diagram or DIAGRAM * turns
-    plans = some(written.plans) or (1, table // turns // 2 + 1)
-    positions = Positions(table, diagram, plans, some(written.force_plan) or plans[-1:])
+    plans = _once(written.plans) or (1, table // turns // 2 + 1)
+    positions = Positions(table, diagram, plans, _once(written.force_plan) or plans[-1:])
     return {"positions": positions, "allow_partial": read.block(Block).allow_partial}
+
+
+def _once(written: int | list[int] | None) -> tuple[int, ...]:
+    """A position that is written twice is drawn once."""
+    return tuple(dict.fromkeys(some(written)))
 
 
 def some(written: int | list[int] | None) -> tuple[int, ...]:

@@ -13,7 +13,6 @@ import numpy as np
 
 from tmm_report.mechanics.distinct import distinct
 from tmm_report.mechanics.motion import SINGULAR, Motion
-from tmm_report.mechanics.singular import BESIDE
 from tmm_report.problems import N_, Message, Problem, doubt
 from tmm_report.records import dataclass
 
@@ -86,7 +85,7 @@ def rounding(motion: Motion) -> Array:
     for group in motion.linkage.groups:
         sine = motion.sines[group.group.label]
         with np.errstate(invalid="ignore"):
-            there = sine > (BESIDE if group.changes else SINGULAR)
+            there = (sine > SINGULAR) & ~motion.limits.get(group.group.label, np.False_)
         sine = np.where(there, sine, 1.0)
         found = found / sine + COST / sine**2
     return found
@@ -99,12 +98,12 @@ def near(found: Kinematics) -> tuple[Near, ...]:
 
 def _near(found: Kinematics, group: Any) -> Near | None:
     label = group.group.label
-    least = BESIDE if group.changes else SINGULAR  # nearer than that they are limits, or left out
     turned, sines = [], []
     for motion, angles in ((found.table, found.turned), (found.diagram, found.diagram_turned)):
         sine = motion.sines[label]
         with np.errstate(invalid="ignore"):
-            few = (sine > least) & (digits_left(sine) < FEW)
+            # nearer than that they are limits, or left out
+            few = (sine > SINGULAR) & ~motion.limits.get(label, np.False_) & (digits_left(sine) < FEW)
         turned.append(np.where(few, angles, np.nan))
         sines.append(sine[few])
     if not any(part.size for part in sines):

@@ -23,6 +23,7 @@ FULL_TURN = 2 * np.pi
 LEAST_PLACES, MOST_PLACES = 2, 10
 ZERO = 1e-9  # rad: a group followed from within this of position 0 is followed from there
 MOST = 6  # angles that are told one by one
+LEAP = 1e-6  # of unit vectors: a link that turns by more in a corner jumps
 
 
 @dataclass(frozen=True)
@@ -72,6 +73,8 @@ def gaps(cycle: Cycle) -> tuple[Gap, ...]:
             found.append(Gap(group.group.label, group.links, intervals, why, cure, jam))
         elif poles := _turned_poles(cycle, critical):
             found.append(_runaway(critical, poles))
+        elif (corner := _leap(cycle, critical)) is not None:
+            found.append(_leaping(critical, corner))
     return tuple(found)
 
 
@@ -107,6 +110,35 @@ def _runaway(critical: Critical, poles: list[float]) -> Gap:
         Message(RUNAWAY, values),
         Message(N_("other directions of the guides keep it away from there")),
     )
+    return Gap(group, critical.group.links, (), why, cure, jam=why)
+
+
+LEAPS = N_(
+    "at the angle of turn φ = %(angle)s two joints of group %(group)s (links %(links)s) fall together, and its two "
+    "assemblies meet: kept in the stated one its links jump there, and gone through smoothly they would begin the next "
+    "turn in the other. Extremes are sought on both sides of the jump"
+)
+
+
+def _leap(cycle: Cycle, critical: Critical) -> float | None:
+    """The angle of turn of the corner in which links of the group jump to other places, within the cycle; None where
+    there is none: in other corners they only turn back."""
+    corner = getattr(critical.group, "corner", None)
+    if corner is None:
+        return None
+    turned = np.mod(cycle.sense * (corner - cycle.zero), FULL_TURN)
+    turned = 0.0 if FULL_TURN - turned < ZERO else turned
+    if turned > cycle.sweep:
+        return None
+    before, after = (cycle.beside(np.array([turned]), side) for side in (-1, 1))
+    jumps = [abs(after.turn(link) - before.turn(link))[0] for link in critical.group.links]
+    return float(turned) if max(jumps) > LEAP else None
+
+
+def _leaping(critical: Critical, corner: float) -> Gap:
+    group, links = critical.group.group.label, ", ".join(critical.group.links)
+    why = Message(LEAPS, {"group": group, "links": links, "angle": listed_angles(np.array([corner]))})
+    cure = Message(N_("other lengths of links %(links)s keep away from it"), {"links": links})
     return Gap(group, critical.group.links, (), why, cure, jam=why)
 
 

@@ -22,9 +22,12 @@ from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.model import Value
 from tmm_report.quantity.ref import Ref
-from tmm_report.report.layout import TEXT_WIDTH, Cell, Column, Part, Table, worded
+from tmm_report.report.layout import TEXT_WIDTH, Cell, Column, Table, part, worded
 from tmm_report.report.page import Page
 from tmm_report.report.part import Failed
+from tmm_report.report.words import force_direction
+
+SIDES = {-1: N_("before the jump"), 1: N_("after the jump")}
 
 
 class MotionView:
@@ -98,6 +101,15 @@ class MotionView:
     def has_output(self, kind: str) -> bool:
         return any(travel.output.kind == kind for travel in self.found.travels)
 
+    def ways(self) -> Iterator[Markup]:
+        """Which way each slider's displacement is positive."""
+        for travel in self.found.travels:
+            if travel.output.kind == "slider":
+                way = force_direction(travel.output.direction, self.page)
+                yield self.t(
+                    "Positive displacement of %(name)s points %(way)s.", name=travel.output.name, way=way
+                )
+
     def travels(self, caption: Any) -> Table:
         """φ, t, and S, V, a of the outputs at the table positions."""
         table = self.book.tables["outputs_table"]
@@ -135,7 +147,7 @@ class MotionView:
         for quantity, (low, high) in zip(q.motion_of(travel.output), q.extremes(travel), strict=True):
             unit = _unit(quantity.unit)
             size = max(1.0, abs(low.value), abs(high.value))
-            ends = [(self.page.cell(end, unit=unit, scale=size), self._at(end, 2)) for end in (low, high)]
+            ends = [(self.page.cell(end, unit=unit, scale=size), self._at_side(end)) for end in (low, high)]
             rows.append([self.page.head(quantity.sign, unit or quantity.unit), *ends[0], *ends[1]])
         heads = [
             self.t("Quantity"), self.t("Least value"), self.t("at the angle of turn,\N{NO-BREAK SPACE}°"),
@@ -147,6 +159,14 @@ class MotionView:
         """The angle of turn at which a value holds, degrees."""
         at = math.nan if value.at is None else math.degrees(value.at)
         return Cell(self.page.num(at, places=places), Ref(value.key, by="at_deg"))
+
+    def _at_side(self, value: Value) -> Cell | Markup:
+        """The same, and in a corner the side on which the value is reached."""
+        at = self._at(value, 2)
+        if not value.side:
+            return at
+        said = SIDES[value.side]
+        return self.page.listed([self.page.said(at), self.t(said)], " ")
 
     # ------------------------------------------------------------ analogues
 
@@ -215,12 +235,7 @@ def packed(caption: Any, first: Column, lead: list[Column], groups: Sequence[lis
             parts[-1] += group
         else:
             parts.append(list(group))
-    return Table(caption, [_part([first, *lead, *part]) for part in parts])
-
-
-def _part(columns: Sequence[Column]) -> Part:
-    rows = list(zip(*(column.cells for column in columns), strict=True))
-    return Part([column.head for column in columns], rows, [column.width / TEXT_WIDTH for column in columns])
+    return Table(caption, [part([first, *lead, *block]) for block in parts])
 
 
 def _unit(unit: str) -> str:

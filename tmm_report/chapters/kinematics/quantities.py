@@ -211,4 +211,4 @@ def extremes(travel: Travel) -> Iterator[tuple[Value, Value]]:
 
 
 def _extreme(key: str, of: Quantity, meaning: Message, extreme: Extreme) -> Value:
-    return Quantity(key, of.symbol, of.unit, meaning).value(extreme.value, extreme.turned)
+    return Quantity(key, of.symbol, of.unit, meaning).value(extreme.value, extreme.turned, extreme.side)

@@ -20,10 +20,11 @@ from tmm_report.chapters.kinematics.travels import Travel as Travel
 from tmm_report.chapters.kinematics.travels import driven, outputs, travels
 from tmm_report.chapters.structure.solve import Structure
 from tmm_report.mechanics.cycle import Cycle, Extreme, cycle_of
+from tmm_report.mechanics.meeting import settle
 from tmm_report.mechanics.motion import SINGULAR, Linkage, Motion
 from tmm_report.mechanics.planar import if_known
 from tmm_report.mechanics.relations import named_values
-from tmm_report.mechanics.singular import settle
+from tmm_report.mechanics.searched import side_of
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.records import dataclass
 
@@ -150,8 +151,8 @@ def solve(positions: Positions, structure: Structure, way: Way | None = None) ->
     if find is steps:  # other methods leave the joints open by their errors
         opened = told(leave_out_unclosed(table), turned) + told(leave_out_unclosed(diagram), diagram_turned)
     _must_close(cycle, table, diagram)
-    undefined = settle(table) | at_limits(cycle, turned, table)
-    settle(diagram)
+    undefined = settle(table, side_of(turned)) | at_limits(cycle, turned, table)
+    settle(diagram, side_of(diagram_turned))
     at_limits(cycle, diagram_turned, diagram)
     flat = np.logical_or.reduce([undefined, *(sine <= SINGULAR for sine in table.sines.values())])
     motions = travels(cycle, table, diagram, outputs(cycle.linkage))

@@ -7,7 +7,8 @@ from typing import Any, Literal
 
 import numpy as np
 
-from tmm_report.mechanics.cycle import Cycle, Extreme, Quantity, Rate, Slope, least_and_greatest
+from tmm_report.chapters.kinematics.swings import first, swing
+from tmm_report.mechanics.cycle import Cycle, Extreme, Quantity, Rate, Slope
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.motion import Linkage, Motion
 from tmm_report.mechanics.planar import dot
@@ -15,7 +16,6 @@ from tmm_report.mechanics.relations import turning_links, turns_with
 from tmm_report.records import dataclass
 
 Array = Any
-SAME = 1e-9  # of turned unit vectors: position N of a full turn is position 0
 MOST_STOPS = 5  # diagram positions at which an output without a dwell may happen to stand still
 Extremes = tuple[Extreme, Extreme]
 
@@ -149,15 +149,14 @@ def travel(
     """`stops`: angles turned at which the output stands still; `extremes` of coordinate, velocity, acceleration."""
     S, V, a = output.rates(table)
     dS, dV, da = output.rates(diagram)
-    start = _first(S)
+    start = first(S)
     if output.kind == "rocker":  # the angle from position 0, without jumps of a turn
         reference = np.angle(np.exp(1j * start))
-        S, dS = (_unwrapped(m.turn(output.name), reference) * output.direction.real for m in (table, diagram))
-        near, far = _rocker_extremes(cycle, output, reference, stops)
+        (S, dS), (near, far) = swing(cycle, output.name, (table, diagram), reference, stops)
     else:
         S, dS = S - start, dS - start
         reached = bounded(cycle, output.coordinate, extremes[0]) if cycle.poles.size else extremes[0]
-        near, far = (Extreme(float(x.value - start), x.turned) for x in reached)
+        near, far = (Extreme(float(x.value - start), x.turned, x.side) for x in reached)
     # of one stroke there and one back, over a whole turn, only
     strokes = cycle.closed and bool(np.all(table.closes)) and len(stops) == 2 and not _dwells(dV)
     back = (far.turned - near.turned) % cycle.sweep if strokes else None
@@ -212,36 +211,10 @@ def pointed(output: Output, diagram: Motion) -> Output:
     if output.kind == "rocker":
         return output
     S = output.rates(diagram)[0]
-    S = S - _first(S)
+    S = S - first(S)
     # of equally far ends, the one to which the guide points, and not the one that rounding chooses
     ahead = np.nanmax(S) >= -np.nanmin(S) * (1 - 1e-9)
     return Output(output.kind, output.name, output.link, output.direction * (1 if ahead else -1))
-
-
-def _first(values: Array) -> Any:
-    """The value at the first position that exists: position 0, where the mechanism closes there."""
-    return values[np.argmax(np.isfinite(values))]
-
-
-def _unwrapped(u: Array, reference: float) -> Array:
-    """Angle from the first position, rad, continuous along the positions that exist."""
-    angle = np.angle(u * np.exp(-1j * reference))
-    exists = np.isfinite(angle)
-    angle[exists] = np.unwrap(angle[exists])
-    if (
-        not exists.all() and abs(u[-1] - u[0]) < SAME
-    ):  # what lies behind a gap is reached backwards over position 0
-        behind = np.flatnonzero(~exists)[-1] + 1
-        angle[behind:] += angle[0] - angle[-1]
-    return angle - _first(angle)
-
-
-def _rocker_extremes(cycle: Cycle, output: Output, reference: float, stops: Array) -> Extremes:
-    """Extremes of a rocker's angle from position 0 over the cycle, rad, exact; of what goes all round, the ends."""
-    fine = np.linspace(0, cycle.period, 360 * cycle.turns + 1)
-    where = np.sort(np.concatenate([fine, cycle.repeated(stops), cycle.repeated(cycle.ends)]))
-    angle = _unwrapped(cycle.motion(where).turn(output.name), reference)
-    return least_and_greatest(angle, where)
 
 
 def _dwells(V: Array) -> bool:

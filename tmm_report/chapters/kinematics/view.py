@@ -243,8 +243,9 @@ class KinematicsView:
 
     def _singular(self, c: Closest) -> Iterator[Markup]:
         passed = tuple(x for x in c.changes if x not in c.corners)
+        corners = () if any(gap.group == c.group for gap in self.found.gaps) else c.corners  # told already
         for angles, text in (
-            (passed, PASSED), (c.corners, CORNER), (c.limits, LIMIT),
+            (passed, PASSED), (corners, CORNER), (c.limits, LIMIT),
         ):  # fmt: skip
             if angles:
                 group, links = group_label(c.group), ", ".join(c.links)
@@ -264,7 +265,7 @@ PASSED = N_(
 CORNER = N_(
     "at the angle of turn φ = %(angles)s group %(group)s (links %(links)s) is in a change point in which "
     "its two assemblies meet, and is kept in the stated one: gone through smoothly, it would begin the "
-    "next turn in the other. Velocities there have no limit"
+    "next turn in the other. Velocities jump there, and extremes are sought on both sides of it"
 )
 LIMIT = N_(
     "at the angle of turn φ = %(angles)s group %(group)s (links %(links)s) is at the limit of its "

@@ -33,7 +33,8 @@ Array = Any
 
 
 def breaks(given: Loads, kinematics: Kinematics) -> Array:
-    """Angles turned from position 0 at which a load has a kink or a jump, rad, ascending."""
+    """Angles turned from position 0 at which a load, or the motion itself in a corner, has a kink or a jump, rad,
+    ascending."""
     cycle = kinematics.cycle
     count = kinematics.positions.table
     loads: list[Force | Moment] = [*given.forces, *given.moments]
@@ -46,6 +47,7 @@ def breaks(given: Loads, kinematics: Kinematics) -> Array:
     found.append(
         cycle.repeated(np.mod(cycle.sense * (cam_breaks(cycle.linkage.mechanism) - cycle.zero), FULL_TURN))
     )
+    found.append(cycle.repeated(cycle.corners))
     return distinct(np.concatenate([np.array(fixed, dtype=float), *found]))
 
 

@@ -61,7 +61,7 @@ class GearView:
         table, reactions = self.book.tables["gear_table"], self.book.tables["reactions_table"]
         pair = self.found.kinematics.linkage.structure.driver_pair
         keys = [q.reaction(*pair.links).key, q.reaction_angle(*pair.links).key]
-        columns = [self.page.column(table, key, least=9) for key in ("F_bal", "alpha_F_bal")]
+        columns = [self.page.column(table, key) for key in ("F_bal", "alpha_F_bal")]
         columns += [self.page.column(reactions, key) for key in keys]
         return numeric(caption, self.page.positions(table), columns)
 

@@ -46,7 +46,7 @@ class PressingsView:
     def table(self, caption: Any) -> Table:
         """The reactions along the normals by positions."""
         table = self.book.tables["cam_press_table"]
-        columns = [self.page.column(table, own.along(one).key, least=9) for one in self.cams]
+        columns = [self.page.column(table, own.along(one).key) for one in self.cams]
         return numeric(caption, self.page.positions(table), columns)
 
     def parting(self, one: Pressing) -> str:

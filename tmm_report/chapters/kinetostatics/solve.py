@@ -18,6 +18,7 @@ from tmm_report.chapters.kinetostatics.acting import magnitude as magnitude
 from tmm_report.chapters.kinetostatics.acting import resultants as resultants
 from tmm_report.chapters.kinetostatics.acting import still as still
 from tmm_report.chapters.kinetostatics.breaks import breaks as breaks
+from tmm_report.chapters.kinetostatics.kinetic import kinetic_energy, kinetic_power
 from tmm_report.chapters.kinetostatics.loads import ByStrokes, Constant, Loads
 from tmm_report.chapters.kinetostatics.over import Over as Over
 from tmm_report.chapters.kinetostatics.over import cut_at as cut_at
@@ -28,14 +29,8 @@ from tmm_report.chapters.kinetostatics.pressing import Pressing, pressings
 from tmm_report.chapters.kinetostatics.strokes import Strokes, strokes
 from tmm_report.chapters.kinetostatics.works import Works, works
 from tmm_report.mechanics import statics
-from tmm_report.mechanics.cam_breaks import breaks as cam_breaks
-from tmm_report.mechanics.cam_breaks import law_sense, slope_within
 from tmm_report.mechanics.cycle import Extreme, least_and_greatest
-from tmm_report.mechanics.mechanism import FRAME
-from tmm_report.mechanics.motion import SINGULAR, Motion
-from tmm_report.mechanics.motion import solve as solve_motion
-from tmm_report.mechanics.planar import dot
-from tmm_report.mechanics.roots import DIFFERENCE
+from tmm_report.mechanics.motion import Motion
 from tmm_report.mechanics.statics import Statics
 from tmm_report.problems import Problem
 from tmm_report.records import dataclass
@@ -189,7 +184,7 @@ def at(given: Loads, motion: Motion, turned: Array, loads: Stated) -> Solved:
     found = statics.solve(motion, resultants(given, motion, load))
     terms = lever_terms(given, motion, load)
     omega = motion.state.w[motion.linkage.mechanism.driver.link]
-    power = (_kinetic_power(motion) - external_power(given, motion, load)) / omega
+    power = (kinetic_power(motion) - external_power(given, motion, load)) / omega
     lever = -np.sum(terms, axis=0) / omega
     # at a change point reactions are nothing, but the powers have a limit, and so has the moment
     balancing = np.where(np.isfinite(found.balancing), found.balancing, lever)
@@ -204,63 +199,3 @@ def at(given: Loads, motion: Motion, turned: Array, loads: Stated) -> Solved:
 def _largest(values: Array) -> Array:
     """The largest of all positions, (..., 1)."""
     return np.nanmax(values, axis=-1, keepdims=True)
-
-
-def kinetic_energy(motion: Motion) -> Array:
-    """Kinetic energy of all links, J, (..., P)."""
-    energy = np.zeros(motion.shape)
-    for name, link in motion.linkage.mechanism.links.items():
-        if name != FRAME:
-            if link.mass_centre is not None:
-                v = motion.velocity(link.mass_centre)
-                energy = energy + link.mass * dot(v, v) / 2
-            energy = energy + link.inertia * motion.angular_velocity(name) ** 2 / 2
-    return energy
-
-
-def _kinetic_power(motion: Motion) -> Array:
-    """dT/dt by a difference of the kinetic energy: from velocities alone, so it checks every acceleration.
-
-    The step shrinks where the motion changes fast: towards a singular position, and where a link turns faster than
-    the driving link.
-    """
-    omega = motion.state.w[motion.linkage.mechanism.driver.link]
-    ratios = [np.abs(motion.angular_velocity(link) / omega) for link in motion.linkage.mechanism.moving]
-    shrinks = np.ones(motion.shape)
-    step = np.full(motion.shape, 0.007)
-    for group in motion.linkage.groups:
-        sine = np.maximum(motion.sines[group.group.label], SINGULAR)
-        for (
-            change
-        ) in group.changes:  # there the motion is smooth, but near positions differ by rounding errors
-            beside = np.abs(np.angle(np.exp(1j * (motion.phi - change)))) < 0.15
-            step, sine = np.where(beside, 0.03, step), np.where(beside, 1.0, sine)
-        shrinks = np.minimum(shrinks, sine)
-    step = step * shrinks / np.maximum.reduce(ratios)
-    k = np.arange(1, len(DIFFERENCE) + 1).reshape(-1, *(1,) * len(motion.shape))
-    phi = np.stack([motion.phi + k * step, motion.phi - k * step])
-    energy = kinetic_energy(solve_motion(motion.linkage, phi))
-    return _beside_breaks(motion, _summed(energy[0] - energy[1]) / step) * omega
-
-
-def _beside_breaks(motion: Motion, rate: Array) -> Array:
-    """The rate of the kinetic energy by the driver's angle, near the breaks of a cam's law taken within a piece."""
-    edges = cam_breaks(motion.linkage.mechanism)
-    if not edges.size:
-        return rate
-    sense = law_sense(motion.linkage.mechanism)
-    omega = motion.state.w[motion.linkage.mechanism.driver.link]
-
-    def energy(phi: Array) -> Array:
-        return kinetic_energy(solve_motion(motion.linkage, phi, omega))
-
-    within, near = slope_within(energy, motion.phi, sense, edges)
-    return np.where(near, within, rate)
-
-
-def _summed(rows: Array) -> Array:
-    """The sum of rows (N, ..., P) of a difference: of many variants each by itself, as the order in which products are
-    added depends on how many there are."""
-    if rows.ndim == 2:
-        return np.tensordot(np.array(DIFFERENCE), rows, axes=1)
-    return np.array([_summed(np.ascontiguousarray(rows[:, v])) for v in range(rows.shape[1])])

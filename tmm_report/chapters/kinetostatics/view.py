@@ -236,7 +236,7 @@ class KinetostaticsView:
         ]
         columns = []
         for key, head in zip(("M_bal", "M_lever", "M_power"), heads, strict=True):
-            column = self.page.column(table, key, least=20)
+            column = self.page.column(table, key)
             columns.append(column._replace(head=self.page.listed([column.head, head])))
         return numeric(caption, self.page.positions(table), columns)
 

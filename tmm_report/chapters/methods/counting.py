@@ -35,7 +35,7 @@ MEANINGS = {
 
 @dataclass(frozen=True, eq=False)
 class Tables:
-    """The mechanism at equal steps of the cycle, each count solved once."""
+    """The mechanism at equal steps of the cycle, each count solved once; the friction of `moving` is in the machine."""
 
     moving: Moving
 
@@ -70,13 +70,19 @@ class Tables:
         parts = (power for _, power in powers(self.moving.forces.given, motion, load))
         return sum(parts, np.zeros(motion.shape)) / abs(motion.omega)
 
+    def rubbing(self, count: int) -> Array:
+        """Of the friction of the pairs, below zero, as the flywheel has it, N m, (P,); nothing where it is left out."""
+        turned = np.arange(count + 1) * (self.moving.kinematics.cycle.period / count)
+        found = self.moving.friction.reduced if self.moving.friction else None
+        return np.zeros(count + 1) if found is None else -found.panels.at(found.moment, turned)
+
     def balancing(self, count: int) -> Array:
         """By the balance of powers, in the sense of the axes, N m, (P,): M = ω₁²/2 dI/dφ₁ − M_loads."""
         motion, _ = self.at(count)
         return inertia_slope(motion) * motion.omega**2 / 2 - self.moment(count) * np.sign(motion.omega)
 
     def reduced(self, count: int) -> Array:
-        return np.array([self.moment(count), self.inertia(count)])
+        return np.array([self.moment(count) + self.rubbing(count), self.inertia(count)])
 
 
 def counting(moving: Moving, accuracy: float | None = None) -> Counted | None:
@@ -107,14 +113,15 @@ def wanted(moving: Moving) -> Iterator[Wanted]:
 
 
 def _of_machine(moving: Moving, tables: Tables) -> Iterator[Wanted]:
-    found = machine(moving)
+    found = machine(moving, friction=True)
     over, inertia, moment = found.panels, found.whole_inertia, found.whole_moment
     if moving.forces:
         yield counts.total("work", over, moment, tables.moment)
     yield counts.mean("inertia_mean", over, inertia, tables.inertia)
     yield counts.extremes("inertia", over, inertia, tables.inertia)
     if moving.forces:
-        yield counts.unevenness("unevenness", over, (moment, inertia), tables.reduced, found.omega)
+        excess = moment + found.rubbing
+        yield counts.unevenness("unevenness", over, (excess, inertia), tables.reduced, found.omega)
 
 
 def _resolved(moving: Moving) -> tuple[Panels, Array]:

@@ -23,9 +23,9 @@ def chart(
 ) -> Drawing:
     """The worst error of every method that finds all kinds against its cost, a point for each number of positions."""
     series = []
-    for own in by_method(family.trials):
+    for own in by_method(family.rows):
         points = [_point(family, one) for one in own]
-        front = [k for k, one in enumerate(own) if family.trials.index(one) in family.front]
+        front = [k for k, one in enumerate(own) if family.rows.index(one) in family.front]
         series.append(Series(points, (name(own[0]),), tuple(front)))
     return loglog(series, xlabel, ylabel, level=max(family.accuracy, FLOOR), named=accuracy)
 

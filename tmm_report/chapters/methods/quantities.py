@@ -92,7 +92,7 @@ def tables(found: Found) -> Iterator[Table]:
 
 
 def _columns(family: Family) -> Iterator[Column]:
-    rows = family.trials
+    rows = family.rows
     yield text_column("method", METHOD, [one.method.key for one in rows])
     yield COUNT.column([one.count for one in rows])
     yield COST.column([_cost(family, one) for one in rows])

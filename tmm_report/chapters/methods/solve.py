@@ -11,7 +11,6 @@ from functools import cached_property
 from typing import Any
 
 from tmm_report.chapters.kinematics.solve import Kinematics
-from tmm_report.chapters.kinetostatics.solve import Kinetostatics
 from tmm_report.chapters.machine import Moving
 from tmm_report.chapters.methods.counting import counting
 from tmm_report.chapters.methods.given import Comparison
@@ -52,7 +51,9 @@ class Found:
     )  # how many positions are enough; None where the mechanism does not close all round
 
 
-def solve(given: Comparison, motion: Kinematics, loaded: Kinetostatics | None) -> Found:
+def solve(given: Comparison, moving: Moving) -> Found:
+    """`moving`: its friction is in the machine whose positions are counted; None leaves it out."""
+    motion, loaded = moving.kinematics, moving.forces
     accuracy = choice.ACCURACY if given.accuracy is None else given.accuracy
     asked = tuple(dict.fromkeys((motion.positions.table, motion.positions.diagram)))
     counts = sorted({*asked, FINE * motion.cycle.turns})
@@ -64,7 +65,7 @@ def solve(given: Comparison, motion: Kinematics, loaded: Kinetostatics | None) -
     families = {"motion": family("motion", choice.motions(motion.cycle, counts))}
     if loaded is not None:
         families["forces"] = family("forces", choice.forces(scene(loaded.given, motion), counts))
-    counted = counting(Moving(motion, loaded), given.accuracy)
+    counted = counting(moving, given.accuracy)
     return Found(given, motion, accuracy, families, counted)
 
 

@@ -12,7 +12,7 @@ from tmm_report.chapters.methods.draw import by_counts, chart
 from tmm_report.chapters.methods.solve import Family, Found
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.lettering import Parts
-from tmm_report.mechanics.methods.model import Method, Trial
+from tmm_report.mechanics.methods.model import Method
 from tmm_report.problems import N_
 from tmm_report.quantity import model
 from tmm_report.quantity.model import Book
@@ -79,7 +79,7 @@ class MethodsView:
             self.t("Remark"),
         ]
         rows, before = [], ""
-        for row, one in enumerate(family.trials):
+        for row, one in enumerate(family.rows):
             name = self.name(one.method)
             rows.append(
                 [
@@ -94,7 +94,7 @@ class MethodsView:
         return worded(caption, heads, rows, (6, 1, 1, *(2 for _ in family.kinds), 4))
 
     def _remark(self, family: Family, row: int) -> Markup | str:
-        one, table = family.trials[row], self.book.tables[f"methods_{family.key}"]
+        one, table = family.rows[row], self.book.tables[f"methods_{family.key}"]
         if one.broken is not None:
             return self.t(BROKE)
         if any(error != error for error in one.errors.values()):
@@ -139,8 +139,9 @@ class MethodsView:
     def _row(self, family: Family) -> int:
         return list(self.book.tables["methods_chosen"]["of"].values).index(family.key)
 
-    def trials(self, family: Family) -> list[Trial]:
-        return list(family.trials)
+    def together(self, family: Family) -> tuple[str, str]:
+        """The positions asked in all, and what they are the sum of."""
+        return str(sum(family.asked)), " + ".join(map(str, family.asked))
 
     # ------------------------------------------------------------ how many positions
 

@@ -116,7 +116,7 @@ class PlanetaryView(PlanetaryTables):
 
     @cached_property
     def front(self) -> Drawing:
-        return front(self.found, self.t("Planetary stage %(name)s", name=self.title))
+        return front(self.found, self.page.plain(self.t("Planetary stage %(name)s", name=self.title)))
 
     @property
     def scale(self) -> Markup:

@@ -115,19 +115,18 @@ class PlansView:
     # ------------------------------------------------------------ tables
 
     def segments(self, caption: Any, kind: str) -> Table:
-        return self._of_plans(caption, f"segments_{kind}", digits=7, least=6)
+        return self._of_plans(caption, f"segments_{kind}", digits=7)
 
     def values(self, caption: Any, kind: str) -> Table:
         """Values read off all plans of a kind, "v" or "a": one row a position."""
-        return self._of_plans(caption, f"plan_values_{kind}", digits=5, least=9)
+        return self._of_plans(caption, f"plan_values_{kind}", digits=5)
 
-    def _of_plans(self, caption: Any, name: str, digits: int, least: int) -> Table:
+    def _of_plans(self, caption: Any, name: str, digits: int) -> Table:
         table = self.book.tables[name]
         columns = [
             Column(
                 self.page.head(column.symbol(), column.unit),
                 [self.page.cell(table, column.key, row, digits=digits) for row in range(len(table))],
-                least,
             )
             for column in table.columns[1:]
         ]

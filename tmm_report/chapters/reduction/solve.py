@@ -19,6 +19,7 @@ from tmm_report.chapters.plans.solve import Plans
 from tmm_report.mechanics.cycle import Extreme, least_and_greatest
 from tmm_report.mechanics.mechanism import FRAME
 from tmm_report.mechanics.motion import Motion
+from tmm_report.problems import N_, Message, ProblemError, mistake
 from tmm_report.records import dataclass
 
 Array = Any
@@ -57,8 +58,9 @@ class ByPlan:
 
     @property
     def delta(self) -> float:
-        """200 (g − a)/(g + a), %."""
-        return 200.0 * (self.graph - self.exact) / (self.graph + self.exact)
+        """200 (g − a)/(g + a), %; of no moment of inertia at all none."""
+        sum_ = self.graph + self.exact
+        return 200.0 * (self.graph - self.exact) / sum_ if sum_ else 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,10 +96,14 @@ class Reduction:
 
 
 def solve(kinematics: Kinematics, found: Kinetostatics | None, drawn: Plans) -> Reduction:
-    """The moment of the forces is reduced where there are loads."""
+    """The moment of the forces is reduced where there are loads. Raises ProblemError where no mass moves."""
     table = _shares(found, found.table) if found else ()
     diagram = _shares(found, found.diagram) if found else ()
     reduced = _reduced(kinematics.table, kinematics.turned, table)
+    if not np.any(reduced.whole_inertia):
+        right = Message(N_("give the links their mass, mass_centre and inertia"))
+        wrong = N_("there is nothing to reduce: no mass of the links moves")
+        raise ProblemError([mistake(wrong, ("reduction",), right)])
     return Reduction(
         kinematics,
         found,

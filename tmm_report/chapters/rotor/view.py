@@ -116,10 +116,10 @@ class RotorView(RotorFormulas):
     def _names(self, table: model.Table, key: str = "name", head: str = N_("Mass")) -> Column:
         names = [self.page.word(text, table, key, row) for row, text in enumerate(table[key].values)]
         title = self.t(head)
-        return Column(title, names, len(title))
+        return Column(title, names)
 
     def _column(self, table: model.Table, key: str) -> Column:
-        return self.page.column(table, key, least=7)
+        return self.page.column(table, key)
 
     def weights_table(self) -> Table:
         columns = [self._column(self.weights, key) for key in ("z", "D", "alpha", "m", "r", "beta")]

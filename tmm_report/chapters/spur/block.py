@@ -1,18 +1,20 @@
 """The block of a spur stage in the list of a drive's stages."""
 
 import math
+from collections.abc import Iterator
 from functools import partial
 from typing import Annotated, Any, Literal
 
-from pydantic import Field, Tag
+from pydantic import Field, Tag, model_validator
 
 from tmm_report.chapters.spur import solve as spur
 from tmm_report.mechanics.spur import Cutter, Rack
-from tmm_report.problems import N_, Message, shown
+from tmm_report.problems import N_, Message, Problem, doubt, shown
 from tmm_report.quantity import units
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.model import Model
 from tmm_report.variant.values import LIST, SCALAR, Flag, Label, Reads, by_shape, quantity, whole
+from tmm_report.yamlread import Path
 
 RATIOS = (0.02, 50.0)
 
@@ -78,6 +80,10 @@ class SpurModel(Model):
         default=None, description="in the headings; left out, the numbers of the wheels"
     )
     ratio: Ratio = Field(examples=[-2])
+    mesh: Literal["external", "internal"] | None = Field(
+        default=None,
+        description="says the pair in a word; left out, the sign of the ratio says it, and a plus is asked about",
+    )
     module: Module = Field(description="of helical teeth, in the normal section", examples=["6 mm"])
     centre_distance: Span | None = Field(
         default=None, description="left out, it follows from the teeth and the shifts", examples=["130 mm"]
@@ -104,6 +110,38 @@ class SpurModel(Model):
         default=None,
         description="largest specific sliding; left out, 6 up to 15 m/s at the pitch line, falling to 3 at 20 m/s",
     )
+
+    @model_validator(mode="before")
+    @classmethod
+    def turned(cls, written: Any) -> Any:
+        """An external pair stated in a word has a minus, written or not."""
+        ratio = written.get("ratio") if isinstance(written, dict) else None
+        if isinstance(ratio, int | float) and ratio > 0 and written.get("mesh") == "external":
+            return {**written, "ratio": -ratio}
+        return written
+
+    @model_validator(mode="after")
+    def one_mesh(self) -> "SpurModel":
+        if self.mesh == "internal" and self.ratio < 0:
+            wrong = Message(
+                N_("the wheels of an internal pair turn in the same sense: its ratio has no minus")
+            )
+            right = Message(N_("either ratio: %(ratio)s or mesh: external"), {"ratio": f"{-self.ratio:g}"})
+            raise WrongValue(wrong, right)
+        return self
+
+
+def doubts(model: SpurModel, path: Path) -> Iterator[Problem]:
+    """A ratio without a sign, as collections print it of external pairs too."""
+    if model.mesh is None and model.ratio > 0:
+        text = N_(
+            "is the pair external or internal? A ratio of %(ratio)s without a minus is of an internal one"
+        )
+        right = Message(
+            N_("write ratio: -%(ratio)s for an external pair, or mesh: internal"),
+            {"ratio": f"{model.ratio:g}"},
+        )
+        yield doubt(text, (*path, "ratio"), right, ratio=f"{model.ratio:g}")
 
 
 def build(model: SpurModel, wheels: tuple[str, ...], accuracy: float) -> spur.Given:

@@ -106,7 +106,7 @@ class MotionView:
             for row, name in enumerate(self.table["point"].values)
         ]
         columns = [self.page.column(self.table, column.key) for column in self.table.columns[1:]]
-        return numeric(caption, Column(self.t("Point"), points, 8), columns)
+        return numeric(caption, Column(self.t("Point"), points), columns)
 
     def where(self) -> list[dict[str, Any]]:
         formulas = [self.along(), *self.across(), self.by_distance()]

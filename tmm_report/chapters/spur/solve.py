@@ -153,6 +153,11 @@ class Found:
         if not self.failed and not self.axially:
             return []
         text = N_("gear pair %(name)s: conditions not met: %(failed)s")
+        if self.sound:
+            text = N_(
+                "gear pair %(name)s: conditions met by the rule of the course alone, and not exactly: %(failed)s; that "
+                "is no failure, and the exit code does not change"
+            )
         said = [Message(text, {"name": self.name, "failed": len(self.failed)})] if self.failed else []
         for condition in self.failed:
             what = {"name": self.name, "what": Message(CONDITIONS[condition.key], {"wheel": condition.wheel})}

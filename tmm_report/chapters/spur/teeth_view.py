@@ -62,7 +62,7 @@ class TeethView:
         table = self.part.table("phase")
         points = [self.page.word(name, table, "point", row) for row, name in enumerate(table["point"].values)]
         columns = [self.page.column(table, column.key, "mm") for column in table.columns[1:]]
-        return numeric(caption, Column(self.t("Point"), points, 8), columns)
+        return numeric(caption, Column(self.t("Point"), points), columns)
 
     @property
     def per_mm(self) -> Markup:

@@ -264,6 +264,11 @@ class SpurView(SpurFormulas):
     def _failure(self) -> Iterator[Markup]:
         if self.found.failed:
             text = N_("Not all conditions of the gear pair %(name)s are met: %(list)s.")
+            if self.found.sound:
+                text = N_(
+                    "Not all conditions of the gear pair %(name)s are met exactly: %(list)s; they are met by the rule "
+                    "of the course, which is held to be enough."
+                )
             line = self.t(text, name=self.title, list=self.page.listed(self.failures(), "; "))
             yield line if self.found.sound else Failed(line)
 

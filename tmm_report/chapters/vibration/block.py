@@ -232,9 +232,16 @@ def mistakes(read: Read) -> Iterator[Problem]:
 def _excited(written: LinearModel | TurningModel, read: Read) -> Iterator[Problem]:
     """One excitation, with its frequency."""
     stated = [key for key in EXCITATIONS if getattr(written, key, None) is not None]
+    start = ("displacement", "velocity") if isinstance(written, LinearModel) else ("angle", "speed")
+    if not stated and any(getattr(written.start, key) for key in start):
+        yield from _free(written)
+        return
     if len(stated) != 1:
         words = ", ".join(key for key in EXCITATIONS if key in type(written).model_fields)
         right = Message(N_("exactly one of: %(words)s"), {"words": words})
+        if not stated:
+            words = f"{words}, start: {{{start[0]}: {'5 mm' if start[0] == 'displacement' else '5 deg'}}}"
+            right = Message(N_("exactly one of: %(words)s"), {"words": words})
         yield mistake(N_("what shakes the machine must be stated once"), ("vibration",), right)
         return
     if stated == ["mechanism"] and not has_mechanism(read):
@@ -247,6 +254,18 @@ def _excited(written: LinearModel | TurningModel, read: Read) -> Iterator[Proble
     elif stated != ["mechanism"] and written.speed is None:
         right = Message(N_("for example, %(example)s"), {"example": "speed: 750 rpm"})
         yield mistake(N_("the frequency of the excitation is missing"), ("vibration",), right)
+
+
+FORCED = ("speed", "transmissibility", "friction", "foundation", "absorber")
+
+
+def _free(written: LinearModel | TurningModel) -> Iterator[Problem]:
+    """Of a free vibration: what is followed under a force alone."""
+    for key in FORCED:
+        if getattr(written, key) is not None:
+            words = ", ".join(one for one in EXCITATIONS if one in type(written).model_fields)
+            right = Message(N_("leave it out, or state one of: %(words)s"), {"words": words})
+            yield mistake(N_("nothing shakes the machine: its vibration is free"), ("vibration", key), right)
 
 
 def _sprung(written: LinearModel | TurningModel) -> Iterator[Problem]:

@@ -76,6 +76,8 @@ def _letters(foot: float, sub: str) -> list[Item]:
 
 def _shaken(found: Found, top: float) -> Iterator[Item]:
     """The force on the machine, or the motion of the base."""
+    if found.given.free:
+        return
     if found.given.base is None:
         yield Arrow(complex(WIDE / 4, top), complex(WIDE / 4, top + 14))
     else:
@@ -87,6 +89,8 @@ def _named(found: Found, top: float, foot: float) -> list[Item]:
     if found.shaking is not None:
         force = (Symbol("F"), "(", Symbol("t"), ")")
     named = [_text((Symbol("x"),), complex(WIDE / 2 + 9, foot + GAP + TALL / 2 + 8))]
+    if found.given.free:
+        return named
     if found.given.base is None:
         return [*named, _text(force, complex(WIDE / 4 + 2, top + 11), -1)]
     return [*named, _text((Symbol("z"),), complex(-WIDE / 2 - 11, 7))]
@@ -186,6 +190,8 @@ def _disc(at: float) -> Iterator[Item]:
 
 def _swing(found: Found, at: float) -> Iterator[Item]:
     """The moment, as an arc about the shaft seen aslant, before the disc or at the wall."""
+    if found.given.free:
+        return
     place = 8.0 if found.given.base is not None else at + SHAFT + THICKNESS + 8
     arc = Arc(complex(place, 0), 9.0, -math.pi / 3, math.pi / 3, NORMAL)
     tip, back = arc.at(math.pi / 3), arc.at(math.pi / 3 - 0.32)
@@ -198,7 +204,7 @@ def _swung(found: Found, at: float) -> list[Item]:
     if found.given.base is not None:
         return [_text((Symbol("z"),), complex(14, 12))]
     moment = (Symbol("M"), " sin ", Symbol("ω"), Symbol("t"))
-    return [
-        _text(moment, complex(at + SHAFT + THICKNESS + 18, 12)),
-        _text((Symbol("θ"),), complex(at + SHAFT + THICKNESS + 18, -8)),
-    ]
+    named = [_text((Symbol("θ"),), complex(at + SHAFT + THICKNESS + 18, -8))]
+    if found.given.free:
+        return named
+    return [_text(moment, complex(at + SHAFT + THICKNESS + 18, 12)), *named]

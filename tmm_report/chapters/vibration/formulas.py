@@ -82,6 +82,8 @@ class VibrationFormulas:
         if self.given.base is not None:
             z, speed = Var("z", 0.0), Var(Symbol("z'"), 0.0)
             return Equation(m * twice + b * (once - speed) + c * (x - z), numbers=False)
+        if self.given.free:
+            return Equation(m * twice + b * once + c * x, numbers=False)
         force: Expr = Var(self.units.F, 0.0) * sin(self._turned)
         if self.found.shaking is not None:
             force = Var(Symbol("F(t)"), 0.0)
@@ -106,6 +108,8 @@ class VibrationFormulas:
                 NP_("function", "sinh"), angle, np.sinh
             )
         free = decays * inside if self.found.zeta > 0 else inside
+        if self.given.free:
+            return Definition(Symbol(self.units.x), free)
         forced = Var("A", 0.0) * sin(self._turned - Var("psi", 0.0))
         return Definition(Symbol(self.units.x), free + forced)
 
@@ -117,16 +121,31 @@ class VibrationFormulas:
 
     def constants(self) -> list[Formula]:
         """By the place and the velocity at the start."""
-        A, psi, one = self.v("amplitude"), self.v("lag", "deg"), self.v("C1")
-        push = self.v("speed") + self.v("decay") * one - A * self.v("omega") * cos(psi)
-        kind = self.found.kind
+        one, kind = self.v("C1"), self.found.kind
         root = None if kind == "critical" else self.v("damped" if kind == "under" else "root")
+        push = self.v("speed") + self.v("decay") * one
+        if self.given.free:
+            whole = push / root if root is not None else push
+            return [self.f("C1", self.v("place")), self.f("C2", whole)]
+        A, psi = self.v("amplitude"), self.v("lag", "deg")
+        push = push - A * self.v("omega") * cos(psi)
         return [
             self.f("C1", self.v("place") + A * sin(psi)),
             self.f("C2", push / root if root is not None else push),
         ]
 
+    def dying(self) -> list[Formula]:
+        """Period, logarithmic decrement and what it says of two amplitudes; the first of these."""
+        made = [self.f("period", 2 * PI / self.v("damped"))]
+        if self.found.decrement is not None:
+            made.append(self.f("decrement", self.v("decay") * self.v("period")))
+            made.append(self.f("falls", Function(NP_("function", "exp"), self.v("decrement"), np.exp)))
+        return [*made, self.f("begins", sqrt(self.v("C1") ** 2 + self.v("C2") ** 2))]
+
     # --- steady motion
+
+    def growth(self) -> Formula:
+        return self.f("growth", PI * self.v("static"))
 
     def unbalance(self) -> Formula:
         return self.f("force", self.v("unbalance") * self.v("radius") * self.v("omega") ** 2)

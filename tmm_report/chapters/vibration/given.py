@@ -65,3 +65,8 @@ class Given:
     speed: float = 0.0
     curves: tuple[float, ...] = CURVES
     name: str = ""
+
+    @property
+    def free(self) -> bool:
+        """Whether nothing shakes it: it is let go and vibrates freely."""
+        return self.force is self.unbalance is self.base is self.direction is None

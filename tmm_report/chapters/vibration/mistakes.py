@@ -24,8 +24,8 @@ def check(found: Found) -> None:
 
 
 def _resonance(found: Found) -> Iterator[Problem]:
-    """A force of the natural frequency and nothing that takes its work away."""
-    if found.zeta > 0:
+    """A force of the natural frequency and nothing that takes its work away, nor an absorber or a base that moves."""
+    if found.zeta > 0 or (found.unbounded and (found.absorbed or found.stood)):
         return
     orders = [(1, found.omega)]
     if found.shaking is not None:

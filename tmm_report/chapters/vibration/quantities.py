@@ -27,13 +27,18 @@ def book(found: Found) -> Part:
 
 
 def tables(found: Found) -> Iterator[Table]:
+    if found.given.free:
+        yield _table("motion", N_("motion of the machine from the start"), _motion(found))
+        if found.decrement is not None:
+            yield _table("swings", N_("amplitudes of the free motion, period by period"), _swings(found))
+        return
     yield _table(
         "response", N_("response of the machine at other frequencies of the excitation"), _response(found)
     )
     yield _table("dampings", N_("the same isolators with other dampings"), _dampings(found))
     text = N_("dynamic coefficient, lag and force ratio against the frequency, by damping ratio")
     yield _table("curves", text, _curves(found))
-    if found.shaking is None:
+    if found.shaking is None and not found.unbounded:
         yield _table("motion", N_("motion of the machine from the start"), _motion(found))
     if found.shaking is not None:
         yield _table("harmonics", N_("harmonics of the shaking force and what each does"), _harmonics(found))
@@ -66,7 +71,10 @@ ROWS = (0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0)  # ω/ω0
 
 def _response(found: Found) -> Iterator[Column]:
     most = max(ROWS[-1], float(np.ceil(found.eta)))
-    eta, zeta = np.unique(np.round([*ROWS, most, found.eta], 12)), found.zeta  # the working one among them
+    eta, zeta = (
+        np.unique(np.round([*ROWS, most, _working(found)], 12)),
+        found.zeta,
+    )  # the working one among them
     beta, handed = vib.magnification(eta, zeta), vib.transmissibility(eta, zeta)
     moved, pushed = _moved(found, eta, beta, handed)
     yield _column(found, "eta", eta)
@@ -76,6 +84,11 @@ def _response(found: Found) -> Iterator[Column]:
     yield _column(found, ratio(found), handed)
     yield _column(found, "amplitude", moved)
     yield _column(found, "on_base", pushed)
+
+
+def _working(found: Found) -> float:
+    """ω/ω0 at work; of a resonance that nothing bounds resonance itself, and not its neighbourhood."""
+    return 1.0 if found.unbounded else found.eta
 
 
 def _moved(found: Found, eta: Array, beta: Array, handed: Array) -> tuple[Array, Array]:
@@ -94,8 +107,8 @@ def _dampings(found: Found) -> Iterator[Column]:
     yield _column(found, "zeta", zeta)
     yield _column(found, "eta_peak", place)
     yield _column(found, "beta_peak", height)
-    yield _column(found, "beta", vib.magnification(found.eta, zeta))
-    yield _column(found, ratio(found), vib.transmissibility(found.eta, zeta))
+    yield _column(found, "beta", vib.magnification(_working(found), zeta))
+    yield _column(found, ratio(found), vib.transmissibility(_working(found), zeta))
 
 
 POINTS = 401  # of a curve against the frequency
@@ -123,8 +136,22 @@ def _motion(found: Found) -> Iterator[Column]:
     yield Quantity("t", Symbol("t"), "s", Message(N_("time"))).column(found.times)
     moved = Message(N_("displacement of the machine"))
     yield Quantity("x", Symbol(of.x), of.place, moved).column(found.motion)
+    if found.given.free:
+        return
     steady = Message(N_("the steady part of the displacement"))
     yield Quantity("x_steady", Symbol(of.x, "s"), of.place, steady).column(found.settled)
+
+
+SWINGS = 10  # periods of which the amplitudes are listed
+
+
+def _swings(found: Found) -> Iterator[Column]:
+    count, period, begins = np.arange(SWINGS + 1), found.period, found.begins
+    assert period is not None and begins is not None  # it swings
+    yield Quantity("swing", Symbol("i"), "", Message(N_("number of whole periods"))).column(count)
+    yield Quantity("t", Symbol("t"), "s", Message(N_("time"))).column(count * period)
+    of = Quantity("size", Symbol("A", "i"), units(found).place, Message(N_("amplitude of the free motion")))
+    yield of.column(begins * np.exp(-found.decay * period * count))
 
 
 # --- the mechanism's own force

@@ -64,6 +64,17 @@ class Found:
         """Whether the force grows with the square of the speed: of an unbalance or a mechanism."""
         return self.given.unbalance is not None or self.shaking is not None
 
+    @property
+    def unbounded(self) -> bool:
+        """Whether the machine alone is in resonance without damping, under one force: its amplitude has no bound."""
+        one = self.shaking is None and not self.given.free
+        return one and self.zeta == 0 and abs(self.eta - 1) <= mistakes.NEAR
+
+    @property
+    def growth(self) -> float:
+        """Of the amplitude with every cycle of such a resonance, m or rad: of F/(2 m ω0) t. (`vib.resonant`)"""
+        return math.pi * self.static
+
     # --- the machine on its isolators
 
     @property
@@ -124,6 +135,23 @@ class Found:
     def sags(self) -> bool:
         """Whether the springs would have to give way further than any do."""
         return self.sag is not None and self.sag > DEEPEST
+
+    # --- free motion
+
+    @property
+    def period(self) -> float | None:
+        """Of the free motion, s; None where it does not swing."""
+        return None if self.damped is None else 2 * math.pi / self.damped
+
+    @property
+    def decrement(self) -> float | None:
+        """Logarithmic decrement: of amplitudes a period apart."""
+        return None if self.period is None or self.decay == 0 else self.decay * self.period
+
+    @property
+    def begins(self) -> float | None:
+        """Amplitude of the free motion at the start, by which it dies away, m or rad; None where it does not swing."""
+        return math.hypot(*self.constants) if self.damped is not None else None
 
     # --- steady motion
 
@@ -223,7 +251,7 @@ class Found:
     @property
     def lasting(self) -> float:
         """How long the motion from the start is followed, s: till the free part is gone, within 4 … 30 periods."""
-        period = 2 * math.pi / min(self.omega, self.natural)
+        period = 2 * math.pi / (min(self.omega, self.natural) or self.natural)
         slow = (
             self.decay if self.damped is not None else self.decay - math.sqrt(self.decay**2 - self.natural**2)
         )
@@ -257,6 +285,16 @@ class Found:
 
     def summary(self) -> Iterator[Message]:
         """The main numbers in a sentence."""
+        if self.given.free:
+            yield from self._freely()
+            return
+        if self.unbounded:
+            text = N_(
+                "vibration: alone the machine is in resonance without damping at %(natural)s rad/s; what is added to "
+                "it bounds its motion"
+            )
+            yield Message(text, {"natural": f"{self.natural:.4g}"})
+            return
         text = N_(
             "vibration: natural frequency %(natural)s rad/s, amplitude %(amplitude)s mm, force ratio %(ratio)s"
         )
@@ -266,6 +304,20 @@ class Found:
             )
         size = self.amplitude if self.given.turning else 1e3 * self.amplitude
         numbers = {"natural": f"{self.natural:.4g}", "amplitude": f"{size:.4g}", "ratio": f"{self.ratio:.3g}"}
+        yield Message(text, numbers)
+
+    def _freely(self) -> Iterator[Message]:
+        numbers = {"natural": f"{self.natural:.4g}", "zeta": f"{self.zeta:.3g}"}
+        text = N_(
+            "free vibration: natural frequency %(natural)s rad/s, damping ratio %(zeta)s: it creeps back without "
+            "swinging"
+        )
+        if self.period is not None:
+            text = N_(
+                "free vibration: natural frequency %(natural)s rad/s, period %(period)s s, logarithmic decrement "
+                "%(decrement)s"
+            )
+            numbers |= {"period": f"{self.period:.4g}", "decrement": f"{self.decrement or 0.0:.4g}"}
         yield Message(text, numbers)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+import math
 from collections.abc import Iterator
 
 from tmm_report.chapters.vibration.solve import Found, G
@@ -88,6 +89,11 @@ QUANTITIES = {
     "beta_peak": ("beta_max", "", N_("greatest dynamic coefficient")),
     "eta_most": ("eta_A", "", N_("frequency ratio at which the amplitude is greatest")),
     "resonance": ("omega_reson", "rad/s", N_("frequency of the excitation at resonance")),
+    "growth": ("A_cyc", "place", N_("growth of the amplitude with every cycle of the resonance")),
+    "period": ("t_c", "s", N_("period of the free damped motion")),
+    "decrement": ("Lambda", "", N_("logarithmic decrement")),
+    "falls": ("k", "", N_("ratio of two amplitudes that follow one another in a period")),
+    "begins": ("A_0", "place", N_("amplitude of the free motion at the start")),
     "wanted": ("gamma_want", "", N_("force ratio wanted")),
     "half": ("p", "", N_("half the coefficient of the equation of the frequency ratio")),
     "needed": ("eta_want", "", N_("frequency ratio needed")),
@@ -170,7 +176,7 @@ def quantity(found: Found, key: str, prefix: str = "vibration_") -> Quantity:
 
 def values(found: Found) -> Iterator[Value]:
     parts = (_body, _excitation, _steady, _wanted, _dry, _stood, _absorber, _shaken)
-    for part in parts:
+    for part in (_body, _free) if found.given.free else parts:
         for key, number in part(found):
             if number is not None:
                 yield quantity(found, key).value(float(number))
@@ -202,6 +208,22 @@ def _body(found: Found) -> Numbers:
     yield "sag", found.sag
 
 
+def _free(found: Found) -> Numbers:
+    yield "place", found.given.place
+    yield "speed", found.given.speed
+    yield from _constants(found)
+    yield "period", found.period
+    yield "decrement", found.decrement
+    yield "falls", None if found.decrement is None else math.exp(found.decrement)
+    yield "begins", found.begins
+
+
+def _constants(found: Found) -> Numbers:
+    yield "root", found.creep
+    yield "C1", found.constants[0]
+    yield "C2", found.constants[1]
+
+
 def _excitation(found: Found) -> Numbers:
     given = found.given
     yield "omega", found.omega
@@ -218,6 +240,11 @@ def _excitation(found: Found) -> Numbers:
 def _steady(found: Found) -> Numbers:
     still = found.given.base is None
     yield "eta", found.eta
+    if found.unbounded:
+        yield "static", found.static
+        yield "growth", found.growth
+        yield "resonance", found.natural
+        return
     if still:
         yield "static", found.static
         yield "beta", found.amplitude / found.static
@@ -232,9 +259,7 @@ def _steady(found: Found) -> Numbers:
     yield "eta_most", found.most
     yield "resonance", found.natural / found.order
     if found.shaking is None:
-        yield "root", found.creep
-        yield "C1", found.constants[0]
-        yield "C2", found.constants[1]
+        yield from _constants(found)
 
 
 def _wanted(found: Found) -> Numbers:

@@ -13,7 +13,7 @@ from tmm_report.chapters.vibration.draw import scheme
 from tmm_report.chapters.vibration.formulas import VibrationFormulas
 from tmm_report.chapters.vibration.quantities import ratio
 from tmm_report.chapters.vibration.solve import WORKING, Found
-from tmm_report.chapters.vibration.values import BASE
+from tmm_report.chapters.vibration.values import BASE, quantity
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.graphs import Curve, Graph
 from tmm_report.problems import N_
@@ -35,6 +35,9 @@ PRINT = {"m": "mm", "rad": "deg"}  # a displacement as it is printed
 
 def parts(found: Found, page: Page) -> Iterator[Part]:
     view = VibrationView(found, page)
+    if found.given.free:
+        yield Part("vibration_free", view)
+        return
     yield Part("vibration", view)
     if found.stood is not None or found.given.friction is not None or found.absorbed is not None:
         yield Part("vibration_measures", view, concludes=False)
@@ -51,6 +54,8 @@ class VibrationView(VibrationFormulas):
         self.page, self.t = page, page.t
 
     def conclusions(self) -> Sequence[Markup]:
+        if self.given.free or self.found.unbounded:
+            return self._concluded()
         text = N_(
             "The machine on its isolators moves with the amplitude %(amplitude)s at %(eta)s of its natural frequency; "
             "the force ratio is %(ratio)s."
@@ -70,6 +75,26 @@ class VibrationView(VibrationFormulas):
         amplitude = self.page.listed([moved, unit], "" if unit == "°" else " ")
         values = {"eta": self.number("eta", digits=4), "ratio": self.number(ratio(self.found), digits=3)}
         return [self.t(text, amplitude=amplitude, **values)]
+
+    def _concluded(self) -> Sequence[Markup]:
+        """Of a free vibration; of a resonance whose amplitude something else bounds."""
+        natural = self.number("natural", digits=4)
+        if self.found.unbounded:
+            text = N_(
+                "Alone the machine is in resonance without damping at %(natural)s rad/s, and its amplitude has no "
+                "bound."
+            )
+            lines = [self.t(text, natural=natural)]
+            if self.found.absorbed is not None:
+                lines.append(self.t(N_("With the tuned absorber it stands still at this frequency.")))
+            return lines
+        if self.found.decrement is None:
+            return [self.t(N_("The natural frequency of the machine is %(natural)s rad/s."), natural=natural)]
+        text = N_(
+            "The natural frequency of the machine is %(natural)s rad/s; its free vibration dies away with the "
+            "logarithmic decrement %(decrement)s."
+        )
+        return [self.t(text, natural=natural, decrement=self.number("decrement", digits=4))]
 
     # --- words
 
@@ -142,6 +167,11 @@ class VibrationView(VibrationFormulas):
         first, *others = self._columns("response", self._units, leave)
         return numeric(caption, first, others)
 
+    def swings(self, caption: Any) -> Table:
+        table = self.of.table("swings")
+        first = self.page.column(table, "swing", digits=1)
+        return numeric(caption, first, self._columns("swings", {"size": self.printed}, ("swing",)))
+
     def dampings(self, caption: Any) -> Table:
         leave = ("beta_peak", "eta_peak", "beta") if self.given.base is not None else ()
         first, *others = self._columns("dampings", {}, leave)
@@ -151,7 +181,7 @@ class VibrationView(VibrationFormulas):
         table = self.of.table("harmonics")
         return numeric(
             caption,
-            self.page.column(table, "order", digits=1, least=2),
+            self.page.column(table, "order", digits=1),
             self._columns("harmonics", self._units, ("order",)),
         )
 
@@ -188,7 +218,7 @@ class VibrationView(VibrationFormulas):
         of = [
             ("beta", Symbol("beta"), ""),
             ("lag", Symbol("psi"), "deg"),
-            ("ratio", self.of[ratio(self.found)].symbol, ""),
+            ("ratio", quantity(self.found, ratio(self.found)).sign, ""),
         ]
         if self.given.base is not None:
             of = of[2:]
@@ -215,9 +245,10 @@ class VibrationView(VibrationFormulas):
         """The motion from the start and its steady part."""
         table = self.of.table("motion")
         names = (self.t("motion"), self.t("steady part"))
+        keys = ("x",) if self.given.free else ("x", "x_steady")
         drawn = [
             Curve(table[key].numbers(self.printed), str(name), 0, ())
-            for key, name in zip(("x", "x_steady"), names, strict=True)
+            for key, name in zip(keys, names, strict=False)
         ]
         panel = [(Symbol(self.units.x), self.printed)]
         return plot(drawn, table["t"].numbers(), table["t"].quantity, panel, self.page.tr)

@@ -125,7 +125,7 @@ class GuideView(GuideFormulas):
 
     def guide_table(self, caption: Any) -> Table:
         rows = _every(len(self.profile), ROWS)
-        first = self._picked(self.profile, "point", rows, digits=1, least=3)
+        first = self._picked(self.profile, "point", rows, digits=1)
         keys = ["x", *(f"u_{cause}_{face}" for face in FACES for cause in ("force", "couple"))]
         keys[3:3], keys[6:6] = ["u_lower"], ["u_upper"]
         columns = [self._picked(self.profile, key, rows, "mm" if key == "x" else "µm") for key in keys]
@@ -135,7 +135,7 @@ class GuideView(GuideFormulas):
     def slider_table(self, caption: Any) -> Table:
         table = self.of.table("sole")
         rows = _every(len(table), ROWS)
-        first = self._picked(table, "point", rows, digits=1, least=3)
+        first = self._picked(table, "point", rows, digits=1)
         keys = [
             "xi",
             "u_force_lower",

@@ -16,7 +16,7 @@ from tmm_report.commands.batch.inputs import Given, Task, inputs
 from tmm_report.commands.batch.progress import Progress
 from tmm_report.commands.batch.work import PARTS, Foreign, take_away, work
 from tmm_report.commands.solve import chosen
-from tmm_report.commands.talk import Talk, failure, unwritable, written
+from tmm_report.commands.talk import Talk, failure, unlinked, unwritable, written
 from tmm_report.i18n import Translator
 from tmm_report.languages import DEFAULT
 from tmm_report.problems import N_, Message, Problem
@@ -87,6 +87,7 @@ def sensible(jobs: int | None, seconds: float) -> None:
 def _prepare(output: Path, resume: bool) -> None:
     """Make the folder, or see that it is meant. Raises ProblemError, OSError."""
     output.mkdir(parents=True, exist_ok=True)
+    unlinked(output / JOURNAL, output / PARTS)
     if not resume and _begun(output / JOURNAL):
         text = N_("%(folder)s holds a run already; --resume goes on with it, or name another folder")
         raise failure(text, folder=output)

@@ -14,7 +14,8 @@ import numpy as np
 from markupsafe import Markup
 
 from tmm_report.commands.grade.legend import MARKS, Limits, Mark, Says, mark
-from tmm_report.grading.model import RIGHT, Cause, Marked, MarkedColumn, Name, Rule
+from tmm_report.grading.model import HELD, RIGHT, Cause, Digest, Marked, MarkedColumn, Name, Rule
+from tmm_report.grading.words import attempt_text, override_text, state_text
 from tmm_report.i18n import Translator
 from tmm_report.problems import N_, shown
 from tmm_report.records import dataclass
@@ -68,6 +69,19 @@ SECTIONS = {
     "eccentric": N_("Eccentric epicyclic mechanism"),
 }
 """Chapter -> the section of the note in which the right way stands."""
+
+
+@dataclass(frozen=True)
+class Remarks:
+    """What the page says of the mark itself: why there is none, and the reasons; that it was set by hand; of which
+    attempt it is. `judged`: whether the work was marked."""
+
+    judged: bool = True
+    state: Markup = NOTHING
+    reasons: tuple[str, ...] = ()
+    by_hand: Markup = NOTHING
+    mark: str = ""
+    attempt: Markup = NOTHING
 
 
 @dataclass(frozen=True)
@@ -130,17 +144,26 @@ class Unexplained:
 
 
 def feedback(
-    marked: Marked, tr: Translator, *, answers: bool = False, limit: Limits = 5.0, reading: float = 1.0
+    marked: Marked,
+    tr: Translator,
+    digest: Digest | None = None,
+    *,
+    answers: bool = False,
+    limit: Limits = 5.0,
+    reading: float = 1.0,
 ) -> bytes:
-    """The page. `answers`: the right values and differences, too. `limit`, %, of all or by table, and `reading`,
-    mm, are the rubric's, for the sentences that say what decided."""
+    """The page. `digest`: what is kept of the work, where its mark is not simply that of `marked`; of one that was not
+    marked, why. `answers`: the right values and differences, too. `limit`, %, of all or by table, and `reading`, mm,
+    are the rubric's, for the sentences that say what decided."""
     page = Page(Html(), tr, Numbering())
     says = Says(page, limit, reading)
-    shown_columns = [column for column in marked.columns.values() if _is_shown(column)]
+    remarks = _remarks(digest, page) if digest is not None else Remarks()
+    shown_columns = [one for one in marked.columns.values() if remarks.judged and _is_shown(one)]
     puzzling = _without_cause(marked, shown_columns)
     text = template("feedback.html.j2").render(
         {"page": page, "t": page.t},
         marked=marked,
+        remarks=remarks,
         title={**dict.fromkeys(("student", "group", "variant", "topic"), ""), **_title(marked)},
         points=_points(marked.points, page),
         worth=_points(marked.worth, page),
@@ -151,11 +174,24 @@ def feedback(
         ask=_ask([*puzzling, *shown_columns]),
         sections=list(_sections(shown_columns, says, answers)),
         legend=says.legend(_occurring(shown_columns)),
-        notes=[problem.text(tr.gettext) for problem in marked.answers.notes],
+        notes=[] if remarks.reasons else [problem.text(tr.gettext) for problem in marked.answers.notes],
         answers=answers,
         style=Markup((data_root() / "templates" / "style.css").read_text("utf-8")),
     )
     return text.encode()
+
+
+def _remarks(digest: Digest, page: Page) -> Remarks:
+    state, attempt, override = state_text(digest), attempt_text(digest), digest.override
+    reasons = () if digest.state == HELD else digest.failed
+    return Remarks(
+        digest.judged,
+        page.message(state) if state is not None and override is None else NOTHING,
+        reasons if override is None else (),
+        page.message(override_text(override)) if override is not None else NOTHING,
+        _points(digest.mark, page),
+        page.message(attempt) if attempt is not None else NOTHING,
+    )
 
 
 def _is_shown(column: MarkedColumn) -> bool:

@@ -2,32 +2,38 @@
 
 from __future__ import annotations
 
+import shutil
 import tempfile
-import unicodedata
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import closing
+from contextlib import closing, contextmanager
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from tmm_report.commands.batch.inputs import Task, inputs
+from tmm_report.commands.batch.inputs import inputs
 from tmm_report.commands.batch.progress import Progress
 from tmm_report.commands.batch.run import JOBS, MEMORY, cores, in_lists, sensible
-from tmm_report.commands.files import write
+from tmm_report.commands.files import move, write
+from tmm_report.commands.grade.pairing import paired
 from tmm_report.commands.grade.statistics_page import statistics_files
-from tmm_report.commands.grade.work import Options, Work, work
-from tmm_report.commands.talk import Talk, unwritable, written
+from tmm_report.commands.grade.work import Options, Work, unsolved, work
+from tmm_report.commands.talk import UNWRITABLE, Talk, failure, unlinked, unwritable, written
+from tmm_report.commands.whole import alone
 from tmm_report.grading import others as year
 from tmm_report.grading import rubric as rubrics
 from tmm_report.grading.gradebook import gradebook
 from tmm_report.grading.model import RIGHT, Digest
+from tmm_report.grading.overrides import FILE as OVERRIDES
+from tmm_report.grading.overrides import overrides
 from tmm_report.grading.roster import roster as read_roster
 from tmm_report.grading.statistics import Statistics, lines, statistics
+from tmm_report.grading.words import state_text
 from tmm_report.i18n import Translator
-from tmm_report.intake.sources import Source, sources
+from tmm_report.intake.sources import handed
 from tmm_report.problems import N_, Message, Problem, mistake, shown
 from tmm_report.running.pool import Lost, over
 
+PART = ".tmm-report.part"  # where all is made
 ANSWERS = (".yaml", ".yml", ".csv", ".xlsx")
 DOUBTFUL = 0.6  # of the points: who has less may have had another's variant
 OWN = 0.9  # of the numbers right as such: likewise
@@ -60,45 +66,47 @@ def run(
     names = read_roster(roster) if roster is not None else {}
     sensible(jobs, seconds)
     given = inputs([*variants], table, ["grade"])
-    handed, refused = sources(answers, ANSWERS)
-    works, strangers = _paired(list(given.tasks), handed)
-    _warn(talk, [*given.refused, *refused, *strangers])
-    options = Options(output.absolute(), asked, language, own, show)
+    tasks = list(given.tasks)
+    by_hand = overrides(output / OVERRIDES, [task.id for task in tasks], asked.points)
+    found = paired(tasks, handed(answers, ANSWERS), names, by_hand)
+    _warn(talk, [*given.refused, *by_hand.problems, *found.problems])
+    tr = Translator(own)
     try:
-        digests = _marked(works, options, jobs or cores(), seconds, talk)
-        found = statistics(digests)
-        tr = Translator(own)
-        write(output, gradebook(digests, tr, names, title) | statistics_files(found, tr))
+        output.mkdir(parents=True, exist_ok=True)
+        with alone(output), _made(output) as part:
+            options = Options(part.absolute(), asked, language, own, show)
+            digests = _marked(found.works, options, jobs or cores(), seconds, talk)
+            _see_written(digests, output)
+            about = statistics(digests)
+            write(part, gradebook(digests, tr, found.roster, title) | statistics_files(about, tr))
+            move(part, output)
     except OSError as error:
         raise unwritable(output, error) from None
     if rubric is not None:
         columns = {name for digest in digests for name in digest.columns}
         _warn(talk, rubrics.unknown(rubrics.unmatched(asked, columns), str(rubric)))
-    return _told(digests, found, output, talk)
+    return _told(digests, about, output, talk) and not by_hand.problems
 
 
-def _paired(tasks: Sequence[Task], handed: Sequence[Source]) -> tuple[list[Work], list[Problem]]:
-    """Each variant with what was handed in for it, and the answers that belong to no variant.
-
-    Whose an answer is, its place says, never its text: nobody can hand in for another.
-    """
-    by_id: dict[str, list[Source]] = {}
-    for source in handed:
-        by_id.setdefault(_folded(source.group), []).append(source)
-    works = [Work(task, tuple(by_id.pop(_folded(task.id), ()))) for task in tasks]
-    right = Message(N_("a file of answers, or its folder, is named like its variant"))
-    text = N_("there is no variant %(name)s")
-    strangers = [
-        replace(mistake(text, right=right, name=shown(source.group)), file=source.label)
-        for sources_ in by_id.values()
-        for source in sources_
-    ]
-    return works, strangers
+@contextmanager
+def _made(output: Path) -> Iterator[Path]:
+    """A folder in the output in which all is made before it takes its place: whatever happens, the old files stand as
+    they were or the new ones do. Raises OSError."""
+    part = output / PART
+    unlinked(part)
+    shutil.rmtree(part, ignore_errors=True)  # what a stopped run left
+    part.mkdir()
+    try:
+        yield part
+    finally:
+        shutil.rmtree(part, ignore_errors=True)
 
 
-def _folded(name: str) -> str:
-    """Names that Windows or macOS would take for one are one."""
-    return unicodedata.normalize("NFC", unicodedata.normalize("NFC", name).casefold())
+def _see_written(digests: Iterable[Digest], output: Path) -> None:
+    """See that every work's feedback was written. Raises ProblemError."""
+    for digest in digests:
+        if digest.unwritten:
+            raise failure(UNWRITABLE, folder=output, reason=shown(digest.unwritten, 300))
 
 
 # ---------------------------------------------------------------- marking
@@ -130,17 +138,18 @@ def _results(
 ) -> Iterator[tuple[str, Digest]]:
     """Id and digest of each work, in order of completion."""
     jobs = min(jobs, JOBS)
-    do, tr = partial(work, options=options), Translator(options.own)
+    do = partial(work, options=options)
     with closing(
         over(do, in_lists(works, len(works), jobs), jobs=jobs, seconds=seconds, memory=MEMORY)
     ) as results:
         for one, found in results:
             lost = isinstance(found, Lost)
-            yield one.variant.id, _lost(one, found, seconds, tr) if lost else found
+            yield one.variant.id, _lost(one, found, seconds, options) if lost else found
             progress.done()
 
 
-def _lost(one: Work, lost: Lost, seconds: float, tr: Translator) -> Digest:
+def _lost(one: Work, lost: Lost, seconds: float, options: Options) -> Digest:
+    """Raises OSError."""
     texts = {
         "time": N_("marking took more than %(seconds)g s"),
         "memory": N_("marking asked for too much memory"),
@@ -148,7 +157,7 @@ def _lost(one: Work, lost: Lost, seconds: float, tr: Translator) -> Digest:
     text = texts.get(lost.reason, N_("the process that marked it died"))
     files = ", ".join(source.label for source in one.answers) or one.variant.label
     problem = replace(mistake(text, seconds=seconds), file=files)
-    return Digest(one.variant.id, failed=(problem.text(tr.gettext),))
+    return unsolved(one, [problem], options, Translator(options.language or options.own))
 
 
 # ---------------------------------------------------------------- what is handed out
@@ -158,9 +167,9 @@ def _told(digests: Sequence[Digest], found: Statistics, output: Path, talk: Talk
     """Say what came out; whether every work could be marked."""
     for line in lines(found):
         talk.tell(line)
-    bad = [digest for digest in digests if digest.failed]
+    bad = [digest for digest in digests if not digest.marked or digest.missed]
     for digest in bad[:TOLD]:
-        talk.warn(digest.failed[0])
+        talk.warn(_why(digest))
     if len(bad) > TOLD:
         talk.warn(Message(N_("and %(count)s more: see marks.csv"), {"count": len(bad) - TOLD}))
     names = (
@@ -174,6 +183,17 @@ def _told(digests: Sequence[Digest], found: Statistics, output: Path, talk: Talk
     )
     talk.tell(written(*(output / name for name in names)))
     return not bad
+
+
+def _why(digest: Digest) -> Message | str:
+    """Why a work has no mark, or a part of it could not be."""
+    reason = (*digest.failed, *digest.missed, "")[0]
+    if not digest.state:
+        return reason
+    state = state_text(digest)
+    return Message("%(id)s: %(state)s: %(why)s" if reason else "%(id)s: %(state)s", {
+        "id": shown(digest.id), "state": state, "why": reason,
+    })  # fmt: skip
 
 
 def _warn(talk: Talk, problems: Iterable[Problem]) -> None:

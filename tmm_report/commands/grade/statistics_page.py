@@ -11,11 +11,11 @@ from typing import NamedTuple
 from markupsafe import Markup
 
 from tmm_report.grading.copies import limit
-from tmm_report.grading.statistics import Share, Statistics
+from tmm_report.grading.statistics import Share, Statistics, lines
 from tmm_report.grading.words import kind_text
 from tmm_report.i18n import Translator
 from tmm_report.intake.writing import csv_bytes
-from tmm_report.problems import N_, Message, shown
+from tmm_report.problems import N_, Message
 from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template
@@ -62,7 +62,10 @@ def statistics_files(found: Statistics, tr: Translator) -> dict[str, bytes]:
         causes=[(form.message(kind_text(kind)), count) for kind, count in found.causes],
         copies=[(form.message(copy.text), _chance(copy.cells)) for copy in found.copies[:LISTED]],
         mixed=[form.message(mixed.text) for mixed in found.mixed[:LISTED]],
-        failed=[shown(who.name, 80) for who in found.failed[:LISTED]],
+        said=form.message(lines(found)[0]),
+        absent=[form.message(one.text) for one in found.absent[:LISTED]],
+        failed=[form.message(one.text) for one in found.failed[:LISTED]],
+        by_hand=[form.message(one.text) for one in found.by_hand[:LISTED]],
         cut=_cut(found, form),
         style=Markup((data_root() / "templates" / "style.css").read_text("utf-8")),
     )

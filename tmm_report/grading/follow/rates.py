@@ -6,7 +6,7 @@ normal or Coriolis part (see `mechanics.relations`). So there is one `Rates` for
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import field
 from typing import Any
 
@@ -104,8 +104,8 @@ class Rates:
 
     def _driver(self) -> None:
         link = self.motion.linkage.mechanism.driver.link
-        self._turn(link, [])
         pivot = self.scheme.bases[link]
+        self._turn(link, self._by_pins(link, pivot) if self.velocities is None else [])
         for point in self.poses.first_of(link):
             choices = [self.on_link(link, point)]
             if self.velocities is not None:
@@ -113,7 +113,14 @@ class Rates:
                 choices.append(derived(self.right(point), _towards_start, speed, arm))
             self._point(point, choices)
 
-    def _turn(self, link: str, choices: Sequence[Known]) -> None:
+    def _by_pins(self, link: str, pivot: str) -> Iterator[Known]:
+        """The driving link's angular velocity by the velocities of its points that the student states."""
+        for point in self.poses.first_of(link):
+            right = self.right(point)
+            for own in self.sheet.own_vector(self._names(point), right):
+                yield derived(self.right_rate(link), _turning, own, self.poses.arm(link, pivot, point))
+
+    def _turn(self, link: str, choices: Iterable[Known]) -> None:
         """A link's angular velocity or acceleration, and its spin."""
         rate = Known(self.right_rate(link))
         if link in self.poses.turning:

@@ -7,12 +7,12 @@ all is likelier than one for each. A column that is right is never touched.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 import numpy as np
 
-from tmm_report.judging.diagnose import pairs, single, variants
+from tmm_report.judging.diagnose import pairs, rows, single, variants
 from tmm_report.judging.diagnose.candidates import Candidate, Candidates, Mistake
 from tmm_report.judging.diagnose.choose import chosen
 from tmm_report.judging.diagnose.columns import Stack, only, stacks, wrong
@@ -47,8 +47,10 @@ def diagnose(
         first = chosen(_tried(answered, suspects, expected, others))
         order = next((one.mistake for one in first if one.mistake.kind in ("shifted", "reversed")), None)
         second = _besides(first, order, suspects) if order is not None else []
-        causes = [_cause(one, answers, expected) for one in first]
-        return causes + [_cause(one, answers, expected, order) for one in second]
+        causes = [cause for one in first for cause in _causes(one, answers, expected)]
+        causes += [cause for one in second for cause in _causes(one, answers, expected, order)]
+        left = {name for one in (*first, *second) for name in one.claims}
+        return causes + list(_exchanges(suspects, left, answers, expected))
 
 
 def _tried(
@@ -84,6 +86,37 @@ def _besides(first: list[Candidate], order: Mistake, suspects: list[Stack]) -> l
             single.factors(moved, found)
             single.scales(moved, found)
     return chosen(found)
+
+
+def _exchanges(
+    suspects: list[Stack], explained: set[Name], answers: Answers, expected: Expected
+) -> Iterator[Cause]:
+    """Two rows in each other's place, in columns that nothing else explains."""
+    for stack in suspects:
+        left = np.array([one.name not in explained for one in stack.asked])
+        if left.any() and (swap := rows.exchanged(only(stack, left))) is not None:
+            i, j = swap.one, swap.other
+            mended = {}
+            for name in swap.names:
+                column = answers.columns[name]
+                values = np.where(column.given, column.values, np.nan)
+                values[[i, j]] = values[[j, i]]
+                mended[name] = values
+            names = tuple(name for name in expected if name in mended)
+            labels = expected[names[0]].rows
+            detail = f"{labels[i]}, {labels[j]}"
+            what = sentence(Mistake("rows", detail), names, expected)
+            yield Cause("rows", names, what, detail, mended, swap.right / swap.wrong)
+
+
+def _causes(
+    one: Candidate, answers: Answers, expected: Expected, order: Mistake | None = None
+) -> list[Cause]:
+    """A mistake; a factor below 0 is one of two, the opposite sign the other."""
+    cause = _cause(one, answers, expected, order)
+    if one.mistake.by >= 0 or one.mistake.kind == "shifted":
+        return [cause]
+    return [cause, replace(cause, kind="sign", detail="", what=sentence(single.SIGN, cause.names, expected))]
 
 
 def _cause(one: Candidate, answers: Answers, expected: Expected, order: Mistake | None = None) -> Cause:

@@ -69,9 +69,13 @@ class Candidates:
     def __iter__(self) -> Iterator[Candidate]:
         return iter(self._by_mistake.values())
 
-    def add(self, mistakes: Sequence[Mistake], stack: Stack, fit: Fit, applies: Array) -> None:
-        """The claims of T mistakes tried on a stack. `applies`: (C, T) of bool, where a mistake can be made."""
+    def add(
+        self, mistakes: Sequence[Mistake], stack: Stack, fit: Fit, applies: Array, shown: Array | bool = True
+    ) -> None:
+        """The claims of T mistakes tried on a stack. `applies`: (C, T) of bool, where a mistake can be made; `shown`:
+        where the column can accuse of it."""
         firm, weak = enough(stack, fit, np.array([m.special for m in mistakes]))
+        firm &= shown
         weak &= np.array([m.broad for m in mistakes])
         for c, t in np.argwhere((firm | weak) & applies).tolist():
             self.claim(mistakes[t], stack, fit, c, t, bool(firm[c, t]))

@@ -87,8 +87,11 @@ class Branch:
 
     def turned(self, phi: Array) -> Array:
         """Angles from where the branch begins, nan where it is not; those behind position 0 below zero."""
-        x = np.mod(self.run.sense * (phi - self.run.zero), FULL_TURN)
+        raw = self.run.sense * (phi - self.run.zero)
+        x = np.mod(raw, FULL_TURN)
         x = np.where(FULL_TURN - x < ROUND, 0.0, x)
+        if not self.run.returns:  # the end of the turn is another assembly than its beginning
+            x = np.where(np.abs(raw - FULL_TURN) < ROUND, FULL_TURN, x)
         low, high = self.x[0], self.x[-1]
         behind = (x > high) if self.run.forward is not None else (x > max(high, self.run.sweep))
         x = np.where(behind & (x - FULL_TURN >= low), x - FULL_TURN, x)

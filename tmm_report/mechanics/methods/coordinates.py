@@ -198,6 +198,8 @@ class Coordinates:
         """Of every group the determinant of its part of the Jacobian, over its columns, (..., P, groups):
         0 in a singular position, and of another sign in the assembly that meets this one there."""
         parts = [J[..., rows, columns] for rows, columns in self.blocks]
+        if not parts:  # the driving link alone
+            return np.empty((*J.shape[:-2], 0))
         return np.stack(
             [np.linalg.det(part) / np.prod(np.linalg.norm(part, axis=-2), axis=-1) for part in parts], axis=-1
         )

@@ -31,7 +31,8 @@ class Method(Generic[Scene, Found]):
     `run(scene, count)`: what it finds at `count` equal steps of the cycle, the last included (count + 1 positions, as
     `Cycle.once`). What it cannot find at a position is nan there; where it breaks down as a whole it raises
     ArithmeticError, never anything else. `refuses(scene)`: why it cannot be used on this scene, None where it can.
-    `settings`: what its error depends on beside the count, in words: "0.1 mm" of a drawing.
+    `settings`: what its error depends on beside the count, in words: "0.1 mm" of a drawing. `counted`: whether the
+    count says anything to it; one that chooses its own steps is tried once, with the count 0.
     """
 
     key: str
@@ -39,6 +40,7 @@ class Method(Generic[Scene, Found]):
     run: Callable[[Scene, int], Found]
     refuses: Callable[[Scene], Message | None] = lambda scene: None
     settings: str = ""
+    counted: bool = True
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +80,7 @@ class Pair:
 
 @dataclass(frozen=True, eq=False)
 class Trial:
-    """One method on one scene: seconds of one warm run (median), and its errors by kind of quantity.
+    """One method on one scene: CPU seconds of one warm run (the least), and its errors by kind of quantity.
 
     `errors`: "place", "velocity", "acceleration" | "reaction", "moment" | … -> relative error. `broken`: why it found
     nothing, else None.

@@ -8,13 +8,13 @@ best = cheapest(found, 1e-6)
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from itertools import groupby
-from statistics import median
-from time import perf_counter
-from typing import Any, Generic
+from time import perf_counter, process_time
+from typing import Any, Generic, TypeVar
 
 import numpy as np
 
@@ -28,9 +28,15 @@ Array = Any
 
 COUNTS = (12, 36, 100)  # positions of a turn at which rivals are tried
 ROUNDS = 31  # of taking turns, at most
+SAMPLE, MOST_REPEATS = 5e-4, 50  # seconds of one reading of the clock, made up of so many runs at most
+NEAR = 1.6  # times within this ratio are measured again before a winner is named
+SAME = 1.1  # times within this ratio are equal: which of the two is less is chance
+# of this process alone, whatever else the machine does; on Windows it ticks 64 times a second
+clock = perf_counter if sys.platform == "win32" else process_time
 ROUNDING = 1e-14  # relative: errors below it are rounding, which of two is smaller is chance
 NOTHING = 1e-9  # of the largest row: a row that is smaller is rounding, and no error is measured by it
 Errors = Mapping[str, float]
+J = TypeVar("J", bound="Judged")
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,7 +64,12 @@ class Rivals(Generic[Scene, Found]):
 
 def tried(rivals: Rivals[Scene, Found]) -> list[Trial]:
     """Every usable method at every count, with its errors; seconds are nan: nothing is timed."""
-    return [_tried(rivals, method, count) for count in rivals.counts for method in rivals.usable]
+    return [
+        _tried(rivals, method, count if method.counted else 0)
+        for count in rivals.counts
+        for method in rivals.usable
+        if method.counted or count == rivals.counts[0]
+    ]
 
 
 def _tried(rivals: Rivals[Scene, Found], method: Method[Scene, Found], count: int) -> Trial:
@@ -133,26 +144,56 @@ def trials(rivals: Rivals[Scene, Found], seconds: float) -> list[Trial]:
     return [replace(one, seconds=timed.get(id(one), math.nan)) for one in found]
 
 
+def run_off(rivals: Rivals[Scene, Found], judged: J, seconds: float) -> J:
+    """The same with those timed again that may be the cheapest: a wrong winner is told from noise by them alone."""
+    kinds, found = judged.kinds, judged.trials
+    good = [
+        one for one in judged.candidates if full(one.errors, kinds) and worst(one.errors) <= judged.accuracy
+    ]
+    least = min((one.seconds for one in good), default=math.nan)
+    near = {
+        (one.method.key, count)
+        for one in good
+        if one.seconds <= NEAR * least
+        for count in judged.counts(one) or (0,)
+    }
+    again = [one for one in found if (one.method.key, one.count) in near]
+    if len({one.method.key for one in again}) < 2:
+        return judged
+    times = interleaved([_run(rivals, one) for one in again], seconds)
+    timed = {id(one): min(one.seconds, taken) for one, taken in zip(again, times, strict=True)}
+    return replace(
+        judged, trials=tuple(replace(one, seconds=timed.get(id(one), one.seconds)) for one in found)
+    )
+
+
 def _run(rivals: Rivals[Scene, Found], trial: Trial) -> Callable[[], object]:
     return lambda: trial.method.run(rivals.scene, trial.count)
 
 
 def interleaved(runs: Sequence[Callable[[], object]], seconds: float) -> list[float]:
-    """Median seconds of each, all warm. They take turns, so that what else the machine does troubles all alike; what
-    is slow is run less often, at least once."""
+    """CPU seconds of each, the least of its samples, all warm. They take turns, so that what else the machine does
+    troubles all alike; what is slow is run less often, at least once, and what is quick several times a sample."""
     taken: list[list[float]] = [[] for _ in runs]
-    share, end = seconds / max(1, len(runs)), perf_counter() + seconds
+    repeats = [1] * len(runs)
+    share, end = seconds / max(1, len(runs)), clock() + seconds
     for _ in range(ROUNDS):
-        for own, run in zip(taken, runs, strict=True):
-            if own and sum(own) > share:
+        for k, run in enumerate(runs):
+            if taken[k] and sum(taken[k]) * repeats[k] > share:
                 continue
-            start = perf_counter()
-            with np.errstate(all="ignore"):
-                run()
-            own.append(perf_counter() - start)
-        if perf_counter() > end:
+            taken[k].append(_sample(run, repeats[k]))
+            repeats[k] = min(MOST_REPEATS, max(1, math.ceil(SAMPLE / max(min(taken[k]), 1e-9))))
+        if clock() > end:
             break
-    return [median(own) for own in taken]
+    return [min(own) for own in taken]
+
+
+def _sample(run: Callable[[], object], repeats: int) -> float:
+    start = clock()
+    with np.errstate(all="ignore"):
+        for _ in range(repeats):
+            run()
+    return (clock() - start) / repeats
 
 
 # ---------------------------------------------------------------- what follows
@@ -203,16 +244,20 @@ def _largest(own: Sequence[Trial]) -> Errors:
 
 
 def cheapest(found: Sequence[Trial], accuracy: float) -> Trial | None:
-    """The quickest that finds all kinds with errors no larger than `accuracy`; None where there is none."""
+    """The quickest that finds all kinds with errors no larger than `accuracy`; None where there is none. Of those whose
+    times are equal the most accurate, and of rounding errors none is better: then the first."""
     kinds = kinds_of(found)
     good = [one for one in found if full(one.errors, kinds) and worst(one.errors) <= accuracy]
-    return min(good, key=lambda one: one.seconds, default=None)
+    least = min((one.seconds for one in good), default=math.nan)
+    equal = [one for one in good if one.seconds <= SAME * least]
+    return min(equal, key=lambda one: max(ROUNDING, worst(one.errors)), default=None)
 
 
 @dataclass(frozen=True, eq=False)
 class Judged:
-    """The rivals for one thing, `key`, as tried: `refused` with the reasons; `asked`: the counts at which together the
-    cheapest that holds the accuracy is found."""
+    """The rivals for one thing, `key`, as tried: `refused` with the reasons; `asked`: the counts that make up the task,
+    for which together the cheapest that holds the accuracy is found. Without any a count is a setting of its method,
+    and each is a candidate."""
 
     key: str
     trials: tuple[Trial, ...]
@@ -225,17 +270,33 @@ class Judged:
         return kinds_of(self.trials)
 
     @cached_property
-    def front(self) -> frozenset[int]:
-        """Numbers of the trials that no other beats in both seconds and worst error."""
-        best = pareto(self.trials)
-        return frozenset(k for k, one in enumerate(self.trials) if any(one is other for other in best))
+    def candidates(self) -> tuple[Trial, ...]:
+        """One task by every method: what it takes and misses at the counts asked together."""
+        if len(self.asked) > 1:
+            return tuple(over(self.trials, self.asked))
+        return tuple(
+            one for one in self.trials if one.broken is None and one.count in (self.asked or (one.count,))
+        )
 
     @cached_property
-    def whole(self) -> tuple[Trial, ...]:
-        """Of each method seconds and largest errors at all the counts asked together."""
-        return tuple(over(self.trials, self.asked))
+    def rows(self) -> tuple[Trial, ...]:
+        """All trials and candidates, by method and rising count."""
+        added = self.candidates if len(self.asked) > 1 else ()
+        return tuple(one for own in by_method([*self.trials, *added]) for one in own)
+
+    def counts(self, one: Trial) -> tuple[int, ...]:
+        """The counts of a row: of a candidate all that are asked; () where the method chooses its own."""
+        if len(self.asked) > 1 and any(one is other for other in self.candidates):
+            return self.asked
+        return (one.count,) if one.count else ()
+
+    @cached_property
+    def front(self) -> frozenset[int]:
+        """Numbers of the rows of candidates that no other beats in both seconds and worst error."""
+        best = pareto(self.candidates)
+        return frozenset(k for k, one in enumerate(self.rows) if any(one is other for other in best))
 
     @cached_property
     def best(self) -> Trial | None:
-        """The cheapest that holds the accuracy at all the counts asked."""
-        return cheapest(self.whole, self.accuracy)
+        """The cheapest candidate that holds the accuracy."""
+        return cheapest(self.candidates, self.accuracy)

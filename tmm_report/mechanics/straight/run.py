@@ -81,7 +81,14 @@ class Run(Motion):
     ):
         omega = linkage.mechanism.driver.omega
         vars(self).update(
-            linkage=linkage, phi=phi, omega=omega, shape=shape, _arms={}, straight=straight, values=values
+            linkage=linkage,
+            phi=phi,
+            omega=omega,
+            shape=shape,
+            limits={},
+            _arms={},
+            straight=straight,
+            values=values,
         )
         vars(self)["unaltered"] = True
 

@@ -56,6 +56,7 @@ def build(written: DynamicsModel, turn: float = 2 * math.pi) -> Stated:
         varying=tuple(written.varying_inertia or ()),
         passing=written.losses_of_acceleration,
         gravity=written.gravity,
+        friction=written.friction is not False,
         start=_start(written.start) if written.start else None,
         steady=written.steady,
         coast=_coast(written.coast) if written.coast else None,

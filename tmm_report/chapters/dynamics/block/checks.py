@@ -7,9 +7,10 @@ from itertools import pairwise
 from tmm_report.chapters.dynamics.block.models import DynamicsModel, PartModel, SpringModel
 from tmm_report.chapters.dynamics.block.motors import MotorModel, ResistanceModel
 from tmm_report.chapters.kinematics.block import turns_of
-from tmm_report.chapters.structure.block import names, no_point, stated
+from tmm_report.chapters.structure.block import names, no_point, of_friction, stated
 from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.quantity.text import number
+from tmm_report.variant.gaps import not_all_round
 from tmm_report.variant.model import Read
 from tmm_report.yamlread import Path
 
@@ -22,6 +23,7 @@ def check(written: DynamicsModel, read: Read) -> Iterator[Problem]:
         yield from _of_a_machine_alone(written)
     if not alone:
         yield from _of_a_mechanism(written)
+    yield from of_friction(written.friction, not alone, ("dynamics", "friction"), read)
     for index, part in enumerate(written.parts):
         yield from _of_part(part, ("dynamics", "parts", index), written)
     for index, spring in enumerate(written.springs):
@@ -101,12 +103,15 @@ def _of_regimes(written: DynamicsModel) -> Iterator[Problem]:
 
 
 def _of_curves(written: DynamicsModel) -> Iterator[Problem]:
-    """The points of tables ascend."""
+    """The points of tables ascend; two of the same time are a jump."""
     curves: list[Curve] = [(("varying_inertia",), written.varying_inertia)]
     for path, laws in _laws(written):
         curves += [((*path, "by_speed"), laws.by_speed), ((*path, "by_time"), laws.by_time)]
     for where, pairs in curves:
-        if pairs and any(a >= b for (a, _), (b, _) in pairwise(pairs)):
+        firsts = [x for x, _ in pairs or ()]
+        twice = where[-1] == "by_time"  # two values at one time are a jump
+        falls = any(a > b if twice else a >= b for a, b in pairwise(firsts))
+        if falls or any(a >= b for a, b in zip(firsts, firsts[2:], strict=False)):
             yield mistake(N_("the first numbers of the pairs must ascend"), ("dynamics", *where))
 
 
@@ -132,3 +137,5 @@ def _of_angles(written: DynamicsModel, period: float) -> Iterator[Problem]:
         elif pairs is inertias and long > -1e-9 * period and pairs[-1][1] != pairs[0][1]:
             right = Message(N_("the same moment of inertia at the end of the cycle as at its beginning"))
             yield mistake(N_("the moment of inertia jumps from cycle to cycle"), ("dynamics", *where), right)
+        else:
+            yield from not_all_round(pairs, ("dynamics", *where), period)

@@ -112,9 +112,13 @@ class DynamicsModel(Model):
         default=None, description="[[angle, moment of inertia], …] on the main shaft, without a mechanism"
     )
     losses_of_acceleration: Flag = Field(
-        default=False, description="true: what accelerates the parts is lost in their gears too, J i²/η"
+        default=False,
+        description="true: what accelerates the parts passes their gears too, J i²/η, or J i² η where they drive",
     )
     gravity: Acceleration = 9.81
+    friction: Flag | None = Field(
+        default=None, description="false: the friction of the mechanism's pairs is left out"
+    )
     start: StartModel | None = None
     steady: Flag | None = Field(default=None, description="left out, where the motion can become steady")
     coast: CoastModel | None = None

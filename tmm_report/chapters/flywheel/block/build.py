@@ -33,6 +33,7 @@ def built(w: FlywheelModel) -> Stated:
         shape=_shape(w),
         material=_material(w.material),
         positions=w.positions or 24,
+        friction=w.friction is not False,
     )
 
 

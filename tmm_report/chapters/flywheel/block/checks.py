@@ -5,7 +5,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 
 from tmm_report.chapters.flywheel.block.models import FlywheelModel, InertiaModel, MomentModel, Wave
+from tmm_report.chapters.structure.block import of_friction
 from tmm_report.problems import N_, Message, Problem, mistake
+from tmm_report.variant.gaps import not_all_round
 from tmm_report.variant.model import Read
 from tmm_report.yamlread import Path
 
@@ -23,6 +25,7 @@ def check(written: FlywheelModel, mechanism: bool, read: Read) -> Iterator[Probl
     yield from _shafts(written)
     yield from _wheels(written)
     yield from _speeds(written)
+    yield from of_friction(written.friction, mechanism, (*HERE, "friction"), read)
     if mechanism:
         yield from _beside_a_mechanism(written, read)
     else:
@@ -162,3 +165,8 @@ def _ascending(table: list[tuple[float, float]], path: Path, written: FlywheelMo
         right = Message(N_("state turns, or angles up to %(most)s deg"), {"most": f"{math.degrees(most):g}"})
         values = {"angle": f"{math.degrees(angles[-1]):g}", "turns": written.turns or 1}
         yield mistake(text, path, right, **values)
+        return
+    if written.punch is None:
+        turn = 2 * math.pi
+        each = path[-2] == "inertia" and angles[-1] <= turn * (1 + 1e-12)  # it repeats in every turn
+        yield from not_all_round(table, path, turn if each else most)

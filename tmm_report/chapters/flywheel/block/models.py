@@ -13,6 +13,7 @@ from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.model import Model
 from tmm_report.variant.values import (
     Density,
+    Flag,
     Fraction,
     Inertia,
     MomentValue,
@@ -211,3 +212,7 @@ class FlywheelModel(Model):
     )
     material: Literal["cast iron", "steel"] | MaterialModel = "steel"
     positions: Count | None = Field(default=None, description="of the table over the cycle; left out, 24")
+    friction: Flag | None = Field(
+        default=None,
+        description="false: the friction of the mechanism's pairs is left out of the resistances",
+    )

@@ -166,7 +166,7 @@ class Sheet:
         mm = self.pen.read(moment / size / self.mu_l) if size else 0.0
         metres = float(round_significant(mm * self.mu_l, DIGITS + 2))
         of = arm_of(acting.quantity, joint, self.in_mm)
-        along = complex(unit(acting.vector))
+        along = complex(unit(acting.vector)) if size else 1 + 0j  # one that is nil as read has no line
         arm = Arm(acting.quantity, joint, mm, metres, of, link, about, acting.at, along)
         return arm, float(np.sign(moment))
 

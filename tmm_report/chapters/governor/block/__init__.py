@@ -90,8 +90,11 @@ def _masses(written: GovernorModel) -> Iterator[Problem]:
 
 
 def _places(written: GovernorModel) -> Iterator[Problem]:
-    """Where the balls are on arms."""
-    balls = written.balls
+    """Where the balls are on arms, and the fulcrum of an angle lever."""
+    balls, crank = written.balls, written.bell_crank
+    if crank is not None and crank.fulcrum is None and not crank.level:
+        right = Message(N_("state it, or level: true, by which the obliquity of the arms is neglected"))
+        yield mistake(N_("the key %(key)s is missing"), (*PATH, "bell_crank"), right, key="fulcrum")
     if balls.distance is not None and balls.extension is not None:
         right = Message(N_("a distance along the upper arm or an extension of the lower one"))
         yield mistake(N_("a ball cannot be on both arms"), (*PATH, "balls", "extension"), right)

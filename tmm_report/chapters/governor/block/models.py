@@ -55,8 +55,9 @@ class BellCrankModel(Model):
 
     ball_arm: Positive = Field(description="from the fulcrum to the ball", examples=["120 mm"])
     sleeve_arm: Positive = Field(description="from the fulcrum to the sleeve", examples=["80 mm"])
-    fulcrum: Positive = Field(
-        description="distance of the fulcrum from the axis: there the ball arm is upright"
+    fulcrum: Positive | None = Field(
+        default=None,
+        description="distance of the fulcrum from the axis, where the ball arm is upright; not needed with level",
     )
     level: Flag = Field(default=False, description="true: the obliquity of the arms is neglected")
 

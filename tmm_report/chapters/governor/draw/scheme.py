@@ -75,11 +75,14 @@ def _arms(found: DirectFound, arms: Arms, row: int) -> Places:
 
 
 def _crank(found: DirectFound, crank: BellCrank, row: int) -> Places:
-    """Level arms are drawn as they stand all the same."""
-    r = float(found.table.balls.r[row])
-    sin = min(1.0, max(-1.0, (r - crank.fulcrum) / crank.ball_arm))
+    """Level arms are drawn as they stand all the same: upright at half the lift, where no fulcrum is stated."""
+    radii = found.table.balls.r
+    r, upright = float(radii[row]), crank.fulcrum
+    if upright is None:
+        upright = float(radii[0] + radii[-1]) / 2
+    sin = min(1.0, max(-1.0, (r - upright) / crank.ball_arm))
     cos = float(np.sqrt(1 - sin**2))
-    fulcrum = complex(crank.fulcrum, 0)
+    fulcrum = complex(upright, 0)
     ball = fulcrum + crank.ball_arm * complex(sin, cos)
     end = fulcrum + crank.sleeve_arm * complex(-cos, sin)
     return Places(((ball, fulcrum, end),), (fulcrum, end), ball, end)

@@ -13,6 +13,7 @@ from tmm_report.chapters.structure.block import FRAME, Names, names, no_link, no
 from tmm_report.problems import N_, Message, Problem, mistake, shown
 from tmm_report.quantity.units import DIMENSIONS
 from tmm_report.variant.errors import near
+from tmm_report.variant.gaps import not_all_round, not_to_the_end
 from tmm_report.variant.model import Read
 from tmm_report.yamlread import Path
 
@@ -29,6 +30,7 @@ def check(written: m.LoadsModel, read: Read) -> Iterator[Problem]:
             yield from _one_each(force, ("loads", "forces", index), read)
             yield from _over_the_cycle(force, ("loads", "forces", index), read)
             yield from _strokes(force, ("loads", "forces", index), read)
+            yield from _whole_strokes(force, ("loads", "forces", index))
     for index, moment in enumerate(written.moments):
         if moment:
             yield from _turned(moment.on, ("loads", "moments", index, "on"), known)
@@ -117,6 +119,27 @@ def _over_the_cycle(load: AnyLoad, path: Path, read: Read) -> Iterator[Problem]:
         text = N_("the law ends within the first turn, the cycle has %(turns)s turns, %(angle)s deg")
         right = Message(N_("state it to the end of the cycle, or of the last change in it"))
         yield mistake(text, (*path, "by_angle"), right, turns=turns, angle=360 * turns)
+        return
+    driver = read.block(structure.Block).mechanism.driver
+    if _full_turns(read):
+        yield from not_all_round(values, (*path, "by_angle"), turns * TURN)
+    elif driver is not None:
+        yield from not_to_the_end(values, (*path, "by_angle"), driver.range, math.radians(1))
+
+
+def _whole_strokes(load: m.ForceModel | m.PistonModel, path: Path) -> Iterator[Problem]:
+    """Each curve of an indicator diagram says what acts over the whole stroke."""
+    diagram = load.by_displacement
+    if diagram is None:
+        return
+    path = (*path, "by_displacement")
+    curves: dict[Path, list[tuple[float, float]]]
+    if isinstance(diagram, m.StrokesDiagram | m.PressureStrokesDiagram):
+        curves = {("strokes", name): curve for name, curve in diagram.strokes.items()}
+    else:
+        curves = {("forward",): list(diagram.forward), ("back",): list(diagram.back)}
+    for key, curve in curves.items():
+        yield from not_to_the_end(curve, (*path, *key), 1.0)
 
 
 def _written(read: Read, path: Path) -> Any:

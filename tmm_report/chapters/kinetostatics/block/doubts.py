@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from typing import Any
 
 from tmm_report.chapters.kinetostatics.block import models as m
 from tmm_report.chapters.structure import block as structure
@@ -12,12 +13,13 @@ from tmm_report.problems import N_, Message, Problem, doubt
 from tmm_report.variant.model import Read
 
 TURN = 2 * math.pi
+WEIGHED = ("balancing", "dynamics", "flywheel")  # chapters that use the masses of the links without any loads
 
 
 def doubts(written: m.LoadsModel | None, read: Read) -> Iterator[Problem]:
     heavy = _heavy(read)
     if written is None:
-        if heavy:
+        if heavy and not _weighed(read):
             text = N_("the links have masses and there is no block loads: no force analysis is made")
             yield doubt(text, ("mechanism", "links", *heavy), ASKED)
         return
@@ -26,6 +28,12 @@ def doubts(written: m.LoadsModel | None, read: Read) -> Iterator[Problem]:
         right = Message(N_("masses of the links, forces or moments; without them all reactions are zero"))
         yield doubt(text, ("loads",), right)
     yield from _never_met(written, read)
+
+
+def _weighed(read: Read) -> bool:
+    """Whether another chapter uses the masses: of vibration one that the mechanism's own forces shake."""
+    of: Any = read.data.get("vibration")
+    return any(key in read.data for key in WEIGHED) or (isinstance(of, Mapping) and "mechanism" in of)
 
 
 def _heavy(read: Read) -> tuple[str, str] | None:

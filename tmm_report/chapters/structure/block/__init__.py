@@ -16,6 +16,7 @@ from tmm_report.chapters.structure.block.checks import (
     names,
     no_link,
     no_point,
+    of_friction,
     stated,
     without,
 )
@@ -29,8 +30,7 @@ from tmm_report.variant.model import Read
 
 __all__ = [
     "ASKED", "FRAME", "Block", "Given", "Names", "belongs", "doubts", "driver", "given", "has_cams", "in_vain",
-    "mistakes",
-    "names", "no_link", "no_point", "stated", "without",
+    "mistakes", "names", "no_link", "no_point", "of_friction", "stated", "without",
 ]  # fmt: skip
 
 

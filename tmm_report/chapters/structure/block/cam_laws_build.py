@@ -72,6 +72,15 @@ def _tabled(table: list[tuple[float, float]], key: str) -> Tabled:
         raise Wrong(key, Message(N_("a table of a law has at least 8 ascending angles")))
     if angles[-1] - angles[0] >= FULL_TURN - 1e-6:
         raise Wrong(key, Message(N_("a table of a law goes once round, below 360° from its first angle")))
+    gap = angles[0] + FULL_TURN - angles[-1]
+    if gap > max(b - a for a, b in pairwise(angles)) + 1e-6:  # a curve of its own making, not a straight line
+        told = {
+            "last": f"{math.degrees(angles[-1]):.6g}",
+            "next": f"{math.degrees(angles[0] + FULL_TURN):.6g}",
+        }
+        text = N_("nothing is stated from %(last)s to %(next)s deg, where the next cycle begins")
+        right = N_("go on all round, also where the follower stands still")
+        raise Wrong(key, Message(text, told), Message(right))
     if min(value for _, value in table) < 0:
         raise Wrong(key, Message(N_("lifts are counted from the base circle: none is negative")))
     return Tabled(tuple(angles), tuple(value for _, value in table))

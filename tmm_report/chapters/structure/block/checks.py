@@ -75,11 +75,22 @@ def without(read: Read, key: str) -> Found:
         )
 
 
+def of_friction(stated: bool | None, mechanism: bool, path: Path, read: Read) -> Found:
+    """Of the key `friction` in a block of the machine in motion, at `path`."""
+    if stated is not None and not mechanism:
+        text = N_("friction of the pairs is that of a mechanism, and this variant has none")
+        yield mistake(text, path, Message(N_("leave the key out")))
+    elif stated and "friction" not in read.data:
+        text = N_("no friction of the pairs is stated")
+        yield mistake(text, path, Message(N_("state the friction of pivots, guides or joints")))
+
+
 def check(mechanism: m.MechanismModel, read: Read) -> Found:
     """All mistakes of the parts that are right in themselves."""
     known = names(read.data)
     yield from _complete(read)
     yield from _links(mechanism, known)
+    yield from _called_alike(known)
     yield from _guides(mechanism, known)
     yield from _slides(mechanism, known)
     yield from _driver(mechanism, read, known)
@@ -99,6 +110,19 @@ def _complete(read: Read) -> Found:
     if FRAME in _mapping(written.get("links")):
         right = Message(N_("call it otherwise"))
         yield mistake(N_("0 is the frame and cannot be a moving link"), (*_MECHANISM, "links", FRAME), right)
+
+
+def _called_alike(known: Names) -> Found:
+    """A point of the name of a moving link: v_3 and S_3 would be those of both."""
+    told = set()
+    for link, points in known.points.items():
+        for point in points:
+            if point in known.points and point != FRAME and point not in told:
+                told.add(point)
+                part = ("frame",) if link == FRAME else ("links", link, "points")
+                right = Message(N_("call the point otherwise, for example %(name)s"), {"name": f"A{point}"})
+                wrong = N_("a link is also called %(name)s")
+                yield mistake(wrong, (*_MECHANISM, *part, point), right, name=point)
 
 
 def no_point(name: str, path: Path, known: Names) -> Found:
@@ -224,13 +248,19 @@ def _slides(mechanism: m.MechanismModel, known: Names) -> Found:
                 yield from _not_on(slide.at, name, (*path, "at"), known)
 
 
-def _driving_link(link: str, known: Names) -> Found:
+def _driving_link(link: str, known: Names, slides: bool) -> Found:
     path = (*_MECHANISM, "driver", "link")
-    yield from no_link(link, path, known)
-    fixed = known.points[FRAME]
-    if link == FRAME:
-        yield mistake(N_("the frame cannot drive"), path)
-    elif not set(known.points.get(link, fixed)) & set(fixed) and fixed:
+    fixed, moving = known.points[FRAME], [name for name in known.points if name != FRAME]
+    if link not in known.points:
+        yield mistake(N_("there is no link %(name)s"), path, near(link, moving), name=link)
+    elif link == FRAME:
+        yield mistake(N_("the frame cannot drive"), path, near(link, moving))
+    elif slides and not set(known.points[link]) & set(fixed):
+        turning = N_("the driving link turns about a point of the frame: %(words)s")
+        right = Message(turning, {"words": ", ".join(fixed)}) if fixed else None
+        text = N_("link %(name)s slides: a driving slider or cylinder is not offered")
+        yield mistake(text, path, right, name=link)
+    elif fixed and not set(known.points[link]) & set(fixed):
         right = Message(N_("one of its points must be of the frame: %(words)s"), {"words": ", ".join(fixed)})
         yield mistake(N_("the driving link %(name)s has no fixed point"), path, right, name=link)
 
@@ -239,7 +269,9 @@ def _driver(mechanism: m.MechanismModel, read: Read, known: Names) -> Found:
     # the link is looked at as written: another mistake in the block must not hide a missing link
     written = _mapping(_mapping(read.data.get("mechanism")).get("driver"))
     if written.get("link") is not None and (*_MECHANISM, "driver", "link") not in read.broken:
-        yield from _driving_link(str(written["link"]), known)
+        link = str(written["link"])
+        slides = "slides" in _mapping(_mapping(_mapping(read.data["mechanism"]).get("links")).get(link))
+        yield from _driving_link(link, known, slides)
     if (driver := mechanism.driver) is None:
         return
     if driver.speed == "drive" and "drive" not in read.data:

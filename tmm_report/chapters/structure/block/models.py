@@ -1,12 +1,13 @@
 """The block `mechanism` as pydantic models."""
 
 import math
-from typing import Annotated, Literal
+from collections.abc import Mapping
+from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import ConfigDict, Field, Tag, model_validator
+from pydantic import BeforeValidator, ConfigDict, Field, Tag, model_validator
 
 from tmm_report.chapters.structure.block.cams import CamModel
-from tmm_report.problems import N_, Message
+from tmm_report.problems import N_, Message, shown
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.model import Model
 from tmm_report.variant.values import (
@@ -74,9 +75,28 @@ Slides = Annotated[
     Annotated[Name, Tag(SCALAR)] | Annotated[SlideModel, Tag(MAP)] | Annotated[list[OneSlide], Tag(LIST)],
     _SLIDE,
 ]
+
+
+def _placed(points: Any) -> Any:
+    """A list names one point alone: of several nothing says where they stand on the link."""
+    if isinstance(points, list) and len(points) > 1:
+        first, *rest = (shown(point, 20) for point in points[:3])
+        values = {"points": shown(", ".join(str(point) for point in points), 60)}
+        wrong = Message(
+            N_("the list names several points (%(points)s), but not their places on the link"), values
+        )
+        example = ", ".join(
+            [f"{first}: 0", *(f"{point}: {100 * k} mm" for k, point in enumerate(rest, start=1))]
+        )
+        raise WrongValue(
+            wrong, Message(N_("the points with their places, such as {%(example)s}"), {"example": example})
+        )
+    return points
+
+
 Points = Annotated[
     Annotated[dict[KeyName, Place], Field(min_length=1), Tag(MAP)]
-    | Annotated[list[Name], Field(min_length=1, max_length=1), Tag(LIST)],
+    | Annotated[list[Name], Field(min_length=1, max_length=1), BeforeValidator(_placed), Tag(LIST)],
     by_shape(N_("{A: 0, B: 300 mm}, or [B] for a link of one point")),
 ]
 Through = Annotated[
@@ -116,6 +136,17 @@ class GuideModel(Model):
     through: Through = Field(description="a point of the line, or two, P to Q", examples=["O"])
     angle: Angle | None = Field(default=None, description="in the axes of the carrier; left out, 0")
     link: Name = Field(default="0", description="the link that carries the guide; left out, the frame")
+
+    @model_validator(mode="before")
+    @classmethod
+    def through_its_points(cls, data: Any) -> Any:
+        """Two points of a guide stand under `through`."""
+        points = data.get("points") if isinstance(data, dict) and "through" not in data else None
+        if isinstance(points, list) and len(points) == 2:
+            names = ", ".join(shown(point, 20) for point in points)
+            wrong = Message(N_("the points that the line of a guide goes through stand under another key"))
+            raise WrongValue(wrong, Message("through: [%(names)s]", {"names": names}))
+        return data
 
 
 class ZeroModel(Model):
@@ -161,7 +192,17 @@ _SPEED = quantity("speed", 1e-12)
 
 def _driver_speed(value: object) -> float | str:
     """A speed, or the word that leaves it to the drive."""
-    return "drive" if isinstance(value, str) and value.strip() == "drive" else _SPEED.value(value)
+    if isinstance(value, str) and value.strip() == "drive":
+        return "drive"
+    try:
+        return _SPEED.value(value)
+    except WrongValue as error:
+        if (text := str(value).strip())[:1] in "-−" and any(digit in text for digit in "123456789"):
+            right = N_(
+                "state the sense apart: speed: %(speed)s with rotation: clockwise or counter-clockwise"
+            )
+            raise WrongValue(error.wrong, Message(right, {"speed": shown(text[1:].strip())})) from None
+        raise
 
 
 DriverSpeed = Annotated[
@@ -176,6 +217,11 @@ DriverSpeed = Annotated[
 
 class DriverModel(Model):
     """The driving link: it turns about a fixed point at constant speed."""
+
+    NOT_OFFERED: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("acceleration", "angular_acceleration", "epsilon", "eps", "law", "phi"),
+        N_("the driving link turns at constant speed: another law of its motion is not offered"),
+    )
 
     link: Name = Field(description="the driving link", examples=["1"])
     speed: DriverSpeed | None = Field(

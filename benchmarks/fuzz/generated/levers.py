@@ -1,0 +1,339 @@
+"""Small mechanisms of lengths by chance, most of which close all round, with the names that other blocks may use."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from random import Random
+from typing import Any
+
+from benchmarks.fuzz.generated.walk import Names, Walk
+
+Data = dict[str, Any]
+LAWS = ("parabolic", "cosine", "sine", "polynomial", "uniform")
+LEVEL, UPRIGHT = ("left", "right"), ("up", "down")
+
+
+def mm(length: float) -> str:
+    return f"{length:.5g} mm"
+
+
+def crank(random: Random) -> tuple[float, Data]:
+    r = random.uniform(30, 120)
+    return r, {
+        "frame": {"O": [0, 0]},
+        "links": {"1": {"points": {"O": 0, "A": mm(r)}}},
+        "driver": {"link": 1},
+    }
+
+
+def alone(random: Random) -> tuple[Data, Data]:
+    """The driving link and nothing else."""
+    return crank(random)[1], {}
+
+
+def slider_crank(random: Random) -> tuple[Data, Data]:
+    r, data = crank(random)
+    offset = random.choice((0, 0, random.uniform(-0.6, 0.6) * r))
+    data["frame"]["Q"] = [0, mm(offset)]
+    data["guides"] = {
+        "x": {
+            "through": random.choice(("Q", "O")) if not offset else "Q",
+            "angle": random.choice((0, "0 deg")),
+        }
+    }
+    data["links"] |= {
+        "2": {"points": {"A": 0, "B": mm(r * random.uniform(2.2, 5))}},
+        "3": {"points": ["B"], "slides": "x"},
+    }
+    data["assembly"] = {random.choice(("B", "2-3")): random.choice(("right", "left"))}
+    return data, {"B": LEVEL}
+
+
+def two_sliders(random: Random) -> tuple[Data, Data]:
+    """Two rods on one pin."""
+    r, data = crank(random)
+    data["guides"] = {"x": {"through": "O"}, "y": {"through": "O", "angle": "90 deg"}}
+    rod = mm(r * random.uniform(2.5, 5))
+    data["links"] |= {
+        "2": {"points": {"A": 0, "B": rod}},
+        "3": {"points": ["B"], "slides": "x"},
+        "4": {"points": {"A": 0, "D": rod}},
+        "5": {"points": ["D"], "slides": "y"},
+    }
+    data["assembly"] = {"B": "right", "D": "up"}
+    return data, {"B": LEVEL, "D": UPRIGHT}
+
+
+def four_bar(random: Random) -> tuple[Data, Data]:
+    """A crank and rocker, a double crank, or what happens to be."""
+    r, data = crank(random)
+    frame, rod, rocker = (r * random.uniform(2.2, 2.8) for _ in range(3))
+    if random.random() < 0.2:
+        frame = r * random.uniform(0.2, 0.6)
+        rod = rocker = r * random.uniform(1.5, 2)
+    data["frame"]["C"] = [mm(frame), random.choice((0, "10 mm"))]
+    data["links"] |= {"2": {"points": {"A": 0, "B": mm(rod)}}, "3": {"points": {"C": 0, "B": mm(rocker)}}}
+    data["assembly"] = {
+        "B": random.choice(("left of A-C", "right of A-C", "left of A-C", "right of A-C", "+"))
+    }
+    return data, {}
+
+
+def six_bar(random: Random) -> tuple[Data, Data]:
+    """A slider behind a crank and rocker."""
+    data, _ = four_bar(random)
+    reach = float(data["links"]["3"]["points"]["B"].split()[0])
+    x = float(data["frame"]["C"][0].split()[0])
+    data["frame"]["Q"] = [mm(x), mm(reach * random.uniform(1.2, 1.6))]
+    data["guides"] = {"x": {"through": "Q"}}
+    data["links"]["3"]["points"]["D"] = mm(reach * random.uniform(1.1, 1.5))
+    data["links"] |= {"4": {"points": {"D": 0, "E": mm(3 * reach)}}, "5": {"points": ["E"], "slides": "x"}}
+    data["assembly"]["E"] = random.choice(LEVEL)
+    return data, {"E": LEVEL}
+
+
+def quick_return(random: Random) -> tuple[Data, Data]:
+    """A slotted lever, swinging or turning round, with a ram or without."""
+    r, data = crank(random)
+    below = r * random.uniform(1.6, 3) if random.random() < 0.7 else r * random.uniform(0.2, 0.7)
+    reach = (r + below) * random.uniform(1.1, 1.6)
+    data["frame"]["C"] = [0, mm(-below)]
+    data["guides"] = {"k": {"through": "C", "link": 3}}
+    data["links"] |= {"2": {"points": ["A"], "slides": "k"}, "3": {"points": {"C": 0, "D": mm(reach)}}}
+    data["assembly"] = {"2-3": "+"}
+    if random.random() < 0.3:
+        return data, {}
+    data["frame"]["Q"] = [0, mm(reach * random.uniform(0.9, 1.1) - below)]
+    data["guides"]["x"] = {"through": "Q"}
+    data["links"] |= {"4": {"points": {"D": 0, "E": mm(reach * 2.5)}}, "5": {"points": ["E"], "slides": "x"}}
+    data["assembly"]["E"] = random.choice(LEVEL)
+    return data, {"E": LEVEL}
+
+
+def scotch_yoke(random: Random) -> tuple[Data, Data]:
+    r, data = crank(random)
+    data["guides"] = {"x": {"through": "O"}, "s": {"through": "E", "angle": "90 deg", "link": 3}}
+    data["links"] |= {
+        "2": {"points": ["A"], "slides": random.choice(("s", {"guide": "s", "angle": "90 deg"}))},
+        "3": {
+            "points": {"E": 0, "D": mm(3 * r)},
+            "slides": random.choice(("x", ["x"], {"guide": "x", "at": "E"}, [{"guide": "x"}])),
+        },
+    }
+    return data, {"D": LEVEL}
+
+
+def trammel(random: Random) -> tuple[Data, Data]:
+    """Over part of a turn."""
+    r, data = crank(random)
+    data["guides"] = {"x": {"through": ["O", "P"]}}
+    data["frame"]["P"] = ["200 mm", 0]
+    data["links"] |= {
+        "2": {"points": {"A": 0, "B": mm(r), "M": mm(-1.4 * r)}},
+        "3": {"points": ["B"], "slides": "x"},
+    }
+    data["driver"] |= {"zero": {"angle": "-60 deg"}, "range": "120 deg"}
+    data["assembly"] = {"2-3": "right"}
+    return data, {"B": LEVEL}
+
+
+def tangent(random: Random) -> tuple[Data, Data]:
+    """A slot on the driving link moves a rod."""
+    far = random.uniform(60, 100)
+    return {
+        "frame": {"O": [0, 0], "P": [mm(far), 0]},
+        "guides": {"y": {"through": "P", "angle": "90 deg"}, "k": {"through": "O", "link": 1}},
+        "links": {
+            "1": {"points": {"O": 0, "A": mm(1.5 * far)}},
+            "2": {"points": ["B"], "slides": "k"},
+            "3": {"points": {"B": 0, "D": [0, "60 mm"]}, "slides": {"guide": "y", "angle": "90 deg"}},
+        },
+        "driver": {"link": 1, "zero": {"angle": "-35 deg"}, "range": "75 deg"},
+    }, {"B": UPRIGHT}
+
+
+def cam(random: Random) -> tuple[Data, Data]:
+    """A follower that slides or swings, with an edge, a roller or a face, by a law, a table or a profile."""
+    base, face = random.uniform(35, 60), random.random() < 0.35
+    swings = random.random() < 0.5
+    data: Data = {
+        "frame": {"O": [0, 0], "Q": ["0 mm", 0]},
+        "links": {"1": {"points": {"O": 0}}},
+        "driver": {"link": 1},
+    }
+    one: Data = {"follower": 2}
+    if face:
+        one["flat"] = {"at": "B"} | (
+            {"angle": random.choice(("90 deg", "0 deg"))} if random.random() < 0.2 else {}
+        )
+    else:
+        one["roller"] = {"at": "B"} | ({"radius": mm(random.uniform(5, 15))} if random.random() < 0.8 else {})
+    if swings:
+        data["frame"]["C"] = ["140 mm", "10 mm"]
+        data["links"]["2"] = {"points": {"C": 0, "B": mm(random.uniform(120, 145))}}
+        one["side"] = random.choice(LEVEL)
+    else:
+        data["guides"] = {"y": {"through": random.choice(("O", "Q")), "angle": "90 deg"}}
+        data["links"]["2"] = {
+            "points": {"B": 0, "D": mm(80)},
+            "slides": random.choice(("y", {"guide": "y", "angle": "0 deg"})),
+        }
+    data["cams"] = {"k": one}
+    _law(one, swings, base, random)
+    for key, value in (
+        ("cam", "1"),
+        ("start", "30 deg"),
+        ("centre", "W"),
+        ("pressure_angle_limit", "35 deg"),
+    ):
+        if random.random() < 0.2:
+            one[key] = value
+    return data, {} if swings else {"B": UPRIGHT}
+
+
+def _law(one: Data, swings: bool, base: float, random: Random) -> None:
+    kind = random.choice(("phases", "phases", "table", "profile"))
+    turned = [30 * k for k in range(13)]
+    if kind == "profile":
+        away = base / 4
+        shapes: tuple[Data, ...] = (
+            {"circle": {"radius": mm(base), "at": [mm(away), 0]}},
+            {"polar": [[f"{t} deg", mm(base + away * math.sin(math.radians(t)) ** 2)] for t in turned[:-1]]},
+            {
+                "points": [
+                    [mm(base * math.cos(math.radians(t)) + away), mm(base * math.sin(math.radians(t)))]
+                    for t in turned[:-1]
+                ]
+            },
+        )
+        one["profile"] = random.choice(shapes)
+        return
+    one["base"] = mm(base)
+    high = random.uniform(5, 15)
+    if kind == "phases":
+        one["swing" if swings else "lift"] = f"{high:.4g} deg" if swings else mm(high)
+        rise, back = {"rise": "110 deg"}, {"return": "110 deg"}
+        for phase in (rise, back):
+            if random.random() < 0.98:
+                phase["law"] = random.choice(LAWS)
+        one["phases"] = [rise, {"dwell": "50 deg"}, back, {"dwell": "90 deg"}]
+        return
+    heights = [high * (1 - math.cos(math.radians(t))) / 2 for t in turned]
+    unit = "deg" if swings else "mm"
+    one["swings" if swings else "lifts"] = [
+        [f"{t} deg", f"{h:.6g} {unit}"] for t, h in zip(turned, heights, strict=True)
+    ]
+
+
+SCHEMES: tuple[Callable[[Random], tuple[Data, Data]], ...] = (
+    slider_crank,
+    slider_crank,
+    two_sliders,
+    four_bar,
+    six_bar,
+    quick_return,
+    scotch_yoke,
+    trammel,
+    tangent,
+    cam,
+    cam,
+    alone,
+)
+
+
+# ---------------------------------------------------------------- masses, drive, names
+
+
+def mechanism(walk: Walk) -> tuple[Data, Names]:
+    """A mechanism with what its keys leave open, and its names. The walk takes them over."""
+    random = walk.random
+    data, axes = random.choice(SCHEMES)(random)
+    for name, link in data["links"].items():
+        _massive(name, link, walk)
+    driver = walk.part("DriverModel")
+    for key in ("link", "range", "zero", "gear", "turns"):
+        kept = driver.pop(key, None)
+        if kept is not None and key == "turns" and "range" not in data["driver"]:
+            driver["turns"] = random.randint(1, 4) if random.random() < 0.3 else 2
+        if kept is not None and key == "gear" and "range" not in data["driver"]:
+            driver["gear"] = kept
+        if kept is not None and key == "zero" and "zero" not in data["driver"]:
+            driver["zero"] = _zero(data, axes, random)
+        if kept is not None and key == "range" and "turns" not in driver and random.random() < 0.4:
+            driver["range"] = f"{random.uniform(30, 300):.4g} deg"
+    data["driver"] = driver | data["driver"]
+    if driver.get("turns", 1) > 1:
+        data["driver"].pop("range", None)
+    if random.random() < 0.1 * walk.fullness and "assembly" in data and "B" in data["assembly"]:
+        data["sketch"] = {"A": [0, "50 mm"], "B": ["200 mm", "50 mm"]}
+        data.pop("assembly", None)
+    names = _names(data, axes)
+    names.turns, names.partial = data["driver"].get("turns", 1), "range" in data["driver"]
+    return data, names
+
+
+def _massive(name: str, link: Data, walk: Walk) -> None:
+    """A mass, its centre and an inertia, at points that the link has or at one more."""
+    random, made = walk.random, walk.part("LinkModel")
+    if isinstance(link["points"], dict) and random.random() < 0.5:
+        points = list(link["points"])
+        way = random.random()
+        if way < 0.2 and len(points) > 1:
+            link["points"][f"S{name}"] = {
+                "from": {points[0]: "200 mm", points[1]: "200 mm"},
+                "side": random.choice(LEVEL),
+            }
+        else:
+            link["points"][f"S{name}"] = ["20 mm", "-5 mm"] if way < 0.6 else "25 mm"
+    points = list(link["points"])
+    if "mass" in made:
+        link |= {"mass": made["mass"], "mass_centre": random.choice(points)}
+    if "inertia" in made and "mass" in made:
+        link["inertia"] = f"{random.uniform(0.001, 0.01):.3g} kg*m^2"
+        if isinstance(made["inertia"], dict):
+            link["inertia"] = {"value": "0.9 kg*m^2", "about": random.choice(points)}
+
+
+def _zero(data: Data, axes: Data, random: Random) -> Data:
+    pivoted = [
+        n for n, link in data["links"].items() if n != "1" and set(link["points"]) & set(data["frame"])
+    ]
+    ways: list[Data] = [{"angle": f"{random.randint(-180, 180)} deg"}]
+    ways += [{"point": point, "extreme": random.choice(way)} for point, way in axes.items()]
+    ways += [{"link": link, "extreme": random.choice(("clockwise", "counter-clockwise"))} for link in pivoted]
+    return random.choice(ways)
+
+
+def _names(data: Data, axes: Data) -> Names:
+    links = data["links"]
+    shared = {
+        p: [n for n in ("0", *links) if p in (data["frame"] if n == "0" else links[n]["points"])]
+        for p in {p for link in links.values() for p in link["points"]}
+    }
+    points, guides = sorted(shared), sorted(data.get("guides", {}))
+    pivots = {p: n for p, n in sorted(shared.items()) if len(n) > 1}
+    free = [p for p in points if p not in data["frame"]]
+    moving = sorted(links)
+    of = {
+        "at": points,
+        "free": free,
+        "on": moving,
+        "link": moving,
+        "points": points,
+        "links": moving,
+        "guide": guides,
+        "slider": moving,
+        "pivot": sorted(pivots),
+        "pivots": pivots,
+        "journal": moving,
+        "bushing": moving,
+        "joints": [*pivots, *guides],
+        "counterweights": moving,
+        "stated": moving,
+        "about": sorted(data["frame"]),
+        "point": points,
+        "follower": moving,
+        "pivoted": ["1", *(n for n in moving if n != "1" and set(links[n]["points"]) & set(data["frame"]))],
+    }
+    return Names(of, axes)

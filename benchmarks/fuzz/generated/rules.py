@@ -1,0 +1,192 @@
+"""Which keys go together, by the parts of the schema: what a chapter would refuse otherwise."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+Keys = Sequence[str]
+
+PAIRS = ("steel–steel", "steel–bronze", "cast iron–steel", "cast iron–bronze", "сталь–чугун")
+RUBBING = (
+    "InclineModel",
+    "WedgeModel",
+    "SlidersModel",
+    "ScrewModel",
+    "contacts.PivotModel",
+    "BeltModel",
+    "BeltDriveModel",
+    "contacts.WheelModel",
+    "JournalModel",
+    "CrankModel",
+    "PivotFriction",
+    "GuideFriction",
+    "JointFriction",
+)
+
+# exactly one key of each of these sets
+ONE: Mapping[str, Sequence[Keys]] = {
+    "ForceModel": [("constant", "by_position", "by_angle", "by_displacement")],
+    "PistonModel": [("constant", "by_position", "by_angle", "by_displacement")],
+    "kinetostatics.MomentModel": [("constant", "by_position", "by_angle")],
+    "dynamics.MotorModel": [("constant", "shunt", "series", "induction", "by_speed", "by_angle", "by_time")],
+    "ResistanceModel": [("friction", "viscous", "fan", "by_speed", "by_angle", "by_time")],
+    "EngineModel": [("cylinders", "inline", "vee", "opposed", "radial")],
+    "GovernorModel": [("arms", "bell_crank")],
+    "PlaneModel": [("radius", "mass")],
+    "EfficiencyModel": [("series", "parallel"), ("input", "output")],
+    "PlanetaryModel": [("fixed", "second")],
+    "DriverModel": [("speed", "period")],
+    "LinearModel": [("force", "unbalance", "base")],
+    "ChooseModel": [("spring", "balls", "sleeve")],
+    "TurningModel": [("moment", "base")],
+    "AbsorberModel": [("mass", "clear")],
+    "TurningAbsorberModel": [("inertia", "clear")],
+    "balancing.CounterweightModel": [("distance", "mass")],
+    **{name: [("coefficient", "materials")] for name in RUBBING},
+}
+
+# all keys of one of these sets, none of the others
+SETS: Mapping[str, Sequence[Keys]] = {
+    "ShuntModel": [
+        ("moment", "speed", "no_load"),
+        ("power", "speed", "no_load"),
+        ("voltage", "resistance", "constant"),
+    ],
+    "dynamics.SeriesModel": [
+        ("moment", "speed", "stall"),
+        ("power", "speed", "stall"),
+        ("voltage", "resistance", "constant"),
+    ],
+    "InductionModel": [
+        ("synchronous", "max_moment", "critical_slip"),
+        ("moment", "synchronous", "speed", "overload"),
+        ("power", "synchronous", "speed", "overload"),
+    ],
+    "dynamics.StartModel": [("speed",), ("time",), ("angle",), ("within",), ()],
+    "PartModel": [
+        ("inertia",),
+        ("inertia", "moment"),
+        ("mass", "radius"),
+        ("mass", "radius", "force"),
+        ("mass", "offset"),
+        ("inertia", "mass", "radius"),
+        ("mass", "velocity"),
+    ],
+    "flywheel.MomentModel": [("constant",), ("table",), ("mean", "harmonics"), ("harmonics",)],
+    "flywheel.InertiaModel": [("constant",), ("table",), ("mean", "harmonics")],
+    "flywheel.WheelModel": [("inertia",), ("mass", "radius_of_gyration")],
+    "FlywheelModel": [
+        (*unevenness, *load, *shape)
+        for unevenness in (("delta", "speed"), ("speeds",), ("wheel", "speed"))
+        for load in (("resisting",), ("driving",), ("driving", "resisting"), ("areas",), ("punch", "motor"))
+        for shape in ((), ("disc",), ("rim",), ("radius_of_gyration",))
+    ],
+    "HeavyModel": [("mass", "radius"), ("unbalance",)],
+    "engine.CounterweightModel": [("share", "radius"), ("share", "mass"), ("mass", "radius")],
+    "BeltDriveModel": [("driving", "driven"), ("driving", "driven_speed"), ("driven", "driven_speed")],
+    "DiscModel": [("width",), ("diameter",), ()],
+    "RimModel": [("height", "width"), ("diameter", "width"), ()],
+    "EccentricModel": [("ratio", "eccentricity"), ("ratio", "eccentricity", "t"), ("teeth",)],
+    "SpurModel": [("teeth",), ("centre_distance",), ("teeth", "centre_distance")],
+    "PhaseModel": [("rise", "law"), ("rise",), ("dwell",), ("return", "law")],
+    "vibration.StartModel": [("displacement",), ("velocity",), ("displacement", "velocity")],
+    "ProfileModel": [("circle",), ("points",), ("polar",)],
+    "RadiusModel": [("highest",), ()],
+    "ModuleModel": [()],
+    "efficiency.SeriesModel": [()],
+    "ParallelModel": [()],
+    "ZeroModel": [("angle",), ("point", "extreme"), ("link", "extreme")],
+}
+
+# where the first is there, the others are not, or are there too
+APART: Mapping[str, Sequence[tuple[str, Keys]]] = {
+    "FlywheelModel": [
+        ("areas", ("inertia", "turns")),
+        ("punch", ("turns", "inertia")),
+        ("shaft", ("ratio",)),
+        ("rim", ("radius_of_gyration",)),
+        ("wheel", ("delta", "speeds", "machine")),
+    ],
+    "BodyModel": [("tilt", ("products",))],
+    "ScrewModel": [("arm", ("hand_force",))],
+    "LinearModel": [
+        ("friction", ("damping", "damping_ratio")),
+        ("damping", ("damping_ratio",)),
+        ("absorber", ("transmissibility",)),
+        ("transmissibility", ("damping", "stiffness")),
+    ],
+    "TurningModel": [
+        ("friction", ("damping", "damping_ratio")),
+        ("damping", ("damping_ratio",)),
+        ("absorber", ("transmissibility",)),
+        ("transmissibility", ("damping", "stiffness")),
+    ],
+    "BallsModel": [("extension", ("distance",))],
+    "GovernorModel": [("bell_crank", ("brake",)), ("choose", ("servo",))],
+    "PlanetaryModel": [("second", ("fixed",)), ("shift", ("coaxiality",))],
+}
+NEEDS: Mapping[str, Sequence[tuple[str, Keys]]] = {
+    "LinearModel": [("unbalance", ("speed",)), ("base", ("speed",)), ("force", ("speed",))],
+    "TurningModel": [("moment", ("speed",)), ("base", ("speed",))],
+    "GovernorModel": [
+        ("servo", ("machine",)),
+        ("arms", ("lift", "radius", "sleeve", "balls")),
+        ("bell_crank", ("lift", "radius", "balls", "spring")),
+    ],
+    "RotorModel": [("grade", ("speed", "mass")), ("width", ("diameter",)), ("diameter", ("width",))],
+}
+
+RARE: Mapping[str, float] = {
+    "PlanetaryModel.teeth": 0.3,
+    "DriverModel.range": 0.3,
+    "DriverModel.gear": 0.3,
+    "DriverModel.turns": 0.4,
+    "PlanetaryModel.centre_distance": 0.1,
+    "dynamics.StartModel.motor": 0.2,
+    "LinearModel.mechanism": 1.5,
+    "WearModel.guides": 3.0,
+    "GovernorModel.brake": 0.3,
+    "BodyModel.tilt": 0.5,
+}
+
+NAMED: Mapping[str, Sequence[Any]] = {
+    **{f"{name}.materials": PAIRS for name in RUBBING},
+    "FlywheelModel.delta": ("1/30", 0.05, "1/80", 0.1, "4 %"),
+    "EccentricModel.ratio": (3, 4, "5/2", 2.5, "7/2"),
+    "HeavyModel.unbalance": ("12 g*mm", "0.02 kg*m", "300 g*mm"),
+    "ForceModel.direction": (
+        "right",
+        "left",
+        "up",
+        "down",
+        "30 deg",
+        "along motion",
+        "against motion",
+        "-120 deg",
+    ),
+    "PistonModel.direction": ("right", "left", "up", "down", "against motion"),
+    "GravityModel.direction": ("down", "up", "right", "-60 deg"),
+    "LinearModel.mechanism": ("right", "up", "30 deg"),
+    "RollerModel.at": ("B",),
+    "FlatModel.at": ("B",),
+    "CamModel.cam": ("1",),
+    "CamModel.centre": ("K", "W"),
+    "Variant.decimal_sign": ("comma", "point"),
+}
+
+SIZED: Mapping[str, tuple[int, int]] = {
+    "DynamicsModel.parts": (1, 3),
+    "DynamicsModel.resistance": (1, 2),
+    "DynamicsModel.springs": (1, 2),
+    "Variant.contacts": (1, 4),
+    "RotorModel.masses": (1, 4),
+    "RotorModel.planes": (1, 2),
+    "EngineModel.cylinders": (1, 6),
+    "InlineModel.cranks": (1, 6),
+    "VeeModel.cranks": (1, 4),
+    "OpposedModel.cranks": (1, 6),
+    "DriveModel.stages": (1, 3),
+    "AreasModel.values": (2, 6),
+    "BalancingModel.methods": (1, 4),
+}

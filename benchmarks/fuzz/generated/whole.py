@@ -1,0 +1,140 @@
+"""Whole variants: a mechanism or none, and any blocks beside it that are there together."""
+
+from __future__ import annotations
+
+import json
+from random import Random
+from typing import Any
+
+from benchmarks.fuzz.generated.levers import mechanism
+from benchmarks.fuzz.generated.walk import Names, Walk
+
+ALONE = (
+    "dynamics",
+    "dynamics",
+    "dynamics",
+    "flywheel",
+    "flywheel",
+    "governor",
+    "rotor",
+    "engine",
+    "vibration",
+    "vibration",
+    "contacts",
+    "efficiency",
+    "drive",
+    "eccentric",
+)
+BESIDE = (
+    "wear",
+    "vibration",
+    "dynamics",
+    "dynamics",
+    "flywheel",
+    "flywheel",
+    "balancing",
+    "harmonics",
+    "wear",
+    "vibration",
+)
+MARKS = ("language", "decimal_sign", "title")
+SLOW = {"methods": 0.05, "method": 0.25, "readings": 0.3, "drive": 0.6, "eccentric": 0.7}
+"""How often what is dear, or breaks much else, is left where chance put it."""
+
+
+def variant(seed: str) -> dict[str, Any]:
+    """A variant by chance, the same of the same seed."""
+    random = Random(seed)
+    walk = Walk(
+        random,
+        Names(),
+        random.choice((0.0, 0.15, 0.4, 0.4, 0.7, 1.0)),
+        random.choice((0, 0, 0, 0, 0, 0, 0.02, 0.2)),
+    )
+    data: dict[str, Any] = {}
+    beside: tuple[str, ...] = ALONE
+    if random.random() < 0.5:
+        data["mechanism"], walk.names = mechanism(walk)
+        beside = BESIDE if random.random() < 0.9 else ALONE
+        _lever(data, walk)
+        blocks = random.sample(beside, random.choice((0, 0, 1, 1, 2)))
+    else:
+        blocks = random.sample(beside, random.choice((1, 1, 1, 2, 3)))
+    for name in dict.fromkeys(blocks):
+        if random.random() < SLOW.get(name, 1):
+            data[name] = walk.key(name)
+    for name in MARKS:
+        if random.random() < 0.4:
+            data[name] = walk.key(name)
+    if "mechanism" in data and walk.tame():
+        _agreed(data)
+    if (
+        random.random() < 0.2
+        and data.get("drive", {}).get("output") != "other"
+        and "mechanism" in data
+        and "drive" in data
+    ):
+        data["mechanism"]["driver"]["speed"] = "drive"
+        data["mechanism"]["driver"].pop("period", None)
+    return data
+
+
+def _lever(data: dict[str, Any], walk: Walk) -> None:
+    random = walk.random
+    data["positions"] = walk.part("PositionsModel")
+    _positions(data["positions"], walk)
+    for name in (
+        "loads",
+        "friction",
+        "reduction",
+        "drawing",
+        "method",
+        "accuracy",
+        "methods",
+        "readings",
+        "allow_partial",
+    ):
+        share = 0.75 if name == "loads" else max(0.15, 0.6 * walk.fullness)
+        if random.random() < share * SLOW.get(name, 1):
+            data[name] = walk.key(name)
+    if "readings" in data:
+        points = walk.names.of["free"]
+        data["readings"] = {
+            str(k): {f"{letter}_{random.choice(points)}": "1.2"} for k, letter in ((1, "v"), (2, "a"))
+        }
+    force = data.get("drawing", {}).get("scales", {}).get("force")
+    if isinstance(force, dict):
+        data["drawing"]["scales"]["force"] = {"2-3": next(iter(force.values()))}
+
+
+def _agreed(data: dict[str, Any]) -> None:
+    """What asks for loads has some, what asks for masses is there with masses."""
+    massive = any("mass" in link for link in data["mechanism"]["links"].values())
+    if "cams" in data["mechanism"]:
+        for name in ("friction", "wear", "balancing"):
+            data.pop(name, None)
+    if not massive:
+        for name in ("reduction", "balancing"):
+            data.pop(name, None)
+    if {"dynamics", "flywheel", "friction", "wear"} & set(data) or ("loads" in data and not massive):
+        loads = data.setdefault("loads", {})
+        if not loads.get("forces") and not loads.get("moments"):
+            pairs = [["0 deg", "4 N*m"], ["120 deg", "30 N*m"], ["360 deg", "4 N*m"]]
+            loads["moments"] = [{"on": "1", "direction": "against motion", "by_angle": pairs}]
+    if "range" in data["mechanism"]["driver"]:
+        for name in ("dynamics", "flywheel", "harmonics", "balancing", "wear"):
+            data.pop(name, None)
+
+
+def _positions(made: dict[str, Any], walk: Walk) -> None:
+    turns = walk.names.turns
+    made.setdefault("table", 4 * turns if walk.random.random() < 0.5 else 8 * turns)
+    made.setdefault("diagram", 12 * turns)
+    made["table"] = -(-made["table"] // turns) * turns
+    made["diagram"] = made["table"] * walk.random.randint(1, 3)
+    made["plans"] = made.get("plans", 1)
+    walk.names.positions = made["table"]
+
+
+def text(seed: str) -> str:
+    return json.dumps(variant(seed), ensure_ascii=False)

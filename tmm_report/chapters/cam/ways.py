@@ -1,0 +1,37 @@
+"""How the numbers of a cam are found that no formula of the note defines."""
+
+from __future__ import annotations
+
+from tmm_report.problems import N_
+from tmm_report.quantity.ways import COUNTED, NAME, STATED, Way
+
+LAW = N_(
+    "By the law of the phase in which the cam is: S and its derivatives over the share of the "
+    "phase that is over."
+)
+PHASE = N_("The phases follow one another; each begins where the one before ends.")
+PROFILE = N_(
+    "The envelope of the roller, or of the flat face, in the axes of the cam: from the "
+    "follower's place, turned back by the cam."
+)
+EXTREME = N_("Over the whole turn, sought between the positions of the table too; law by law.")
+JUMP = N_("Where two phases meet: the difference of the derivatives on both sides.")
+APART = N_("By the places of both pivots that the variant states.")
+LIFT = N_("The greatest displacement of the law less the least.")
+
+WAYS = (
+    Way("cam_*.phase cam_*.law cam_*.shock", NAME),
+    Way("cam_phases_*.number", COUNTED),
+    Way("cam_phases_*.*", PHASE, of="phase law start angle"),
+    Way("cam_law_*.*", LAW, of="phase law theta delta tau"),
+    Way("cam_shocks_*.*", JUMP, of="phi shock"),
+    Way("cam_motion_*_table.*", LAW, of="phi cam_S_* cam_lift_{0}"),
+    Way("cam_profile_*.*", PROFILE, of="phi cam_base_{0} cam_roller_{0}"),
+    Way(
+        "cam_alpha_rise_* cam_alpha_return_* cam_rho_*", EXTREME, of="cam_base_{0} cam_lift_{0} cam_apart_{0}"
+    ),
+    Way("cam_lift_*", LIFT, of="cam_base_{0}"),
+    Way("cam_apart_*", APART, of="cam_base_{0} cam_arm_{0}"),
+    Way("cam_alpha_limit_* cam_arm_* cam_base_* cam_roller_* cam_offset_*", STATED),
+    Way("cam_*", EXTREME, of="cam_base_* cam_lift_*"),
+)

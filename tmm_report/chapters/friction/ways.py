@@ -1,0 +1,74 @@
+"""How the numbers of friction are found that no formula of the note defines."""
+
+from __future__ import annotations
+
+from tmm_report.problems import N_
+from tmm_report.quantity.formula import Expr, Var
+from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.ways import NAME, STATED, Known, Way
+
+BOOK = N_("From the table of materials, by the two that rub and their lubrication.")
+TABLE = N_("Stated, or the middle of the range in the table of materials by the two that rub.")
+PAIR = N_(
+    "The coefficient of friction by the reaction and the relative velocity: in a pivot at the "
+    "radius of the journal."
+)
+TILTING = N_(
+    "The size of the moment of the reaction about the middle of the slider, found without friction from the "
+    "equilibrium of its link."
+)
+PRESSED = N_("Where the slider tilts the sum of the forces at both its ends, else the reaction.")
+PRESSING = N_("The size of the reaction in the pair, found without friction.")
+RELATIVE = N_(
+    "The difference of the rates of the two links: in a pivot of their angular velocities, in a "
+    "guide of their velocities."
+)
+MEAN = N_(
+    "The mean over the whole cycle: the integral by the angle on the smooth pieces between "
+    "kinks, by the angle of the cycle."
+)
+WHOLE = N_("The work of the balancing moment by the sum of it and of the work of friction over the cycle.")
+NEWTON = N_(
+    "The equations of equilibrium with friction, in which the friction follows the reactions, "
+    "are solved by Newton's method "
+    "from the reactions without friction."
+)
+MISS = N_("The balancing moment by the forces with friction beside that by the powers.")
+
+
+def _total(q: Known) -> Expr:
+    assert q.table is not None
+    keys = [c.key for c in q.table.columns if c.key.startswith("P_fr_")]
+    total: Expr = q(keys[0])
+    for key in keys[1:]:
+        total = total + q(key)
+    return total
+
+
+def _pressed(q: Known) -> Expr:
+    """2|M|/l where that is more than the reaction."""
+    pair = q.parts[0]
+    length = next(loss.rubbing.length for loss in q.found.table.pairs if loss.pair.key == pair)
+    force, couple = q("R_{0}"), q("M_{0}")
+    if float(couple.number) * 2 > float(force.number) * length:
+        return 2 * couple / Var(Symbol("l"), length, "m")
+    return force
+
+
+WAYS = (
+    Way("friction_given.links friction_given.name friction_given.kind friction_materials.links", NAME),
+    Way("friction_given.f", TABLE, of="name kind"),
+    Way("friction_given.*", STATED),
+    Way("friction_materials.f* friction_materials.phi_fr", BOOK, of="materials lubrication"),
+    Way("friction_table.P_fr", by=_total),
+    Way("friction_table.P_fr_*", PAIR, of="R_{0} N_{0} v_rel_{0} w_rel_{0}"),
+    Way("friction_table.M_*", TILTING, of="R_{0} N_{0}"),
+    Way("friction_table.N_*", PRESSED, by=_pressed, of="R_{0} M_{0}"),
+    Way("friction_table.R_*", PRESSING, of="P_fr_{0}"),
+    Way("friction_table.v_rel_* friction_table.w_rel_*", RELATIVE, of="rates_table.w_* phi"),
+    Way("friction_corrected_*.* friction_reactions_*.*", NEWTON, of="M_first M_bal_fr phi R_*"),
+    Way("P_fr_mean", MEAN, of="P_bal_mean eta_mean"),
+    Way("eta_mean", WHOLE, of="P_bal_mean P_fr_mean"),
+    Way("P_fr_corrected_mean eta_corrected_mean M_growth friction_steps", NEWTON, of="P_fr_mean eta_mean"),
+    Way("friction_disagreement", MISS, of="P_fr_mean"),
+)

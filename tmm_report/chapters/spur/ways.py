@@ -1,0 +1,74 @@
+"""How the numbers of a gear pair are found that no formula of the note defines."""
+
+from __future__ import annotations
+
+from tmm_report.problems import N_
+from tmm_report.quantity.ways import NAME, Way
+
+CONDITION = N_(
+    "The condition of the row: the number of the pair, its limit, and what is in hand between them."
+)
+SLIDING = N_(
+    "At the point of the line of action: ρ from the points where it touches the base circles, λ "
+    "by the ratio of both."
+)
+CONTOUR = N_(
+    "Sought along the limits of the blocking contour: the nearest shifts to the chosen that meet every limit."
+)
+LACK = N_("What the limit allows less what the shifts give.")
+DRAWN = N_("Read off the drawing of the mesh at its scale, to its accuracy.")
+DIFFER = N_("The difference of both by the calculated one, in per cent.")
+PROOF = N_(
+    "The outlines of the teeth are made as the rack cuts them, set in mesh and turned through a "
+    "pitch; measured at each step."
+)
+RULE = N_("By the rule of the course for a rack of this profile: 2h_a*/sin²α.")
+RATIO = N_("The stated ratio; the larger number of teeth by the smaller is 1 or more.")
+SCALE = N_("Chosen so that the drawing fits the paper, from the usual scales.")
+SPEED = N_("By the speed of the wheel that is stated, and by the ratio.")
+LIMIT = N_("From the table of allowed specific sliding over the pitch-line velocity.")
+PATH = N_("Between the pitch point and the farther end of the active part.")
+OF_AXES = N_("Stated, or by the angle of engagement that the shifts give.")
+WHEEL = N_("By the module, the teeth and the shift of the wheel, as the rack cuts it.")
+PHASE = N_(
+    "The points of contact in the drawn phase of the mesh, along the line of action from the pitch point."
+)
+VELOCITY = N_(
+    "ω of the wheel by the distance of the point; across the line of action by its radius of curvature."
+)
+
+WAYS = (
+    Way("stage*_*.wheel stage*_*.condition stage*_*.unit stage*_*.point stage*_*.key", NAME),
+    Way("stage*_lacks.limit", NAME),
+    Way("stage*_lacks.*", LACK, of="limit value bound"),
+    Way(
+        "stage*_conditions.margin stage*_conditions.met stage*_conditions.value stage*_conditions.limit",
+        CONDITION,
+        of="condition wheel value limit margin",
+    ),
+    Way("stage*_sliding.* stage*_points.*", SLIDING, of="point s stage{0}_line stage{0}_active"),
+    Way("stage*_velocities.*", VELOCITY, of="point stage{0}_v_pitch"),
+    Way("stage*_phase.*", PHASE, of="point stage{0}_line"),
+    Way("stage*_contour.*", CONTOUR, of="point stage{0}_x_sum"),
+    Way("stage*_readings.graph", DRAWN, of="key wheel stage{0}_scale stage{0}_accuracy"),
+    Way("stage*_readings.analytic", WHEEL, of="key wheel graph"),
+    Way("stage*_readings.delta", DIFFER, of="key graph analytic"),
+    Way("stage*_cutter.*", WHEEL, of="wheel stage{0}_m"),
+    Way("stage*_wheels.*", WHEEL, of="wheel z x stage{0}_m"),
+    Way("stage*_overlap stage*_clearance stage*_eps_counted", PROOF, of="stage{0}_eps stage{0}_backlash"),
+    Way("stage*_z_rule", RULE, of="stage{0}_ha stage{0}_alpha"),
+    Way("stage*_u", RATIO, of="stage{0}_u_required"),
+    Way(
+        "stage*_mu_sliding stage*_scale stage*_reduction stage*_mu_l",
+        SCALE,
+        of="stage{0}_m stage{0}_accuracy",
+    ),
+    Way("stage*_omega_*", SPEED, of="stage{0}_ratio drive_u"),
+    Way("stage*_sliding_limit", LIMIT, of="stage{0}_v_pitch"),
+    Way("stage*_v_way", PATH, of="stage{0}_active stage{0}_line"),
+    Way(
+        "stage*_a_w stage*_backlash stage*_backlash_n",
+        OF_AXES,
+        of="stage{0}_alpha_w stage{0}_x_sum stage{0}_m",
+    ),
+)

@@ -1,0 +1,61 @@
+"""Where a number that is given stands in the variant's file."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from tmm_report import yamlread
+from tmm_report.quantity.units import DIMENSIONS, WrongValue, parse
+
+SAME = 1e-9  # relative difference below which a number is the one written
+
+
+class Written(NamedTuple):
+    """A value as the file has it: its line, its key with those around it, its text."""
+
+    line: int
+    key: str
+    text: str
+
+
+def stated(file: Path) -> list[tuple[Written, set[float]]]:
+    """The values of a file with the sizes that each may have, in SI."""
+    document = yamlread.read(file)
+    places = document.places
+    found = []
+    for path, value in _scalars(document.data, ()):
+        line = next((places[path[:n]][0] for n in range(len(path), 0, -1) if path[:n] in places), 1)
+        found.append((Written(line, ".".join(map(str, path)), str(value)), _read(value)))
+    return found
+
+
+def written(values: list[tuple[Written, set[float]]], numbers: list[float], unit: str) -> list[Written]:
+    """Those of the values that are one of the numbers, which are in `unit`."""
+    wanted = {math.radians(x) if unit == "deg" else x / 100 if unit == "%" else x for x in numbers if x}
+    return [
+        one
+        for one, sizes in values
+        if any(abs(size - abs(x)) <= SAME * abs(x) for size in sizes for x in wanted)
+    ]
+
+
+def _scalars(data: Any, path: tuple[Any, ...]) -> Iterator[tuple[tuple[Any, ...], Any]]:
+    if isinstance(data, dict | list):
+        for key, value in data.items() if isinstance(data, dict) else enumerate(data):
+            yield from _scalars(value, (*path, key))
+    elif isinstance(data, int | float | str) and not isinstance(data, bool):
+        yield path, data
+
+
+def _read(value: Any) -> set[float]:
+    """The sizes that a value may have in SI: a text with a unit has one, by its own dimension."""
+    found = set()
+    for dimension in DIMENSIONS:
+        try:
+            found.add(abs(parse(value, dimension)))
+        except WrongValue:
+            continue
+    return found

@@ -1,0 +1,270 @@
+"""How a number is found that no formula of the note defines: from which other numbers, by which formula or method.
+
+A chapter's room `ways` lists them for its own numbers, in `WAYS`; the first that fits, and whose numbers the variant
+has, is taken:
+
+    Way("flywheel_C_E", by=lambda q: q("flywheel_dE") / q("flywheel_W"))
+    Way("strokes.ends", N_("Where the stroke that is stated ends: ..."), of="begins phi_cycle")
+    Way("engine_r engine_l", STATED)
+
+Names are those of results.json: `key` of a single value, `table.key` of a column. A star stands for any text, and `{0}`
+in what a way is made of for what the first star stands for. A table of the diagram positions goes by its table.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
+from functools import cache, cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from tmm_report.problems import N_, Message
+from tmm_report.quantity.formula import Expr, Formula, Var, sqrt
+from tmm_report.quantity.model import Book, Column, Quantity, Table, variable
+from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.written import Equation
+from tmm_report.records import dataclass
+
+STATED = N_("Given: the variant states it, or leaves the usual value.")
+NAME = N_("A name: it says of what the row is.")
+COUNTED = N_("A number that counts the rows.")
+AXIS = N_(
+    "The places at which the table is worked out: from the first to the last in steps chosen beforehand."
+)
+GIVEN = (STATED, NAME, COUNTED, AXIS)  # what needs no inputs
+
+
+class Input(NamedTuple):
+    """A number with which a way starts: its quantity, and the number or text. `row`: None of a single one."""
+
+    quantity: Quantity
+    number: float | str
+    unit: str
+    symbol: Symbol | None
+
+
+Line = Message | Formula | Equation | Input
+
+
+@dataclass(frozen=True, eq=False)
+class Way:
+    """How the numbers named by `keys` are found.
+
+    `text`: the method in a sentence; `of`: names of the numbers that it starts with; those that a variant has not are
+    passed over. `by`: the formula. `worked`: what is written out with numbers, from what the chapter found. `beside`:
+    it is told beside the formulas of the note, too, as these only approach the number.
+    """
+
+    keys: str
+    text: str = ""
+    of: str = ""
+    by: Callable[[Known], Expr] | None = None
+    worked: Callable[[Any, Known], Iterable[Line]] | None = None
+    beside: bool = False
+
+    @cached_property
+    def _patterns(self) -> list[re.Pattern[str]]:
+        return [_pattern(key) for key in self.keys.split()]
+
+    def fits(self, name: str) -> tuple[str, ...] | None:
+        """What its stars stand for in a name; None where it is not meant."""
+        found = (pattern.fullmatch(name) for pattern in self._patterns)
+        return next((match.groups() for match in found if match), None)
+
+
+@cache
+def _pattern(name: str) -> re.Pattern[str]:
+    return re.compile("([^.]*)".join(re.escape(part) for part in name.split("*")))
+
+
+def own_ways(ways: Iterable[Way], name: str) -> Iterator[tuple[Way, tuple[str, ...]]]:
+    """The ways that fit a number, in their order, and what their stars stand for."""
+    table, _, key = name.rpartition(".")
+    names = [name, f"{table.removesuffix('_diagram')}_table.{key}"] if table.endswith("_diagram") else [name]
+    for way in ways:
+        for one in names:
+            if (parts := way.fits(one)) is not None:
+                yield way, parts
+                break
+
+
+@dataclass(frozen=True, eq=False)
+class Known:
+    """The numbers of the results by their names, as those of a row of a table have them: of it first, then of all.
+
+    `parts`: what the stars of the way stand for. Raises KeyError for a number that is not there.
+    """
+
+    book: Book
+    table: Table | None = None
+    row: int | None = None
+    parts: tuple[str, ...] = ()
+    own: str = ""
+    found: Any = None
+
+    def __call__(self, name: str, mark: str = "") -> Var:
+        """The number as a variable of a formula; `mark` goes to its index."""
+        found = self._input(name.format(*self.parts))
+        if isinstance(found.number, str):
+            raise KeyError(f"{name} is a text")
+        symbol = found.symbol or Symbol(found.quantity.key)
+        if mark:
+            symbol = replace(symbol, sub=",".join(filter(None, (symbol.sub, mark))))
+        return variable(found.quantity, found.number, found.unit, symbol=symbol)
+
+    def own_text(self, name: str) -> str:
+        """A text."""
+        return str(self._input(name.format(*self.parts)).number)
+
+    def at(self, name: str, mark: str) -> Var:
+        """The angle turned at which a single value is reached."""
+        value = self.book.values[name.format(*self.parts)]
+        if value.at is None:
+            raise KeyError(f"{name} has no angle")
+        return Var(Symbol("phi", mark), value.at, "deg", meaning=value.meaning)
+
+    def there(self, name: str, key: str, position: int) -> Var:
+        """A number of a table at a position."""
+        table = self.book.tables[name]
+        if key not in table:
+            raise KeyError(key)
+        at = [int(k) for k in table["position"].values].index(position)
+        return table.var(key, at)
+
+    def shown(self, name: str, key: str, position: int) -> Iterator[Input]:
+        """The same to be shown, where it is there."""
+        table = self.book.tables.get(name)
+        if table is not None and key in table:
+            yield _cell(table, key, [int(k) for k in table["position"].values].index(position))
+
+    @property
+    def fine(self) -> bool:
+        """Whether it is a table of the diagram positions."""
+        return self.table is not None and self.table.name.endswith("_diagram")
+
+    @property
+    def position(self) -> int:
+        """Of its row. Raises KeyError for what has none."""
+        if self.table is None or self.row is None:
+            raise KeyError("position")
+        return int(self.table["position"].values[self.row])
+
+    def has(self, name: str) -> bool:
+        """Whether there is such a number."""
+        try:
+            number = self._input(name.format(*self.parts)).number
+        except KeyError:
+            return False
+        return isinstance(number, str) or number == number
+
+    def _input(self, name: str) -> Input:
+        """Raises KeyError."""
+        table, _, key = name.rpartition(".")
+        if not table and self.table is not None and key in self.table and self.row is not None:
+            return _cell(self.table, key, self.row)
+        if not table:
+            value = self.book.values[key]
+            return Input(value.quantity, value.value, value.unit, value.quantity.symbol)
+        return self._elsewhere(table, key)
+
+    def _elsewhere(self, name: str, key: str) -> Input:
+        name, _, row = name.partition(":")
+        if self.table is not None and self.table.name.endswith("_diagram") and name.endswith("_table"):
+            fine = f"{name.removesuffix('_table')}_diagram"
+            name = fine if fine in self.book.tables else name
+        table = self.book.tables[name]
+        if row or len(table) == 1:
+            return _cell(table, key, _row_of(table, row) if row else 0)
+        if self.table is None or self.row is None or "position" not in self.table or "position" not in table:
+            raise KeyError(f"{name}.{key}")
+        at = [int(k) for k in table["position"].values]
+        position = int(self.table["position"].values[self.row])
+        if position not in at:
+            raise KeyError(f"{name}.{key} {position}")
+        return _cell(table, key, at.index(position))
+
+    def named(self, names: str) -> list[str]:
+        """The names of what a way is made of, those of every row alike; a star in a name stands for any text."""
+        return [one for name in names.split() for one in self._named(name.format(*self.parts))]
+
+    def inputs(self, names: Iterable[str]) -> Iterator[Input]:
+        """Those of the names that are there."""
+        for name in names:
+            try:
+                yield self._input(name)
+            except KeyError:
+                continue
+
+    def _named(self, name: str) -> list[str]:
+        if "*" not in name:
+            return [name]
+        table, _, key = name.rpartition(".")
+        if table and table.partition(":")[0] in self.book.tables:
+            known: Iterable[str] = (
+                f"{table}.{c.key}" for c in self.book.tables[table.partition(":")[0]].columns
+            )
+        elif (
+            not table
+            and self.table is not None
+            and any(_pattern(key).fullmatch(c.key) for c in self.table.columns)
+        ):
+            known = (c.key for c in self.table.columns)
+        else:
+            known = self.book.values
+        return [one for one in known if _pattern(name).fullmatch(one) and one != self.own]
+
+
+def _cell(table: Table, key: str, row: int) -> Input:
+    column = table[key]
+    number = column.values[row]
+    symbol = column.symbol(row) if column.quantity.symbol is not None else None
+    return Input(
+        column.quantity, number if isinstance(number, str) else float(number), column.unit_of(row), symbol
+    )
+
+
+def _row_of(table: Table, name: str) -> int:
+    """The row that a name in the first column of texts means."""
+    labels = next(c for c in table.columns if len(c.values) and isinstance(c.values[0], str))
+    if name not in list(labels.values):
+        raise KeyError(f"{table.name}:{name}")
+    return list(labels.values).index(name)
+
+
+# ---------------------------------------------------------------- by the kind of a number
+
+OWN = "*.*"
+SIZE = N_("The size of the vector by its projections.")
+PROJECTED = N_("The projection of the vector on the axis: its size is that of both projections together.")
+STEP = N_("Equal steps of the cycle: the number of the position by the step.")
+
+
+def by_kind(table: Table | None, column: Column, key: str) -> Way | None:
+    """The way that follows from what a number is, whatever chapter it is of."""
+    if table is None:
+        return None
+    if len(column.values) and isinstance(column.values[0], str):
+        return Way(OWN, NAME)
+    if key == "position":
+        return Way(OWN, COUNTED)
+    if key == "phi" and "position" in table and len(table) > 1:
+        return Way(OWN, STEP, by=lambda q: q("position") * _step(table))
+    if f"{key}_x" in table and f"{key}_y" in table:
+        return Way(OWN, SIZE, by=lambda q: _size(q(f"{key}_x"), q(f"{key}_y")))
+    vector = key[:-2]
+    if key.endswith(("_x", "_y")) and vector in table:
+        return Way(OWN, PROJECTED, of=f"{vector} {vector}_{'y' if key.endswith('x') else 'x'}")
+    return None
+
+
+def _step(table: Table) -> Var:
+    phi = table["phi"]
+    step = float(phi.values[-1]) / float(table["position"].values[-1])
+    return Var(Symbol("phi", "1"), np.radians(step) if phi.unit == "deg" else step, phi.unit)
+
+
+def _size(x: Var, y: Var) -> Expr:
+    return sqrt(x**2 + y**2)
