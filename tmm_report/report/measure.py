@@ -18,7 +18,7 @@ from tmm_report.quantity.symbols import GREEK
 from tmm_report.resources import data_root
 
 UNKNOWN = 1000  # thousandths of an em: of a letter that no face has, which is another font's
-WORDS = 1.12  # TeX's own Cyrillic is as much wider, where it has no Times
+WORDS = 1.12  # TeX's own letters are as much wider, where it has no Times; short ones have room in the cell
 _INDEX = (1.0, 0.7, 0.55)  # sizes of indices and of their own
 _AFTER_INDEX = 0.04
 
@@ -106,11 +106,13 @@ def _word(runs: Iterable[str]) -> float:
 
 
 def _run(run: str) -> float:
-    wide = mathematics(run) if _MATH.fullmatch(run) else letters(run)
-    return wide * WORDS if _CYRILLIC.search(run) else wide
+    if _MATH.fullmatch(run):
+        return mathematics(run) * (WORDS if _CYRILLIC.search(run) else 1)
+    return letters(run) * (WORDS if _WIDER.search(run) else 1)
 
 
 _CYRILLIC = re.compile("[\u0400-\u04ff]")
+_WIDER = re.compile("[\u0400-\u04ff]|[A-Za-z]{4}")
 
 
 # --- long words ---
