@@ -52,6 +52,7 @@ TEXTS = {
     "a driving link alone whose methods are compared": ALONE
     + "methods: true\npositions: {table: 4, diagram: 4}\n",
     "harmonics of a cam's follower, whose link in place of the pair is no rod": CAM,
+    "the field of a follower that only slides": CAM.replace("points: [B]}", "links: ['2', '2']}"),
     "a position of the plans that is written twice": CRANK
     + "loads: {}\npositions: {table: 8, plans: [3, 1, 3], "
     "force_plan: [3, 3]}",

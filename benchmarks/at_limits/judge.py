@@ -90,5 +90,9 @@ def judged(scene: Scene) -> Verdict:
 def _jumps(scene: Scene) -> bool:
     """Whether pin and pivot fall together once in the turn."""
     step = scene.steps[0]
-    same = {"RRR": step.p == step.q, "RPR": step.q == 0, "RRP": False}[step.kind]
+    if step.kind == "RRR":
+        x, y = scene.fixed["C"]
+        same = step.p == step.q and x * x + y * y == scene.crank**2
+    else:
+        same = step.kind == "RPR" and step.q == 0
     return same and len(scene.changes) == 1

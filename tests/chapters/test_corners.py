@@ -116,3 +116,30 @@ mechanism:
   assembly: {B: up, D: down}
 """
     assert solve(loads(text)).lever.kinematics.missing == ()
+
+
+ANTIPARALLEL = """
+language: en
+mechanism:
+  frame: {{O: [0, 0], C: [-{frame} mm, 0]}}
+  links:
+    1: {{points: {{O: 0, A: {crank} mm}}}}
+    2: {{points: {{A: 0, B: {frame} mm}}}}
+    3: {{points: {{C: 0, B: {crank} mm}}}}
+  driver: {{link: 1, speed: 10 rad/s, rotation: counter-clockwise, zero: {{angle: 18.7 deg}}}}
+  assembly: {{B: left of A-C}}
+positions: {{table: 12, diagram: 36}}
+"""
+
+
+@pytest.mark.parametrize(("frame", "crank"), [(131.74, 131.7), (197, 196), (189.1, 188.9), (300, 150)])
+def test_an_antiparallelogram_of_nearly_equal_sides_turns_all_round_within_a_fraction_of_a_degree(
+    frame, crank
+):
+    """Passing its change point link 3 turns (d + r)/(d - r) times as fast as the crank; over the turn it goes all
+    round."""
+    kinematics = solve(loads(ANTIPARALLEL.format(frame=frame, crank=crank))).lever.kinematics
+    (travel,) = kinematics.travels
+    fastest = max(abs(extreme.value) for extreme in travel.V_extremes)
+    assert fastest == pytest.approx(10 * (frame + crank) / (frame - crank), rel=1e-8)
+    assert travel.stroke == pytest.approx(2 * np.pi, rel=1e-9)

@@ -133,7 +133,7 @@ def test_right_works_rounded_and_read_within_the_limit_lose_nothing_and_are_not_
     assert not found.causes and not charged(found)
 
 
-@few
+@settings(max_examples=examples(8))
 @example(name="jaw_crusher", seed=0)  # psi_3 goes back nearly as it came
 @given(name=st.sampled_from(NAMES), seed=st.integers(0, 2**32))
 def test_noise_beyond_the_limit_has_no_name(name, seed):

@@ -106,6 +106,18 @@ class Search:
         grid = distinct(np.concatenate([grid, beside]))
         return grid, self.motion(grid)
 
+    @property
+    def meets(self) -> bool:
+        """Whether two assemblies of a group meet within a turn."""
+        return meets(self.linkage.groups)
+
+    @cached_property
+    def beside_marks(self) -> Array:
+        """Angles turned within the sweep, ever nearer to singular positions, rad."""
+        beside = finer(self._marks) if self._marks.size else self._marks
+        beside = np.mod(beside, self.sweep) if self.returns else beside
+        return beside[(beside >= 0) & (beside <= self.sweep)]
+
     @cached_property
     def _marks(self) -> Array:
         """Angles turned at which a group is singular, or nearest to it and near, rad."""

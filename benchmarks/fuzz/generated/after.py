@@ -206,7 +206,7 @@ def _engine(made: Made, walk: Any) -> Made:
             one["crank"] = f"{360 * k // count} deg"
     if "firing" in made:
         names = [one.get("name", k) for k, one in enumerate(made.get("cylinders", [{}] * count), 1)]
-        made["firing"] = walk.random.sample(names, count)
+        made["firing"] = walk.random.sample(names, min(count, len(names)))
     return made
 
 

@@ -22,6 +22,12 @@ ENDS = 1e-9  # of the link: a place that is one of its ends
 ABOVE, BELOW = Pen(0.3), Pen(0.25, "blue", (2.0, 1.0))
 
 
+def turns(wave: Wave) -> bool:
+    """Whether the link turns, by more than rounding: of one that does not all points move alike."""
+    along = wave.places[1] - wave.places[0]
+    return bool(np.abs(along - along.mean()).max() > ENDS * np.abs(along).max())
+
+
 def field(wave: Wave, axis: str, num: Num) -> Drawing:
     """Lines of equal deviation of x or y from its mean, mm, over ξ and φ.
 

@@ -10,7 +10,7 @@ import numpy as np
 from markupsafe import Markup
 
 from tmm_report.chapters.harmonics import quantities as q
-from tmm_report.chapters.harmonics.draw import field
+from tmm_report.chapters.harmonics.draw import field, turns
 from tmm_report.chapters.harmonics.solve import Found, Signal, Wave
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.graphs import Curve, Graph
@@ -150,6 +150,10 @@ class HarmonicsView:
         y = (1 - xi) * r * sin(phi)
         x = r * cos(phi) + xi * sqrt(length**2 - across**2)
         return [Definition("x", x), Definition("y", y if central else y + xi * e)]
+
+    def turns(self, wave: Wave) -> bool:
+        """Whether the motion differs along the link, so that it has a field."""
+        return turns(wave)
 
     def field(self, wave: Wave, axis: str) -> Drawing:
         return field(wave, axis, self.page.num)

@@ -26,8 +26,8 @@ def swing(
     stands still; `reference`: its direction at the first position, rad."""
     fine = np.linspace(0, cycle.period, 360 * cycle.turns + 1)
     where = np.sort(np.concatenate([fine, cycle.repeated(stops), cycle.repeated(cycle.ends)]))
-    if cycle.corners.size:
-        found = _followed(cycle, link, where)
+    if cycle.corners.size or cycle.meets:
+        found = _followed(cycle, link, np.union1d(where, cycle.repeated(cycle.beside_marks)))
         if found is not None:
             return [found.at(m.turn(link)) for m in motions], found.extremes
     angle = _unwrapped(cycle.motion(where).turn(link), reference)
@@ -52,7 +52,7 @@ def _unwrapped(u: Array, reference: float) -> Array:
     return angle - first(angle)
 
 
-# ---------------------------------------------------------------- over corners
+# ---------------------------------------------------------------- over corners and change points
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,11 +77,14 @@ class _Followed:
 
 
 def _followed(cycle: Cycle, link: str, where: Array) -> _Followed | None:
-    """The link at the angles turned `where` and on both sides of every corner; None where the mechanism is not."""
-    off = np.abs(np.angle(np.exp(1j * (where[:, None] - cycle.corners)))).min(axis=-1)
+    """The link at the angles turned `where` and on both sides of every corner; None where the mechanism is not.
+
+    Beside a change point a link may turn nearly all round within a fraction of a degree: `where` is dense there.
+    """
+    off = np.abs(np.angle(np.exp(1j * (where[:, None] - cycle.corners)))).min(axis=-1, initial=np.inf)
     x = where[off > 2 * AT]
     parts: list[tuple[Array, Array, Array]] = [(x, cycle.motion(x).turn(link), np.zeros(x.shape, dtype=int))]
-    for corners, of in cycle.sides:
+    for corners, of in cycle.sides if cycle.corners.size else ():
         at = cycle.repeated(corners)
         parts.append((at, np.tile(cycle.beside(corners, of).turn(link), cycle.turns), np.full(at.shape, of)))
     x, u, side = (np.concatenate(part) for part in zip(*parts, strict=True))
