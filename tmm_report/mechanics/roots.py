@@ -18,8 +18,6 @@ FEW_BITS = 1e-15  # width of a bracket of angles, rad
 
 # central difference of eighth order: f' ≈ Σ c_k (f(x + kh) − f(x − kh)) / h
 DIFFERENCE = (4 / 5, -1 / 5, 4 / 105, -1 / 280)
-# the value in the middle from its neighbours, eighth order: f ≈ Σ c_k (f(x + kh) + f(x − kh))
-MIDDLE = (4 / 5, -2 / 5, 4 / 35, -1 / 70)
 
 
 def slope(f: Callable[[Array], Array], x: Array, step: float) -> Array:
