@@ -78,3 +78,21 @@ def test_masses_that_do_not_move_are_not_reduced():
     moving = ALONE.replace("mass_centre: O", "mass_centre: O, inertia: 0.01 kg*m^2")
     found = course.solve(course.loads(moving + "loads: {}\nreduction: true\n")).lever
     assert found.reduction.table.whole_inertia == pytest.approx(0.01)
+
+
+def test_a_machine_whose_moments_only_drive_has_no_steady_motion():
+    """Its running work never goes below what it begins with."""
+    given = """
+dynamics:
+  parts: [{name: '1', inertia: 0.961 kg*m^2, moment: -14.1 N*m}, {name: x, mass: 1.6 kg, velocity: 1.62354 m/s,
+    angle: 180 deg, efficiency: 0.94}]
+  period: 749 deg
+  losses_of_acceleration: true
+  start: {time: 0.791797 s, at: 24 deg}
+  steady: true
+  speed: 12 rad/s
+"""
+    with pytest.raises(ProblemError) as error:
+        course.solve(course.loads(given))
+    (told,) = error.value.problems
+    assert "each cycle leaves 184 J over: the speed grows" in told.text()

@@ -286,7 +286,7 @@ def _of_works(plant: Plant, moment: Array, mean: float) -> Steady:
         return Steady(plant, start + swing, 1.0, 0)
 
     heavy, start = float(panels.mean(plant.inertia)), 0.0
-    start = max(low * (1 + 1e-9), heavy * mean**2 / 2 - float(panels.mean(swing)))
+    start = max(low + 1e-9 * abs(low), heavy * mean**2 / 2 - float(panels.mean(swing)))
     for _ in range(STEPS):
         found = motion(start)
         miss = heavy * (mean**2 - found.mean**2) / 2
