@@ -51,3 +51,11 @@ def test_text_with_signs_is_as_wide_in_both(text):
     assert "$" in written
     assert measure.whole(written) == pytest.approx(measure.whole(text), abs=0.005)
     assert measure.widest_word(written) == pytest.approx(measure.widest_word(text), abs=0.005)
+
+
+def test_a_long_word_has_the_room_that_letters_of_tex_take_in_either_script():
+    """Where TeX has no Times, its own letters are wider; short words and numbers find room in the margins of a cell."""
+    for word in ("Quantity", "Величина"):
+        assert measure.whole(word) == pytest.approx(measure.WORDS * measure.letters(word))
+    for word in ("mm", "0.1765", "−0.0047"):
+        assert measure.whole(word) == pytest.approx(measure.letters(word))

@@ -191,10 +191,13 @@ def _unsolvable(run: Callable[[], object]) -> list[Problem]:
 
 
 def _solved(variant: Variant, moved: Moved | None) -> Results:
-    rubs = getattr(
-        getattr(variant, "flywheel", None), "friction", True
-    )  # the chapter may have been taken out
-    lever = solve_lever(variant.lever, moved, rubs) if variant.lever else None
+    lever = None
+    if variant.lever:
+        lever = solve_lever(
+            variant.lever,
+            moved,
+            flywheel=variant.flywheel,
+        )
     moving = _moving(lever) if lever else None
     # what goes on over the cycle is asked of a mechanism that closes all round
     whole = not lever or not lever.kinematics.gaps
@@ -217,17 +220,18 @@ def _solved(variant: Variant, moved: Moved | None) -> Results:
     )
 
 
-def _moving(lever: LeverFound) -> Moving:
+def _moving(lever: LeverFound, rubs: bool = True) -> Moving:
+    """`rubs`: whether the friction of the pairs is in it, where it is stated."""
     return Moving(
         lever.kinematics,
         lever.kinetostatics,
-        friction=lever.friction,
+        friction=lever.friction if rubs else None,
     )
 
 
-def solve_lever(given: LeverGiven, moved: Moved | None = None, rubs: bool = True) -> LeverFound:
-    """The chapters of a lever mechanism. `rubs`: the friction of the pairs is in the machine whose positions are
-    counted, as it is in the flywheel. Raises ProblemError."""
+def solve_lever(given: LeverGiven, moved: Moved | None = None, flywheel: Any = None) -> LeverFound:
+    """The chapters of a lever mechanism. `flywheel`: its Given, by which the friction of the pairs is in the machine
+    whose positions are counted. Raises ProblemError."""
     links = moved.structure if moved else structure.solve(given.mechanism)
     motion = moved.kinematics if moved else kinematics.solve(given.positions, links, given.way)
     drawn = plans.solve(given.drawing, given.positions.plans, motion)
@@ -244,7 +248,7 @@ def solve_lever(given: LeverGiven, moved: Moved | None = None, rubs: bool = True
         _reduction(motion, forces, drawn) if given.reduction else None,
     )
     if given.methods:
-        moving = replace(_moving(found), friction=found.friction if rubs else None)
+        moving = _moving(found, flywheel is None or flywheel.friction)
         found = replace(found, methods=_methods(given.methods, moving))
     return replace(found, readings=_readings(found)) if given.readings else found
 

@@ -74,7 +74,7 @@ class Search:
         but in position 0 those after it."""
         turned = np.asarray(turned, dtype=float)
         motion = solve(self.linkage, self.phi(turned))
-        if meets(self.linkage.groups):
+        if self.meets:
             settle(motion, side_of(turned))
         return motion
 
@@ -110,13 +110,6 @@ class Search:
     def meets(self) -> bool:
         """Whether two assemblies of a group meet within a turn."""
         return meets(self.linkage.groups)
-
-    @cached_property
-    def beside_marks(self) -> Array:
-        """Angles turned within the sweep, ever nearer to singular positions, rad."""
-        beside = finer(self._marks) if self._marks.size else self._marks
-        beside = np.mod(beside, self.sweep) if self.returns else beside
-        return beside[(beside >= 0) & (beside <= self.sweep)]
 
     @cached_property
     def _marks(self) -> Array:
@@ -180,7 +173,7 @@ class Search:
 
         found = left = np.concatenate(low)
         if found.size:
-            floor = INTERPOLATED if meets(self.linkage.groups) else 1.0
+            floor = INTERPOLATED if self.meets else 1.0
             noise = np.repeat(
                 [floor * noise_of(rate) * size for rate, size in zip(rates, sizes, strict=True)], counts
             )

@@ -27,7 +27,8 @@ def swing(
     fine = np.linspace(0, cycle.period, 360 * cycle.turns + 1)
     where = np.sort(np.concatenate([fine, cycle.repeated(stops), cycle.repeated(cycle.ends)]))
     if cycle.corners.size or cycle.meets:
-        found = _followed(cycle, link, np.union1d(where, cycle.repeated(cycle.beside_marks)))
+        beside = np.mod(cycle.search[0], cycle.sweep)
+        found = _followed(cycle, link, np.union1d(where, cycle.repeated(beside)))
         if found is not None:
             return [found.at(m.turn(link)) for m in motions], found.extremes
     angle = _unwrapped(cycle.motion(where).turn(link), reference)
