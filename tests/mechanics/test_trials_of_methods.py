@@ -87,6 +87,15 @@ def test_of_two_rounding_errors_the_smaller_is_no_better():
     ]
 
 
+def test_of_equal_times_of_one_method_the_fewest_steps_stand():
+    """More steps cost no less: which of two near times is less is chance, and a better error must not decide by it."""
+    few, many = trial("panels", 1.0, 1e-9, 12), trial("panels", 1.05, 1e-14, 36)
+    other = trial("points", 1.02, 1e-12, 100)
+    assert cheapest([few, many], 1e-6) is few
+    assert cheapest([replace(few, seconds=1.05), replace(many, seconds=1.0)], 1e-6).count == 12
+    assert cheapest([few, many, other], 1e-6) is other
+
+
 def test_over_several_counts_times_add_up_and_the_largest_error_counts():
     found = [trial("a", 1.0, 1e-3, 12), trial("a", 2.0, 1e-5, 36), trial("b", 1.0, 1e-9, 12)]
     (one,) = over(found, (12, 36))  # b was not tried at 36

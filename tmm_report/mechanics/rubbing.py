@@ -209,21 +209,26 @@ def _equilibrium(force: Array, couple: Array) -> tuple[Array, int, Array]:
     start = _size(force[:, 0], couple[:, 0])
     x, steps, good = _newton(force, couple, np.where(known, start, 0.0))
     borne = np.where(good | ~known, 1.0, 0.0)
-    for p in np.flatnonzero(~good & known):
-        x[:, p : p + 1], borne[p] = _by_parts(force[..., p : p + 1], couple[..., p : p + 1])
+    hard = np.flatnonzero(~good & known)
+    if hard.size:
+        x[:, hard], borne[hard] = _by_parts(force[..., hard], couple[..., hard])
     return np.where(known, x, np.nan), steps, borne
 
 
-def _by_parts(force: Array, couple: Array) -> tuple[Array, float]:
-    """Friction put on little by little from none: the solution that belongs to it, or where it ends."""
+def _by_parts(force: Array, couple: Array) -> tuple[Array, Array]:
+    """Friction put on little by little from none: the solution that belongs to it (pairs, P), and the part of the
+    friction up to which there is one (P,). Positions that end are left behind."""
     x = _size(force[:, 0], couple[:, 0])
+    borne, going = np.zeros(x.shape[1]), np.arange(x.shape[1])
     for part in range(1, PARTS + 1):
         scale = np.ones((force.shape[1], 1))
         scale[1:] = part / PARTS
-        x, _, good = _newton(force * scale, couple * scale, x)
-        if not good.all():
-            return x, (part - 1) / PARTS
-    return x, 1.0
+        x[:, going], _, good = _newton(force[..., going] * scale, couple[..., going] * scale, x[:, going])
+        going = going[good]
+        borne[going] = part / PARTS
+        if not going.size:
+            break
+    return x, borne
 
 
 def _newton(force: Array, couple: Array, x: Array) -> tuple[Array, int, Array]:
