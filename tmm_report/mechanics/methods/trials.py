@@ -244,15 +244,15 @@ def _largest(own: Sequence[Trial]) -> Errors:
 
 
 def cheapest(found: Sequence[Trial], accuracy: float) -> Trial | None:
-    """The quickest that finds all kinds with errors no larger than `accuracy`; None where there is none. Of those whose
-    times are equal each method stands with its fewest steps, as more of them cost no less; then the most accurate is
-    taken, and of rounding errors none is better: then the first."""
+    """The quickest that finds all kinds with errors no larger than `accuracy`; None where there is none. Each method
+    stands with the fewest steps that hold, as more of them cost no less, whatever the clock says. Of those whose times
+    are equal the most accurate, and of rounding errors none is better: then the first."""
     kinds = kinds_of(found)
     good = [one for one in found if full(one.errors, kinds) and worst(one.errors) <= accuracy]
-    least = min((one.seconds for one in good), default=math.nan)
-    equal = [one for one in good if one.seconds <= SAME * least]
-    fewest = [own[0] for own in by_method(equal)]
-    return min(fewest, key=lambda one: max(ROUNDING, worst(one.errors)), default=None)
+    fewest = [own[0] for own in by_method(good)]
+    least = min((one.seconds for one in fewest), default=math.nan)
+    equal = [one for one in fewest if one.seconds <= SAME * least]
+    return min(equal, key=lambda one: max(ROUNDING, worst(one.errors)), default=None)
 
 
 @dataclass(frozen=True, eq=False)
