@@ -235,8 +235,8 @@ FAULTS = (
     Fault(
         "the dearest method is called the cheapest",
         "tmm_report/mechanics/methods/trials.py",
-        "least = min((one.seconds for one in good), default=math.nan)\n    equal",
-        "least = max((one.seconds for one in good), default=math.nan)\n    equal",
+        "least = min((one.seconds for one in fewest), default=math.nan)\n    equal",
+        "least = max((one.seconds for one in fewest), default=math.nan)\n    equal",
         tests=("tests/mechanics/test_trials_of_methods.py",),
     ),
     Fault(
