@@ -7,9 +7,9 @@ import pytest
 from conftest import stating, unread
 
 from tmm_report import course
-from tmm_report.chapters.kinematics.given import Positions
-from tmm_report.mechanics.mechanism import FRAME, Driver, Guide, Link, Mechanism, Slide, ZeroAngle
-from tmm_report.mechanics.planar import cross
+from tmm_report.chapters.lever.kinematics.given import Positions
+from tmm_report.mechanics.calculus.vectors import cross
+from tmm_report.mechanics.lever.mechanism import FRAME, Driver, Guide, Link, Mechanism, Slide, ZeroAngle
 from tmm_report.problems import ProblemError
 
 

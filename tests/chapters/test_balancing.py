@@ -10,14 +10,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tmm_report import course
-from tmm_report.chapters.balancing.given import METHODS, Counterweight, Existing, Given
-from tmm_report.chapters.balancing.parts import substitute, unreached
-from tmm_report.chapters.balancing.solve import Found, solve
-from tmm_report.chapters.kinetostatics.loads import Loads
-from tmm_report.chapters.machine import Moving
-from tmm_report.mechanics import fourier
-from tmm_report.mechanics.balance import added, smallest_circle
-from tmm_report.mechanics.mechanism import FRAME
+from tmm_report.chapters.lever.kinetostatics.given import Loads
+from tmm_report.chapters.lever.moving import Moving
+from tmm_report.chapters.machine.balancing.given import METHODS, Counterweight, Existing, Given
+from tmm_report.chapters.machine.balancing.solve.substituted_masses import substitute, unreached
+from tmm_report.chapters.machine.balancing.solve.whole import Found, solve
+from tmm_report.mechanics.calculus import harmonics as fourier
+from tmm_report.mechanics.lever.mechanism import FRAME
+from tmm_report.mechanics.masses.counterweights import added, smallest_circle
 from tmm_report.problems import ProblemError
 
 EVERY = {"radii": (0.06, 0.04), "methods": METHODS}

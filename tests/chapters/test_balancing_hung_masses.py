@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 
 from tmm_report import course
-from tmm_report.chapters.balancing.solve import Found
-from tmm_report.mechanics import fourier
+from tmm_report.chapters.machine.balancing.solve.whole import Found
+from tmm_report.mechanics.calculus import harmonics as fourier
 from tmm_report.problems import ProblemError
 
 TWO_STAGES = """

@@ -10,11 +10,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tmm_report import course
-from tmm_report.chapters.balancing.given import Given
-from tmm_report.chapters.balancing.solve import Found, solve
-from tmm_report.chapters.machine import Moving
-from tmm_report.mechanics import fourier, slider_series
-from tmm_report.mechanics.planar import dot
+from tmm_report.chapters.lever.moving import Moving
+from tmm_report.chapters.machine.balancing.given import Given
+from tmm_report.chapters.machine.balancing.solve.whole import Found, solve
+from tmm_report.mechanics.calculus import harmonics as fourier
+from tmm_report.mechanics.calculus.vectors import dot
+from tmm_report.mechanics.masses import slider_harmonics
 
 
 def found_in(name: str, **links) -> Found:
@@ -36,9 +37,9 @@ def test_harmonics_add_up_to_the_acceleration(lam, offset):
     phi, h = np.linspace(0, 2 * math.pi, 25), 1e-3
 
     def place(at):
-        return np.cos(at) + slider_series.rod_cosine(lam, at, offset) / lam
+        return np.cos(at) + slider_harmonics.rod_cosine(lam, at, offset) / lam
 
-    harmonics = slider_series.acceleration_harmonics(lam, 60, offset)
+    harmonics = slider_harmonics.acceleration_harmonics(lam, 60, offset)
     # of the fourth order of the step
     second = (
         -place(phi + 2 * h) + 16 * place(phi + h) - 30 * place(phi) + 16 * place(phi - h) - place(phi - 2 * h)
@@ -51,19 +52,19 @@ def test_harmonics_add_up_to_the_acceleration(lam, offset):
 def test_exact_coefficients_by_two_ways(lam, order):
     """Closed, and by sums over equal steps of the turn, fine enough for the kink of a rod near the crank's length."""
     phi = np.arange(8192) * (2 * np.pi / 8192)
-    sums = fourier.series(slider_series.rod_cosine(lam, phi), order).cosine[order]
-    exact = slider_series.root_exact(lam, order)
+    sums = fourier.series(slider_harmonics.rod_cosine(lam, phi), order).cosine[order]
+    exact = slider_harmonics.root_exact(lam, order)
     assert exact == pytest.approx(float(sums), abs=1e-13)
-    assert slider_series.acceleration_exact(lam, order) == pytest.approx(order**2 * exact / lam, rel=1e-14)
+    assert slider_harmonics.acceleration_exact(lam, order) == pytest.approx(order**2 * exact / lam, rel=1e-14)
 
 
 @pytest.mark.parametrize("lam", [1e-4, 0.0025, 0.02])
 def test_small_coefficients_of_a_long_rod_do_not_drown_in_rounding(lam):
     """Orders 4 and 6 of a rod of many cranks fall to 1e-20; the power series is as good there."""
-    found = slider_series.acceleration_harmonics(lam, 6)
+    found = slider_harmonics.acceleration_harmonics(lam, 6)
     for order in (2, 4, 6):
         assert found.cosine[order] == pytest.approx(
-            slider_series.acceleration_series(lam, order, 4), rel=1e-12
+            slider_harmonics.acceleration_series(lam, order, 4), rel=1e-12
         )
     assert not found.sine.any()
 
@@ -71,28 +72,28 @@ def test_small_coefficients_of_a_long_rod_do_not_drown_in_rounding(lam):
 @settings(max_examples=examples(60))
 @given(st.floats(0.05, 0.4), st.sampled_from([2, 4, 6]), st.integers(1, 3))
 def test_a_term_more_brings_the_series_nearer(lam, order, terms):
-    exact = slider_series.acceleration_exact(lam, order)
-    short, long = (slider_series.acceleration_series(lam, order, n) for n in (terms, terms + 1))
+    exact = slider_harmonics.acceleration_exact(lam, order)
+    short, long = (slider_harmonics.acceleration_series(lam, order, n) for n in (terms, terms + 1))
     assert abs(long - exact) < abs(short - exact)
 
 
 def test_first_terms_are_those_of_the_textbooks():
     lam = 0.3
-    assert slider_series.acceleration_series(lam, 2, 2) == pytest.approx(lam + lam**3 / 4, rel=1e-14)
-    assert slider_series.acceleration_series(lam, 4, 2) == pytest.approx(
+    assert slider_harmonics.acceleration_series(lam, 2, 2) == pytest.approx(lam + lam**3 / 4, rel=1e-14)
+    assert slider_harmonics.acceleration_series(lam, 4, 2) == pytest.approx(
         -(lam**3) / 4 - 3 * lam**5 / 16, rel=1e-14
     )
-    assert slider_series.acceleration_series(lam, 6, 1) == pytest.approx(9 * lam**5 / 128, rel=1e-14)
+    assert slider_harmonics.acceleration_series(lam, 6, 1) == pytest.approx(9 * lam**5 / 128, rel=1e-14)
     longer = 1 / lam  # the lectures' λ = l/r
-    assert slider_series.root_series(lam, 2, 2) == pytest.approx(
+    assert slider_harmonics.root_series(lam, 2, 2) == pytest.approx(
         1 / (4 * longer**2) + 1 / (16 * longer**4), rel=1e-14
     )
-    assert slider_series.root_series(lam, 4, 1) == pytest.approx(-1 / (64 * longer**4), rel=1e-14)
+    assert slider_harmonics.root_series(lam, 4, 1) == pytest.approx(-1 / (64 * longer**4), rel=1e-14)
 
 
 def test_no_odd_orders_and_no_sines_without_an_offset():
-    central = slider_series.acceleration_harmonics(1 / 3, 7)
-    aside = slider_series.acceleration_harmonics(1 / 3, 7, 0.1)
+    central = slider_harmonics.acceleration_harmonics(1 / 3, 7)
+    aside = slider_harmonics.acceleration_harmonics(1 / 3, 7, 0.1)
     assert np.abs(central.sine).max() < 1e-13 and np.abs(central.cosine[[3, 5, 7]]).max() < 1e-13
     assert abs(aside.sine[1]) > 1e-3 and abs(aside.sine[3]) > 1e-3
 
@@ -108,7 +109,7 @@ def test_sum_of_the_orders_is_the_solved_acceleration(name):
     for crank in found.cranks:
         motion = found.kinematics.table
         phi = crank.angle(found.kinematics.turned)
-        harmonics = slider_series.acceleration_harmonics(crank.lam, 40, crank.offset / crank.l)
+        harmonics = slider_harmonics.acceleration_harmonics(crank.lam, 40, crank.offset / crank.l)
         ours = -crank.r * motion.omega**2 * harmonics.at(phi)
         solved_ = dot(motion.acceleration(crank.joint), crank.along)
         assert np.allclose(ours, solved_, rtol=0, atol=1e-10 * np.abs(solved_).max())
@@ -137,7 +138,7 @@ def test_remainder_is_of_the_fourth_order(name):
         assert left[:4].max() < 1e-10 * np.abs(remains.exact).max()
         expected = crank.mass * crank.r * found.kinematics.omega**2
         assert left[4] == pytest.approx(
-            expected * abs(slider_series.acceleration_exact(crank.lam, 4)), rel=1e-9
+            expected * abs(slider_harmonics.acceleration_exact(crank.lam, 4)), rel=1e-9
         )
 
 
@@ -151,7 +152,7 @@ def test_rotors_are_those_of_the_lecture():
     """m_I = m_B r/(2 r_I), m_II = λ A₂ m_B r/(2 r_II) with λ = l/r and A₂ the lecture's."""
     found = found_in("compressor")
     crank = found.cranks[0]
-    longer, lectures = 1 / crank.lam, slider_series.root_exact(crank.lam, 2)
+    longer, lectures = 1 / crank.lam, slider_harmonics.root_exact(crank.lam, 2)
     values = {value.key: value.value for value in course.room("balancing", "quantities").values(found)}
     assert values["slider_m_I_3"] == pytest.approx(crank.mass * crank.r / (2 * 0.05), rel=1e-12)
     assert values["slider_m_II_3"] == pytest.approx(

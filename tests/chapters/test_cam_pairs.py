@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from tmm_report import course
-from tmm_report.chapters.cam import formulas
-from tmm_report.chapters.cam import quantities as q
-from tmm_report.mechanics.cycle import Cycle
+from tmm_report.chapters.lever.cam import formulas
+from tmm_report.chapters.lever.cam import quantities as q
+from tmm_report.mechanics.lever.cycle import Cycle
 from tmm_report.quantity.formula import agrees, at
 from tmm_report.quantity.model import Book
 
@@ -168,7 +168,7 @@ def test_a_steeper_rise_exceeds_the_limit_and_the_note_says_it():
 
 def test_integrals_step_from_phase_to_phase():
     """Edges of the panels stand at the ends of the phases, counted from position 0."""
-    from tmm_report.chapters.kinetostatics.breaks import breaks
+    from tmm_report.chapters.lever.kinetostatics.solve.load_breaks import breaks
 
     lever = solved("lever", "cosine", "parabolic", "clockwise").lever
     edges = np.degrees(breaks(lever.given.loads, lever.kinematics))

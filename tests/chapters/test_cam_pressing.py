@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tmm_report import course
-from tmm_report.chapters.kinetostatics import quantities
+from tmm_report.chapters.lever.kinetostatics.quantities import positions as quantities
 from tmm_report.problems import ProblemError
 
 SPEED = 30.0

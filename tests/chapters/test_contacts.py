@@ -11,11 +11,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tmm_report import course
-from tmm_report.chapters.contacts import quantities, solve, words
-from tmm_report.chapters.contacts.draw_turning import SKETCHES
-from tmm_report.chapters.contacts.formulas import Of
-from tmm_report.chapters.contacts.formulas_turning import FORMULAS
-from tmm_report.chapters.contacts.given import (
+from tmm_report.chapters.machine.contacts import quantities, solve, words
+from tmm_report.chapters.machine.contacts.draw_turning import SKETCHES
+from tmm_report.chapters.machine.contacts.formulas import Of
+from tmm_report.chapters.machine.contacts.formulas_turning import FORMULAS
+from tmm_report.chapters.machine.contacts.given import (
     Belt,
     Given,
     Incline,
@@ -26,9 +26,9 @@ from tmm_report.chapters.contacts.given import (
     Sliders,
     Wheel,
 )
-from tmm_report.chapters.contacts.given import Wedge as DrivenWedge
+from tmm_report.chapters.machine.contacts.given import Wedge as DrivenWedge
 from tmm_report.figures.drawing import Arrow, Circle, Text
-from tmm_report.mechanics import friction as law
+from tmm_report.mechanics.pairs import friction as law
 from tmm_report.problems import ProblemError
 
 KINDS = {

@@ -6,13 +6,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tmm_report.chapters.spur.conditions import BY_ASSEMBLY, KEYS, conditions_of
-from tmm_report.chapters.spur.contour import contour_of
-from tmm_report.chapters.spur.given import Given
-from tmm_report.chapters.spur.mistakes import check, check_pair, check_teeth
-from tmm_report.chapters.spur.motion import WIDEST
-from tmm_report.chapters.spur.sizes import choose_shifts, choose_teeth
-from tmm_report.mechanics.spur import Cutter
+from tmm_report.chapters.gears.spur.given import Given
+from tmm_report.chapters.gears.spur.solve.conditions import BY_ASSEMBLY, KEYS, conditions_of
+from tmm_report.chapters.gears.spur.solve.contour import contour_of
+from tmm_report.chapters.gears.spur.solve.mistakes import check, check_pair, check_teeth
+from tmm_report.chapters.gears.spur.solve.motion import WIDEST
+from tmm_report.chapters.gears.spur.solve.sizes import choose_shifts, choose_teeth
+from tmm_report.mechanics.gears.meshing import Cutter
 from tmm_report.problems import ProblemError
 
 DRAWN = 30000  # in the window of the contour

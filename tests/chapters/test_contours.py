@@ -9,14 +9,14 @@ import pytest
 from conftest import FILES, read
 
 from tmm_report import course
-from tmm_report.chapters.kinematics import solve as kinematics
-from tmm_report.chapters.kinematics.contour_terms import WrittenSystem
-from tmm_report.chapters.kinematics.contours import contours
-from tmm_report.chapters.kinematics.contours import tables as contour_tables
-from tmm_report.chapters.kinematics.trees import Bearing, Branched, total
-from tmm_report.chapters.structure import solve as structure
+from tmm_report.chapters.lever.kinematics.contours.nodes import Bearing, Branched, total
+from tmm_report.chapters.lever.kinematics.contours.solve import contours
+from tmm_report.chapters.lever.kinematics.contours.solve import tables as contour_tables
+from tmm_report.chapters.lever.kinematics.contours.terms import WrittenSystem
+from tmm_report.chapters.lever.kinematics.solve import positions as kinematics
+from tmm_report.chapters.lever.structure import solve as structure
 from tmm_report.i18n import Translator
-from tmm_report.mechanics.dyads import Dyad
+from tmm_report.mechanics.lever.dyads import Dyad
 from tmm_report.quantity.formula import Formula, Number, Var
 
 NAMES = [path.stem for path in FILES]

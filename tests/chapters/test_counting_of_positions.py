@@ -5,8 +5,8 @@ import pytest
 from conftest import ALL_FILES, solved
 
 from tmm_report import course
-from tmm_report.chapters.machine import Moving
-from tmm_report.chapters.methods.counting import MEANINGS, Tables, counting, wanted
+from tmm_report.chapters.lever.methods.counting import MEANINGS, Tables, counting, wanted
+from tmm_report.chapters.lever.moving import Moving
 
 
 def moving(name):

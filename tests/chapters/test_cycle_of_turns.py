@@ -15,13 +15,13 @@ from hypothesis import strategies as st
 
 from tmm_report import course, render, stack
 from tmm_report import results as of_results
-from tmm_report.chapters.kinetostatics.breaks import breaks
-from tmm_report.chapters.kinetostatics.loads import ByDisplacement, ByStrokes, Loads
-from tmm_report.chapters.kinetostatics.solve import magnitude
-from tmm_report.chapters.machine import Moving, machine
+from tmm_report.chapters.lever.kinetostatics.given import ByDisplacement, ByStrokes, Loads
+from tmm_report.chapters.lever.kinetostatics.solve.load_breaks import breaks
+from tmm_report.chapters.lever.kinetostatics.solve.positions import magnitude
+from tmm_report.chapters.lever.moving import Moving, machine
 from tmm_report.figures.axes import position_marks
 from tmm_report.figures.graphs import Curve, graph
-from tmm_report.mechanics.mechanism import ZeroAngle
+from tmm_report.mechanics.lever.mechanism import ZeroAngle
 from tmm_report.problems import ProblemError
 
 TURN = 2 * math.pi

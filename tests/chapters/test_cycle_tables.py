@@ -12,10 +12,10 @@ import pytest
 from conftest import solved
 
 from tmm_report import course, render
-from tmm_report.chapters.kinetostatics import quantities as q
-from tmm_report.chapters.kinetostatics.solve import Kinetostatics, Solved, at, stated
-from tmm_report.chapters.kinetostatics.works import powers_of
-from tmm_report.mechanics.peaks import Peak
+from tmm_report.chapters.lever.kinetostatics.quantities import positions as q
+from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics, Solved, at, stated
+from tmm_report.chapters.lever.kinetostatics.solve.works import powers_of
+from tmm_report.mechanics.lever.extremes import Peak
 
 NAMES = ("press", "shaper", "whitworth", "engine_four_stroke")
 BESIDE = {"before": -1e-9, "": 0.0, "after": 1e-9}  # rad

@@ -3,8 +3,8 @@
 import numpy as np
 from conftest import LEVERS, solved
 
-from tmm_report.chapters.structure import quantities as q
-from tmm_report.chapters.structure.view import KNOWN
+from tmm_report.chapters.lever.structure import quantities as q
+from tmm_report.chapters.lever.structure.view import KNOWN
 
 
 def test_equations_of_every_group_are_as_many_as_its_unknowns():

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from tmm_report.chapters.kinematics.digits import COST, PRINTED, digits_left, rounding
+from tmm_report.chapters.lever.kinematics.checks.digits_left import COST, PRINTED, digits_left, rounding
 from tmm_report.cli import app
 from tmm_report.course import doubts, loads, solve
 from tmm_report.i18n import Translator

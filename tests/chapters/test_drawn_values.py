@@ -9,7 +9,7 @@ import pytest
 from conftest import read, stating
 
 from tmm_report import course
-from tmm_report.chapters.plans.solve import Comparison, Drawn
+from tmm_report.chapters.lever.plans.solve import Comparison, Drawn
 from tmm_report.quantity.paper import CAD
 
 # How many reading steps a value may be off. At 0.01 mm the construction is exact and a value is read once, rounded

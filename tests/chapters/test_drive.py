@@ -8,10 +8,10 @@ from conftest import examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tmm_report.chapters.drive import quantities as tables
-from tmm_report.chapters.drive import solve as drive
-from tmm_report.chapters.drive.block import DriveModel, build
-from tmm_report.chapters.drive.view import DriveView
+from tmm_report.chapters.gears.drive import quantities as tables
+from tmm_report.chapters.gears.drive import solve as drive
+from tmm_report.chapters.gears.drive.block import DriveModel, build
+from tmm_report.chapters.gears.drive.view import DriveView
 from tmm_report.i18n import Translator
 from tmm_report.problems import ProblemError
 from tmm_report.report.formats import Html

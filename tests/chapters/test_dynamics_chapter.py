@@ -9,10 +9,10 @@ import pytest
 from conftest import solved
 
 from tmm_report import course
-from tmm_report.chapters.dynamics import quantities
-from tmm_report.chapters.machine import Moving, machine
-from tmm_report.mechanics.by_time import by_time
-from tmm_report.mechanics.motion_law import Goal
+from tmm_report.chapters.lever.moving import Moving, machine
+from tmm_report.chapters.machine.dynamics import quantities
+from tmm_report.mechanics.machine.run.by_time import by_time
+from tmm_report.mechanics.machine.run.motion_law import Goal
 from tmm_report.problems import ProblemError
 from tmm_report.quantity.model import Book
 

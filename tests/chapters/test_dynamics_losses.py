@@ -10,8 +10,8 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 from test_dynamics_chapter import alone, book, refused
 
-from tmm_report.mechanics.passing import Passing
-from tmm_report.mechanics.steady import closing
+from tmm_report.mechanics.machine.passing import Passing
+from tmm_report.mechanics.machine.run.steady import closing
 
 TRAIN = """
   parts:

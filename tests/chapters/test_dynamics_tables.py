@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from conftest import solved
 
-from tmm_report.chapters.dynamics import quantities
+from tmm_report.chapters.machine.dynamics import quantities
 from tmm_report.quantity.model import Book
 
 NAMES = ("hoist_start", "piston_pump")

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
-from tmm_report.chapters.eccentric import family as eccentric_family
-from tmm_report.chapters.eccentric import solve as eccentric
-from tmm_report.chapters.eccentric.block import EccentricModel
-from tmm_report.chapters.eccentric.view import EccentricView
+from tmm_report.chapters.gears.eccentric.block import EccentricModel
+from tmm_report.chapters.gears.eccentric.solve import family as eccentric_family
+from tmm_report.chapters.gears.eccentric.solve import mechanism as eccentric
+from tmm_report.chapters.gears.eccentric.view.mechanism import EccentricView
 from tmm_report.course import Results, Variant
 from tmm_report.i18n import Translator
-from tmm_report.mechanics.spur import Rack
+from tmm_report.mechanics.gears.meshing import Rack
 from tmm_report.note import render
 from tmm_report.problems import ProblemError
 from tmm_report.report.formats import Html

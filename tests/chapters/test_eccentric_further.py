@@ -9,11 +9,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tmm_report import course
-from tmm_report.chapters.eccentric import near
-from tmm_report.chapters.eccentric import solve as eccentric
-from tmm_report.chapters.eccentric.paths import Point, traced
-from tmm_report.mechanics.trains import Member, Mesh, Train, speeds
-from tmm_report.mechanics.wheels import least_teeth
+from tmm_report.chapters.gears.eccentric.paths import Point, traced
+from tmm_report.chapters.gears.eccentric.solve import mechanism as eccentric
+from tmm_report.chapters.gears.eccentric.solve import near_ratio as near
+from tmm_report.mechanics.gears.pair_sizes import least_teeth
+from tmm_report.mechanics.gears.trains import Member, Mesh, Train, speeds
 from tmm_report.problems import ProblemError
 
 BASE = {"module": 0.002, "ratio": Fraction(4), "eccentricity": 0.018, "t": 10}

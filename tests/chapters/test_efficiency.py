@@ -12,11 +12,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tmm_report import course
-from tmm_report.chapters.efficiency import quantities, solve
-from tmm_report.chapters.efficiency.draw import scheme
-from tmm_report.chapters.efficiency.given import Given, Joined, Module, modules
+from tmm_report.chapters.machine.efficiency import quantities, solve
+from tmm_report.chapters.machine.efficiency.draw import scheme
+from tmm_report.chapters.machine.efficiency.given import Given, Joined, Module, modules
 from tmm_report.figures.drawing import Path
-from tmm_report.mechanics import chains
+from tmm_report.mechanics.pairs import efficiency_chains
 from tmm_report.problems import ProblemError
 
 ETA = st.floats(0.05, 0.99)
@@ -148,9 +148,11 @@ def test_the_output_stated_is_the_output_found(tree):
 
 def test_shares_of_input_and_output_say_the_same():
     outputs, etas = [0.7, 0.3], [0.85, 0.6]
-    shares = chains.input_shares(outputs, etas)
+    shares = efficiency_chains.input_shares(outputs, etas)
     assert sum(shares) == pytest.approx(1)
-    assert chains.by_input(shares, etas) == pytest.approx(chains.by_output(outputs, etas))
+    assert efficiency_chains.by_input(shares, etas) == pytest.approx(
+        efficiency_chains.by_output(outputs, etas)
+    )
 
 
 @settings(max_examples=15)

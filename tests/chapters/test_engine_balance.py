@@ -12,12 +12,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tmm_report import course, render
-from tmm_report.chapters.engine.draw import scheme, star_picture
-from tmm_report.chapters.engine.drawn import stars
-from tmm_report.chapters.engine.given import Cylinder, Given, Rod
-from tmm_report.chapters.engine.limits import peak, series, split
-from tmm_report.chapters.engine.solve import solve
-from tmm_report.mechanics import cylinders
+from tmm_report.chapters.machine.engine.draw import scheme, star_picture
+from tmm_report.chapters.machine.engine.drawn import stars
+from tmm_report.chapters.machine.engine.given import Cylinder, Given, Rod
+from tmm_report.chapters.machine.engine.limits import peak, series, split
+from tmm_report.chapters.machine.engine.solve import solve
+from tmm_report.mechanics.masses import engine_cylinders
 from tmm_report.problems import ProblemError
 
 TURN = 2 * np.pi * np.arange(256) / 256
@@ -40,12 +40,12 @@ def derived(values, times=1):
 @pytest.mark.parametrize("lam", [0.1, 0.25, 0.5])
 def test_the_exact_acceleration_is_the_second_derivative_of_the_place_of_the_piston(lam):
     place = np.cos(TURN) + np.sqrt(1 / lam**2 - np.sin(TURN) ** 2)
-    assert cylinders.acceleration(TURN, lam) == pytest.approx(-derived(place, 2).real, abs=1e-9)
+    assert engine_cylinders.acceleration(TURN, lam) == pytest.approx(-derived(place, 2).real, abs=1e-9)
 
 
 def test_coefficients_are_those_of_the_series_with_their_next_terms():
     lam = 0.1
-    exact = cylinders.coefficients(lam, (1, 2, 3, 4, 6))
+    exact = engine_cylinders.coefficients(lam, (1, 2, 3, 4, 6))
     higher = [
         1.0,
         lam + lam**3 / 4 + 15 * lam**5 / 128,
@@ -74,10 +74,10 @@ LAYOUT = st.lists(st.tuples(st.floats(-3, 3), st.floats(0, 6), st.floats(-0.5, 0
 def test_the_orders_add_up_to_the_exact_forces_of_any_layout(layout, lam):
     banks, angles, places = np.array(layout).T
     for weights in (np.ones(len(banks)), places):
-        exact = cylinders.exact(TURN, lam, banks, angles, weights)
+        exact = engine_cylinders.exact(TURN, lam, banks, angles, weights)
         total = sum(
-            c * cylinders.turning(k, banks, angles, weights).at(k, TURN)
-            for k, c in zip(range(1, 41), cylinders.coefficients(lam, range(1, 41)), strict=True)
+            c * engine_cylinders.turning(k, banks, angles, weights).at(k, TURN)
+            for k, c in zip(range(1, 41), engine_cylinders.coefficients(lam, range(1, 41)), strict=True)
         )
         assert total == pytest.approx(exact, abs=1e-8 * len(banks))
 
@@ -104,7 +104,7 @@ def test_the_force_is_what_the_momentum_of_all_masses_loses(layout):
 @given(LAYOUT, st.integers(1, 2))
 def test_greatest_least_and_direction_are_those_of_the_ellipse(layout, order):
     banks, angles, _ = np.array(layout).T
-    turning = cylinders.turning(order, banks, angles, np.ones(len(banks)))
+    turning = engine_cylinders.turning(order, banks, angles, np.ones(len(banks)))
     phi = 2 * np.pi * np.arange(4000) / 4000
     values = turning.at(order, phi)
     assert turning.greatest == pytest.approx(np.abs(values).max(), rel=1e-5, abs=1e-9)

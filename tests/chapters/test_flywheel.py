@@ -12,12 +12,12 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from tmm_report import course
-from tmm_report.chapters.flywheel.loads import evaluated, sides
-from tmm_report.chapters.machine import Moving
-from tmm_report.mechanics import flywheel as fly
-from tmm_report.mechanics import ode
-from tmm_report.mechanics.flywheel_motion import integrated, turning
-from tmm_report.mechanics.panels import panels
+from tmm_report.chapters.lever.moving import Moving
+from tmm_report.chapters.machine.flywheel.loads import evaluated, sides
+from tmm_report.mechanics.calculus import ode
+from tmm_report.mechanics.calculus.panels import panels
+from tmm_report.mechanics.machine.flywheel import inertia as fly
+from tmm_report.mechanics.machine.flywheel.motion import integrated, turning
 
 TURN = 2 * math.pi
 

@@ -9,9 +9,9 @@ import pytest
 from conftest import solved
 
 from tmm_report import course
-from tmm_report.chapters.flywheel import draw
-from tmm_report.chapters.flywheel.sketch import scale_of, sketch
-from tmm_report.mechanics import flywheel as fly
+from tmm_report.chapters.machine.flywheel import draw
+from tmm_report.chapters.machine.flywheel.sketch import scale_of, sketch
+from tmm_report.mechanics.machine.flywheel import inertia as fly
 from tmm_report.quantity.paper import ROUND
 
 LOAD = "resisting: {table: [[0, 0], [90 deg, 800], [180 deg, 0], [360 deg, 0]]}, speed: 12, delta: 1/25"

@@ -8,8 +8,8 @@ from conftest import solved
 from test_flywheel_input import told
 
 from tmm_report import course
-from tmm_report.chapters.flywheel.draw import places
-from tmm_report.chapters.flywheel.quantities import book
+from tmm_report.chapters.machine.flywheel.draw import places
+from tmm_report.chapters.machine.flywheel.quantities import book
 
 LOAD = "resisting: {table: [[0, 0], [90 deg, 800], [180 deg, 0]]}"
 ALONE = "delta: 1/30, speed: 100 rpm, " + LOAD

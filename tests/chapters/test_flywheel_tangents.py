@@ -8,8 +8,8 @@ from conftest import solved
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tmm_report.mechanics.flywheel import Cycle, highest, tangent
-from tmm_report.mechanics.panels import panels
+from tmm_report.mechanics.calculus.panels import panels
+from tmm_report.mechanics.machine.flywheel.inertia import Cycle, highest, tangent
 
 OVER = panels(4 * np.pi, (1.0, 2.5, 7.0))
 

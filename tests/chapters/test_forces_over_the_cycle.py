@@ -10,11 +10,11 @@ import pytest
 from conftest import read, solved
 
 from tmm_report import course
-from tmm_report.chapters.kinetostatics.extreme_tables import ranges
-from tmm_report.chapters.kinetostatics.loads import ByAngle, Constant, Force, Loads, Moment
-from tmm_report.chapters.kinetostatics.sampled import sampled
-from tmm_report.chapters.kinetostatics.solve import at, stated
-from tmm_report.chapters.kinetostatics.strokes import reach
+from tmm_report.chapters.lever.kinetostatics.given import ByAngle, Constant, Force, Loads, Moment
+from tmm_report.chapters.lever.kinetostatics.quantities.cycle import ranges
+from tmm_report.chapters.lever.kinetostatics.solve.drawn_cycle import sampled
+from tmm_report.chapters.lever.kinetostatics.solve.indicator_strokes import reach
+from tmm_report.chapters.lever.kinetostatics.solve.positions import at, stated
 
 NAMES = (
     "compressor",

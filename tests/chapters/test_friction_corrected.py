@@ -6,16 +6,17 @@ import numpy as np
 import pytest
 
 from tmm_report import course
-from tmm_report.chapters.friction import corrected as corrections
-from tmm_report.chapters.friction import quantities
-from tmm_report.chapters.friction import solve as friction
-from tmm_report.chapters.friction.given import Friction, Rubbing
-from tmm_report.chapters.kinetostatics.solve import resultants
-from tmm_report.mechanics import friction as law
-from tmm_report.mechanics import rubbing, statics
-from tmm_report.mechanics.materials import BRONZE, IRON, STEEL, TABLE, Stock, materials, mean, stock
-from tmm_report.mechanics.statics import Load
-from tmm_report.mechanics.structure import Pair
+from tmm_report.chapters.lever.friction import corrected as corrections
+from tmm_report.chapters.lever.friction import quantities
+from tmm_report.chapters.lever.friction import solve as friction
+from tmm_report.chapters.lever.friction.given import Friction, Rubbing
+from tmm_report.chapters.lever.kinetostatics.solve.positions import resultants
+from tmm_report.mechanics.lever.assur_groups import Pair
+from tmm_report.mechanics.lever.forces import reactions as statics
+from tmm_report.mechanics.lever.forces import reactions_with_friction
+from tmm_report.mechanics.lever.forces.reactions import Load
+from tmm_report.mechanics.pairs import friction as law
+from tmm_report.mechanics.pairs.materials import BRONZE, IRON, STEEL, TABLE, Stock, materials, mean, stock
 from tmm_report.problems import ProblemError
 
 R, L, FORCE = 0.05, 0.2, 1000.0
@@ -136,7 +137,7 @@ def test_reactions_and_friction_belong_to_one_another(compressor):
     loads = dict(resultants(compressor.lever.kinetostatics.given, motion, solved.loading))
     for loss in found.pairs:
         stated = friction.rubbing_of(given, loss.pair)
-        rate = rubbing.relative_rate(motion, loss.pair)
+        rate = reactions_with_friction.relative_rate(motion, loss.pair)
         rate = np.where(
             np.abs(rate) < 1e-9 * np.abs(rate).max(), 0.0, rate
         )  # at its extremes a slider stands still
@@ -162,7 +163,7 @@ def test_newton_finds_what_plain_iteration_finds(compressor):
     rng = np.random.default_rng(7)
     force = rng.normal(size=(4, 5, 6)) + 1j * rng.normal(size=(4, 5, 6))
     force[:, 1:] *= 0.05
-    found, steps, borne = rubbing._equilibrium(force, np.zeros_like(force))
+    found, steps, borne = reactions_with_friction._equilibrium(force, np.zeros_like(force))
     x = np.zeros((4, 6))
     for _ in range(200):
         x = np.abs(force[:, 0] + np.einsum("jkp,kp->jp", force[:, 1:], x))
@@ -334,14 +335,16 @@ def test_the_force_on_a_tilting_slider_is_worked_out_from_its_moment():
 
 def test_of_two_equilibria_that_is_taken_which_grows_from_no_friction():
     """x = |1.5 x − 1| holds at 0.4 and at 2; as friction grows from nothing x falls from 1 to 0.4."""
-    x, _, borne = rubbing._equilibrium(np.array([[[-1.0], [1.5]]]) + 0j, np.zeros((1, 2, 1)) + 0j)
+    x, _, borne = reactions_with_friction._equilibrium(
+        np.array([[[-1.0], [1.5]]]) + 0j, np.zeros((1, 2, 1)) + 0j
+    )
     assert x[0, 0] == pytest.approx(0.4) and borne[0] == 1
 
 
 def test_newton_takes_the_ends_of_a_tilted_slider():
     """x = |10 + 0.5 x| of its couple: its slope, not that of the force, leads there in one step."""
     force, couple = np.array([[[1.0], [-0.9]]]) + 0j, np.array([[[10.0], [0.5]]]) + 0j
-    x, steps, borne = rubbing._equilibrium(force, couple)
+    x, steps, borne = reactions_with_friction._equilibrium(force, couple)
     assert x[0, 0] == pytest.approx(20) and borne[0] == 1 and steps == 1
 
 
@@ -380,14 +383,14 @@ def test_the_sliding_velocity_in_a_slot_beside_the_pivot_by_differences():
     along = ((block - start) / (s.u["3"] * pair.along["3"])).real
     step = (solved.turned[2] - solved.turned[0]) / abs(motion.omega)
     middle = (along[2:] - along[:-2]) / step
-    np.testing.assert_allclose(rubbing.relative_rate(motion, pair)[1:-1], middle, atol=1e-3)
+    np.testing.assert_allclose(reactions_with_friction.relative_rate(motion, pair)[1:-1], middle, atol=1e-3)
 
 
 def test_positions_without_reactions_stay_without_a_number():
     """Where a group is singular its reactions are nan: such a position is neither jammed nor solved."""
     force = np.ones((2, 3, 4)) * (0.1 + 0.2j)
     force[..., 2] = np.nan
-    x, _, borne = rubbing._equilibrium(force, np.zeros_like(force))
+    x, _, borne = reactions_with_friction._equilibrium(force, np.zeros_like(force))
     np.testing.assert_array_equal(np.isnan(x[0]), [False, False, True, False])
     assert (borne == 1).all()
 

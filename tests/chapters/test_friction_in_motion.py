@@ -11,10 +11,10 @@ from conftest import solved
 from notes import VARIANTS
 
 from tmm_report import course, render
-from tmm_report.chapters.dynamics import quantities as motion_quantities
-from tmm_report.chapters.flywheel import quantities as wheel_quantities
-from tmm_report.chapters.friction import solve as friction
-from tmm_report.chapters.kinetostatics.solve import at, stated
+from tmm_report.chapters.lever.friction import solve as friction
+from tmm_report.chapters.lever.kinetostatics.solve.positions import at, stated
+from tmm_report.chapters.machine.dynamics import quantities as motion_quantities
+from tmm_report.chapters.machine.flywheel import quantities as wheel_quantities
 from tmm_report.problems import ProblemError
 
 CASE = Path(__file__).parents[1] / "cases/machine/friction_left_out_of_power.yaml"

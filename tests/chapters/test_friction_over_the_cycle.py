@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from conftest import solved
 
-from tmm_report.chapters.friction import quantities as q
-from tmm_report.chapters.friction.solve import rubbing_of
-from tmm_report.chapters.kinetostatics.solve import at, stated
-from tmm_report.mechanics.rubbing import relative_rate
+from tmm_report.chapters.lever.friction import quantities as q
+from tmm_report.chapters.lever.friction.solve import rubbing_of
+from tmm_report.chapters.lever.kinetostatics.solve.positions import at, stated
+from tmm_report.mechanics.lever.forces.reactions_with_friction import relative_rate
 
 NAMES = ("crank_rocker", "press", "engine_four_stroke")
 

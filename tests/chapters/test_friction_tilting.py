@@ -9,12 +9,13 @@ import pytest
 from conftest import solved
 
 from tmm_report import course
-from tmm_report.chapters.friction import solve as friction
-from tmm_report.chapters.friction.solve import rubbing_of
-from tmm_report.chapters.kinetostatics.solve import at, resultants, stated
-from tmm_report.mechanics import rubbing, statics
-from tmm_report.mechanics.planar import cross, dot
-from tmm_report.mechanics.statics import Load
+from tmm_report.chapters.lever.friction import solve as friction
+from tmm_report.chapters.lever.friction.solve import rubbing_of
+from tmm_report.chapters.lever.kinetostatics.solve.positions import at, resultants, stated
+from tmm_report.mechanics.calculus.vectors import cross, dot
+from tmm_report.mechanics.lever.forces import reactions as statics
+from tmm_report.mechanics.lever.forces import reactions_with_friction
+from tmm_report.mechanics.lever.forces.reactions import Load
 
 CASES = Path(__file__).parents[1] / "cases/mechanics"
 BESIDE = """
@@ -48,7 +49,7 @@ def by_hand(given, motion, reactions):
     for one in reactions.values():
         if (of := rubbing_of(given, one.pair)) is None:
             continue
-        rate = np.abs(rubbing.relative_rate(motion, one.pair))
+        rate = np.abs(reactions_with_friction.relative_rate(motion, one.pair))
         if one.pair.kind == "R":
             lost += of.coefficient * np.abs(one.force) * of.diameter / 2 * rate
         else:
@@ -173,7 +174,7 @@ def test_the_teeth_press_the_flank_of_the_whole_moment(rotation):
     found, motion = lever.friction.corrected.table, before.motion
     loads = dict(resultants(lever.kinetostatics.given, motion, before.loading))
     for loss in found.pairs:
-        of, rate = rubbing_of(given, loss.pair), rubbing.signed_rate(motion, loss.pair)
+        of, rate = rubbing_of(given, loss.pair), reactions_with_friction.signed_rate(motion, loss.pair)
         sense = np.where(np.abs(rate) < 1e-9 * np.abs(rate).max(), 0.0, np.sign(rate))
         brake = -of.coefficient * loss.pressing * sense
         for sign, link in zip((-1, 1), loss.pair.links, strict=True):

@@ -9,9 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tmm_report import course
-from tmm_report.chapters.drive import solve as drive
-from tmm_report.chapters.spur import solve as spur
-from tmm_report.chapters.spur.motion import sliding_limit
+from tmm_report.chapters.gears.drive import solve as drive
+from tmm_report.chapters.gears.spur.solve import pair as spur
+from tmm_report.chapters.gears.spur.solve.motion import sliding_limit
 from tmm_report.problems import ProblemError
 
 GIVEN = {

@@ -12,11 +12,11 @@ import pytest
 from conftest import read, stating
 
 from tmm_report import course
-from tmm_report.chapters.kinetostatics.gear_view import GearView
+from tmm_report.chapters.lever.kinetostatics.view.driving_gear import GearView
 from tmm_report.course import loads
 from tmm_report.i18n import Translator
-from tmm_report.mechanics.gear_drive import GearDrive
-from tmm_report.mechanics.planar import cross
+from tmm_report.mechanics.calculus.vectors import cross
+from tmm_report.mechanics.lever.forces.force_on_crank_gear import GearDrive
 from tmm_report.problems import ProblemError
 from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
@@ -84,7 +84,7 @@ def test_the_force_plan_of_the_driving_link_gives_the_force_and_the_reaction(nam
 
 
 def test_extremes_of_the_force_are_those_of_the_moment():
-    from tmm_report.chapters.kinetostatics import quantities
+    from tmm_report.chapters.lever.kinetostatics.quantities import positions as quantities
 
     found = solved().lever
     values = {value.key: value for value in quantities.values(found.kinetostatics)}

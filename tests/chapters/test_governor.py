@@ -11,9 +11,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tmm_report import course
-from tmm_report.chapters.governor import direct
-from tmm_report.chapters.governor.given import Choice, Direct
-from tmm_report.mechanics import governor as g
+from tmm_report.chapters.machine.governor.given import Choice, Direct
+from tmm_report.chapters.machine.governor.solve import by_itself as direct
+from tmm_report.mechanics.machine.governor import equilibrium as g
 from tmm_report.problems import ProblemError
 
 PORTER = g.Arms(0.30, 0.28, 0.02, 0.04)

@@ -13,10 +13,10 @@ from conftest import solved
 from notes import note
 
 from tmm_report import course, render
-from tmm_report.chapters.governor import view as views
-from tmm_report.chapters.governor.brake_view import BrakeView
-from tmm_report.chapters.governor.draw import scheme
-from tmm_report.chapters.governor.loop_view import LoopView
+from tmm_report.chapters.machine.governor.draw import scheme
+from tmm_report.chapters.machine.governor.view import whole as views
+from tmm_report.chapters.machine.governor.view.brake import BrakeView
+from tmm_report.chapters.machine.governor.view.in_loop import LoopView
 from tmm_report.figures.drawing import Circle
 from tmm_report.i18n import Translator
 from tmm_report.report.formats import Html

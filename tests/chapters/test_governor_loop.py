@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tmm_report import course, render
-from tmm_report.mechanics import governor_loop as small
+from tmm_report.mechanics.machine.governor import stability as small
 from tmm_report.problems import ProblemError
 
 LOOP = small.Loop(J=60, D=2.8, M=400, supply=0.9, m=53, k=900, S=1220, R=91, omega=10, h=0.06)

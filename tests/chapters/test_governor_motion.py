@@ -7,10 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tmm_report.mechanics import governor as g
-from tmm_report.mechanics import governor_loop as small
-from tmm_report.mechanics import governor_motion as large
-from tmm_report.mechanics.governor_brake import Brake
+from tmm_report.mechanics.machine.governor import equilibrium as g
+from tmm_report.mechanics.machine.governor import response as large
+from tmm_report.mechanics.machine.governor import stability as small
+from tmm_report.mechanics.machine.governor.brake import Brake
 
 ARMS = g.Arms(0.3, 0.3, 0.0, 0.04)
 LOWEST = 0.15

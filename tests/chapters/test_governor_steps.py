@@ -7,10 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tmm_report.mechanics import governor as g
-from tmm_report.mechanics import governor_motion as large
-from tmm_report.mechanics.governor_loop import Servo
-from tmm_report.mechanics.governor_steps import follow, follow_stiff
+from tmm_report.mechanics.machine.governor import equilibrium as g
+from tmm_report.mechanics.machine.governor import response as large
+from tmm_report.mechanics.machine.governor.stability import Servo
+from tmm_report.mechanics.machine.governor.steps import follow, follow_stiff
 
 
 def swing(t: float, y: list[float]) -> list[float]:

@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 from notes import VARIANTS
 
 from tmm_report import course
-from tmm_report.chapters.harmonics.given import Given
-from tmm_report.chapters.harmonics.solve import Found, solve
-from tmm_report.chapters.machine import Moving
-from tmm_report.mechanics import fourier
+from tmm_report.chapters.lever.moving import Moving
+from tmm_report.chapters.machine.harmonics.given import Given
+from tmm_report.chapters.machine.harmonics.solve import Found, solve
+from tmm_report.mechanics.calculus import harmonics as fourier
 from tmm_report.problems import ProblemError
 
 

@@ -10,11 +10,11 @@ from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
 
 from tmm_report import course
-from tmm_report.chapters.friction.given import Friction
-from tmm_report.chapters.kinetostatics.loads import ByDisplacement, ByStrokes, Loads
-from tmm_report.chapters.plans.given import Drawing
+from tmm_report.chapters.lever.friction.given import Friction
+from tmm_report.chapters.lever.kinetostatics.given import ByDisplacement, ByStrokes, Loads
+from tmm_report.chapters.lever.plans.given import Drawing
 from tmm_report.course import Results, Variant
-from tmm_report.mechanics.mechanism import FRAME, Assembly, ZeroAngle
+from tmm_report.mechanics.lever.mechanism import FRAME, Assembly, ZeroAngle
 
 few = settings(
     max_examples=examples(4),

@@ -10,7 +10,7 @@ import pytest
 from conftest import FILES, read, stating, unread
 
 from tmm_report import course
-from tmm_report.chapters.force_plans.lever import Lever
+from tmm_report.chapters.lever.force_plans.lever import Lever
 from tmm_report.course import loads
 
 NAMES = [path.stem for path in FILES]

@@ -5,8 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tmm_report.chapters.kinetostatics import solve as kinetostatics
-from tmm_report.chapters.kinetostatics.loads import (
+from tmm_report.chapters.lever.kinetostatics.given import (
     ByAngle,
     ByDisplacement,
     ByPosition,
@@ -15,6 +14,7 @@ from tmm_report.chapters.kinetostatics.loads import (
     Loads,
     Moment,
 )
+from tmm_report.chapters.lever.kinetostatics.solve import positions as kinetostatics
 
 TWELVE = tuple(float(x) for x in (5, 1, 4, 2, 8, 0, -3, 7, 6, 2, 9, 1))
 

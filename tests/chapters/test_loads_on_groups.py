@@ -10,8 +10,8 @@ import pytest
 from conftest import FILES, read, stating, unread
 
 from tmm_report import course
-from tmm_report.chapters.force_plans.drafting.plan import ForceDrawn, ForcePlan
-from tmm_report.mechanics.planar import cross
+from tmm_report.chapters.lever.force_plans.drafting.plan import ForceDrawn, ForcePlan
+from tmm_report.mechanics.calculus.vectors import cross
 
 NAMES = [path.stem for path in FILES]
 

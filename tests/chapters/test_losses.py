@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from tmm_report.chapters.friction import solve as friction
-from tmm_report.chapters.friction.given import Friction, Rubbing
-from tmm_report.mechanics.mechanism import FRAME
+from tmm_report.chapters.lever.friction import solve as friction
+from tmm_report.chapters.lever.friction.given import Friction, Rubbing
+from tmm_report.mechanics.lever.mechanism import FRAME
 
 STEP = 1e-4
 

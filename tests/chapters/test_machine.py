@@ -9,8 +9,8 @@ import pytest
 from conftest import read, solved, stating
 
 from tmm_report import course
-from tmm_report.chapters.kinetostatics.loads import ByAngle, ByDisplacement, Constant, Force, Loads
-from tmm_report.chapters.machine import Moving, machine
+from tmm_report.chapters.lever.kinetostatics.given import ByAngle, ByDisplacement, Constant, Force, Loads
+from tmm_report.chapters.lever.moving import Moving, machine
 from tmm_report.problems import ProblemError
 
 

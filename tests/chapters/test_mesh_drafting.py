@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from tmm_report import course
-from tmm_report.chapters.spur import solve as spur
-from tmm_report.chapters.spur.mesh import SCALES, TOOTH
-from tmm_report.chapters.spur.readings import Reading, read_off
-from tmm_report.mechanics.polygons import clearance
+from tmm_report.chapters.gears.spur.solve import pair as spur
+from tmm_report.chapters.gears.spur.solve.mesh import SCALES, TOOTH
+from tmm_report.chapters.gears.spur.solve.readings import Reading, read_off
+from tmm_report.mechanics.calculus.polygons import clearance
 from tmm_report.quantity.paper import ACCURACY
 
 GIVEN = {

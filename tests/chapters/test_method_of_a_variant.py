@@ -9,18 +9,18 @@ import pytest
 from conftest import read, solved, stating
 from typer.testing import CliRunner
 
-from tmm_report.chapters.kinematics.given import AUTO, Way
-from tmm_report.chapters.methods.given import Comparison
-from tmm_report.chapters.methods.quantities import tables
-from tmm_report.chapters.methods.view import MethodsView
+from tmm_report.chapters.lever.kinematics.given import AUTO, Way
+from tmm_report.chapters.lever.methods.given import Comparison
+from tmm_report.chapters.lever.methods.quantities import tables
+from tmm_report.chapters.lever.methods.view import MethodsView
 from tmm_report.cli import app
 from tmm_report.commands.files import render
 from tmm_report.course import Variant, loads, solve, solve_lever
 from tmm_report.i18n import Translator
-from tmm_report.mechanics.methods import cost
-from tmm_report.mechanics.methods.choice import ACCURACY, FLOOR, table_of
-from tmm_report.mechanics.methods.motions import motion_method
-from tmm_report.mechanics.methods.trials import SAME, worst
+from tmm_report.mechanics.rivals import cost
+from tmm_report.mechanics.rivals.choice import ACCURACY, FLOOR, table_of
+from tmm_report.mechanics.rivals.motion.every import motion_method
+from tmm_report.mechanics.rivals.trials import SAME, worst
 from tmm_report.problems import ProblemError
 from tmm_report.report.formats import Html
 from tmm_report.report.layout import Cell

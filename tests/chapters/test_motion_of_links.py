@@ -10,13 +10,13 @@ import pytest
 from conftest import read, solved
 
 from tmm_report import course, render
-from tmm_report.chapters.initial_data import quantities as given
-from tmm_report.chapters.kinematics import analogues
-from tmm_report.chapters.kinematics import quantities as q
-from tmm_report.chapters.kinematics import solve as kinematics
-from tmm_report.chapters.kinematics.travels import bounded
-from tmm_report.chapters.kinematics.working import working_of, working_strokes
-from tmm_report.chapters.structure import solve as structure
+from tmm_report.chapters.lever.initial_data import quantities as given
+from tmm_report.chapters.lever.kinematics import quantities as q
+from tmm_report.chapters.lever.kinematics.solve import analogues
+from tmm_report.chapters.lever.kinematics.solve import positions as kinematics
+from tmm_report.chapters.lever.kinematics.solve.strokes import bounded
+from tmm_report.chapters.lever.kinematics.solve.working_stroke import working_of, working_strokes
+from tmm_report.chapters.lever.structure import solve as structure
 from tmm_report.quantity.model import Book
 
 JAM = """

@@ -7,7 +7,7 @@ import re
 import numpy as np
 import pytest
 
-from tmm_report.chapters.kinematics.travels import Travel
+from tmm_report.chapters.lever.kinematics.solve.strokes import Travel
 from tmm_report.commands.solve import _differences
 from tmm_report.course import loads, solve
 from tmm_report.i18n import Translator

@@ -7,7 +7,7 @@ import re
 import pytest
 from conftest import solved
 
-from tmm_report.chapters.plans.draw import plan_picture
+from tmm_report.chapters.lever.plans.draw import plan_picture
 from tmm_report.figures.drawing import svg, tikz
 
 SOME = ["compressor", "quick_return", "parallelogram_drive", "hacksaw", "press"]

@@ -10,7 +10,7 @@ from conftest import read
 from notes import VARIANTS
 
 from tmm_report import course, render, yamlread
-from tmm_report.chapters.plans.draw import plan_picture
+from tmm_report.chapters.lever.plans.draw import plan_picture
 from tmm_report.problems import ProblemError
 from tmm_report.quantity.paper import LONGEST, ROUND, fitting_scale, segment_scale
 

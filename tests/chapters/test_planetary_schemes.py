@@ -5,10 +5,10 @@ from dataclasses import replace
 import pytest
 
 from tmm_report import course
-from tmm_report.chapters.planetary import solve as planetary
-from tmm_report.chapters.planetary.schemes import WORTH, choose
-from tmm_report.mechanics.planetary import SCHEMES
-from tmm_report.mechanics.planetary_search import Task
+from tmm_report.chapters.gears.planetary.solve import stage as planetary
+from tmm_report.chapters.gears.planetary.solve.schemes import WORTH, choose
+from tmm_report.mechanics.gears.planetary.search import Task
+from tmm_report.mechanics.gears.planetary.stage import SCHEMES
 from tmm_report.problems import ProblemError
 
 NAMES = ("1", "2", "2'", "3", "H")

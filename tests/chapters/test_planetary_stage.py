@@ -9,19 +9,19 @@ import pytest
 from markupsafe import Markup
 from pydantic import ValidationError
 
-from tmm_report.chapters.planetary import listing
-from tmm_report.chapters.planetary import quantities as tables
-from tmm_report.chapters.planetary.block import PlanetaryModel, build
-from tmm_report.chapters.planetary.draw import front
-from tmm_report.chapters.planetary.solve import Found, solve
-from tmm_report.chapters.planetary.view import PlanetaryView
+from tmm_report.chapters.gears.planetary.block import PlanetaryModel, build
+from tmm_report.chapters.gears.planetary.draw import front
+from tmm_report.chapters.gears.planetary.quantities import search as listing
+from tmm_report.chapters.gears.planetary.quantities import stage as tables
+from tmm_report.chapters.gears.planetary.solve.stage import Found, solve
+from tmm_report.chapters.gears.planetary.view.stage import PlanetaryView
 from tmm_report.figures.drawing import svg
 from tmm_report.i18n import Translator
-from tmm_report.mechanics import trains
-from tmm_report.mechanics.planetary import EXTERNAL
-from tmm_report.mechanics.planetary_search import Reason
-from tmm_report.mechanics.spur import Rack
-from tmm_report.mechanics.teeth import external, over_pitch, ring
+from tmm_report.mechanics.gears import trains
+from tmm_report.mechanics.gears.meshing import Rack
+from tmm_report.mechanics.gears.planetary.search import Reason
+from tmm_report.mechanics.gears.planetary.stage import EXTERNAL
+from tmm_report.mechanics.gears.tooth_outlines import external, over_pitch, ring
 from tmm_report.problems import ProblemError
 from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
@@ -182,7 +182,7 @@ def rendered(found: Found, language: str = "en") -> str:
     shared["m"] = template("macros.html.j2").make_module(shared)
     page.numbering.section("Gears")
     view = PlanetaryView(found, page, "drive1")
-    return page.numbering.resolved(template("chapters/planetary.j2").render({**shared, "view": view}))
+    return page.numbering.resolved(template("chapters/gears/planetary.j2").render({**shared, "view": view}))
 
 
 def plain(text: str) -> str:

@@ -7,15 +7,15 @@ import pytest
 from pydantic import ValidationError
 
 from tmm_report import course
-from tmm_report.chapters.drive import bounds
-from tmm_report.chapters.drive import solve as drive
-from tmm_report.chapters.drive.block import DriveModel
-from tmm_report.chapters.drive.block import build as build_drive
-from tmm_report.chapters.planetary.block import PlanetaryModel, build
-from tmm_report.chapters.planetary.quantities import tables
-from tmm_report.chapters.planetary.solve import solve
-from tmm_report.mechanics.involute import inv
-from tmm_report.mechanics.teeth import external, over_pitch, ring
+from tmm_report.chapters.gears.drive import bounds
+from tmm_report.chapters.gears.drive import solve as drive
+from tmm_report.chapters.gears.drive.block import DriveModel
+from tmm_report.chapters.gears.drive.block import build as build_drive
+from tmm_report.chapters.gears.planetary.block import PlanetaryModel, build
+from tmm_report.chapters.gears.planetary.quantities.stage import tables
+from tmm_report.chapters.gears.planetary.solve.stage import solve
+from tmm_report.mechanics.gears.involute import inv
+from tmm_report.mechanics.gears.tooth_outlines import external, over_pitch, ring
 from tmm_report.problems import ProblemError
 
 STAGE = {

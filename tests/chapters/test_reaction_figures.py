@@ -4,10 +4,15 @@ import numpy as np
 import pytest
 from conftest import read, solved
 
-from tmm_report.chapters.kinetostatics.draw import graphs_of, load_diagrams, reaction, reaction_diagrams
-from tmm_report.chapters.kinetostatics.extreme_tables import at
-from tmm_report.chapters.kinetostatics.hodographs import SHEET, hodographs, indicated, sheets
-from tmm_report.chapters.kinetostatics.sampled import sampled
+from tmm_report.chapters.lever.kinetostatics.quantities.cycle import at
+from tmm_report.chapters.lever.kinetostatics.solve.drawn_cycle import sampled
+from tmm_report.chapters.lever.kinetostatics.view.diagrams import (
+    graphs_of,
+    load_diagrams,
+    reaction,
+    reaction_diagrams,
+)
+from tmm_report.chapters.lever.kinetostatics.view.hodographs import SHEET, hodographs, indicated, sheets
 from tmm_report.figures.drawing import Path
 from tmm_report.i18n import Translator
 

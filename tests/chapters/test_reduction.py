@@ -10,8 +10,8 @@ from conftest import read, solved, stating
 from notes import VARIANTS
 
 from tmm_report import course
-from tmm_report.chapters.kinematics.given import Positions
-from tmm_report.chapters.kinetostatics.solve import external_power, kinetic_energy
+from tmm_report.chapters.lever.kinematics.given import Positions
+from tmm_report.chapters.lever.kinetostatics.solve.positions import external_power, kinetic_energy
 from tmm_report.problems import ProblemError
 
 FINE = 720

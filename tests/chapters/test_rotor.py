@@ -11,12 +11,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tmm_report import course, render
-from tmm_report.chapters.rotor.draw import polygon_picture, scheme
-from tmm_report.chapters.rotor.given import Given, Heavy, Plane, Steps
-from tmm_report.chapters.rotor.quantities import tables, values
-from tmm_report.chapters.rotor.solve import solve
+from tmm_report.chapters.machine.rotor.draw import polygon_picture, scheme
+from tmm_report.chapters.machine.rotor.given import Given, Heavy, Plane, Steps
+from tmm_report.chapters.machine.rotor.quantities import tables, values
+from tmm_report.chapters.machine.rotor.solve import solve
 from tmm_report.figures.drawing import Arrow
-from tmm_report.mechanics import rotor
+from tmm_report.mechanics.masses import rotor
 from tmm_report.problems import ProblemError
 from tmm_report.quantity.model import Book
 

@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tmm_report.chapters.kinematics import solve as kinematics
-from tmm_report.chapters.structure import solve as structure
-from tmm_report.mechanics import statics
-from tmm_report.mechanics.planar import cross
+from tmm_report.chapters.lever.kinematics.solve import positions as kinematics
+from tmm_report.chapters.lever.structure import solve as structure
+from tmm_report.mechanics.calculus.vectors import cross
+from tmm_report.mechanics.lever.forces import reactions as statics
 
 
 def scaled(m, factor: float):

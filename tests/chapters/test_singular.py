@@ -9,9 +9,9 @@ import pytest
 
 from tmm_report import render, solve
 from tmm_report.course import loads
-from tmm_report.mechanics.assembly import assemble
-from tmm_report.mechanics.cycle import cycle_of
-from tmm_report.mechanics.mechanism import Driver, Link, Mechanism, ZeroAngle
+from tmm_report.mechanics.lever.assembly.stated import assemble
+from tmm_report.mechanics.lever.cycle import cycle_of
+from tmm_report.mechanics.lever.mechanism import Driver, Link, Mechanism, ZeroAngle
 
 PARALLELOGRAM = """\
 language: en

@@ -8,14 +8,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tmm_report.chapters.spur import solve as spur
-from tmm_report.chapters.spur.formulas import SpurFormulas
-from tmm_report.chapters.spur.mesh import Mesh
-from tmm_report.chapters.spur.quantities import book, tables, values
-from tmm_report.chapters.spur.sizes import choose_teeth
-from tmm_report.mechanics.blocking import Blocking
-from tmm_report.mechanics.spur import Rack
-from tmm_report.mechanics.trains import Train, speeds
+from tmm_report.chapters.gears.spur.formulas import SpurFormulas
+from tmm_report.chapters.gears.spur.quantities import book, tables, values
+from tmm_report.chapters.gears.spur.solve import pair as spur
+from tmm_report.chapters.gears.spur.solve.mesh import Mesh
+from tmm_report.chapters.gears.spur.solve.sizes import choose_teeth
+from tmm_report.mechanics.gears.limits.blocking_contour import Blocking
+from tmm_report.mechanics.gears.meshing import Rack
+from tmm_report.mechanics.gears.trains import Train, speeds
 from tmm_report.problems import ProblemError
 from tmm_report.quantity.formula import Formula, agrees
 

@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 from notes import VARIANTS
 
 from tmm_report import course
-from tmm_report.chapters.vibration import quantities
-from tmm_report.mechanics import ode
-from tmm_report.mechanics import vibration as vib
-from tmm_report.mechanics.vibration import Body
+from tmm_report.chapters.machine.vibration import quantities
+from tmm_report.mechanics.calculus import ode
+from tmm_report.mechanics.masses import vibration as vib
+from tmm_report.mechanics.masses.vibration import Body
 from tmm_report.problems import ProblemError
 
 ZETAS = st.floats(0.0, 3.0)

@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from tmm_report import course, note
-from tmm_report.chapters.vibration import quantities
+from tmm_report.chapters.machine.vibration import quantities
 from tmm_report.i18n import Translator
 from tmm_report.problems import ProblemError
 

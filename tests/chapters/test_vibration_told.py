@@ -9,10 +9,10 @@ from notes import VARIANTS
 from test_vibration import MACHINE, complaint, vibration
 
 from tmm_report import course, note
-from tmm_report.chapters.vibration import quantities
+from tmm_report.chapters.machine.vibration import quantities
 from tmm_report.i18n import Translator
-from tmm_report.mechanics import vibration as vib
-from tmm_report.mechanics.vibration import Body
+from tmm_report.mechanics.masses import vibration as vib
+from tmm_report.mechanics.masses.vibration import Body
 
 
 def page(text: str) -> str:

@@ -12,11 +12,11 @@ from hypothesis import strategies as st
 from notes import VARIANTS
 
 from tmm_report import course, note
-from tmm_report.chapters.kinetostatics.solve import at, stated
-from tmm_report.chapters.wear import quantities
-from tmm_report.chapters.wear.given import Coefficient
+from tmm_report.chapters.lever.kinetostatics.solve.positions import at, stated
+from tmm_report.chapters.machine.wear import quantities
+from tmm_report.chapters.machine.wear.given import Coefficient
 from tmm_report.i18n import Translator
-from tmm_report.mechanics import wear
+from tmm_report.mechanics.pairs import wear
 from tmm_report.problems import ProblemError
 
 TEXT = VARIANTS.joinpath("forging_machine_wear.yaml").read_text(encoding="utf-8")

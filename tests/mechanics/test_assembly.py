@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from schemes import KINDS, ROOTED, SCHEMES, linkage
 
-from tmm_report.mechanics.assembly import assemble, keys_of
-from tmm_report.mechanics.mechanism import Assembly
-from tmm_report.mechanics.motion import solve
+from tmm_report.mechanics.lever.assembly.stated import assemble, keys_of
+from tmm_report.mechanics.lever.mechanism import Assembly
+from tmm_report.mechanics.lever.motion import solve
 from tmm_report.problems import ProblemError
 
 

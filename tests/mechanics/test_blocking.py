@@ -5,12 +5,12 @@ import pickle
 import numpy as np
 import pytest
 
-from tmm_report.mechanics import spur
-from tmm_report.mechanics.blocking import Blocking
-from tmm_report.mechanics.isolines import isolines
-from tmm_report.mechanics.pair_limits import limits_of
-from tmm_report.mechanics.polygons import inside
-from tmm_report.mechanics.spur import Rack
+from tmm_report.mechanics.calculus.isolines import isolines
+from tmm_report.mechanics.calculus.polygons import inside
+from tmm_report.mechanics.gears import meshing
+from tmm_report.mechanics.gears.limits.blocking_contour import Blocking
+from tmm_report.mechanics.gears.limits.pair import limits_of
+from tmm_report.mechanics.gears.meshing import Rack
 
 REFERENCE = Blocking(14, 28, 0.006, Rack())
 CASES = [REFERENCE, Blocking(12, 12, 1.0, Rack()), Blocking(20, 60, 1.0, Rack(), internal=True),
@@ -86,7 +86,7 @@ def test_the_rule_of_the_course_lacks_what_the_reference_pair_lacks():
     (lack,) = REFERENCE.lacks(CHOSEN)
     assert (lack.limit.kind, lack.limit.wheel) == ("undercut", 1)
     assert lack.lack == pytest.approx(0.18116 - 0.17647, abs=1e-5)
-    exact = float(spur.least_shift(14, Rack()))
+    exact = float(meshing.least_shift(14, Rack()))
     assert REFERENCE.nearest(CHOSEN) == pytest.approx(exact + 0.5625j, abs=1e-9)
     assert REFERENCE.nearest_at_distance(CHOSEN) == pytest.approx(
         exact + 1j * (CHOSEN.real + CHOSEN.imag - exact), abs=1e-9
@@ -94,7 +94,7 @@ def test_the_rule_of_the_course_lacks_what_the_reference_pair_lacks():
 
 
 def test_the_nearest_point_may_be_a_corner():
-    exact = float(spur.least_shift(12, Rack()))
+    exact = float(meshing.least_shift(12, Rack()))
     assert CASES[1].nearest(0j) == pytest.approx(exact * (1 + 1j), abs=1e-9)
     assert CASES[1].nearest_at_distance(0j) is None
 

@@ -10,10 +10,10 @@ from higher_checks import beside, jumps, unclosed
 from higher_schemes import drawn
 
 from tmm_report import course
-from tmm_report.mechanics.assembly import assemble
-from tmm_report.mechanics.cycle import Cycle, cycle_of
-from tmm_report.mechanics.higher import HigherGroup, Run
-from tmm_report.mechanics.mechanism import Mechanism, ZeroAngle, ZeroExtreme
+from tmm_report.mechanics.lever.assembly.stated import assemble
+from tmm_report.mechanics.lever.cycle import Cycle, cycle_of
+from tmm_report.mechanics.lever.high_class.newton import HigherGroup, Run
+from tmm_report.mechanics.lever.mechanism import Mechanism, ZeroAngle, ZeroExtreme
 from tmm_report.problems import ProblemError
 
 FULL_TURN = 2 * np.pi

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from tmm_report.course import loads
-from tmm_report.mechanics.assemblies import assemblies
-from tmm_report.mechanics.assembly import assemble
-from tmm_report.mechanics.cycle import cycle_of
-from tmm_report.mechanics.motion import solve
+from tmm_report.mechanics.lever.assembly.all_roots import assemblies
+from tmm_report.mechanics.lever.assembly.stated import assemble
+from tmm_report.mechanics.lever.cycle import cycle_of
+from tmm_report.mechanics.lever.motion import solve
 
 BESIDE = np.array([1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-3, 1e-2])
 

@@ -12,12 +12,12 @@ import pytest
 sys.path.append(str(Path(__file__).parents[2]))
 from benchmarks.random_groups.draw import draw
 from tmm_report.course import loads
-from tmm_report.mechanics.assembly import assemble
-from tmm_report.mechanics.branch.crossing import ahead
-from tmm_report.mechanics.branch.curve import Curve, Node
-from tmm_report.mechanics.branch.known import PANELS, KnownPart
-from tmm_report.mechanics.branch.trace import trace
-from tmm_report.mechanics.cycle import cycle_of
+from tmm_report.mechanics.lever.assembly.stated import assemble
+from tmm_report.mechanics.lever.cycle import cycle_of
+from tmm_report.mechanics.lever.high_class.branch.crossing import ahead
+from tmm_report.mechanics.lever.high_class.branch.curve import Curve, Node
+from tmm_report.mechanics.lever.high_class.branch.known import PANELS, KnownPart
+from tmm_report.mechanics.lever.high_class.branch.trace import trace
 
 
 class Cubic(Curve):

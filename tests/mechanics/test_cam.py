@@ -4,11 +4,12 @@ import numpy as np
 import pytest
 
 from tmm_report import course
-from tmm_report.mechanics import motion, statics
-from tmm_report.mechanics.assembly import assemble
-from tmm_report.mechanics.cam_group import in_position
-from tmm_report.mechanics.dyads import State, close
-from tmm_report.mechanics.planar import cross, dot
+from tmm_report.mechanics.calculus.vectors import cross, dot
+from tmm_report.mechanics.lever import motion
+from tmm_report.mechanics.lever.assembly.stated import assemble
+from tmm_report.mechanics.lever.cams.replacing_dyad import in_position
+from tmm_report.mechanics.lever.dyads import State, close
+from tmm_report.mechanics.lever.forces import reactions as statics
 
 PHI = np.linspace(0.03, 2 * np.pi + 0.03, 97)
 LAW = "phases: [{rise: 100 deg, law: sine}, {dwell: 30 deg}, {return: 120 deg, law: polynomial}, {dwell: 110 deg}]"

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tmm_report.mechanics.cam_laws import FULL_TURN, LAWS, Phase, Phases, Spline, Tabled
+from tmm_report.mechanics.cams.follower_laws import FULL_TURN, LAWS, Phase, Phases, Spline, Tabled
 
 H = 0.03
 # f' and f'' at their greatest (Artobolevsky, ch. 26; Shigley, Uicker, Theory of machines, ch. 6)

@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from tmm_report.mechanics import characteristics as ch
-from tmm_report.mechanics import shafts
+from tmm_report.mechanics.machine import characteristics as ch
+from tmm_report.mechanics.machine import reduced_train
 
 
 def test_a_shunt_motor_goes_through_its_nominal_point_and_stands_without_moment_at_its_no_load_speed():
@@ -104,14 +104,18 @@ def test_a_fan_resists_by_the_square_of_the_speed_and_a_viscous_moment_by_the_sp
 def test_what_is_reduced_has_the_kinetic_energy_and_the_power_of_the_part():
     omega, ratio, J, mass, arm = 90.0, 0.07, 4.0, 300.0, 0.02
     energy = J * (ratio * omega) ** 2 / 2 + mass * (arm * omega) ** 2 / 2
-    assert (shafts.inertia(ratio, J) + shafts.travelling(mass, arm)) * omega**2 / 2 == pytest.approx(energy)
-    assert shafts.moment(ratio, 50.0, 0.8) * omega * 0.8 == pytest.approx(50.0 * ratio * omega)
-    assert shafts.moment(ratio, -50.0, 0.8) * omega == pytest.approx(-0.8 * 50.0 * ratio * omega)
+    assert (
+        reduced_train.inertia(ratio, J) + reduced_train.travelling(mass, arm)
+    ) * omega**2 / 2 == pytest.approx(energy)
+    assert reduced_train.moment(ratio, 50.0, 0.8) * omega * 0.8 == pytest.approx(50.0 * ratio * omega)
+    assert reduced_train.moment(ratio, -50.0, 0.8) * omega == pytest.approx(-0.8 * 50.0 * ratio * omega)
 
 
 def test_the_best_ratio_beats_its_neighbours():
-    best = shafts.best_ratio(0.6, 45.0, 30.0, 100.0, 0.95)
-    near = [shafts.geared_acceleration(best * k, 0.6, 45.0, 30.0, 100.0, 0.95) for k in (0.97, 1.0, 1.03)]
+    best = reduced_train.best_ratio(0.6, 45.0, 30.0, 100.0, 0.95)
+    near = [
+        reduced_train.geared_acceleration(best * k, 0.6, 45.0, 30.0, 100.0, 0.95) for k in (0.97, 1.0, 1.03)
+    ]
     assert near[1] > near[0] and near[1] > near[2]
 
 
@@ -122,8 +126,8 @@ def test_the_arm_of_a_slider_crank_is_the_slope_of_its_displacement():
         return r * np.cos(phi) + np.sqrt(rod**2 - (r * np.sin(phi)) ** 2)
 
     slope = (place(angle - 1e-6) - place(angle + 1e-6)) / 2e-6
-    assert shafts.crank_arm(angle, r, rod) == pytest.approx(slope, abs=1e-9)
-    assert shafts.crank_arm(angle, r, rod, exact=False) == pytest.approx(slope, abs=0.02 * r)
+    assert reduced_train.crank_arm(angle, r, rod) == pytest.approx(slope, abs=1e-9)
+    assert reduced_train.crank_arm(angle, r, rod, exact=False) == pytest.approx(slope, abs=0.02 * r)
 
 
 @pytest.mark.parametrize("a", [0.0, 0.6, 1.5])

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from tmm_report.mechanics.methods import counts
-from tmm_report.mechanics.methods.counts import COUNTS, Counted, Wanted, counted
-from tmm_report.mechanics.panels import panels
+from tmm_report.mechanics.calculus.panels import panels
+from tmm_report.mechanics.rivals import counts
+from tmm_report.mechanics.rivals.counts import COUNTS, Counted, Wanted, counted
 
 TURN = 2 * np.pi
 OVER = panels(TURN)

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from schemes import mechanism
 
-from tmm_report.mechanics.assembly import assemble
-from tmm_report.mechanics.cycle import Extreme, Slope, cycle_of, larger, least_and_greatest
-from tmm_report.mechanics.mechanism import Assembly, Driver, Guide, Link, Slide, ZeroAngle, ZeroExtreme
+from tmm_report.mechanics.lever.assembly.stated import assemble
+from tmm_report.mechanics.lever.cycle import Extreme, Slope, cycle_of, larger, least_and_greatest
+from tmm_report.mechanics.lever.mechanism import Assembly, Driver, Guide, Link, Slide, ZeroAngle, ZeroExtreme
 from tmm_report.problems import ProblemError
 
 R, L, E = 0.06, 0.22, 0.02

@@ -8,11 +8,11 @@ import schemes
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from tmm_report.mechanics.brackets import dips, lowest
-from tmm_report.mechanics.cycle import Cycle, cycle_of
-from tmm_report.mechanics.mechanism import Guide, Link, Slide
-from tmm_report.mechanics.motion import linkage_of
-from tmm_report.mechanics.structure import decompose
+from tmm_report.mechanics.calculus.brackets import dips, lowest
+from tmm_report.mechanics.lever.assur_groups import decompose
+from tmm_report.mechanics.lever.cycle import Cycle, cycle_of
+from tmm_report.mechanics.lever.mechanism import Guide, Link, Slide
+from tmm_report.mechanics.lever.motion import linkage_of
 
 
 def four_bar(crank: float, rod: float, rocker: float, frame: float, sign: int) -> Cycle:

@@ -14,9 +14,9 @@ from benchmarks.near_singular.bound import EPS, bounded
 from benchmarks.near_singular.closed import chain
 from benchmarks.near_singular.runs import COUNT
 from benchmarks.near_singular.scenes import OMEGA, SCENES
-from tmm_report.chapters.kinematics.digits import digits_left
-from tmm_report.mechanics import motion
-from tmm_report.mechanics.motion import SINGULAR
+from tmm_report.chapters.lever.kinematics.checks.digits_left import digits_left
+from tmm_report.mechanics.lever import motion
+from tmm_report.mechanics.lever.motion import SINGULAR
 
 DISTANCES = (0.3, 1e-2, 1e-4, 1e-6, 1e-9, 1e-12)
 FACTOR = 10  # times the conditioning bound

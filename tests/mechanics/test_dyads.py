@@ -7,8 +7,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from schemes import OMEGA, ROOTED, SCHEMES, linkage, turn
 
-from tmm_report.mechanics import motion
-from tmm_report.mechanics.planar import cross, dot
+from tmm_report.mechanics.calculus.vectors import cross, dot
+from tmm_report.mechanics.lever import motion
 
 scale_factors = st.lists(st.floats(0.94, 1.06), min_size=6, max_size=6)
 

@@ -8,10 +8,10 @@ import schemes
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from tmm_report.mechanics.cycle import Cycle, cycle_of
-from tmm_report.mechanics.mechanism import Guide, Link, Slide
-from tmm_report.mechanics.motion import linkage_of
-from tmm_report.mechanics.structure import decompose
+from tmm_report.mechanics.lever.assur_groups import decompose
+from tmm_report.mechanics.lever.cycle import Cycle, cycle_of
+from tmm_report.mechanics.lever.mechanism import Guide, Link, Slide
+from tmm_report.mechanics.lever.motion import linkage_of
 
 LENGTHS = st.floats(0.3, 3.0)
 BESIDE = st.floats(-12, -3).map(lambda power: 10**power)

@@ -10,12 +10,12 @@ from conftest import examples
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from tmm_report.mechanics import eccentric as ecc
-from tmm_report.mechanics.eccentric_teeth import Cut, Place, assemble, proof
-from tmm_report.mechanics.polygons import overlap
-from tmm_report.mechanics.spur import Rack
-from tmm_report.mechanics.teeth import external, over_pitch, ring
-from tmm_report.mechanics.wheels import least_teeth
+from tmm_report.mechanics.calculus.polygons import overlap
+from tmm_report.mechanics.gears.eccentric import mechanism as ecc
+from tmm_report.mechanics.gears.eccentric.teeth import Cut, Place, assemble, proof
+from tmm_report.mechanics.gears.meshing import Rack
+from tmm_report.mechanics.gears.pair_sizes import least_teeth
+from tmm_report.mechanics.gears.tooth_outlines import external, over_pitch, ring
 
 RACK, M = Rack(), 0.002
 ratios = st.builds(Fraction, st.integers(5, 60), st.integers(1, 8)).filter(lambda u: 1.2 < u < 12)

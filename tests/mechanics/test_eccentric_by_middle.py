@@ -8,10 +8,10 @@ from conftest import examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tmm_report.chapters.eccentric import solve as eccentric
-from tmm_report.mechanics import eccentric as ecc
-from tmm_report.mechanics.eccentric_teeth import Cut, Place, assemble, proof
-from tmm_report.mechanics.spur import Rack
+from tmm_report.chapters.gears.eccentric.solve import mechanism as eccentric
+from tmm_report.mechanics.gears.eccentric import mechanism as ecc
+from tmm_report.mechanics.gears.eccentric.teeth import Cut, Place, assemble, proof
+from tmm_report.mechanics.gears.meshing import Rack
 from tmm_report.problems import ProblemError
 
 M = 0.002

@@ -9,11 +9,11 @@ from higher_schemes import drawn
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from tmm_report.mechanics import assemblies as found_by
-from tmm_report.mechanics import eliminated
-from tmm_report.mechanics.loops import Loops
-from tmm_report.mechanics.motion import Linkage, drive
-from tmm_report.mechanics.structure import decompose
+from tmm_report.mechanics.lever.assembly import all_roots as found_by
+from tmm_report.mechanics.lever.assembly import elimination as eliminated
+from tmm_report.mechanics.lever.assur_groups import decompose
+from tmm_report.mechanics.lever.loop_equations import Loops
+from tmm_report.mechanics.lever.motion import Linkage, drive
 
 SEED = 20
 

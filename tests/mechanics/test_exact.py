@@ -9,16 +9,16 @@ import numpy as np
 import pytest
 
 from tmm_report import course
-from tmm_report.mechanics import motion, structure
-from tmm_report.mechanics.cycle import Cycle, cycle_of
-from tmm_report.mechanics.mechanism import Driver, Guide, Link, Mechanism, Slide
-from tmm_report.mechanics.methods import exact
-from tmm_report.mechanics.methods.exact import forces, gears
-from tmm_report.mechanics.methods.exact.numbers import context, dot, point
-from tmm_report.mechanics.methods.exact.numbers import exact as number
-from tmm_report.mechanics.methods.exact.scheme import Body
-from tmm_report.mechanics.methods.exact.solving import solved
-from tmm_report.mechanics.trains import Member, Mesh
+from tmm_report.mechanics.gears.trains import Member, Mesh
+from tmm_report.mechanics.lever import assur_groups, motion
+from tmm_report.mechanics.lever.cycle import Cycle, cycle_of
+from tmm_report.mechanics.lever.mechanism import Driver, Guide, Link, Mechanism, Slide
+from tmm_report.mechanics.rivals import exact
+from tmm_report.mechanics.rivals.exact import forces, gears
+from tmm_report.mechanics.rivals.exact.numbers import context, dot, point
+from tmm_report.mechanics.rivals.exact.numbers import exact as number
+from tmm_report.mechanics.rivals.exact.scheme import Body
+from tmm_report.mechanics.rivals.exact.solving import solved
 
 VARIANTS = Path(__file__).parents[2] / "variants"
 OWN = mpmath.mp.clone()
@@ -31,7 +31,7 @@ def slider_crank(r: float, l: float) -> Cycle:
     links = {name: Link(name, places) for name, places in points.items()}
     guides = {"x": Guide("x", "0", 0j, 1 + 0j)}
     built = Mechanism(links, Driver("1", 2.0), guides, [Slide("3", "x", 0j, 1 + 0j)])
-    return cycle_of(motion.linkage_of(structure.decompose(built), [1]))
+    return cycle_of(motion.linkage_of(assur_groups.decompose(built), [1]))
 
 
 def by_formula(
@@ -86,7 +86,7 @@ def test_in_a_change_point_the_rates_are_the_limit_from_both_sides() -> None:
         "3": Link("3", {"C": 0j, "B": 1 + 0j}),
     }
     built = Mechanism(links, Driver("1", 3.0))
-    linkage = motion.linkage_of(structure.decompose(built), [1])
+    linkage = motion.linkage_of(assur_groups.decompose(built), [1])
     cycle = cycle_of(linkage)
     found = exact.at(cycle, 0.0)  # a parallelogram folded into a line, exactly
     assert found.poses[0] is not None
@@ -113,7 +113,7 @@ def test_velocities_and_accelerations_are_the_derivatives_of_exact_places(name: 
 
 @pytest.mark.parametrize("name", ["compressor", "quick_return", "whitworth", "cam_press", "elliptic_trammel"])
 def test_the_balancing_moment_has_the_power_that_all_loads_and_the_inertia_lack(name: str) -> None:
-    from tmm_report.chapters.kinetostatics.exactly import acting
+    from tmm_report.chapters.lever.kinetostatics.solve.acting_exact import acting
 
     lever = solved_kinematics(name)
     found, given = lever.kinematics, lever.kinetostatics.given
@@ -142,7 +142,7 @@ def test_the_balancing_moment_has_the_power_that_all_loads_and_the_inertia_lack(
     "name", ["compressor", "whitworth", "engine_four_stroke", "crank_rocker", "parallelogram_drive"]
 )
 def test_exact_loads_are_those_of_the_program_to_rounding(name: str) -> None:
-    from tmm_report.chapters.kinetostatics.exactly import acting
+    from tmm_report.chapters.lever.kinetostatics.solve.acting_exact import acting
 
     lever = solved_kinematics(name)
     found, own = lever.kinematics, lever.kinetostatics.table.loading
@@ -206,7 +206,7 @@ def test_a_planetary_stage_turns_by_willis() -> None:
 
 @pytest.mark.parametrize("apart", [1e-2, 1e-4, 1e-6, 1e-8])
 def test_near_a_dead_point_the_program_keeps_the_digits_that_it_states(apart: float) -> None:
-    from tmm_report.chapters.kinematics.digits import rounding
+    from tmm_report.chapters.lever.kinematics.checks.digits_left import rounding
 
     cycle = slider_crank(1 - apart, 1.0)
     phi = np.pi / 2 + np.array([-1.0, -0.1, -0.01, -0.001, 0.0, 0.001, 0.5])

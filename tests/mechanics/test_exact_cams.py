@@ -7,14 +7,14 @@ import pytest
 from test_cam import PAIRS, SLIDING, linkage_of, text
 
 from tmm_report import course
-from tmm_report.mechanics import motion
-from tmm_report.mechanics.assembly import assemble
-from tmm_report.mechanics.cycle import cycle_of
-from tmm_report.mechanics.methods import exact
-from tmm_report.mechanics.methods.exact.cams import coordinate
-from tmm_report.mechanics.methods.exact.numbers import context, point
-from tmm_report.mechanics.methods.exact.numbers import exact as number
-from tmm_report.mechanics.methods.exact.scheme import Body
+from tmm_report.mechanics.lever import motion
+from tmm_report.mechanics.lever.assembly.stated import assemble
+from tmm_report.mechanics.lever.cycle import cycle_of
+from tmm_report.mechanics.rivals import exact
+from tmm_report.mechanics.rivals.exact.cams import coordinate
+from tmm_report.mechanics.rivals.exact.numbers import context, point
+from tmm_report.mechanics.rivals.exact.numbers import exact as number
+from tmm_report.mechanics.rivals.exact.scheme import Body
 
 POINTS = ", ".join(
     f"[{k * 15} deg, {40 + 5 * np.cos(k * np.pi / 6) + 3 * np.sin(k * np.pi / 12):.4f} mm]" for k in range(24)

@@ -15,7 +15,7 @@ from benchmarks.at_limits import truth as truth_of
 from benchmarks.at_limits.draw import FAMILIES, draw
 from benchmarks.at_limits.judge import asked, judged
 from benchmarks.at_limits.truth import Output, Truth
-from tmm_report.mechanics.cycle import Extreme
+from tmm_report.mechanics.lever.cycle import Extreme
 
 SEED = 7
 EACH = 1  # scenes of each kind; the long run has hundreds

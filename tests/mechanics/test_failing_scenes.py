@@ -15,9 +15,9 @@ from benchmarks.failures.judge import NONE, REFUSED, RIGHT, WRONG, judged
 from benchmarks.failures.truth import KINDS
 from benchmarks.near_singular.scenes import SCENES as SCENES_NEAR
 from benchmarks.near_singular.scenes import turned
-from tmm_report.mechanics.assembly import assemble
-from tmm_report.mechanics.cycle import cycle_of
-from tmm_report.mechanics.mechanism import Assembly, Driver, Guide, Link, Mechanism, Slide, ZeroAngle
+from tmm_report.mechanics.lever.assembly.stated import assemble
+from tmm_report.mechanics.lever.cycle import cycle_of
+from tmm_report.mechanics.lever.mechanism import Assembly, Driver, Guide, Link, Mechanism, Slide, ZeroAngle
 
 QUICK = [
     "near dead 12", "nearer dead", "rod = crank", "parallelogram", "kite", "10 pm", "short rod", "narrow gap", "jam",

@@ -11,13 +11,14 @@ from hypothesis import strategies as st
 from schemes import random_loads
 from test_statics import newton_euler
 
-from tmm_report.mechanics import motion, statics
-from tmm_report.mechanics.assemblies import assemblies
-from tmm_report.mechanics.assembly import assemble, ways
-from tmm_report.mechanics.cycle import cycle_of
-from tmm_report.mechanics.higher import HigherGroup
-from tmm_report.mechanics.planar import cross
-from tmm_report.mechanics.roots import slope
+from tmm_report.mechanics.calculus.roots import slope
+from tmm_report.mechanics.calculus.vectors import cross
+from tmm_report.mechanics.lever import motion
+from tmm_report.mechanics.lever.assembly.all_roots import assemblies
+from tmm_report.mechanics.lever.assembly.stated import assemble, ways
+from tmm_report.mechanics.lever.cycle import cycle_of
+from tmm_report.mechanics.lever.forces import reactions as statics
+from tmm_report.mechanics.lever.high_class.newton import HigherGroup
 from tmm_report.problems import ProblemError
 
 PHI = 0.3 + np.arange(7) * (2 * np.pi / 7)

@@ -10,9 +10,9 @@ import pytest
 from higher_checks import beside, jumps, limit_from, points_of, stepped, unclosed
 
 from tmm_report import course
-from tmm_report.mechanics.assembly import assemble, ways
-from tmm_report.mechanics.cycle import Cycle, cycle_of
-from tmm_report.mechanics.mechanism import Mechanism, ZeroAngle
+from tmm_report.mechanics.lever.assembly.stated import assemble, ways
+from tmm_report.mechanics.lever.cycle import Cycle, cycle_of
+from tmm_report.mechanics.lever.mechanism import Mechanism, ZeroAngle
 from tmm_report.problems import ProblemError
 
 EDGES = Path(__file__).parents[1] / "edges" / "higher"

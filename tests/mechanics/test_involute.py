@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tmm_report.mechanics.involute import REVERTED, SMALL, SMALL_INV, TANGENT, inv, inverse
+from tmm_report.mechanics.gears.involute import REVERTED, SMALL, SMALL_INV, TANGENT, inv, inverse
 
 DIGITS = 60
 LEAST, MOST = 1e-6, math.radians(89.99)

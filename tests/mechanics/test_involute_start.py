@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tmm_report.mechanics import teeth
-from tmm_report.mechanics.cutting import (
+from tmm_report.mechanics.gears import tooth_outlines
+from tmm_report.mechanics.gears.cutting import (
     ByCutter,
     ByRack,
     Cutter,
@@ -16,8 +16,8 @@ from tmm_report.mechanics.cutting import (
     fillet_radius,
     real_start,
 )
-from tmm_report.mechanics.involute import inv
-from tmm_report.mechanics.spur import Rack, meshed
+from tmm_report.mechanics.gears.involute import inv
+from tmm_report.mechanics.gears.meshing import Rack, meshed
 
 RACK = Rack()
 FINE = 2e-3  # modules: of the radii of curvature that are tried
@@ -90,7 +90,7 @@ def test_the_start_is_where_the_outline_leaves_its_involute(z, x):
     """The outline of the drawing finds the crossing for itself."""
     found = float(real_start(ByRack(z, 1.0, x, RACK)))
     try:
-        drawn = teeth.flank(z, 1.0, x, RACK)
+        drawn = tooth_outlines.flank(z, 1.0, x, RACK)
     except ValueError:
         assert found > math.hypot(1, z)  # none left under the tip circle
         return
@@ -140,7 +140,9 @@ def test_the_contact_ratio_of_an_undercut_pair_is_what_its_outlines_show(z1, z2,
     pair = meshed(z1, z2, 1.0, RACK, 0.0, x1, x2)
     assert (float(pair.eps), float(pair.eps_tips)) == pytest.approx((true, formula), abs=6e-4)
     wheels = [
-        teeth.external(z, 1.0, x, RACK, tip=float(d) / 2)
+        tooth_outlines.external(z, 1.0, x, RACK, tip=float(d) / 2)
         for z, x, d in zip((z1, z2), (x1, x2), pair.d_a, strict=True)
     ]
-    assert teeth.contact_ratio(*wheels, float(pair.a_w), 1000) == pytest.approx(float(pair.eps), abs=3e-3)
+    assert tooth_outlines.contact_ratio(*wheels, float(pair.a_w), 1000) == pytest.approx(
+        float(pair.eps), abs=3e-3
+    )

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from higher_schemes import drawn
 
-from tmm_report.mechanics import motion
-from tmm_report.mechanics.assembly import assemble
-from tmm_report.mechanics.roots import slope
+from tmm_report.mechanics.calculus.roots import slope
+from tmm_report.mechanics.lever import motion
+from tmm_report.mechanics.lever.assembly.stated import assemble
 
 PHI = 0.3 + np.arange(7) * (2 * np.pi / 7)
 MADE = [  # group, seed, sliding pairs

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from conftest import solved
 
-from tmm_report.mechanics.methods.drawing import LARGEST, drawing, on_a_sheet, scale
-from tmm_report.mechanics.methods.paper import round_scale
-from tmm_report.mechanics.methods.turning import turning
+from tmm_report.mechanics.rivals.motion.drawing import LARGEST, drawing, on_a_sheet, scale
+from tmm_report.mechanics.rivals.motion.turning import turning
+from tmm_report.mechanics.rivals.paper import round_scale
 
 NAMES = ("compressor", "shaper", "press", "scotch_yoke", "quick_return")
 

@@ -8,14 +8,14 @@ import pytest
 from conftest import solved
 from schemes import ROOTED, SCHEMES, linkage, random_loads
 
-from tmm_report.chapters.methods.scene import scene
-from tmm_report.mechanics.cycle import Cycle, cycle_of
-from tmm_report.mechanics.gear_drive import GearDrive
-from tmm_report.mechanics.methods import force_plans, paper
-from tmm_report.mechanics.methods.forces import FORCES, force_method
-from tmm_report.mechanics.methods.model import Loaded
-from tmm_report.mechanics.methods.paper import ACCURACIES, Pen, round_scale, written
-from tmm_report.mechanics.statics import Load
+from tmm_report.chapters.lever.methods.scene import scene
+from tmm_report.mechanics.lever.cycle import Cycle, cycle_of
+from tmm_report.mechanics.lever.forces.force_on_crank_gear import GearDrive
+from tmm_report.mechanics.lever.forces.reactions import Load
+from tmm_report.mechanics.rivals import force_plans, paper
+from tmm_report.mechanics.rivals.forces import FORCES, force_method
+from tmm_report.mechanics.rivals.model import Loaded
+from tmm_report.mechanics.rivals.paper import ACCURACIES, Pen, round_scale, written
 
 VARIANTS = (
     "compressor", "crank_rocker", "shaper", "press", "quick_return", "engine_four_stroke", "loom", "elliptic_trammel",

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import CubicSpline
 
-from tmm_report.mechanics.methods.integrals import INTEGRALS, Sampled, exact, simpson, spline, trapezoid
+from tmm_report.mechanics.rivals.integrals import INTEGRALS, Sampled, exact, simpson, spline, trapezoid
 
 TURN = 2 * np.pi
 KEYS = {one.key: one for one in INTEGRALS}

@@ -4,8 +4,8 @@ import mpmath
 import numpy as np
 import pytest
 
-from tmm_report.mechanics.methods import involutes
-from tmm_report.mechanics.methods.involutes import INVOLUTES
+from tmm_report.mechanics.rivals import involutes
+from tmm_report.mechanics.rivals.involutes import INVOLUTES
 
 KEYS = {one.key: one for one in INVOLUTES}
 USUAL = np.radians([1, 5, 14.5, 20, 25, 30, 45])  # of gears

@@ -12,14 +12,14 @@ import schemes
 from conftest import solved
 from higher_schemes import drawn
 
-from tmm_report.mechanics.assembly import assemble
-from tmm_report.mechanics.cycle import Cycle, cycle_of
-from tmm_report.mechanics.mechanism import Driver, Guide, Link, Mechanism, Slide, ZeroAngle
-from tmm_report.mechanics.methods.constraints import corrected, runge_kutta
-from tmm_report.mechanics.methods.coordinates import Coordinates
-from tmm_report.mechanics.methods.motions import MOTIONS, PLAIN_NEWTON, motion_method
-from tmm_report.mechanics.motion import linkage_of
-from tmm_report.mechanics.structure import decompose
+from tmm_report.mechanics.lever.assembly.stated import assemble
+from tmm_report.mechanics.lever.assur_groups import decompose
+from tmm_report.mechanics.lever.cycle import Cycle, cycle_of
+from tmm_report.mechanics.lever.mechanism import Driver, Guide, Link, Mechanism, Slide, ZeroAngle
+from tmm_report.mechanics.lever.motion import linkage_of
+from tmm_report.mechanics.rivals.motion.constraints import corrected, runge_kutta
+from tmm_report.mechanics.rivals.motion.coordinates import Coordinates
+from tmm_report.mechanics.rivals.motion.every import MOTIONS, PLAIN_NEWTON, motion_method
 
 COUNT = 24
 VARIANTS = (

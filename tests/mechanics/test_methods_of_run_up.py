@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 from conftest import solved
 
-from tmm_report.mechanics.characteristics import ByTime, Linear
-from tmm_report.mechanics.machine import Acting, Plant
-from tmm_report.mechanics.methods.run_up import (
+from tmm_report.mechanics.calculus.panels import panels
+from tmm_report.mechanics.machine.characteristics import ByTime, Linear
+from tmm_report.mechanics.machine.reduced import Acting, Plant
+from tmm_report.mechanics.rivals.run_up import (
     RUN_UPS,
     StartUp,
     adams,
@@ -15,7 +16,6 @@ from tmm_report.mechanics.methods.run_up import (
     runge_kutta,
     scene_of,
 )
-from tmm_report.mechanics.panels import panels
 
 KEYS = {one.key: one for one in RUN_UPS}
 TURN = 2 * np.pi

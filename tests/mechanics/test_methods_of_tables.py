@@ -6,9 +6,9 @@ from conftest import solved
 from schemes import SCHEMES, four_bar, linkage
 from scipy.interpolate import CubicSpline
 
-from tmm_report.mechanics.cycle import Cycle, cycle_of
-from tmm_report.mechanics.methods import tables
-from tmm_report.mechanics.methods.tables import DIFFERENCES, FOURIER, SPLINE, TABLES, rates, unwrapped
+from tmm_report.mechanics.lever.cycle import Cycle, cycle_of
+from tmm_report.mechanics.rivals import tables
+from tmm_report.mechanics.rivals.tables import DIFFERENCES, FOURIER, SPLINE, TABLES, rates, unwrapped
 
 KEYS = {one.key: one for one in TABLES}
 TURN = 2 * np.pi

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tmm_report.mechanics.ode import integrate
+from tmm_report.mechanics.calculus.ode import integrate
 
 
 @pytest.mark.parametrize("method", ["LSODA", "DOP853", "Radau"])

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tmm_report.mechanics.panels import panels
+from tmm_report.mechanics.calculus.panels import panels
 
 TURN = 2 * math.pi
 

@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 from conftest import solved
 
-from tmm_report.mechanics.assembly import assemble
-from tmm_report.mechanics.cycle import Cycle, cycle_of
-from tmm_report.mechanics.mechanism import Driver, Guide, Link, Mechanism, Slide
-from tmm_report.mechanics.methods.contours import recognised
-from tmm_report.mechanics.methods.motions import motion_method
+from tmm_report.mechanics.lever.assembly.stated import assemble
+from tmm_report.mechanics.lever.cycle import Cycle, cycle_of
+from tmm_report.mechanics.lever.mechanism import Driver, Guide, Link, Mechanism, Slide
+from tmm_report.mechanics.rivals.motion.contours import recognised
+from tmm_report.mechanics.rivals.motion.every import motion_method
 
 CRANK = 0.04
 COUNT = 36

@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tmm_report.mechanics.panels import panels
-from tmm_report.mechanics.peaks import inside, integral, peaks, refined, signed, size_peaks
+from tmm_report.mechanics.calculus.panels import panels
+from tmm_report.mechanics.lever.extremes import inside, integral, peaks, refined, signed, size_peaks
 
 TURN = 2 * np.pi
 

@@ -11,9 +11,10 @@ from conftest import examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tmm_report.mechanics import planetary as p
-from tmm_report.mechanics import trains
-from tmm_report.mechanics.planetary_search import (
+from tmm_report.mechanics.gears import trains
+from tmm_report.mechanics.gears.meshing import Rack
+from tmm_report.mechanics.gears.planetary import stage as p
+from tmm_report.mechanics.gears.planetary.search import (
     Reason,
     Task,
     candidates,
@@ -22,7 +23,6 @@ from tmm_report.mechanics.planetary_search import (
     ranked,
     search,
 )
-from tmm_report.mechanics.spur import Rack
 
 SMALL = {"external": (16, 30), "rings": (30, 90), "satellites": (2, 3, 4)}
 TASKS = {

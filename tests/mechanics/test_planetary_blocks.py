@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tmm_report.mechanics import planetary as p
-from tmm_report.mechanics import planetary_task
-from tmm_report.mechanics.planetary_search import Reason, Task, ranked, search
+from tmm_report.mechanics.gears.planetary import sought as planetary_task
+from tmm_report.mechanics.gears.planetary import stage as p
+from tmm_report.mechanics.gears.planetary.search import Reason, Task, ranked, search
 
 RANGES = {"external": (12, 40), "rings": (20, 110), "satellites": (2, 3, 4)}
 TASKS = [

@@ -8,7 +8,7 @@ from conftest import examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tmm_report.mechanics.polygons import area, clearance, inside, overlap
+from tmm_report.mechanics.calculus.polygons import area, clearance, inside, overlap
 
 SQUARE = np.array([0, 1, 1 + 1j, 1j])
 

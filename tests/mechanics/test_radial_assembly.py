@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from tmm_report.mechanics import teeth
-from tmm_report.mechanics.polygons import overlap
-from tmm_report.mechanics.rings import cutting_of
-from tmm_report.mechanics.spur import Cutter, Rack, meshed
-from tmm_report.mechanics.wheels import by_cutter
+from tmm_report.mechanics.calculus.polygons import overlap
+from tmm_report.mechanics.gears import tooth_outlines
+from tmm_report.mechanics.gears.meshing import Cutter, Rack, meshed
+from tmm_report.mechanics.gears.pair_sizes import by_cutter
+from tmm_report.mechanics.gears.ring_interference import cutting_of
 
 STUB, FULL = Rack(ha=0.8), Rack()
 PHASES = 12  # of the teeth beside the line of centres, over a pitch
@@ -15,12 +15,15 @@ PHASES = 12  # of the teeth beside the line of centres, over a pitch
 
 def most_overlap(pair):
     """Largest area that the teeth share while the pinion is moved from its place to the ring's centre, modules²."""
-    pinion = teeth.external(pair.z1, 1.0, pair.x1, pair.t, tip=float(pair.d_a[0]) / 2, tolerance=1e-3)
-    ring = teeth.ring(pair.z2, 1.0, pair.x2, pair.t, tip=float(pair.d_a[1]) / 2, tolerance=1e-3)
+    pinion = tooth_outlines.external(
+        pair.z1, 1.0, pair.x1, pair.t, tip=float(pair.d_a[0]) / 2, tolerance=1e-3
+    )
+    ring = tooth_outlines.ring(pair.z2, 1.0, pair.x2, pair.t, tip=float(pair.d_a[1]) / 2, tolerance=1e-3)
     found = 0.0
     for turn in pinion.pitch_angle * np.arange(PHASES) / PHASES:
         around = ring.placed(
-            teeth.centre_beside(ring, float(pair.a_w)), float(teeth.mating_turn(pinion, ring, turn))
+            tooth_outlines.centre_beside(ring, float(pair.a_w)),
+            float(tooth_outlines.mating_turn(pinion, ring, turn)),
         )
         put = pinion.placed(0.0, turn)
         found = max(found, *(overlap(put - way, around, True) for way in np.linspace(0, 3, 13)))

@@ -7,9 +7,9 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from tmm_report.mechanics.eccentric import root_in_hand
-from tmm_report.mechanics.spur import Pair
-from tmm_report.mechanics.wheels import Rack, least_ring, ring_rule
+from tmm_report.mechanics.gears.eccentric.mechanism import root_in_hand
+from tmm_report.mechanics.gears.meshing import Pair
+from tmm_report.mechanics.gears.pair_sizes import Rack, least_ring, ring_rule
 
 RACK, STUB = Rack(), Rack(math.pi / 9, 0.8, 0.3)
 

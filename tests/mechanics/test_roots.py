@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tmm_report.mechanics.roots import bracketed, interpolated
+from tmm_report.mechanics.calculus.roots import bracketed, interpolated
 
 FINDERS = pytest.mark.parametrize("finder", [bracketed, interpolated])
 roots = st.lists(st.floats(0.05, 0.95), min_size=1, max_size=5)

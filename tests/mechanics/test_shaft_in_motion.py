@@ -8,13 +8,13 @@ from conftest import examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tmm_report.mechanics import characteristics as ch
-from tmm_report.mechanics.by_time import by_time
-from tmm_report.mechanics.machine import Acting, Plant, between, level, pointwise
-from tmm_report.mechanics.motion_law import Goal, NeverReached
-from tmm_report.mechanics.panels import panels
-from tmm_report.mechanics.running import run
-from tmm_report.mechanics.steady import NotSteady, at_mean_speed, periodic
+from tmm_report.mechanics.calculus.panels import panels
+from tmm_report.mechanics.machine import characteristics as ch
+from tmm_report.mechanics.machine.reduced import Acting, Plant, between, level, pointwise
+from tmm_report.mechanics.machine.run.by_time import by_time
+from tmm_report.mechanics.machine.run.law import run
+from tmm_report.mechanics.machine.run.motion_law import Goal, NeverReached
+from tmm_report.mechanics.machine.run.steady import NotSteady, at_mean_speed, periodic
 
 TURN = panels(2 * np.pi)
 

@@ -11,13 +11,13 @@ from higher_schemes import drawn
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from tmm_report.chapters.kinematics.quantities import rates
-from tmm_report.chapters.plans.drafting import Plan, Scales, acceleration_plan, velocity_plan
-from tmm_report.mechanics import motion
-from tmm_report.mechanics.assembly import assemble
-from tmm_report.mechanics.cycle import cycle_of
-from tmm_report.mechanics.planar import cross
-from tmm_report.mechanics.relations import named_values
+from tmm_report.chapters.lever.kinematics.quantities import rates
+from tmm_report.chapters.lever.plans.drafting import Plan, Scales, acceleration_plan, velocity_plan
+from tmm_report.mechanics.calculus.vectors import cross
+from tmm_report.mechanics.lever import motion
+from tmm_report.mechanics.lever.assembly.stated import assemble
+from tmm_report.mechanics.lever.cycle import cycle_of
+from tmm_report.mechanics.lever.vector_equations import named_values
 from tmm_report.problems import ProblemError
 from tmm_report.quantity.paper import Pen, round_scale
 

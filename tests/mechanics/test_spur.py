@@ -8,8 +8,8 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from tmm_report.mechanics import shifts, spur, teeth
-from tmm_report.mechanics.spur import Pair, Rack, least_shift, meshed, shift_sum
+from tmm_report.mechanics.gears import meshing, shift_sharing, tooth_outlines
+from tmm_report.mechanics.gears.meshing import Pair, Rack, least_shift, meshed, shift_sum
 
 STANDARD = Rack()
 DIMENSIONS = (
@@ -183,7 +183,7 @@ def test_no_such_pair_is_nan():
 def test_least_shift():
     """1 − z sin²α/2: zero at 17.097 teeth; the rule is zero at 17 and never negative."""
     assert least_shift(2 / math.sin(math.radians(20)) ** 2, STANDARD) == pytest.approx(0, abs=1e-12)
-    assert shifts.rule_shift(np.array([14, 17, 40]), STANDARD) == pytest.approx([3 / 17, 0, 0])
+    assert shift_sharing.rule_shift(np.array([14, 17, 40]), STANDARD) == pytest.approx([3 / 17, 0, 0])
 
 
 @pytest.mark.parametrize("beta", [0.0, 0.35])
@@ -191,9 +191,9 @@ def test_least_shift():
 def test_least_shift_against_the_cut_tooth(z, beta):
     """The tooth that the rack cuts keeps its involute down to the base circle just at the least shift."""
     x, t = float(least_shift(z, STANDARD, beta)), STANDARD.transverse(beta)
-    at_limit = teeth.external(z, 1e-3, x * math.cos(beta), t)
-    above = teeth.external(z, 1e-3, (x + 0.02) * math.cos(beta), t)
-    below = teeth.external(z, 1e-3, (x - 0.02) * math.cos(beta), t)
+    at_limit = tooth_outlines.external(z, 1e-3, x * math.cos(beta), t)
+    above = tooth_outlines.external(z, 1e-3, (x + 0.02) * math.cos(beta), t)
+    below = tooth_outlines.external(z, 1e-3, (x - 0.02) * math.cos(beta), t)
     assert at_limit.junction == pytest.approx(at_limit.base, rel=1e-6)
     pair = meshed(z, 60, 1e-3, t, 0.0, (x + 0.02) * math.cos(beta), 0.0)
     assert math.sqrt(above.junction**2 - above.base**2) == pytest.approx(pair.rho_l[0], rel=1e-6)
@@ -202,16 +202,16 @@ def test_least_shift_against_the_cut_tooth(z, beta):
 
 @given(pairs(internal=False))
 def test_equal_sliding(pair):
-    x1 = shifts.equal_sliding(pair)
+    x1 = shift_sharing.equal_sliding(pair)
     assume(np.isfinite(x1))
-    found = shifts.with_first_shift(pair, x1)
+    found = shift_sharing.with_first_shift(pair, x1)
     assert found.x_sum == pytest.approx(pair.x_sum, abs=1e-9)
     assert found.root_sliding[0] == pytest.approx(found.root_sliding[1], rel=1e-6)
 
 
 @given(pairs(), st.integers(0, 1), st.floats(-0.5, 0.5))
 def test_filling(pair, wheel, x):
-    filled = shifts.filling(pair, wheel, x, pair.x_sum)
+    filled = shift_sharing.filling(pair, wheel, x, pair.x_sum)
     assert filled.x_sum == pytest.approx(pair.x_sum, abs=1e-12)
     assert (filled.x1, filled.x2)[wheel] == x
     assert filled.backlash == pytest.approx(0, abs=1e-10 * pair.m + 1e-12)
@@ -220,7 +220,7 @@ def test_filling(pair, wheel, x):
 def test_equal_sliding_of_the_textbook():
     """Twins slide equally when they are shifted equally."""
     pair = meshed(20, 20, 4e-3, STANDARD, 0.0, 0.6, 0.2)
-    assert shifts.equal_sliding(pair) == pytest.approx(0.4, abs=1e-9)
+    assert shift_sharing.equal_sliding(pair) == pytest.approx(0.4, abs=1e-9)
 
 
 # ---------------------------------------------------------------- internal pairs
@@ -230,9 +230,9 @@ def test_equal_sliding_of_the_textbook():
 def test_fouling_is_what_the_outlines_show(z2, fouls):
     """Tips of a pinion and a ring of few teeth more run into each other just where the formula says."""
     pair = meshed(22, z2, 3e-3, Rack(ha=0.8), 0.0, 1.0, 1.1, internal=True)
-    pinion = teeth.external(22, pair.m, 1.0, pair.rack, tip=float(pair.d_a[0]) / 2)
-    ring = teeth.ring(z2, pair.m, 1.1, pair.rack, tip=float(pair.d_a[1]) / 2)
-    overlap, _ = teeth.over_pitch(pinion, ring, float(pair.a_w), 12)
+    pinion = tooth_outlines.external(22, pair.m, 1.0, pair.rack, tip=float(pair.d_a[0]) / 2)
+    ring = tooth_outlines.ring(z2, pair.m, 1.1, pair.rack, tip=float(pair.d_a[1]) / 2)
+    overlap, _ = tooth_outlines.over_pitch(pinion, ring, float(pair.a_w), 12)
     assert (overlap.max() > 1e-3 * pair.m**2) == fouls
     assert (pair.fouling < 0) == fouls
 
@@ -241,4 +241,4 @@ def test_helical_teeth_thin_in_the_normal_section():
     pair = meshed(20, 40, 4e-3, STANDARD, math.radians(20), 0.2, 0.1)
     assert all(s_na < s_a for s_na, s_a in zip(pair.s_na, pair.s_a, strict=True))
     assert pair.overlap(0.05) == pytest.approx(0.05 * math.sin(math.radians(20)) / (math.pi * 4e-3))
-    assert spur.meshed(20, 40, 4e-3, STANDARD, 0.0, 0.2, 0.1).overlap(0.05) == 0
+    assert meshing.meshed(20, 40, 4e-3, STANDARD, 0.0, 0.2, 0.1).overlap(0.05) == 0

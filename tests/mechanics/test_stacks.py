@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 from schemes import ONES, ROOTED, SCHEMES, linkage, random_loads, turn
 
-from tmm_report.mechanics import motion, statics
-from tmm_report.mechanics.mechanism import Driver, Guide, Link, Mechanism, Slide
+from tmm_report.mechanics.lever import motion
+from tmm_report.mechanics.lever.forces import reactions as statics
+from tmm_report.mechanics.lever.mechanism import Driver, Guide, Link, Mechanism, Slide
 
 
 def pushed(found: motion.Motion) -> statics.Statics:

@@ -9,9 +9,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from schemes import OMEGA, ROOTED, SCHEMES, linkage, random_loads, turn
 
-from tmm_report.mechanics import motion, statics
-from tmm_report.mechanics.mechanism import FRAME
-from tmm_report.mechanics.planar import cross, dot
+from tmm_report.mechanics.calculus.vectors import cross, dot
+from tmm_report.mechanics.lever import motion
+from tmm_report.mechanics.lever.forces import reactions as statics
+from tmm_report.mechanics.lever.mechanism import FRAME
 
 
 def world(found, link, at):

@@ -13,15 +13,16 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import tmm_report
-from tmm_report.mechanics import motion, statics, structure
-from tmm_report.mechanics.assembly import assemble
-from tmm_report.mechanics.blocks import blocks
-from tmm_report.mechanics.compiled import straight
-from tmm_report.mechanics.dyads import Dyad
-from tmm_report.mechanics.each import together
-from tmm_report.mechanics.mechanism import Driver, Guide, Link, Mechanism, Slide
-from tmm_report.mechanics.meeting import settle
-from tmm_report.mechanics.straight.tape import Tape, Untraceable
+from tmm_report.mechanics.calculus.variants import together
+from tmm_report.mechanics.lever import assur_groups, motion
+from tmm_report.mechanics.lever.assembly.stated import assemble
+from tmm_report.mechanics.lever.dyads import Dyad
+from tmm_report.mechanics.lever.forces import reactions as statics
+from tmm_report.mechanics.lever.forces.tape.tape import Tape, Untraceable
+from tmm_report.mechanics.lever.many.blocks import blocks
+from tmm_report.mechanics.lever.many.compiled import straight
+from tmm_report.mechanics.lever.mechanism import Driver, Guide, Link, Mechanism, Slide
+from tmm_report.mechanics.lever.meeting import settle
 
 VARIANTS = sorted((Path(__file__).parents[2] / "variants").rglob("*.yaml"))
 TURN = np.linspace(-7.0, 7.0, 41)
@@ -73,7 +74,7 @@ def test_every_ready_variant_of_dyads_to_the_last_bit(path):
     lever = tmm_report.load(path).lever
     if lever is None:
         pytest.skip("no lever mechanism")
-    found = structure.decompose(lever.mechanism)
+    found = assur_groups.decompose(lever.mechanism)
     if any(group.group_class > 2 for group in found.groups):
         pytest.skip("a group above class II")
     for sign in (1, -1):
@@ -101,7 +102,7 @@ def four_bar(crank_length, coupler, rocker, frame):
         crank_length,
         frame,
     )
-    return motion.linkage_of(structure.decompose(mechanism), [1])
+    return motion.linkage_of(assur_groups.decompose(mechanism), [1])
 
 
 def slider(crank_length, rod):
@@ -110,7 +111,7 @@ def slider(crank_length, rod):
         crank_length,
         slide=[Slide("3", "x", 0j, 1 + 0j)],
     )
-    return motion.linkage_of(structure.decompose(mechanism), [1])
+    return motion.linkage_of(assur_groups.decompose(mechanism), [1])
 
 
 lengths = st.floats(0.05, 2.0)
@@ -251,7 +252,7 @@ def test_a_stack_and_a_group_above_class_two_stay_as_they_are():
     assert straight(stack) is stack
     press = tmm_report.load(next(path for path in VARIANTS if path.stem == "press")).lever
     assert press is not None
-    found = structure.decompose(press.mechanism)
+    found = assur_groups.decompose(press.mechanism)
     assert any(group.group_class > 2 for group in found.groups)
 
 

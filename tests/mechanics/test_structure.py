@@ -3,8 +3,9 @@
 import pytest
 from schemes import KINDS, SCHEMES, mechanism
 
-from tmm_report.mechanics import assembly, structure
-from tmm_report.mechanics.mechanism import Driver, Guide, Link, Mechanism, Slide
+from tmm_report.mechanics.lever import assur_groups
+from tmm_report.mechanics.lever.assembly import stated as assembly
+from tmm_report.mechanics.lever.mechanism import Driver, Guide, Link, Mechanism, Slide
 from tmm_report.problems import ProblemError
 
 
@@ -16,7 +17,7 @@ def links(**points: str) -> list[Link]:
     ]
 
 
-def refusal(scheme: Mechanism, solve=structure.decompose) -> str:
+def refusal(scheme: Mechanism, solve=assur_groups.decompose) -> str:
     with pytest.raises(ProblemError) as caught:
         solve(scheme)
     (problem,) = caught.value.problems
@@ -26,24 +27,24 @@ def refusal(scheme: Mechanism, solve=structure.decompose) -> str:
 
 @pytest.mark.parametrize("name", SCHEMES)
 def test_kinds_are_found(name):
-    found = structure.decompose(SCHEMES[name]())
+    found = assur_groups.decompose(SCHEMES[name]())
     assert [group.kind for group in found.groups] == KINDS[name]
-    assert (found.mechanism_class, structure.mobility(found.mechanism)) == (2, 1)
+    assert (found.mechanism_class, assur_groups.mobility(found.mechanism)) == (2, 1)
     assert all((group.group_class, group.order, len(group.inner)) == (2, 2, 1) for group in found.groups)
 
 
 def test_formula_in_the_order_of_assembly():
     # described backwards: the groups are still found from the driving link on
     base = links(l0="OCF", l5="EF", l4="DE", l3="CBD", l2="AB", l1="OA")
-    found = structure.decompose(mechanism(base))
+    found = assur_groups.decompose(mechanism(base))
     assert found.formula == "I(0,1) → II2(3,2) → II2(5,4)"
 
 
 def test_three_links_at_a_point_are_two_pairs():
     base = links(l0="OC", l1="OA", l2="AB", l3="BC", l4="AD", l5="D")
     scheme = mechanism(base, [Guide("x", "0", 0j, 1 + 0j)], [Slide("5", "x")])
-    assert structure.count_pairs(scheme) == 7
-    found = structure.decompose(scheme)
+    assert assur_groups.count_pairs(scheme) == 7
+    found = assur_groups.decompose(scheme)
     # both rods hang on the crank, which is known first
     at_a = [pair.links for pair in found.pairs if pair.name == "A"]
     assert at_a == [("1", "2"), ("1", "4")]
@@ -52,7 +53,7 @@ def test_three_links_at_a_point_are_two_pairs():
 
 
 def test_driving_link_alone():
-    found = structure.decompose(mechanism(links(l0="O", l1="OA")))
+    found = assur_groups.decompose(mechanism(links(l0="O", l1="OA")))
     assert (found.formula, found.mechanism_class, len(found.pairs)) == ("I(0,1)", 1, 1)
 
 
@@ -83,14 +84,14 @@ def test_wrong_mobility(base, w, words):
 def test_redundant_here_and_loose_there(base, words):
     """W = 1 by count, but one part is over-constrained and another is loose."""
     scheme = mechanism(base)
-    assert structure.mobility(scheme) == 1
+    assert assur_groups.mobility(scheme) == 1
     assert words in refusal(scheme)
 
 
 def test_a_truss_that_floats_is_no_group():
     """Four links and six pairs among themselves: freedom 0 by count, and joined to nothing."""
     scheme = mechanism(links(l0="OC", l1="OA", l2="AB", l3="CB", l4="PQSV", l5="QRT", l6="RSU", l7="TUV"))
-    assert structure.mobility(scheme) == 1
+    assert assur_groups.mobility(scheme) == 1
     assert "links 4, 5, 6, 7 form no Assur group" in refusal(scheme)
 
 
@@ -118,8 +119,12 @@ def class_four() -> Mechanism:
 
 @pytest.mark.parametrize(("scheme", "name"), [(class_three(), "III"), (class_four(), "IV")])
 def test_higher_classes_are_recognised_and_want_a_sketch(scheme, name):
-    (group,) = structure.decompose(scheme).groups
-    assert (structure.ROMAN[group.group_class], group.links, group.kind) == (name, ("2", "3", "4", "5"), None)
+    (group,) = assur_groups.decompose(scheme).groups
+    assert (assur_groups.ROMAN[group.group_class], group.links, group.kind) == (
+        name,
+        ("2", "3", "4", "5"),
+        None,
+    )
     text = refusal(scheme, assembly.assemble)
     assert f"of class {name} can be assembled in several ways, and only a sketch says in which" in text
 
@@ -128,6 +133,6 @@ def test_class_depends_on_the_driving_link():
     """The class III chain driven from a rod of its own is of class II."""
     scheme = class_three()
     driven = Mechanism(scheme.links, Driver("4", 1.0))
-    found = structure.decompose(driven)
+    found = assur_groups.decompose(driven)
     assert found.mechanism_class == 2
     assert found.formula == "I(0,4) → II2(3,5) → II2(1,2)"

@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tmm_report.mechanics.gear_drive import GearDrive
-from tmm_report.mechanics.planar import cross, dot
+from tmm_report.mechanics.calculus.vectors import cross, dot
+from tmm_report.mechanics.lever.forces.force_on_crank_gear import GearDrive
 
 ANGLES = st.floats(-np.pi, np.pi)
 MOMENTS = st.floats(-1e4, 1e4).filter(lambda moment: abs(moment) > 1e-3)

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tmm_report.mechanics.trains import Member, Mesh, Train, loads, speeds
+from tmm_report.mechanics.gears.trains import Member, Mesh, Train, loads, speeds
 from tmm_report.problems import ProblemError
 
 TEETH = st.integers(12, 60)

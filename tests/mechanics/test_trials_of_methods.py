@@ -11,12 +11,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tmm_report.mechanics.methods import cost
-from tmm_report.mechanics.methods.choice import FLOOR, rounded
-from tmm_report.mechanics.methods.forces import FORCES
-from tmm_report.mechanics.methods.model import Method, Pair, Trial
-from tmm_report.mechanics.methods.motions import MOTIONS
-from tmm_report.mechanics.methods.trials import (
+from tmm_report.mechanics.rivals import cost
+from tmm_report.mechanics.rivals.choice import FLOOR, rounded
+from tmm_report.mechanics.rivals.forces import FORCES
+from tmm_report.mechanics.rivals.model import Method, Pair, Trial
+from tmm_report.mechanics.rivals.motion.every import MOTIONS
+from tmm_report.mechanics.rivals.trials import (
     ROUNDING,
     Judged,
     Rivals,
@@ -216,7 +216,7 @@ def test_of_equal_times_the_more_accurate_is_named_whatever_noise_likes(noise):
 def test_the_time_of_a_method_is_its_own_and_not_that_of_what_else_runs(monkeypatch):
     """A clock that other programs disturb in every round but one: the least is that of the method alone."""
     now, disturbed = 0.0, iter([3.0, 5.0, 0.0, 9.0, 4.0] * 40)
-    monkeypatch.setattr("tmm_report.mechanics.methods.trials.clock", lambda: now)
+    monkeypatch.setattr("tmm_report.mechanics.rivals.trials.clock", lambda: now)
 
     def run():
         nonlocal now
@@ -228,7 +228,7 @@ def test_the_time_of_a_method_is_its_own_and_not_that_of_what_else_runs(monkeypa
 def test_who_may_be_the_cheapest_is_timed_again(monkeypatch):
     """A first reading that noise has spoilt does not name the winner; what is far off, or misses, is not run again."""
     now, ran = 0.0, []
-    monkeypatch.setattr("tmm_report.mechanics.methods.trials.clock", lambda: now)
+    monkeypatch.setattr("tmm_report.mechanics.rivals.trials.clock", lambda: now)
 
     def method(key: str, seconds: float):
         def run(scene, count):
@@ -252,7 +252,7 @@ def test_who_may_be_the_cheapest_is_timed_again(monkeypatch):
 
 def test_quick_methods_are_run_several_times_a_reading(monkeypatch):
     calls, ticks = [0, 0], iter(range(10**6))
-    monkeypatch.setattr("tmm_report.mechanics.methods.trials.clock", lambda: 1e-5 * next(ticks))
+    monkeypatch.setattr("tmm_report.mechanics.rivals.trials.clock", lambda: 1e-5 * next(ticks))
 
     def run():
         calls[0] += 1
