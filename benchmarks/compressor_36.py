@@ -20,10 +20,11 @@ import numpy as np
 import stored
 from timing import interleaved
 
-from tmm_report.mechanics import motion, statics, structure
-from tmm_report.mechanics.blocks import BLOCK, blocks
-from tmm_report.mechanics.compiled import straight
-from tmm_report.mechanics.mechanism import Driver, Guide, Link, Mechanism, Slide
+from tmm_report.mechanics.lever import assur_groups, motion
+from tmm_report.mechanics.lever.forces import reactions as statics
+from tmm_report.mechanics.lever.many.blocks import BLOCK, blocks
+from tmm_report.mechanics.lever.many.compiled import straight
+from tmm_report.mechanics.lever.mechanism import Driver, Guide, Link, Mechanism, Slide
 
 Array = Any
 POINTS = ("A", "B", "C", "D", "S2", "S4")
@@ -142,7 +143,7 @@ def linkage(k: Compressor) -> motion.Linkage:
     slides = [Slide("3", "x", 0j, 1 + 0j), Slide("5", "x", 0j, 1 + 0j)]
     guides = {"x": Guide("x", "0", 0j, 1 + 0j)}
     mechanism = Mechanism({link.name: link for link in links}, Driver("1", k.omega), guides, slides)
-    return motion.linkage_of(structure.decompose(mechanism), [1, -1])
+    return motion.linkage_of(assur_groups.decompose(mechanism), [1, -1])
 
 
 def by_groups(scheme: motion.Linkage, gravity: complex, phi: Array, gas_b: Array, gas_d: Array) -> tuple:

@@ -23,9 +23,10 @@ import compressor_36
 import numpy as np
 import stored
 
-from tmm_report.mechanics import motion, statics
-from tmm_report.mechanics.blocks import blocks
-from tmm_report.mechanics.compiled import straight
+from tmm_report.mechanics.lever import motion
+from tmm_report.mechanics.lever.forces import reactions as statics
+from tmm_report.mechanics.lever.many.blocks import blocks
+from tmm_report.mechanics.lever.many.compiled import straight
 
 POSITIONS = (12, 36, 100, 1000, 10_000, 100_000)
 VARIANTS = (1, 10, 100, 1000, 10_000, 100_000)

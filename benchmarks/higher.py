@@ -26,9 +26,9 @@ from timing import interleaved
 from benchmarks.random_groups.draw import FAMILIES
 from benchmarks.random_groups.families import drawn
 from tmm_report.course import load, loads
-from tmm_report.mechanics import motion
-from tmm_report.mechanics.assembly import assemble
-from tmm_report.mechanics.mechanism import Driver, Link, Mechanism
+from tmm_report.mechanics.lever import motion
+from tmm_report.mechanics.lever.assembly.stated import assemble
+from tmm_report.mechanics.lever.mechanism import Driver, Link, Mechanism
 from tmm_report.problems import ProblemError
 
 VARIANTS = Path(__file__).parents[1] / "variants"

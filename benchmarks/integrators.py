@@ -2,7 +2,7 @@
 
     python benchmarks/integrators.py [-o docs/charts/integrators.svg] [--store]
 
-All ways are those of `tmm_report.mechanics.methods.run_up`. The start of a pump driven through its cycle by an
+All ways are those of `tmm_report.mechanics.rivals.run_up`. The start of a pump driven through its cycle by an
 induction motor; that of a shaft whose load comes by time, carried by a stiff motor; the same so light that its time
 constant is a thousandth of the run; a hoist's shaft. Errors are of angle and speed at the end, the larger one, against
 DOP853 at 1e-13 from kink to kink; times are by that of the program. Printed, never asserted.
@@ -20,9 +20,9 @@ from lines import Line, Panel, draw
 from timing import interleaved
 
 from tmm_report import course
-from tmm_report.mechanics.methods.run_up import RUN_UPS, STEPS, RunUpMethod, StartUp, errors, reference
-from tmm_report.mechanics.motion_law import Goal
-from tmm_report.mechanics.running import run
+from tmm_report.mechanics.machine.run.law import run
+from tmm_report.mechanics.machine.run.motion_law import Goal
+from tmm_report.mechanics.rivals.run_up import RUN_UPS, STEPS, RunUpMethod, StartUp, errors, reference
 
 VARIANTS = Path(__file__).parents[1] / "variants"
 TURNS = 5  # of the pump

@@ -2,7 +2,7 @@
 
     python benchmarks/involute.py [-o docs/charts/involute.svg] [--store]
 
-The methods are those of `tmm_report.mechanics.methods.involutes`; the reference is mpmath's root in 40 digits. Printed,
+The methods are those of `tmm_report.mechanics.rivals.involutes`; the reference is mpmath's root in 40 digits. Printed,
 never asserted. Times are of angles spread evenly over 1e-6 rad … 89.99°, so most need the iteration.
 """
 
@@ -16,8 +16,8 @@ import stored
 from lines import Line, Panel, draw
 from timing import interleaved
 
-from tmm_report.mechanics.involute import inv, inverse
-from tmm_report.mechanics.methods.involutes import INVOLUTES
+from tmm_report.mechanics.gears.involute import inv, inverse
+from tmm_report.mechanics.rivals.involutes import INVOLUTES
 
 SIZES = (1, 100, 10_000, 1_000_000)
 TARGET = 300.0  # ns

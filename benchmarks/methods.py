@@ -19,8 +19,8 @@ from lines import Line, Panel, draw
 
 from tmm_report import course
 from tmm_report.commands.methods_run import Measured, measured
-from tmm_report.mechanics.methods.model import Trial
-from tmm_report.mechanics.methods.trials import worst
+from tmm_report.mechanics.rivals.model import Trial
+from tmm_report.mechanics.rivals.trials import worst
 
 VARIANTS = Path(__file__).parents[1] / "variants"
 SHOWN = ("compressor", "quick_return", "crank_rocker", "press")

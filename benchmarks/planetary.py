@@ -12,8 +12,8 @@ from dataclasses import replace
 import numpy as np
 from timing import interleaved
 
-from tmm_report.mechanics.planetary import SCHEMES
-from tmm_report.mechanics.planetary_search import Task, candidates, search
+from tmm_report.mechanics.gears.planetary.search import Task, candidates, search
+from tmm_report.mechanics.gears.planetary.stage import SCHEMES
 
 
 def main() -> None:

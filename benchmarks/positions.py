@@ -2,7 +2,8 @@
 
     python benchmarks/positions.py [-o docs/charts] [--store]     positions.svg, integrals.svg
 
-Every lever mechanism of `variants/` by `chapters/methods/counting`; and the rules for integrals of a smooth function
+Every lever mechanism of `variants/` by `chapters/lever/methods/counting`; and the rules for integrals of a smooth
+function
 and of one with kinks, the reduced moment of inertia and the reduced moment of the loads of the compressor.
 """
 
@@ -17,11 +18,11 @@ import stored
 from lines import Line, Panel, draw
 
 from tmm_report import course
-from tmm_report.chapters.kinetostatics.solve import breaks, loading
-from tmm_report.chapters.machine import Moving, inertia_parts, powers
-from tmm_report.chapters.methods.counting import MEANINGS, counting, wanted
-from tmm_report.mechanics.methods.counts import COUNTS, USUAL, counted
-from tmm_report.mechanics.methods.integrals import INTEGRALS, Sampled, exact
+from tmm_report.chapters.lever.kinetostatics.solve.positions import breaks, loading
+from tmm_report.chapters.lever.methods.counting import MEANINGS, counting, wanted
+from tmm_report.chapters.lever.moving import Moving, inertia_parts, powers
+from tmm_report.mechanics.rivals.counts import COUNTS, USUAL, counted
+from tmm_report.mechanics.rivals.integrals import INTEGRALS, Sampled, exact
 
 VARIANTS = Path(__file__).parents[1] / "variants"
 SHOWN = ("compressor", "crank_rocker", "shaper")

@@ -13,11 +13,11 @@ import numpy as np
 from timing import interleaved
 
 import tmm_report
-from tmm_report.chapters.drive import solve as drive
-from tmm_report.chapters.force_plans import solve as force_plans
-from tmm_report.chapters.kinematics import solve as kinematics
-from tmm_report.chapters.kinetostatics import solve as kinetostatics
-from tmm_report.chapters.plans import solve as plans
+from tmm_report.chapters.gears.drive import solve as drive
+from tmm_report.chapters.lever.force_plans import solve as force_plans
+from tmm_report.chapters.lever.kinematics.solve import positions as kinematics
+from tmm_report.chapters.lever.kinetostatics.solve import positions as kinetostatics
+from tmm_report.chapters.lever.plans import solve as plans
 
 COMPRESSOR = Path(__file__).parents[1] / "variants" / "compressor.yaml"
 ROUNDS = 30

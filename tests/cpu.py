@@ -31,7 +31,7 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def part(nodeid: str, level: str) -> str:
-    """tests/chapters/test_drive.py::test_x[a] → tests/chapters, or its file, or the test without parameters."""
+    """tests/chapters/gears/test_drive.py::test_x[a] → tests/chapters, or its file, or the test without parameters."""
     file = nodeid.split("::")[0]
     if level == "test":
         return nodeid.split("[")[0]

@@ -338,7 +338,7 @@ def test_a_file_loads_only_the_gear_rooms_that_it_has(tmp_path):
     program = (
         "import sys; from tmm_report.cli import main\n"
         "try: main()\nexcept SystemExit: pass\n"
-        "print(*sorted(m.split('.')[2] for m in sys.modules if m.startswith('tmm_report.chapters.')\n"
+        "print(*sorted(m.split('.')[-2] for m in sys.modules if m.startswith('tmm_report.chapters.')\n"
         "    and m.endswith('.block')), 'plugins', __import__('os').environ['PYDANTIC_DISABLE_PLUGINS'])"
     )
     file = VARIANTS / "hoist_drive.yaml"

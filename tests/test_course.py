@@ -5,7 +5,6 @@ import subprocess
 import sys
 import typing
 from dataclasses import fields
-from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -21,12 +20,8 @@ OWN = ("lever", "places", "file", "doubts")  # of the variant itself
 
 
 def types(record) -> dict[str, object]:
-    """The types of a record's fields; those of chapters that are loaded only where they are asked for are imported."""
-    late = {
-        name: import_module(f"tmm_report.chapters.{name}.solve")
-        for name in (*course.OTHERS, "cam", "methods", "readings", "reduction")
-    }
-    return {one.name: eval(str(one.type), {**vars(course), **late}) for one in fields(record)}
+    """The types of a record's fields."""
+    return {one.name: eval(str(one.type), vars(course)) for one in fields(record)}
 
 
 def given(chapter: str) -> dict[str, object]:
@@ -97,10 +92,10 @@ def test_importing_the_package_loads_nothing_heavy():
 def test_solving_a_lever_loads_no_gears_and_nothing_of_the_page():
     modules = loaded(SOLVED.format(read("press").file))
     assert not modules & HEAVY
-    gears = {f"tmm_report.chapters.{name}" for name in ("spur", "planetary", *course.OTHERS)}
+    gears = {f"tmm_report.chapters.{course.wing(name)}{name}" for name in (*course.GEARS, *course.OTHERS)}
     assert not gears & modules
     assert (
-        "tmm_report.chapters.friction.block" in modules
+        "tmm_report.chapters.lever.friction.block" in modules
     )  # the names are those of modules, so this test can fail
 
 

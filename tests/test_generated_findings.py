@@ -48,7 +48,37 @@ mechanism:
       phases: [{rise: 110 deg, law: uniform}, {dwell: 50 deg}, {return: 110 deg, law: parabolic}, {dwell: 90 deg}]
 harmonics: {highest: 4, points: [B]}
 """
+EQUAL_SIDES = """
+mechanism:
+  frame: {O: [0, 0], P: [200 mm, 0]}
+  guides: {x: {through: [O, P]}}
+  links:
+    1: {points: {O: 0, A: 50.37 mm}}
+    2: {points: {A: 0, B: 50.37 mm}}
+    3: {points: [B], slides: x}
+  assembly: {2-3: right}
+  driver: {link: 1, speed: 230 rpm, rotation: clockwise, zero: {angle: -60 deg}, range: 120 deg}
+positions: {table: 4, diagram: 12, plans: 1}
+"""
+SLOT = """
+mechanism:
+  frame: {O: [0, 0]}
+  guides: {x: {through: O}, s: {through: E, angle: 90 deg, link: 3}}
+  links:
+    1: {points: {O: 0, A: 50 mm}, mass: 1 kg, mass_centre: O, inertia: 0.01 kg*m^2}
+    2: {points: [A], slides: {guide: s, angle: 90 deg}}
+    3: {points: {E: 0, D: 170 mm}, slides: [{guide: x}]}
+  driver: {link: 1, speed: 72 rpm, rotation: clockwise, zero: {point: D, extreme: right}}
+positions: {table: 4, diagram: 4, force_plan: 4}
+loads: {forces: [{name: F, at: D, direction: against motion, constant: 2 kN}]}
+friction: {guides: {coefficient: 0.06, length: 212 mm}, corrected: true}
+"""
 TEXTS = {
+    "plans at a position that is flat by the closed form and not by Newton": EQUAL_SIDES + "method: newton\n",
+    "a position where friction has no power, nor the driving moment": SLOT,
+    "parts of a machine without mass": "dynamics: {parts: [{name: gear, ratio: 0.9}], speed: 27 rad/s, varying_inertia: "
+    "[[0 deg, 0.112 kg*m^2], [180 deg, 0.108 kg*m^2], [360 deg, 0.112 kg*m^2]], "
+    "start: {begin: 1.3 rad/s, time: 0.9 s}, steady: false}",
     "a driving link alone whose methods are compared": ALONE
     + "methods: true\npositions: {table: 4, diagram: 4}\n",
     "harmonics of a cam's follower, whose link in place of the pair is no rod": CAM,

@@ -14,7 +14,7 @@ from notes import VARIANTS
 from typer.testing import CliRunner
 
 from tmm_report.cli import app
-from tmm_report.mechanics.methods.motions import MOTIONS
+from tmm_report.mechanics.rivals.motion.every import MOTIONS
 
 ENVIRONMENT = {"LANG": "C", "LC_ALL": "C"}
 

@@ -106,7 +106,7 @@ def test_records_are_replaced_copied_and_shown(kinds):
 
 
 def test_a_record_of_a_module_is_pickled():
-    from tmm_report.mechanics.mechanism import Guide
+    from tmm_report.mechanics.lever.mechanism import Guide
 
     guide = Guide("x", "0", 0j, 1 + 0j)
     assert pickle.loads(pickle.dumps(guide)).name == "x"

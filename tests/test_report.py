@@ -14,7 +14,7 @@ from jinja2 import Template
 from markupsafe import Markup
 from notes import NAMES, note
 
-from tmm_report.chapters.structure.naming import link_name
+from tmm_report.chapters.lever.structure.naming import link_name
 from tmm_report.i18n import Translator
 from tmm_report.note import render
 from tmm_report.report.formats import Html, Tex, tex_escape
@@ -150,7 +150,7 @@ def test_templates_are_rendered_once(monkeypatch):
 
     monkeypatch.setattr(Template, "render", counted)
     render(results("crank_rocker"), "html", Translator("ru"))
-    assert rendered["chapters/kinematics.j2"] == 1 and set(rendered.values()) == {1}
+    assert rendered["chapters/lever/kinematics.j2"] == 1 and set(rendered.values()) == {1}
 
 
 def test_two_things_with_one_label_are_a_mistake():

@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 from notes import VARIANTS
 
 from tmm_report.course import loads, solve
-from tmm_report.mechanics import by_time, structure
+from tmm_report.mechanics.lever import assur_groups
+from tmm_report.mechanics.machine.run import by_time
 from tmm_report.problems import ProblemError
 from tmm_report.quantity.paper import PAPER, legible
 from tmm_report.variant import sizes
@@ -161,9 +162,9 @@ def test_the_search_of_groups_ends(monkeypatch):
     """Four links that only together are a group, as on the arm of a digger."""
     text = (VARIANTS / "crank_rocker.yaml").read_text("utf-8")
     mechanism = loads(text).lever.mechanism
-    monkeypatch.setattr(structure, "MOST_SETS", 1)
+    monkeypatch.setattr(assur_groups, "MOST_SETS", 1)
     with pytest.raises(ProblemError, match="none of the first 1 sets of them is an Assur group"):
-        structure.decompose(mechanism)
+        assur_groups.decompose(mechanism)
 
 
 # ---------------------------------------------------------------- motions

@@ -10,9 +10,9 @@ import jsonschema
 import pytest
 
 from tmm_report import course, variant, yamlread
-from tmm_report.chapters.kinetostatics.loads import ByAngle, ByDisplacement, ByPosition, Constant
+from tmm_report.chapters.lever.kinetostatics.given import ByAngle, ByDisplacement, ByPosition, Constant
 from tmm_report.languages import LANGUAGES
-from tmm_report.mechanics.mechanism import ZeroAngle, ZeroExtreme
+from tmm_report.mechanics.lever.mechanism import ZeroAngle, ZeroExtreme
 from tmm_report.problems import ProblemError, mistake
 
 VARIANTS = sorted(Path(__file__).parents[1].joinpath("variants").glob("*.yaml"))

@@ -16,7 +16,9 @@ from told import Told
 
 from tmm_report import load, solve
 from tmm_report.commands.verify import found, reference, run
-from tmm_report.mechanics import eccentric, involute, motion
+from tmm_report.mechanics.gears import involute
+from tmm_report.mechanics.gears.eccentric import mechanism as eccentric
+from tmm_report.mechanics.lever import motion
 from tmm_report.problems import Message, ProblemError, mistake
 from tmm_report.resources import references_root
 
@@ -45,7 +47,7 @@ def test_a_velocity_wrong_in_the_twelfth_digit_turns_it_red(monkeypatch):
 
 
 def test_a_wrong_contact_ratio_turns_it_red(monkeypatch):
-    from tmm_report.mechanics.spur import Pair
+    from tmm_report.mechanics.gears.meshing import Pair
 
     of = Pair.p_b.func
     wrong = property(lambda self: of(self) * (1 + 1e-11))

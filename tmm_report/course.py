@@ -15,44 +15,80 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from tmm_report import yamlread
-from tmm_report.chapters.force_plans import solve as force_plans
-from tmm_report.chapters.friction import solve as friction
-from tmm_report.chapters.friction.given import Friction
-from tmm_report.chapters.kinematics import solve as kinematics
-from tmm_report.chapters.kinematics.given import Positions, Way
-from tmm_report.chapters.kinetostatics import solve as kinetostatics
-from tmm_report.chapters.kinetostatics.loads import Loads
-from tmm_report.chapters.machine import Moving
-from tmm_report.chapters.methods.given import Comparison
-from tmm_report.chapters.plans import solve as plans
-from tmm_report.chapters.plans.given import Drawing
-from tmm_report.chapters.readings.given import Readings
-from tmm_report.chapters.structure import solve as structure
+from tmm_report.chapters.lever.friction.given import Friction
+from tmm_report.chapters.lever.kinematics.given import Positions, Way
+from tmm_report.chapters.lever.kinetostatics.given import Loads
+from tmm_report.chapters.lever.methods.given import Comparison
+from tmm_report.chapters.lever.moving import Moving
+from tmm_report.chapters.lever.plans.given import Drawing
+from tmm_report.chapters.lever.readings.given import Readings
 from tmm_report.chapters.title.given import Title
 from tmm_report.languages import DEFAULT, DecimalSign, stated_in
-from tmm_report.mechanics.mechanism import Mechanism
+from tmm_report.mechanics.lever.mechanism import Mechanism
 from tmm_report.problems import N_, Message, Problem, ProblemError
 from tmm_report.records import dataclass
 
-if TYPE_CHECKING:  # loaded only for a variant that has them
-    from tmm_report.chapters.balancing import solve as balancing
-    from tmm_report.chapters.cam import solve as cam
-    from tmm_report.chapters.contacts import solve as contacts
-    from tmm_report.chapters.drive import solve as drive
-    from tmm_report.chapters.dynamics import solve as dynamics
-    from tmm_report.chapters.eccentric import solve as eccentric
-    from tmm_report.chapters.efficiency import solve as efficiency
-    from tmm_report.chapters.engine import solve as engine
-    from tmm_report.chapters.flywheel import solve as flywheel
-    from tmm_report.chapters.governor import solve as governor
-    from tmm_report.chapters.harmonics import solve as harmonics
-    from tmm_report.chapters.methods import solve as methods
-    from tmm_report.chapters.readings import solve as readings
-    from tmm_report.chapters.reduction import solve as reduction
-    from tmm_report.chapters.rotor import solve as rotor
-    from tmm_report.chapters.vibration import solve as vibration
-    from tmm_report.chapters.wear import solve as wear
+if TYPE_CHECKING:
+    from tmm_report.chapters.gears.drive import solve as drive
+    from tmm_report.chapters.gears.eccentric.solve import mechanism as eccentric
+    from tmm_report.chapters.lever.cam import solve as cam
+    from tmm_report.chapters.lever.force_plans import solve as force_plans
+    from tmm_report.chapters.lever.friction import solve as friction
+    from tmm_report.chapters.lever.kinematics.solve import positions as kinematics
+    from tmm_report.chapters.lever.kinetostatics.solve import positions as kinetostatics
+    from tmm_report.chapters.lever.methods import solve as methods
+    from tmm_report.chapters.lever.plans import solve as plans
+    from tmm_report.chapters.lever.readings import solve as readings
+    from tmm_report.chapters.lever.reduction import solve as reduction
+    from tmm_report.chapters.lever.structure import solve as structure
+    from tmm_report.chapters.machine.balancing.solve import whole as balancing
+    from tmm_report.chapters.machine.contacts import solve as contacts
+    from tmm_report.chapters.machine.dynamics import solve as dynamics
+    from tmm_report.chapters.machine.efficiency import solve as efficiency
+    from tmm_report.chapters.machine.engine import solve as engine
+    from tmm_report.chapters.machine.flywheel import solve as flywheel
+    from tmm_report.chapters.machine.governor.solve import whole as governor
+    from tmm_report.chapters.machine.harmonics import solve as harmonics
+    from tmm_report.chapters.machine.rotor import solve as rotor
+    from tmm_report.chapters.machine.vibration import solve as vibration
+    from tmm_report.chapters.machine.wear import solve as wear
     from tmm_report.variant.model import Read, Rooms
+
+
+class Late:
+    """A chapter's solve, loaded only for a variant that asks something of it."""
+
+    def __init__(self, module: str):
+        self.module = f"tmm_report.chapters.{module}"
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(import_module(self.module), name)
+
+
+if not TYPE_CHECKING:
+    structure = Late("lever.structure.solve")
+    kinematics = Late("lever.kinematics.solve.positions")
+    cam = Late("lever.cam.solve")
+    plans = Late("lever.plans.solve")
+    kinetostatics = Late("lever.kinetostatics.solve.positions")
+    force_plans = Late("lever.force_plans.solve")
+    friction = Late("lever.friction.solve")
+    reduction = Late("lever.reduction.solve")
+    readings = Late("lever.readings.solve")
+    methods = Late("lever.methods.solve")
+    dynamics = Late("machine.dynamics.solve")
+    flywheel = Late("machine.flywheel.solve")
+    governor = Late("machine.governor.solve.whole")
+    balancing = Late("machine.balancing.solve.whole")
+    rotor = Late("machine.rotor.solve")
+    engine = Late("machine.engine.solve")
+    harmonics = Late("machine.harmonics.solve")
+    vibration = Late("machine.vibration.solve")
+    contacts = Late("machine.contacts.solve")
+    efficiency = Late("machine.efficiency.solve")
+    wear = Late("machine.wear.solve")
+    drive = Late("gears.drive.solve")
+    eccentric = Late("gears.eccentric.solve.mechanism")
 
 
 @dataclass(frozen=True, eq=False)
@@ -176,9 +212,9 @@ def solve(variant: Variant, moved: Moved | None = None) -> Results:
 def _of_gears(variant: Variant) -> Iterator[Problem]:
     """What cannot be solved of gears, whatever becomes of the other chapters."""
     if variant.drive is not None:
-        yield from _unsolvable(partial(_drive, variant.drive))
+        yield from _unsolvable(partial(drive.solve, variant.drive))
     if variant.eccentric is not None:
-        yield from _unsolvable(partial(_eccentric, variant.eccentric))
+        yield from _unsolvable(partial(eccentric.solve, variant.eccentric))
 
 
 def _unsolvable(run: Callable[[], object]) -> list[Problem]:
@@ -204,19 +240,19 @@ def _solved(variant: Variant, moved: Moved | None) -> Results:
     return Results(
         variant,
         lever=lever,
-        dynamics=_dynamics(variant.dynamics, moving) if variant.dynamics and whole else None,
-        flywheel=_flywheel(variant.flywheel, moving) if variant.flywheel and whole else None,
-        governor=_governor(variant.governor, moving) if variant.governor else None,
-        balancing=_balancing(variant.balancing, moving) if variant.balancing and whole else None,
-        rotor=_rotor(variant.rotor, moving) if variant.rotor else None,
-        engine=_engine(variant.engine, moving) if variant.engine else None,
-        harmonics=_harmonics(variant.harmonics, moving) if variant.harmonics and whole else None,
-        vibration=_vibration(variant.vibration, moving) if variant.vibration and whole else None,
-        contacts=_contacts(variant.contacts, moving) if variant.contacts else None,
-        efficiency=_efficiency(variant.efficiency, moving) if variant.efficiency else None,
-        wear=_wear(variant.wear, moving) if variant.wear and whole else None,
-        drive=_drive(variant.drive, moving) if variant.drive else None,
-        eccentric=_eccentric(variant.eccentric) if variant.eccentric else None,
+        dynamics=dynamics.solve(variant.dynamics, moving) if variant.dynamics and whole else None,
+        flywheel=flywheel.solve(variant.flywheel, moving) if variant.flywheel and whole else None,
+        governor=governor.solve(variant.governor, moving) if variant.governor else None,
+        balancing=balancing.solve(variant.balancing, moving) if variant.balancing and whole else None,
+        rotor=rotor.solve(variant.rotor, moving) if variant.rotor else None,
+        engine=engine.solve(variant.engine, moving) if variant.engine else None,
+        harmonics=harmonics.solve(variant.harmonics, moving) if variant.harmonics and whole else None,
+        vibration=vibration.solve(variant.vibration, moving) if variant.vibration and whole else None,
+        contacts=contacts.solve(variant.contacts, moving) if variant.contacts else None,
+        efficiency=efficiency.solve(variant.efficiency, moving) if variant.efficiency else None,
+        wear=wear.solve(variant.wear, moving) if variant.wear and whole else None,
+        drive=drive.solve(variant.drive, moving) if variant.drive else None,
+        eccentric=eccentric.solve(variant.eccentric) if variant.eccentric else None,
     )
 
 
@@ -240,16 +276,16 @@ def solve_lever(given: LeverGiven, moved: Moved | None = None, flywheel: Any = N
         given,
         links,
         motion,
-        _cams(motion) if given.mechanism.cams else None,
+        cam.solve(motion) if given.mechanism.cams else None,
         drawn,
         forces,
         force_plans.solve(given.drawing, given.positions.force_plan, forces, drawn) if forces else None,
         friction.solve(given.friction, forces) if given.friction and forces else None,
-        _reduction(motion, forces, drawn) if given.reduction else None,
+        reduction.solve(motion, forces, drawn) if given.reduction else None,
     )
     if given.methods:
         moving = _moving(found, flywheel is None or flywheel.friction)
-        found = replace(found, methods=_methods(given.methods, moving))
+        found = replace(found, methods=methods.solve(given.methods, moving))
     return replace(found, readings=_readings(found)) if given.readings else found
 
 
@@ -257,30 +293,8 @@ def _forces(given: Loads | None, motion: kinematics.Kinematics) -> kinetostatics
     return kinetostatics.solve(given, motion) if given else None
 
 
-def _cams(motion: kinematics.Kinematics) -> cam.Cams | None:
-    from tmm_report.chapters.cam.solve import solve
-
-    return solve(motion)
-
-
-def _reduction(
-    motion: kinematics.Kinematics, forces: kinetostatics.Kinetostatics | None, drawn: plans.Plans
-) -> reduction.Reduction:
-    from tmm_report.chapters.reduction.solve import solve
-
-    return solve(motion, forces, drawn)
-
-
-def _methods(given: Comparison, moving: Moving) -> methods.Found:
-    from tmm_report.chapters.methods.solve import solve
-
-    return solve(given, moving)
-
-
 def _readings(found: LeverFound) -> readings.ReadingsFound:
     """A student may have read any number of the chapters before."""
-    from tmm_report.chapters.readings.solve import solve
-
     before = ((name, getattr(found, name)) for name in LEVER)
     tables = [
         (name, table)
@@ -288,85 +302,7 @@ def _readings(found: LeverFound) -> readings.ReadingsFound:
         if chapter is not None
         for table in room(name, "quantities").tables(chapter)
     ]
-    return solve(found.given.readings, found.plans, tables)
-
-
-def _dynamics(given: dynamics.Given, moving: Moving | None) -> dynamics.Found:
-    from tmm_report.chapters.dynamics.solve import solve
-
-    return solve(given, moving)
-
-
-def _flywheel(given: flywheel.Given, moving: Moving | None) -> flywheel.Found:
-    from tmm_report.chapters.flywheel.solve import solve
-
-    return solve(given, moving)
-
-
-def _governor(given: governor.Given, moving: Moving | None) -> governor.Found:
-    from tmm_report.chapters.governor.solve import solve
-
-    return solve(given, moving)
-
-
-def _balancing(given: balancing.Given, moving: Moving | None) -> balancing.Found:
-    from tmm_report.chapters.balancing.solve import solve
-
-    return solve(given, moving)
-
-
-def _rotor(given: rotor.Given, moving: Moving | None) -> rotor.Found:
-    from tmm_report.chapters.rotor.solve import solve
-
-    return solve(given, moving)
-
-
-def _engine(given: engine.Given, moving: Moving | None) -> engine.Found:
-    from tmm_report.chapters.engine.solve import solve
-
-    return solve(given, moving)
-
-
-def _harmonics(given: harmonics.Given, moving: Moving | None) -> harmonics.Found:
-    from tmm_report.chapters.harmonics.solve import solve
-
-    return solve(given, moving)
-
-
-def _vibration(given: vibration.Given, moving: Moving | None) -> vibration.Found:
-    from tmm_report.chapters.vibration.solve import solve
-
-    return solve(given, moving)
-
-
-def _contacts(given: contacts.Given, moving: Moving | None) -> contacts.Found:
-    from tmm_report.chapters.contacts.solve import solve
-
-    return solve(given, moving)
-
-
-def _efficiency(given: efficiency.Given, moving: Moving | None) -> efficiency.Found:
-    from tmm_report.chapters.efficiency.solve import solve
-
-    return solve(given, moving)
-
-
-def _wear(given: wear.Given, moving: Moving | None) -> wear.Found:
-    from tmm_report.chapters.wear.solve import solve
-
-    return solve(given, moving)
-
-
-def _drive(given: drive.Given, moving: Moving | None = None) -> drive.Found:
-    from tmm_report.chapters.drive.solve import solve
-
-    return solve(given, moving)
-
-
-def _eccentric(given: eccentric.Given) -> eccentric.Found:
-    from tmm_report.chapters.eccentric.solve import solve
-
-    return solve(given)
+    return readings.solve(found.given.readings, found.plans, tables)
 
 
 # ---------------------------------------------------------------- the chapters by name
@@ -375,6 +311,7 @@ INITIAL_DATA = "initial_data"  # what a lever mechanism is given, at the head of
 LEVER = tuple(record.name for record in fields(LeverFound) if record.name != "given")
 OTHERS = tuple(record.name for record in fields(Results) if record.name not in ("variant", "lever"))
 """The chapters beside the lever's: the key of such a chapter's block is its name."""
+GEARS = ("spur", "planetary", "drive", "eccentric")  # the first two are stages of a drive
 
 
 def chapters(results: Results) -> Iterator[tuple[str, Any]]:
@@ -410,7 +347,14 @@ def left_out(results: Results) -> list[str]:
 
 def room(chapter: str, name: str) -> Any:
     """A module of a chapter's folder by its name: "block", "quantities" or "view". Loaded when it is asked for."""
-    return import_module(f"tmm_report.chapters.{chapter}.{name}")
+    return import_module(f"tmm_report.chapters.{wing(chapter)}{chapter}.{name}")
+
+
+def wing(chapter: str) -> str:
+    """Which wing a chapter stands in, "lever." and so on: none for the title page."""
+    if chapter in (INITIAL_DATA, *LEVER):
+        return "lever."
+    return "gears." if chapter in GEARS else "machine." if chapter in OTHERS else ""
 
 
 # ---------------------------------------------------------------- from the text of a variant
@@ -455,7 +399,7 @@ def _rooms() -> Rooms:
 
 
 def _variant(document: yamlread.Document, file: str, soft: list[Problem]) -> Variant:
-    from tmm_report.chapters.structure.block import stated
+    from tmm_report.chapters.lever.structure.block import stated
     from tmm_report.variant.reading import read
 
     found = read(document, file, soft, _rooms(), _further)
@@ -472,7 +416,7 @@ def _variant(document: yamlread.Document, file: str, soft: list[Problem]) -> Var
 
 def _further(read: Read) -> Iterator[Problem]:
     """What cannot be solved of the parts of a file with mistakes that have none themselves."""
-    from tmm_report.chapters.structure.block import stated
+    from tmm_report.chapters.lever.structure.block import stated
 
     if stated(read) and not any(map(read.is_broken, ("mechanism", "positions", "drawing"))):
         lever = LeverGiven(**_given(("structure", "kinematics"), read))
@@ -485,7 +429,7 @@ def _further(read: Read) -> Iterator[Problem]:
 
 def _geared(found: Read, document: yamlread.Document, file: str) -> Read:
     """The driving link with the speed of the drive's output, where it is to have that. Raises ProblemError."""
-    from tmm_report.chapters.drive.block import geared
+    from tmm_report.chapters.gears.drive.block import geared
 
     try:
         return geared(found)

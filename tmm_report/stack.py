@@ -11,12 +11,12 @@ from collections import defaultdict
 from collections.abc import Hashable, Iterator, Mapping, Sequence
 from typing import Any
 
-from tmm_report.chapters.kinematics import together as kinematics
-from tmm_report.chapters.kinetostatics import together as kinetostatics
-from tmm_report.chapters.structure import solve as structure
+from tmm_report.chapters.lever.kinematics.solve import many as kinematics
+from tmm_report.chapters.lever.kinetostatics.solve import many as kinetostatics
+from tmm_report.chapters.lever.structure import solve as structure
 from tmm_report.course import LeverGiven, Moved, Results, Variant, solve
-from tmm_report.mechanics.each import Unlike
-from tmm_report.mechanics.mechanism import Mechanism, ZeroAngle
+from tmm_report.mechanics.calculus.variants import Unlike
+from tmm_report.mechanics.lever.mechanism import Mechanism, ZeroAngle
 from tmm_report.problems import ProblemError
 
 LARGEST = 32  # variants in one stack: more are hardly faster, and take more memory

@@ -6,20 +6,20 @@ from faults import STATICS, Fault
 
 CURES = ("tests/test_cures_of_slips.py",)
 UNUSUAL = ("tests/test_unusual_but_right.py",)
-FOLLOWED = ("tests/mechanics/test_branch.py",)
+FOLLOWED = ("tests/mechanics/lever/high_class/test_branch.py",)
 
 FAULTS = (
     # --- loads and points ---
     Fault(
         "a force goes to another link than the stated one",
-        STATICS + "acting.py",
+        STATICS + "solve/acting_forces.py",
         "    if force.on is not None:\n        return force.on\n",
         "",
-        tests=("tests/chapters/test_loads_at_the_edge.py",),
+        tests=("tests/chapters/lever/kinetostatics/test_loads_at_the_edge.py",),
     ),
     Fault(
         "results name the point in place of the link that takes a force",
-        STATICS + "quantities.py",
+        STATICS + "quantities/positions.py",
         "f.at, loaded_link(motion, f), _way(f.direction)",
         "f.at, f.at, _way(f.direction)",
     ),
@@ -28,49 +28,49 @@ FAULTS = (
         STATICS + "block/checks.py",
         "count = steps if closed else steps + 1",
         "count = steps",
-        tests=("tests/chapters/test_loads_at_the_edge.py",),
+        tests=("tests/chapters/lever/kinetostatics/test_loads_at_the_edge.py",),
     ),
     Fault(
         "pressures by position are taken as forces",
         STATICS + "block/build.py",
         "ByPosition(tuple(y * area for y in written.by_position))",
         "ByPosition(tuple(y for y in written.by_position))",
-        tests=("tests/chapters/test_loads_at_the_edge.py",),
+        tests=("tests/chapters/lever/kinetostatics/test_loads_at_the_edge.py",),
     ),
     Fault(
         "a constant pressure is taken as a force",
         STATICS + "block/build.py",
         "Constant(written.constant * area)",
         "Constant(written.constant)",
-        tests=("tests/chapters/test_loads_at_the_edge.py",),
+        tests=("tests/chapters/lever/kinetostatics/test_loads_at_the_edge.py",),
     ),
     Fault(
         "lengths between points at one place are listed",
-        "tmm_report/chapters/initial_data/quantities.py",
+        "tmm_report/chapters/lever/initial_data/quantities.py",
         "for segment, size in found if size > 0]",
         "for segment, size in found]",
-        tests=("tests/chapters/test_loads_at_the_edge.py",),
+        tests=("tests/chapters/lever/kinetostatics/test_loads_at_the_edge.py",),
     ),
     Fault(
         "masses without loads are passed over",
         STATICS + "block/doubts.py",
         "        if heavy and not _weighed(read):\n",
         "        if not heavy:\n",
-        tests=("tests/chapters/test_stated_in_vain.py",),
+        tests=("tests/chapters/lever/test_stated_in_vain.py",),
     ),
     Fault(
         "friction without loads is passed over",
-        "tmm_report/chapters/friction/block.py",
+        "tmm_report/chapters/lever/friction/block.py",
         'if "loads" not in read.data:',
         'if "loads" in read.data:',
-        tests=("tests/chapters/test_stated_in_vain.py",),
+        tests=("tests/chapters/lever/test_stated_in_vain.py",),
     ),
     Fault(
         "the arm that gives the scale is a point at the pivot",
-        "tmm_report/chapters/initial_data/quantities.py",
+        "tmm_report/chapters/lever/initial_data/quantities.py",
         "if abs(points[p] - points[pivot]) > 0)",
         "if p != pivot)",
-        tests=("tests/chapters/test_loads_at_the_edge.py",),
+        tests=("tests/chapters/lever/kinetostatics/test_loads_at_the_edge.py",),
     ),
     # --- messages ---
     Fault(
@@ -124,7 +124,7 @@ FAULTS = (
     ),
     Fault(
         "moments of inertia held against no radius",
-        "tmm_report/chapters/structure/block/odd.py",
+        "tmm_report/chapters/lever/structure/block/odd.py",
         "radius = math.sqrt(inertia.size / mass.size)",
         "radius = 0.3 * longest",
         tests=("tests/test_odd_numbers.py",),
@@ -231,7 +231,7 @@ FAULTS = (
     ),
     Fault(
         "a motion is followed without end",
-        "tmm_report/mechanics/by_time.py",
+        "tmm_report/mechanics/machine/run/by_time.py",
         "range(min(TURNS, FOLLOWED // plant.panels.x.size))",
         "range(TURNS)",
         tests=("tests/test_sizes.py",),
@@ -246,7 +246,7 @@ FAULTS = (
     ),
     Fault(
         "light links of small mechanisms warned about",
-        "tmm_report/chapters/structure/block/odd.py",
+        "tmm_report/chapters/lever/structure/block/odd.py",
         "min(THIN * found.longest, WIRE * cube)",
         "THIN * found.longest",
         tests=UNUSUAL,

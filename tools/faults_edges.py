@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from faults import KIN, MECHANICS, SPUR, STATICS, Fault
 
-BRANCH = MECHANICS + "branch/"
-EDGES = ("tests/mechanics/test_higher_edges.py",)
-RANDOM = ("tests/mechanics/test_random_groups.py",)
-MOTION = ("tests/chapters/test_partial_motion.py",)
-GEARS = ("tests/chapters/test_gear_edges.py",)
-FOLLOWED = ("tests/mechanics/test_branch.py",)
-PARTIAL = ("tests/chapters/test_partial_mechanisms.py",)
-DEAD = ("tests/mechanics/test_dead_points.py",)
-DIGITS = ("tests/chapters/test_digits_near_singular.py",)
+BRANCH = MECHANICS + "lever/high_class/branch/"
+EDGES = ("tests/mechanics/lever/high_class/test_higher_edges.py",)
+RANDOM = ("tests/mechanics/lever/high_class/test_random_groups.py",)
+MOTION = ("tests/chapters/lever/kinematics/test_partial_motion.py",)
+GEARS = ("tests/chapters/gears/test_gear_edges.py",)
+FOLLOWED = ("tests/mechanics/lever/high_class/test_branch.py",)
+PARTIAL = ("tests/chapters/lever/kinematics/test_partial_mechanisms.py",)
+DEAD = ("tests/mechanics/lever/test_dead_points.py",)
+DIGITS = ("tests/chapters/lever/kinematics/test_digits_near_singular.py",)
 
 FAULTS = (
     # --- groups above class II ---
@@ -26,7 +26,7 @@ FAULTS = (
     ),
     Fault(
         "a group followed against the sense of rotation",
-        MECHANICS + "assembly.py",
+        MECHANICS + "lever/assembly/stated.py",
         "senses=(sense,)",
         "senses=(-sense,)",
         "quick_return",
@@ -74,7 +74,7 @@ FAULTS = (
     ),
     Fault(
         "an earlier group's gap blamed on the next",
-        MECHANICS + "singular.py",
+        MECHANICS + "lever/singular.py",
         "gaps=_without(first, last, group.walls),",
         "gaps=((first, last),),",
         "quick_return",
@@ -82,7 +82,7 @@ FAULTS = (
     ),
     Fault(
         "groups above class II followed from the sketch, not from position 0",
-        MECHANICS + "singular.py",
+        MECHANICS + "lever/singular.py",
         "                if begins:\n",
         "                if False:\n",
         "quick_return",
@@ -90,7 +90,7 @@ FAULTS = (
     ),
     Fault(
         "two assemblies that meet in the sketch taken for one",
-        MECHANICS + "assembly.py",
+        MECHANICS + "lever/assembly/stated.py",
         "[0] > MERGING:",
         "[0] > 0:",
         "quick_return",
@@ -99,70 +99,70 @@ FAULTS = (
     # --- lever mechanisms at the edge ---
     Fault(
         "one component of a lost vector kept",
-        MECHANICS + "planar.py",
+        MECHANICS + "calculus/vectors.py",
         "NOWHERE if np.iscomplexobj(values) else np.nan",
         "np.nan",
         tests=PARTIAL,
     ),
     Fault(
         "a corner is no dead point",
-        MECHANICS + "searched.py",
+        MECHANICS + "lever/cycle_search.py",
         "self.within(np.concatenate([roots[good], jumps]))",
         "self.within(roots[good])",
         tests=DEAD,
     ),
     Fault(
         "two roots within a step are none",
-        MECHANICS + "brackets.py",
+        MECHANICS + "calculus/brackets.py",
         "(lowest < SHALLOW * rise)",
         "(lowest < -1e9 * rise)",
         tests=DEAD,
     ),
     Fault(
         "the search no finer beside a limit",
-        MECHANICS + "brackets.py",
+        MECHANICS + "calculus/brackets.py",
         "FINER = 4e-3 * 10",
         "FINER = 0.0 * 10",
         tests=DEAD,
     ),
     Fault(
         "one side of a corner alone among the extremes",
-        MECHANICS + "cycle.py",
+        MECHANICS + "lever/cycle.py",
         "            motion = self.beside(at, side)\n",
         "            motion = self.beside(at, 1)\n",
         tests=DEAD,
     ),
     Fault(
         "digits lost once, not twice",
-        KIN + "digits.py",
+        KIN + "checks/digits_left.py",
         "2 * np.log10(np.maximum(sine, 1e-300))",
         "1 * np.log10(np.maximum(sine, 1e-300))",
         tests=DIGITS,
     ),
     Fault(
         "an interval across position 0 beyond a turn",
-        KIN + "gaps.py",
+        KIN + "checks/open_cycle.py",
         "0° ≤ φ < {b - 360:.{places}f}°",
         "0° ≤ φ < {b:.{places}f}°",
         tests=PARTIAL,
     ),
     Fault(
         "rates kept in a limit position",
-        KIN + "solve.py",
+        KIN + "solve/positions.py",
         "lost = lost | (off < AT_LIMIT)",
         "lost = lost | (off < 0)",
         tests=PARTIAL,
     ),
     Fault(
         "joints that do not close are printed",
-        KIN + "closing.py",
+        KIN + "checks/closure.py",
         "return apart > CLOSED * size",
         "return apart > size",
         tests=PARTIAL,
     ),
     Fault(
         "a stroke that ends beside its limit",
-        KIN + "swings.py",
+        KIN + "solve/swings.py",
         "cycle.repeated(stops), cycle.repeated(cycle.ends)]",
         "cycle.repeated(stops)]",
         tests=PARTIAL,
@@ -176,7 +176,7 @@ FAULTS = (
     ),
     Fault(
         "a moment without bound has extremes",
-        STATICS + "solve.py",
+        STATICS + "solve/positions.py",
         "if self.kinematics.limited else self._of_diagram",
         "if False else self._of_diagram",
         tests=PARTIAL,
@@ -184,59 +184,59 @@ FAULTS = (
     # --- gear pairs ---
     Fault(
         "involutes of undercut wheels from the base circle",
-        MECHANICS + "cutting.py",
+        MECHANICS + "gears/cutting.py",
         "under = (start < 0) & (z > 0)",
         "under = (start < -np.inf) & (z > 0)",
         "hoist_drive",
-        ("tests/mechanics/test_involute_start.py",),
+        ("tests/mechanics/gears/test_involute_start.py",),
     ),
     Fault(
         "active profiles as far as the tip circles",
-        MECHANICS + "spur.py",
+        MECHANICS + "gears/meshing.py",
         "np.maximum(self._line - self._top[1 - i], self._start[i])",
         "self._line - self._top[1 - i]",
         "hoist_drive",
-        ("tests/mechanics/test_involute_start.py",),
+        ("tests/mechanics/gears/test_involute_start.py",),
     ),
     Fault(
         "contour not bounded by the spaces of a ring",
-        MECHANICS + "pair_limits.py",
+        MECHANICS + "gears/limits/pair.py",
         'yield Limit("space", i + 1, 0.0,',
         'yield Limit("space", i + 1, -9.0,',
         "hoist_drive",
-        ("tests/chapters/test_gear_edges.py",),
+        ("tests/chapters/gears/test_gear_edges.py",),
     ),
     Fault(
         "contour not bounded by the sliding",
-        SPUR + "contour.py",
+        SPUR + "solve/contour.py",
         "sliding=sliding,",
         "",
         "hoist_drive",
-        ("tests/chapters/test_contour_sampled.py",),
+        ("tests/chapters/lever/kinematics/test_contour_sampled.py",),
     ),
     Fault(
         "radial assembly by the wrong involute",
-        MECHANICS + "rings.py",
+        MECHANICS + "gears/ring_interference.py",
         "- z[1] * (Theta + Tip)",
         "- z[1] * (Theta - Tip)",
         "hoist_drive",
-        ("tests/mechanics/test_radial_assembly.py",),
+        ("tests/mechanics/gears/test_radial_assembly.py",),
     ),
     Fault(
         "root of a ring inside its cutter",
-        MECHANICS + "cutting.py",
+        MECHANICS + "gears/cutting.py",
         "return 2 * self.distance - 2 * self.tip",
         "return 2 * self.distance + 2 * self.tip",
         "hoist_drive",
-        ("tests/chapters/test_gear_edges.py",),
+        ("tests/chapters/gears/test_gear_edges.py",),
     ),
     Fault(
         "tips of a ring not cut down",
-        MECHANICS + "wheels.py",
+        MECHANICS + "gears/pair_sizes.py",
         "np.minimum(self._full[i], -clear)",
         "np.maximum(self._full[i], -clear)",
         "hoist_drive",
-        ("tests/chapters/test_gear_edges.py",),
+        ("tests/chapters/gears/test_gear_edges.py",),
     ),
     Fault(
         "root circle of a ring by the wrong sum",
@@ -248,68 +248,68 @@ FAULTS = (
     ),
     Fault(
         "rounded shifts changed without a word",
-        SPUR + "solve.py",
+        SPUR + "solve/pair.py",
         "if not self.altered or not isinstance(stated, tuple):",
         "if self.altered or not isinstance(stated, tuple):",
         "hoist_drive",
-        ("tests/chapters/test_gear_edges.py",),
+        ("tests/chapters/gears/test_gear_edges.py",),
     ),
     # --- planetary, eccentric, drives ---
     Fault(
         "the weight of the ratio's nearness is taken for that of the size",
-        "tmm_report/mechanics/planetary_search.py",
+        "tmm_report/mechanics/gears/planetary/search.py",
         "(1 - task.weight) * np.log(size) + task.weight * miss",
         "task.weight * np.log(size) + (1 - task.weight) * miss",
-        tests=("tests/mechanics/test_planetary_blocks.py",),
+        tests=("tests/mechanics/gears/test_planetary_blocks.py",),
     ),
     Fault(
         "a block of combinations is counted without its rejected ones",
-        "tmm_report/mechanics/planetary_search.py",
+        "tmm_report/mechanics/gears/planetary/search.py",
         "np.append(reasons[failed], verdicts)",
         "np.append(reasons[:0], verdicts)",
-        tests=("tests/mechanics/test_planetary_blocks.py",),
+        tests=("tests/mechanics/gears/test_planetary_blocks.py",),
     ),
     Fault(
         "stated shifts of a ring row are summed",
-        "tmm_report/mechanics/planetary.py",
+        "tmm_report/mechanics/gears/planetary/stage.py",
         "shifts[central] + scheme.rows[k] * shifts[crown]",
         "shifts[central] + shifts[crown]",
-        tests=("tests/chapters/test_planetary_stated.py",),
+        tests=("tests/chapters/gears/test_planetary_stated.py",),
     ),
     Fault(
         "the belt over a middle satellite keeps the largest one's half",
-        "tmm_report/mechanics/eccentric.py",
+        "tmm_report/mechanics/gears/eccentric/mechanism.py",
         "first = -ring if by_middle else largest",
         "first = largest",
-        tests=("tests/mechanics/test_eccentric_by_middle.py",),
+        tests=("tests/mechanics/gears/test_eccentric_by_middle.py",),
     ),
     Fault(
         "the link takes the wanted ratio, not that of the teeth",
-        "tmm_report/chapters/drive/solve.py",
+        "tmm_report/chapters/gears/drive/solve.py",
         "return _turned(given, stages, joined(stages))[stages[-1].output]",
         "return given.speed / math.prod(stage.wanted for stage in stages)",
-        tests=("tests/chapters/test_drive_turns_the_link.py",),
+        tests=("tests/chapters/machine/test_drive_turns_the_link.py",),
     ),
     Fault(
         "the drive is loaded by the greatest moment in the place of the mean",
-        "tmm_report/chapters/drive/solve.py",
+        "tmm_report/chapters/gears/drive/solve.py",
         "return found.mean / whole if found.mean > 0 else None",
         "return abs(found.greatest) / whole",
-        tests=("tests/chapters/test_drive_turns_the_link.py",),
+        tests=("tests/chapters/machine/test_drive_turns_the_link.py",),
     ),
     Fault(
         "the ratio stated beside two numbers of teeth is not looked at",
-        "tmm_report/chapters/eccentric/mistakes.py",
+        "tmm_report/chapters/gears/eccentric/solve/mistakes.py",
         "    if ring > sun:\n        yield from _other_ratio(given, sun, ring)",
         "    if largest:\n        yield from _other_ratio(given, sun, ring)",
-        tests=("tests/mechanics/test_eccentric_by_middle.py",),
+        tests=("tests/mechanics/gears/test_eccentric_by_middle.py",),
     ),
     Fault(
         "all satellites of a stage are taken for one in the forces",
-        "tmm_report/chapters/drive/crank_quantities.py",
+        "tmm_report/chapters/gears/drive/crank_quantities.py",
         "share = stage.satellites if isinstance(stage, planetary.Found) else 1",
         "share = 1",
-        tests=("tests/chapters/test_drive_turns_the_link.py",),
+        tests=("tests/chapters/machine/test_drive_turns_the_link.py",),
     ),
     # --- random groups above class II ---
     Fault(
@@ -321,7 +321,7 @@ FAULTS = (
     ),
     Fault(
         "of two assemblies the one farther from the sketch",
-        MECHANICS + "assembly.py",
+        MECHANICS + "lever/assembly/stated.py",
         "first, *others = np.argsort(misses)",
         "*others, first = np.argsort(misses)",
         tests=RANDOM,
@@ -336,22 +336,28 @@ FAULTS = (
     # --- partial motion ---
     Fault(
         "values beside a limit decide what is alike",
-        MECHANICS + "cycle.py",
+        MECHANICS + "lever/cycle.py",
         "least_and_greatest(row, x, ~np.isin(x, self._beside_limits), side)",
         "least_and_greatest(row, x, np.ones(x.shape, bool), side)",
         tests=MOTION,
     ),
     Fault(
         "angles behind a gap a turn off",
-        KIN + "swings.py",
+        KIN + "solve/swings.py",
         "angle[behind:] += angle[0] - angle[-1]",
         "pass",
         tests=MOTION,
     ),
-    Fault("a jam told from the sketch", KIN + "gaps.py", " or _elsewhere(cycle, run)", "", tests=MOTION),
+    Fault(
+        "a jam told from the sketch",
+        KIN + "checks/open_cycle.py",
+        " or _elsewhere(cycle, run)",
+        "",
+        tests=MOTION,
+    ),
     Fault(
         "the first of the groups alone blamed",
-        KIN + "solve.py",
+        KIN + "solve/positions.py",
         "raise ProblemError([gap.problem for gap in causes])",
         "raise ProblemError([causes[0].problem])",
         tests=MOTION,
@@ -359,7 +365,7 @@ FAULTS = (
     # --- cutters, helical planetary stages ---
     Fault(
         "what a rack leaves bounds no cut pair",
-        MECHANICS + "pair_limits.py",
+        MECHANICS + "gears/limits/pair.py",
         "np.minimum(own, pair.tops[i] - by_rack)",
         "np.maximum(own, pair.tops[i] - by_rack)",
         "hoist_drive",
@@ -367,15 +373,15 @@ FAULTS = (
     ),
     Fault(
         "stated shifts of the normal section doubly projected",
-        "tmm_report/chapters/planetary/quantities.py",
+        "tmm_report/chapters/gears/planetary/quantities/stage.py",
         "found.sizes.shifts[order] / np.cos",
         "found.sizes.shifts[order] * np.cos",
         "hoist_drive",
-        ("tests/chapters/test_planetary_stated.py",),
+        ("tests/chapters/gears/test_planetary_stated.py",),
     ),
     Fault(
         "a cutter's tips without the clearance",
-        MECHANICS + "cutting.py",
+        MECHANICS + "gears/cutting.py",
         "rack.ha + rack.c + x, 1e-9",
         "rack.ha + x, 1e-9",
         "hoist_drive",
@@ -383,7 +389,7 @@ FAULTS = (
     ),
     Fault(
         "the undercut adds to a tip's radius of curvature",
-        "tmm_report/chapters/spur/formulas.py",
+        "tmm_report/chapters/gears/spur/formulas.py",
         "/ 2 * sin(self.alpha_t) - lost)",
         "/ 2 * sin(self.alpha_t) + lost)",
         "hoist_drive",

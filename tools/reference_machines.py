@@ -8,13 +8,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from tmm_report.chapters.contacts.given import Screw
-from tmm_report.chapters.efficiency.given import Module
+from tmm_report.chapters.machine.contacts.given import Screw
+from tmm_report.chapters.machine.efficiency.given import Module
 from tmm_report.course import Results
-from tmm_report.mechanics.characteristics import Kloss, Series
-from tmm_report.mechanics.governor import Arms, BellCrank
-from tmm_report.mechanics.methods.exact.numbers import Number, context
-from tmm_report.mechanics.methods.exact.numbers import exact as number
+from tmm_report.mechanics.machine.characteristics import Kloss, Series
+from tmm_report.mechanics.machine.governor.equilibrium import Arms, BellCrank
+from tmm_report.mechanics.rivals.exact.numbers import Number, context
+from tmm_report.mechanics.rivals.exact.numbers import exact as number
 
 Named = Iterator[tuple[str, Number]]
 

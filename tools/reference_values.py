@@ -8,16 +8,16 @@ from typing import Any
 import numpy as np
 from reference_machines import machines
 
-from tmm_report.chapters.eccentric.solve import Found as Eccentric
-from tmm_report.chapters.kinematics.travels import Travel
-from tmm_report.chapters.planetary.solve import Found as Planetary
-from tmm_report.chapters.spur.solve import Found as Spur
+from tmm_report.chapters.gears.eccentric.solve.mechanism import Found as Eccentric
+from tmm_report.chapters.gears.planetary.solve.stage import Found as Planetary
+from tmm_report.chapters.gears.spur.solve.pair import Found as Spur
+from tmm_report.chapters.lever.kinematics.solve.strokes import Travel
 from tmm_report.course import LeverFound, Results
-from tmm_report.mechanics.methods import exact
-from tmm_report.mechanics.methods.exact import gears
-from tmm_report.mechanics.methods.exact.numbers import Number, context, dot, point
-from tmm_report.mechanics.methods.exact.numbers import exact as number
-from tmm_report.mechanics.methods.exact.scheme import Body
+from tmm_report.mechanics.rivals import exact
+from tmm_report.mechanics.rivals.exact import gears
+from tmm_report.mechanics.rivals.exact.numbers import Number, context, dot, point
+from tmm_report.mechanics.rivals.exact.numbers import exact as number
+from tmm_report.mechanics.rivals.exact.scheme import Body
 
 Named = Iterator[tuple[str, Number]]
 

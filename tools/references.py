@@ -1,7 +1,7 @@
 """Make the references of `tmm-report verify`: `python tools/references.py [variant ...]`.
 
 tmm_report/verification/<variant>.json holds numbers of 40 digits of each ready variant, computed by another way than
-the program's own: see mechanics/methods/exact. Of the table positions those are kept that `kept` tells.
+the program's own: see mechanics/rivals/exact. Of the table positions those are kept that `kept` tells.
 """
 
 from __future__ import annotations
@@ -15,17 +15,17 @@ from typing import Any
 import numpy as np
 
 from tmm_report import load, solve
-from tmm_report.chapters.kinematics.solve import Kinematics, rounding
-from tmm_report.chapters.kinetostatics.exactly import acting
+from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics, rounding
+from tmm_report.chapters.lever.kinetostatics.solve.acting_exact import acting
 from tmm_report.course import LeverFound
-from tmm_report.mechanics.mechanism import ZeroAngle, ZeroExtreme
-from tmm_report.mechanics.methods import exact
-from tmm_report.mechanics.methods.exact import gears
-from tmm_report.mechanics.methods.exact.forces import forces
-from tmm_report.mechanics.methods.exact.numbers import DIGITS, Number, context, dot, point
-from tmm_report.mechanics.methods.exact.numbers import exact as number
-from tmm_report.mechanics.methods.exact.scheme import Body
-from tmm_report.mechanics.methods.exact.solving import solved
+from tmm_report.mechanics.lever.mechanism import ZeroAngle, ZeroExtreme
+from tmm_report.mechanics.rivals import exact
+from tmm_report.mechanics.rivals.exact import gears
+from tmm_report.mechanics.rivals.exact.forces import forces
+from tmm_report.mechanics.rivals.exact.numbers import DIGITS, Number, context, dot, point
+from tmm_report.mechanics.rivals.exact.numbers import exact as number
+from tmm_report.mechanics.rivals.exact.scheme import Body
+from tmm_report.mechanics.rivals.exact.solving import solved
 from tmm_report.resources import references_root
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))

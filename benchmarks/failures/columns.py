@@ -18,13 +18,13 @@ from benchmarks.failures.judge import NONE, REFUSED, Cell, Found, judged, usual_
 from benchmarks.failures.scenes import SCENES
 from benchmarks.failures.truth import GRAVITY, KINDS, Truth, truth
 from tmm_report import course
-from tmm_report.chapters.kinematics.view import CORNER, LIMIT, PASSED
+from tmm_report.chapters.lever.kinematics.view.positions import CORNER, LIMIT, PASSED
 from tmm_report.commands.solve import summary
-from tmm_report.mechanics import statics
-from tmm_report.mechanics.methods.forces import FORCES
-from tmm_report.mechanics.methods.model import Loaded, MotionMethod
-from tmm_report.mechanics.methods.motions import MOTIONS, PLAIN_NEWTON
-from tmm_report.mechanics.motion import Motion
+from tmm_report.mechanics.lever.forces import reactions as statics
+from tmm_report.mechanics.lever.motion import Motion
+from tmm_report.mechanics.rivals.forces import FORCES
+from tmm_report.mechanics.rivals.model import Loaded, MotionMethod
+from tmm_report.mechanics.rivals.motion.every import MOTIONS, PLAIN_NEWTON
 from tmm_report.problems import Message, Problem, ProblemError
 
 HARMLESS = "harmless"

@@ -11,8 +11,8 @@ from mpmath import mp
 from benchmarks.failures.judge import REFUSED, RIGHT, WRONG, Cell
 from benchmarks.failures.truth import SLACK
 from tmm_report import course
-from tmm_report.mechanics.methods.involutes import INVOLUTES
-from tmm_report.mechanics.methods.run_up import RUN_UPS, Arrived, StartUp, errors
+from tmm_report.mechanics.rivals.involutes import INVOLUTES
+from tmm_report.mechanics.rivals.run_up import RUN_UPS, Arrived, StartUp, errors
 
 STEPS = 400  # of the methods with equal ones
 TOLERANCE = 1e-7  # of the others

@@ -16,11 +16,11 @@ from benchmarks.failures.scenes import CORNER, NOWHERE, Root, Scene
 from benchmarks.near_singular.bound import bounded
 from benchmarks.near_singular.closed import Number, Pose, chain, exactly, forces, lifted, mp
 from benchmarks.near_singular.ours import carried
-from tmm_report.mechanics.cycle import Cycle
-from tmm_report.mechanics.dyads import Dyad
-from tmm_report.mechanics.mechanism import Mechanism
-from tmm_report.mechanics.methods.exact import at as in_digits
-from tmm_report.mechanics.structure import decompose
+from tmm_report.mechanics.lever.assur_groups import decompose
+from tmm_report.mechanics.lever.cycle import Cycle
+from tmm_report.mechanics.lever.dyads import Dyad
+from tmm_report.mechanics.lever.mechanism import Mechanism
+from tmm_report.mechanics.rivals.exact import at as in_digits
 
 HAIR = mp.mpf(10) ** -20  # rad, beside a change point
 KINDS = ("place", "velocity", "acceleration")

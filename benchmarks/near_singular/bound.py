@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from benchmarks.near_singular.closed import Number, exactly, lifted, mp
-from tmm_report.mechanics.mechanism import Mechanism
+from tmm_report.mechanics.lever.mechanism import Mechanism
 
 EPS = mp.mpf(2) ** -52
 MOVE = mp.mpf(10) ** -30

@@ -1,7 +1,7 @@
 """Dyads in 130 digits: places by closed formulas, rates by differences of the driver's angle, forces by one system.
 
-Independent of the program but for what a group is (`mechanics/structure`) and the order of its links
-(`mechanics/dyads.dyad`). Numbers of a mechanism may be doubles or numbers of mpmath.
+Independent of the program but for what a group is (`mechanics/lever/assur_groups`) and the order of its links
+(`mechanics/lever/dyads.dyad`). Numbers of a mechanism may be doubles or numbers of mpmath.
 """
 
 from __future__ import annotations
@@ -12,9 +12,9 @@ from typing import Any
 
 from mpmath import MPContext
 
-from tmm_report.mechanics.dyads import Dyad, dyad
-from tmm_report.mechanics.mechanism import FRAME, Mechanism
-from tmm_report.mechanics.structure import Structure, decompose
+from tmm_report.mechanics.lever.assur_groups import Structure, decompose
+from tmm_report.mechanics.lever.dyads import Dyad, dyad
+from tmm_report.mechanics.lever.mechanism import FRAME, Mechanism
 
 Number = Any  # of mpmath
 Roots = Sequence[int]  # of every dyad with its number, ±1

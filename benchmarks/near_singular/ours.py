@@ -11,17 +11,17 @@ import numpy as np
 from benchmarks.near_singular.bound import Key, Value, bounded
 from benchmarks.near_singular.closed import Body, Number, chain, exactly, forces
 from benchmarks.near_singular.scenes import GRAVITY, PUSH, Scene
-from tmm_report.mechanics import statics
-from tmm_report.mechanics.cycle import Cycle
-from tmm_report.mechanics.dyads import Dyad
-from tmm_report.mechanics.mechanism import Mechanism
-from tmm_report.mechanics.methods.exact.moving import starts
-from tmm_report.mechanics.methods.exact.scheme import scheme
-from tmm_report.mechanics.methods.exact.solving import solved
-from tmm_report.mechanics.motion import Motion
-from tmm_report.mechanics.motion import solve as solve_motion
-from tmm_report.mechanics.planar import cross
-from tmm_report.mechanics.structure import decompose
+from tmm_report.mechanics.calculus.vectors import cross
+from tmm_report.mechanics.lever.assur_groups import decompose
+from tmm_report.mechanics.lever.cycle import Cycle
+from tmm_report.mechanics.lever.dyads import Dyad
+from tmm_report.mechanics.lever.forces import reactions as statics
+from tmm_report.mechanics.lever.mechanism import Mechanism
+from tmm_report.mechanics.lever.motion import Motion
+from tmm_report.mechanics.lever.motion import solve as solve_motion
+from tmm_report.mechanics.rivals.exact.moving import starts
+from tmm_report.mechanics.rivals.exact.scheme import scheme
+from tmm_report.mechanics.rivals.exact.solving import solved
 
 KINDS = ("place", "velocity", "acceleration", "force")
 DIGITS = 60

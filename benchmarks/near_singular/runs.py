@@ -12,11 +12,11 @@ from benchmarks.near_singular import ours
 from benchmarks.near_singular.bound import Key, Value
 from benchmarks.near_singular.ours import KINDS, Miss
 from benchmarks.near_singular.scenes import SCENES
-from tmm_report.mechanics.cycle import Cycle
-from tmm_report.mechanics.methods.forces import FORCES
-from tmm_report.mechanics.methods.model import Loaded, MotionMethod
-from tmm_report.mechanics.methods.motions import MOTIONS
-from tmm_report.mechanics.methods.tables import TABLES
+from tmm_report.mechanics.lever.cycle import Cycle
+from tmm_report.mechanics.rivals.forces import FORCES
+from tmm_report.mechanics.rivals.model import Loaded, MotionMethod
+from tmm_report.mechanics.rivals.motion.every import MOTIONS
+from tmm_report.mechanics.rivals.tables import TABLES
 
 COUNT = 12  # steps of the swing; a table method differentiates these
 JITTERS = 3  # mechanisms with slightly other lengths, of which the worst counts

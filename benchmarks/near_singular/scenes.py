@@ -11,9 +11,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from tmm_report.mechanics.assembly import assemble
-from tmm_report.mechanics.cycle import Cycle, cycle_of
-from tmm_report.mechanics.mechanism import Assembly, Driver, Guide, Link, Mechanism, Slide, ZeroAngle
+from tmm_report.mechanics.lever.assembly.stated import assemble
+from tmm_report.mechanics.lever.cycle import Cycle, cycle_of
+from tmm_report.mechanics.lever.mechanism import Assembly, Driver, Guide, Link, Mechanism, Slide, ZeroAngle
 
 OMEGA = 7.0
 SWEEP = 0.5  # rad

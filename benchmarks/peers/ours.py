@@ -8,8 +8,9 @@ import numpy as np
 
 from benchmarks.peers.peer import Array, Call, Found, Peer
 from benchmarks.peers.scene import Rocker, Scene, Slider, starts
-from tmm_report.mechanics import motion, statics, structure
-from tmm_report.mechanics.mechanism import Driver, Guide, Link, Mechanism, Slide
+from tmm_report.mechanics.lever import assur_groups, motion
+from tmm_report.mechanics.lever.forces import reactions as statics
+from tmm_report.mechanics.lever.mechanism import Driver, Guide, Link, Mechanism, Slide
 
 
 def prepare(scene: Scene, phi: Array, forces: bool = True) -> Call:
@@ -41,7 +42,7 @@ def _moment(found: motion.Motion, scene: Scene) -> Found:
 
 def _linkage(scene: Scene, phi: float) -> motion.Linkage:
     """The roots are those that put the points where the scene has them at the first angle."""
-    known = structure.decompose(_mechanism(scene))
+    known = assur_groups.decompose(_mechanism(scene))
     at = starts(scene, phi)
     for signs in product((1, -1), repeat=len(scene.rods)):
         linkage = motion.linkage_of(known, signs)

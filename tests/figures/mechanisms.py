@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmm_report.mechanics.mechanism import Driver, Guide, Link, Mechanism, Slide
+from tmm_report.mechanics.lever.mechanism import Driver, Guide, Link, Mechanism, Slide
 
 Case = tuple[Mechanism, dict[str, np.ndarray], dict[str, np.ndarray]]
 

@@ -2,11 +2,11 @@
 
 import pytest
 
-from tmm_report.chapters.drive import solve as drive
-from tmm_report.chapters.drive.block import DriveModel, build
-from tmm_report.chapters.drive.draw import diagrams as figures
-from tmm_report.chapters.drive.draw.scheme import scheme
-from tmm_report.chapters.drive.draw.sketch import CLEAR
+from tmm_report.chapters.gears.drive import solve as drive
+from tmm_report.chapters.gears.drive.block import DriveModel, build
+from tmm_report.chapters.gears.drive.draw import diagrams as figures
+from tmm_report.chapters.gears.drive.draw.scheme import scheme
+from tmm_report.chapters.gears.drive.draw.sketch import CLEAR
 from tmm_report.figures.drawing import Arrow, Path, Text
 from tmm_report.quantity.paper import ACCURACY
 

@@ -5,13 +5,13 @@ import xml.etree.ElementTree as ET
 import numpy as np
 import pytest
 
-from tmm_report.chapters.spur import solve as spur
-from tmm_report.chapters.spur.draw.action import CONTACT
-from tmm_report.chapters.spur.draw.contour import Plane, contour, pieces_of
-from tmm_report.chapters.spur.draw.mesh import mesh_drawing
-from tmm_report.chapters.spur.draw.sheet import ACTIVE, TEETH
-from tmm_report.chapters.spur.draw.zones import BEYOND, WIDE, pairs_at, zones
-from tmm_report.chapters.spur.view import SpurView
+from tmm_report.chapters.gears.spur.draw.action import CONTACT
+from tmm_report.chapters.gears.spur.draw.contour import Plane, contour, pieces_of
+from tmm_report.chapters.gears.spur.draw.mesh import mesh_drawing
+from tmm_report.chapters.gears.spur.draw.sheet import ACTIVE, TEETH
+from tmm_report.chapters.gears.spur.draw.zones import BEYOND, WIDE, pairs_at, zones
+from tmm_report.chapters.gears.spur.solve import pair as spur
+from tmm_report.chapters.gears.spur.view.pair import SpurView
 from tmm_report.figures.dimensions import span, spread
 from tmm_report.figures.drawing import THICK, Arc, Path, Text, svg, tikz
 from tmm_report.i18n import Translator

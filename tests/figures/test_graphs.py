@@ -14,7 +14,7 @@ from conftest import solved
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tmm_report.chapters.kinematics.draw import Diagrams
+from tmm_report.chapters.lever.kinematics.view.diagrams import Diagrams
 from tmm_report.figures.axes import angle_axis, figure, position_marks, round_ticks, value_ticks
 from tmm_report.figures.drawing import Path, Text, svg, tikz
 from tmm_report.figures.graphs import Curve, graph

@@ -5,12 +5,12 @@ import math
 import numpy as np
 import pytest
 
-from tmm_report.chapters.spur import solve as spur
-from tmm_report.chapters.spur.draw.phase import phase_drawing
-from tmm_report.chapters.spur.draw.sliding import CURVES, sliding_drawing
-from tmm_report.chapters.spur.mesh import ROUND, TALL, round_scale
+from tmm_report.chapters.gears.spur.draw.phase import phase_drawing
+from tmm_report.chapters.gears.spur.draw.sliding import CURVES, sliding_drawing
+from tmm_report.chapters.gears.spur.solve import pair as spur
+from tmm_report.chapters.gears.spur.solve.mesh import ROUND, TALL, round_scale
 from tmm_report.figures.drawing import DASHED, Arc, Circle, Path, Text
-from tmm_report.mechanics.polygons import clearance
+from tmm_report.mechanics.calculus.polygons import clearance
 from tmm_report.quantity.text import number
 from tmm_report.report.sheets import percent, sheet_of
 

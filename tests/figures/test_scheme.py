@@ -14,7 +14,7 @@ from tmm_report.figures.marks import JOINT
 from tmm_report.figures.placing import AWAY, LEADER
 from tmm_report.figures.scheme import GROUPS_PAGE, groups_apart, positions_scheme, scheme, standard_scale
 from tmm_report.figures.superposed import SMALL
-from tmm_report.mechanics.mechanism import Link
+from tmm_report.mechanics.lever.mechanism import Link
 
 GROUPS = [("I (0,1)", ("0", "1")), ("II (2,3)", ("2", "3"))]
 

@@ -17,11 +17,11 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from tmm_report import course
-from tmm_report.chapters.kinetostatics import quantities as say
+from tmm_report.chapters.lever.kinetostatics.quantities import positions as say
 from tmm_report.grading.follow import carried
-from tmm_report.mechanics import motion as motions
-from tmm_report.mechanics.mechanism import FRAME
-from tmm_report.mechanics.relations import moving_points, named_values, relations, turning_links
+from tmm_report.mechanics.lever import motion as motions
+from tmm_report.mechanics.lever.mechanism import FRAME
+from tmm_report.mechanics.lever.vector_equations import moving_points, named_values, relations, turning_links
 from tmm_report.results import tables
 
 NO_ANSWER = ("position", "phi", "lever_disagreement", "power_disagreement")

@@ -7,10 +7,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmm_report.mechanics import motion
-from tmm_report.mechanics.cycle import Cycle
-from tmm_report.mechanics.mechanism import FRAME, Mechanism
-from tmm_report.mechanics.planar import cross
+from tmm_report.mechanics.calculus.vectors import cross
+from tmm_report.mechanics.lever import motion
+from tmm_report.mechanics.lever.cycle import Cycle
+from tmm_report.mechanics.lever.mechanism import FRAME, Mechanism
 
 Array = np.ndarray
 

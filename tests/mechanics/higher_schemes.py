@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tmm_report.mechanics.mechanism import Driver, Guide, Link, Mechanism, Slide
+from tmm_report.mechanics.lever.mechanism import Driver, Guide, Link, Mechanism, Slide
 
 # group -> pairs as links that they join; links 0 and 1 are the frame and the crank
 TOPOLOGIES: dict[str, Sequence[tuple[str, str]]] = {

@@ -8,9 +8,10 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from tmm_report.mechanics import motion, statics, structure
-from tmm_report.mechanics.mechanism import Driver, Guide, Link, Mechanism, Slide
-from tmm_report.mechanics.planar import cross
+from tmm_report.mechanics.calculus.vectors import cross
+from tmm_report.mechanics.lever import assur_groups, motion
+from tmm_report.mechanics.lever.forces import reactions as statics
+from tmm_report.mechanics.lever.mechanism import Driver, Guide, Link, Mechanism, Slide
 
 ONES = (1.0,) * 6
 OMEGA = 7.0
@@ -148,7 +149,7 @@ ROOTED = [(name, sign) for name, kinds in KINDS.items() for sign in ((1, -1) if 
 
 def linkage(scheme: Mechanism, sign: int = 1) -> motion.Linkage:
     """All dyads of the first root; the four-bar under the compound in the first, the rest in root `sign`."""
-    found = structure.decompose(scheme)
+    found = assur_groups.decompose(scheme)
     first = 1 if len(found.groups) > 2 else sign
     return motion.linkage_of(found, [first, *(sign for _ in found.groups[1:])])
 

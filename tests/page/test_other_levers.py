@@ -12,7 +12,7 @@ from reading import wrong
 from test_against_results import unmarked, wrong_cells, wrong_formulas, wrong_spans
 
 from tmm_report import render
-from tmm_report.chapters.kinetostatics.loads import Constant, Moment
+from tmm_report.chapters.lever.kinetostatics.given import Constant, Moment
 from tmm_report.course import LeverGiven, solve
 
 NAMES = ["crank_rocker", "quick_return", "tangent"]

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 import yaml
 
-from tmm_report.chapters.eccentric import solve as eccentric
+from tmm_report.chapters.gears.eccentric.solve import mechanism as eccentric
 
 PRINTED = yaml.safe_load(Path(__file__).with_name("eccentric_printed.yaml").read_text(encoding="utf-8"))
 DATA = PRINTED["input"]

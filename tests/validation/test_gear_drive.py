@@ -19,8 +19,8 @@ import numpy as np
 import pytest
 import yaml
 
-from tmm_report.chapters.spur import solve as spur
-from tmm_report.mechanics.involute import inv
+from tmm_report.chapters.gears.spur.solve import pair as spur
+from tmm_report.mechanics.gears.involute import inv
 
 # every scalar stays text, so that 97.250 keeps its last zero
 PRINTED = yaml.load(Path(__file__).with_name("gear_drive_printed.yaml").read_text("utf-8"), yaml.BaseLoader)

@@ -11,7 +11,7 @@ import pytest
 from cases import agrees, case
 
 from tmm_report import course
-from tmm_report.mechanics import cylinders, rotor
+from tmm_report.mechanics.masses import engine_cylinders, rotor
 
 FOOT, INCH, G = 0.3048, 0.0254, 32.2  # m, m, ft/s²
 RPM = np.pi / 30
@@ -100,7 +100,7 @@ def test_a_locomotive_as_a_lying_engine_of_two_cylinders():
 
 def test_a_locomotive_by_its_formulas():
     of = case("sarkar-12-3-locomotive")["inputs"]
-    found = cylinders.locomotive(of["mR"], of["r"], of["N"] * RPM, of["c"], of["a"])
+    found = engine_cylinders.locomotive(of["mR"], of["r"], of["N"] * RPM, of["c"], of["a"])
     agrees("sarkar-12-3-locomotive", T_N=found.traction, S_Nm=found.swaying)
     assert found.hammer == pytest.approx(of["c"] * of["mR"] * of["r"] * (of["N"] * RPM) ** 2)
 

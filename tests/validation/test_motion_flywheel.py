@@ -13,9 +13,9 @@ import pytest
 from cases import agrees, case
 
 from tmm_report import course
-from tmm_report.mechanics import flywheel as fly
-from tmm_report.mechanics.flywheel_motion import turning
-from tmm_report.mechanics.panels import panels
+from tmm_report.mechanics.calculus.panels import panels
+from tmm_report.mechanics.machine.flywheel import inertia as fly
+from tmm_report.mechanics.machine.flywheel.motion import turning
 
 RPM = math.pi / 30
 

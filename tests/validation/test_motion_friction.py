@@ -9,7 +9,7 @@ import pytest
 from cases import agrees, case
 
 from tmm_report import course
-from tmm_report.mechanics import friction as law
+from tmm_report.mechanics.pairs import friction as law
 
 INCH, RPM = 0.0254, math.pi / 30
 

@@ -10,8 +10,8 @@ import pytest
 from cases import agrees, case, every
 
 from tmm_report import course
-from tmm_report.mechanics import governor as g
-from tmm_report.mechanics import governor_loop as small
+from tmm_report.mechanics.machine.governor import equilibrium as g
+from tmm_report.mechanics.machine.governor import stability as small
 
 RPM = 30 / math.pi
 

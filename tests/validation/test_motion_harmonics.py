@@ -7,24 +7,27 @@ from cases import agrees, case
 from notes import VARIANTS
 
 from tmm_report import course
-from tmm_report.mechanics import slider_series
+from tmm_report.mechanics.masses import slider_harmonics
 
 
 def test_short_formula_of_the_rods_cosine():
     """The error of 1 − x/2 for √(1 − x) where the crank stands across the guide."""
     of = case("nptel-cosbeta")["inputs"]
     phi = math.radians(of["theta_deg"])
-    exact, short = slider_series.rod_cosine(of["lam"], phi), slider_series.rod_cosine_short(of["lam"], phi)
+    exact, short = (
+        slider_harmonics.rod_cosine(of["lam"], phi),
+        slider_harmonics.rod_cosine_short(of["lam"], phi),
+    )
     agrees("nptel-cosbeta", error_percent=100 * (short / exact - 1))
 
 
 def coefficients(lam):
     """By three ways: product of binomial series, sums over a turn, power series in λ with many terms."""
-    harmonics = slider_series.acceleration_harmonics(lam, 6)
+    harmonics = slider_harmonics.acceleration_harmonics(lam, 6)
     return [
-        [slider_series.acceleration_exact(lam, k) for k in (2, 4, 6)],
+        [slider_harmonics.acceleration_exact(lam, k) for k in (2, 4, 6)],
         [float(harmonics.cosine[k]) for k in (2, 4, 6)],
-        [slider_series.acceleration_series(lam, k, 40) for k in (2, 4, 6)],
+        [slider_harmonics.acceleration_series(lam, k, 40) for k in (2, 4, 6)],
     ]
 
 

@@ -9,13 +9,13 @@ import pytest
 from cases import agrees, case
 
 from tmm_report import course
-from tmm_report.chapters.dynamics import quantities
-from tmm_report.mechanics import characteristics as ch
-from tmm_report.mechanics import shafts
-from tmm_report.mechanics.machine import Acting, Plant
-from tmm_report.mechanics.motion_law import Goal
-from tmm_report.mechanics.panels import panels
-from tmm_report.mechanics.running import run
+from tmm_report.chapters.machine.dynamics import quantities
+from tmm_report.mechanics.calculus.panels import panels
+from tmm_report.mechanics.machine import characteristics as ch
+from tmm_report.mechanics.machine import reduced_train
+from tmm_report.mechanics.machine.reduced import Acting, Plant
+from tmm_report.mechanics.machine.run.law import run
+from tmm_report.mechanics.machine.run.motion_law import Goal
 from tmm_report.quantity.model import Book
 
 RPM = math.pi / 30
@@ -50,9 +50,13 @@ def test_motor_with_a_geared_shaft_and_a_hoist():
     name = "dubey-2-1-two-loads"
     x = given(name)
     omega = x["N_rpm"] * RPM
-    J = x["J0"] + shafts.inertia(x["a"], x["J1"]) + shafts.travelling(x["M_kg"], x["v_mps"] / omega)
-    M = shafts.moment(x["a"], x["T1_Nm"], x["eta1"])
-    M += shafts.moment(x["v_mps"] / omega, x["M_kg"] * 9.81, x["eta2"])
+    J = (
+        x["J0"]
+        + reduced_train.inertia(x["a"], x["J1"])
+        + reduced_train.travelling(x["M_kg"], x["v_mps"] / omega)
+    )
+    M = reduced_train.moment(x["a"], x["T1_Nm"], x["eta1"])
+    M += reduced_train.moment(x["v_mps"] / omega, x["M_kg"] * 9.81, x["eta2"])
     agrees(name, J_kgm2=J, T_Nm=M, P_kW=M * omega / 1e3)
 
 
@@ -71,8 +75,8 @@ def test_motor_with_a_geared_shaft_and_a_hoist_as_a_variant():
 def test_motor_with_a_gear_and_a_belt():
     name = "guptasinghal-3-9-gear-belt"
     x = given(name)
-    J = x["J0"] + shafts.inertia(x["i1"], x["J1"]) + shafts.inertia(x["i2"], x["J2"])
-    M = shafts.moment(x["i1"], x["T1_Nm"]) + shafts.moment(x["i2"], x["T2_Nm"])
+    J = x["J0"] + reduced_train.inertia(x["i1"], x["J1"]) + reduced_train.inertia(x["i2"], x["J2"])
+    M = reduced_train.moment(x["i1"], x["T1_Nm"]) + reduced_train.moment(x["i2"], x["T2_Nm"])
     agrees(name, J_kgm2=J, T_Nm=M, P_W=M * x["N_rpm"] * RPM)
 
 
@@ -92,8 +96,8 @@ def test_motor_with_a_gear_and_a_belt_as_a_variant():
 def test_belt_conveyor():
     name = "guptasinghal-3-6-conveyor"
     x = given(name)
-    omega, mass = x["N_rpm"] * RPM, shafts.carried(x["rate_t_per_h"] / 3.6, x["l_m"], x["v_mps"])
-    J = shafts.travelling(mass, x["v_mps"] / omega)
+    omega, mass = x["N_rpm"] * RPM, reduced_train.carried(x["rate_t_per_h"] / 3.6, x["l_m"], x["v_mps"])
+    J = reduced_train.travelling(mass, x["v_mps"] / omega)
     moment = (x["J0"] + J) * omega / x["t_s"]
     assert run(plant(x["J0"] + J, fixed("motor", moment)), 0.0, Goal(speed=omega)).t[-1] == pytest.approx(8.0)
     agrees(name, J_load_kgm2=J, T_Nm=moment)
@@ -119,8 +123,8 @@ def test_falling_mass_with_a_geared_shaft(passing):
     name = "khurmi-3-13-falling-mass"
     x = given(name)
     eta = x["eta"] if passing else 1.0
-    J = x["IA"] + shafts.inertia(x["G"], x["IB"], eta) + shafts.travelling(x["M"], x["r"])
-    a = -shafts.moment(x["r"], -x["M"] * x["g"]) / J * x["r"]
+    J = x["IA"] + reduced_train.inertia(x["G"], x["IB"], eta) + reduced_train.travelling(x["M"], x["r"])
+    a = -reduced_train.moment(x["r"], -x["M"] * x["g"]) / J * x["r"]
     agrees(name, **{"a_eta" if passing else "a": a})
 
 
@@ -144,7 +148,7 @@ def test_crank_moment_of_a_steam_engine():
     head, rod = (math.pi / 4 * x[key] ** 2 for key in ("D_in", "d_rod_in"))
     force = x["p1_psi"] * head - x["p2_psi"] * (head - rod)  # lb
     arms = [
-        shafts.crank_arm(math.radians(x["theta_deg"]), x["stroke_in"] / 2, x["l_in"], exact)
+        reduced_train.crank_arm(math.radians(x["theta_deg"]), x["stroke_in"] / 2, x["l_in"], exact)
         for exact in (False, True)
     ]
     agrees(name, T_lbft=force * arms[0] / 12, T_lbft_exact_kinematics=force * arms[1] / 12)
@@ -311,10 +315,13 @@ def test_start_over_a_gear_and_the_best_ratio():
     name = "khurmi-3-17-geared-start"
     x = given(name)
     values = x["IA"], x["IB"], x["TA"], x["TB"], x["eta"]
-    alpha = shafts.geared_acceleration(x["G"], *values)
+    alpha = reduced_train.geared_acceleration(x["G"], *values)
     speed = x["N_rpm"] * RPM
     agrees(
-        name, P_W=x["TB"] * speed / x["eta"], t_s=x["N2_rpm"] * RPM / alpha, G_best=shafts.best_ratio(*values)
+        name,
+        P_W=x["TB"] * speed / x["eta"],
+        t_s=x["N2_rpm"] * RPM / alpha,
+        G_best=reduced_train.best_ratio(*values),
     )
 
 
@@ -347,7 +354,7 @@ def test_plugging_of_a_motor_whose_current_lags():
 
 def test_plugging_of_a_motor_whose_current_lags_by_integration():
     """The same by steps in time."""
-    from tmm_report.mechanics.ode import integrate
+    from tmm_report.mechanics.calculus.ode import integrate
 
     x = given("dubey-5-10-dc-plugging")
     constant = (x["V"] - x["Ia"] * x["Ra"]) / (x["N_rpm"] * RPM)

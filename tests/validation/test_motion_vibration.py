@@ -7,8 +7,8 @@ import pytest
 from cases import agrees, case
 
 from tmm_report import course
-from tmm_report.mechanics import vibration as vib
-from tmm_report.mechanics.vibration import Body
+from tmm_report.mechanics.masses import vibration as vib
+from tmm_report.mechanics.masses.vibration import Body
 
 RPM = math.pi / 30
 

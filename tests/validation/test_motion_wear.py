@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from cases import agrees, case
 
-from tmm_report.mechanics import wear
+from tmm_report.mechanics.pairs import wear
 
 
 def test_pressures_of_a_collar_that_wears_evenly():

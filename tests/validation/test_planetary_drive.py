@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 import yaml
 
-from tmm_report.chapters.planetary.block import PlanetaryModel, build
-from tmm_report.chapters.planetary.solve import solve
-from tmm_report.mechanics import planetary as p
-from tmm_report.mechanics import trains
+from tmm_report.chapters.gears.planetary.block import PlanetaryModel, build
+from tmm_report.chapters.gears.planetary.solve.stage import solve
+from tmm_report.mechanics.gears import trains
+from tmm_report.mechanics.gears.planetary import stage as p
 
 PRINTED = yaml.load(Path(__file__).with_name("gear_drive_printed.yaml").read_text("utf-8"), yaml.BaseLoader)
 GIVEN, STAGE = PRINTED["input"], PRINTED["planetary"]

@@ -14,10 +14,10 @@ import pytest
 from conftest import read, stating
 
 from tmm_report import course
-from tmm_report.chapters.kinematics.given import Positions
-from tmm_report.chapters.kinetostatics.loads import ByAngle, Loads
-from tmm_report.mechanics import motion
-from tmm_report.mechanics.assembly import assemble
+from tmm_report.chapters.lever.kinematics.given import Positions
+from tmm_report.chapters.lever.kinetostatics.given import ByAngle, Loads
+from tmm_report.mechanics.lever import motion
+from tmm_report.mechanics.lever.assembly.stated import assemble
 
 # crank angle, deg: phi3, rad; slider's distance, m; analogues w3 and v5
 ROWS = {

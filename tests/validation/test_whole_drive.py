@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 import yaml
 
-from tmm_report.chapters.drive import solve as drive
-from tmm_report.chapters.drive.block import DriveModel, build
+from tmm_report.chapters.gears.drive import solve as drive
+from tmm_report.chapters.gears.drive.block import DriveModel, build
 
 PRINTED = yaml.load(Path(__file__).with_name("gear_drive_printed.yaml").read_text("utf-8"), yaml.BaseLoader)
 GIVEN, WHOLE, SPEEDS = PRINTED["input"], PRINTED["planetary"], PRINTED["speeds"]

@@ -16,8 +16,8 @@ from markupsafe import Markup
 from tmm_report.course import LeverFound, Results, summary
 from tmm_report.figures.drawing import Drawing, polygon, svg
 from tmm_report.i18n import Translator
-from tmm_report.mechanics.cycle import Extreme, larger
-from tmm_report.mechanics.structure import ROMAN
+from tmm_report.mechanics.lever.assur_groups import ROMAN
+from tmm_report.mechanics.lever.cycle import Extreme, larger
 from tmm_report.note import picture as drawing_of
 from tmm_report.problems import Message, Problem
 from tmm_report.records import dataclass

@@ -16,8 +16,8 @@ from tmm_report.commands.talk import Talk, failure, unwritable, written
 from tmm_report.commands.whole import put
 from tmm_report.course import Results, Variant, solve
 from tmm_report.i18n import Translator
-from tmm_report.mechanics.methods.choice import ACCURACY
-from tmm_report.mechanics.methods.counts import Counted
+from tmm_report.mechanics.rivals.choice import ACCURACY
+from tmm_report.mechanics.rivals.counts import Counted
 from tmm_report.problems import N_, Message, Problem, ProblemError
 from tmm_report.quantity.text import number
 from tmm_report.quantity.units import WrongValue, parse

@@ -14,8 +14,8 @@ from tmm_report.course import Results, room
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.logs import Series, loglog
 from tmm_report.i18n import NP_, Translator
-from tmm_report.mechanics.methods.model import Method, Trial
-from tmm_report.mechanics.methods.trials import by_method, worst
+from tmm_report.mechanics.rivals.model import Method, Trial
+from tmm_report.mechanics.rivals.trials import by_method, worst
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.text import number, unit_text
@@ -227,4 +227,4 @@ def _counts(found: All, results: Results, form: Page, given: dict[str, Any]) -> 
         asked, results.lever.kinematics, found.accuracy, {}, found.counted
     )
     view = room("methods", "view").MethodsView(chapter, form)
-    return Markup(template("chapters/methods_counts.j2").render(given, view=view))
+    return Markup(template("chapters/lever/methods/counts.j2").render(given, view=view))

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 
 from tmm_report.course import LeverFound, Results, room
-from tmm_report.mechanics.methods.choice import choose
-from tmm_report.mechanics.methods.counts import Counted
-from tmm_report.mechanics.methods.model import Method
-from tmm_report.mechanics.methods.trials import COUNTS, Judged, Rivals, run_off, trials
+from tmm_report.mechanics.rivals.choice import choose
+from tmm_report.mechanics.rivals.counts import Counted
+from tmm_report.mechanics.rivals.model import Method
+from tmm_report.mechanics.rivals.trials import COUNTS, Judged, Rivals, run_off, trials
 from tmm_report.problems import N_
 from tmm_report.records import dataclass
 
@@ -79,7 +79,7 @@ def _of_lever(lever: LeverFound) -> Iterator[Scene]:
     counts = tuple(sorted({*(count * lever.kinematics.cycle.turns for count in COUNTS), *asked}))
     yield "motion", N_("Methods of the motion"), scenes.motions(lever.kinematics, counts), asked
     if lever.kinetostatics is not None:
-        acting = room("kinetostatics", "exactly").acting
+        acting = room("kinetostatics", "solve.acting_exact").acting
         yield "forces", N_("Methods of the forces"), scenes.forces(lever.kinetostatics, counts, acting), asked
     rivals = scenes.work(scenes.Moving(lever.kinematics, lever.kinetostatics), counts)
     if rivals is not None:
@@ -102,7 +102,7 @@ def _counted(results: Results, accuracy: float | None) -> Counted | None:
 
 
 def _start_up(run: Any) -> Iterator[Scene]:
-    from tmm_report.mechanics.methods import run_up
+    from tmm_report.mechanics.rivals import run_up
 
     scene = run_up.scene_of(run)
     try:
@@ -123,9 +123,9 @@ def _angles(results: Results) -> Iterator[float]:
 
 def _involutes(angles: Sequence[float]) -> Iterator[Scene]:
     """Involute functions from nothing to those of the pairs and beyond, as many angles as an array has."""
-    from tmm_report.mechanics.involute import inv
-    from tmm_report.mechanics.methods.exact.gears import inverse
-    from tmm_report.mechanics.methods.involutes import INVOLUTES
+    from tmm_report.mechanics.gears.involute import inv
+    from tmm_report.mechanics.rivals.exact.gears import inverse
+    from tmm_report.mechanics.rivals.involutes import INVOLUTES
 
     few = np.concatenate([inv(np.array(angles)), np.geomspace(1e-6, 5.0, 13)])
     true = np.array([float(inverse(v)) for v in few])

@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmm_report.course import Variant
-from tmm_report.mechanics.assembly import Way, sketch_angle, stated_way, ways
-from tmm_report.mechanics.mechanism import FRAME, Mechanism, ZeroAngle
-from tmm_report.mechanics.structure import Structure, decompose
+from tmm_report.mechanics.lever.assembly.stated import Way, sketch_angle, stated_way, ways
+from tmm_report.mechanics.lever.assur_groups import Structure, decompose
+from tmm_report.mechanics.lever.mechanism import FRAME, Mechanism, ZeroAngle
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.quantity.text import split
 from tmm_report.records import dataclass

@@ -10,7 +10,7 @@ from tmm_report.figures.bodies import BLOCK, NEAR, bushing, is_rod, number
 from tmm_report.figures.drawing import Drawing, Item, Tag, Text
 from tmm_report.figures.lettering import Parts, Symbol
 from tmm_report.figures.view import View
-from tmm_report.mechanics.mechanism import FRAME
+from tmm_report.mechanics.lever.mechanism import FRAME
 
 
 def taken_off(view: View, name: str, links: Sequence[str]) -> Drawing:

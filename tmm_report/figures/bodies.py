@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from tmm_report.figures.cams import ends
-from tmm_report.mechanics.mechanism import FRAME, Guide, Mechanism, Slide
+from tmm_report.mechanics.lever.mechanism import FRAME, Guide, Mechanism, Slide
 from tmm_report.records import dataclass
 
 BLOCK = complex(4.5, 2.5)  # half length and half height of a slider block, mm

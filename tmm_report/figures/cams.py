@@ -7,8 +7,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tmm_report.mechanics.cam import Cam
-from tmm_report.mechanics.mechanism import FRAME, Mechanism
+from tmm_report.mechanics.cams.cam import Cam
+from tmm_report.mechanics.lever.mechanism import FRAME, Mechanism
 
 FINE = 361  # points of an outline
 PAST = 4.0  # how far a face runs past the contacts at its ends, mm

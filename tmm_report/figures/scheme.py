@@ -18,7 +18,7 @@ from tmm_report.figures.drawing import Drawing, Item, Tag
 from tmm_report.figures.strokes import CLEAR, OUTSIDE, Stroke, stroke_bands, stroke_tags
 from tmm_report.figures.superposed import labelled, position_tags, superposed
 from tmm_report.figures.view import Arrays, View, view_of
-from tmm_report.mechanics.mechanism import Mechanism
+from tmm_report.mechanics.lever.mechanism import Mechanism
 
 PAGE = (165.0, 228.0)  # what a drawing may fill of a sheet, mm
 GROUPS_PAGE = (165.0, 130.0)  # what the groups taken apart may fill

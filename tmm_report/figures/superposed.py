@@ -9,7 +9,7 @@ import numpy as np
 
 from tmm_report.figures.drawing import Circle, Item, Pen, Tag, dot, polyline, together
 from tmm_report.figures.view import Arrays, View
-from tmm_report.mechanics.mechanism import FRAME
+from tmm_report.mechanics.lever.mechanism import FRAME
 
 FAINT = Pen(0.18, "grey")
 TRACE = Pen(0.22, "blue")

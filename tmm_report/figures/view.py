@@ -26,7 +26,7 @@ from tmm_report.figures.drawing import (
     together,
 )
 from tmm_report.figures.lettering import Symbol, joined, symbol
-from tmm_report.mechanics.mechanism import FRAME, Guide, Mechanism, Slide
+from tmm_report.mechanics.lever.mechanism import FRAME, Guide, Mechanism, Slide
 from tmm_report.records import dataclass
 
 LETTERED = 6.0  # mm about a point that its letter takes

@@ -39,7 +39,7 @@ def reversed_reactions(results: Results) -> list[tuple[Quantity, Name]]:
     """The reaction of link b on link a, which is as great as that of a on b: where the column asked stands."""
     if results.lever is None or results.lever.kinetostatics is None:
         return []
-    reaction = room("kinetostatics", "quantities").reaction
+    reaction = room("kinetostatics", "quantities.positions").reaction
     pairs = [pair.links for pair in results.lever.structure.pairs]
     both = [(one, other) for pair in pairs for one, other in (pair, pair[::-1])]
     return [(reaction(b, a), ("reactions_table", reaction(a, b).key)) for a, b in both]

@@ -14,8 +14,8 @@ import numpy as np
 
 from tmm_report.course import Moved, Results, Variant, room, solve
 from tmm_report.judging.model import Name
-from tmm_report.mechanics.dyads import Dyad
-from tmm_report.mechanics.mechanism import FRAME, Mechanism, ZeroAngle
+from tmm_report.mechanics.lever.dyads import Dyad
+from tmm_report.mechanics.lever.mechanism import FRAME, Mechanism, ZeroAngle
 from tmm_report.problems import N_, Message, ProblemError
 from tmm_report.records import dataclass
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from tmm_report.i18n import NP_
-from tmm_report.mechanics.involute import inv
+from tmm_report.mechanics.gears.involute import inv
 from tmm_report.quantity.formula import Expr, Function
 from tmm_report.quantity.symbols import Symbol
 

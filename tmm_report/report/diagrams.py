@@ -13,7 +13,7 @@ from tmm_report.figures.axes import angle_axis, round_ticks
 from tmm_report.figures.graphs import Curve, Graph, graph
 from tmm_report.figures.lettering import Parts, lettered
 from tmm_report.i18n import Translator
-from tmm_report.mechanics.cycle import Extreme
+from tmm_report.mechanics.lever.cycle import Extreme
 from tmm_report.quantity.formula import Var
 from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.ref import Ref

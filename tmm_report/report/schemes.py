@@ -10,10 +10,10 @@ import numpy as np
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.scheme import Arrays, apart_scale, groups_apart, positions_scheme, scheme
 from tmm_report.figures.strokes import Stroke
-from tmm_report.mechanics.cam_group import standing
-from tmm_report.mechanics.mechanism import FRAME, Mechanism
-from tmm_report.mechanics.motion import Motion
-from tmm_report.mechanics.structure import Group
+from tmm_report.mechanics.lever.assur_groups import Group
+from tmm_report.mechanics.lever.cams.replacing_dyad import standing
+from tmm_report.mechanics.lever.mechanism import FRAME, Mechanism
+from tmm_report.mechanics.lever.motion import Motion
 from tmm_report.quantity.formula import Var
 from tmm_report.report.diagrams import scale_of
 

@@ -8,14 +8,14 @@ import numpy as np
 from markupsafe import Markup
 
 from tmm_report.i18n import Translator
-from tmm_report.mechanics.structure import ROMAN, Group, Structure
+from tmm_report.mechanics.lever.assur_groups import ROMAN, Group, Structure
 from tmm_report.problems import N_
 from tmm_report.quantity.directions import COMPASS
 from tmm_report.quantity.text import unit_text
 from tmm_report.report.page import Page
 
 if TYPE_CHECKING:  # loaded only where methods are compared
-    from tmm_report.mechanics.methods.model import Method
+    from tmm_report.mechanics.rivals.model import Method
 
 SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 PAIR_KINDS = {"R": N_("revolute"), "P": N_("prismatic"), "H": N_("higher")}

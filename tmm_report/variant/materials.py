@@ -4,7 +4,7 @@ from typing import Literal
 
 from pydantic import Field, model_validator
 
-from tmm_report.mechanics.materials import Stock, mean, stock
+from tmm_report.mechanics.pairs.materials import Stock, mean, stock
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.model import Model

@@ -8,19 +8,19 @@ import numpy as np
 
 from benchmarks.peers.gears.scene import POINTS, GearPair
 from benchmarks.peers.peer import installed
-from tmm_report.mechanics import teeth
-from tmm_report.mechanics.rack import Rack
-from tmm_report.mechanics.spur import meshed
+from tmm_report.mechanics.gears import tooth_outlines
+from tmm_report.mechanics.gears.meshing import meshed
+from tmm_report.mechanics.gears.rack import Rack
 
 RACK = Rack()
 
 
 def wheel(pair: GearPair) -> dict[str, Any]:
     """The flank of wheel 1 and its thickness."""
-    cut = teeth.flank(pair.z1, pair.m, pair.x1, RACK)
-    half = teeth.base_half_angle(pair.z1, pair.x1, RACK.alpha)
+    cut = tooth_outlines.flank(pair.z1, pair.m, pair.x1, RACK)
+    half = tooth_outlines.base_half_angle(pair.z1, pair.x1, RACK.alpha)
     rise = np.linspace(cut.rise, np.sqrt((cut.top / cut.base) ** 2 - 1), POINTS)
-    return {"profile": teeth.involute(cut.base, half, rise), "thickness": _meshed(pair).s[0]}
+    return {"profile": tooth_outlines.involute(cut.base, half, rise), "thickness": _meshed(pair).s[0]}
 
 
 def both(pair: GearPair) -> dict[str, Any]:

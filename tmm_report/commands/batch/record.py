@@ -15,7 +15,7 @@ from typing import Any
 
 from tmm_report.commands.batch.inputs import Task
 from tmm_report.course import LeverFound, Results
-from tmm_report.mechanics.cycle import larger
+from tmm_report.mechanics.lever.cycle import larger
 from tmm_report.problems import N_, Message, Problem
 from tmm_report.running.journal import Record
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from tmm_report.course import LeverFound, Results
-from tmm_report.mechanics import involute
+from tmm_report.mechanics.gears import involute
 from tmm_report.results import tables, values
 
 Array = Any

@@ -23,7 +23,7 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.mechanics.methods.model import Pair
+from tmm_report.mechanics.rivals.model import Pair
 from tmm_report.records import dataclass
 
 Array = Any

@@ -13,14 +13,14 @@ from tmm_report.grading.follow.known import Known, derived, derived_together
 from tmm_report.grading.follow.places import Group, Poses
 from tmm_report.grading.follow.rates import Rates
 from tmm_report.grading.follow.sheet import Names, Other, Sheet, names
-from tmm_report.mechanics import following
-from tmm_report.mechanics.dyads import Dyad, State
-from tmm_report.mechanics.planar import cross, dot
-from tmm_report.mechanics.statics import Load, Reaction
+from tmm_report.mechanics.calculus.vectors import cross, dot
+from tmm_report.mechanics.lever import from_read_values
+from tmm_report.mechanics.lever.dyads import Dyad, State
+from tmm_report.mechanics.lever.forces.reactions import Load, Reaction
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
-    from tmm_report.chapters.kinetostatics.solve import Kinetostatics, Loading
+    from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics, Loading
 
 Array = Any
 
@@ -40,8 +40,8 @@ class Forces:
     forces: dict[str, Known] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self.say: Any = room("kinetostatics", "quantities")
-        self.solver: Any = room("kinetostatics", "solve")
+        self.say: Any = room("kinetostatics", "quantities.positions")
+        self.solver: Any = room("kinetostatics", "solve.positions")
         self.state: State = self.poses.state()
         loads = self._loads()
         self._resultants(loads)
@@ -107,7 +107,7 @@ class Forces:
         rights = [part for one in right for part in (one.force, one.moment)]
 
         def balanced(*_: Array) -> list[Array]:
-            solved = {r.pair.key: r for r in following.balance(self.state, group, self.rest)}
+            solved = {r.pair.key: r for r in from_read_values.balance(self.state, group, self.rest)}
             found = [solved[pair.key] for pair in pairs]
             return [part for one in found for part in (one.force, one.moment + np.zeros(self._shape))]
 
@@ -185,7 +185,7 @@ class Forces:
             s, pair = self.state, right.pair
             link = pair.slider or pair.links[1]
             acting = replace(right, force=force.value, moment=moment.value, at=s.world(link, pair.at[link]))
-            self.rest[carrier] = following.passed_on(s, self.rest[carrier], acting)
+            self.rest[carrier] = from_read_values.passed_on(s, self.rest[carrier], acting)
             self.on[carrier] += [force, moment]
 
     # ------------------------------------------------------------ the balancing moment

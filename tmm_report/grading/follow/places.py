@@ -10,13 +10,13 @@ import numpy as np
 
 from tmm_report.grading.follow.known import NONE, NOWHERE, Known, derived, derived_together, first
 from tmm_report.grading.follow.sheet import Names, Other, Same, Sheet
-from tmm_report.mechanics import following
-from tmm_report.mechanics.dyads import Dyad, State
-from tmm_report.mechanics.higher import HigherGroup
-from tmm_report.mechanics.mechanism import FRAME, Link
-from tmm_report.mechanics.motion import Motion
-from tmm_report.mechanics.planar import dot, is_zero
-from tmm_report.mechanics.relations import moving_points, turning_links
+from tmm_report.mechanics.calculus.vectors import dot, is_zero
+from tmm_report.mechanics.lever import from_read_values
+from tmm_report.mechanics.lever.dyads import Dyad, State
+from tmm_report.mechanics.lever.high_class.newton import HigherGroup
+from tmm_report.mechanics.lever.mechanism import FRAME, Link
+from tmm_report.mechanics.lever.motion import Motion
+from tmm_report.mechanics.lever.vector_equations import moving_points, turning_links
 from tmm_report.records import dataclass
 
 Array = Any
@@ -150,7 +150,7 @@ class Poses:
         for link, joint in self._outer_joints(group).items():  # the joint is where the student has it
             if joint in self.points:
                 s.r[link] = self.points[joint].value - s.u[link] * (self.link(link).points[joint] - s.o[link])
-        following.place(s, group)
+        from_read_values.place(s, group)
         return [part for link in group.links for part in (s.u[link], s.r[link])]
 
     def _own(self, link: str, u: Known, r: Known) -> None:

@@ -17,11 +17,11 @@ from tmm_report.grading.follow.places import Poses
 from tmm_report.grading.follow.scheme import Group, Scheme
 from tmm_report.grading.follow.sheet import Names, Other, Same, Sheet, names
 from tmm_report.grading.follow.together import solved_together
-from tmm_report.mechanics.dyads import Dyad
-from tmm_report.mechanics.mechanism import FRAME
-from tmm_report.mechanics.motion import Motion
-from tmm_report.mechanics.planar import components, dot, dual
-from tmm_report.mechanics.relations import Branch, turns_with
+from tmm_report.mechanics.calculus.vectors import components, dot, dual
+from tmm_report.mechanics.lever.dyads import Dyad
+from tmm_report.mechanics.lever.mechanism import FRAME
+from tmm_report.mechanics.lever.motion import Motion
+from tmm_report.mechanics.lever.vector_equations import Branch, turns_with
 from tmm_report.records import dataclass
 
 Array = Any

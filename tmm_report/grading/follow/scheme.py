@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from tmm_report.mechanics.dyads import Dyad
-from tmm_report.mechanics.higher import HigherGroup
-from tmm_report.mechanics.mechanism import Scalar
-from tmm_report.mechanics.motion import Linkage
-from tmm_report.mechanics.planar import is_zero
-from tmm_report.mechanics.relations import Branch, Relation, System, relations
+from tmm_report.mechanics.calculus.vectors import is_zero
+from tmm_report.mechanics.lever.dyads import Dyad
+from tmm_report.mechanics.lever.high_class.newton import HigherGroup
+from tmm_report.mechanics.lever.mechanism import Scalar
+from tmm_report.mechanics.lever.motion import Linkage
+from tmm_report.mechanics.lever.vector_equations import Branch, Relation, System, relations
 from tmm_report.records import dataclass
 
 Group = Dyad | HigherGroup

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tmm_report.grading.follow.known import Known, derived_together
-from tmm_report.mechanics import following
-from tmm_report.mechanics.dyads import State
-from tmm_report.mechanics.higher import HigherGroup
-from tmm_report.mechanics.relations import Branch
-from tmm_report.mechanics.structure import Pair
+from tmm_report.mechanics.lever import from_read_values
+from tmm_report.mechanics.lever.assur_groups import Pair
+from tmm_report.mechanics.lever.dyads import State
+from tmm_report.mechanics.lever.high_class.newton import HigherGroup
+from tmm_report.mechanics.lever.vector_equations import Branch
 
 if TYPE_CHECKING:
     from tmm_report.grading.follow.rates import Rates
@@ -55,9 +55,9 @@ def _inputs(rates: Rates, group: HigherGroup, branches: Sequence[Branch]) -> lis
 
 def _solved(rates: Rates, group: HigherGroup, branches: Sequence[Branch], ends: Sequence[str]) -> list[Array]:
     s = _known(rates, group)
-    rate = following.velocities(s, group)
+    rate = from_read_values.velocities(s, group)
     if rates.velocities is not None:
-        following.accelerations(s, group, _own_rate(rates, group, branches, rate))
+        from_read_values.accelerations(s, group, _own_rate(rates, group, branches, rate))
     rate_of = s.velocity if rates.letter == "v" else s.acceleration
     links = [(s.w if rates.letter == "v" else s.e)[link] for link in group.links]
     at = {end: _at(rates, group, branches, s, end) for end in ends}

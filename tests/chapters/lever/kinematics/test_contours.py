@@ -1,0 +1,176 @@
+"""The contours written out: every formula gives what the solver finds by its own way, at every position."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from conftest import FILES, read
+
+from tmm_report import course
+from tmm_report.chapters.lever.kinematics.contours.nodes import Bearing, Branched, total
+from tmm_report.chapters.lever.kinematics.contours.solve import contours
+from tmm_report.chapters.lever.kinematics.contours.solve import tables as contour_tables
+from tmm_report.chapters.lever.kinematics.contours.terms import WrittenSystem
+from tmm_report.chapters.lever.kinematics.solve import positions as kinematics
+from tmm_report.chapters.lever.structure import solve as structure
+from tmm_report.i18n import Translator
+from tmm_report.mechanics.lever.dyads import Dyad
+from tmm_report.quantity.formula import Formula, Number, Var
+
+NAMES = [path.stem for path in FILES]
+LEAST = 1e-3  # closeness to a singular position, nearer to which digits are lost
+
+SLOTS = """
+language: en
+mechanism:
+  frame: {O: [0, 0], C: [-20 mm, -210 mm], Q: [150 mm, -180 mm]}
+  guides:
+    k: {through: M, angle: 12 deg, link: 3}
+    m: {through: N, angle: 100 deg, link: 3}
+  links:
+    1: {points: {O: 0, A: [55 mm, 20 mm]}}
+    2: {points: {A: 0, S2: [0, 12 mm]}, slides: {guide: k, at: S2}}
+    3: {points: {C: 0, M: [15 mm, 10 mm], N: [90 mm, -30 mm], S3: [200 mm, 25 mm]}}
+    4: {points: {Q: 0, B: [10 mm, 190 mm], S4: [40 mm, 90 mm]}}
+    5: {points: {B: 0, E: [30 mm, 8 mm]}, slides: {guide: m, at: E, angle: 35 deg}}
+  driver: {link: 1, speed: 90 rpm, rotation: clockwise, zero: {angle: 25 deg}}
+  assembly: {2-3: +, 4-5: +}
+"""
+YOKE = """
+language: en
+mechanism:
+  frame: {O: [0, 0], P: [0, 35 mm], H: [150 mm, -140 mm]}
+  guides:
+    x: {through: P, angle: 20 deg}
+    k: {through: M, angle: 80 deg, link: 3}
+  links:
+    1: {points: {O: 0, A: 60 mm}}
+    2: {points: {A: 0, S2: [4 mm, 15 mm]}, slides: {guide: k, at: S2}}
+    3: {points: {D: 0, M: [12 mm, 0], E: [70 mm, 20 mm]}, slides: {guide: x, at: E}}
+    4: {points: {E: 0, F: [200 mm, 40 mm], S4: [90 mm, 30 mm]}}
+    5: {points: {H: 0, F: [0, 230 mm]}}
+  driver: {link: 1, period: 0.5 s, rotation: counter-clockwise, zero: {angle: 0 deg}}
+  assembly: {F: left of E-H}
+"""
+
+
+def moved(variant: course.Variant) -> kinematics.Kinematics:
+    assert variant.lever is not None
+    return kinematics.solve(variant.lever.positions, structure.solve(variant.lever.mechanism))
+
+
+def regular(found: kinematics.Kinematics) -> np.ndarray:
+    """The positions at which digits are left."""
+    sines = np.array(list(found.table.sines.values()))
+    return np.all(np.nan_to_num(sines) > LEAST, axis=0)
+
+
+def off(found: kinematics.Kinematics) -> float:
+    """The worst disagreement of a formula with the solver, beside the quantity's own size and that of its kind."""
+    written, there = contours(found, 0), regular(found)
+    arm = max(float(np.nanmax(np.abs(found.table.places))), 1e-3)
+    omega, worst = abs(found.omega), 0.0
+    sizes = {"m": arm, "m/s": omega * arm, "m/s²": omega**2 * arm, "rad/s": omega, "rad/s²": omega**2}
+    for formula, values in written.bench.checks:
+        ours, theirs = np.broadcast_arrays(formula.value, values)
+        size = max(sizes[formula.unit], float(np.max(np.abs(theirs[there]), initial=0.0)))
+        worst = max(worst, float(np.max(np.abs(ours - theirs)[there], initial=0.0)) / size)
+        assert np.isfinite(ours[there]).all(), formula.ref
+    return max(worst, *(_system_off(one, written.bench.columns, there) for one in written.groups), 0.0)
+
+
+def _system_off(written, columns, there) -> float:
+    """Of a group above class II: the contours close, and both linear systems hold with the solver's rates."""
+    if not isinstance(written, WrittenSystem):
+        return 0.0
+    rows = np.array([[columns[key][1] for key in row] for row in written.rows])[..., there]
+    worst = max(float(np.max(np.abs(one.value[there]))) for one in written.residuals)
+    for found, known in ((written.rates, rows[:, -2]), (written.bends, rows[:, -1])):
+        rates = np.array([np.broadcast_to(one.number, len(there))[there] for one in found])
+        left = np.einsum("ijp,jp->ip", rows[:, :-2], rates)
+        worst = max(worst, float(np.max(np.abs(left - known)) / max(np.max(np.abs(known)), 1e-9)))
+    return worst
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_formulas_agree_with_the_solver(name):
+    found = moved(read(name))
+    assert regular(found).any()
+    assert off(found) < 1e-9
+
+
+@pytest.mark.parametrize("text", [SLOTS, YOKE])
+def test_guides_at_any_angle_with_offsets_and_on_moving_links(text):
+    assert off(moved(course.loads(text))) < 1e-10
+
+
+def test_all_five_kinds_of_dyads_are_among_these():
+    kinds = set()
+    for name in NAMES:
+        lever = read(name).lever
+        kinds |= {g.kind for g in structure.solve(lever.mechanism).linkage.groups if type(g) is Dyad}
+    assert kinds == {1, 2, 3, 4, 5}
+
+
+def test_a_wrong_sign_would_be_seen():
+    found = moved(read("crank_rocker"))
+    formula, values = next(
+        (f, v) for f, v in contours(found, 0).bench.checks if f.ref is not None and f.ref.key == "e_3"
+    )
+    assert not np.allclose(-formula.value, values)
+    assert np.allclose(formula.value, values)
+
+
+def test_a_central_slider_crank_is_the_textbooks():
+    """S = r cos φ + √(l² − (r sin φ)²), whatever solved it."""
+    found = moved(read("compressor_inline"))
+    bench = contours(found, 0).bench
+    lengths = bench.known_lengths
+    r, length = lengths["l_OA"], lengths["l_AB"]
+    A = found.table.place("A")
+    s = bench.columns["s_3"][1]
+    axis = found.linkage.mechanism.guides[next(iter(found.linkage.mechanism.guides))].direction
+    along = (A * np.conj(axis)).real
+    across = (A * np.conj(axis)).imag
+    side = np.sign(s[0] - along[0])
+    assert np.allclose(s, along + side * np.sqrt(length**2 - across**2), atol=1e-12)
+    assert np.allclose(np.abs(A), r)
+
+
+def test_the_numbers_of_a_formula_are_columns_of_the_results():
+    found = moved(read("shaper"))
+    table = {column.key: column for column in next(iter(contour_tables(found))).columns}
+    for written in contours(found, 4).groups:
+        for formula in (*written.positions, *written.velocities, *written.accelerations):
+            if formula.ref.table == "contours":
+                value = table[formula.ref.key].values[4]
+                own = math.radians(value) if formula.unit == "deg" else value
+                assert formula.written == pytest.approx(own, rel=1e-4, abs=1e-12)
+
+
+@pytest.mark.parametrize("degrees", [0, 17, 45, 80, 90, 100, 179.5, -10, -50, -90, -120, -180 + 1e-3])
+def test_a_bearing_is_printed_by_what_is_true_in_its_quadrant(degrees):
+    """The number that is printed is worked out again from the printed arctangent."""
+    x, y = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    bearing = Bearing(Var("y_B", y, "m"), Var("x_B", x, "m"))
+    assert math.degrees(bearing.value) == pytest.approx(degrees)
+    text = Formula("phi_1", bearing, "deg").latex(Translator("en"))
+    assert ("180" in text) == (abs(degrees) > 135)
+    assert ("90" in text.split("=")[1]) == (45 < abs(degrees) <= 135)
+
+
+def test_a_root_has_the_sign_of_the_printed_position():
+    signs = np.array([1.0, -1.0])
+    root = Branched(Number(5), Number(2), signs)
+    assert root.value.tolist() == [7, 3]
+    one, other = (Formula("s_1", root, index=k).latex(Translator("en")) for k in (0, 1))
+    assert "5+2" in one.replace(" ", "") and "5-2" in other.replace(" ", "")
+
+
+def test_a_sum_rather_begins_without_a_minus():
+    a, b = Var("a_1", 2.0), Var("b_1", 3.0)
+    assert Formula("x_1", total([(-1, a), (1, b)])).latex(Translator("en")).split("=")[1].strip()[0] == "b"
+    assert total([(-1, a), (1, None)]).value == -2
+    assert total([]).value == 0

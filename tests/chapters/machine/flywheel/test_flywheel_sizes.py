@@ -1,0 +1,105 @@
+"""Dimensions of flywheels: moments of inertia summed up over the body, limits of the rim's speed, the drawings."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from conftest import solved
+
+from tmm_report import course
+from tmm_report.chapters.machine.flywheel import draw
+from tmm_report.chapters.machine.flywheel.sketch import scale_of, sketch
+from tmm_report.mechanics.machine.flywheel import inertia as fly
+from tmm_report.quantity.paper import ROUND
+
+LOAD = "resisting: {table: [[0, 0], [90 deg, 800], [180 deg, 0], [360 deg, 0]]}, speed: 12, delta: 1/25"
+
+
+def alone(more: str):
+    return course.solve(course.loads(f"flywheel: {{{LOAD}, {more}}}")).flywheel
+
+
+def of_ring(inner: float, outer: float, width: float, density: float) -> float:
+    """∫ r² dm over a ring, by sums over its radius."""
+    r = np.linspace(inner, outer, 20001)
+    r = (r[1:] + r[:-1]) / 2
+    return float(np.sum(r**2 * density * width * 2 * math.pi * r) * (outer - inner) / 20000)
+
+
+@pytest.mark.parametrize("shape", ["disc: {width: 0.15}", "disc: {diameter: 1.1 m}", "material: cast iron"])
+def test_a_disc_has_the_inertia_and_the_mass_that_are_wanted(shape):
+    found = alone(shape)
+    size, rho = found.sizes, found.given.material.density
+    assert of_ring(0.0, size.diameter / 2, size.width, rho) == pytest.approx(found.fly, rel=1e-6)
+    assert size.mass == pytest.approx(rho * size.width * math.pi * size.diameter**2 / 4)
+
+
+@pytest.mark.parametrize(
+    "shape", ["rim: {}", "rim: {diameter: 1.3 m, width: 2, spokes: 0.2}", "rim: {spokes: 0}"]
+)
+def test_a_rim_has_the_part_of_the_inertia_that_spokes_and_hub_leave(shape):
+    found = alone(shape)
+    size, rho = found.sizes, found.given.material.density
+    inner, outer = (size.diameter - size.height) / 2, (size.diameter + size.height) / 2
+    part = 1 - found.given.shape.spokes
+    assert of_ring(inner, outer, size.width, rho) == pytest.approx(part * found.fly, rel=1e-6)
+    assert size.mass == pytest.approx(rho * size.width * math.pi * (outer**2 - inner**2))
+    assert size.width == pytest.approx(found.given.shape.width * size.height)
+
+
+def test_a_stated_diameter_that_is_the_free_one_changes_nothing():
+    free = alone("disc: {width: 0.2}")
+    stated = alone(f"disc: {{diameter: {free.sizes.diameter!r}}}")
+    assert stated.sizes.width == pytest.approx(free.sizes.width)
+    rim = alone("rim: {height: 0.1, width: 1.5}")
+    again = alone(f"rim: {{diameter: {rim.sizes.diameter!r}, width: 1.5}}")
+    assert again.sizes.height == pytest.approx(rim.sizes.height)
+
+
+def test_the_rim_is_fastest_at_its_outer_diameter_where_the_machine_is():
+    found = alone("rim: {diameter: 1 m}, ratio: 3")
+    assert found.sizes.speed == pytest.approx(3 * 12 * 1.02 * (1 + found.sizes.height) / 2)
+    assert found.sizes.stress == pytest.approx(7850 * found.sizes.speed**2)
+
+
+def test_a_wheel_that_is_too_fast_is_told_the_diameter_that_is_not():
+    found = alone("disc: {diameter: 1.5 m}, ratio: 8, material: cast iron")
+    assert found.sizes.bursts and found.sizes.limit < 1.5
+    slow = alone(f"disc: {{diameter: {0.999 * found.sizes.limit!r}}}, ratio: 8, material: cast iron")
+    assert not slow.sizes.bursts
+
+
+def test_a_material_by_its_numbers():
+    found = alone("material: {density: 2700 kg/m^3, speed: 50 m/s}")
+    assert (found.given.material.density, found.given.material.limit) == (2700, 50)
+
+
+def test_hoop_stress_of_water_at_ten_metres_a_second():
+    assert fly.hoop_stress(1000, 10) == 1e5
+
+
+# --- drawings
+
+
+@pytest.mark.parametrize("name", ["compressor", "punch_press"])
+def test_the_energy_mass_diagram_fits_its_sheet_at_round_scales(name):
+    found = solved(name).flywheel
+    drawing = draw.energy_mass(found, ("J", "T"), str)
+    assert drawing.size[0] < 165 and drawing.size[1] < 165
+    for scale in found.scales:
+        power = 10.0 ** math.floor(math.log10(scale * (1 + 1e-12)))
+        assert min(abs(scale / power - one) for one in ROUND) < 1e-9
+
+
+@pytest.mark.parametrize("shape", ["disc: {}", "rim: {}"])
+def test_the_sketch_is_as_large_as_the_wheel_at_its_scale(shape):
+    found = alone(shape)
+    drawn = sketch(found, lambda x: f"{x:.4g}")
+    circles = [item.radius for item in drawn.items if hasattr(item, "radius")]
+    assert max(circles) * 2 * scale_of(found) == pytest.approx(found.sizes.outer)
+    letters = "".join(
+        str(item.parts) for item in drawn.items if hasattr(item, "parts") and hasattr(item, "at")
+    )
+    assert f"{1e3 * found.sizes.outer:.4g}" in letters and f"{1e3 * found.sizes.width:.4g}" in letters

@@ -1,0 +1,233 @@
+"""The `drive` block of a variant: the drive itself and its stages by `kind`; wheels are numbered through the drive."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import count
+from typing import Annotated, Any, Literal, TypedDict, assert_never
+
+from pydantic import Discriminator, Field, Tag
+
+from tmm_report.chapters.gears.drive import solve as drive
+from tmm_report.chapters.gears.drive.crank import SPEED as CRANK_SPEED
+from tmm_report.chapters.gears.drive.crank import Crank
+from tmm_report.chapters.gears.drive.plans import Scales
+from tmm_report.chapters.gears.planetary import block as planetary
+from tmm_report.chapters.gears.planetary.block import PlanetaryModel
+from tmm_report.chapters.gears.planetary.solve import stage as solve_planetary
+from tmm_report.chapters.gears.spur import block as spur
+from tmm_report.chapters.gears.spur.block import SpurModel
+from tmm_report.chapters.gears.spur.solve import pair as solve_spur
+from tmm_report.chapters.lever.plans import block as plans
+from tmm_report.chapters.lever.structure import block as structure
+from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
+from tmm_report.quantity.paper import ACCURACY
+from tmm_report.variant import model
+from tmm_report.variant.model import Model, Read
+from tmm_report.variant.values import Flag, Scale, Speed, quantity
+
+Tolerance = Annotated[float, quantity("number", 0.0, 0.2, "0 … 20 %")]
+Torque = Annotated[float, quantity("moment", 1e-12)]  # the input drives: else there is no efficiency
+
+
+SLOWEST = 1e-9  # of the input's speed: a slower output stands still
+
+
+def _kind(value: Any) -> str:
+    kind = value.get("kind") if isinstance(value, dict) else getattr(value, "kind", None)
+    return f"<{kind}>"
+
+
+StageModel = Annotated[
+    Annotated[SpurModel, Tag("<spur>")] | Annotated[PlanetaryModel, Tag("<planetary>")],
+    Discriminator(
+        _kind, custom_error_type="shape", custom_error_message=N_("begin with kind: spur or kind: planetary")
+    ),
+]
+
+
+class DriveScalesModel(Model):
+    """Scales of the drive's diagrams, SI units per mm of paper; what is left out is chosen."""
+
+    length: Scale | None = Field(default=None, description="m/mm, of the kinematic scheme")
+    velocity: Scale | None = Field(default=None, description="(m/s)/mm, of the diagram of linear velocities")
+    angular: Scale | None = Field(default=None, description="(rad/s)/mm, of the plan of angular velocities")
+
+
+class DriveModel(Model):
+    """A gear drive: stages in series in the order of the power."""
+
+    speed: Speed = Field(description="of the input shaft, rad/s or rpm", examples=["3000 rpm"])
+    tolerance: Tolerance = Field(default=0.04, description="allowed deviation of the whole ratio")
+    torque: Torque | None = Field(
+        default=None, description="on the input shaft; left out, torques are found for 1 N·m"
+    )
+    stages: list[StageModel] = Field(min_length=1, max_length=8, description="in the order of the power")
+    scales: DriveScalesModel = Field(default_factory=DriveScalesModel)
+    output: Literal["crank", "other"] = Field(
+        default="crank", description="what the output shaft turns: the driving link, or something else"
+    )
+    friction: Flag | None = Field(
+        default=None, description="false: the friction of the mechanism's pairs does not load the drive"
+    )
+
+
+class Block(model.Block):
+    """A gear drive."""
+
+    ALONE = True
+
+    drive: DriveModel | None = Field(default=None, description="a gear drive")
+
+
+class Given(TypedDict):
+    drive: drive.Given | None
+
+
+def given(read: Read) -> Given:
+    written, accuracy = read.block(Block).drive, read.block(plans.Block).drawing.accuracy
+    if written is None:
+        return {"drive": None}
+    return {"drive": _turning(build(written, accuracy), written, _crank(read))}
+
+
+def _crank(read: Read) -> Crank | None:
+    """The driving link of the lever mechanism, where there is one."""
+    driver = read.block(structure.Block).mechanism.driver
+    if driver is None or "mechanism" not in read.data:
+        return None
+    stated = driver.model_fields_set
+    linked = linked_by_drive(read.data)
+    omega = math.nan if driver.speed == "drive" else structure.driver(driver).omega
+    # of a linked one the sense may have been filled in by the drive itself
+    turned = "rotation" in (read.data["mechanism"].get("driver") or {}) and "rotation" in stated
+    key = "period" if driver.period is not None else "speed"
+    return Crank(driver.link, float(omega), linked, turned, key)
+
+
+def linked_by_drive(data: Any) -> bool:
+    """Whether the driver of the file's data says `speed: drive`."""
+    for key in CRANK_SPEED:
+        data = data.get(key) if isinstance(data, Mapping) else None
+    return isinstance(data, str) and data.strip() == "drive"
+
+
+def _turning(found: drive.Given, model: DriveModel, crank: Crank | None) -> drive.Given:
+    """With the driving link that the output turns; of a linked one whose sense is stated, the input turns to suit."""
+    found = replace(found, friction=model.friction is not False)
+    if crank is None or model.output == "other":
+        return found
+    if crank.linked and crank.turned and math.isfinite(crank.omega):
+        sign = math.prod(math.copysign(1.0, stage.ratio) for stage in model.stages)
+        found = replace(found, speed=math.copysign(found.speed, sign * crank.omega))
+    return replace(found, crank=crank)
+
+
+def geared(read: Read) -> Read:
+    """The blocks with the speed of the drive's output in the place of `speed: drive`. Raises ProblemError.
+
+    The sense of rotation is that of the output, the input turning counter-clockwise; where a sense is stated the input
+    turns so that the output has it (`given`).
+    """
+    model = read.block(structure.Block).mechanism
+    driver = model.driver
+    found = given(read)["drive"]
+    if driver is None or driver.speed != "drive" or found is None:
+        return read
+    speed = drive.output_speed(found)
+    if not abs(speed) > SLOWEST * abs(found.speed):
+        wrong = N_("the output of the drive stands still, so the driving link has no speed")
+        right = Message(N_("state the speed of the driving link, or other stages"))
+        raise ProblemError([mistake(wrong, CRANK_SPEED, right)])
+    taken: dict[str, Any] = {"speed": abs(speed)}
+    if "rotation" not in driver.model_fields_set:
+        taken["rotation"] = "counter-clockwise" if speed > 0 else "clockwise"
+    moved = model.model_copy(update={"driver": driver.model_copy(update=taken)})
+    return replace(read, blocks={**read.blocks, structure.Block: structure.Block(mechanism=moved)})
+
+
+def mistakes(read: Read) -> Iterator[Problem]:
+    written = read.block(Block).drive
+    if written is None:
+        return
+    if linked_by_drive(read.data) and written.output == "other":
+        wrong = N_("the driving link takes the speed of the drive, and the drive turns something else")
+        right = Message(N_("either speed: drive in the driver or output: other in the drive"))
+        yield mistake(wrong, ("drive", "output"), right)
+    yield from structure.of_friction(written.friction, structure.stated(read), ("drive", "friction"), read)
+    yield from _tolerances(written)
+
+
+def doubts(read: Read) -> Iterator[Problem]:
+    """What is odd of the stages and is solved all the same."""
+    written = read.block(Block).drive
+    for k, stage in enumerate(written.stages if written else ()):
+        if isinstance(stage, SpurModel):
+            yield from spur.doubts(stage, ("drive", "stages", k))
+
+
+def _tolerances(written: DriveModel) -> Iterator[Problem]:
+    """A stage that may miss its ratio by more than the whole drive."""
+    for k, stage in enumerate(written.stages):
+        if not isinstance(stage, PlanetaryModel) or stage.tolerance is None or stage.teeth is not None:
+            continue
+        if "tolerance" in written.model_fields_set and stage.tolerance > written.tolerance * (1 + 1e-9):
+            wrong = N_("the stage may miss its ratio by %(stage)s %%, and the whole drive by %(drive)s %%")
+            right = Message(
+                N_("a tolerance of the stage up to %(drive)s %%, or the same for the drive"),
+                {"drive": f"{100 * written.tolerance:.4g}"},
+            )
+            values = {"stage": f"{100 * stage.tolerance:.4g}", "drive": f"{100 * written.tolerance:.4g}"}
+            yield mistake(wrong, ("drive", "stages", k, "tolerance"), right, **values)
+
+
+def build(model: DriveModel, accuracy: float = ACCURACY) -> drive.Given:
+    """The drive's Given; `accuracy`: of the drawing, m of paper."""
+    names = numbered(model.stages)
+    allowed = tolerance(model)
+    stages = tuple(
+        _stage(stage, wheels, accuracy, allowed) for stage, wheels in zip(model.stages, names, strict=True)
+    )
+    scales = Scales(model.scales.length, model.scales.velocity, model.scales.angular)
+    return drive.Given(model.speed, stages, allowed, model.torque, accuracy, scales)
+
+
+def tolerance(model: DriveModel) -> float:
+    """Of the whole ratio: as stated, else the usual one, or that of a stage which states a wider one."""
+    if "tolerance" in model.model_fields_set:
+        return model.tolerance
+    stages = [stage.tolerance or 0.0 for stage in model.stages if isinstance(stage, PlanetaryModel)]
+    return max([model.tolerance, *stages])
+
+
+def _stage(
+    model: SpurModel | PlanetaryModel, wheels: tuple[str, ...], accuracy: float, allowed: float
+) -> solve_spur.Given | solve_planetary.Given:
+    match model:
+        case SpurModel():
+            return spur.build(model, wheels, accuracy)
+        case PlanetaryModel():
+            return planetary.build(model, wheels, allowed)
+        case _:
+            assert_never(model)
+
+
+def numbered(stages: Sequence[SpurModel | PlanetaryModel]) -> list[tuple[str, ...]]:
+    """Names of each stage's members: 1-2-3-H, of a double row 1-2-2'-3-H, then 4-5 …; several carriers H1, H2 …"""
+    numbers = map(str, count(1))
+    several = sum(isinstance(stage, PlanetaryModel) for stage in stages) > 1
+    carriers = (f"H{k}" for k in count(1)) if several else iter("H")
+    found: list[tuple[str, ...]] = []
+    for stage in stages:
+        first, second = next(numbers), next(numbers)
+        match stage:
+            case SpurModel():
+                found.append((first, second))
+            case PlanetaryModel():
+                row = (second,) if stage.scheme == "sun-ring" else (second, second + "'")
+                found.append((first, *row, next(numbers), next(carriers)))
+            case _:
+                assert_never(stage)
+    return found

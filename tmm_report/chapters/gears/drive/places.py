@@ -1,0 +1,89 @@
+"""Where the members of a drive stand on the line of centres, and the points that two members have in common."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from tmm_report.chapters.gears.drive.stages import Stage, member
+from tmm_report.mechanics.gears.trains import FRAME, Member, Mesh
+
+LETTERS = "ABCDEFGKLMNQRSTUVWXYZ"  # names of points; H is a carrier, O an axis, P the pole
+SAME = 1e-9  # m: points nearer than this are one
+
+
+class Spot(NamedTuple):
+    """A named point common to two members: a pitch point or the axis of a satellite. `y` m from the main axis."""
+
+    name: str
+    y: float
+    members: tuple[str, str]
+    axis: bool
+
+
+def placed(stages: Sequence[Stage]) -> tuple[tuple[int, ...], dict[str, float]]:
+    """The side of each stage and the y of every member's axis, m.
+
+    A planetary stage stands above the input shaft, else below its own axis; the driven shaft of a pair below.
+    """
+    main, sides, axes = 0.0, [], {}
+    for stage in stages:
+        planetary = any(one.kind == "carrier" for one in stage.members)
+        side = 1 if planetary and main == 0 and 1 not in sides else -1
+        sides.append(side)
+        start = member(stage, stage.input).distance
+        for one in stage.members:
+            axes[one.name] = main + side * (one.distance - start)
+        main = axes[stage.output]
+    return tuple(sides), axes
+
+
+def height(stages: Sequence[Stage], axes: Mapping[str, float], sides: Sequence[int]) -> float:
+    """How tall the scheme is, m; of a planetary stage's ring only the half with the satellite is drawn."""
+    reach = [0.0]
+    for stage, side in zip(stages, sides, strict=True):
+        for one in stage.members:
+            if one.kind != "carrier":
+                reach.append(axes[one.name] + side * one.radius)
+                halved = one.kind == "ring" and one.name not in (stage.input, stage.output)
+                reach.append(axes[one.name] - (0 if halved else side * one.radius))
+    return max(reach) - min(reach)
+
+
+def spots_of(stages: Sequence[Stage], axes: Mapping[str, float]) -> Iterator[Spot]:
+    """Points of every stage: each mesh's pitch point, and after it the axis of its satellite."""
+    letters = iter(_letters())
+    for stage in stages:
+        by_name = {one.name: one for one in stage.members}
+        seen: list[float] = []
+        for mesh in stage.meshes:
+            yield Spot(next(letters), _contact(mesh, by_name, axes), (mesh.i, mesh.j), False)
+            for wheel in (by_name[mesh.i], by_name[mesh.j]):
+                y = axes[wheel.name]
+                if wheel.carried_by != FRAME and all(abs(y - other) > SAME for other in seen):
+                    seen.append(y)
+                    yield Spot(next(letters), y, (wheel.name, wheel.carried_by), True)
+
+
+def _letters() -> Iterator[str]:
+    yield from LETTERS
+    for number in range(1, 1000):
+        yield from (f"{letter}{number}" for letter in LETTERS)
+
+
+def _contact(mesh: Mesh, by_name: Mapping[str, Member], axes: Mapping[str, float]) -> float:
+    """y of the pitch point: it divides the line of centres in the ratio of the radii, outside it if internal."""
+    ri, rj = by_name[mesh.i].radius, by_name[mesh.j].radius
+    return axes[mesh.i] + (axes[mesh.j] - axes[mesh.i]) * ri / (ri - rj if mesh.internal else ri + rj)
+
+
+def velocity_of(
+    spot: Spot, by_name: Mapping[str, Member], axes: Mapping[str, float], speed: Mapping[str, float]
+) -> float:
+    """Analytical velocity of a spot, m/s: of the axis of the first wheel there and about it."""
+    wheel = by_name[spot.members[0]]
+    turned = 0.0 if spot.axis else speed[wheel.name] * (spot.y - axes[wheel.name])
+    carried = (
+        speed[wheel.carried_by] * (axes[wheel.name] - axes[wheel.carried_by]) if wheel.carried_by else 0.0
+    )
+    return float(turned + carried)

@@ -1,0 +1,286 @@
+"""View of a gear drive as a whole: what its two templates print beside the formulas."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+from typing import Any, assert_never
+
+from markupsafe import Markup
+
+from tmm_report.chapters.gears.drive.draw.diagrams import kinematic_scheme, velocities
+from tmm_report.chapters.gears.drive.formulas import DriveFormulas
+from tmm_report.chapters.gears.drive.solve import Found
+from tmm_report.chapters.gears.drive.stages import Stage
+from tmm_report.chapters.gears.planetary.solve import stage as planetary
+from tmm_report.chapters.gears.spur.solve import pair as spur
+from tmm_report.figures.drawing import Drawing
+from tmm_report.problems import N_
+from tmm_report.quantity import model as quantity
+from tmm_report.quantity.formula import Formula
+from tmm_report.report.layout import Cell, Column, Table, numeric, worded
+from tmm_report.report.page import Page
+from tmm_report.report.part import Failed, Inner, Part
+
+SCHEME = N_("Kinematic scheme of the drive")
+SCHEMES = {
+    "sun-ring": N_("planetary, single-row, external and internal mesh"),
+    "external-external": N_("planetary, double-row, two external meshes"),
+    "external-internal": N_("planetary, double-row, external and internal mesh"),
+    "internal-internal": N_("planetary, double-row, two internal meshes"),
+}
+
+
+def parts(found: Found, page: Page) -> Iterator[Part | Inner]:
+    """The drive at the head of its stages, then as a whole."""
+    view = DriveView(found, page, "drive")
+    yield Part("gears/drive", view)
+    for number, stage in enumerate(found.stages, 1):
+        yield Inner(_chapter(stage), stage, f"stage{number}")
+    yield Part("gears/drive/whole", view)
+
+
+def _chapter(stage: Stage) -> str:
+    match stage:
+        case spur.Found():
+            return "spur"
+        case planetary.Found():
+            return "planetary"
+        case _:
+            assert_never(stage)
+
+
+def picture(found: Found, page: Page) -> Drawing:
+    """The drive at a glance, for a list of many."""
+    return kinematic_scheme(found.stages, found.plans, found.speed, str(page.t(SCHEME)))
+
+
+class DriveView(DriveFormulas):
+    def __init__(self, found: Found, page: Page, label: str):
+        super().__init__(found, label)
+        self.page, self.label = page, label
+        self.t = page.t
+
+    # ------------------------------------------------------------ what is given
+
+    def given_table(self) -> Table:
+        """Stages in the order of the power."""
+        table = self.of.table("stages")
+        heads = [self.t(text) for text in (N_("Stage"), N_("Kind"), N_("Members"), N_("Required ratio"))]
+        rows = [
+            [
+                Cell(str(row + 1), table.ref("stage", row)),
+                self.kind(stage),
+                table["members"].values[row],
+                self.page.value(self.of_stage("u_required", row)),
+            ]
+            for row, stage in enumerate(self.found.stages)
+        ]
+        return worded(self.t("Stages of the drive"), heads, rows, [8, 40, 30, 22])
+
+    def kind(self, stage: Stage) -> Markup:
+        match stage:
+            case spur.Found():
+                return self.t("internal pair") if stage.given.internal else self.t("external pair")
+            case planetary.Found():
+                text = self.t(SCHEMES[stage.scheme.name])
+                return self.page.listed([text, self.t("differential")]) if stage.second else text
+            case _:
+                assert_never(stage)
+
+    @property
+    def tolerance(self) -> Markup:
+        return self.page.shown(self.of["tolerance"])
+
+    def rpm(self, name: str) -> Markup:
+        """The frequency of rotation of a member."""
+        return self.page.shown(self.speeds_of, "n", self.place[name])
+
+    @property
+    def second(self) -> list[str]:
+        """Second inputs of differentials."""
+        return [stage.second[0] for stage in self.found.stages if stage.second]
+
+    @property
+    def carried(self) -> Markup | None:
+        """The symbol of speeds about carriers; None without satellites."""
+        any_carried = any(m.carried_by for m in self.found.train.members)
+        return self.page.sym(self.speeds_of["omega_rel"].symbol()) if any_carried else None
+
+    @property
+    def readable(self) -> bool:
+        """Whether the output's segment is long enough for a ratio."""
+        return bool(self.plans.segment(self.found.output))
+
+    def symbols(self) -> list[dict[str, Any]]:
+        """What the formulas of the speeds are made of."""
+        items = [
+            ("drive:omega", "omega_i", self.t("angular velocity of member i"), "rad/s"),
+            ("drive:n", "n_i", self.t("its frequency of rotation"), "rpm"),
+            ("spur:z", "z_i", self.t("number of teeth of wheel i"), ""),
+        ]
+        return [
+            {"id": key, "symbol": symbol, "meaning": meaning, "unit": unit}
+            for key, symbol, meaning, unit in items
+        ]
+
+    # ------------------------------------------------------------ tables
+
+    def _names(self, table: quantity.Table) -> Column:
+        """The members of a table."""
+        names = [
+            self.page.word(name, table, "member", row) for row, name in enumerate(table["member"].values)
+        ]
+        return Column(self.t("Member"), names)
+
+    def _of_members(self, key: str, names: Sequence[str]) -> Column:
+        """Speeds of some of the members."""
+        table, rows = self.speeds_of, [self.place[name] for name in names]
+        texts = self.page.col(table[key].number(row) for row in rows)
+        cells = [Cell(text, table.ref(key, row)) for text, row in zip(texts, rows, strict=True)]
+        return Column(self.page.head(table[key].symbol(), table[key].unit), cells)
+
+    def speeds_table(self) -> Table:
+        table, members = self.speeds_of, self.found.train.members
+        teeth = [Cell(str(m.teeth), table.ref("z", row)) if m.teeth else "—" for row, m in enumerate(members)]
+        columns = [
+            Column(self.page.head(table["z"].symbol()), teeth),
+            self.page.column(table, "omega"),
+            self.page.column(table, "n"),
+        ]
+        if carried := [m.name for m in members if m.carried_by]:
+            some = self._of_members("omega_rel", carried)
+            cells = iter(some.cells)
+            columns.append(some._replace(cells=[next(cells) if m.carried_by else "—" for m in members]))
+        return numeric(self.t("Speeds of all the members of the drive"), self._names(table), columns)
+
+    def comparison_table(self) -> Table:
+        """Velocities of the points and angular velocities by the diagrams and by calculation."""
+        table, page = self.of.table("comparison"), self.page
+        heads = [
+            self.t("Quantity"),
+            self.t("By the diagrams"),
+            self.t("By calculation"),
+            page.head(table["delta"].symbol(), table["delta"].unit),
+        ]
+        rows = [
+            [
+                page.head(table["graph"].symbol(row), table["graph"].unit_of(row)),
+                page.cell(table, "graph", row),
+                page.cell(table, "analytic", row),
+                page.cell(table, "delta", row, digits=3, places=2),
+            ]
+            for row in range(len(table))
+        ]
+        caption = self.t("Magnitudes of velocities and angular velocities by the diagrams and by calculation")
+        return worded(caption, heads, rows, [25, 25, 25, 25])
+
+    def loads_table(self) -> Table:
+        """External torques and powers; a positive power is supplied."""
+        table, page = self.of.table("loads"), self.page
+        columns = [
+            page.column(table, "T"),
+            self._of_members("omega", table["member"].values),
+            page.column(table, "N"),
+        ]
+        return numeric(self.t("External torques and powers"), self._names(table), columns)
+
+    def meshes_table(self) -> Table:
+        """Direction of the power in every mesh."""
+        table, page = self.of.table("meshes"), self.page
+        rows = [
+            [
+                page.word(f"{mesh.i}–{mesh.j}", table, "mesh", row),
+                page.word(mesh.carrier or "—", table, "carrier", row),
+                page.word(table["driving"].values[row] or "—", table, "driving", row),
+                page.cell(table, "N", row, size=True),
+                page.cell(table, "N_fr", row, digits=4),
+                page.cell(table, "eta", row, digits=4),
+            ]
+            for row, mesh in enumerate(self.found.train.meshes)
+        ]
+        heads = [
+            *(self.t(text) for text in (N_("Mesh"), N_("Carrier"), N_("Driving wheel"))),
+            *(page.head(table[key].symbol(), table[key].unit) for key in ("N", "N_fr", "eta")),
+        ]
+        return worded(self.t("Flow of the power through the meshes"), heads, rows, [12, 14, 22, 18, 18, 16])
+
+    def teeth_table(self) -> Table:
+        """Forces in the meshes by the mean and by the greatest balancing moment."""
+        table, page = self.of.table("teeth"), self.page
+        names = [page.word(name, table, "mesh", row) for row, name in enumerate(table["mesh"].values)]
+        keys = ("F_t_mean", "F_r_mean", "F_t_greatest", "F_r_greatest")
+        columns = [page.column(table, key) for key in keys]
+        return numeric(self.t("Forces in the teeth of the drive"), Column(self.t("Mesh"), names), columns)
+
+    @property
+    def turned(self) -> bool:
+        """Whether the torques are found for the balancing moment of the link that the drive turns."""
+        return self.found.moments is not None and self.found.given.torque is not None
+
+    def friction(self) -> Markup | str:
+        """What is said of the friction of the pairs beside the moments of the driving link."""
+        moments = self.found.moments
+        if moments is None or moments.friction is None:
+            return ""
+        if math.isnan(moments.friction):
+            return self.t(
+                N_(
+                    "The friction of the kinematic pairs is left out: beside some position of the cycle the reactions "
+                    "grow without bound, and it has no mean."
+                )
+            )
+        text = N_("The friction of the kinematic pairs is in both, %(moment)s on the mean.")
+        if not moments.rubs:
+            text = N_(
+                "The friction of the kinematic pairs is in neither, as the variant states; it is %(moment)s on the "
+                "mean."
+            )
+        return self.t(text, moment=self.page.value(self.of["M_fr"].var()))
+
+    # ------------------------------------------------------------ pictures
+
+    @cached_property
+    def scheme(self) -> Drawing:
+        found = self.found
+        return kinematic_scheme(found.stages, found.plans, found.speed, str(self.t(SCHEME)))
+
+    @cached_property
+    def diagrams(self) -> Drawing:
+        found, title = self.found, str(self.t("Diagrams of linear and angular velocities"))
+        return velocities(found.stages, found.plans, found.speed, title)
+
+    def formulas(self) -> list[Formula]:
+        """Speeds of all the stages in their order."""
+        return [formula for number in range(len(self.found.stages)) for formula in self.speeds(number)]
+
+    def conclusions(self) -> list[Markup]:
+        """What failed, first; then what was found."""
+        return [*self._failures(), self.page.listed(self._found(), " ")]
+
+    def _failures(self) -> Iterator[Markup]:
+        if self.found.locks:
+            yield Failed(self.t("The drive locks itself: it cannot be driven from the input shaft."))
+        if not self.found.within:
+            text = N_(
+                "The ratio of the gear drive deviates from the required one by %(deviation)s %%, which is more than "
+                "the allowed %(tolerance)s %%."
+            )
+            deviation = self.page.shown(self.of["delta_u"], size=True, digits=3)
+            yield Failed(self.t(text, deviation=deviation, tolerance=self.tolerance))
+
+    def _found(self) -> Iterator[Markup]:
+        shown = self.page.shown
+        yield self.t(
+            "The ratio of the gear drive is %(ratio)s, its deviation from the required one is %(deviation)s %%.",
+            ratio=self.page.value(self.of["u_teeth"].var()),
+            deviation=shown(self.of["delta_u"], digits=3),
+        )
+        if not self.found.locks:
+            yield self.t("The efficiency of the gear drive is %(eta)s.", eta=shown(self.of["eta"], digits=4))
+        if self.readable and self.found.runs:
+            text = N_(
+                "By the plan of angular velocities the ratio differs from the calculated one by %(error)s %%."
+            )
+            yield self.t(text, error=shown(self.of["error"], size=True, digits=3))

@@ -1,0 +1,49 @@
+"""The path of a point of the output wheel over a turn of the axes, with the positions of the table."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tmm_report.chapters.gears.eccentric.draw.common import CENTRES
+from tmm_report.chapters.gears.eccentric.paths import Traced
+from tmm_report.chapters.gears.eccentric.solve.mechanism import RING, SUN, Found
+from tmm_report.chapters.gears.eccentric.solve.paper import path_scale
+from tmm_report.figures.drawing import AXIS, THIN, Circle, Drawing, Item, Pen, Tag, dot, line, polyline
+from tmm_report.figures.lettering import Symbol
+
+__all__ = ["path_drawing", "path_scale"]
+
+PATH = Pen(0.6, "blue")
+START = Pen(0.25, "black", (2.0, 1.0))
+
+
+def path_drawing(found: Found, path: Traced, title: str = "") -> Drawing:
+    """From the axis of the wheel that stands still: the path, the circle of the other axis, the pitch circles
+    that are no larger than the path."""
+    mm = 1e3 * path_scale(path)
+    half = found.given.module / 2 * mm
+    teeth = {SUN: found.sun, RING: found.ring}
+    still = SUN if path.point.wheel == RING else RING
+    axis, start = complex(path.arm * mm), complex(path.at(np.array(0.0)) * mm)
+    reach = abs(axis) + path.point.radius * mm
+    wheels = [(0j, half * teeth[still]), (axis, half * teeth[path.point.wheel])]
+    items: list[Item] = [
+        *(Circle(centre, radius, AXIS) for centre, radius in wheels if abs(centre) + radius <= reach),
+        Circle(0j, abs(axis), CENTRES),
+        line(axis, start, START),
+        polyline(map(complex, path.curve() * mm), PATH),
+    ]
+    items += [line(centre - arm, centre + arm, THIN) for centre in (0j, axis) for arm in (2.0, 2j)]
+    places = [complex(z) * mm for z in path.places]
+    items += [dot(z, 0.7) for z in places]
+    tags = [
+        Tag((Symbol("O", still),), (0j,), prefer=-1 - 1j),
+        Tag((Symbol("O", path.point.wheel),), (axis,), prefer=1 + 1j),
+        Tag((Symbol(path.point.name, "0"),), (start,), prefer=_outwards(start)),
+    ]
+    tags += [Tag((str(k),), (z,), prefer=_outwards(z), size=2.8) for k, z in enumerate(places)][1:]
+    return Drawing(tuple(items), title).labelled(tags)
+
+
+def _outwards(z: complex) -> complex:
+    return z / abs(z) if abs(z) > 1e-9 else 1 + 0j

@@ -1,0 +1,269 @@
+"""Tables of a planetary stage: the search for teeth, conditions, dimensions, motions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property
+from typing import Any, assert_never
+
+import numpy as np
+from markupsafe import Markup
+
+from tmm_report.chapters.gears.planetary.formulas import PlanetaryFormulas
+from tmm_report.chapters.gears.planetary.solve.conditions import Condition
+from tmm_report.chapters.gears.planetary.solve.limits import REASONS
+from tmm_report.chapters.gears.planetary.solve.stage import Found, Motion
+from tmm_report.chapters.gears.planetary.view.schemes import SchemesView
+from tmm_report.i18n import NP_
+from tmm_report.mechanics.gears.pair_sizes import ring_rule
+from tmm_report.mechanics.gears.planetary.search import Reason
+from tmm_report.mechanics.gears.planetary.stage import ROWS
+from tmm_report.problems import N_
+from tmm_report.quantity import model as quantity
+from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.wheel_words import DIAMETERS
+from tmm_report.report.layout import Cell, Table, Words, padded, worded
+from tmm_report.report.page import Page
+
+SHOWN = 10  # solutions in the table, besides the chosen one
+PLACES = {
+    "ratio": 2,
+    "undercut": 2,
+    "tips": 3,
+    "radial": 3,
+    "contact": 3,
+    "gap": 2,
+}  # decimals of the conditions
+UNITS = {"%": " %", "deg": "°", "": ""}  # as they are written after the numbers of the conditions
+
+INPUT = Symbol("omega", NP_("index", "in"))
+
+
+class PlanetaryTables(PlanetaryFormulas):
+    """`label` begins the labels of the stage's sections and its names in the results."""
+
+    def __init__(self, found: Found, page: Page, label: str):
+        super().__init__(found, label)
+        self.page, self.label = page, label
+        self.t = page.t
+
+    # ------------------------------------------------------------ the search
+
+    def ranges(self) -> dict[str, Markup]:
+        """The ranges of teeth that were examined."""
+        keys = {
+            "low": "external_least",
+            "high": "external_most",
+            "least": "rings_least",
+            "most": "rings_most",
+        }
+        return {name: self.page.shown(self.of[key]) for name, key in keys.items()}
+
+    def rejected(self, caption: Any) -> Table:
+        """How many candidates were rejected, by the first condition that fails."""
+        table = self.of.table("rejected")
+        rows: list[list[Any]] = [
+            [
+                self._word(REASONS[Reason[name.upper()]], table, "reason", row),
+                self._count(table, "combinations", row),
+            ]
+            for row, name in enumerate(table["reason"].values)
+        ]
+        total = self.of["combinations"]
+        rows.append([self.t("in all"), Cell(str(int(total.value)), total.ref())])
+        return worded(caption, [self.t("Reason"), self.t("Combinations")], rows, (4, 1))
+
+    def _word(self, message: str, table: quantity.Table, key: str, row: int) -> Cell | Words:
+        return self.page.word(self.page.tr.gettext(message), table, key, row)
+
+    def _count(self, table: quantity.Table, key: str, row: int) -> Cell:
+        """A whole number of a table, with all its digits."""
+        return Cell(str(int(table[key].values[row])), table.ref(key, row))
+
+    @cached_property
+    def places(self) -> list[int]:
+        """Places in the ranking that the table of solutions shows: the first, and the chosen one."""
+        best = list(range(min(SHOWN, len(self.found.ranking))))
+        chosen = self.found.chosen
+        return best if chosen is None or chosen in best else [*best, chosen]
+
+    def solutions(self, caption: Any) -> Table:
+        """The best of the solutions, the chosen one marked."""
+        table, page = self.of.table("solutions"), self.page
+        teeth = [key for key in ("z1", "z2", "z2'", "z3") if key in table]
+        rows = [
+            [
+                *(self._count(table, key, place) for key in ("place", *teeth, "k")),
+                page.cell(table, "u", place),
+                page.cell(table, "delta_u", place, places=2),
+                page.cell(table, "D", place, "mm"),
+                page.listed(self._remarks(place)),
+            ]
+            for place in self.places
+        ]
+        heads = [
+            self.t("No."),
+            *(page.head(table[key].symbol()) for key in (*teeth, "k", "u")),
+            page.listed([page.sym(table["delta_u"].symbol()), "%"]),
+            page.head(table["D"].symbol(), "mm"),
+            self.t("Remark"),
+        ]
+        return worded(caption, heads, rows, (1, *[1] * len(teeth), 0.8, 1.4, 1.2, 1.4, 3.4))
+
+    def _remarks(self, place: int) -> Iterator[Markup]:
+        of = self.found.solutions
+        if place == self.found.chosen:
+            yield self.t("chosen")
+        if of.shifted[place]:
+            yield self.t("with shift")
+        if of.of.multiple[place]:
+            yield self.t("multiple of k")
+
+    # ------------------------------------------------------------ conditions and sizes
+
+    def conditions(self, caption: Any) -> Table:
+        """Every condition of the chosen teeth: the value, the limit, what is in hand."""
+        rows = [
+            [self._condition_name(of), *self._condition(of, row)]
+            for row, of in enumerate(self.found.conditions)
+        ]
+        heads = [self.t("Condition"), self.t("Value"), self.t("Limit"), self.t("In hand")]
+        return worded(caption, heads, rows, (5, 3, 2.4, 2))
+
+    def _condition_name(self, of: Condition) -> Markup:
+        wheels = [self.wheels[wheel] for wheel in of.wheels]
+        match of.key:
+            case "ratio":
+                return self.t("ratio")
+            case "undercut":
+                return self.t("no undercut of the teeth of wheel %(wheel)s", wheel=wheels[0])
+            case "tips":
+                return self.t("no overlap of the tips in the mesh with ring %(wheel)s", wheel=wheels[0])
+            case "radial":
+                return self.t("room to put a satellite into ring %(wheel)s radially", wheel=wheels[0])
+            case "contact":
+                return self.t("contact ratio of the pair %(pair)s", pair="-".join(wheels))
+            case "gap":
+                return self.t("gap between neighbouring satellites")
+            case _:
+                assert_never(of.key)
+
+    @property
+    def axial(self) -> list[str]:
+        """Rings into which the satellites go axially only."""
+        return [
+            self.wheels[of.wheels[0]] for of in self.found.conditions if of.key == "radial" and of.margin < 0
+        ]
+
+    def _condition(self, of: Condition, row: int) -> list[Markup]:
+        """Value, limit and what is in hand, each with its unit."""
+        table, listed = self.of.table("conditions"), self.page.listed
+        if of.key == "gap":
+            gap = listed([self.page.shown(table, "value", row, "mm", places=2), self.page.unit("mm")], " ")
+            return [gap, listed(["> ", self.page.shown(table, "limit", row, "mm")], ""), gap]
+        value, limit, margin = (
+            listed([self.page.shown(table, key, row, places=PLACES[of.key]), UNITS[of.unit]], "")
+            for key in ("value", "limit", "margin")
+        )
+        symbol = self.page.sym(table["value"].symbol(row))
+        sign = "≥ " if of.least else "≤ "
+        return [listed([symbol, " = ", value], ""), listed([sign, limit], ""), margin]
+
+    def dimensions(self, caption: Any) -> Table:
+        """Diameters of all wheels and crowns, mm, and their shift coefficients."""
+        page, sized, wheels = self.page, self.sized, self.scheme.wheels
+        rows = [
+            [
+                self.t(text),
+                page.head(sized[key].symbol(), "mm"),
+                *padded([self._diameter(key, wheel) for wheel in wheels]),
+            ]
+            for key, text in DIAMETERS.items()
+        ]
+        if self.found.shifted:
+            rows[:0] = [self._shifts(key) for key in ("x_n", "x") if key == "x" or self.given.helix]
+        heads = [
+            self.t("Dimension"),
+            self.t("Symbol"),
+            *(self.t("wheel %(name)s", name=self.wheels[wheel]) for wheel in wheels),
+        ]
+        return worded(caption, heads, rows, (4, 2, *[2] * len(wheels)))
+
+    def _shifts(self, key: str) -> list[Any]:
+        """A row of the table: of helical teeth the coefficients of both sections."""
+        of = self.sized[key]
+        cells = [self.page.cell(self.sized, key, row, places=4) for row in range(len(self.scheme.wheels))]
+        return [self.page.message(of.meaning), self.page.head(of.symbol()), *cells]
+
+    def _diameter(self, key: str, wheel: int) -> Any:
+        """mm; the satellite of a single row with shift rolls on another circle in each mesh."""
+        if key == "d_w" and wheel == 1 and self.scheme.single and self.found.shifted:
+            return self.page.listed((self.page.shown(self.rows, "d_w", row, "mm") for row in (0, 1)), "; ")
+        return self.page.cell(self.sized, key, self.place(wheel), "mm")
+
+    def ring_rule(self, row: int) -> Markup | None:
+        """What the rule of the course says of the ring of a row; None where it says nothing."""
+        if not np.isfinite(self.found.rows.least[row]) or ring_rule(self.task.rack) is None:
+            return None
+        wheel = ROWS[row][0]
+        values = {
+            "rule": self.page.shown(self.of["ring_rule"]),
+            "wheel": self.wheels[wheel],
+            "ring": self.page.shown(self.sized, "z", self.place(wheel)),
+        }
+        if self.found.teeth[wheel] >= self.of["ring_rule"].value:
+            return self.t(
+                "The rule of the course, by which a ring without shift has at least %(rule)s teeth, is met by ring "
+                "%(wheel)s with its %(ring)s.",
+                **values,
+            )
+        return self.t(
+            "The rule of the course, by which a ring without shift has at least %(rule)s teeth, is not met by ring "
+            "%(wheel)s with its %(ring)s; the exact condition decides.",
+            **values,
+        )
+
+    @cached_property
+    def schemes(self) -> SchemesView | None:
+        """The schemes that were judged; None where the scheme is stated."""
+        choice = self.found.choice
+        return SchemesView(choice, self.page, self.of.table("schemes")) if choice else None
+
+    # ------------------------------------------------------------ motion
+
+    def motions(self, caption: Any) -> Table:
+        """Speeds of all members to the input's, ratio and efficiency, whichever is held; the third is the output."""
+        table = self.of.table("motions")
+        keys = (f"omega_{self.one}", "omega_satellite", f"omega_{self.three}", f"omega_{self.carrier}")
+        rows = [self._motion(motion, row, keys) for row, motion in enumerate(self.found.motions)]
+        heads = [
+            self.t("Held"),
+            self.t("Input"),
+            *(self._relative(table[key]) for key in keys),
+            self.page.head(table["u"].symbol()),
+            self.page.head(table["eta"].symbol()),
+            self.t("Power flow"),
+        ]
+        return worded(caption, heads, rows, (0.8, 0.8, 1.4, 1.4, 1.4, 1.4, 1.4, 1.2, 1.2))
+
+    def _relative(self, speed: quantity.Column) -> Markup:
+        return self.page.listed([self.page.sym(speed.symbol()), self.page.sym(INPUT)], "/")
+
+    def _motion(self, motion: Motion, row: int, keys: tuple[str, ...]) -> list[Any]:
+        table, page = self.of.table("motions"), self.page
+        locks = self._word(N_("locks"), table, "eta", row)
+        return [
+            *(page.word(table[key].values[row], table, key, row) for key in ("held", "input")),
+            *(page.cell(table, key, row, digits=4) for key in (*keys, "u")),
+            locks if motion.locks else page.cell(table, "eta", row, places=4),
+            page.word("→".join(self._sense(motion)), table, "power", row),
+        ]
+
+    def _sense(self, motion: Motion) -> tuple[str, str]:
+        """Which central wheel drives which in the stopped-carrier frame."""
+        return (self.one, self.three) if motion.exponent > 0 else (self.three, self.one)
+
+    @property
+    def sense(self) -> tuple[str, str]:
+        """The same as the stage runs in the drive."""
+        return self._sense(self.found.motion)

@@ -1,0 +1,306 @@
+"""View of a spur stage: what its template prints beside the formulas."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from markupsafe import Markup
+
+from tmm_report.chapters.gears.spur.formulas import UNITS, SpurFormulas
+from tmm_report.chapters.gears.spur.solve.conditions import BY_ASSEMBLY
+from tmm_report.chapters.gears.spur.solve.pair import Found
+from tmm_report.chapters.gears.spur.view.cutter import CutterView
+from tmm_report.chapters.gears.spur.view.motion import MotionView
+from tmm_report.chapters.gears.spur.view.short_contact import reasons
+from tmm_report.chapters.gears.spur.view.teeth import TeethView
+from tmm_report.chapters.gears.spur.words import (
+    CONDITIONS,
+    RULES,
+    UNDERCUT,
+    UNDERCUT_BY_RULE,
+    UNDERCUT_DEEP,
+    UNDERCUT_HOW,
+)
+from tmm_report.mechanics.gears.limits.condition import Condition
+from tmm_report.problems import N_, Message
+from tmm_report.quantity import model
+from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.wheel_words import DIAMETERS, TEETH, of_wheel
+from tmm_report.report.layout import Cell, Table, Words, padded, worded
+from tmm_report.report.page import Page
+from tmm_report.report.part import Failed, Part
+
+LEAST, MOST = "≥\N{NO-BREAK SPACE}", "≤\N{NO-BREAK SPACE}"  # before a limit, on one line with it
+
+
+def parts(found: Found, page: Page, label: str) -> Iterator[Part]:
+    """Of a stage; `label`: with which its sections, and its names in the results, begin."""
+    yield Part("gears/spur", SpurView(found, page, label))
+
+
+class SpurView(SpurFormulas):
+    """`label` begins the labels of its sections and its names in the results."""
+
+    def __init__(self, found: Found, page: Page, label: str):
+        super().__init__(found, label)
+        self.page, self.label = page, label
+        self.t = page.t
+        self.judged = self.part.table("conditions")
+
+    @property
+    def title(self) -> str:
+        return self.found.name
+
+    @property
+    def rule(self) -> str:
+        """How the shifts were divided (a message id); "" where they were given."""
+        shift = self.found.given.shift
+        return RULES[shift] if isinstance(shift, str) else ""
+
+    def given_values(self) -> Markup:
+        """What the assignment gives, in one line."""
+        distance = [self.a_w] if self.found.given.centre_distance is not None else []
+        helix = [self.beta] if self.helical else []
+        items = [self.var("u_required"), self.m, *distance, self.alpha, *helix, self.ha, self.c]
+        return self.page.listed([self.page.listed(self.page.value(var) for var in items), "."], "")
+
+    def both_shifts(self) -> Markup:
+        return self.page.listed(self.one_shift(i) for i in (0, 1))
+
+    def one_shift(self, i: int) -> Markup:
+        return self.page.value(self.x(i))
+
+    def shown(self, key: str, unit: str = "", digits: int = 5) -> Markup:
+        """A single number of the pair in running text."""
+        return self.page.shown(self.part[key], unit=unit, digits=digits)
+
+    # ------------------------------------------------------------ what symbols mean
+
+    def meant(self, *keys: str, unit: str = "") -> list[dict[str, Any]]:
+        """Single numbers of the pair for a list of symbols; `unit`: of print, of lengths mm."""
+        return [self._meant(key, self.part[key], self.part[key].symbol, unit) for key in keys]
+
+    def meant_of_wheels(self, *keys: str) -> list[dict[str, Any]]:
+        """The same of numbers of each wheel: d_i."""
+        columns = [self.wheels[key] for key in keys]
+        return [self._meant(column.key, column, of_wheel(column.symbol(), "i")) for column in columns]
+
+    def _meant(
+        self, key: str, of: model.Value | model.Column, symbol: Symbol, unit: str = ""
+    ) -> dict[str, Any]:
+        unit = unit or UNITS.get(of.unit, "")  # angles carry their sign, °
+        return {"id": f"spur:{key}", "symbol": symbol, "meaning": self.page.message(of.meaning), "unit": unit}
+
+    # ------------------------------------------------------------ tables
+
+    def shifts_table(self, caption: Any) -> Table:
+        """The least shifts by the course's rule and exactly, beside those taken."""
+        rows = [
+            [
+                self._wheel(i),
+                self.page.cell(self.wheels, "z", i),
+                *("—" if self._ring(i) else self._shift(key, i) for key in ("x_rule", "x_min")),
+                self._shift("x", i),
+            ]
+            for i in (0, 1)
+        ]
+        least = [self.page.message(self.wheels[key].meaning) for key in ("x_rule", "x_min")]
+        heads = [self.t("Wheel"), self.page.sym("z"), *least, self.t("shift taken")]
+        return worded(caption, heads, rows, (1, 1, 2, 2, 2))
+
+    def _wheel(self, i: int) -> Cell | Words:
+        return self.page.word(self.names[i], self.wheels, "wheel", i)
+
+    def _shift(self, key: str, i: int) -> Cell:
+        return self.page.cell(self.wheels, key, i, places=4)
+
+    def dimensions_table(self, caption: Any) -> Table:
+        """Dimensions of both wheels; each row is a column of the results."""
+        columns = [self.wheels[key] for key in DIAMETERS | TEETH]
+        rows = [
+            [
+                self.page.message(column.meaning),
+                self.page.head(column.symbol(), "mm"),
+                *padded([self._size(column.key, i) for i in (0, 1)]),
+            ]
+            for column in columns
+        ]
+        wheels = [self.t("wheel %(name)s", name=name) for name in self.names]
+        return worded(caption, [self.t("Dimension"), self.t("Symbol"), *wheels], rows, (4, 2, 2, 2))
+
+    def _size(self, key: str, i: int) -> Cell | str:
+        """mm; a ring has no thickness on its base circle, which lies within its teeth."""
+        return "—" if key == "s_b" and self._ring(i) else self.page.cell(self.wheels, key, i, "mm")
+
+    def conditions(self, caption: Any) -> Table:
+        """Every condition with its value, limit and what is in hand."""
+        rows = [
+            [
+                self.page.word(self._name(c), self.judged, "condition", row),
+                self._quantity(row, c),
+                self._measured("value", row, c),
+                self.page.listed(
+                    [LEAST if c.least else MOST, self.page.said(self._measured("limit", row, c))], ""
+                ),
+                self._measured("margin", row, c),
+                self.page.word(self._verdict(c), self.judged, "met", row),
+            ]
+            for row, c in enumerate(self.found.conditions)
+        ]
+        t = self.t
+        heads = [t("Condition"), t("Quantity"), t("Value"), t("Limit"), t("In hand"), t("Verdict")]
+        return worded(caption, heads, rows, (4, 1.5, 1.5, 4.5, 2, 2.4))
+
+    def _name(self, c: Condition) -> str | Markup:
+        name = Message(CONDITIONS[c.key], {"wheel": c.wheel}).render(self.page.tr.gettext)
+        if c.key == "sliding" and self.moving and not self.moving.stated:
+            return self.t(
+                "%(name)s at %(speed)s", name=name, speed=self.page.value(self.part["v_pitch"].var(digits=4))
+            )
+        return name
+
+    def _verdict(self, c: Condition) -> str:
+        if c.key in BY_ASSEMBLY and not c.met:
+            return self.page.tr.gettext(N_("only axially"))
+        by_rule = N_("met by the rule only") if self.found.met_by_rule(c) else N_("not met")
+        return self.page.tr.gettext(N_("met") if c.met else by_rule)
+
+    def _quantity(self, row: int, c: Condition) -> Markup:
+        name = self.page.sym(self.judged["value"].symbol(row))
+        if c.key == "sliding":
+            name = self.page.listed(["|", name, "|"], "")
+        return self.page.listed([name, self.page.unit(c.unit)]) if c.unit else name
+
+    def _measured(self, key: str, row: int, c: Condition, size: bool = False) -> Cell:
+        """A number in the unit of the condition: mm, degrees or none."""
+        return self.page.cell(self.judged, key, row, c.unit, size=size, places=3 if c.unit else 4)
+
+    def sliding_table(self, caption: Any) -> Table:
+        """Specific sliding at the characteristic points of the line of action."""
+        table = self.part.table("points")
+        point, *numbers = table.columns
+        rows = [
+            [
+                self.page.word(name, table, "point", row),
+                *(self.page.cell(table, of.key, row, UNITS.get(of.unit, "")) for of in numbers),
+            ]
+            for row, name in enumerate(point.values)
+        ]
+        heads = [self.t("Point"), *(self.page.head(of.symbol(), UNITS.get(of.unit, "")) for of in numbers)]
+        return worded(caption, heads, rows, (2, 3, 3, 3, 3))
+
+    @cached_property
+    def moving(self) -> MotionView | None:
+        """At the speed of the drive."""
+        return MotionView(self.found, self.page, self.part) if self.found.motion else None
+
+    @cached_property
+    def cutter(self) -> CutterView | None:
+        """The pinion cutter that cuts the ring, or both wheels."""
+        return CutterView(self) if self.found.cutters else None
+
+    # ------------------------------------------------------------ picture
+
+    @cached_property
+    def drawings(self) -> TeethView:
+        return TeethView(self.found, self.page, self.label, self.part)
+
+    # ------------------------------------------------------------ what is said
+
+    def undercuts(self) -> list[Markup]:
+        """What is to be said of each undercut wheel."""
+        failed = [(row, c) for row, c in enumerate(self.found.conditions) if not c.met]
+        return [self._undercut(row, c) for row, c in failed if c.key == "undercut"]
+
+    def _undercut(self, row: int, c: Condition) -> Markup:
+        i = self.names.index(c.wheel)
+        deep = self.found.starts[i] > float(self.pair.rho_m[i])
+        keys = "rho_l", "rho_m" if deep and self.found.cut_short else "rho_p"
+        start, lower = (self.page.cell(self.wheels, key, i, "mm", places=3) for key in keys)
+        values = {
+            "wheel": c.wheel,
+            "least": self.shown("z_rule"),
+            "short": self.page.said(self._measured("margin", row, c, size=True)),
+            "limit": self.page.said(self._measured("limit", row, c)),
+            "start": self.page.said(start),
+            "lower": self.page.said(lower),
+        }
+        said = [
+            self.t(UNDERCUT_BY_RULE if self.found.met_by_rule(c) else UNDERCUT, **values),
+            self.t(UNDERCUT_DEEP if deep else UNDERCUT_HOW, **values),
+            self.t("the undercut takes away a part of the active profile.")
+            if deep
+            else self.t("the undercut does not reach the active profile."),
+        ]
+        return self.page.listed(said, " ")
+
+    def failures(self) -> list[Markup]:
+        """Conditions that are not met, each with how much is wanting."""
+        failed = [(row, c) for row, c in enumerate(self.found.conditions) if c in self.found.failed]
+        return [self.page.listed([self._name(c), self._lack(row, c)], ": ") for row, c in failed]
+
+    def reasons(self) -> list[Markup]:
+        """Why the contact is shorter than between the tip circles."""
+        return reasons(self)
+
+    def stated_shifts(self) -> Markup:
+        """What was stated where it is not what was taken."""
+        return self.page.listed(self.page.value(self.part[f"x_stated_{name}"].var()) for name in self.names)
+
+    def _lack(self, row: int, c: Condition) -> Markup:
+        if not np.isfinite(c.margin):
+            return self.t("it has no bound") if c.key == "sliding" else self.t("they cannot pass each other")
+        unit = [" ", self.page.unit(c.unit)] if c.unit else []
+        lack = self.page.said(self._measured("margin", row, c, size=True))
+        return self.t("%(lack)s is wanting", lack=self.page.listed([lack, *unit], ""))
+
+    def conclusions(self) -> list[Markup]:
+        """What failed, first; then what was found."""
+        return [*self._failure(), self.page.listed([*self._found(), *self._in_motion()], " ")]
+
+    def _failure(self) -> Iterator[Markup]:
+        if self.found.failed:
+            text = N_("Not all conditions of the gear pair %(name)s are met: %(list)s.")
+            if self.found.sound:
+                text = N_(
+                    "Not all conditions of the gear pair %(name)s are met exactly: %(list)s; they are met by the rule "
+                    "of the course, which is held to be enough."
+                )
+            line = self.t(text, name=self.title, list=self.page.listed(self.failures(), "; "))
+            yield line if self.found.sound else Failed(line)
+
+    def _found(self) -> Iterator[Markup]:
+        said = self.page.said
+        values: dict[str, Any] = {"name": self.title, "eps": self.shown("eps", digits=4)}
+        for i in (0, 1):
+            values[f"z{i + 1}"] = said(self.page.cell(self.wheels, "z", i))
+            values[f"x{i + 1}"] = said(self._shift("x", i))
+        text = N_(
+            "The gear pair %(name)s has %(z1)s and %(z2)s teeth, the shifts %(x1)s and %(x2)s and the contact "
+            "ratio %(eps)s."
+        )
+        yield self.t(text, **values)
+        if not self.found.failed:
+            yield self.t("All its conditions are met.")
+
+    def _in_motion(self) -> Iterator[Markup]:
+        """The largest specific sliding against what its speed allows, and the largest velocity of sliding."""
+        if self.moving is None or self.found.beyond:
+            return
+        rows = [row for row, c in enumerate(self.found.conditions) if c.key == "sliding"]
+        row = max(rows, key=lambda k: self.found.conditions[k].value)
+        shown = self.page.shown
+        text = N_(
+            "At the pitch-line velocity %(speed)s m/s its largest specific sliding is %(sliding)s, where %(limit)s is "
+            "allowed; the profiles slide at %(velocity)s m/s at most."
+        )
+        yield self.t(
+            text,
+            speed=self.shown("v_pitch", digits=4),
+            sliding=shown(self.judged, "value", row, digits=4),
+            limit=shown(self.judged, "limit", row, digits=4),
+            velocity=shown(self.moving.table, "v_sl", self.moving.row, size=True, digits=4),
+        )

@@ -1,0 +1,138 @@
+"""The cam drawn to scale: profile, base circle, pitch curve, and the follower's end in its numbered positions, as they
+stand to a cam at rest (the motion turned round), the cam being as it is in position 0."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Iterator
+from itertools import product
+
+import numpy as np
+
+from tmm_report.chapters.lever.cam.solve import CamFound
+from tmm_report.figures import marks
+from tmm_report.figures.drawing import (
+    AXIS,
+    DASHED,
+    NORMAL,
+    THICK,
+    THIN,
+    Circle,
+    Drawing,
+    Item,
+    Pen,
+    Tag,
+    dot,
+    line,
+    polygon,
+    polyline,
+)
+from tmm_report.figures.lettering import Symbol, symbol
+
+ROOM = (140.0, 180.0)  # mm: what the drawing may fill
+FINE = 721
+PITCH = Pen(0.22, "blue", (5.0, 1.0, 0.6, 1.0))
+GHOST = Pen(0.22, "grey")
+SMALL = 2.5  # height of the numbers of positions, mm
+FACE = 9.0  # half length of the faces drawn, mm
+
+
+def scale(found: CamFound) -> float:
+    """The finest of the scales 1, 2, 2.5, 4, 5·10ⁿ m/mm at which the drawing fits a page."""
+    for power, digit in product(range(-6, 3), (1.0, 2.0, 2.5, 4.0, 5.0)):
+        mu = float(f"{digit * 10.0**power:.3g}")
+        wide, high = Drawing(tuple(_items(found, mu))).size
+        if 2 * found.cam.base / mu < 4 * ROOM[0] and wide <= ROOM[0] and high <= ROOM[1]:
+            return mu
+    return 1.0
+
+
+def drawing(found: CamFound, mu: float) -> Drawing:
+    """At the scale of `mu` m/mm."""
+    return Drawing(tuple(_items(found, mu))).labelled([*_letters(found, mu), *_numbers(found, mu)])
+
+
+def _turned(found: CamFound) -> complex:
+    return cmath.rect(1.0, float(found.phi(0.0)))
+
+
+def _items(found: CamFound, mu: float) -> Iterator[Item]:
+    cam, back = found.cam, _turned(found)
+    phi = np.linspace(0.0, 2 * np.pi, FINE)
+    profile = [complex(z) for z in cam.profile(phi) * back / mu]
+    yield polygon(profile, THICK, "pale", 0.6)
+    yield Circle(0j, cam.base / mu, DASHED)
+    if cam.roller:
+        yield polyline([complex(z) for z in cam.pitch(phi) * back / mu], PITCH)
+    yield from _ends(found, mu)
+    yield from _follower(found, mu)
+    yield from marks.support(0j)
+    yield from marks.joint(0j)
+    yield from marks.turning(0j, 0.55 * cam.base / mu, 0.3, found.sense * 1.2)
+
+
+def _places(found: CamFound) -> list[tuple[int, complex, complex]]:
+    """Number, place of the follower's end (the contact of a flat face) and outward normal, to a cam at rest, m."""
+    count = found.kinematics.distinct
+    phi = found.phi(found.table.turned[:count])
+    touch = found.cam.contact(phi)
+    end = touch.at if found.cam.flat else found.cam.moved(phi)[1].z
+    turn = np.exp(-1j * phi) * _turned(found)
+    return [
+        (k, complex(z), complex(n))
+        for k, (z, n) in enumerate(zip(end * turn, touch.normal * turn, strict=True))
+    ]
+
+
+def _ends(found: CamFound, mu: float) -> Iterator[Item]:
+    """Rollers, knife edges or flat faces in all numbered positions; the first one heavy."""
+    for k, place, normal in _places(found):
+        at, pen = place / mu, NORMAL if k == 0 else GHOST
+        if found.cam.flat:
+            yield line(at - FACE * 1j * normal, at + FACE * 1j * normal, NORMAL if k == 0 else THIN)
+        elif found.cam.roller:
+            yield Circle(at, found.cam.roller / mu, pen)
+        yield dot(at, 0.5)
+
+
+def _follower(found: CamFound, mu: float) -> Iterator[Item]:
+    """The follower in position 0: its line of motion, or its lever to the pivot."""
+    _, b = found.cam.moved(found.phi(0.0))
+    at = complex(b.z) / mu
+    if found.slides:
+        along = complex(getattr(found.cam.motion, "along", 1j))
+        foot = complex(getattr(found.cam.motion, "foot", 0j)) / mu
+        yield line(foot, at + 16 * along, AXIS)
+        yield line(at, at + 14 * along, THICK)
+        if abs(foot) > 0.3:
+            yield Circle(0j, abs(foot), THIN)
+        return
+    pivot = found.pivot / mu
+    yield line(at, pivot, THICK)
+    yield line(0j, pivot, AXIS)
+    yield from marks.support(pivot)
+    yield from marks.joint(pivot)
+
+
+def _letters(found: CamFound, mu: float) -> list[Tag]:
+    cam = found.cam
+    _, b = cam.moved(found.phi(0.0))
+    own = found.kinematics.linkage.structure
+    tags = [Tag((symbol(own.driver_pair.name),), (0j,), gap=2.0, prefer=1 - 1j)]
+    radius = 0.55 * cam.base / mu
+    tags.append(Tag((Symbol("ω", cam.cam),), (cmath.rect(radius, 0.3 + found.sense * 0.6),), gap=0.8))
+    if not found.slides:
+        frame = own.mechanism.links["0"].points
+        name = next((p for p, z in frame.items() if abs(z - cam.axis - found.pivot) < 1e-9), "")
+        tags.append(Tag((symbol(name),), (found.pivot / mu,), gap=2.0))
+    tags.append(Tag((symbol(cam.point),), (complex(b.z) / mu,), gap=1.5))
+    return tags
+
+
+def _numbers(found: CamFound, mu: float) -> Iterator[Tag]:
+    """Numbers of the positions outside the follower's ends."""
+    out = (found.cam.roller or 0.0) / mu + 0.8
+    for k, place, normal in _places(found):
+        away = normal if abs(place) < 1e-12 else place / abs(place)
+        tiers = tuple(place / mu + (out + 2.6 * tier) * away for tier in range(3))
+        yield Tag((str(k),), tiers, 0.6, away, SMALL, "blue")

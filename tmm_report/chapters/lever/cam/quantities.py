@@ -1,0 +1,240 @@
+"""The numbers of the cam pairs: sizes, phases, the law, pressure angles, coordinates of the profile."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from tmm_report.chapters.lever.cam.solve import CamFound, Cams, Lifted
+from tmm_report.chapters.lever.kinematics.quantities import where
+from tmm_report.i18n import NP_
+from tmm_report.mechanics.cams.cam import Sliding, Swinging
+from tmm_report.problems import N_, Message
+from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
+from tmm_report.quantity.symbols import Symbol
+
+PHASES = Message(N_("phases of the cam's turn"))
+SAMPLES = Message(N_("positions of which the laws of the cam are written out"))
+MOTION = Message(N_("displacement of the follower, its derivatives by the angle turned, pressure angle"))
+JUMPS = Message(N_("angles at which derivatives of the follower's displacement jump"))
+PROFILE = Message(N_("polar coordinates of the profile and of the pitch curve in the cam's axes"))
+KINDS = {"rise": N_("rise"), "dwell": N_("dwell"), "return": N_("return")}
+SHOCKS = {True: N_("hard"), False: N_("soft")}
+LAWS = {
+    "parabolic": N_("parabolic"),
+    "cosine": N_("cosine"),
+    "sine": N_("sine"),
+    "polynomial": N_("polynomial 3-4-5"),
+    "uniform": N_("uniform"),
+    "": N_("none"),
+}
+RISE, RETURN, LIMIT = NP_("index", "rise"), NP_("index", "ret"), NP_("index", "lim")
+PITCH = NP_("index", "pc")  # of the pitch curve
+MAX, MIN = NP_("index", "max"), NP_("index", "min")
+
+NUMBER = Quantity("number", None, "", Message(N_("its number")))
+START = Quantity(
+    "start", Symbol("theta", "0"), "deg", Message(N_("angle of the cam at which the phase begins"))
+)
+ANGLE = Quantity("angle", Symbol("delta"), "deg", Message(N_("angle of the phase")))
+WITHIN = Quantity(
+    "theta", Symbol("theta"), "rad", Message(N_("angle of the cam from the beginning of the phase"))
+)
+BETA = Quantity("delta", Symbol("delta"), "rad", Message(N_("angle of the phase")))
+SHARE = Quantity("tau", Symbol("tau"), "", Message(N_("share of the phase that is over")))
+
+
+def unit(found: CamFound) -> str:
+    """Of a displacement."""
+    return "m" if found.slides else "rad"
+
+
+def letter(found: CamFound) -> str:
+    return "s" if found.slides else "beta"
+
+
+def of(found: CamFound, key: str, symbol: Symbol, unit_: str, text: str) -> Quantity:
+    """A quantity of one cam pair, with its name in key and index."""
+    name = found.cam.name
+    index = ",".join(filter(None, (symbol.sub, name)))
+    meaning = Message(text, {"cam": found.cam.cam, "follower": found.cam.follower})
+    return Quantity(f"{key}_{name}", Symbol(symbol.base, index, symbol.sup), unit_, meaning)
+
+
+def displacement(found: CamFound) -> Quantity:
+    text = (
+        N_("displacement of follower %(follower)s")
+        if found.slides
+        else N_("angle of swing of follower %(follower)s")
+    )
+    return of(found, "cam_S", Symbol(letter(found)), unit(found), text)
+
+
+def first(found: CamFound) -> Quantity:
+    text = N_("first derivative of the displacement of follower %(follower)s by the angle of cam %(cam)s")
+    return of(found, "cam_S1", Symbol(letter(found) + "′"), unit(found) if found.slides else "", text)
+
+
+def second(found: CamFound) -> Quantity:
+    text = N_("second derivative of the displacement of follower %(follower)s by the angle of cam %(cam)s")
+    return of(found, "cam_S2", Symbol(letter(found) + "′′"), unit(found) if found.slides else "", text)
+
+
+def pressure(found: CamFound) -> Quantity:
+    return of(
+        found,
+        "cam_alpha",
+        Symbol("alpha"),
+        "deg",
+        N_("pressure angle between cam %(cam)s and follower %(follower)s"),
+    )
+
+
+def tables(found: Cams) -> Iterator[Table]:
+    for one in found.cams:
+        name = one.cam.name
+        if one.phases:
+            yield Table(f"cam_phases_{name}", PHASES, _phases(one))
+            yield Table(f"cam_law_{name}", SAMPLES, _samples(one))
+        if one.shocks:
+            yield Table(f"cam_shocks_{name}", JUMPS, _shocks(one))
+        for which, lifted in (("table", one.table), ("diagram", one.diagram)):
+            at = where(lifted.turned)
+            yield Table(f"cam_motion_{name}_{which}", MOTION, (*at, *_motion(one, lifted)))
+        yield Table(f"cam_profile_{name}", PROFILE, (*where(one.table.turned), *_profile(one, one.table)))
+
+
+def _phases(found: CamFound) -> tuple[Column, ...]:
+    phases = found.phases
+    edges = np.concatenate([[0.0], np.cumsum([phase.angle for phase in phases])])[:-1]
+    return (
+        NUMBER.column(list(range(1, len(phases) + 1))),
+        text_column("phase", Message(N_("what the follower does")), [KINDS[phase.kind] for phase in phases]),
+        text_column("law", Message(N_("its law")), [LAWS[phase.law] for phase in phases]),
+        START.column(np.degrees(edges)),
+        ANGLE.column(np.degrees([phase.angle for phase in phases])),
+    )
+
+
+def _samples(found: CamFound) -> tuple[Column, ...]:
+    samples = found.samples
+    return (
+        Quantity("at", None, "", Message(N_("table position"))).column([s.position for s in samples]),
+        text_column("phase", Message(N_("what the follower does")), [KINDS[s.phase.kind] for s in samples]),
+        text_column("law", Message(N_("its law")), [LAWS[s.phase.law] for s in samples]),
+        WITHIN.column([s.within for s in samples]),
+        BETA.column([s.phase.angle for s in samples]),
+        SHARE.column([s.share for s in samples]),
+    )
+
+
+def _shocks(found: CamFound) -> tuple[Column, ...]:
+    shocks, letter_ = found.shocks, letter(found)
+    own = unit(found) if found.slides else ""
+    at = Message(N_("angle of turn at which a derivative of the displacement jumps"))
+    jumps = [Message(N_("jump of the first derivative")), Message(N_("jump of the second derivative"))]
+    return (
+        Quantity("phi", Symbol("phi"), "deg", at).column([np.degrees(shock.turned) for shock in shocks]),
+        Quantity("first", Symbol(f"Delta{letter_}′"), own, jumps[0]).column([s.first for s in shocks]),
+        Quantity("second", Symbol(f"Delta{letter_}′′"), own, jumps[1]).column([s.second for s in shocks]),
+        text_column(
+            "shock", Message(N_("whether the shock is hard or soft")), [SHOCKS[s.hard] for s in shocks]
+        ),
+    )
+
+
+def _motion(found: CamFound, lifted: Lifted) -> Iterator[Column]:
+    yield displacement(found).column(lifted.S)
+    yield first(found).column(lifted.first)
+    yield second(found).column(lifted.second)
+    yield pressure(found).column(np.degrees(lifted.alpha))
+
+
+def _profile(found: CamFound, lifted: Lifted) -> Iterator[Column]:
+    text = N_("polar radius of the profile of cam %(cam)s")
+    yield of(found, "cam_R", Symbol("R"), "m", text).column(lifted.radius)
+    text = N_("polar angle of the profile of cam %(cam)s in its axes")
+    yield of(found, "cam_gamma", Symbol("gamma"), "deg", text).column(np.degrees(lifted.direction))
+    if found.cam.roller:
+        text = N_("polar radius of the pitch curve of cam %(cam)s")
+        yield of(found, "cam_R_pitch", Symbol("R", PITCH), "m", text).column(lifted.pitch)
+        text = N_("polar angle of the pitch curve of cam %(cam)s in its axes")
+        yield of(found, "cam_gamma_pitch", Symbol("gamma", PITCH), "deg", text).column(
+            np.degrees(lifted.pitch_direction)
+        )
+
+
+def values(found: Cams) -> Iterator[Value]:
+    for one in found.cams:
+        yield from _sizes(one)
+        yield from _limits(one)
+
+
+def base(found: CamFound) -> Quantity:
+    return of(found, "cam_base", Symbol("R", MIN), "m", N_("radius of the base circle of cam %(cam)s"))
+
+
+def lift(found: CamFound) -> Quantity:
+    text = N_("lift of follower %(follower)s") if found.slides else N_("swing of follower %(follower)s")
+    return of(found, "cam_lift", Symbol("h") if found.slides else Symbol("beta", MAX), unit(found), text)
+
+
+def _sizes(found: CamFound) -> Iterator[Value]:
+    cam, motion = found.cam, found.cam.motion
+    yield base(found).value(cam.base)
+    yield lift(found).value(found.lift)
+    if found.below:
+        low, text = found.ends[0][0], N_("least displacement of follower %(follower)s")
+        yield of(found, "cam_least", Symbol(letter(found), MIN), unit(found), text).value(
+            low.value, low.turned
+        )
+    if cam.roller:
+        yield of(
+            found, "cam_roller", Symbol("r"), "m", N_("radius of the roller of follower %(follower)s")
+        ).value(cam.roller)
+        text = N_("least radius of the pitch curve of cam %(cam)s")
+        yield of(found, "cam_pitch_base", Symbol("R", "0"), "m", text).value(cam.base + cam.roller)
+    if isinstance(motion, Sliding):
+        if not cam.flat:
+            text = N_(
+                "offset of follower %(follower)s, above zero where it lessens the pressure angle of a rise"
+            )
+            yield of(found, "cam_offset", Symbol("e"), "m", text).value(found.sense * motion.offset)
+            text = N_(
+                "lowest distance of the follower's point from the foot of the perpendicular from the cam's axis"
+            )
+            yield of(found, "cam_start", Symbol("s", "0"), "m", text).value(found.start)
+    elif isinstance(motion, Swinging):
+        text = N_("distance of the pivots of cam %(cam)s and follower %(follower)s")
+        yield of(found, "cam_apart", Symbol("d"), "m", text).value(abs(motion.pivot))
+        if not cam.flat:
+            text = N_("length of the arm of follower %(follower)s that the cam lifts")
+            yield of(found, "cam_arm", Symbol("l"), "m", text).value(abs(motion.arm))
+            text = N_("lowest angle between the arm of follower %(follower)s and the line of the pivots")
+            yield of(found, "cam_start", Symbol("beta", "0"), "rad", text).value(found.start)
+
+
+def _limits(found: CamFound) -> Iterator[Value]:
+    text = N_("allowed pressure angle of cam %(cam)s and follower %(follower)s")
+    yield of(found, "cam_alpha_limit", Symbol("alpha", LIMIT), "deg", text).value(np.degrees(found.cam.limit))
+    for key, index, at, text in (
+        (
+            "cam_alpha_rise",
+            RISE,
+            found.rise,
+            N_("greatest pressure angle of the rise of follower %(follower)s"),
+        ),
+        (
+            "cam_alpha_return",
+            RETURN,
+            found.back,
+            N_("greatest pressure angle of the return of follower %(follower)s"),
+        ),
+    ):
+        yield of(found, key, Symbol("alpha", f"{MAX},{index}"), "deg", text).value(
+            np.degrees(at.value), at.turned
+        )
+    if np.isfinite(found.least.value):
+        text = N_("least radius of curvature of the profile of cam %(cam)s where it is convex")
+        yield of(found, "cam_rho", Symbol("rho", MIN), "m", text).value(found.least.value, found.least.turned)

@@ -1,0 +1,78 @@
+"""View of Zhukovsky's lever: arms read off the turned plan of velocities, the balancing force, the ways compared."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cache, partial
+from typing import Any
+
+from markupsafe import Markup
+
+from tmm_report.chapters.lever.force_plans.lever import Lever
+from tmm_report.chapters.lever.force_plans.lever_draw import lever_picture
+from tmm_report.figures.drawing import Drawing
+from tmm_report.problems import N_
+from tmm_report.quantity.model import Book
+from tmm_report.report.layout import DASH, Table, worded
+from tmm_report.report.page import Page
+from tmm_report.report.part import Part
+
+WAYS = {
+    "force_plan": N_("by the force plan of the driving link"),
+    "power": N_("by the power balance"),
+    "analytic": N_("by the analytical force analysis"),
+}
+
+
+def part(levers: tuple[Lever, ...], book: Book, page: Page) -> Part:
+    return Part("lever/force_plans/lever", LeverView(levers, book, page), concludes=False)
+
+
+class LeverView:
+    def __init__(self, levers: tuple[Lever, ...], book: Book, page: Page):
+        self.levers, self.book, self.page, self.t = levers, book, page, page.t
+        self.picture = cache(self._picture)
+
+    def conclusions(self) -> Sequence[Markup]:
+        return []
+
+    def _picture(self, lever: Lever) -> Drawing:
+        return lever_picture(lever, partial(self.page.tr.pgettext, "index"))
+
+    def arms(self, caption: Any, lever: Lever) -> Table:
+        """One row a force that has an arm, the balancing one last."""
+        table = self.book.tables[f"lever_arms_{lever.position}"]
+        rows = [
+            [
+                self.page.sym(arm.quantity.sign), self.page.word(str(table["point"].values[row]), table, "point", row),
+                self.page.cell(table, "size", row), self.page.cell(table, "arm_mm", row, digits=7),
+                self.page.cell(table, "moment", row),
+            ]
+            for row, arm in enumerate([*lever.arms, lever.driving])
+        ]  # fmt: skip
+        heads = [
+            self.t("Force"), self.t("Point"), self.page.head(table["size"].symbol(), "N"),
+            self.page.head(table["arm_mm"].symbol(), "mm"),
+            self.page.listed([self.t("Moment"), self.page.unit("N·mm")]),
+        ]  # fmt: skip
+        return worded(caption, heads, rows, (2, 2, 3, 3, 3))
+
+    def compared(self, caption: Any, lever: Lever) -> Table:
+        table = self.book.tables[f"lever_compared_{lever.position}"]
+        rows = [
+            [
+                self.page.word(self._way(one.key), table, "way", row),
+                self.page.cell(table, "moment", row),
+                DASH if one.delta is None else self.page.cell(table, "delta", row, places=3),
+            ]
+            for row, one in enumerate(lever.compared)
+        ]
+        heads = [
+            self.t("Balancing moment"), self.page.head(table["moment"].symbol(), "N·m"),
+            self.t("Difference of the lever, %%"),
+        ]  # fmt: skip
+        return worded(caption, heads, rows, (5, 3, 3))
+
+    def _way(self, key: str) -> Markup:
+        text = WAYS[key]
+        return self.t(text)

@@ -1,0 +1,51 @@
+"""Chapter 3, graph-analytical method: force plans of the groups and of the driving link at the positions asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from tmm_report.chapters.lever.force_plans.drafting import ForceDrawn, draw
+from tmm_report.chapters.lever.force_plans.lever import Lever, levers
+from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
+from tmm_report.chapters.lever.plans.given import Drawing
+from tmm_report.chapters.lever.plans.solve import Plans
+from tmm_report.problems import N_, Message, Problem, doubt
+from tmm_report.records import dataclass
+
+
+@dataclass(frozen=True, eq=False)
+class ForcePlans:
+    """Found by `solve`. `doubts`: scales stated for groups that the mechanism does not have."""
+
+    drawn: tuple[ForceDrawn, ...]
+    singular: tuple[int, ...]
+    levers: tuple[Lever, ...] = ()
+    doubts: tuple[Problem, ...] = ()
+
+    @property
+    def worst(self) -> float:
+        """Largest |delta| of all reactions and moments, %."""
+        return max(
+            (abs(c.delta) for d in self.drawn for c in d.comparison if c.delta is not None), default=0.0
+        )
+
+
+def solve(drawing: Drawing, positions: Sequence[int], found: Kinetostatics, plans: Plans) -> ForcePlans:
+    lost = (*found.kinematics.singular, *found.kinematics.missing)
+    regular = [k for k in positions if k not in lost]
+    drawn = tuple(draw(found, k, plans.length_scale, drawing) for k in regular)
+    singular = tuple(k for k in positions if k not in regular)
+    return ForcePlans(drawn, singular, levers(found, drawn, plans), tuple(_idle(drawing, found)))
+
+
+def _idle(drawing: Drawing, found: Kinetostatics) -> Iterator[Problem]:
+    """Scales of the forces stated for what has no plan of its own."""
+    if not isinstance(drawing.force, Mapping):
+        return
+    linkage = found.kinematics.linkage
+    groups = ["-".join(group.links) for group in linkage.groups] + [linkage.mechanism.driver.link]
+    for key in drawing.force:
+        if set(key.split("-")) not in [set(group.split("-")) for group in groups]:
+            text = N_("no force plan is of %(name)s: its scale has no effect")
+            right = Message(N_("known: %(words)s"), {"words": ", ".join(groups)})
+            yield doubt(text, ("drawing", "scales", "force", key), right, name=key)

@@ -1,0 +1,138 @@
+"""View of the force plans: one plan a group, the driving link's last."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import cache, partial
+from typing import TYPE_CHECKING, Any
+
+from markupsafe import Markup
+
+from tmm_report.chapters.lever.force_plans import lever_view
+from tmm_report.chapters.lever.force_plans import quantities as q
+from tmm_report.chapters.lever.force_plans.drafting import ForceDrawn, ForcePlan
+from tmm_report.chapters.lever.force_plans.draw import force_picture
+from tmm_report.chapters.lever.force_plans.loading_draw import Loaded, loading_schemes
+from tmm_report.chapters.lever.force_plans.solve import ForcePlans
+from tmm_report.figures.drawing import Drawing
+from tmm_report.problems import N_
+from tmm_report.quantity.definition import Definition
+from tmm_report.quantity.formula import Var
+from tmm_report.quantity.model import Book, Quantity
+from tmm_report.report.comparison import comparison_table
+from tmm_report.report.diagrams import scale_of
+from tmm_report.report.layout import Table, worded
+from tmm_report.report.page import Page
+from tmm_report.report.part import Part
+from tmm_report.report.words import group_label
+
+if TYPE_CHECKING:
+    from tmm_report.course import LeverFound
+
+REDUCED_ARM = Definition("h", Var("M_I", 0.0) / Var("F_I", 0.0))
+
+
+def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
+    if lever.force_plans is not None:
+        view = ForcePlansView(lever, lever.force_plans, page)
+        yield Part("lever/force_plans", view)
+        yield lever_view.part(lever.force_plans.levers, view.book, page)
+
+
+class ForcePlansView:
+    reduced_arm = REDUCED_ARM
+    label = staticmethod(group_label)
+
+    def __init__(self, lever: LeverFound, found: ForcePlans, page: Page):
+        self.found, self.pairs, self.page, self.t = found, lever.structure.pairs, page, page.t
+        self.kinematics, self.length_scale = lever.kinematics, lever.plans.length_scale
+        self.book = Book.of(q.tables(found), q.values(found))
+        self.picture = cache(self._picture)
+        forces = lever.kinetostatics
+        self.couples = forces is not None and bool(forces.table.loading.couples)
+
+    def conclusions(self) -> list[Markup]:
+        text = N_(
+            "The reactions and the balancing moment found by the force plans differ from the analytical ones by at "
+            "most %(worst)s %%."
+        )
+        worst = self.page.shown(self.book["delta_F_max"], digits=3)
+        return [self.t(text, worst=worst)] if self.found.drawn else []
+
+    @property
+    def pivot(self) -> str:
+        """The fixed point about which the driving link turns."""
+        return self.pairs[0].name
+
+    def guided(self, links: Sequence[str]) -> bool:
+        """Whether a guide joins one of the links."""
+        return any(pair.kind == "P" and set(pair.links) & set(links) for pair in self.pairs)
+
+    def scale(self, drawn: ForceDrawn, plan: ForcePlan) -> Markup:
+        """mu_F of a plan with its value."""
+        return self.page.value(drawn.worked[1 + drawn.plans.index(plan)].number(q.MU_F, plan.scale))
+
+    def solution(self, plan: ForcePlan) -> Markup:
+        return self.page.listed(self.page.value(var, digits=5) for var in plan.solution)
+
+    def _picture(self, plan: ForcePlan) -> Drawing:
+        return force_picture(plan, partial(self.page.tr.pgettext, "index"))
+
+    # ------------------------------------------------------------ loading schemes
+
+    def loading(self, drawn: ForceDrawn, plan: ForcePlan) -> list[Loaded]:
+        return loading_schemes(
+            self.kinematics, self.length_scale, drawn, plan, partial(self.page.tr.pgettext, "index")
+        )
+
+    @property
+    def scheme_scale(self) -> Var:
+        """mu_l of the loading schemes, with which their arms are read."""
+        return scale_of("mu_l", self.length_scale, "m/mm")
+
+    def symbols(self, of: Sequence[Quantity]) -> Markup:
+        return self.page.listed(self.page.sym(one.sign) for one in of)
+
+    # ------------------------------------------------------------ tables
+
+    def armed(self, drawn: ForceDrawn) -> bool:
+        """Whether any force has an arm."""
+        return any(plan.arms for plan in drawn.plans)
+
+    def arms(self, caption: Any, drawn: ForceDrawn) -> Table:
+        table = self.book.tables[f"arms_{drawn.position}"]
+        arms = [arm for plan in drawn.plans for arm in plan.arms]
+        rows = [
+            [
+                self.page.sym(arm.force.sign), self.page.word(arm.about, table, "about", row),
+                self.page.cell(table, "arm_mm", row, digits=7), self.page.cell(table, "arm", row),
+            ]
+            for row, arm in enumerate(arms)
+        ]  # fmt: skip
+        heads = [self.t("Force"), self.t("About point"), self.t("Arm on the scheme, mm"), self.t("Arm, m")]
+        return worded(caption, heads, rows, (2, 2, 3, 3))
+
+    def reduced(self, caption: Any, drawn: ForceDrawn) -> Table:
+        table = self.book.tables[f"reduced_{drawn.position}"]
+        rows = [
+            [
+                self.page.word(link, table, "link", row),
+                *(self.page.cell(table, key, row) for key in ("F_I", "M_I", "h")),
+                self._centre(table, row),
+            ]
+            for row, link in enumerate(table["link"].values)
+        ]
+        heads = [
+            self.t("Link"), *(self.page.head(table[key].symbol(), table[key].unit) for key in ("F_I", "M_I", "h")),
+            self.page.listed([self.t("Swing centre K: x; y"), self.page.unit("m")]),
+        ]  # fmt: skip
+        return worded(caption, heads, rows, (1, 2, 2, 2, 3))
+
+    def _centre(self, table: Any, row: int) -> Markup:
+        x, y = (self.page.shown(table, key, row, digits=4) for key in ("x_K", "y_K"))
+        return self.page.listed([x, y], "; ")
+
+    def comparison(self, caption: Any, drawn: ForceDrawn) -> Table:
+        table = self.book.tables[f"force_comparison_{drawn.position}"]
+        named = {quantity.key: quantity for quantity in q.compared(drawn)}
+        return comparison_table(self.page, caption, table, named, drawn.position)

@@ -1,0 +1,182 @@
+"""View of the force analysis with friction: reactions, balancing moment, efficiency."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+from markupsafe import Markup
+
+from tmm_report.chapters.lever.friction import corrected_quantities as c
+from tmm_report.chapters.lever.friction import quantities as q
+from tmm_report.chapters.lever.friction.corrected import STILL, Correction, Loss
+from tmm_report.chapters.lever.friction.solve import FrictionFound, PairLoss
+from tmm_report.chapters.lever.kinetostatics.quantities import positions as forces
+from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
+from tmm_report.figures.graphs import Curve, Graph
+from tmm_report.problems import N_
+from tmm_report.quantity.formula import Expr, Formula, Var
+from tmm_report.quantity.model import Book
+from tmm_report.quantity.model import Table as Numbers
+from tmm_report.quantity.ref import Ref
+from tmm_report.quantity.symbols import Symbol
+from tmm_report.report.diagrams import CycleGraphs
+from tmm_report.report.layout import Table, numeric
+from tmm_report.report.page import Page
+
+
+def tilting(losses: Iterable[PairLoss | Loss], table: Numbers, page: Page) -> Markup | None:
+    """Guides whose slider touches both faces somewhere, each with its positions, of `table`; None where there are
+    none."""
+    where = [(loss, tilted(loss)) for loss in losses]
+    text, lines = N_("guide %(pair)s, positions %(positions)s"), []
+    for loss, positions in where:
+        shown = [page.shown(table, "position", int(k)) for k in positions]
+        lines += [page.t(text, pair=loss.pair.name, positions=page.listed(shown))] if shown else []
+    return page.listed(lines, "; ") if lines else None
+
+
+def tilted(loss: PairLoss | Loss) -> Any:
+    """Positions at which the forces at the ends of a slider are more than its reaction."""
+    more = loss.pressing - np.abs(loss.reaction)
+    return np.flatnonzero(more > STILL * np.nanmax(loss.pressing, initial=0.0))
+
+
+class CorrectedView:
+    def __init__(
+        self,
+        found: FrictionFound,
+        correction: Correction,
+        kinetostatics: Kinetostatics,
+        position: int,
+        page: Page,
+    ):
+        self.found, self.correction, self.position = found, correction, position
+        self.kinetostatics, self.page, self.t = kinetostatics, page, page.t
+        self.book = Book.of(q.tables(found), q.values(found))
+        self.moments = self.book.tables["friction_corrected_table"]
+        self.reactions = self.book.tables["friction_reactions_table"]
+        self.pairs = [loss.pair for loss in found.table.pairs]
+
+    def conclusions(self) -> list[Markup]:
+        if self.correction.partial:
+            return []
+        text = N_(
+            "With friction in the reactions the largest balancing moment is %(growth)s times that without friction, "
+            "the mean efficiency is %(eta)s."
+        )
+        return [self.t(text, growth=self.number("M_growth"), eta=self.number("eta_corrected_mean"))]
+
+    def number(self, key: str, digits: int = 4) -> Markup:
+        return self.page.shown(self.book[key], digits=digits)
+
+    @property
+    def steps(self) -> Markup:
+        return self.page.shown(self.book["friction_steps"], places=0)
+
+    @property
+    def worst(self) -> Markup:
+        """Of both ways to the moment: noise is told as nothing."""
+        return self.page.shown(self.book["friction_disagreement"], digits=2, scale=1e-30)
+
+    # ------------------------------------------------------------ the slider that tilts
+
+    def tilting(self) -> Markup | None:
+        return tilting(self.correction.table.pairs, self.moments, self.page)
+
+    # ------------------------------------------------------------ formulas of the sample position
+
+    def pressing(self) -> list[Formula]:
+        """Force that presses each slider: its reaction, or where it tilts the sum of the forces at its ends."""
+        guides = [
+            (row, loss) for row, loss in enumerate(self.correction.table.pairs) if loss.pair.kind == "P"
+        ]
+        return [self._pressing(row, loss) for row, loss in guides]
+
+    def _pressing(self, row: int, loss: Loss) -> Formula:
+        pair, k = loss.pair, self.position
+        presses: Expr = self.reactions.var(c.corrected_reaction(pair).key, k)
+        if k in tilted(loss):
+            couple = self.reactions.var(c.corrected_couple(pair).key, k)
+            presses = 2 * abs(couple) / self.book.tables["friction_given"].var("l", row)
+        scale = float(np.nanmax(loss.pressing))
+        return self.reactions.formula(c.corrected_pressing(pair).key, k, presses, scale=scale)
+
+    @property
+    def lengths(self) -> bool:
+        return any(loss.couple is not None for loss in self.correction.table.pairs)
+
+    def sample(self) -> list[Formula]:
+        """Power lost in each pair by its corrected reaction."""
+        return [self._loss(row, loss) for row, loss in enumerate(self.correction.table.pairs)]
+
+    def _loss(self, row: int, loss: Loss) -> Formula:
+        pair, k, stated = loss.pair, self.position, self.book.tables["friction_given"]
+        diameter = self.found.table.pairs[row].rubbing.diameter
+        rate = self.book.tables["friction_table"].var(q.rate(pair).key, k)
+        friction: Expr = stated.var("f", row)
+        if pair.kind == "R":
+            arm = stated.var("d", row) if diameter else Var("d", 0.0, "m", ref=stated.ref("d", row))
+            friction = friction * self.reactions.var(c.corrected_reaction(pair).key, k) * (arm / 2)
+        else:
+            friction = friction * self.reactions.var(c.corrected_pressing(pair).key, k)
+        scale = float(np.nanmax(loss.power))
+        return self.reactions.formula(c.corrected_loss(pair, self.pairs).key, k, friction * rate, scale=scale)
+
+    def moment(self) -> Formula:
+        """By the power balance with friction."""
+        balancing = self.page.once(forces.book, self.kinetostatics).tables["balancing_table"]
+        kinematics = self.kinetostatics.kinematics
+        link = kinematics.linkage.mechanism.driver.link
+        omega = Var(Symbol("omega", link), kinematics.omega, "rad/s", ref=Ref("omega"))
+        lost = self.moments.var("P_fr_corrected", self.position)
+        return self.moments.formula(
+            "M_bal_fr", self.position, balancing.var("M_bal", self.position) + lost / omega
+        )
+
+    @property
+    def idle(self) -> bool:
+        """Whether nothing is driven and nothing lost at the position written out."""
+        return not np.isfinite(self.moments["eta_corrected"].values[self.position])
+
+    def efficiency(self) -> Formula:
+        driving = self.book.tables["friction_table"].var("P_drive", self.position)
+        lost = self.moments.var("P_fr_corrected", self.position)
+        return self.moments.formula("eta_corrected", self.position, driving / (driving + lost), digits=4)
+
+    # ------------------------------------------------------------ tables and diagrams
+
+    def compared(self, caption: Any) -> Table:
+        """Balancing moment without friction, in first approximation and corrected; power lost, efficiency."""
+        page = self.page
+        balancing = page.once(forces.book, self.kinetostatics).tables["balancing_table"]
+        columns = [page.column(balancing, "M_bal")]
+        columns += [page.column(self.moments, key) for key in ("M_first", "M_bal_fr", "P_fr_corrected")]
+        columns.append(page.column(self.moments, "eta_corrected", digits=4))
+        return numeric(caption, page.positions(self.moments), columns)
+
+    def pressed(self, caption: Any) -> Table:
+        """Reactions without friction and with it, pair by pair."""
+        before, columns = self.book.tables["friction_table"], []
+        for pair, loss in zip(self.pairs, self.correction.table.pairs, strict=True):
+            columns.append(self.page.column(before, q.borne(pair).key))
+            columns.append(self.page.column(self.reactions, c.corrected_reaction(pair).key))
+            if loss.couple is not None:
+                columns.append(self.page.column(self.reactions, c.corrected_pressing(pair).key))
+        return numeric(caption, self.page.positions(self.reactions), columns)
+
+    def diagram(self) -> Graph:
+        kinematics, found = self.kinetostatics.kinematics, self.correction.diagram
+        closed = kinematics.positions.table if kinematics.cycle.closed else 0
+        graphs = CycleGraphs(kinematics.diagram_turned, closed, self.page.tr)
+        say = self.page.tr.gettext
+        curves = [
+            Curve(found.without, say(N_("without friction")), 0, extremes=()),
+            Curve(found.first, say(N_("first approximation")), 0, extremes=()),
+            Curve(found.moment, say(N_("corrected")), 0),
+            Curve(self.found.diagram.efficiency, say(N_("first approximation")), 1, extremes=()),
+            Curve(found.efficiency, say(N_("corrected")), 1),
+        ]
+        labels = [graphs.letter(Symbol("M"), "N·m"), graphs.letter(Symbol("eta", c.FR), "")]
+        return graphs.graph(curves, labels, join=False)

@@ -1,0 +1,248 @@
+"""Chapter 3, friction: power lost in every pair and the instantaneous efficiency.
+
+Pivots f R (d/2) |ω_rel|, guides f N |v_rel| (Frolov (ed.), Theory of mechanisms, ch. 7), N by `rubbing.pressing`; the
+reactions are those without friction, as the course takes them. `corrected` finds them with friction, where that is
+asked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from tmm_report.chapters.lever.friction import corrected
+from tmm_report.chapters.lever.friction.given import Friction, Rubbing
+from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics, Over, cut_at
+from tmm_report.mechanics.calculus.panels import Panels
+from tmm_report.mechanics.calculus.vectors import cross
+from tmm_report.mechanics.lever.assur_groups import Pair
+from tmm_report.mechanics.lever.extremes import refined
+from tmm_report.mechanics.lever.forces.reactions import Reaction, Statics
+from tmm_report.mechanics.lever.forces.reactions_with_friction import pressing, relative_rate
+from tmm_report.mechanics.lever.motion import Motion
+from tmm_report.records import dataclass
+
+__all__ = ["FrictionFound", "Losses", "PairLoss", "rubbing_of", "solve"]
+
+Array = Any
+NOTHING = 1e-12  # of the largest reaction: a force below it is rounding
+CUTS = 3  # how often panels are cut at most
+APART = 1e-6  # of the period: kinks nearer than this are one
+
+
+@dataclass(frozen=True, eq=False)
+class PairLoss:
+    """Friction in one pair at some positions: `reaction` N, `rate` the relative rad/s or m/s, `power` W; `pressing`: N,
+    of a slider that tilts the sum of both its ends; `couple`: size of the moment of a guide about the middle of a
+    slider of stated length, N m, None of all else; (..., P)."""
+
+    pair: Pair
+    rubbing: Rubbing
+    reaction: Array
+    rate: Array
+    power: Array
+    pressing: Array
+    couple: Array | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Losses:
+    """Losses of all pairs. `driving`: |M_bal ω1|, W; `efficiency`: driving / (driving + total), 0..1; `reduced`: moment
+    of all the friction reduced to the driving link, N m."""
+
+    pairs: tuple[PairLoss, ...]
+    driving: Array
+    omega: float
+
+    @cached_property
+    def total(self) -> Array:
+        return np.sum([loss.power for loss in self.pairs], axis=0) + np.zeros_like(self.driving)
+
+    @cached_property
+    def efficiency(self) -> Array:
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return self.driving / (self.driving + self.total)
+
+    @cached_property
+    def reduced(self) -> Array:
+        return self.total / abs(self.omega)
+
+
+Whole = tuple[Over, Losses]
+
+
+@dataclass(frozen=True, eq=False)
+class Reduced:
+    """Moment of all the friction reduced to the driving link over the whole cycle, against the rotation: `moment`
+    (K, n), N m, at the points of `panels`, at the stated speed; `corrected`: by the reactions with friction."""
+
+    panels: Panels
+    moment: Array
+    corrected: bool
+
+
+@dataclass(frozen=True, eq=False)
+class FrictionFound:
+    """Found by `solve`: losses at the table positions 0..N and the diagram positions. `given`: by pair name."""
+
+    given: Friction
+    turned: Array  # angles of the table positions, rad
+    diagram_turned: Array
+    table: Losses
+    diagram: Losses
+    forces: Kinetostatics  # without friction
+    corrected: corrected.Correction | None = None
+    known: Whole | None = None  # where it was found with the correction
+
+    @cached_property
+    def whole(self) -> Whole | None:
+        """Over the whole cycle, cut where the losses have kinks; None where some position has no forces."""
+        return self.known or _whole(self.given, self.forces)
+
+    @cached_property
+    def reduced(self) -> Reduced | None:
+        """Over the whole cycle; None where some position has no forces, or the cycle does not close."""
+        return _reduced(self.whole, self.corrected.whole if self.corrected else None)
+
+    @cached_property
+    def unloaded(self) -> Reduced | None:
+        """The same where the stated forces and moments do not act."""
+        forces = replace(self.forces, given=replace(self.forces.given, forces=(), moments=()))
+        whole = _whole(self.given, forces)
+        again = _between(self.given, forces, whole) if self.given.corrected else None
+        return _reduced(whole, again)
+
+    @cached_property
+    def mean_power(self) -> float:
+        """Mean friction power over the cycle, W."""
+        return self._mean(lambda losses: losses.total)
+
+    @cached_property
+    def mean_efficiency(self) -> float:
+        """Efficiency over the cycle: mean driving power to the sum of the means."""
+        driving = self._mean(lambda losses: losses.driving)
+        return driving / (driving + self.mean_power) if driving > 0 else float("nan")
+
+    def _mean(self, of: Callable[[Losses], Array]) -> float:
+        """Over the whole cycle; of the diagram positions where some position has no forces (the last of a full turn
+        repeats the first); nan of a mechanism that makes no cycle."""
+        if self.forces.kinematics.gaps:
+            return float("nan")
+        if self.whole is None:
+            return float(np.nanmean(of(self.diagram)[:-1]))
+        over, losses = self.whole
+        return float(over.panels.mean(over.on(of(losses))))
+
+
+def solve(given: Friction, kinetostatics: Kinetostatics) -> FrictionFound:
+    table, diagram = kinetostatics.table, kinetostatics.diagram
+    at_table, at_diagram = (_losses(given, solved.motion, solved.statics) for solved in (table, diagram))
+    found = FrictionFound(given, table.turned, diagram.turned, at_table, at_diagram, kinetostatics)
+    if not given.corrected:
+        return found
+    whole = _whole(given, kinetostatics)
+    again = _corrected(given, kinetostatics, at_table, at_diagram, whole)
+    return replace(found, corrected=again, known=whole)
+
+
+def _whole(given: Friction, kinetostatics: Kinetostatics) -> Whole | None:
+    """Over the cycle, with edges where two links stop to turn or to slide on one another, where a slider changes the
+    face on which it is pressed or begins to tilt, and where the balancing moment passes through zero: the losses have
+    kinks there."""
+    over = kinetostatics.over
+    if over is None:
+        return None
+    rates = [relative_rate(over.motion, pair) for pair in over.motion.linkage.structure.pairs]
+    known = [over.on(rate) for rate in rates if np.any(rate)]
+    reactions = over.statics.reactions.values()
+    least = NOTHING * max(np.abs(one.force).max() for one in reactions)
+    faces = (over.on(of) for reaction in reactions for of in _faces(given, reaction))
+    # what is rounding passes through zero wherever it likes
+    known += [np.where(np.abs(of) > least, of, 0.0) for of in faces]
+    kinks = np.concatenate([over.panels.roots(of) for of in (*known, over.balancing)])
+    cuts = _apart(over.panels, kinks)
+    for _ in range(CUTS):
+        over = cut_at(over, cuts, kinetostatics.given, kinetostatics.kinematics)
+        if over is None:
+            return None
+        losses = _losses(given, over.motion, over.statics)
+        total = over.on(losses.total)
+        # the size of a reaction that comes near to nothing is no polynomial where its components are
+        finer = refined(over.panels, total[None], np.abs(total).max(keepdims=True)[0])
+        if finer is over.panels:
+            break
+        cuts = finer.edges
+    return over, losses
+
+
+def _reduced(whole: Whole | None, again: corrected.Corrected | None) -> Reduced | None:
+    """`again`: the same with friction in the reactions, where that is asked for and known between the positions."""
+    if whole is None or not whole[0].closed:
+        return None
+    over, losses = whole
+    total = losses.total if again is None else again.lost
+    return Reduced(over.panels, over.on(total) / abs(losses.omega), again is not None)
+
+
+def _corrected(
+    given: Friction, kinetostatics: Kinetostatics, table: Losses, diagram: Losses, whole: Whole | None
+) -> corrected.Correction:
+    first, between = (table.total, diagram.total), _between(given, kinetostatics, whole)
+    panels = whole[0].panels if whole is not None else None
+    return corrected.solve(lambda pair: rubbing_of(given, pair), kinetostatics, first, panels, between)
+
+
+def _between(given: Friction, forces: Kinetostatics, whole: Whole | None) -> corrected.Corrected | None:
+    """With friction in the reactions over the whole cycle; None where it is not known."""
+    if whole is None:
+        return None
+    return corrected.between(lambda pair: rubbing_of(given, pair), forces, whole[0], whole[1].total)
+
+
+def rubbing_of(given: Friction, pair: Pair) -> Rubbing | None:
+    """Friction of a pair: its own, else that of all pivots or guides; None where nothing is stated."""
+    return given.joints.get(pair.name) or (given.pivots if pair.kind == "R" else given.guides)
+
+
+def _apart(panels: Panels, kinks: Array) -> Array:
+    """Kinks without those that rounding has moved off an edge or off one another: on the sliver of a panel between them
+    a derivative would be rounding."""
+    near, kept = APART * panels.period, list[float]()
+    for kink in np.sort(kinks):
+        if np.min(np.abs(panels.edges - kink)) > near and (not kept or kink - kept[-1] > near):
+            kept.append(float(kink))
+    return np.array(kept)
+
+
+def _faces(given: Friction, reaction: Reaction) -> Iterator[Array]:
+    """What passes through zero of a guide with friction where the force that presses it has a kink."""
+    rubbing = rubbing_of(given, reaction.pair)
+    if rubbing is None or reaction.pair.kind != "P":
+        return
+    normal = cross(reaction.along, reaction.force)
+    yield normal
+    if rubbing.half:
+        couple = reaction.moment / rubbing.half
+        yield from (couple, normal - couple, normal + couple)
+
+
+def _losses(given: Friction, motion: Motion, statics: Statics) -> Losses:
+    losses = []
+    for reaction in statics.reactions.values():
+        rubbing = rubbing_of(given, reaction.pair)
+        if rubbing is not None:
+            size = np.abs(np.broadcast_to(reaction.force, motion.shape))
+            presses = np.broadcast_to(pressing(reaction, rubbing.half), motion.shape)
+            rate = np.abs(relative_rate(motion, reaction.pair))
+            arm = (rubbing.diameter or 0.0) / 2 if reaction.pair.kind == "R" else 1.0
+            power = rubbing.coefficient * presses * arm * rate
+            couple = np.abs(np.broadcast_to(reaction.moment, motion.shape)) if rubbing.half else None
+            losses.append(PairLoss(reaction.pair, rubbing, size, rate, power, presses, couple))
+    order = [pair.key for pair in motion.linkage.structure.pairs]
+    losses.sort(key=lambda loss: order.index(loss.pair.key))
+    omega = float(motion.omega)
+    return Losses(tuple(losses), np.abs(np.broadcast_to(statics.balancing, motion.shape) * omega), omega)

@@ -1,0 +1,245 @@
+"""What is given of a lever mechanism: its dimensions, fixed points and masses."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tmm_report.i18n import NP_
+from tmm_report.mechanics.lever.mechanism import FRAME, Link, Mechanism
+from tmm_report.problems import N_, Message
+from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
+from tmm_report.quantity.symbols import Symbol, segment
+from tmm_report.quantity.written import SEGMENT
+
+if TYPE_CHECKING:
+    from tmm_report.course import LeverFound
+
+LENGTH = N_("length of segment %(of)s")
+CYCLE = NP_("index", "cyc")  # of a cycle
+DIMENSIONS = Message(N_("dimensions of the links"))
+FIXED = Message(N_("coordinates of the fixed points"))
+MASSES = Message(N_("masses of the links, their mass centres and moments of inertia"))
+LINK = Message(N_("link"))
+
+X = Quantity("x", Symbol("x"), "m", Message(N_("x of the point")))
+Y = Quantity("y", Symbol("y"), "m", Message(N_("y of the point")))
+MASS = Quantity("m", Symbol("m"), "kg", Message(N_("mass of the link")))
+INERTIA = Quantity(
+    "J", Symbol("J"), "kg·m²", Message(N_("moment of inertia of the link about its mass centre"))
+)
+AWAY = Quantity("l_about", Symbol("l"), "m", Message(N_("distance of that point from the mass centre")))
+STATED_INERTIA = Quantity(
+    "J_about", Symbol("J"), "kg·m²", Message(N_("moment of inertia of the link about that point"))
+)
+
+
+def length(ends: str) -> Quantity:
+    """Of the segment between two points, named by both."""
+    return Quantity(f"l_{ends}", Symbol("l", ends), "m", Message(LENGTH, {"of": ends}))
+
+
+def mass(link: str) -> Quantity:
+    return Quantity(f"m_{link}", Symbol("m", link), "kg", Message(N_("mass of link %(of)s"), {"of": link}))
+
+
+def inertia(link: str) -> Quantity:
+    text = N_("moment of inertia of link %(of)s about its mass centre")
+    return Quantity(f"J_{link}", Symbol("J", link), "kg·m²", Message(text, {"of": link}))
+
+
+def tables(lever: LeverFound) -> Iterator[Table]:
+    return given_tables(lever.given.mechanism)
+
+
+def values(lever: LeverFound) -> Iterator[Value]:
+    return given_values(lever.given.mechanism, lever.plans.length_scale)
+
+
+def given_tables(mechanism: Mechanism) -> Iterator[Table]:
+    mechanism = mechanism.real  # links that replace cam pairs have no length of their own
+    yield _dimensions(mechanism)
+    fixed = mechanism.links[FRAME].points
+    places = np.array(list(fixed.values()), dtype=complex)
+    point = text_column("point", Message(N_("point")), list(fixed))
+    yield Table("fixed_points", FIXED, (point, X.column(places.real), Y.column(places.imag)))
+    if heavy := heavy_links(mechanism):
+        yield _masses(heavy)
+
+
+def sizes(points: Mapping[str, complex]) -> list[tuple[Quantity, float]]:
+    """Distances of a link's points from its first; where they are not in one line, also from each other, m. Of two
+    points at one place there is none."""
+    (first, start), *others = points.items()
+    found = [(length(first + name), abs(z - start)) for name, z in others]
+    if not _in_line(list(points.values())):
+        pairs = [(a, b) for i, a in enumerate(others) for b in others[i + 1 :]]
+        found += [(length(a + b), abs(z - w)) for (a, z), (b, w) in pairs]
+    return [(segment, size) for segment, size in found if size > 0]
+
+
+def together(points: Mapping[str, complex]) -> list[tuple[str, str]]:
+    """Points of a link at the place of another that is named before them, and that other."""
+    places: dict[complex, str] = {}
+    named = [(name, places.setdefault(complex(place), name)) for name, place in points.items()]
+    return [(name, first) for name, first in named if name != first]
+
+
+def _in_line(points: list[complex]) -> bool:
+    arms = np.array(points[1:]) - points[0]
+    along = arms[np.argmax(np.abs(arms))]
+    return bool(np.all(np.abs((arms * np.conj(along)).imag) <= 1e-9 * np.abs(along) ** 2))
+
+
+def sized_links(mechanism: Mechanism) -> list[Link]:
+    """Moving links of two points or more."""
+    return [link for name, link in mechanism.links.items() if name != FRAME and len(link.points) > 1]
+
+
+def heavy_links(mechanism: Mechanism) -> list[Link]:
+    """Moving links with a mass or a moment of inertia."""
+    links = (link for name, link in mechanism.links.items() if name != FRAME)
+    return [link for link in links if link.mass or link.inertia]
+
+
+def _dimensions(mechanism: Mechanism) -> Table:
+    """One row a segment; its name finds it."""
+    rows = [(link.name, *size) for link in sized_links(mechanism) for size in sizes(link.points)]
+    return Table(
+        "dimensions",
+        DIMENSIONS,
+        (
+            text_column("key", Message(N_("segment")), [quantity.key for _, quantity, _ in rows]),
+            text_column("link", LINK, [link for link, _, _ in rows]),
+            Quantity("length", None, "m", Message(N_("its length"))).column([size for _, _, size in rows]),
+        ),
+    )
+
+
+def stated_inertia(link: Link) -> Quantity:
+    """About the point of the link that the variant names."""
+    about = link.stated[0] if link.stated else ""
+    text = N_("moment of inertia of link %(of)s about point %(about)s")
+    meaning = Message(text, {"of": link.name, "about": about})
+    return Quantity(f"J_{link.name},{about}", Symbol("J", f"{link.name},{about}"), "kg·m²", meaning)
+
+
+def _stated(links: list[Link]) -> Iterator[Column]:
+    """Where a moment of inertia is about another point than the mass centre: the point, how far it is, the moment."""
+    if not any(link.stated for link in links):
+        return
+    about = [link.stated[0] if link.stated else "" for link in links]
+    away = [
+        abs(link.points[x] - link.points[str(link.mass_centre)]) if x else math.nan
+        for x, link in zip(about, links, strict=True)
+    ]
+    signs = [length(f"{x}{link.mass_centre}").sign for x, link in zip(about, links, strict=True)]
+    yield text_column("about", Message(N_("point about which the moment of inertia is stated")), about)
+    yield Column(AWAY, away, signs)
+    stated = [link.stated[1] if link.stated else math.nan for link in links]
+    yield Column(STATED_INERTIA, stated, [stated_inertia(link).sign for link in links])
+
+
+def _masses(links: list[Link]) -> Table:
+    return Table(
+        "masses",
+        MASSES,
+        (
+            text_column("link", LINK, [link.name for link in links]),
+            Column(MASS, [float(link.mass) for link in links], [Symbol("m", link.name) for link in links]),
+            text_column(
+                "mass_centre", Message(N_("mass centre")), [link.mass_centre or "" for link in links]
+            ),
+            Column(
+                INERTIA,
+                [float(link.inertia) or math.nan for link in links],
+                [Symbol("J", link.name) for link in links],
+            ),
+            *_stated(links),
+        ),
+    )
+
+
+# ---------------------------------------------------------------- the driving link
+
+
+def given_values(mechanism: Mechanism, length_scale: float) -> Iterator[Value]:
+    yield speed(mechanism)
+    yield revolutions(mechanism)
+    if mechanism.driver.period is not None:
+        yield PERIOD.value(float(mechanism.driver.period))
+    yield from cycle(mechanism)
+    yield from scale(mechanism, length_scale)
+
+
+def speed(mechanism: Mechanism) -> Value:
+    """Angular velocity of the driving link, + counter-clockwise."""
+    driver = mechanism.driver
+    meaning = Message(N_("angular velocity of the driving link"))
+    return Quantity("omega", Symbol("omega", driver.link), "rad/s", meaning).value(float(driver.omega))
+
+
+PERIOD = Quantity("T_turn", Symbol("T"), "s", Message(N_("time of one turn of the driving link")))
+
+
+def revolutions(mechanism: Mechanism) -> Value:
+    """Rotational speed of the driving link, without its sense."""
+    meaning = Message(N_("rotational speed of the driving link"))
+    rpm = 30 * abs(float(mechanism.driver.omega)) / math.pi
+    return Quantity("n_1", Symbol("n"), "rpm", meaning).value(rpm)
+
+
+def cycle(mechanism: Mechanism) -> Iterator[Value]:
+    """Of a cycle of several turns: how many they are, and how far and how long the driving link turns in it."""
+    driver = mechanism.driver
+    if driver.turns > 1:
+        angle = driver.turns * driver.sweep
+        turns = Message(N_("number of turns of the driving link in a cycle"))
+        yield Quantity("turns", Symbol("z"), "", turns).value(driver.turns)
+        meaning = Message(N_("angle of turn of the driving link in a cycle"))
+        yield Quantity("phi_cycle", Symbol("phi", CYCLE), "deg", meaning).value(math.degrees(angle))
+        meaning = Message(N_("duration of a cycle"))
+        yield Quantity("T_cycle", Symbol("T", CYCLE), "s", meaning).value(angle / abs(float(driver.omega)))
+
+
+# ---------------------------------------------------------------- the scale of the scheme
+
+MU_L = Quantity("mu_l", Symbol("mu", "l"), "m/mm", Message(N_("scale of lengths")))
+
+
+def scale(mechanism: Mechanism, length_scale: float) -> Iterator[Value]:
+    """m/mm, and the lengths at which the segments of the links are drawn."""
+    yield MU_L.value(length_scale)
+    for ends, metres in segments(mechanism):
+        yield drawn(ends).value(metres / length_scale)
+
+
+def drawn(ends: str) -> Quantity:
+    """The length at which the segment between two points of a link is drawn."""
+    return Quantity(f"drawn_{ends}", segment(ends), "mm", SEGMENT)
+
+
+def segments(mechanism: Mechanism) -> list[tuple[str, float]]:
+    """Both ends and the length, m, of every segment of the links; of the driving link its arm, if no other."""
+    links = sized_links(mechanism.real)
+    found = {quantity.key.removeprefix("l_"): size for link in links for quantity, size in sizes(link.points)}
+    if arm := driving_arm(mechanism):
+        found.setdefault(*arm)
+    return list(found.items())
+
+
+def driving_arm(mechanism: Mechanism) -> tuple[str, float] | None:
+    """Both ends and the length, m, of the driving link from its pivot to its first other point; None without one."""
+    points = mechanism.real.links[mechanism.driver.link].points
+    pivot = driving_pivot(mechanism)
+    pin = next((p for p in points if abs(points[p] - points[pivot]) > 0), None)
+    return None if pin is None else (pivot + pin, abs(points[pin] - points[pivot]))
+
+
+def driving_pivot(mechanism: Mechanism) -> str:
+    """The fixed point about which the driving link turns."""
+    own = mechanism.links[mechanism.driver.link].points
+    return next(point for point in own if point in mechanism.links[FRAME].points)

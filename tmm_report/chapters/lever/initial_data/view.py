@@ -1,0 +1,197 @@
+"""View of the initial data: the scheme, the driving link, dimensions, fixed points, guides and masses."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from markupsafe import Markup
+
+from tmm_report.chapters.lever.initial_data import quantities as q
+from tmm_report.chapters.lever.schemes import schemes_of
+from tmm_report.figures.drawing import Drawing
+from tmm_report.mechanics.lever.mechanism import FRAME, Guide, Link, Mechanism, ZeroAngle
+from tmm_report.problems import N_
+from tmm_report.quantity.formula import PI, Formula
+from tmm_report.quantity.model import Book, variable
+from tmm_report.report.layout import Cell, Column, Table, numeric, worded
+from tmm_report.report.page import Page
+from tmm_report.report.part import Part
+from tmm_report.report.schemes import Schemes
+from tmm_report.report.words import sense
+
+if TYPE_CHECKING:
+    from tmm_report.course import LeverFound
+
+EXTREMES = {1: N_("rightmost"), -1: N_("leftmost"), 1j: N_("topmost"), -1j: N_("lowest")}
+
+
+def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
+    yield Part(
+        "lever/initial_data", InitialData(lever.given.mechanism, schemes_of(lever, page), lever.sample, page)
+    )
+
+
+def picture(lever: LeverFound, page: Page) -> Drawing:
+    """The mechanism at a glance, for a list of many."""
+    return schemes_of(lever, page).one(lever.sample)
+
+
+class InitialData:
+    def __init__(self, mechanism: Mechanism, schemes: Schemes, position: int, page: Page):
+        self.mechanism, self.schemes, self.page = mechanism, schemes, page
+        self.position = position
+        self.book = Book.of(q.given_tables(mechanism), q.given_values(mechanism, schemes.scale))
+        self.t = page.t
+
+    def conclusions(self) -> list[Markup]:
+        return []
+
+    # ------------------------------------------------------------ the driving link
+
+    @property
+    def pivot(self) -> str:
+        """The fixed point about which the driving link turns."""
+        return q.driving_pivot(self.mechanism)
+
+    def turns(self) -> Markup:
+        """In which sense the driving link turns."""
+        speed = self.book["omega"]
+        return self.page.said(Cell(str(sense(speed.value, self.page)), speed.ref()))
+
+    def omega(self) -> Markup:
+        return self.page.value(self.book["omega"].var(size=True))
+
+    def from_period(self) -> Formula | None:
+        """The angular velocity from the time of a turn; None where the speed itself is stated."""
+        if "T_turn" not in self.book.values:
+            return None
+        return self.book["omega"].formula(2 * PI / self.book["T_turn"].var(), size=True)
+
+    def speed(self) -> Formula:
+        """Revolutions a minute from the angular velocity."""
+        omega = self.book["omega"].var(size=True)
+        return self.book["n_1"].formula(30 * omega / PI)
+
+    def zero(self) -> Markup:
+        """Which position counts as position 0."""
+        t, zero = self.t, self.mechanism.driver.zero
+        if isinstance(zero, ZeroAngle):
+            angle = self.page.num(np.degrees(zero.angle), 5)
+            text = N_("the position in which link %(link)s makes an angle of %(angle)s° with the x axis")
+            return t(text, link=self.mechanism.driver.link, angle=angle)
+        if zero.point is None:
+            way = sense(1 if np.real(zero.direction) > 0 else -1, self.page)
+            return t("the extreme %(sense)s position of link %(link)s", sense=way, link=zero.link)
+        word = next((w for unit, w in EXTREMES.items() if abs(zero.direction - unit) < 1e-9), N_("extreme"))
+        return t("the %(which)s position of point %(point)s", which=t(word), point=zero.point)
+
+    def cycle(self) -> Markup | None:
+        """That a cycle takes several turns; None of one turn."""
+        if self.mechanism.driver.turns == 1:
+            return None
+        text = N_(
+            "The cycle takes %(turns)s turns of the driving link, %(angle)s° in %(time)s s: the motion repeats with "
+            "every turn, the loads with every cycle."
+        )
+        turns, angle = (self.page.shown(self.book[key], places=0) for key in ("turns", "phi_cycle"))
+        return self.t(text, turns=turns, angle=angle, time=self.page.shown(self.book["T_cycle"]))
+
+    def scheme(self) -> Drawing:
+        return self.schemes.one(self.position)
+
+    # ------------------------------------------------------------ tables
+
+    def dimensions(self, caption: Any) -> Table:
+        """Points of the links, and their distances from the link's first point."""
+        rows = [
+            [link.name, ", ".join(link.points), self._sizes(link)]
+            for link in q.sized_links(self.mechanism.real)
+        ]
+        return worded(caption, [self.t("Link"), self.t("Points"), self.t("Dimensions")], rows, (1, 2, 7))
+
+    def _sizes(self, link: Link) -> Markup:
+        table = self.book.tables["dimensions"]
+        told = [
+            self.page.value(variable(quantity, size, ref=table.by_key(quantity.key, "length")))
+            for quantity, size in q.sizes(link.points)
+        ]
+        text = N_("%(name)s at the place of %(other)s")
+        told += [self.t(text, name=name, other=other) for name, other in q.together(link.points)]
+        return self.page.listed(told)
+
+    @property
+    def many_fixed(self) -> bool:
+        return len(self.mechanism.links[FRAME].points) > 1
+
+    def fixed_points(self, caption: Any) -> Table:
+        table = self.book.tables["fixed_points"]
+        columns = [self._single(table, "x"), self._single(table, "y")]
+        return numeric(caption, self._names(table, "point", self.t("Point")), columns)
+
+    def _single(self, table: Any, key: str) -> Column:
+        """A column of numbers that have each its own decimals."""
+        column = table[key]
+        cells = [self.page.cell(table, key, row) for row in range(len(table))]
+        return Column(self.page.head(column.symbol(), column.unit), cells)
+
+    def _names(self, table: Any, key: str, head: Markup) -> Column:
+        cells = [self.page.word(name, table, key, row) for row, name in enumerate(table[key].values)]
+        return Column(head, cells)
+
+    @property
+    def heavy(self) -> bool:
+        """Whether a link has a mass."""
+        return "masses" in self.book.tables
+
+    @property
+    def inert(self) -> bool:
+        """Whether a link has a moment of inertia."""
+        return any(link.inertia for link in q.heavy_links(self.mechanism))
+
+    def masses(self, caption: Any) -> Table:
+        table = self.book.tables["masses"]
+        centres = [
+            self.page.word(name or "—", table, "mass_centre", row)
+            for row, name in enumerate(table["mass_centre"].values)
+        ]
+        inertias = [self.page.cell(table, "J", row) for row in range(len(table))]
+        columns = [
+            self._single(table, "m"),
+            Column(self.t("Mass centre"), centres),
+            Column(self.page.head("J", "kg·m²"), inertias),
+        ]
+        return numeric(caption, self._names(table, "link", self.t("Link")), columns)
+
+    def steiner(self) -> list[Formula]:
+        """J_S = J − m l² of every link whose moment of inertia is stated about another point."""
+        heavy = q.heavy_links(self.mechanism)
+        return [self._steiner(row) for row, link in enumerate(heavy) if link.stated]
+
+    def _steiner(self, row: int) -> Formula:
+        table = self.book.tables["masses"]
+        away = table.var("m", row) * table.var("l_about", row) ** 2
+        return table.formula("J", row, table.var("J_about", row) - away)
+
+    # ------------------------------------------------------------ guides
+
+    def guides(self) -> list[Markup]:
+        """Sentences that describe the guides."""
+        return [self._guide(guide) for guide in self.mechanism.guides.values()]
+
+    def _guide(self, guide: Guide) -> Markup:
+        angle = self.page.num(math.degrees(np.angle(guide.direction)), 5, scale=180.0)
+        x, y = (self.page.num(part) for part in (guide.through.real, guide.through.imag))
+        if guide.link == FRAME:
+            text = N_(
+                "guide %(name)s is fixed, it passes through the point (%(x)s; %(y)s) m at an angle of "
+                "%(angle)s° to the x axis"
+            )
+        else:
+            text = N_(
+                "guide %(name)s belongs to link %(link)s, in whose own axes it passes through the "
+                "point (%(x)s; %(y)s) m at an angle of %(angle)s°"
+            )
+        return self.t(text, name=guide.name, link=guide.link, x=x, y=y, angle=angle)

@@ -1,0 +1,215 @@
+"""The numbers of kinematics: motion of the outputs, places, velocities and accelerations, singular positions."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tmm_report.chapters.lever.kinematics.checks.digits_left import digits_left
+from tmm_report.chapters.lever.kinematics.checks.singular import Closest
+from tmm_report.chapters.lever.kinematics.contours import solve as contours
+from tmm_report.chapters.lever.kinematics.solve import analogues
+from tmm_report.chapters.lever.kinematics.solve.points_and_links import PHI, places, rated
+from tmm_report.chapters.lever.kinematics.solve.points_and_links import POSITION as POSITION
+from tmm_report.chapters.lever.kinematics.solve.points_and_links import UNITS as UNITS
+from tmm_report.chapters.lever.kinematics.solve.points_and_links import angle as angle
+from tmm_report.chapters.lever.kinematics.solve.points_and_links import coordinate as coordinate
+from tmm_report.chapters.lever.kinematics.solve.points_and_links import link_rate as link_rate
+from tmm_report.chapters.lever.kinematics.solve.points_and_links import point_rate as point_rate
+from tmm_report.chapters.lever.kinematics.solve.points_and_links import rates as rates
+from tmm_report.chapters.lever.kinematics.solve.points_and_links import where as where
+from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics, Output, Travel
+from tmm_report.mechanics.lever.cycle import Extreme
+from tmm_report.problems import N_, Message
+from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, kept, plain, text_column
+from tmm_report.quantity.symbols import Symbol
+
+if TYPE_CHECKING:
+    from tmm_report.mechanics.rivals.choice import Choice
+
+OUTPUTS = Message(
+    N_("displacement, velocity and acceleration of the output links, angles of the other driven links")
+)
+PLACES = Message(N_("places of points, angles of links, nearness of singular positions"))
+RATES = Message(N_("velocities, accelerations and angular rates"))
+METHOD = Message(N_("the method of the table and diagram positions, and its errors"))
+SPECIAL = Message(N_("positions nearest to singular ones, singular positions, dead points"))
+
+
+def book(found: Kinematics) -> Book:
+    """All that the chapter says in numbers."""
+    return Book.of(tables(found), values(found))
+
+
+def tables(found: Kinematics) -> Iterator[Table]:
+    """Outputs, places and rates at the table positions and at the diagram positions; singular positions."""
+    quantities = rates(found.linkage)
+    sets = (
+        ("table", found.table, found.turned, found.values),
+        ("diagram", found.diagram, found.diagram_turned, found.diagram_values),
+    )
+    for name, motion, turned, values in sets:
+        at = where(turned)
+        yield Table(
+            f"outputs_{name}",
+            OUTPUTS,
+            (*at, analogues.time(found, turned), *_outputs(found, name == "diagram")),
+        )
+        yield Table(f"positions_{name}", PLACES, (*at, *places(motion)))
+        yield Table(f"rates_{name}", RATES, (*at, *rated(quantities, values)))
+    yield Table("special", SPECIAL, _special(found))
+    yield from analogues.tables(found)
+    yield from contours.tables(found)
+    if found.choice is not None:
+        yield Table("method", METHOD, _method(found.choice))
+
+
+def _method(choice: Choice) -> tuple[Column, ...]:
+    """A row for each kind of quantity."""
+    kinds = list(choice.errors)
+    return (
+        text_column(
+            "method", Message(N_("the method, by its name in the results")), [choice.taken.key] * len(kinds)
+        ),
+        text_column("kind", Message(N_("place, velocity or acceleration of points")), kinds),
+        plain(
+            "error",
+            "",
+            Message(N_("largest relative difference from the closed form")),
+            list(choice.errors.values()),
+        ),
+        plain(
+            "accuracy",
+            "",
+            Message(N_("relative error that the numbers are to hold")),
+            [choice.accuracy] * len(kinds),
+        ),
+    )
+
+
+# ---------------------------------------------------------------- outputs
+
+SLIDER = (
+    ("S", "S", "m", N_("displacement of slider %(name)s from position 0")),
+    ("V", "V", "m/s", N_("velocity of slider %(name)s")),
+    ("A", "a", "m/s²", N_("acceleration of slider %(name)s")),
+)
+ROCKER = (
+    ("psi", "psi", "rad", N_("angle of link %(name)s from position 0")),
+    ("omega", "omega", "rad/s", N_("angular velocity of link %(name)s")),
+    ("epsilon", "epsilon", "rad/s²", N_("angular acceleration of link %(name)s")),
+)
+
+
+def motion_of(output: Output) -> tuple[Quantity, Quantity, Quantity]:
+    """Displacement, velocity and acceleration of an output."""
+    return _motion_of(output.kind, output.name)
+
+
+@kept
+def _motion_of(kind: str, name: str) -> tuple[Quantity, Quantity, Quantity]:
+    displacement, velocity, acceleration = (
+        Quantity(f"{key}_{name}", Symbol(base, name), unit, Message(text, {"name": name}))
+        for key, base, unit, text in (SLIDER if kind == "slider" else ROCKER)
+    )
+    return displacement, velocity, acceleration
+
+
+def _outputs(found: Kinematics, diagram: bool) -> Iterator[Column]:
+    """Of the output links, then of the other driven links: their rates are asked for in the table of rates."""
+    for travel in (*found.travels, *found.links):
+        table, fine = (travel.S, travel.V, travel.a), (travel.diagram_S, travel.diagram_V, travel.diagram_a)
+        for quantity, values in zip(motion_of(travel.output), fine if diagram else table, strict=True):
+            yield replace(quantity.column(values), asked=travel in found.travels)
+
+
+# ---------------------------------------------------------------- singular positions
+
+
+def special_rows(found: Kinematics) -> Iterator[tuple[str, str, float, float]]:
+    """Kind, group or output, angle turned (rad) and closeness of everything singular."""
+    for c in found.closest:
+        yield "closest", c.group, c.closeness.turned, c.closeness.value
+        yield from _exact(c)
+    for dead in found.dead:
+        yield from (("dead", dead.output, turned, math.nan) for turned in dead.turned)
+
+
+def _exact(c: Closest) -> Iterator[tuple[str, str, float, float]]:
+    for kind, angles in (("change", c.changes), ("limit", c.limits), ("parallel", c.parallel)):
+        yield from ((kind, c.group, turned, 0.0) for turned in angles)
+
+
+NEAR = Quantity("closeness", None, "", Message(N_("closeness to a singular position, 1 … 0")))
+DIGITS = Quantity("digits", None, "", Message(N_("decimal digits that remain")))
+
+
+def _special(found: Kinematics) -> tuple[Column, ...]:
+    """Exact angles of turn at which something is singular: one row each."""
+    rows = list(special_rows(found))
+    kinds, of = [row[0] for row in rows], [row[1] for row in rows]
+    turned, closeness = [row[2] for row in rows], [row[3] for row in rows]
+    return (
+        text_column("kind", Message(N_("closest, change, limit, parallel (guides) or dead (point)")), kinds),
+        text_column("of", Message(N_("the group, or the output link")), of),
+        PHI.column(np.degrees(turned)),
+        NEAR.column(closeness),
+        DIGITS.column(digits_left(np.array(closeness, dtype=float))),
+    )
+
+
+# ---------------------------------------------------------------- single numbers
+
+
+def values(found: Kinematics) -> Iterator[Value]:
+    zero = Message(N_("angle of the driving link in position 0"))
+    yield Quantity("phi_0", Symbol("phi", "0"), "deg", zero).value(math.degrees(found.cycle.zero))
+    for travel in (*found.travels, *found.links):
+        yield from _of_travel(travel)
+
+
+ENDS = (
+    ("S", N_("least displacement of %(name)s"), N_("greatest displacement of %(name)s")),
+    ("V", N_("least velocity of %(name)s"), N_("greatest velocity of %(name)s")),
+    ("A", N_("least acceleration of %(name)s"), N_("greatest acceleration of %(name)s")),
+)
+
+
+def _of_travel(travel: Travel) -> Iterator[Value]:
+    name, of = travel.output.name, {"name": travel.output.name}
+    yield stroke(travel)
+    if travel.time_ratio is not None:
+        ratio = Message(N_("time ratio of the strokes of %(name)s"), of)
+        yield Quantity(f"K_{name}", Symbol("K", name), "", ratio).value(travel.time_ratio)
+    for ends in extremes(travel):
+        yield from ends
+
+
+def stroke(travel: Travel) -> Value:
+    """Stroke of a slider, or angle of swing of a rocker."""
+    name, slider = travel.output.name, travel.output.kind == "slider"
+    meaning = Message(
+        N_("stroke of slider %(name)s") if slider else N_("swing of link %(name)s"), {"name": name}
+    )
+    symbol = Symbol("H" if slider else "psi", name)
+    return Quantity(f"H_{name}", symbol, "m" if slider else "rad", meaning).value(travel.stroke)
+
+
+def extremes(travel: Travel) -> Iterator[tuple[Value, Value]]:
+    """Least and greatest displacement, velocity and acceleration."""
+    found = ((travel.near, travel.far), travel.V_extremes, travel.a_extremes)
+    name = travel.output.name
+    for (letter, *texts), quantity, pair in zip(ENDS, motion_of(travel.output), found, strict=True):
+        low, high = (
+            _extreme(f"{letter}_{name}_{end}", quantity, Message(text, {"name": name}), extreme)
+            for end, text, extreme in zip(("min", "max"), texts, pair, strict=True)
+        )
+        yield low, high
+
+
+def _extreme(key: str, of: Quantity, meaning: Message, extreme: Extreme) -> Value:
+    return Quantity(key, of.symbol, of.unit, meaning).value(extreme.value, extreme.turned, extreme.side)

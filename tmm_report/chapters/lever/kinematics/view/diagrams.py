@@ -1,0 +1,90 @@
+"""Diagrams of the motion of the outputs over the angle of turn."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+import numpy as np
+
+from tmm_report.chapters.lever.kinematics.quantities import motion_of
+from tmm_report.chapters.lever.kinematics.solve.analogues import analogues_of
+from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics, Travel
+from tmm_report.figures.graphs import Curve, Graph
+from tmm_report.i18n import Translator
+from tmm_report.quantity.formula import Var
+from tmm_report.quantity.symbols import Symbol
+from tmm_report.report.diagrams import CycleGraphs, points
+
+SCALES = {
+    "slider": (("mu_S", "m/mm"), ("mu_V", "(m/s)/mm"), ("mu_a", "(m/s²)/mm")),
+    "rocker": (("mu_psi", "°/mm"), ("mu_omega", "(rad/s)/mm"), ("mu_epsilon", "(rad/s²)/mm")),
+}
+
+
+ANALOGUES = {
+    "slider": (("mu_S′", "m/mm"), ("mu_S′′", "m/mm")),
+    "rocker": (("mu_psi′", "1/mm"), ("mu_psi′′", "1/mm")),
+}
+
+
+class Diagrams:
+    def __init__(self, found: Kinematics, tr: Translator):
+        self.found = found
+        closed = found.positions.table if found.cycle.closed else 0
+        self.graphs = CycleGraphs(found.diagram_turned, closed, tr)
+        self._made: dict[str, Graph] = {}
+
+    def travel(self, travel: Travel) -> Graph:
+        """Displacement, velocity and acceleration of an output."""
+        if travel.output.name not in self._made:
+            self._made[travel.output.name] = self._travel(travel)
+        return self._made[travel.output.name]
+
+    def _travel(self, travel: Travel) -> Graph:
+        rocker = travel.output.kind == "rocker"
+        factors = (np.degrees(1) if rocker else 1.0, 1.0, 1.0)
+        values = (travel.diagram_S, travel.diagram_V, travel.diagram_a)
+        peaks = ((travel.near, travel.far), travel.V_extremes, travel.a_extremes)
+        sizes = np.abs(self.found.omega) ** np.arange(3) * (1.0 if rocker else self._reach)
+        curves = [
+            Curve(x * factor, panel=k, extremes=points(ends, factor), scale=size * factor)
+            for k, (x, factor, ends, size) in enumerate(zip(values, factors, peaks, sizes, strict=True))
+        ]
+        units = ("deg" if rocker else "m", *(quantity.unit for quantity in motion_of(travel.output)[1:]))
+        named = zip(motion_of(travel.output), units, strict=True)
+        return self.graphs.graph(curves, [self.graphs.label(quantity, unit) for quantity, unit in named])
+
+    def analogues(self, travel: Travel) -> Graph:
+        """Analogues of the velocity and of the acceleration of an output."""
+        name = f"{travel.output.name}′"
+        if name not in self._made:
+            self._made[name] = self._analogues(travel)
+        return self._made[name]
+
+    def _analogues(self, travel: Travel) -> Graph:
+        omega = abs(self.found.omega)
+        rates = ((travel.diagram_V, travel.V_extremes), (travel.diagram_a, travel.a_extremes))
+        size = 1.0 if travel.output.kind == "rocker" else self._reach
+        curves = [
+            Curve(x / omega**n, panel=n - 1, extremes=points(ends, omega**-n), scale=size)
+            for n, (x, ends) in enumerate(rates, 1)
+        ]
+        named = (
+            (quantity.sign.base.replace("psi", "ψ"), quantity.unit)
+            for quantity in analogues_of(travel.output)
+        )
+        return self.graphs.graph(curves, [self.graphs.letter(Symbol(base), unit) for base, unit in named])
+
+    @cached_property
+    def _reach(self) -> float:
+        """Speed of the fastest point over that of the driver's turning, m: the size of what moves."""
+        motion = self.found.table
+        names = self.found.linkage.mechanism.point_names
+        speeds = [np.nanmax(np.abs(motion.velocity(point)), initial=0.0) for point in names]
+        return float(max(speeds) / abs(self.found.omega))
+
+    def scales(self, travel: Travel) -> list[Var]:
+        return self.graphs.scales(self.travel(travel), SCALES[travel.output.kind])
+
+    def analogue_scales(self, travel: Travel) -> list[Var]:
+        return self.graphs.scales(self.analogues(travel), ANALOGUES[travel.output.kind])

@@ -1,0 +1,273 @@
+"""View of the motion of output links and driven links: tables, diagrams, analogues, extremes, conclusions."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from markupsafe import Markup
+
+from tmm_report.chapters.lever.initial_data.quantities import speed
+from tmm_report.chapters.lever.kinematics import quantities as q
+from tmm_report.chapters.lever.kinematics.checks.open_cycle import Gap
+from tmm_report.chapters.lever.kinematics.solve.analogues import analogues_of
+from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics, Travel
+from tmm_report.chapters.lever.kinematics.solve.strokes import carried
+from tmm_report.chapters.lever.kinematics.solve.working_stroke import Working
+from tmm_report.chapters.lever.kinematics.view.diagrams import Diagrams
+from tmm_report.mechanics.lever.cycle import larger
+from tmm_report.mechanics.lever.vector_equations import turning_links
+from tmm_report.problems import N_
+from tmm_report.quantity.formula import Formula
+from tmm_report.quantity.model import Value
+from tmm_report.quantity.ref import Ref
+from tmm_report.report.layout import TEXT_WIDTH, Cell, Column, Table, part, worded
+from tmm_report.report.page import Page
+from tmm_report.report.part import Failed
+from tmm_report.report.words import force_direction
+
+SIDES = {-1: N_("before the jump"), 1: N_("after the jump")}
+
+
+class MotionView:
+    """`position`: the one of which formulas are written out; `partial`: whether the mechanism closes over part of the
+    cycle and is not meant so; `strokes`: working strokes by the names of the outputs."""
+
+    def __init__(
+        self, found: Kinematics, position: int, partial: bool, strokes: Mapping[str, Working], page: Page
+    ):
+        self.found, self.position, self.partial, self.strokes = found, position, partial, strokes
+        self.page, self.t = page, page.t
+        self.book = page.once(q.book, found)
+        self.diagrams = Diagrams(found, page.tr)
+
+    # ------------------------------------------------------------ conclusions
+
+    def conclusions(self) -> list[Markup]:
+        """What failed, then the motion of every output."""
+        failed = [self._failed(gap) for gap in self.found.gaps]
+        return [*failed, *(self._conclusion(travel) for travel in self.found.travels)]
+
+    def _failed(self, gap: Gap) -> Markup:
+        text = N_("The mechanism closes over part of the cycle only: %(why)s.")
+        if self.partial:
+            text = N_(
+                "The mechanism does not make a full cycle: %(why)s. The data of the assignment must be checked."
+            )
+        return Failed(self.t(text, why=self.page.sentence(gap.text)))
+
+    def _conclusion(self, travel: Travel) -> Markup:
+        return self.page.listed([*self.told(travel), *self._greatest(travel)], " ")
+
+    def told(self, travel: Travel) -> Iterator[Markup]:
+        """Sentences: the stroke, the working stroke, the ratio of the durations."""
+        name = travel.output.name
+        if travel.output.kind == "slider":
+            yield self.t(
+                "The stroke of point %(point)s is %(stroke)s.", point=name, stroke=self.stroke(travel)
+            )
+        else:
+            text = N_("The full angle of swing of link %(link)s is %(stroke)s.")
+            yield self.t(text, link=name, stroke=self.stroke(travel))
+        yield from self.working(travel)
+        if travel.time_ratio is not None:
+            ratio = self.page.value(self.book[f"K_{name}"].var(digits=4))
+            yield self.t("The ratio of the durations of its strokes is %(ratio)s.", ratio=ratio)
+
+    def _greatest(self, travel: Travel) -> Iterator[Markup]:
+        """The largest magnitudes of the velocity and of the acceleration, or that there are none."""
+        for order, ends in ((1, travel.V_extremes), (2, travel.a_extremes)):
+            kind = (travel.output.kind, order)
+            if not all(math.isfinite(end.value) for end in ends):
+                text = UNBOUNDED[kind]
+                yield self.t(text)
+                continue
+            end = "min" if larger(ends) is ends[0] else "max"
+            value, text = self.book[f"{'VA'[order - 1]}_{travel.output.name}_{end}"], GREATEST[kind]
+            at = self.page.said(self._at(value, 1))
+            yield self.t(text, x=self.page.shown(value, size=True), at=at)
+
+    def unbounded(self, travel: Travel) -> list[Markup]:
+        """Sentences on the rates that grow without bound."""
+        rates = ((1, travel.V_extremes), (2, travel.a_extremes))
+        texts = [
+            UNBOUNDED[travel.output.kind, n] for n, ends in rates if any(math.isnan(x.value) for x in ends)
+        ]
+        return [self.t(text) for text in texts]
+
+    # ------------------------------------------------------------ outputs
+
+    def has_output(self, kind: str) -> bool:
+        return any(travel.output.kind == kind for travel in self.found.travels)
+
+    def ways(self) -> Iterator[Markup]:
+        """Which way each slider's displacement is positive."""
+        for travel in self.found.travels:
+            if travel.output.kind == "slider":
+                way = force_direction(travel.output.direction, self.page)
+                yield self.t(
+                    "Positive displacement of %(name)s points %(way)s.", name=travel.output.name, way=way
+                )
+
+    def travels(self, caption: Any) -> Table:
+        """φ, t, and S, V, a of the outputs at the table positions."""
+        table = self.book.tables["outputs_table"]
+        times = [self.page.column(table, "phi"), self.page.column(table, "t")]
+        return packed(caption, self.page.positions(table), times, self._columns(table, self.found.travels))
+
+    def _columns(self, table: Any, travels: Sequence[Travel]) -> list[list[Column]]:
+        """Displacement, velocity and acceleration of each."""
+        return [
+            [self.page.column(table, of.key, _unit(of.unit)) for of in q.motion_of(travel.output)]
+            for travel in travels
+        ]
+
+    def working(self, travel: Travel) -> Iterator[Markup]:
+        """From which position to which the working stroke goes, and what says so; nothing without two strokes a
+        turn."""
+        stroke, name = self.strokes.get(travel.output.name), travel.output.name
+        if stroke is None or not stroke.positions:
+            return
+        within = {"one": stroke.positions[0], "other": stroke.positions[-1]}
+        if self.found.cycle.turns > 1:
+            text = WORKING_OF_SEVERAL[stroke.by]
+            yield self.t(text, **within)
+            return
+        first, last = (self._at(self.book[f"S_{name}_{end}"], 1) for end in stroke.ends)
+        text = WORKING[stroke.by]
+        yield self.t(text, first=self.page.said(first), last=self.page.said(last), **within)
+
+    def stroke(self, travel: Travel) -> Markup:
+        value = self.book[f"H_{travel.output.name}"]
+        return self.page.value(value.var(_unit(value.unit)))
+
+    def extremes(self, caption: Any, travel: Travel) -> Table:
+        rows = []
+        for quantity, (low, high) in zip(q.motion_of(travel.output), q.extremes(travel), strict=True):
+            unit = _unit(quantity.unit)
+            size = max(1.0, abs(low.value), abs(high.value))
+            ends = [(self.page.cell(end, unit=unit, scale=size), self._at_side(end)) for end in (low, high)]
+            rows.append([self.page.head(quantity.sign, unit or quantity.unit), *ends[0], *ends[1]])
+        heads = [
+            self.t("Quantity"), self.t("Least value"), self.t("at the angle of turn,\N{NO-BREAK SPACE}°"),
+            self.t("Greatest value"), self.t("at the angle of turn,\N{NO-BREAK SPACE}°"),
+        ]  # fmt: skip
+        return worded(caption, heads, rows, (2.2, 2, 2, 2, 2))
+
+    def _at(self, value: Value, places: int) -> Cell:
+        """The angle of turn at which a value holds, degrees."""
+        at = math.nan if value.at is None else math.degrees(value.at)
+        return Cell(self.page.num(at, places=places), Ref(value.key, by="at_deg"))
+
+    def _at_side(self, value: Value) -> Cell | Markup:
+        """The same, and in a corner the side on which the value is reached."""
+        at = self._at(value, 2)
+        if not value.side:
+            return at
+        said = SIDES[value.side]
+        return self.page.listed([self.page.said(at), self.t(said)], " ")
+
+    # ------------------------------------------------------------ analogues
+
+    @property
+    def moving(self) -> tuple[Travel, ...]:
+        return (*self.found.travels, *self.found.links)
+
+    def analogues(self, caption: Any) -> Table:
+        table = self.book.tables["analogues_table"]
+        columns = [
+            [self.page.column(table, quantity.key) for quantity in analogues_of(travel.output)]
+            for travel in self.moving
+        ]
+        return packed(caption, self.page.positions(table), [], columns)
+
+    def from_analogues(self) -> list[Formula]:
+        """V = S′ω₁ and a = S″ω₁² + S′ε₁ of the first output or link, at the position that is written out."""
+        travel, k = self.moving[0], self.position
+        rates, tables = q.motion_of(travel.output)[1:], self.book.tables
+        first, second = (tables["analogues_table"].var(x.key, k) for x in analogues_of(travel.output))
+        omega = speed(self.found.linkage.mechanism).var(size=True)
+        return [
+            tables["outputs_table"].formula(rates[0].key, k, first * omega),
+            tables["outputs_table"].formula(rates[1].key, k, second * omega**2),
+        ]
+
+    # ------------------------------------------------------------ links
+
+    @property
+    def links(self) -> tuple[Travel, ...]:
+        """Driven links that turn, the rockers among the outputs first."""
+        rockers = (travel for travel in self.found.travels if travel.output.kind == "rocker")
+        return (*rockers, *self.found.links)
+
+    @property
+    def translating(self) -> list[str]:
+        """Links that could turn and do not."""
+        linkage = self.found.linkage
+        others = {linkage.mechanism.driver.link, *carried(linkage), *self._turning}
+        others |= {cam.name for cam in linkage.mechanism.cams}
+        return [link for link in turning_links(linkage) if link not in others]
+
+    @property
+    def _turning(self) -> set[str]:
+        return {travel.output.name for travel in self.links}
+
+    @property
+    def carried(self) -> dict[str, str]:
+        """Links that turn with another driven link, and with which."""
+        found, turning = carried(self.found.linkage), self._turning
+        return {link: other for link, other in found.items() if link not in turning and other in turning}
+
+    def angular(self, caption: Any) -> Table:
+        """Angles, angular velocities and accelerations of the driven links at the table positions."""
+        table = self.book.tables["outputs_table"]
+        return packed(caption, self.page.positions(table), [], self._columns(table, self.links))
+
+
+def packed(caption: Any, first: Column, lead: list[Column], groups: Sequence[list[Column]]) -> Table:
+    """A table cut so that the columns of a group stand side by side; each part begins with the first columns."""
+    room = TEXT_WIDTH - sum(column.width for column in (first, *lead))
+    parts: list[list[Column]] = []
+    for group in groups:
+        width = sum(column.width for column in group)
+        if parts and sum(column.width for column in parts[-1]) + width <= room:
+            parts[-1] += group
+        else:
+            parts.append(list(group))
+    return Table(caption, [part([first, *lead, *block]) for block in parts])
+
+
+def _unit(unit: str) -> str:
+    """The unit in which it is printed, where that is not its own."""
+    return "deg" if unit == "rad" else ""
+
+
+GREATEST = {
+    ("slider", 1): N_("Its greatest velocity is %(x)s m/s at the angle of turn %(at)s°."),
+    ("slider", 2): N_("Its greatest acceleration is %(x)s m/s² at the angle of turn %(at)s°."),
+    ("rocker", 1): N_("Its greatest angular velocity is %(x)s rad/s at the angle of turn %(at)s°."),
+    ("rocker", 2): N_("Its greatest angular acceleration is %(x)s rad/s² at the angle of turn %(at)s°."),
+}
+UNBOUNDED = {
+    ("slider", 1): N_("Its velocity grows without bound towards the limit position."),
+    ("slider", 2): N_("Its acceleration grows without bound towards the limit position."),
+    ("rocker", 1): N_("Its angular velocity grows without bound towards the limit position."),
+    ("rocker", 2): N_("Its angular acceleration grows without bound towards the limit position."),
+}
+WORKING = {
+    "load": N_(
+        "Its working stroke, in which the stated load does its work, lasts from the angle of turn %(first)s° to "
+        "%(last)s°, positions %(one)s … %(other)s."
+    ),
+    "longer": N_(
+        "Its working stroke, the longer-lasting one, lasts from the angle of turn %(first)s° to %(last)s°, positions "
+        "%(one)s … %(other)s."
+    ),
+}
+WORKING_OF_SEVERAL = {
+    "load": N_(
+        "Its working stroke, in which the stated load does its work, goes through positions %(one)s … %(other)s."
+    ),
+    "longer": N_("Its working stroke, the longer-lasting one, goes through positions %(one)s … %(other)s."),
+}

@@ -1,0 +1,97 @@
+"""How the numbers of kinematics are found that the formulas of the note do not define, or only approach."""
+
+from __future__ import annotations
+
+from tmm_report.chapters.lever.kinematics.solve.relating import place, rate
+from tmm_report.problems import N_
+from tmm_report.quantity.formula import Expr, Var
+from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.ways import NAME, Known, Way
+
+CONTOURS = N_("Found from the closed vector contours of the groups, group by group in the order of assembly.")
+RATES = N_(
+    "Found analytically: the contours of the groups, differentiated with respect to time once "
+    "for the velocities and "
+    "twice for the accelerations, are linear equations. On a rigid link the motion of a point "
+    "follows from that of "
+    "another:"
+)
+NEAR = N_(
+    "The determinant of the group's equations by the lengths of their rows: 1 far from a "
+    "singular position, 0 in it."
+)
+DIGITS = N_("Of the 16 digits of a number those that the closeness to the singular position leaves.")
+SPECIAL = N_(
+    "Sought over the whole cycle between the diagram positions: where the determinant of the "
+    "group is least or zero, or "
+    "where the output's connecting link is in line."
+)
+OUTPUT = N_("The coordinate of the output less that in position 0.")
+PSI = N_("The angle of the link less that in position 0, followed without jumps of a turn.")
+TURNS = N_("The rate of the link that it turns with.")
+ZERO = N_("Stated, or the angle at which the output that is named is in its extreme position.")
+STROKES = N_(
+    "From one extreme position of the output to the other; both are sought between the "
+    "positions of the table."
+)
+EXTREME = N_("Over the whole cycle, sought where the derivative is zero and at both sides of a jump.")
+CHOSEN = N_("Measured against the closed form over the cycle.")
+TERMS = N_(
+    "From the projections of the group's contours, by their derivatives at the angles of this position."
+)
+BY_SIZES = N_("Of the lengths and places that the variant states; it is the same in every position.")
+
+
+def _stroke(q: Known) -> Expr:
+    return q("S_{0}_max", "max") - q("S_{0}_min", "min")
+
+
+def _ratio(q: Known) -> Expr:
+    """The longer of both angles between the extreme positions by the shorter."""
+    far, near = q.at("S_{0}_max", "S,max"), q.at("S_{0}_min", "S,min")
+    turn = Var(Symbol("Phi"), float(q.found.cycle.sweep), "deg")
+    there = abs(far - near)
+    other = turn - there
+    return there / other if there.value > other.value else other / there
+
+
+def _analogue(q: Known, rate: str, power: int) -> Expr:
+    omega = abs(q("omega"))
+    return q(rate) / (omega if power == 1 else omega**2)
+
+
+def _shift(q: Known) -> Expr:
+    """S of a slider along its guide, by its places here and in position 0."""
+    travel = next(one for one in (*q.found.travels, *q.found.links) if one.output.name == q.parts[0])
+    motion = q.found.diagram if q.fine else q.found.table
+    at = travel.output.coordinate(motion)
+    return Var(Symbol("s", q.parts[0]), at[q.row], "m") - Var(Symbol("s", f"{q.parts[0]},0"), at[0], "m")
+
+
+WAYS = (
+    Way("method.error method.accuracy", CHOSEN, of="method kind"),
+    Way("contours.*", TERMS, of="positions_table.phi_* phi contours.det_*"),
+    Way("contour_constants.value", BY_SIZES, of="key"),
+    Way("contour_constants.*", NAME),
+    Way("method.* special.kind special.of", NAME),
+    Way("special.*", SPECIAL, of="kind of closeness phi_0"),
+    Way("positions_table.sin_*", NEAR, of="contours.det_{0} phi digits_{0}"),
+    Way("positions_table.digits_*", DIGITS, of="sin_{0}"),
+    Way("positions_table.x_* positions_table.y_*", CONTOURS, worked=place),
+    Way("positions_table.x_* positions_table.y_*", CONTOURS, of="phi phi_1"),
+    Way("positions_table.phi_*", CONTOURS, of="phi contours.phi_* x_* y_*"),
+    Way("rates_table.*", RATES, worked=rate, of="phi omega", beside=True),
+    Way("outputs_table.t analogues_table.t", by=lambda q: q("phi") / abs(q("omega"))),
+    Way("outputs_table.S_*", by=_shift),
+    Way("outputs_table.psi_*", PSI, of="positions_table.phi_{0}"),
+    Way("outputs_table.omega_* outputs_table.epsilon_*", TURNS, of="rates_table.w_* rates_table.e_*"),
+    Way("outputs_table.V_* outputs_table.A_*", OUTPUT, of="S_{0}"),
+    Way("analogues_table.dS_*", by=lambda q: _analogue(q, "outputs_table.V_{0}", 1)),
+    Way("analogues_table.ddS_*", by=lambda q: _analogue(q, "outputs_table.A_{0}", 2)),
+    Way("analogues_table.dpsi_*", by=lambda q: _analogue(q, "outputs_table.omega_{0}", 1)),
+    Way("analogues_table.ddpsi_*", by=lambda q: _analogue(q, "outputs_table.epsilon_{0}", 2)),
+    Way("H_*", STROKES, by=_stroke),
+    Way("K_*", STROKES, by=_ratio),
+    Way("S_*_* V_*_* A_*_*", EXTREME, of="H_{0} omega"),
+    Way("phi_0", ZERO, of="omega H_*"),
+)

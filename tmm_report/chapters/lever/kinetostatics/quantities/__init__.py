@@ -1,0 +1,5 @@
+"""Every number of the chapter; results, grading and checks ask for `tables` and `values`."""
+
+from tmm_report.chapters.lever.kinetostatics.quantities.positions import tables, values
+
+__all__ = ["tables", "values"]

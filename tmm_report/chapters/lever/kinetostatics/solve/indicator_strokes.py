@@ -1,0 +1,114 @@
+"""Strokes of a loaded point over the cycle, and which curve of an indicator diagram holds in each.
+
+angle turned   0     begins[0]    begins[1]            begins[n-1]    period
+stroke         ·  n-1   |      0      |      1      …       |    n-1     |
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from tmm_report.chapters.lever.kinetostatics.given import ByDisplacement, ByStrokes
+from tmm_report.mechanics.calculus.vectors import dot
+from tmm_report.mechanics.lever.cycle import Cycle, Extreme
+from tmm_report.mechanics.lever.motion import Motion
+from tmm_report.problems import N_, Message, ProblemError, mistake
+from tmm_report.records import dataclass
+
+Array = Any
+AT_ONCE = 1e-9  # rad: a stroke that begins so soon has begun
+LOADS = ("loads", "forces")
+
+
+@dataclass(frozen=True, eq=False)
+class Strokes:
+    """`begins`: angles turned at which the strokes begin, rad, ascending over the cycle, (n,); `stated`: the number of
+    the stated stroke that begins there, (n,); `period`: the whole cycle, rad."""
+
+    begins: Array
+    stated: Array
+    period: float
+
+    def at(self, turned: Array) -> Array:
+        """Number of the stated stroke at angles turned, rad; at an end of a stroke, of the one that begins there."""
+        within = np.mod(turned + AT_ONCE, self.period)
+        return self.stated[np.searchsorted(self.begins, within, side="right") - 1]
+
+    @property
+    def ends(self) -> Array:
+        """Angles turned at which the strokes end, rad, (n,): the last may end beyond the cycle."""
+        return np.append(self.begins[1:], self.begins[0] + self.period)
+
+
+def reach(cycle: Cycle, at: str, zero: complex) -> tuple[Array, tuple[Extreme, Extreme]]:
+    """Angles turned within one turn at which a point stands still along `zero`, rad; the extremes of its coordinate
+    there, m."""
+
+    def rate(motion: Motion) -> Array:
+        return dot(motion.velocity(at), zero)
+
+    still = cycle.roots(rate)
+    return still, cycle.extremes_of([lambda motion: dot(motion.place(at), zero)], [still])[0]
+
+
+def strokes(law: ByStrokes, cycle: Cycle, at: str) -> Strokes:
+    """Raises ProblemError where the point makes not as many strokes as are stated, or begins with another one."""
+    still, _ = reach(cycle, at, law.zero)
+    begins, count = cycle.repeated(still), len(law.curves)
+    if len(begins) != count:
+        text = N_("point %(name)s makes %(found)s strokes in the cycle, %(count)s are stated")
+        right = Message(N_("a curve for each stroke of the cycle, in the order in which they follow"))
+        raise ProblemError([mistake(text, LOADS, right, name=at, found=len(begins), count=count)])
+    begun = 0 if begins[0] <= AT_ONCE else -1  # which of them is under way just after position 0
+    leaves = _leaves(law, cycle, at, begins)[begun]
+    first = law.first if law.first is not None else 0 if leaves else count - 1
+    if (first % 2 == 0) != leaves:
+        text = N_(
+            "point %(name)s goes away from the zero of its diagram at position 0: %(stroke)s is a stroke towards it"
+        )
+        if not leaves:
+            text = N_(
+                "point %(name)s goes towards the zero of its diagram at position 0: %(stroke)s is a stroke away from it"
+            )
+        fitting = ", ".join(law.names[0 if leaves else 1 :: 2])
+        right = Message(N_("first: one of %(words)s"), {"words": fitting})
+        raise ProblemError([mistake(text, LOADS, right, name=at, stroke=law.names[first])])
+    return Strokes(begins, (first - begun + np.arange(count)) % count, cycle.period)
+
+
+def _leaves(law: ByStrokes, cycle: Cycle, at: str, begins: Array) -> Array:
+    """Of each stroke whether the point goes away from the zero in it, (n,) of bool: by its velocity half way."""
+    middle = (begins + np.append(begins[1:], begins[0] + cycle.period)) / 2
+    return dot(cycle.motion(middle).velocity(at), law.zero) < 0
+
+
+def travelled(law: ByDisplacement | ByStrokes, cycle: Cycle, motion: Motion, at: str) -> Array:
+    """x = displacement / stroke of the loaded point, counted from the extreme in `zero`, (..., P).
+
+    Raises ProblemError for a point that has no stroke in the direction from which the diagram counts.
+    """
+    _, (low, high) = reach(cycle, at, law.zero)
+    if not high.value - low.value > 1e-9 * np.nanmax(np.abs(motion.place(at) - np.nanmean(motion.place(at)))):
+        text = N_("by_displacement: point %(name)s does not move in the direction of zero")
+        right = Message(N_("name a point that moves there, or give the load by angle"))
+        raise ProblemError([mistake(text, LOADS, right, name=at)])
+    return (high.value - dot(motion.place(at), law.zero)) / (high.value - low.value)
+
+
+def by_displacement(law: ByDisplacement, cycle: Cycle, motion: Motion, at: str) -> Array:
+    """An indicator diagram read at the point's displacement and direction of motion."""
+    x = travelled(law, cycle, motion, at)
+    forward, back = (np.interp(x, *np.array(curve).T) for curve in (law.forward, law.back))
+    rate = dot(motion.velocity(at), law.zero)
+    # at the ends of the stroke the point stands still: the stroke that begins there holds, not the rounding's sign
+    still = np.abs(rate) <= 1e-9 * np.nanmax(np.abs(rate), initial=0.0)
+    return np.where(np.where(still, x < 0.5, rate <= 0), forward, back)
+
+
+def by_strokes(law: ByStrokes, cycle: Cycle, motion: Motion, turned: Array, at: str) -> Array:
+    """An indicator diagram of a cycle of several turns read at the point's displacement in the stroke under way."""
+    x = travelled(law, cycle, motion, at)
+    curves = np.array([np.interp(x, *np.array(curve).T) for curve in law.curves])
+    return np.take_along_axis(curves, strokes(law, cycle, at).at(turned)[None], axis=0)[0]

@@ -1,0 +1,78 @@
+"""View of how hard the cams press their followers, and where a closure has to hold them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import numpy as np
+from markupsafe import Markup
+
+from tmm_report.chapters.lever.kinetostatics.quantities import cam_pressure as own
+from tmm_report.chapters.lever.kinetostatics.quantities import positions as q
+from tmm_report.chapters.lever.kinetostatics.quantities.cycle import ranges
+from tmm_report.chapters.lever.kinetostatics.solve.cam_pressure import Pressing
+from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
+from tmm_report.problems import N_
+from tmm_report.quantity.ref import Ref
+from tmm_report.report.layout import Cell, Table, numeric
+from tmm_report.report.page import Page
+from tmm_report.report.part import Failed, Part
+
+
+def parts(found: Kinetostatics, page: Page) -> Iterator[Part]:
+    if found.pressings:
+        yield Part("lever/kinetostatics/cams", PressingsView(found, page))
+
+
+class PressingsView:
+    def __init__(self, found: Kinetostatics, page: Page):
+        self.found, self.page, self.t = found, page, page.t
+        self.book = page.once(q.book, found)
+        self.cams = found.pressings
+
+    def conclusions(self) -> Sequence[Markup]:
+        """Of cams that their followers would leave."""
+        text = N_(
+            "Cam %(cam)s does not hold follower %(follower)s everywhere: a closure by a spring or by a groove is "
+            "needed, which holds at least %(force)s N along the normal."
+        )
+        return [
+            Failed(self.t(text, cam=one.cam.cam, follower=one.cam.follower, force=self.closure(one)))
+            for one in self.cams
+            if one.parts
+        ]
+
+    def table(self, caption: Any) -> Table:
+        """The reactions along the normals by positions."""
+        table = self.book.tables["cam_press_table"]
+        columns = [self.page.column(table, own.along(one).key) for one in self.cams]
+        return numeric(caption, self.page.positions(table), columns)
+
+    def parting(self, one: Pressing) -> str:
+        """Positions in which the follower would leave the cam: "1–4, 9"."""
+        return ranges(one.parting)
+
+    def zones(self, one: Pressing) -> Markup:
+        """From and to which angles it would: "36.1–90°; 140–152.3"."""
+        table = self.book.tables[f"cam_parting_{one.cam.name}"]
+        ends = [
+            [self.page.said(self.page.cell(table, key, row, places=1)) for key in ("from", "to")]
+            for row in range(len(one.zones))
+        ]
+        return self.page.listed([self.page.listed(two, "–") for two in ends], "°; ")
+
+    def closure(self, one: Pressing) -> Markup:
+        return self.page.shown(self.book[f"cam_closure_{one.cam.name}"])
+
+    def extreme(self, one: Pressing, end: str) -> Markup:
+        """ "min" or "max"."""
+        return self.page.shown(self.book[f"cam_press_{end}_{one.cam.name}"])
+
+    def turned(self, one: Pressing, end: str) -> Markup:
+        """The angle of turn of an extreme, degrees."""
+        value = self.book[f"cam_press_{end}_{one.cam.name}"]
+        assert value.at is not None
+        return self.page.said(
+            Cell(self.page.num(np.degrees(value.at), places=1), Ref(value.key, by="at_deg"))
+        )

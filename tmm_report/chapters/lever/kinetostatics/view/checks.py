@@ -1,0 +1,60 @@
+"""View of the checks of the balancing moment: Zhukovsky's lever and the power balance."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from markupsafe import Markup
+
+from tmm_report.chapters.lever.kinetostatics.quantities import positions as q
+from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
+from tmm_report.quantity.definition import Definition
+from tmm_report.quantity.formula import Formula, Var
+from tmm_report.quantity.ref import Ref
+from tmm_report.quantity.symbols import Symbol
+from tmm_report.report.layout import Table, worded
+from tmm_report.report.page import Page
+from tmm_report.report.part import Part
+
+POWER_BALANCE = Definition("M_bal", (Var("dT", 0.0) / Var("dt", 0.0) - Var("N", 0.0)) / Var("omega_1", 0.0))
+
+
+def part(found: Kinetostatics, position: int, page: Page) -> Part:
+    return Part("lever/kinetostatics/lever", LeverView(found, position, page), concludes=False)
+
+
+class LeverView:
+    power_balance = POWER_BALANCE
+
+    def __init__(self, found: Kinetostatics, position: int, page: Page):
+        self.found, self.position, self.page, self.t = found, position, page, page.t
+        self.book = page.once(q.book, found)
+
+    def conclusions(self) -> Sequence[Markup]:
+        return []
+
+    def powers(self, caption: Any) -> Table:
+        """Powers of all loads at the sample position, and their sum."""
+        table, k = self.book.tables["powers_table"], self.position
+        rows = []
+        for loads in q.loads_of_powers(self.found):
+            key = q.power(loads).key
+            size = abs(float(table[key].values[k]))
+            symbols = self.page.listed(self.page.sym(load.sign) for load in loads)
+            rows.append([symbols, self.page.cell(table, key, k, scale=max(1.0, size))])
+        rows.append([self.t("Sum"), self.page.cell(table, "N_sum", k)])
+        heads = [self.t("Loads"), self.page.listed([self.t("Power"), self.page.unit("W")])]
+        return worded(caption, heads, rows, (1, 1))
+
+    def lever_formula(self) -> Formula:
+        """The balancing moment from the sum of powers, at the sample position."""
+        total = self.book.tables["powers_table"].var("N_sum", self.position)
+        omega = self.found.kinematics.omega
+        link = self.found.kinematics.linkage.mechanism.driver.link
+        speed = Var(Symbol("omega", link), omega, "rad/s", ref=Ref("omega"))
+        return self.book.tables["balancing_table"].formula("M_lever", self.position, -total / speed)
+
+    def disagreement(self, of: str) -> Markup:
+        """The worst of the "lever" or of the "power" balance."""
+        return self.page.shown(self.book[f"{of}_disagreement"], digits=2, scale=0)

@@ -1,0 +1,229 @@
+"""View of what holds over the whole cycle: extremes of the forces, senses of the balancing moment, works."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from markupsafe import Markup
+
+from tmm_report.chapters.lever.kinetostatics.quantities import positions as q
+from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
+from tmm_report.mechanics.lever.cycle import larger
+from tmm_report.problems import N_
+from tmm_report.quantity.model import Table as Numbers
+from tmm_report.quantity.ref import Ref
+from tmm_report.report.layout import Cell, Table, worded
+from tmm_report.report.page import Page
+
+SIDES = {"before": N_("before the jump"), "after": N_("after the jump")}
+ENDS = {"least": "M_bal_min", "greatest": "M_bal_max"}
+NOISE = 1e-9  # of the largest work, beside which another is nothing
+
+
+class CycleView:
+    def __init__(self, found: Kinetostatics, page: Page):
+        self.found, self.page, self.t = found, page, page.t
+        self.book = page.once(q.book, found)
+
+    def conclusions(self) -> Sequence[Markup]:
+        """The largest reaction of a pivot or a guide, with its pair and angle; the mean power."""
+        return [*self._largest(), *self._power()]
+
+    @property
+    def exact(self) -> bool:
+        """Whether every position has forces."""
+        return self.found.over is not None
+
+    @property
+    def told(self) -> bool:
+        """Whether the works of the cycle are told: it ends where it begins."""
+        return self.found.works is not None
+
+    # ------------------------------------------------------------ extremes
+
+    @property
+    def _extremes(self) -> Numbers:
+        return self.book.tables["force_extremes"]
+
+    def _row(self, key: str) -> int:
+        return list(self._extremes["key"].values).index(key)
+
+    def moment(self, which: str) -> Markup:
+        """ "least" or "greatest" balancing moment, N m."""
+        return self.page.shown(self.book[ENDS[which]])
+
+    def moment_at(self, which: str) -> Markup:
+        if self.exact:
+            return self._at(which, self._row(q.BALANCING_MOMENT.key), "°")
+        value = self.book[ENDS[which]]
+        assert value.at is not None
+        angle = Cell(self.page.num(np.degrees(value.at), places=1), Ref(value.key, by="at_deg"))
+        return self.page.listed([self.page.said(angle), "°"], "")
+
+    def _at(self, which: str, row: int, unit: str = "") -> Markup:
+        """The angle at which an extreme is reached, and the side of a jump."""
+        angle = self.page.listed([self.page.shown(self._extremes, f"{which}_at", row, places=1), unit], "")
+        side = str(self._extremes[f"{which}_side"].values[row])
+        if not side:
+            return angle
+        said = Cell(str(self.t(SIDES[side])), self._extremes.ref(f"{which}_side", row))
+        return self.page.listed([angle, self.page.said(said)], " ")
+
+    @property
+    def jumps(self) -> bool:
+        return any(self._extremes[key].values.count("") < len(self._extremes) for key in _SIDE_KEYS)
+
+    def reactions(self, caption: Any) -> Table:
+        """Least and greatest of every reaction and its projections, and where they are reached."""
+        table = self._extremes
+        rows = [
+            [self.page.head(table["least"].symbol(row), table["least"].unit_of(row)), *self._ends(row)]
+            for row, key in enumerate(table["key"].values)
+            if key != q.BALANCING_MOMENT.key and self._speaks(row)
+        ]
+        heads = [
+            self.t("Reaction"), self.t("Least value"), self.t("at φ, °"), self.t("Greatest value"), self.t("at φ, °"),
+        ]  # fmt: skip
+        return worded(caption, heads, rows, (3, 3, 3, 3, 3))
+
+    def _speaks(self, row: int) -> bool:
+        """Whether a projection is more than rounding: a guide gives no force along itself."""
+        low, high = (np.abs(np.array(self._extremes[key].values, float)) for key in ("least", "greatest"))
+        return bool(max(low[row], high[row]) > NOISE * max(low.max(), high.max()))
+
+    def _ends(self, row: int) -> list[Any]:
+        size = max(abs(float(self._extremes[key].values[row])) for key in ("least", "greatest"))
+        found: list[Any] = []
+        for key in ("least", "greatest"):
+            found += [self.page.cell(self._extremes, key, row, scale=size), self._at(key, row)]
+        return found
+
+    def _largest(self) -> list[Markup]:
+        if self.found.over is None:
+            return []
+        sizes = {key: larger(peaks) for key, peaks in self.found.over.sizes.items()}
+        key = max(sizes, key=lambda one: sizes[one].value)
+        if not sizes[key].value > 0:
+            return []
+        pair = self.found.over.statics.reactions[key].pair
+        row = self._row(q.reaction(*pair.links).key)
+        pivot = N_(
+            "The largest reaction is that of pivot %(pair)s of links %(one)s and %(other)s: %(force)s N at the angle "
+            "of turn %(angle)s°."
+        )
+        guide = N_(
+            "The largest reaction is that of guide %(pair)s of links %(one)s and %(other)s: %(force)s N at the angle "
+            "of turn %(angle)s°."
+        )
+        text = pivot if pair.kind == "R" else guide
+        force = self.page.shown(self._extremes, "greatest", row)
+        angle = self.page.shown(self._extremes, "greatest_at", row, places=1)
+        one, other = pair.links
+        return [self.t(text, pair=pair.name, one=one, other=other, force=force, angle=angle)]
+
+    # ------------------------------------------------------------ senses of the moment
+
+    @property
+    def _zones(self) -> Numbers:
+        return self.book.tables["moment_senses"]
+
+    @property
+    def changes(self) -> bool:
+        """Whether the balancing moment has both senses over the cycle."""
+        return len(self._zones) > 1
+
+    @property
+    def idle(self) -> bool:
+        """Whether there is no balancing moment over the whole cycle."""
+        return not len(self._zones)
+
+    @property
+    def drives(self) -> bool:
+        """Whether it drives all round, where it has one sense."""
+        return self._zones["sense"].values[0] == "along"
+
+    def zones(self, caption: Any) -> Table:
+        """Where the moment has which sense, and its work there."""
+        table = self._zones
+        words = {
+            "along": self.t("along ω: the engine drives"),
+            "against": self.t("opposite to ω: the surplus goes to the flywheel"),
+        }
+        rows = [
+            [
+                self.page.cell(table, "from", row, places=1), self.page.cell(table, "to", row, places=1),
+                self.page.word(words[sense], table, "sense", row), self.page.cell(table, "work", row),
+            ]
+            for row, sense in enumerate(table["sense"].values)
+        ]  # fmt: skip
+        heads = [
+            self.t("From φ, °"), self.t("To φ, °"), self.t("Balancing moment"),
+            self.page.listed([self.t("Work"), self.page.unit("J")]),
+        ]  # fmt: skip
+        return worded(caption, heads, rows, (2, 2, 6, 2))
+
+    def moment_positions(self) -> list[Markup]:
+        """At which positions the moment has which sense, in sentences."""
+        table = self._works
+        driving = N_(
+            "The moment has the sense of rotation of the driving link at the positions %(positions)s: there the "
+            "engine drives."
+        )
+        giving = N_(
+            "It is opposite at the positions %(positions)s: there the mechanism gives work to the flywheel."
+        )
+        texts = (("drives_at", driving), ("resists_at", giving))
+        return [
+            self.t(text, positions=self.page.said(Cell(table[key].values[0], table.ref(key, 0))))
+            for key, text in texts
+            if table[key].values[0]
+        ]
+
+    # ------------------------------------------------------------ works of the loads
+
+    @property
+    def _works(self) -> Numbers:
+        return self.book.tables["works"]
+
+    @property
+    def weights(self) -> bool:
+        return bool(self.found.works and self.found.works.weights)
+
+    def works(self, caption: Any) -> Table:
+        """Where each load drives and resists, and its work."""
+        table, works = self._works, self.found.works
+        assert works is not None
+        rows = []
+        for row, (of, done) in enumerate(q.named_works(self.found, works)):
+            size = max(done.driving, -done.resisting)
+            cells: list[Any] = [self.page.sym(of.sign)]
+            cells += [self.page.word(table[key].values[row] or "—", table, key, row) for key in _AT_KEYS]
+            cells += [
+                self.page.cell(table, key, row, scale=max(size, 1e-300))
+                for key in ("driving", "resisting", "work")
+            ]
+            rows.append(cells)
+        heads = [
+            self.t("Load"), self.t("Drives at positions"), self.t("Resists at positions"),
+            *(self.page.head(table[key].symbol(), "J") for key in ("driving", "resisting", "work")),
+        ]  # fmt: skip
+        return worded(caption, heads, rows, (2, 4, 4, 3, 3, 3))
+
+    @property
+    def sum(self) -> Markup:
+        return self.page.shown(self.book["works_sum"], digits=2, scale=1e-30)
+
+    @property
+    def power(self) -> Markup:
+        return self.page.shown(self.book["P_bal_mean"])
+
+    def _power(self) -> list[Markup]:
+        if not self.told:
+            return []
+        text = N_("The mean power of the balancing moment over the cycle is %(power)s W.")
+        return [self.t(text, power=self.power)]
+
+
+_SIDE_KEYS, _AT_KEYS = ("least_side", "greatest_side"), ("drives_at", "resists_at")

@@ -1,0 +1,89 @@
+"""Diagrams of kinetostatics over the cycle: the balancing moment, the loads, the reactions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from tmm_report.chapters.lever.kinetostatics.quantities import positions as q
+from tmm_report.chapters.lever.kinetostatics.solve.drawn_cycle import Array, Sampled
+from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
+from tmm_report.figures.graphs import Curve, Graph
+from tmm_report.figures.lettering import Parts
+from tmm_report.i18n import Translator
+from tmm_report.report.diagrams import CycleGraphs, points
+
+PANELS = 4  # on a sheet of diagrams
+NOTHING = 1e-9  # of the largest reaction: a projection of less is none
+
+
+def graphs_of(found: Kinetostatics, at: Sampled, tr: Translator) -> CycleGraphs:
+    kinematics = found.kinematics
+    return CycleGraphs(at.turned, kinematics.positions.table if kinematics.cycle.closed else 0, tr)
+
+
+def balancing_diagram(found: Kinetostatics, at: Sampled, graphs: CycleGraphs) -> Graph:
+    size = float(np.nanmax(found.diagram.scale, initial=0.0))
+    values = at.of(found.over.balancing if found.over else None, found.diagram.balancing)
+    curve = Curve(values, extremes=points(found.extremes), scale=size)
+    return graphs.graph([curve], [graphs.letter(q.M_BAL, q.BY_GROUPS.unit)])
+
+
+def load_diagrams(found: Kinetostatics, at: Sampled, graphs: CycleGraphs) -> list[Graph]:
+    """The loads that change over the cycle along their stated directions, `PANELS` of them on a sheet."""
+    named = [*q.forces(found.given.forces), *q.moments(found.given.moments)]
+    over = found.over.loading.stated if found.over else [None] * len(named)
+    panels = [
+        ([at.of(over[k], found.diagram.loading.stated[k])], graphs.letter(named[k].sign, named[k].unit))
+        for k in found.followed
+    ]
+    sheets = [panels[start : start + PANELS] for start in range(0, len(panels), PANELS)]
+    return [
+        _sheet([([Curve(values) for values in own], label) for own, label in sheet], graphs)
+        for sheet in sheets
+    ]
+
+
+def reaction_diagrams(found: Kinetostatics, at: Sampled, graphs: CycleGraphs) -> list[Graph]:
+    """Of every pair a panel with the magnitude of its reaction and its projections, `PANELS` of them on a sheet."""
+    largest = max(float(np.nanmax(np.abs(one.force))) for one in found.diagram.statics.reactions.values())
+    panels = [
+        (list(_parts_of(found, at, graphs, key, NOTHING * largest)), _label(found, key, graphs))
+        for key in found.diagram.statics.reactions
+    ]
+    return [_sheet(panels[start : start + PANELS], graphs) for start in range(0, len(panels), PANELS)]
+
+
+def _label(found: Kinetostatics, key: str, graphs: CycleGraphs) -> Parts:
+    of = q.reaction(*found.diagram.statics.reactions[key].pair.links)
+    return graphs.letter(of.sign, of.unit)
+
+
+def reaction(found: Kinetostatics, at: Sampled, key: str) -> Array:
+    """The reaction of a pair at the angles drawn, complex N, (Q,)."""
+    diagram = np.broadcast_to(found.diagram.statics.reactions[key].force, found.diagram.motion.shape)
+    return at.of(found.over.reactions[key] if found.over else None, diagram)
+
+
+def _parts_of(
+    found: Kinetostatics, at: Sampled, graphs: CycleGraphs, key: str, least: float
+) -> Iterator[Curve]:
+    """Magnitude and projections of a reaction; a projection that is nothing all round is left out."""
+    force, of = reaction(found, at, key), q.reaction(*found.diagram.statics.reactions[key].pair.links)
+    nothing = () if found.kinematics.limited else None  # towards a limit it grows without bound
+    extremes = points([found.over.sizes[key][1]]) if found.over else nothing
+    yield Curve(np.abs(force), graphs.letter(of.sign), extremes=extremes)
+    for quantity, values in zip(of.components, (force.real, force.imag), strict=True):
+        if np.nanmax(np.abs(values), initial=0.0) > least:
+            yield Curve(values, graphs.letter(quantity.sign), extremes=())
+
+
+def _sheet(panels: Sequence[tuple[Sequence[Curve], Parts]], graphs: CycleGraphs) -> Graph:
+    """Panels one above another."""
+    curves = [
+        Curve(curve.values, curve.name, number, curve.extremes, curve.scale)
+        for number, (own, _) in enumerate(panels)
+        for curve in own
+    ]
+    return graphs.graph(curves, [label for _, label in panels], join=False)

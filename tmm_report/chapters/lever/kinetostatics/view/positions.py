@@ -1,0 +1,246 @@
+"""View of the kinetostatic analysis: loads, reactions, balancing moment and its checks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from markupsafe import Markup
+
+from tmm_report.chapters.lever.kinetostatics.quantities import positions as q
+from tmm_report.chapters.lever.kinetostatics.quantities.strokes import WORDS
+from tmm_report.chapters.lever.kinetostatics.solve.drawn_cycle import sampled
+from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
+from tmm_report.chapters.lever.kinetostatics.view import cam_pressure as pressing_view
+from tmm_report.chapters.lever.kinetostatics.view import checks as lever_view
+from tmm_report.chapters.lever.kinetostatics.view import driving_gear as gear_view
+from tmm_report.chapters.lever.kinetostatics.view.curves import CurvesView
+from tmm_report.chapters.lever.kinetostatics.view.cycle import CycleView
+from tmm_report.chapters.lever.kinetostatics.view.diagrams import balancing_diagram, graphs_of, load_diagrams
+from tmm_report.chapters.lever.plans.solve import Plans
+from tmm_report.problems import N_
+from tmm_report.quantity.definition import Definition
+from tmm_report.quantity.formula import Var
+from tmm_report.report.layout import Cell, Column, Table, numeric, worded
+from tmm_report.report.page import Page
+from tmm_report.report.part import NEXT_CHAPTER, Part
+from tmm_report.report.words import force_direction, sense
+
+if TYPE_CHECKING:
+    from tmm_report.course import LeverFound
+
+WEIGHT = Definition("G", Var("m", 0.0) * Var("g", 0.0))
+
+
+def given_parts(lever: LeverFound, page: Page) -> Iterator[Part]:
+    """What the initial data say of the loads."""
+    found = lever.kinetostatics
+    if found is not None and (found.given.forces or found.given.moments):
+        yield Part("lever/kinetostatics/given", _view(found, lever, page), concludes=False)
+
+
+def parts(lever: LeverFound, page: Page) -> Iterator[Part | None]:
+    if lever.kinetostatics is None:
+        return
+    view = _view(lever.kinetostatics, lever, page)
+    yield Part("lever/kinetostatics/loads", view)
+    yield NEXT_CHAPTER  # the force plans stand between the loads and the reactions
+    yield Part("lever/kinetostatics", view)
+    yield from pressing_view.parts(lever.kinetostatics, page)
+    yield Part("lever/kinetostatics/curves", view.curves, concludes=False)
+    yield Part("lever/kinetostatics/extremes", view.cycle, concludes=False)
+    yield Part("lever/kinetostatics/balancing", view)
+    yield from gear_view.parts(lever.kinetostatics, lever.sample, page)
+    yield lever_view.part(lever.kinetostatics, lever.sample, page)
+
+
+UNBOUNDED = N_(
+    "The balancing moment grows without bound towards the limit position, so that no extremes of it are given; at the "
+    "positions that exist Zhukovsky's lever and the power balance confirm it within a relative difference of %(worst)s."
+)
+DISAGREE = N_(
+    "The balancing moments of the force analysis, of Zhukovsky's lever and of the power balance disagree by a relative "
+    "%(worst)s: the solution must not be used."
+)
+
+
+def _view(found: Kinetostatics, lever: LeverFound, page: Page) -> KinetostaticsView:
+    return page.once(KinetostaticsView, found, lever.plans, lever.sample, page)
+
+
+class KinetostaticsView:
+    weight = WEIGHT
+
+    def __init__(self, found: Kinetostatics, plans: Plans, position: int, page: Page):
+        self.found, self.plans, self.position, self.page, self.t = found, plans, position, page, page.t
+        self.book = page.once(q.book, found)
+        self.cycle, self.curves = CycleView(found, page), CurvesView(found, page)
+        at = page.once(sampled, found)
+        self.graphs = graphs_of(found, at, page.tr)
+        self.diagram = balancing_diagram(found, at, self.graphs)
+        self.followed = load_diagrams(found, at, self.graphs)
+
+    def conclusions(self) -> list[Markup]:
+        found = self.found
+        text = N_(
+            "The balancing moment varies over the cycle from %(low)s N·m at the angle of turn %(lowat)s to %(high)s "
+            "N·m at %(highat)s; Zhukovsky's lever and the power balance confirm it within a relative difference of "
+            "%(worst)s."
+        )
+        if not found.agrees:
+            text = N_(
+                "The balancing moments of the force analysis, of Zhukovsky's lever and of the power balance disagree "
+                "by a relative %(worst)s: the solution must not be used. By the force analysis the moment varies from "
+                "%(low)s N·m at the angle of turn %(lowat)s to %(high)s N·m at %(highat)s."
+            )
+        worse = "lever" if found.worst_lever >= found.worst_power else "power"
+        worst = self.page.shown(self.book[f"{worse}_disagreement"], digits=2, scale=0)
+        if not found.bounded:
+            text = UNBOUNDED if found.agrees else DISAGREE
+            return [self.t(text, worst=worst), *self.cycle.conclusions()]
+        low, high = (self.page.shown(self.book[key]) for key in ("M_bal_min", "M_bal_max"))
+        lowat, highat = (self.cycle.moment_at(which) for which in ("least", "greatest"))
+        return [
+            self.t(text, low=low, high=high, lowat=lowat, highat=highat, worst=worst),
+            *self.cycle.conclusions(),
+        ]
+
+    # ------------------------------------------------------------ what is given
+
+    def stated(self, caption: Any) -> Table:
+        """The stated loads: symbol, name, what they act on, direction."""
+        given, table = self.found.given, self.book.tables["loads_given"]
+        names = enumerate(table["link"].values)
+        takes = [self.page.said(Cell(str(name), table.ref("link", row))) for row, name in names]
+        on = [
+            self.t("point %(point)s of link %(link)s", point=force.at, link=link)
+            for force, link in zip(given.forces, takes, strict=False)
+        ]
+        on += [self.t("link %(link)s", link=link) for link in takes[len(on) :]]
+        ways = [force_direction(force.direction, self.page) for force in given.forces]
+        ways += [sense(moment.direction, self.page) for moment in given.moments]
+        quantities = [*q.forces(given.forces), *q.moments(given.moments)]
+        rows = [
+            [
+                self.page.sym(quantity.sign), self.page.word(table["name"].values[row], table, "name", row),
+                on[row], self.page.word(ways[row], table, "direction", row),
+            ]
+            for row, quantity in enumerate(quantities)
+        ]  # fmt: skip
+        heads = [self.t("Symbol"), self.t("Load"), self.t("Applied to"), self.t("Direction")]
+        return worded(caption, heads, rows, (2, 5, 4, 5))
+
+    def magnitudes(self, caption: Any) -> Table:
+        """The stated loads along their directions at the table positions, those that repeat none before them."""
+        table, count = self.book.tables["stated_table"], self.found.positions
+        columns = [
+            Column(
+                self.page.head(column.symbol(), column.unit),
+                [self.page.cell(table, column.key, row) for row in range(count)],
+            )
+            for column in table.columns[2:]
+        ]
+        return numeric(caption, self.page.positions(table, count), columns)
+
+    def strokes(self, caption: Any) -> Table:
+        """When the strokes of the indicator diagrams begin and end."""
+        table = self.book.tables["strokes"]
+        signs = {quantity.key: quantity.sign for quantity in q.forces(self.found.given.forces)}
+        rows = [
+            [
+                self.page.word(self.page.sym(signs[key]), table, "load", row),
+                self.page.word(self._stroke(str(table["stroke"].values[row])), table, "stroke", row),
+                *(self.page.cell(table, end, row, places=1) for end in ("begins", "ends")),
+            ]
+            for row, key in enumerate(table["load"].values)
+        ]
+        heads = [self.t("Load"), self.t("Stroke"), self.t("Begins at φ, °"), self.t("Ends at φ, °")]
+        return worded(caption, heads, rows, (2, 4, 3, 3))
+
+    def _stroke(self, name: str) -> str | Markup:
+        """A stroke of an engine in the language of the note, another by its own name."""
+        return self.t(WORDS[name]) if name in WORDS else name
+
+    @property
+    def reversed(self) -> bool:
+        """Whether a load acts against its stated direction somewhere."""
+        return any(bool(np.any(values < 0)) for values in self.found.table.loading.stated)
+
+    # ------------------------------------------------------------ loads
+
+    def weights(self, caption: Any) -> Table:
+        table = self.book.tables["loads_table"]
+        columns = []
+        for link in self.found.table.loading.gravity:
+            of = q.weight(link)
+            cell = self.page.cell(table, of.key, 0, size=True)
+            columns.append(Column(self.page.head(of.sign, of.unit), [cell]))
+        return numeric(caption, columns[0], columns[1:])
+
+    def inertia(self, caption: Any) -> Table:
+        """Inertia forces, magnitudes, and couples at the table positions."""
+        table, loading = self.book.tables["loads_table"], self.found.table.loading
+        keys = [q.inertia_force(link).key for link in loading.inertia]
+        keys += [q.inertia_couple(link).key for link in loading.couples]
+        return numeric(caption, self.page.positions(table), [self.page.column(table, key) for key in keys])
+
+    # ------------------------------------------------------------ reactions
+
+    def reactions(self, caption: Any) -> Table:
+        return self._of_pairs(caption, [q.reaction(*pair).key for pair in self._pairs()])
+
+    def directions(self, caption: Any) -> Table:
+        """Angles of the reactions with the x axis, degrees; none where there is no force."""
+        return self._of_pairs(caption, [q.reaction_angle(*pair).key for pair in self._pairs()])
+
+    def _pairs(self) -> list[tuple[str, str]]:
+        return [reaction.pair.links for reaction in self.found.table.statics.reactions.values()]
+
+    def _of_pairs(self, caption: Any, keys: list[str]) -> Table:
+        """What has no number at any position has no column."""
+        table = self.book.tables["reactions_table"]
+        some = [key for key in keys if np.isfinite(np.asarray(table[key].values, float)).any()]
+        return numeric(caption, self.page.positions(table), [self.page.column(table, key) for key in some])
+
+    @property
+    def in_guides(self) -> list[tuple[str, str]]:
+        """Links of the guides' reactions."""
+        reactions = self.found.table.statics.reactions.values()
+        return [reaction.pair.links for reaction in reactions if reaction.pair.kind == "P"]
+
+    @property
+    def central(self) -> bool:
+        """Whether the reactions of all guides pass through the points of their sliders."""
+        largest = float(np.nanmax(self.found.table.scale))
+        table = self.book.tables["reactions_table"]
+        moments = [np.asarray(table[q.guide_moment(*pair).key].values) for pair in self.in_guides]
+        return all(np.nanmax(np.abs(moment)) <= 1e-9 * largest for moment in moments)
+
+    def guide_points(self, caption: Any) -> Table:
+        """Moments of the reactions in guides, and where along the guide the force alone would act."""
+        keys = [
+            quantity.key
+            for pair in self.in_guides
+            for quantity in (q.guide_moment(*pair), q.guide_offset(*pair, ""))
+        ]
+        return self._of_pairs(caption, keys)
+
+    # ------------------------------------------------------------ balancing moment
+
+    def balancing(self, caption: Any) -> Table:
+        """The balancing moment by groups, by the lever and by power."""
+        table = self.book.tables["balancing_table"]
+        heads = [
+            self.t("from the force analysis"),
+            self.t("from the lever"),
+            self.t("from the power balance"),
+        ]
+        columns = []
+        for key, head in zip(("M_bal", "M_lever", "M_power"), heads, strict=True):
+            column = self.page.column(table, key)
+            columns.append(column._replace(head=self.page.listed([column.head, head])))
+        return numeric(caption, self.page.positions(table), columns)
+
+    def scales(self) -> list[Var]:
+        return self.graphs.scales(self.diagram, [("mu_M", "N·m/mm")])

@@ -1,0 +1,176 @@
+"""View of the plans of velocities and accelerations."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+from typing import TYPE_CHECKING, Any
+
+from markupsafe import Markup
+
+from tmm_report.chapters.lever.initial_data.quantities import MU_L
+from tmm_report.chapters.lever.plans import quantities as q
+from tmm_report.chapters.lever.plans.drafting import LegLine, Plan, Projections, Sense, Special
+from tmm_report.chapters.lever.plans.draw import plan_picture
+from tmm_report.chapters.lever.plans.scales import Choice
+from tmm_report.chapters.lever.plans.solve import LIMIT, Drawn, Plans
+from tmm_report.figures.drawing import Drawing
+from tmm_report.problems import N_
+from tmm_report.quantity import model
+from tmm_report.quantity.definition import Definition
+from tmm_report.quantity.formula import Formula, Number, Var
+from tmm_report.quantity.model import Book
+from tmm_report.quantity.symbols import segment
+from tmm_report.report.comparison import comparison_table
+from tmm_report.report.layout import Column, Table, numeric, worded
+from tmm_report.report.page import Page
+from tmm_report.report.part import Part
+from tmm_report.report.words import group_name
+
+if TYPE_CHECKING:
+    from tmm_report.course import LeverFound
+
+_GRAPH, _ANALYTIC = Var("x_gr", 0.0), Var("x_an", 0.0)
+DIFFERENCE = Definition("delta", (_GRAPH - _ANALYTIC) / (Number(0.5) * (_GRAPH + _ANALYTIC)) * Number(100))
+
+SENSE = {1: N_("counter-clockwise ↺"), -1: N_("clockwise ↻"), 0: N_("the vector is zero")}
+
+
+def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
+    yield Part("lever/plans", PlansView(lever.plans, page))
+
+
+class PlansView:
+    difference = DIFFERENCE
+    group = staticmethod(group_name)
+
+    def __init__(self, found: Plans, page: Page):
+        self.found, self.page, self.t = found, page, page.t
+        self.named = found.named
+        self.book = Book.of(q.tables(found), q.values(found))
+        self.picture = cache(self._picture)
+
+    def conclusions(self) -> list[Markup]:
+        if not self.found.drawn:
+            return []
+        within = N_(
+            "The plans of velocities and accelerations differ from the analytical method by at most %(worst)s %%, "
+            "which is within the allowed 5 %%."
+        )
+        beyond = N_(
+            "The plans of velocities and accelerations differ from the analytical method by up to %(worst)s %%, which "
+            "is more than the allowed 5 %%."
+        )
+        return [self.t(within if self.found.worst <= LIMIT else beyond, worst=self.worst())]
+
+    def worst(self) -> Markup:
+        return self.page.shown(self.book["delta_max"], digits=3)
+
+    def accuracy(self) -> Markup:
+        return self.page.shown(self.book["accuracy"])
+
+    # ------------------------------------------------------------ scales
+
+    def scale(self, key: str) -> Markup:
+        """ "mu_v" or "mu_a" with its value."""
+        return self.page.value(self.book[key].var())
+
+    def chosen(self) -> list[Formula]:
+        """The scales that follow from segments chosen."""
+        return [self._chosen(choice) for choice in self.found.choices]
+
+    def _chosen(self, choice: Choice) -> Formula:
+        value, drawn = q.chosen(choice, self.named)
+        kind = choice.segment.kind
+        of = (
+            MU_L.value(choice.scale)
+            if kind == "length"
+            else self.book["mu_v" if kind == "velocity" else "mu_a"]
+        )
+        return of.formula(value.var() / drawn.var())
+
+    def symbols(self, projections: Projections) -> Markup:
+        """The unknowns of a group's equations."""
+        return self.page.listed(self.page.sym(self.named[key].sign) for key in projections.unknown)
+
+    def leg_line(self, line: LegLine) -> Markup:
+        """The line of a leg, in which the special point lies."""
+        if line.ends:
+            return self.t("the line %(ends)s", ends=self.page.sym(segment(line.ends)))
+        return self.t(
+            "the perpendicular to the guide %(guide)s in point %(point)s", guide=line.guide, point=line.at
+        )
+
+    def place(self, special: Special) -> Markup:
+        """Where a special point lies in the scheme."""
+        return self.page.values(special.place)
+
+    def solved(self, plan: Plan) -> bool:
+        """Whether a plan is drawn from the solution of equations, for want of a construction."""
+        return any(step.projections for step in plan.steps)
+
+    def _picture(self, plan: Plan) -> Drawing:
+        return plan_picture(plan)
+
+    # ------------------------------------------------------------ tables
+
+    def segments(self, caption: Any, kind: str) -> Table:
+        return self._of_plans(caption, f"segments_{kind}", digits=7)
+
+    def values(self, caption: Any, kind: str) -> Table:
+        """Values read off all plans of a kind, "v" or "a": one row a position."""
+        return self._of_plans(caption, f"plan_values_{kind}", digits=5)
+
+    def _of_plans(self, caption: Any, name: str, digits: int) -> Table:
+        table = self.book.tables[name]
+        columns = [
+            Column(
+                self.page.head(column.symbol(), column.unit),
+                [self.page.cell(table, column.key, row, digits=digits) for row in range(len(table))],
+            )
+            for column in table.columns[1:]
+        ]
+        return numeric(caption, self.page.positions(table), columns)
+
+    def projections(self, caption: Any, plan: Plan, number: int) -> Table:
+        """Coefficients of a group's unknown rates, right sides, and the solution in the last row."""
+        table = self.book.tables[q.equations_name(plan, number)]
+        unknown = table.columns[1:-1]
+        last = len(table) - 1
+        rows = [
+            [
+                self.page.word(contour, table, "contour", row) if row < last else self.t("Solution"),
+                *(self.page.cell(table, column.key, row) for column in unknown),
+                self.page.cell(table, "right", row) if row < last else "",
+            ]
+            for row, contour in enumerate(table["contour"].values)
+        ]
+        heads = [self.page.head(column.symbol(), column.unit) for column in unknown]
+        heads = [self.t("Contour, axis"), *heads, self.t("Right side")]
+        return worded(caption, heads, rows, [1.0] * len(heads))
+
+    def senses(self, caption: Any, plan: Plan) -> Table:
+        """How the senses of a plan's angular velocities or accelerations are found, a row a link."""
+        table = self.book.tables[q.senses_name(plan)]
+        heads = [self.t("Link"), self.t("Vector"), self.t("Moved to the point"), self.t("Turns the link")]
+        rows = [
+            [
+                self.page.word(one.link, table, "link", row),
+                *self._shown_by(one, table, row),
+                self.page.word(self.t(SENSE[one.sense]), table, "sense", row),
+            ]
+            for row, one in enumerate(plan.senses)
+        ]
+        return worded(caption, heads, rows, (1, 2, 2, 4))
+
+    def _shown_by(self, one: Sense, table: model.Table, row: int) -> list[Any]:
+        if one.like:
+            return [self.page.word(self.t("as link %(link)s", link=one.like), table, "like", row), ""]
+        return [
+            self.page.word(self.page.sym(segment(one.ends)), table, "vector", row),
+            self.page.word(self.page.sym(one.to), table, "to", row),
+        ]
+
+    def comparison(self, caption: Any, drawn: Drawn) -> Table:
+        table = self.book.tables[f"comparison_{drawn.position}"]
+        return comparison_table(self.page, caption, table, self.named, drawn.position)

@@ -1,0 +1,129 @@
+"""View of the reduction of masses and forces to the driving link."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from markupsafe import Markup
+
+from tmm_report.chapters.lever.initial_data import quantities as initial
+from tmm_report.chapters.lever.kinematics import quantities as rates
+from tmm_report.chapters.lever.reduction import quantities as q
+from tmm_report.chapters.lever.reduction.solve import Reduction
+from tmm_report.figures.graphs import Curve, Graph
+from tmm_report.mechanics.lever.vector_equations import moving_points, turning_links
+from tmm_report.problems import N_
+from tmm_report.quantity import model
+from tmm_report.quantity.formula import Expr, Formula
+from tmm_report.quantity.model import Book
+from tmm_report.report.diagrams import CycleGraphs, points
+from tmm_report.report.layout import Table, numeric
+from tmm_report.report.page import Page
+from tmm_report.report.part import Part
+
+if TYPE_CHECKING:
+    from tmm_report.course import LeverFound
+
+
+def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
+    if lever.reduction is not None:
+        yield Part("lever/reduction", ReductionView(lever.reduction, lever.sample, page))
+
+
+class ReductionView:
+    def __init__(self, found: Reduction, position: int, page: Page):
+        self.found, self.position, self.page, self.t = found, position, page, page.t
+        self.book = Book.of(q.tables(found), q.values(found))
+        self.mechanism = found.kinematics.linkage.mechanism
+
+    def conclusions(self) -> list[Markup]:
+        text = N_(
+            "The reduced moment of inertia varies from %(low)s kg·m² to %(high)s kg·m² over the cycle of the mechanism."
+        )
+        if self.found.kinematics.limited:
+            text = N_(
+                "The reduced moment of inertia grows without bound towards the limit position, so that no extremes of "
+                "it are given."
+            )
+            return [self.t(text)]
+        low, high = (self.page.shown(self.book[f"I_red_{end}"]) for end in ("min", "max"))
+        return [self.t(text, low=low, high=high)]
+
+    @property
+    def driver(self) -> str:
+        return self.mechanism.driver.link
+
+    # ------------------------------------------------------------ the sample position
+
+    def inertia(self) -> Formula:
+        """The reduced moment of inertia, link by link."""
+        total, *others = self._terms()
+        for term in others:
+            total = total + term
+        table = self.book.tables["reduced_inertia_table"]
+        return table.formula("I_red", self.position, total)
+
+    def _terms(self) -> Iterator[Expr]:
+        """m (v_S/ω₁)² and J (ω/ω₁)² of every link that moves so; of the driving link its J."""
+        linkage = self.found.kinematics.linkage
+        masses, k = self._given.tables["masses"], self.position
+        turning, moving = turning_links(linkage), moving_points(linkage)
+        for row, link in enumerate(initial.heavy_links(self.mechanism)):
+            if link.mass and link.mass_centre in moving:
+                speed = self._rates.var(rates.point_rate("v", str(link.mass_centre)).key, k, size=True)
+                yield masses.var("m", row) * (speed / self._omega) ** 2
+            if link.inertia and link.name == self.driver:
+                yield masses.var("J", row)
+            elif link.inertia and link.name in turning:
+                rate = self._rates.var(rates.link_rate("w", link.name).key, k, size=True)
+                yield masses.var("J", row) * (rate / self._omega) ** 2
+
+    @cached_property
+    def _given(self) -> Book:
+        return Book.of(initial.given_tables(self.mechanism), [initial.speed(self.mechanism)])
+
+    @property
+    def _rates(self) -> model.Table:
+        return self.page.once(rates.book, self.found.kinematics).tables["rates_table"]
+
+    @property
+    def _omega(self) -> Expr:
+        return self._given["omega"].var(size=True)
+
+    # ------------------------------------------------------------ tables and diagrams
+
+    def inertias(self, caption: Any) -> Table:
+        return self._table(caption, "reduced_inertia_table")
+
+    def moments(self, caption: Any) -> Table:
+        return self._table(caption, "reduced_moment_table")
+
+    def by_plans(self, caption: Any) -> Table:
+        return self._table(caption, "reduction_plans", 1)
+
+    def _table(self, caption: Any, name: str, first: int = 2) -> Table:
+        table = self.book.tables[name]
+        columns = [self.page.column(table, column.key) for column in table.columns[first:]]
+        return numeric(caption, self.page.positions(table), columns)
+
+    @cached_property
+    def diagram(self) -> Graph:
+        curves = [Curve(self.found.diagram.whole_inertia, panel=0, extremes=points(self.found.extremes))]
+        labels = [self._graphs.letter(q.I_RED, q.INERTIA.unit)]
+        if self.found.forces is not None:
+            curves.append(Curve(self.found.diagram.whole_moment, panel=1))
+            labels.append(self._graphs.letter(q.M_RED, q.MOMENT.unit))
+        return self._graphs.graph(curves, labels)
+
+    @cached_property
+    def _graphs(self) -> CycleGraphs:
+        kinematics = self.found.kinematics
+        closed = kinematics.positions.table if kinematics.cycle.closed else 0
+        return CycleGraphs(kinematics.diagram_turned, closed, self.page.tr)
+
+    # ------------------------------------------------------------ check
+
+    def disagreement(self) -> Markup:
+        return self.page.shown(self.book["reduction_disagreement"], digits=2, scale=0)

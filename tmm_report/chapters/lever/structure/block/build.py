@@ -1,0 +1,159 @@
+"""The block `mechanism` -> Mechanism. Only a link's geometry can fail here, and `checks` tries it first."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Mapping
+
+from tmm_report.chapters.lever.structure.block import models as m
+from tmm_report.chapters.lever.structure.block.cam_build import cam
+from tmm_report.chapters.lever.structure.block.cams import CamModel
+from tmm_report.mechanics.cams.cam import Cam
+from tmm_report.mechanics.lever.cams.replacing_dyad import replaced
+from tmm_report.mechanics.lever.forces.force_on_crank_gear import GearDrive
+from tmm_report.mechanics.lever.mechanism import (
+    FRAME,
+    Assembly,
+    Driver,
+    Guide,
+    Link,
+    Mechanism,
+    Slide,
+    ZeroAngle,
+    ZeroExtreme,
+)
+from tmm_report.problems import N_, Message
+from tmm_report.quantity.units import WrongValue
+from tmm_report.variant.values import SENSES, SIDES, unit_vector
+
+
+def mechanism(model: m.MechanismModel) -> Mechanism:
+    built = without_cams(model)
+    if not model.cams:
+        return built
+    cams = tuple(cam_of(name, one, built) for name, one in model.cams.items())
+    return replaced(built, cams, centre_place(built))
+
+
+def cam_of(name: str, model: CamModel, built: Mechanism) -> Cam:
+    """Raises cam_build.Wrong."""
+    driver = built.driver
+    sense = 1 if driver.omega > 0 else -1
+    return cam(name, model, built.links, built.guides, tuple(built.slides), (driver.link, sense, driver.zero))
+
+
+def centre_place(built: Mechanism) -> complex:
+    """A place of K on the cam that is none of the cam's points: where it really is differs by positions."""
+    return complex(1.0 + max((abs(at) for at in built.links[built.driver.link].points.values()), default=0.0))
+
+
+def without_cams(model: m.MechanismModel) -> Mechanism:
+    """The mechanism as it is written, without what replaces its cam pairs."""
+    frame = Link(FRAME, {name: complex(*place) for name, place in model.frame.items()})
+    links = {FRAME: frame, **{name: link(name, part) for name, part in model.links.items()}}
+    return Mechanism(
+        links=links,
+        driver=driver(model.driver),  # type: ignore[arg-type]  # checks: there is one
+        guides={name: guide(name, part, links[part.link]) for name, part in model.guides.items()},
+        slides=tuple(
+            slide(name, one, links[name]) for name, part in model.links.items() for one in slides_of(part)
+        ),
+        assembly=tuple(Assembly(key, choice) for key, choice in model.assembly.items()),
+        sketch={name: complex(*place) for name, place in model.sketch.items()},
+    )
+
+
+def link(name: str, model: m.LinkModel) -> Link:
+    places = link_places(model)
+    centre = model.mass_centre or (next(iter(places)) if model.mass and len(places) == 1 else None)
+    if not isinstance(model.inertia, m.InertiaModel):
+        return Link(name, places, mass=model.mass, mass_centre=centre, inertia=model.inertia)
+    about = model.inertia.about
+    central = central_inertia(model.inertia.value, model.mass, places[about] - places[str(centre)])
+    return Link(name, places, model.mass, centre, max(central, 0.0), (about, model.inertia.value))
+
+
+def central_inertia(stated: float, mass: float, away: complex) -> float:
+    """J_S = J − m l², kg m², by Steiner: about the mass centre of a link from that about a point `away` from it, m."""
+    return stated - mass * abs(away) ** 2
+
+
+def link_places(model: m.LinkModel) -> dict[str, complex]:
+    """The link's points in its axes, m. Raises WrongValue where a triangle does not close."""
+    if isinstance(model.points, list):
+        return {model.points[0]: 0j}
+    placed: dict[str, complex] = {}
+    for name, written in model.points.items():
+        placed[name] = place(written, placed)
+    return placed
+
+
+def place(written: float | tuple[float, float] | m.Triangle, placed: Mapping[str, complex]) -> complex:
+    """A point's place in the link's axes, m; `placed`: the link's points before it."""
+    if isinstance(written, m.Triangle):
+        return triangle(written, placed)
+    return complex(*written) if isinstance(written, tuple) else complex(written)
+
+
+def triangle(model: m.Triangle, placed: Mapping[str, complex]) -> complex:
+    """The third corner: `along` the side from the first point and `off` it, left of it positive.
+
+    Raises WrongValue for a corner that is not placed yet and for lengths that make no triangle.
+    """
+    (first, from_first), (second, from_second) = model.from_.items()
+    for name in (first, second):
+        if name not in placed:
+            wrong = N_("the point %(name)s is not placed on this link before")
+            raise WrongValue(Message(wrong, {"name": name}), Message(N_("give its place above")))
+    side = placed[second] - placed[first]
+    along = (from_first**2 - from_second**2 + abs(side) ** 2) / (2 * abs(side)) if side else math.inf
+    square = from_first**2 - along**2
+    if not square >= -1e-9 * abs(side) ** 2:
+        values = {"a": first, "b": second, "length": f"{abs(side):.6g}"}
+        wrong = N_("the triangle does not close: %(a)s and %(b)s are %(length)s m apart")
+        right = Message(N_("the longest side must be shorter than the other two together"))
+        raise WrongValue(Message(wrong, values), right)
+    off = math.sqrt(max(square, 0.0)) * (1 if model.side == "left" else -1)
+    return placed[first] + side / abs(side) * complex(along, off)
+
+
+def guide(name: str, model: m.GuideModel, carrier: Link) -> Guide:
+    if isinstance(model.through, str):
+        return Guide(name, model.link, carrier.points[model.through], unit_vector(model.angle or 0.0))
+    start, end = (carrier.points[point] for point in model.through)
+    return Guide(name, model.link, start, unit_vector(cmath.phase(end - start)))
+
+
+def slides_of(model: m.LinkModel) -> list[m.SlideModel]:
+    """The link's slides, one or many, written short or long."""
+    written = model.slides if isinstance(model.slides, list) else [model.slides] if model.slides else []
+    return [m.SlideModel(guide=one) if isinstance(one, str) else one for one in written]
+
+
+def slide(name: str, model: m.SlideModel, own: Link) -> Slide:
+    at = model.at or next(iter(own.points))
+    return Slide(name, model.guide, own.points[at], unit_vector(model.angle))
+
+
+def driver(model: m.DriverModel) -> Driver:
+    speed = model.speed if model.speed is not None else 2 * math.pi / (model.period or math.inf)
+    if isinstance(speed, str):  # that of the drive, which puts it here before the mechanism is built for good
+        speed = 1.0
+    turned = SENSES[model.rotation] * speed
+    start = zero(model.zero)
+    return Driver(model.link, turned, start, model.range, model.turns, gear(model.gear), model.period)
+
+
+def gear(model: m.GearModel | None) -> GearDrive | None:
+    if model is None:
+        return None
+    return GearDrive(model.radius, model.alpha_w, model.at, model.flank == "driving")
+
+
+def zero(model: m.ZeroModel | None) -> ZeroAngle | ZeroExtreme:
+    if model is None or model.angle is not None:
+        return ZeroAngle(model.angle or 0.0 if model else 0.0)
+    if model.point is not None:
+        return ZeroExtreme(point=model.point, direction=SIDES[str(model.extreme)])
+    return ZeroExtreme(link=model.link, direction=complex(1 if model.extreme == "counter-clockwise" else -1))

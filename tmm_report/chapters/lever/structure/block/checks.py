@@ -1,0 +1,299 @@
+"""Mistakes of a mechanism whose parts are right in themselves: names, lengths, guides, the driver."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from tmm_report.chapters.lever.structure.block import build, cam_checks
+from tmm_report.chapters.lever.structure.block import models as m
+from tmm_report.mechanics.lever.mechanism import FRAME
+from tmm_report.problems import N_, Message, Problem, mistake
+from tmm_report.quantity.units import WrongValue
+from tmm_report.records import dataclass
+from tmm_report.variant.errors import near
+from tmm_report.variant.model import Read
+from tmm_report.yamlread import Path
+
+Found = Iterator[Problem]
+_MECHANISM: Path = ("mechanism",)
+_PARTS = {
+    "frame": "{O: [0, 0]}",
+    "links": "{1: {points: {O: 0, A: 100 mm}}}",
+    "driver": "{link: 1, speed: 1200 rpm}",
+}
+
+
+@dataclass(frozen=True)
+class Names:
+    """Names that the file declares, right or wrong otherwise: link -> its points (the frame is 0); guides."""
+
+    points: dict[str, list[str]]
+    guides: list[str]
+
+    @property
+    def all_points(self) -> list[str]:
+        return list(dict.fromkeys(point for points in self.points.values() for point in points))
+
+    def pivot(self, point: str) -> bool:
+        """Whether several links, or a link and the frame, share the point."""
+        return sum(point in points for points in self.points.values()) > 1
+
+
+def names(data: Mapping[str, Any]) -> Names:
+    parts = _mapping(data.get("mechanism"))
+    points = {
+        name: _names(_mapping(link).get("points")) for name, link in _mapping(parts.get("links")).items()
+    }
+    return Names({FRAME: _names(parts.get("frame")), **points}, list(_mapping(parts.get("guides"))))
+
+
+def _mapping(value: Any) -> dict[str, Any]:
+    return value if isinstance(value, dict) else {}
+
+
+def _names(value: Any) -> list[str]:
+    return [str(name) for name in value] if isinstance(value, dict | list) else []
+
+
+def stated(read: Read) -> bool:
+    """Whether the file states a lever mechanism, or should: gears alone are a variant too."""
+    return "mechanism" in read.data or not read.alone
+
+
+def has_cams(read: Read) -> bool:
+    """Whether the file states cam pairs."""
+    return bool(_mapping(read.data.get("mechanism")).get("cams"))
+
+
+def without(read: Read, key: str) -> Found:
+    """A block that speaks of a mechanism where there is none."""
+    if key in read.data:
+        right = Message(N_("describe the mechanism in the block mechanism, or take this block out"))
+        yield mistake(
+            N_("there is no lever mechanism that %(block)s could belong to"), (key,), right, block=key
+        )
+
+
+def of_friction(stated: bool | None, mechanism: bool, path: Path, read: Read) -> Found:
+    """Of the key `friction` in a block of the machine in motion, at `path`."""
+    if stated is not None and not mechanism:
+        text = N_("friction of the pairs is that of a mechanism, and this variant has none")
+        yield mistake(text, path, Message(N_("leave the key out")))
+    elif stated and "friction" not in read.data:
+        text = N_("no friction of the pairs is stated")
+        yield mistake(text, path, Message(N_("state the friction of pivots, guides or joints")))
+
+
+def check(mechanism: m.MechanismModel, read: Read) -> Found:
+    """All mistakes of the parts that are right in themselves."""
+    known = names(read.data)
+    yield from _complete(read)
+    yield from _links(mechanism, known)
+    yield from _called_alike(known)
+    yield from _guides(mechanism, known)
+    yield from _slides(mechanism, known)
+    yield from _driver(mechanism, read, known)
+    yield from _assembly(mechanism, known)
+    yield from cam_checks.check(mechanism, read, known)
+
+
+def _complete(read: Read) -> Found:
+    """The parts that every mechanism has. The models let them be absent, to check the rest all the same."""
+    written = _mapping(read.data.get("mechanism"))
+    if _MECHANISM in read.broken:
+        return
+    for key, example in _PARTS.items():
+        if not written.get(key) and (*_MECHANISM, key) not in read.broken:
+            right = Message(N_("for example, %(example)s"), {"example": f"{key}: {example}"})
+            yield mistake(N_("the key %(key)s is missing"), (*_MECHANISM, key), right, key=key)
+    if FRAME in _mapping(written.get("links")):
+        right = Message(N_("call it otherwise"))
+        yield mistake(N_("0 is the frame and cannot be a moving link"), (*_MECHANISM, "links", FRAME), right)
+
+
+def _called_alike(known: Names) -> Found:
+    """A point of the name of a moving link: v_3 and S_3 would be those of both."""
+    told = set()
+    for link, points in known.points.items():
+        for point in points:
+            if point in known.points and point != FRAME and point not in told:
+                told.add(point)
+                part = ("frame",) if link == FRAME else ("links", link, "points")
+                right = Message(N_("call the point otherwise, for example %(name)s"), {"name": f"A{point}"})
+                wrong = N_("a link is also called %(name)s")
+                yield mistake(wrong, (*_MECHANISM, *part, point), right, name=point)
+
+
+def no_point(name: str, path: Path, known: Names) -> Found:
+    if name not in known.all_points:
+        yield mistake(N_("no link has the point %(name)s"), path, near(name, known.all_points), name=name)
+
+
+def no_link(name: str, path: Path, known: Names) -> Found:
+    if name not in known.points:
+        yield mistake(N_("there is no link %(name)s"), path, near(name, list(known.points)), name=name)
+
+
+def _not_on(name: str, link: str, path: Path, known: Names) -> Found:
+    """The point must be one of the link's."""
+    points = known.points.get(link, [name])
+    if name not in points:
+        text = N_("the point %(name)s is not on link %(link)s")
+        yield mistake(text, path, near(name, points), name=name, link=link)
+
+
+def _links(mechanism: m.MechanismModel, known: Names) -> Found:
+    for name, link in mechanism.links.items():
+        path = (*_MECHANISM, "links", name)
+        yield from _geometry(link, path, known)
+        if link.mass_centre is not None:
+            yield from _not_on(link.mass_centre, name, (*path, "mass_centre"), known)
+        elif link.mass and len(known.points[name]) > 1:
+            right = Message(
+                N_("mass_centre: one of the points %(words)s"), {"words": ", ".join(known.points[name])}
+            )
+            yield mistake(N_("the link has a mass and no mass centre"), (*path, "mass"), right)
+        if isinstance(link.inertia, m.InertiaModel):
+            yield from _inertia(name, link, link.inertia, (*path, "inertia"), known)
+
+
+def _inertia(name: str, link: m.LinkModel, stated: m.InertiaModel, path: Path, known: Names) -> Found:
+    """About a point of the link, no less than its mass makes of the distance of that point."""
+    about, points = stated.about, known.points[name]
+    centre = link.mass_centre or (points[0] if len(points) == 1 else None)
+    yield from _not_on(about, name, (*path, "about"), known)
+    if centre is None:
+        right = Message(N_("mass_centre: one of the points %(words)s"), {"words": ", ".join(points)})
+        text = N_(
+            "a moment of inertia about point %(name)s is brought to the mass centre, which is not stated"
+        )
+        yield mistake(text, (*path, "about"), right, name=about)
+        return
+    try:
+        places = build.link_places(link)
+    except WrongValue:  # told by `_geometry`
+        return
+    if about not in places or centre not in places:
+        return
+    away = abs(places[about] - places[centre])
+    if build.central_inertia(stated.value, link.mass, away) < -1e-12 * stated.value:
+        least = link.mass * away**2
+        text = N_(
+            "%(value)s kg·m² about point %(about)s would make the moment of inertia about the mass centre negative: "
+            "the mass %(mass)s kg at %(away)s m alone has %(least)s kg·m²"
+        )
+        right = Message(N_("a larger moment of inertia, or that about the mass centre without about"))
+        told = {"value": stated.value, "mass": link.mass, "away": away, "least": least}
+        yield mistake(text, (*path, "value"), right, about=about, **{k: f"{x:.4g}" for k, x in told.items()})
+
+
+def _geometry(link: m.LinkModel, path: Path, known: Names) -> Found:
+    """Every pivot of the link has its own place; other points may stand where another is."""
+    if isinstance(link.points, list):
+        return
+    *first, second = list(link.points.items())[:2]
+    if first and isinstance(second[1], float) and second[1] < 0 and first[0][1] == 0:
+        yield mistake(
+            N_("negative length"),
+            (*path, "points", second[0]),
+            Message(N_("a length is positive; a point behind the first one is given as [x, y]")),
+        )
+    placed: dict[str, complex] = {}
+    for name, place in link.points.items():
+        here = (*path, "points", name)
+        try:
+            placed[name] = build.place(place, placed)
+        except WrongValue as error:
+            yield Problem(error.wrong, error.right, here)
+            continue
+        if not known.pivot(name):
+            continue
+        for other in placed:
+            if other != name and known.pivot(other) and abs(placed[other] - placed[name]) < 1e-9:
+                text = N_("zero length: %(name)s is at the place of %(other)s")
+                right = Message(N_("one name for both: links that share a point are joined there"))
+                yield mistake(text, here, right, name=name, other=other)
+
+
+def _guides(mechanism: m.MechanismModel, known: Names) -> Found:
+    for name, guide in mechanism.guides.items():
+        path = (*_MECHANISM, "guides", name)
+        yield from no_link(guide.link, (*path, "link"), known)
+        points = [guide.through] if isinstance(guide.through, str) else guide.through
+        for point in points:
+            yield from _not_on(point, guide.link, (*path, "through"), known)
+        if len(points) == 2 and points[0] == points[1]:
+            yield mistake(N_("a line needs two different points"), (*path, "through"))
+        if len(points) == 2 and guide.angle is not None:
+            right = Message(N_("two points, or one point and an angle"))
+            yield mistake(N_("the direction is stated twice"), (*path, "angle"), right)
+        if name in known.all_points:
+            right = Message(N_("call the guide otherwise"))
+            yield mistake(N_("a point is also called %(name)s"), path, right, name=name)
+
+
+def _slides(mechanism: m.MechanismModel, known: Names) -> Found:
+    for name, link in mechanism.links.items():
+        for index, slide in enumerate(build.slides_of(link)):
+            path: Path = (*_MECHANISM, "links", name, "slides")
+            path = (*path, index) if isinstance(link.slides, list) else path
+            if slide.guide not in known.guides:
+                yield mistake(
+                    N_("there is no guide %(name)s"), path, near(slide.guide, known.guides), name=slide.guide
+                )
+            elif slide.guide in mechanism.guides and mechanism.guides[slide.guide].link == name:
+                yield mistake(N_("the link cannot slide along its own guide"), path)
+            if slide.at is not None:
+                yield from _not_on(slide.at, name, (*path, "at"), known)
+
+
+def _driving_link(link: str, known: Names, slides: bool) -> Found:
+    path = (*_MECHANISM, "driver", "link")
+    fixed, moving = known.points[FRAME], [name for name in known.points if name != FRAME]
+    if link not in known.points:
+        yield mistake(N_("there is no link %(name)s"), path, near(link, moving), name=link)
+    elif link == FRAME:
+        yield mistake(N_("the frame cannot drive"), path, near(link, moving))
+    elif slides and not set(known.points[link]) & set(fixed):
+        turning = N_("the driving link turns about a point of the frame: %(words)s")
+        right = Message(turning, {"words": ", ".join(fixed)}) if fixed else None
+        text = N_("link %(name)s slides: a driving slider or cylinder is not offered")
+        yield mistake(text, path, right, name=link)
+    elif fixed and not set(known.points[link]) & set(fixed):
+        right = Message(N_("one of its points must be of the frame: %(words)s"), {"words": ", ".join(fixed)})
+        yield mistake(N_("the driving link %(name)s has no fixed point"), path, right, name=link)
+
+
+def _driver(mechanism: m.MechanismModel, read: Read, known: Names) -> Found:
+    # the link is looked at as written: another mistake in the block must not hide a missing link
+    written = _mapping(_mapping(read.data.get("mechanism")).get("driver"))
+    if written.get("link") is not None and (*_MECHANISM, "driver", "link") not in read.broken:
+        link = str(written["link"])
+        slides = "slides" in _mapping(_mapping(_mapping(read.data["mechanism"]).get("links")).get(link))
+        yield from _driving_link(link, known, slides)
+    if (driver := mechanism.driver) is None:
+        return
+    if driver.speed == "drive" and "drive" not in read.data:
+        wrong = N_("speed: drive takes the speed of the drive's output shaft, and there is no drive")
+        right = Message(N_("state the block drive, or the speed: 100 rpm"))
+        yield mistake(wrong, (*_MECHANISM, "driver", "speed"), right)
+    if driver.zero and driver.zero.point is not None:
+        yield from no_point(driver.zero.point, (*_MECHANISM, "driver", "zero", "point"), known)
+    if driver.zero and driver.zero.link is not None:
+        yield from no_link(driver.zero.link, (*_MECHANISM, "driver", "zero", "link"), known)
+
+
+def _assembly(mechanism: m.MechanismModel, known: Names) -> Found:
+    for key, choice in mechanism.assembly.items():
+        path = (*_MECHANISM, "assembly", key)
+        pair = key.split("-")
+        if key not in known.all_points and not (
+            len(pair) == 2 and all(link in known.points for link in pair)
+        ):
+            right = near(key, known.all_points)
+            yield mistake(N_("%(key)s is neither a point nor a pair of links"), path, right, key=key)
+        for point in choice[1:] if isinstance(choice, tuple) else ():
+            yield from no_point(point, path, known)
+    for name in mechanism.sketch:
+        yield from no_point(name, (*_MECHANISM, "sketch", name), known)

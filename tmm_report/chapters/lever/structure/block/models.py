@@ -1,0 +1,275 @@
+"""The block `mechanism` as pydantic models."""
+
+import math
+from collections.abc import Mapping
+from typing import Annotated, Any, ClassVar, Literal
+
+from pydantic import BeforeValidator, ConfigDict, Field, Tag, model_validator
+
+from tmm_report.chapters.lever.structure.block.cams import CamModel
+from tmm_report.problems import N_, Message, shown
+from tmm_report.quantity.units import WrongValue
+from tmm_report.variant.model import Model
+from tmm_report.variant.values import (
+    LIST,
+    MAP,
+    SCALAR,
+    SIDES,
+    Angle,
+    Choice,
+    Distance,
+    GroupName,
+    Inertia,
+    KeyName,
+    Length,
+    Mass,
+    Name,
+    Period,
+    Point,
+    Positive,
+    Range,
+    Reads,
+    Turn,
+    by_shape,
+    quantity,
+    whole,
+)
+
+Turns = Annotated[int, whole(1, 4)]
+
+
+class Triangle(Model):
+    """A point of a link found by its distances from two points of the same link placed before it."""
+
+    from_: dict[KeyName, Distance] = Field(
+        alias="from",
+        min_length=2,
+        max_length=2,
+        description="two points: distance",
+        examples=["{A: 75 mm, B: 100 mm}"],
+    )
+    side: Literal["left", "right"] = Field(
+        description="the side, seen going from the first point to the second"
+    )
+
+
+Place = Annotated[
+    Annotated[Length, Tag(SCALAR)] | Annotated[Point, Tag(LIST)] | Annotated[Triangle, Tag(MAP)],
+    by_shape(N_("75 mm, [75 mm, 10 mm] or {from: {A: 75 mm, B: 100 mm}, side: left}")),
+]
+
+
+class SlideModel(Model):
+    """The link slides along a guide."""
+
+    guide: Name = Field(description="the guide's name", examples=["x"])
+    at: Name | None = Field(
+        default=None, description="the link's point on the guide; left out, its first point"
+    )
+    angle: Angle = Field(default=0.0, description="the guide's angle in the axes of the sliding link")
+
+
+_SLIDE = by_shape(N_("the name of a guide, {guide: x, at: B} or a list of these"))
+OneSlide = Annotated[Annotated[Name, Tag(SCALAR)] | Annotated[SlideModel, Tag(MAP)], _SLIDE]
+Slides = Annotated[
+    Annotated[Name, Tag(SCALAR)] | Annotated[SlideModel, Tag(MAP)] | Annotated[list[OneSlide], Tag(LIST)],
+    _SLIDE,
+]
+
+
+def _placed(points: Any) -> Any:
+    """A list names one point alone: of several nothing says where they stand on the link."""
+    if isinstance(points, list) and len(points) > 1:
+        first, *rest = (shown(point, 20) for point in points[:3])
+        values = {"points": shown(", ".join(str(point) for point in points), 60)}
+        wrong = Message(
+            N_("the list names several points (%(points)s), but not their places on the link"), values
+        )
+        example = ", ".join(
+            [f"{first}: 0", *(f"{point}: {100 * k} mm" for k, point in enumerate(rest, start=1))]
+        )
+        raise WrongValue(
+            wrong, Message(N_("the points with their places, such as {%(example)s}"), {"example": example})
+        )
+    return points
+
+
+Points = Annotated[
+    Annotated[dict[KeyName, Place], Field(min_length=1), Tag(MAP)]
+    | Annotated[list[Name], Field(min_length=1, max_length=1), BeforeValidator(_placed), Tag(LIST)],
+    by_shape(N_("{A: 0, B: 300 mm}, or [B] for a link of one point")),
+]
+Through = Annotated[
+    Annotated[Name, Tag(SCALAR)] | Annotated[list[Name], Field(min_length=2, max_length=2), Tag(LIST)],
+    by_shape(N_("a point, or two: [P, Q]")),
+]
+
+
+class InertiaModel(Model):
+    """A moment of inertia about any point of the link; that about the mass centre follows by Steiner."""
+
+    value: Inertia = Field(examples=["0.01 kg*m^2"])
+    about: Name = Field(description="a point of the link", examples=["O"])
+
+
+AnyInertia = Annotated[
+    Annotated[Inertia, Tag(SCALAR)] | Annotated[InertiaModel, Tag(MAP)],
+    by_shape(N_("0.01 kg*m^2, or {value: 0.01 kg*m^2, about: O}")),
+]
+
+
+class LinkModel(Model):
+    """A moving rigid link. Links that have a point of the same name are joined there by a pivot."""
+
+    points: Points = Field(description="its points, in its own axes", examples=["{A: 0, B: 300 mm}"])
+    mass: Mass = 0.0
+    mass_centre: Name | None = Field(default=None, description="the point that is the mass centre")
+    inertia: AnyInertia = Field(
+        default=0.0, description="about the mass centre, or {value, about} a point of the link"
+    )
+    slides: Slides | None = Field(default=None, description="the guide or guides the link slides along")
+
+
+class GuideModel(Model):
+    """A straight line along which links slide, carried by the frame or by a moving link."""
+
+    through: Through = Field(description="a point of the line, or two, P to Q", examples=["O"])
+    angle: Angle | None = Field(default=None, description="in the axes of the carrier; left out, 0")
+    link: Name = Field(default="0", description="the link that carries the guide; left out, the frame")
+
+    @model_validator(mode="before")
+    @classmethod
+    def through_its_points(cls, data: Any) -> Any:
+        """Two points of a guide stand under `through`."""
+        points = data.get("points") if isinstance(data, dict) and "through" not in data else None
+        if isinstance(points, list) and len(points) == 2:
+            names = ", ".join(shown(point, 20) for point in points)
+            wrong = Message(N_("the points that the line of a guide goes through stand under another key"))
+            raise WrongValue(wrong, Message("through: [%(names)s]", {"names": names}))
+        return data
+
+
+class ZeroModel(Model):
+    """Position 0, from which positions are counted."""
+
+    angle: Angle | None = Field(default=None, description="of the driving link's x axis")
+    point: Name | None = Field(default=None, description="the point that is at its extreme")
+    link: Name | None = Field(default=None, description="the rocker that is at its extreme")
+    extreme: Literal["right", "left", "up", "down", "clockwise", "counter-clockwise"] | None = None
+
+    @model_validator(mode="after")
+    def one_way(self) -> "ZeroModel":
+        given = [self.angle, self.point, self.link]
+        words = SIDES if self.point is not None else ("clockwise", "counter-clockwise")
+        wanted = self.extreme is None if self.angle is not None else self.extreme in words
+        if sum(part is not None for part in given) == 1 and wanted:
+            return self
+        right = N_("{angle: 30 deg}, {point: B, extreme: right} or {link: 3, extreme: clockwise}")
+        raise WrongValue(Message(N_("position 0 is not stated in one way")), Message(right))
+
+
+class GearModel(Model):
+    """A gear on the driving link's shaft, in mesh with the wheel that drives it: a balancing force in its teeth."""
+
+    radius: Positive = Field(description="of its pitch circle", examples=["60 mm"])
+    alpha_w: Angle = Field(default=math.radians(20), description="the angle of engagement; left out, 20 deg")
+    at: Angle = Field(description="direction from the pivot to the pitch point", examples=["-90 deg"])
+    flank: Literal["either", "driving"] = Field(
+        default="either",
+        description="in contact: that which the sense of the moment presses, or always that by which the wheel drives",
+    )
+
+    @model_validator(mode="after")
+    def engaged(self) -> "GearModel":
+        if not 0 <= self.alpha_w < math.radians(45):
+            wrong = Message(N_("an angle of engagement from 0 to 45 degrees"))
+            raise WrongValue(Message(N_("no teeth are in mesh at this angle of engagement")), wrong)
+        return self
+
+
+_SPEED = quantity("speed", 1e-12)
+
+
+def _driver_speed(value: object) -> float | str:
+    """A speed, or the word that leaves it to the drive."""
+    if isinstance(value, str) and value.strip() == "drive":
+        return "drive"
+    try:
+        return _SPEED.value(value)
+    except WrongValue as error:
+        if (text := str(value).strip())[:1] in "-−" and any(digit in text for digit in "123456789"):
+            right = N_(
+                "state the sense apart: speed: %(speed)s with rotation: clockwise or counter-clockwise"
+            )
+            raise WrongValue(error.wrong, Message(right, {"speed": shown(text[1:].strip())})) from None
+        raise
+
+
+DriverSpeed = Annotated[
+    float | Literal["drive"],
+    Reads(
+        _driver_speed,
+        {"anyOf": [*_SPEED.schema["anyOf"], {"const": "drive"}], "examples": ["1200 rpm", "drive"]},
+        "speed",
+    ),
+]
+
+
+class DriverModel(Model):
+    """The driving link: it turns about a fixed point at constant speed."""
+
+    NOT_OFFERED: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("acceleration", "angular_acceleration", "epsilon", "eps", "law", "phi"),
+        N_("the driving link turns at constant speed: another law of its motion is not offered"),
+    )
+
+    link: Name = Field(description="the driving link", examples=["1"])
+    speed: DriverSpeed | None = Field(
+        default=None, description="rad/s or rpm; drive: that of the output shaft of the drive"
+    )
+    period: Period | None = Field(default=None, description="the time of one turn")
+    rotation: Turn = Field(default="counter-clockwise", description="the sense of rotation")
+    zero: ZeroModel | None = Field(default=None, description="position 0; left out, the angle 0")
+    range: Range = Field(2 * math.pi, description="how far it turns")
+    turns: Turns = Field(
+        default=1, description="full turns in a cycle of the loads: 2 of a four-stroke engine"
+    )
+    gear: GearModel | None = Field(
+        default=None, description="by which the link is turned; left out, a moment"
+    )
+
+    @model_validator(mode="after")
+    def one_speed(self) -> "DriverModel":
+        if (self.speed is None) == (self.period is None):
+            wrong = Message(N_("the speed must be stated once"))
+            raise WrongValue(wrong, Message(N_("either speed: 1200 rpm or period: 0.05 s")))
+        return self
+
+    @model_validator(mode="after")
+    def one_cycle(self) -> "DriverModel":
+        if self.turns > 1 and "range" in self.model_fields_set:
+            wrong = Message(N_("a cycle of several turns is one of full turns: it has no range"))
+            raise WrongValue(wrong, Message(N_("either turns: 2 or range: 90 deg")))
+        return self
+
+
+class MechanismModel(Model):
+    """The mechanism as its drawing shows it. Groups of links are found by the program."""
+
+    # the parts that every mechanism has may be absent here, to check the rest all the same: `checks` wants them
+    model_config = ConfigDict(json_schema_extra={"required": ["frame", "links", "driver"]})
+
+    frame: dict[KeyName, Point] = Field(default={}, description="fixed points, in the axes of the drawing")
+    guides: dict[KeyName, GuideModel] = Field(default={})
+    links: dict[KeyName, LinkModel] = Field(default={}, description="the moving links")
+    driver: DriverModel | None = None
+    cams: dict[KeyName, CamModel] = Field(
+        default={}, max_length=4, description="cam pairs, by the names of the links that replace them"
+    )
+    assembly: dict[GroupName, Choice] = Field(
+        default={},
+        description="which of two ways a group is assembled, by its inner point (B) or its links (2-3)",
+    )
+    sketch: dict[KeyName, Point] = Field(
+        default={}, description="rough places of points in some one position"
+    )

@@ -1,0 +1,114 @@
+"""The numbers of structure: links, pairs, mobility, groups, class; what another driving link would make of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from tmm_report.chapters.lever.structure.solve import Structure
+from tmm_report.i18n import NP_
+from tmm_report.mechanics.lever.assur_groups import Group, Pair
+from tmm_report.problems import N_, Message
+from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
+from tmm_report.quantity.symbols import Symbol
+
+PAIRS = Message(N_("kinematic pairs"))
+GROUPS = Message(N_("Assur groups, in the order in which they are detached"))
+DRIVERS = Message(N_("what the mechanism would be if another link drove"))
+
+NUMBER = Quantity("number", None, "", Message(N_("its number")))
+MOBILITY = Quantity("mobility", None, "", Message(N_("mobility of the pair")))
+CLASS = Quantity("class", None, "", Message(N_("class")))
+ORDER = Quantity("order", None, "", Message(N_("order")))
+OWN_LINKS = Quantity("links_count", None, "", Message(N_("number of its links")))
+OWN_LOWER = Quantity("lower", None, "", Message(N_("number of its lower pairs, outer and inner")))
+OWN_HIGHER = Quantity("higher", None, "", Message(N_("number of its higher pairs")))
+EQUATIONS = Quantity("equations", None, "", Message(N_("number of its equations of equilibrium, 3n")))
+UNKNOWNS = Quantity("unknowns", None, "", Message(N_("number of unknowns of its reactions, 2p5 + p4")))
+
+MOVING = Quantity("n", Symbol("n"), "", Message(N_("number of moving links")))
+LOWER = Quantity("p5", Symbol("p", "5"), "", Message(N_("number of lower pairs")))
+HIGHER = Quantity("p4", Symbol("p", "4"), "", Message(N_("number of higher pairs")))
+REPLACED = NP_("index", "repl")  # of the mechanism whose higher pairs are replaced by links
+REPLACED_MOVING = Quantity(
+    "n_repl", Symbol("n", REPLACED), "", Message(N_("number of moving links, the replacing ones included"))
+)
+REPLACED_LOWER = Quantity(
+    "p5_repl",
+    Symbol("p", "5", REPLACED),
+    "",
+    Message(N_("number of lower pairs, those of the replacing links included")),
+)
+REPLACED_FREEDOM = Quantity(
+    "W_repl", Symbol("W", REPLACED), "", Message(N_("mobility of the replacing mechanism"))
+)
+FREEDOM = Quantity("W", Symbol("W"), "", Message(N_("mobility")))
+MECHANISM_CLASS = Quantity("class", None, "", Message(N_("class of the mechanism")))
+
+
+def values(found: Structure) -> Iterator[Value]:
+    yield MOVING.value(found.moving_links)
+    yield LOWER.value(found.lower_pairs)
+    yield HIGHER.value(found.higher_pairs)
+    yield FREEDOM.value(found.mobility)
+    yield MECHANISM_CLASS.value(found.mechanism_class)
+    if found.cams:
+        yield REPLACED_MOVING.value(found.moving_links + found.higher_pairs)
+        yield REPLACED_LOWER.value(found.lower_pairs + 2 * found.higher_pairs)
+        yield REPLACED_FREEDOM.value(found.mobility)
+
+
+def tables(found: Structure) -> Iterator[Table]:
+    yield Table("pairs", PAIRS, _pairs(found.pairs))
+    yield Table("groups", GROUPS, _groups(found, detached(found)))
+    if found.alternatives:
+        yield Table("drivers", DRIVERS, _drivers(found))
+
+
+def detached(found: Structure) -> list[Group]:
+    """The groups in the order in which they are detached."""
+    return list(reversed(found.groups))
+
+
+def _pairs(pairs: Sequence[Pair]) -> tuple[Column, ...]:
+    freedoms = [2 if pair.kind == "H" else 1 for pair in pairs]
+    return (
+        NUMBER.column(list(range(1, len(pairs) + 1))),
+        text_column("links", Message(N_("its links")), ["–".join(pair.links) for pair in pairs]),
+        text_column("name", Message(N_("point or guide")), [pair.name for pair in pairs]),
+        text_column(
+            "kind", Message(N_("R: revolute, P: prismatic, H: higher")), [pair.kind for pair in pairs]
+        ),
+        MOBILITY.column(freedoms),
+    )
+
+
+def _groups(found: Structure, groups: Sequence[Group]) -> tuple[Column, ...]:
+    return (
+        text_column("group", Message(N_("group")), [group.label for group in groups]),
+        text_column("links", Message(N_("its links")), [", ".join(group.links) for group in groups]),
+        CLASS.column([group.group_class for group in groups]),
+        ORDER.column([group.order for group in groups]),
+        *_determinacy([found.counted(group) for group in groups]),
+    )
+
+
+def _determinacy(counts: Sequence[tuple[int, int, int]]) -> tuple[Column, ...]:
+    """A group is statically determinate: as many equations of equilibrium as unknowns, 3n = 2p5 + p4."""
+    return (
+        OWN_LINKS.column([n for n, _, _ in counts]),
+        OWN_LOWER.column([p5 for _, p5, _ in counts]),
+        OWN_HIGHER.column([p4 for _, _, p4 in counts]),
+        EQUATIONS.column([3 * n for n, _, _ in counts]),
+        UNKNOWNS.column([2 * p5 + p4 for _, p5, p4 in counts]),
+    )
+
+
+def _drivers(found: Structure) -> tuple[Column, ...]:
+    others = found.alternatives
+    classes = [0 if o.structure is None else o.structure.mechanism_class for o in others]
+    formulas = ["" if o.structure is None else o.structure.formula for o in others]
+    return (
+        text_column("link", Message(N_("driving link")), [other.link for other in others]),
+        text_column("formula", Message(N_("structural formula; empty: it cannot drive")), formulas),
+        CLASS.column(classes),
+    )

@@ -1,0 +1,221 @@
+"""View of the structural analysis: links, pairs, mobility, Assur groups, other driving links."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any
+
+from markupsafe import Markup
+
+from tmm_report.chapters.lever.schemes import schemes_of
+from tmm_report.chapters.lever.structure import quantities as q
+from tmm_report.chapters.lever.structure.naming import link_name
+from tmm_report.chapters.lever.structure.solve import Structure
+from tmm_report.figures.drawing import Drawing
+from tmm_report.mechanics.cams.cam import Cam
+from tmm_report.mechanics.lever.assur_groups import Group, Pair
+from tmm_report.mechanics.lever.mechanism import FRAME
+from tmm_report.mechanics.lever.motion import Motion
+from tmm_report.problems import N_
+from tmm_report.quantity.formula import Formula, Var
+from tmm_report.quantity.model import Book, Value
+from tmm_report.report.layout import Table, worded
+from tmm_report.report.page import Page
+from tmm_report.report.part import Part
+from tmm_report.report.schemes import Schemes
+from tmm_report.report.words import PAIR_KINDS, group_name, roman, structural_formula
+
+if TYPE_CHECKING:
+    from tmm_report.course import LeverFound
+
+KINDS = {1: "RRR", 2: "RRP", 3: "RPR", 4: "PRP", 5: "RPP"}
+# Kind of a pair -> what of its reaction is known, and what is not.
+KNOWN = {
+    "R": (N_("point (the pivot)"), N_("magnitude and direction")),
+    "P": (N_("direction (across the guide)"), N_("magnitude and point")),
+    "H": (N_("point (of contact) and direction (the common normal n–n)"), N_("magnitude")),
+}
+ORDINALS = {1: N_("1st kind"), 2: N_("2nd kind"), 3: N_("3rd kind"), 4: N_("4th kind"), 5: N_("5th kind")}
+
+
+def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
+    motion = lever.kinematics.diagram
+    view = StructureView(lever.structure, motion, schemes_of(lever, page), lever.sample, page)
+    yield Part("lever/structure", view)
+
+
+class StructureView:
+    def __init__(self, found: Structure, motion: Motion, schemes: Schemes, position: int, page: Page):
+        self.found, self.motion, self.schemes, self.page = found, motion, schemes, page
+        self.position, self.t = position, page.t
+        self.book = Book.of(q.tables(found), q.values(found))
+
+    def conclusions(self) -> list[Markup]:
+        text = N_(
+            "The mechanism has the mobility W = 1, its structural formula is %(formula)s, and it belongs to class "
+            "%(class)s."
+        )
+        return [self.t(text, **{"formula": self.formula(), "class": self.class_})]
+
+    @property
+    def driver(self) -> str:
+        return self.found.linkage.mechanism.driver.link
+
+    def number(self, key: str) -> Markup:
+        return self.page.shown(self.book[key])
+
+    @property
+    def class_(self) -> str:
+        return roman(self.found.mechanism_class)
+
+    def formula(self) -> str:
+        return structural_formula(self.found.linkage.structure)
+
+    def mobility(self) -> Formula:
+        n, p5, p4 = (self.book[key].var() for key in ("n", "p5", "p4"))
+        return self.book["W"].formula(3 * n - 2 * p5 - p4)
+
+    # ------------------------------------------------------------ cam pairs
+
+    def replacing(self) -> list[Markup]:
+        """What replaces every cam pair."""
+        return [self._replacing(cam) for cam in self.found.cams]
+
+    def _replacing(self, cam: Cam) -> Markup:
+        names = {"cam": cam.cam, "follower": cam.follower, "link": cam.name, "centre": cam.centre}
+        if cam.flat:
+            text = N_(
+                "the pair of cam %(cam)s and the flat face of follower %(follower)s by link %(link)s, which is "
+                "pivoted to the cam at %(centre)s, the centre of curvature of the profile at the contact, and slides "
+                "along the face"
+            )
+            return self.t(text, **names)
+        if cam.roller:
+            text = N_(
+                "the pair of cam %(cam)s and follower %(follower)s by link %(link)s, which is pivoted to the cam at "
+                "%(centre)s, the centre of curvature of the profile at the contact, and to the follower at the "
+                "roller's centre %(point)s; the roller's own turning is a local freedom that changes nothing in the "
+                "motion, and the roller is counted as one with the follower"
+            )
+        else:
+            text = N_(
+                "the pair of cam %(cam)s and follower %(follower)s by link %(link)s, which is pivoted to the cam at "
+                "%(centre)s, the centre of curvature of the profile at the contact, and to the follower at its edge "
+                "%(point)s"
+            )
+        return self.t(text, point=cam.point, **names)
+
+    def replaced_mobility(self) -> Formula:
+        """The replacing mechanism has the mobility of the real one."""
+        n, p5 = (self.book[key].var() for key in ("n_repl", "p5_repl"))
+        return self.book["W_repl"].formula(3 * n - 2 * p5)
+
+    def of_replaced(self) -> list[dict[str, Any]]:
+        return [self._explained(self.book[key]) for key in ("n_repl", "p5_repl")]
+
+    def of_mobility(self) -> list[dict[str, Any]]:
+        return [self._explained(self.book[key]) for key in ("n", "p5", "p4")]
+
+    def _explained(self, value: Value) -> dict[str, Any]:
+        meaning = self.page.message(value.meaning)
+        return {"id": value.key, "symbol": value.symbol, "meaning": meaning, "unit": ""}
+
+    def groups_drawn(self) -> Drawing:
+        return self.schemes.groups(self.found.linkage.structure.groups, self.position)
+
+    def groups_scale(self) -> Var:
+        return self.schemes.groups_var(self.found.linkage.structure.groups, self.position)
+
+    # ------------------------------------------------------------ tables
+
+    def links(self, caption: Any) -> Table:
+        rows = []
+        for link in [FRAME, *self.found.linkage.mechanism.real.moving]:
+            name = link_name(self.found, self.motion, link)
+            rows.append([link, self.t(name.name), self.t(name.motion)])
+        return worded(caption, [self.t("Link"), self.t("Name"), self.t("Motion")], rows, (1, 4, 4))
+
+    def pairs(self, caption: Any) -> Table:
+        table = self.book.tables["pairs"]
+        rows = [
+            [
+                self.page.cell(table, "number", k), self.page.word("–".join(pair.links), table, "links", k),
+                self.page.word(pair.name, table, "name", k), self.t(PAIR_KINDS[pair.kind]),
+                "IV" if pair.kind == "H" else "V",
+                self.page.cell(table, "mobility", k),
+            ]
+            for k, pair in enumerate(self.found.pairs)
+        ]  # fmt: skip
+        heads = [
+            self.t("No."), self.t("Links"), self.t("Point, guide"), self.t("Kind"), self.t("Class"),
+            self.t("Mobility"),
+        ]  # fmt: skip
+        return worded(caption, heads, rows, (1, 2, 2, 4, 1.4, 2))
+
+    def reactions(self, caption: Any) -> Table:
+        """What of the reaction in every pair is known beforehand, and what is to be found."""
+        rows = [
+            [f"{'–'.join(pair.links)} ({pair.name})", *(self.t(words) for words in KNOWN[pair.kind])]
+            for pair in self.found.pairs
+        ]
+        heads = [self.t("Pair"), self.t("Known of the reaction"), self.t("Unknown of it")]
+        return worded(caption, heads, rows, (2, 5, 4))
+
+    def groups(self, caption: Any) -> Table:
+        """Groups in the order in which they are detached."""
+        table = self.book.tables["groups"]
+        rows = [
+            [
+                group_name(group), self.page.word(", ".join(group.links), table, "links", k),
+                self.page.word(roman(group.group_class), table, "class", k), self.page.cell(table, "order", k),
+                self._kind(group), _pair_list(group.inner), _pair_list(group.outer),
+            ]
+            for k, group in enumerate(q.detached(self.found))
+        ]  # fmt: skip
+        heads = [
+            self.t("Group"), self.t("Links"), self.t("Class"), self.t("Order"), self.t("Kind"),
+            self.t("Inner pairs"), self.t("Outer pairs"),
+        ]  # fmt: skip
+        return worded(caption, heads, rows, (2.4, 1.4, 1.4, 1.6, 3, 3, 3))
+
+    def determinacy(self, caption: Any) -> Table:
+        """That every group is statically determinate: its equations of equilibrium against its unknowns."""
+        table = self.book.tables["groups"]
+        keys = ("links_count", "lower", "higher", "equations", "unknowns")
+        rows = [
+            [group_name(group), *(self.page.cell(table, key, k) for key in keys)]
+            for k, group in enumerate(q.detached(self.found))
+        ]
+        heads = [self.t("Group"), *self.signs().values(), self.t("Equations"), self.t("Unknowns")]
+        return worded(caption, heads, rows, (3, 1, 1, 1, 2, 2))
+
+    def signs(self) -> dict[str, Markup]:
+        """The letters of the formula of mobility, for a sentence."""
+        return {key: self.page.sym(self.book[key].symbol) for key in ("n", "p5", "p4")}
+
+    def _kind(self, group: Group) -> str:
+        """ "2nd kind (RRP)"; a dash for a group that is no dyad."""
+        if group.kind is None:
+            return "—"
+        return f"{self.page.tr.gettext(ORDINALS[group.kind])} ({KINDS[group.kind]})"
+
+    def drivers(self, caption: Any) -> Table:
+        """What the groups become when another link drives."""
+        table, rows = self.book.tables["drivers"], []
+        for k, other in enumerate(self.found.alternatives):
+            if other.structure is None:
+                rows.append([other.link, other.reason and self.page.sentence(other.reason), "—"])
+            else:
+                class_ = self.page.word(roman(other.structure.mechanism_class), table, "class", k)
+                rows.append([other.link, structural_formula(other.structure), class_])
+        heads = [self.t("Driving link"), self.t("Structural formula"), self.t("Class")]
+        return worded(caption, heads, rows, (2, 8, 2))
+
+    @property
+    def taken_apart(self) -> list[str]:
+        """Links that would drive a mechanism of dyads alone."""
+        return [other.link for other in self.found.alternatives if other.taken_apart]
+
+
+def _pair_list(pairs: Sequence[Pair]) -> str:
+    return ", ".join(f"{pair.links[0]}–{pair.links[1]} ({pair.name})" for pair in pairs)

@@ -1,0 +1,165 @@
+"""The mechanism as it is and with the counterweights of each method: how each shakes the foundation over the cycle."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from tmm_report.chapters.machine.balancing.solve.substituted_masses import Unbalanced
+from tmm_report.mechanics.calculus import harmonics as fourier
+from tmm_report.mechanics.lever.cycle import Cycle, Extreme
+from tmm_report.mechanics.lever.motion import Linkage, Motion
+from tmm_report.mechanics.masses.counterweights import Weight, added, on_frame, weighted
+from tmm_report.records import dataclass
+
+Array = Any
+ORIGINAL = "original"
+RMS, MAX = "rms", "max"
+NOISE = 1e-12  # of force by arm: a shaking moment that is rounding
+
+
+@dataclass(frozen=True, eq=False)
+class Placed:
+    """A counterweight that a method puts on a link. `moment`: m_c ρ_c, complex kg m in the link's line (see
+    `Unbalanced`), where the counterweight lies; `carried`: what it meets, by masses."""
+
+    link: str
+    about: complex
+    axis: complex
+    moment: complex
+    mass: float
+    distance: float
+    carried: Unbalanced | None = None
+
+    @property
+    def weight(self) -> Weight:
+        arm = self.distance * self.moment / abs(self.moment)
+        return Weight(self.link, self.mass, self.about + self.axis * arm)
+
+
+@dataclass(frozen=True)
+class Rotor:
+    """A pair of an unbalanced rotor: turns `order` times a turn of the driving link, in its sense if above zero; its
+    `moment` m r, kg m, stands at `angle`, rad, from the x axis at position 0."""
+
+    order: int
+    moment: float
+    angle: float
+    radius: float
+
+    @property
+    def mass(self) -> float:
+        return self.moment / self.radius
+
+
+@dataclass(frozen=True, eq=False)
+class Shaken:
+    """Shaking force, complex N, and moment, N m, at some positions, (P,)."""
+
+    force: Array
+    moment: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Case:
+    """One state of the mechanism. `table`, `diagram`: at those positions; `cycle`: at equal steps of a turn, from
+    position 0; `check`: worst relative disagreement with the reactions of the frame, None where nothing is put on."""
+
+    name: str
+    placed: tuple[Placed, ...]
+    rotors: tuple[Rotor, ...]
+    table: Shaken
+    diagram: Shaken
+    cycle: Shaken
+    check: float | None = None
+
+    @cached_property
+    def force_max(self) -> Extreme:
+        return Extreme(*fourier.greatest(self.cycle.force))
+
+    @cached_property
+    def moment_max(self) -> Extreme:
+        return Extreme(*fourier.greatest(self.cycle.moment))
+
+    @property
+    def force_rms(self) -> float:
+        return float(fourier.mean_square(self.cycle.force))
+
+    @property
+    def moment_rms(self) -> float:
+        return float(fourier.mean_square(self.cycle.moment))
+
+    @property
+    def mass(self) -> float:
+        """Of all counterweights and rotors, kg."""
+        return sum(one.mass for one in self.placed) + sum(one.mass for one in self.rotors)
+
+
+@dataclass(frozen=True, eq=False)
+class Ground:
+    """What all methods start from: the motion at the table and diagram positions and at equal steps of a turn, and the
+    shaking of the mechanism as it is."""
+
+    linkage: Linkage
+    cycle: Cycle
+    about: complex
+    motions: tuple[Motion, Motion, Motion]
+    turned: tuple[Array, Array, Array]
+    original: Case
+
+    @property
+    def omega(self) -> float:
+        return float(self.linkage.mechanism.driver.omega)
+
+    @property
+    def size(self) -> float:
+        """The greatest shaking force, N."""
+        return self.original.force_max.value
+
+    def case(self, name: str, placed: tuple[Placed, ...], rotors: tuple[Rotor, ...] = ()) -> Case:
+        """The mechanism with counterweights and rotors, which stand at the point of the moments."""
+        weights = [one.weight for one in placed]
+        shaken = []
+        for motion, turned, before in zip(self.motions, self.turned, self._before, strict=True):
+            force, moment = added(motion, weights, self.about)
+            force = force + rotating(rotors, turned, self.cycle.sense, self.omega)
+            shaken.append(Shaken(before.force + force, settled(motion, before.moment + moment, self)))
+        table, diagram, fine = shaken
+        found = Case(name, placed, rotors, table, diagram, fine)
+        return found if rotors else replace(found, check=self.checked(weights, shaken[0]))
+
+    @property
+    def _before(self) -> tuple[Shaken, Shaken, Shaken]:
+        return self.original.table, self.original.diagram, self.original.cycle
+
+    def checked(self, weights: list[Weight], shaken: Shaken) -> float:
+        """The mechanism solved again with the counterweights as parts of its links, its frame reactions added up."""
+        again = Cycle(weighted(self.linkage, weights), self.cycle.zero, self.cycle.critical)
+        return disagreement(again.motion(self.turned[0]), shaken, self.about, self.size)
+
+
+def settled(motion: Motion, moment: Array, ground: Ground) -> Array:
+    """Nothing where a moment is the rounding of its terms, by the greatest force at the arm of the farthest point."""
+    arm = np.nanmax(np.abs(motion.places - ground.about))
+    return np.where(np.nanmax(np.abs(moment)) <= NOISE * ground.size * arm, 0.0, moment)
+
+
+def disagreement(motion: Motion, shaken: Shaken, about: complex, size: float) -> float:
+    """Worst difference of the shaking from the reactions of the frame, by the greatest force, and by that at the arm of
+    the farthest point."""
+    force, moment = on_frame(motion, about)
+    arm = np.nanmax(np.abs(motion.places - about))
+    misses = np.abs(force - shaken.force) / size, np.abs(moment - shaken.moment) / (size * arm)
+    return float(np.nanmax(misses, initial=0.0))
+
+
+def rotating(rotors: tuple[Rotor, ...], turned: Array, sense: int, omega: float) -> Array:
+    """Centrifugal force of rotors at angles turned by the driving link, complex N."""
+    total = np.zeros(np.shape(turned), dtype=complex)
+    for rotor in rotors:
+        size = rotor.moment * (rotor.order * omega) ** 2
+        total = total + size * np.exp(1j * (rotor.angle + rotor.order * sense * turned))
+    return total

@@ -1,0 +1,145 @@
+"""View of the mechanism balanced on its foundation."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from markupsafe import Markup
+
+from tmm_report.chapters.machine.balancing.draw import fitted, hodographs, scale, seen
+from tmm_report.chapters.machine.balancing.solve.cases import Case
+from tmm_report.chapters.machine.balancing.solve.whole import Found
+from tmm_report.chapters.machine.balancing.view.slider_crank import SliderView
+from tmm_report.chapters.machine.balancing.view.tables import WAYS, BalancingSheet
+from tmm_report.figures.drawing import Drawing
+from tmm_report.figures.graphs import Curve, Graph
+from tmm_report.problems import N_
+from tmm_report.quantity.symbols import Symbol
+from tmm_report.report.diagrams import CycleGraphs, scale_of
+from tmm_report.report.page import Page
+from tmm_report.report.part import Part
+
+MOST = 5  # curves that are told apart in one drawing
+
+
+def parts(found: Found, page: Page) -> Iterator[Part]:
+    yield Part("machine/balancing", BalancingView(found, page))
+    for k, crank in enumerate(found.cranks):
+        if crank.mass:
+            yield Part("machine/balancing/slider", SliderView(found, k, page))
+
+
+class BalancingView(BalancingSheet):
+    def conclusions(self) -> list[Markup]:
+        best = self.found.best()
+        if best is None:
+            return []
+        number = self.found.every.index(best)
+        text = N_(
+            "The greatest shaking force of the mechanism is %(force)s N; %(way)s leaves %(left)s N of it."
+        )
+        of, left = self._peak(0), self._peak(number)
+        return [self.t(text, force=of, way=self.t(WAYS[best.name]), left=left)]
+
+    def _peak(self, number: int) -> Markup:
+        table = self.book.tables["balancing_cases"]
+        return self.page.shown(table, "F_max", number, scale=self.found.original.force_max.value)
+
+    # ------------------------------------------------------------ words
+
+    def number_of(self, case: Case) -> int:
+        return self.found.every.index(case)
+
+    def unreached(self) -> str:
+        return ", ".join(self.found.unreached)
+
+    def unmet(self) -> str:
+        return ", ".join(self.found.substituted.unmet)
+
+    @property
+    def off_line(self) -> bool:
+        """Whether a floating link has its mass centre beside the line of its joints."""
+        return any(one.off for one in self.found.substituted.splits)
+
+    def value(self, key: str, unit: str = "", **form: Any) -> Markup:
+        return self.page.shown(self.book[key], unit=unit, **form)
+
+    def symbol(self, key: str, unit: str = "") -> Markup:
+        return self.page.value(self.book[key].var(unit))
+
+    @property
+    def single(self) -> bool:
+        """Whether an optimum counterweight on the driving link is among the ways."""
+        return any(case.name.startswith("optimum") for case in self.found.cases)
+
+    # ------------------------------------------------------------ drawings
+
+    @cached_property
+    def drawn(self) -> list[tuple[int, Case]]:
+        """The ways whose hodographs can be told apart: without those that leave nothing, and without repetitions."""
+        found: list[tuple[int, Case]] = [(0, self.found.original)]
+        size = self.found.original.force_max.value
+        for number, case in enumerate(self.found.cases, 1):
+            fresh = all(np.abs(case.cycle.force - one.cycle.force).max() > 1e-3 * size for _, one in found)
+            if fresh and not self.found.complete(case) and len(found) < MOST:
+                found.append((number, case))
+        return found
+
+    @cached_property
+    def shown_case(self) -> Case | None:
+        """The first way with counterweights: the one that is drawn."""
+        return next((case for case in self.found.cases if case.placed), None)
+
+    def fitted(self, case: Case) -> Drawing:
+        return fitted(self.found, case, self.position)
+
+    def fitted_scale(self, case: Case) -> Markup | None:
+        """Of that drawing; None where it is made smaller to fit the page."""
+        if self.page.percent(self.fitted(case)) != 100:
+            return None
+        return self.page.value(scale_of("mu_l", scale(self.found), "m/mm"))
+
+    @cached_property
+    def hodographs(self) -> Drawing:
+        return hodographs(self.found, self.drawn, self.page.unit("N"), self.page.num)
+
+    @cached_property
+    def seen(self) -> Drawing:
+        return seen(self.found, self.page.unit("kg·m"), self.page.num)
+
+    @cached_property
+    def diagram(self) -> Graph:
+        """Size of the force and the moment over the cycle, by the numbers of the ways."""
+        curves = list(self._curves())
+        labels = [self._graphs.letter(Symbol("F"), "N"), self._graphs.letter(Symbol("M"), "N·m")]
+        return self._graphs.graph(curves, labels, join=False)
+
+    def _curves(self) -> Iterator[Curve]:
+        size = self.found.original.force_max.value
+        for number, case in self.drawn:
+            yield Curve(np.abs(case.diagram.force), str(number), 0, (), size)
+        moments = list(self._moment_curves())
+        for numbers, case in moments:
+            yield Curve(case.diagram.moment, ", ".join(map(str, numbers)), 1, ())
+
+    def _moment_curves(self) -> Iterator[tuple[Sequence[int], Case]]:
+        """Ways with the same moment are one curve."""
+        found: list[tuple[list[int], Case]] = []
+        size = max(case.moment_max.value for case in self.found.every)
+        for number, case in enumerate(self.found.every):
+            alike = (
+                one for one in found if np.abs(one[1].cycle.moment - case.cycle.moment).max() <= 1e-9 * size
+            )
+            if (same := next(alike, None)) is not None:
+                same[0].append(number)
+            elif len(found) < MOST:
+                found.append(([number], case))
+        yield from found
+
+    @cached_property
+    def _graphs(self) -> CycleGraphs:
+        kinematics = self.found.kinematics
+        return CycleGraphs(kinematics.diagram_turned, kinematics.positions.table, self.page.tr)

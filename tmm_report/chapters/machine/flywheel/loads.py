@@ -1,0 +1,269 @@
+"""The cycle of the machine that the flywheel is for: its loads and moments of inertia, of a solved lever mechanism or
+as they are stated."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from tmm_report.chapters.lever.moving import Machine, Moving, machine
+from tmm_report.chapters.machine.flywheel.given import Areas, Constant, Given, Law, Punch, Series, Table
+from tmm_report.mechanics.calculus.panels import NARROWEST, WIDEST, Panels, panels
+from tmm_report.mechanics.machine.flywheel.inertia import Cycle
+from tmm_report.problems import N_, Message, ProblemError, mistake
+from tmm_report.records import dataclass
+
+Array = Any
+CLOSED = 0.01  # of the work of a cycle: by so much the works of both sides may differ
+EVEN = 1e-12  # of the inertia: what varies less is a constant part
+FULL_TURN = 2 * math.pi
+DRAWN = 72  # positions of the diagrams over a stated cycle
+
+
+@dataclass(frozen=True, eq=False)
+class Sides:
+    """The cycle with both its sides, N m at the points of the panels: `driving` ≥ 0 on the whole, `resisting` ≤ 0; None
+    where only the excess is stated. `balancing`: the side that was found as the constant moment that closes the cycle,
+    "" where both are stated; `spread`: the moment, N m, by which they did not close, taken out of the excess."""
+
+    cycle: Cycle
+    driving: Array | None
+    resisting: Array | None
+    balancing: str
+    spread: float
+    turned: Array  # of the table's positions, rad
+    drawn: Array  # of the diagrams'
+    links: float = 0.0  # kg m²: those parts of the links' inertia that do not vary
+    machine: Machine | None = None  # the mechanism, where there is one
+
+    @property
+    def rubbing(self) -> Array | None:
+        """Moment of the friction of the pairs, a part of `resisting`; None where there is none in it."""
+        friction = self.machine.friction if self.machine else None
+        return None if friction is None or friction.moment is None else -friction.moment
+
+
+def sides(given: Given, moving: Moving | None, omega: float) -> Sides:
+    """Raises ProblemError where the cycle does no work, or its works do not close."""
+    return _of_mechanism(given, moving) if moving else _stated(given, omega)
+
+
+# ---------------------------------------------------------------- of a lever mechanism
+
+
+def _of_mechanism(given: Given, moving: Moving) -> Sides:
+    """All its loads are one side: they resist where with the friction of the pairs they take work over the cycle, and
+    drive where they give it; the friction resists."""
+    found, kinematics = machine(moving, given.friction), moving.kinematics
+    parts = found.inertia
+    even = tuple(link for link, part in parts.items() if np.ptp(part) <= EVEN * np.max(part))
+    links = sum(float(np.mean(parts[link])) for link in even)
+    varying = sum((part for link, part in parts.items() if link not in even), np.zeros(found.panels.shape))
+    loads, rubbing = found.whole_moment, found.rubbing
+    mean = _mean(found.panels, loads + rubbing, "loads")
+    driven = mean < 0
+    other = np.full(found.panels.shape, -mean)
+    return Sides(
+        Cycle(found.panels, loads + rubbing - mean, varying, _constant(given, found.omega) + links),
+        other if driven else loads,
+        loads + rubbing if driven else other + rubbing,
+        "driving" if driven else "resisting",
+        0.0,
+        kinematics.turned,
+        kinematics.diagram_turned,
+        links,
+        found,
+    )
+
+
+def _mean(over: Panels, moment: Array, key: str) -> float:
+    """Mean moment of the stated side. Raises ProblemError where its work over the cycle is nothing."""
+    mean = float(over.mean(moment))
+    if not abs(mean) > 1e-9 * float(np.max(np.abs(moment), initial=0.0)):
+        text = N_("the loads do no work over the cycle: nothing drives and nothing is driven")
+        right = Message(N_("state the load that takes the work, or the moment that drives"))
+        raise ProblemError([mistake(text, (key,), right)])
+    return mean
+
+
+# ---------------------------------------------------------------- stated
+
+
+def period(given: Given, omega: float) -> float:
+    """The angle of a cycle, rad."""
+    return omega * given.punch.period if given.punch else FULL_TURN * given.turns
+
+
+def _stated(given: Given, omega: float) -> Sides:
+    whole = period(given, omega)
+    laws = _laws(given, omega)
+    over = _panels(whole, [*laws, each_turn(given)], given.areas)
+    driving, resisting = (None if law is None else evaluated(law, over.x, whole) for law in laws)
+    resisting = None if resisting is None else -resisting
+    balancing, spread = "", 0.0
+    if given.areas:
+        excess = _excess(given.areas, over)
+    else:
+        driving, resisting, balancing, spread = _both(over, driving, resisting)
+        excess = driving + resisting - spread
+    cycle = Cycle(over, excess, _inertia(given, over), _constant(given, omega))
+    count = given.positions
+    turned, drawn = (_on_edges(over, n) for n in (count, count * max(1, DRAWN // count)))
+    return Sides(cycle, driving, resisting, balancing, spread, turned, drawn)
+
+
+def _on_edges(over: Panels, count: int) -> Array:
+    """Equal parts of the cycle; what is next to an edge is the edge, so that at a jump the value after it holds."""
+    turned = np.arange(count + 1) * (over.period / count)
+    nearest = over.edges[np.argmin(np.abs(turned[:, None] - over.edges), axis=1)]
+    return np.where(np.abs(turned - nearest) < NARROWEST * over.period, nearest, turned)
+
+
+def _laws(given: Given, omega: float) -> tuple[Law | None, Law | None]:
+    """Of the driving and of the resisting side, each as it is stated."""
+    return (given.driving, _stroke(given.punch, omega) if given.punch else given.resisting)
+
+
+def _stroke(punch: Punch, omega: float) -> Table:
+    """The resistance of a punch: its work spread evenly over the stroke, at the beginning of the cycle."""
+    end, moment = omega * punch.time, punch.work / (omega * punch.time)
+    return Table((0.0, end, end, omega * punch.period), (moment, moment, 0.0, 0.0))
+
+
+def _panels(whole: float, laws: list[Law | None], areas: Areas | None) -> Panels:
+    """Edges at the points of all the tables, and narrow enough for the highest harmonic."""
+    marks = [x for law in laws if isinstance(law, Table) for x in law.angles]
+    marks += [whole * k / len(areas.works) for k in range(len(areas.works))] if areas else []
+    orders = [one.order for law in laws if isinstance(law, Series) for one in law.harmonics]
+    widest = min(WIDEST * max(1.0, whole / FULL_TURN), math.pi / (2 * max(orders, default=1.0)))
+    return panels(whole, marks, widest)
+
+
+def evaluated(law: Law, x: Array, whole: float) -> Array:
+    """A law at angles turned, rad."""
+    match law:
+        case Constant(value):
+            return np.full(np.shape(x), value)
+        case Table(angles, values):
+            return _between(np.array(angles), np.array(values), np.mod(x, whole), whole)
+        case Series(mean, harmonics):
+            terms = (one.cos * np.cos(one.order * x) + one.sin * np.sin(one.order * x) for one in harmonics)
+            return sum(terms, np.full(np.shape(x), mean))
+
+
+def _between(angles: Array, values: Array, x: Array, whole: float) -> Array:
+    """Linear between the points of a table, and from its last to its first of the next cycle."""
+    ends = np.concatenate([[angles[-1] - whole], angles, [angles[0] + whole]])
+    return np.interp(x, ends, np.concatenate([values[-1:], values, values[:1]]))
+
+
+def _inertia(given: Given, over: Panels) -> Array:
+    """J_II at the points: of a table all that it states. Raises ProblemError where no masses have such inertia."""
+    if isinstance(given.inertia, Constant):
+        return np.zeros(over.shape)
+    found = evaluated(each_turn(given), over.x, over.period)
+    (least, at), _ = over.extremes(found)
+    if least < -EVEN * np.max(np.abs(found)):
+        text = N_(
+            "at %(angle)s deg the moment of inertia would be %(least)s kg·m²: no mass has a negative one"
+        )
+        right = Message(N_("state the mean with the harmonics: they take away no more than it has"))
+        values = {"angle": f"{math.degrees(at):.4g}", "least": f"{least:.4g}"}
+        raise ProblemError([mistake(text, ("flywheel", "inertia"), right, **values)])
+    _without_jumps(over, found)
+    return found
+
+
+def _without_jumps(over: Panels, inertia: Array) -> None:
+    """Raises ProblemError where the inertia jumps: masses do not come and go within the cycle."""
+    ends = over.ends(inertia)
+    before, after = ends[:, 1], np.roll(ends[:, 0], -1)
+    k = int(np.argmax(np.abs(after - before)))
+    if abs(after[k] - before[k]) > 1e-9 * np.max(inertia):
+        text = N_(
+            "at %(angle)s deg the moment of inertia jumps from %(before)s to %(after)s kg·m²: no mass comes or goes"
+        )
+        right = Message(
+            N_("state one value at each angle, and at the end of the cycle that of its beginning")
+        )
+        angle = math.degrees(over.edges[1:][k])
+        values = {"angle": f"{angle:.4g}", "before": f"{before[k]:.4g}", "after": f"{after[k]:.4g}"}
+        raise ProblemError([mistake(text, ("flywheel", "inertia"), right, **values)])
+
+
+def each_turn(given: Given) -> Law:
+    """The moment of inertia over the whole cycle: what is stated of one turn repeats in every turn."""
+    of = given.inertia
+    if not isinstance(of, Table) or of.angles[-1] > FULL_TURN * (1 + 1e-12) or given.turns == 1:
+        return of
+    # a last point at the end of the turn is the first of the next
+    keep = len(of.angles) - (of.angles[0] == 0 and of.angles[-1] >= FULL_TURN * (1 - 1e-12))
+    turns = range(round(given.turns))
+    angles = tuple(x + FULL_TURN * turn for turn in turns for x in of.angles[:keep])
+    return Table(angles, of.values[:keep] * len(turns))
+
+
+def _constant(given: Given, omega: float) -> float:
+    """What turns with the main link besides the flywheel, the motor's rotor reduced to it, kg m²."""
+    rotor = given.motor.inertia * (given.motor.speed / omega) ** 2 if given.motor else 0.0
+    fixed = given.inertia.value if isinstance(given.inertia, Constant) else 0.0
+    return given.own + fixed + rotor
+
+
+def mean_speed(given: Given) -> float:
+    """ω_m of the main link of a machine that stands alone, rad/s: stated, or between the stated speeds."""
+    if given.speeds:
+        return (given.speeds[0] + given.speeds[1]) / 2
+    if given.speed is not None:
+        return given.speed
+    assert given.motor is not None  # the block asks for one of the three
+    return given.motor.speed
+
+
+def _excess(areas: Areas, over: Panels) -> Array:
+    """A moment that gives the stated works one after another, each over its equal part of the cycle. Raises
+    ProblemError where they do not close."""
+    works = np.array(areas.works)
+    if abs(works.sum()) > CLOSED * np.abs(works).max():
+        text = N_("the work of the cycle does not close: the areas make %(left)s J together, not zero")
+        right = Message(N_("what is above the line of the mean moment is as much as what is below it"))
+        raise ProblemError([mistake(text, ("flywheel", "areas"), right, left=f"{works.sum():.6g}")])
+    count = len(works)
+    part = np.minimum((over.x / over.period * count).astype(int), count - 1)
+    return (works - works.mean())[part] * (count / over.period)
+
+
+def _both(over: Panels, driving: Array | None, resisting: Array | None) -> tuple[Array, Array, str, float]:
+    """The side that is not stated is the constant moment that closes the cycle. Raises ProblemError where both are
+    stated and do not close, or where the only one does the other's work."""
+    if driving is not None and resisting is not None:
+        return driving, resisting, "", _closed(over, driving, resisting)
+    stated, key = (driving, "driving") if driving is not None else (resisting, "resisting")
+    assert stated is not None
+    mean = _mean(over, stated, "flywheel")
+    if (mean > 0) != (key == "driving"):
+        text = N_("over the cycle the driving moment takes work: %(work)s J")
+        if key == "resisting":
+            text = N_("over the cycle the resisting moment gives work: %(work)s J")
+        right = Message(N_("a driving moment is positive where it drives, a resisting one where it resists"))
+        work = f"{abs(mean) * over.period:.6g}"
+        raise ProblemError([mistake(text, ("flywheel", key), right, work=work)])
+    other = np.full(over.shape, -mean)
+    return (stated, other, "resisting", 0.0) if key == "driving" else (other, stated, "driving", 0.0)
+
+
+def _closed(over: Panels, driving: Array, resisting: Array) -> float:
+    """The moment left over of both sides. Raises ProblemError where it is too large for a rounding of the data."""
+    given, taken = float(over.total(driving)), -float(over.total(resisting))
+    left = (given - taken) / over.period
+    if abs(given - taken) > CLOSED * max(abs(given), abs(taken)):
+        text = N_(
+            "the work of the cycle does not close: the driving moment gives %(given)s J, the resisting one takes "
+            "%(taken)s J, so the speed would change from cycle to cycle"
+        )
+        right = Message(N_("leave one of them out: it is then the constant moment that closes the cycle"))
+        values = {"given": f"{given:.6g}", "taken": f"{taken:.6g}"}
+        raise ProblemError([mistake(text, ("flywheel", "driving"), right, **values)])
+    return left

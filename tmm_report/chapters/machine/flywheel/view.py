@@ -1,0 +1,255 @@
+"""View of the flywheel: what its templates print beside the formulas."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from markupsafe import Markup
+
+from tmm_report.chapters.lever.moving import friction_told
+from tmm_report.chapters.machine.flywheel import draw, sketch
+from tmm_report.chapters.machine.flywheel import quantities as q
+from tmm_report.chapters.machine.flywheel.formulas import FlywheelFormulas
+from tmm_report.chapters.machine.flywheel.solve import Found
+from tmm_report.figures.drawing import Drawing
+from tmm_report.figures.graphs import Curve, Graph
+from tmm_report.figures.lettering import symbol
+from tmm_report.problems import N_
+from tmm_report.quantity.formula import Formula, Var
+from tmm_report.quantity.symbols import Symbol
+from tmm_report.report.diagrams import CycleGraphs, scale_of
+from tmm_report.report.layout import Table, numeric, worded
+from tmm_report.report.page import Page
+from tmm_report.report.part import Part
+
+METHODS = {
+    "exact": N_("exactly"),
+    "mertsalov": N_("Mertsalov"),
+    "wittenbauer": N_("Wittenbauer"),
+    "rerikh": N_("Rerikh"),
+    "constant": N_("constant moment of inertia"),
+}
+WAYS = {"energy": N_("energy integral"), "integration": N_("integration of the equation of motion")}
+SHOWN = ("mertsalov", "wittenbauer", "rerikh", "constant", "exact")  # in the order of the note
+
+
+def parts(found: Found, page: Page) -> Iterator[Part]:
+    view = FlywheelView(found, page)
+    yield Part("machine/flywheel", view)
+    if found.methods:
+        yield Part("machine/flywheel/methods", view, concludes=False)
+    yield Part("machine/flywheel/motion", view, concludes=False)
+    if found.sizes is not None:
+        yield Part("machine/flywheel/sizes", view, concludes=False)
+
+
+def picture(found: Found, page: Page) -> Drawing:
+    """The wheel at a glance; where its shape is not known the energy–mass diagram, or the work over the cycle."""
+    view = FlywheelView(found, page)
+    if found.sizes and found.sizes.outer:
+        return view.sketch
+    return view.energy_mass if found.diagram else draw.work_curve(found, view.figure)
+
+
+class FlywheelView(FlywheelFormulas):
+    def __init__(self, found: Found, page: Page):
+        super().__init__(found)
+        self.page, self.t = page, page.t
+
+    def number(self, key: str, unit: str = "", **form: Any) -> Markup:
+        """A single number in running text."""
+        return self.page.shown(self.one(key), unit=unit, **form)
+
+    def sized(self, key: str, unit: str = "", digits: int | None = None) -> Markup:
+        """symbol = value unit."""
+        return self.page.value(self.one(key).var(unit), digits)
+
+    # ------------------------------------------------------------ the task
+
+    def given_values(self) -> Markup:
+        keys = [("omega_m", ""), *([] if self.found.given.wheel else [("delta", "")])]
+        if self.own():
+            keys += [(key, "") for key in ("J_0", "J_c") if self.one(key).value]
+        elif self.found.cycle.own:
+            keys.append(("J_own", ""))
+        if (motor := self.found.given.motor) is not None:
+            keys += [("P_nom", "kW"), ("omega_nom", ""), *([("J_r", "")] if motor.inertia else [])]
+        return self.page.listed(self.sized(key, unit) for key, unit in keys)
+
+    def friction(self) -> Markup | None:
+        """What is said of the friction of the pairs; None where none is stated."""
+        text = friction_told(self.found.sides.machine)
+        named = {
+            name: key for name, key in (("power", "P_fr"), ("share", "P_fr_share")) if f"%({name})s" in text
+        }
+        return (
+            self.t(text, **{name: self.number(key, digits=4) for name, key in named.items()})
+            if text
+            else None
+        )
+
+    @property
+    def turns(self) -> float:
+        return self.found.cycle.panels.period / (2 * math.pi)
+
+    @property
+    def machine(self) -> Markup:
+        return self.t(self.found.given.machine)
+
+    @property
+    def within(self) -> bool:
+        """Whether the unevenness is among those usual for the machine."""
+        fine, coarse = self.found.usual or (0.0, 1.0)
+        return fine * (1 - 1e-9) <= self.found.delta <= coarse * (1 + 1e-9)
+
+    @cached_property
+    def position(self) -> int:
+        """The position that is written out: where the excess moment is greatest."""
+        moments = np.abs(np.asarray(self.table["M_ex"].values, float)[:-1])
+        return int(np.argmax(moments > 0.999 * moments.max()))
+
+    @cached_property
+    def samples(self) -> list[Formula]:
+        return list(self.sample(self.position))
+
+    # ------------------------------------------------------------ tables
+
+    def cycle(self, caption: Any) -> Table:
+        table = self.table
+        columns = [self.page.column(table, column.key) for column in table.columns[1:]]
+        return numeric(caption, self.page.positions(table), columns)
+
+    def comparison(self, caption: Any) -> Table:
+        table, page = self.methods, self.page
+        keys = ("J_I", "J_fl", "deviation", "phi_1", "phi_2")
+        heads = [page.head(table[key].symbol(), table[key].unit) for key in keys]
+        rows = [
+            [page.word(self.t(METHODS[name]), table, "method", k), *(self._cell(key, k) for key in keys)]
+            for k, name in ((self.row(name), name) for name in SHOWN)
+        ]
+        return worded(caption, [self.t("Method"), *heads], rows, (7, 3, 3, 3, 3, 3))
+
+    def _cell(self, key: str, row: int) -> Any:
+        if key == "deviation":
+            return self.page.cell(self.methods, key, row, digits=3, scale=1e-6)
+        return self.page.cell(self.methods, key, row, digits=6 if key.startswith("J") else 5)
+
+    def proof(self, caption: Any) -> Table:
+        table, page = self.of.tables["flywheel_proof"], self.page
+        keys = ("omega_max", "omega_min", "delta")
+        heads = [page.head(table[key].symbol(), table[key].unit) for key in keys]
+        rows = [
+            [
+                page.word(self.t(WAYS[name]), table, "way", k),
+                *(page.cell(table, key, k, digits=8) for key in keys),
+            ]
+            for k, name in enumerate(q.WAYS)
+        ]
+        return worded(caption, [self.t("Way"), *heads], rows, (8, 3, 3, 3))
+
+    def miss(self) -> Markup:
+        table = self.of.tables["flywheel_proof"]
+        return self.page.shown(table, "miss", 1, digits=2, scale=0.0)
+
+    # ------------------------------------------------------------ diagrams
+
+    @cached_property
+    def _x(self) -> Any:
+        return draw.places(self.found)
+
+    @cached_property
+    def _graphs(self) -> CycleGraphs:
+        whole = abs(self.turns - round(self.turns)) < 1e-9
+        return CycleGraphs(self._x, len(self.found.sides.turned) - 1 if whole else 0, self.page.tr)
+
+    @cached_property
+    def _numbers(self) -> dict[str, Any]:
+        """The quantities of the cycle where curves are drawn."""
+        return {quantity.key: numbers for quantity, numbers in q.cycle(self.found, self._x)}
+
+    def _panels(self, rows: list[list[q.Quantity]]) -> Graph:
+        """A panel for each row of quantities, at round scales."""
+        named = self._numbers
+        curves, labels = [], []
+        for panel, row in enumerate(of for of in rows if of):
+            for quantity in row:
+                name = self._graphs.letter(quantity.sign) if len(row) > 1 else ""
+                # values beside a curve that lies on another would cover it: they stand under it again
+                marks = () if quantity is q.AFTER else draw.extremes(self.found, quantity.key)
+                curves.append(Curve(named[quantity.key], name, panel, marks))
+            shown = Symbol(row[0].sign.base) if len(row) > 1 else row[0].sign
+            labels.append(self._graphs.letter(shown, row[0].unit))
+        return self._graphs.graph(curves, labels)
+
+    def _known(self, *quantities: q.Quantity) -> list[q.Quantity]:
+        return [quantity for quantity in quantities if quantity.key in self._numbers]
+
+    @cached_property
+    def diagram(self) -> Graph:
+        moments = self._known(q.DRIVING, q.RESISTING) or [q.EXCESS]
+        return self._panels([moments, [q.WORK], self._known(q.VARYING), self._known(q.FIRST)])
+
+    def scales(self) -> Markup:
+        """What a millimetre along the axes stands for."""
+        rows = [("mu_M", "N·m/mm"), ("mu_A", "J/mm"), ("mu_J", "kg·m²/mm"), ("mu_T", "J/mm")]
+        drawn = self.diagram
+        return self.page.values(self._graphs.scales(drawn, rows[: len(drawn.panels)]))
+
+    @cached_property
+    def speed_diagram(self) -> Graph:
+        return self._panels([self._known(q.BEFORE, q.AFTER), [q.DEVIATION]])
+
+    @cached_property
+    def energy_mass(self) -> Drawing:
+        labels = (
+            (symbol("J_II"), f", {self.page.unit(q.VARYING.unit)}"),
+            (symbol("T"), f", {self.page.unit('J')}"),
+        )
+        title = str(self.t("Energy–mass diagram with its tangents"))
+        return draw.energy_mass(self.found, labels, self.figure, title)
+
+    def figure(self, value: float) -> str:
+        return self.page.num(value, 4)
+
+    def diagram_scales(self) -> Markup:
+        return self.page.values([self.var("mu_J"), self.var("mu_T")])
+
+    # ------------------------------------------------------------ dimensions
+
+    @property
+    def shape(self) -> str:
+        """The word by which the template knows it."""
+        given = self.found.given
+        return "wheel" if given.wheel else type(given.shape).__name__.lower()
+
+    @cached_property
+    def sketch(self) -> Drawing:
+        outer = self.page.tr.pgettext("index", "outer")
+        return sketch.sketch(self.found, self.figure, outer, str(self.t("The flywheel")))
+
+    def sketch_scale(self) -> Var:
+        return scale_of("mu_l", sketch.scale_of(self.found), "m/mm")
+
+    @property
+    def material(self) -> Markup:
+        return (
+            self.t(self.found.given.material.name)
+            if self.found.given.material.name
+            else self.t("stated material")
+        )
+
+    # ------------------------------------------------------------ conclusions
+
+    def conclusions(self) -> list[Markup]:
+        found = self.found
+        if found.needless:
+            text = N_(
+                "The machine needs no flywheel: without one its coefficient of non-uniformity is %(delta)s."
+            )
+            return [self.t(text, delta=self.number("delta_0", digits=4))]
+        text = N_("A flywheel of %(J)s kg·m² leaves the machine the coefficient of non-uniformity %(delta)s.")
+        return [self.t(text, J=self.number("J_fl"), delta=self.number("delta_run", digits=4))]

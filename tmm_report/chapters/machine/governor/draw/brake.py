@@ -1,0 +1,69 @@
+"""The centrifugal brake, not to scale: the drum, the shoes on their springs, the shaft."""
+
+from __future__ import annotations
+
+import cmath
+import math
+
+from tmm_report.chapters.machine.governor.solve.brake import BrakeFound
+from tmm_report.figures.dimensions import span
+from tmm_report.figures.drawing import (
+    AXIS,
+    NORMAL,
+    THIN,
+    Arrow,
+    Circle,
+    Drawing,
+    Item,
+    Tag,
+    line,
+    polygon,
+    polyline,
+)
+from tmm_report.figures.lettering import Symbol
+from tmm_report.figures.marks import turning
+
+OUTER, INNER, SHAFT = 34.0, 30.0, 4.0  # radii of the drum and the shaft, mm
+FACE, BACK, CENTRE = (
+    28.0,
+    19.0,
+    23.0,
+)  # of a shoe: its face a gap away from the drum, its back, its mass centre
+LOW = -42.0  # where the radius of the mass centre is stated
+
+
+def brake(found: BrakeFound, title: str = "") -> Drawing:
+    """All the shoes at rest; the first one is lettered."""
+    count = found.given.brake.count
+    step = 2 * math.pi / count
+    items: list[Item] = [Circle(0j, OUTER), Circle(0j, INNER), Circle(0j, SHAFT, NORMAL, "white")]
+    items += [line(-40 + 0j, 40 + 0j, AXIS), line(-40j, 40j, AXIS)]
+    for k in range(count):
+        items += _shoe(cmath.rect(1.0, k * step), min(0.5, 0.4 * step))
+    radius = cmath.rect(INNER, step / 2)
+    items += [Arrow(0j, radius, THIN), *_dimension(), *turning(0j, 9.0, 1.5 * step - 0.35, 0.7)]
+    tags = [
+        Tag((Symbol("m"),), (complex(CENTRE, 2.6),), 0.0),
+        Tag((Symbol("R"),), (0.62 * radius,), 1.0),
+        Tag((Symbol("s"),), (37 + 7j,), 0.0),
+        Tag((Symbol("c"),), (12.5 - 3j,), 1.0, -1j),
+        Tag((Symbol("ρ", "0"),), (complex(CENTRE / 2, LOW),), 1.0, 1j),
+        Tag((Symbol("ω"),), (cmath.rect(12.0, 1.5 * step),), 0.4),
+    ]
+    return Drawing(tuple(items), title).labelled(tags)
+
+
+def _dimension() -> list[Item]:
+    """Of the radius of the mass centre, and a line to the gap."""
+    lines = [line(complex(CENTRE, 0), complex(CENTRE, LOW - 2), THIN), line(0j, complex(0, LOW - 2), THIN)]
+    return [*lines, *span(complex(0, LOW), complex(CENTRE, LOW)), line(29 + 2j, 36 + 6j, THIN)]
+
+
+def _shoe(turn: complex, half: float) -> list[Item]:
+    """A shoe at rest and its spring to the shaft."""
+    angles = [half * k / 5 for k in range(-5, 6)]
+    face = [cmath.rect(FACE, angle) for angle in angles]
+    back = [cmath.rect(BACK, angle) for angle in reversed(angles)]
+    zigzag = [complex(5 + 14 * k / 12, 1.8 * (0 if k in (0, 12) else (-1) ** k)) for k in range(13)]
+    shoe = polygon([turn * z for z in (*face, *back)], NORMAL, "pale")
+    return [shoe, polyline([turn * z for z in zigzag])]

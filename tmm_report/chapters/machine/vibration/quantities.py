@@ -1,0 +1,221 @@
+"""The numbers of vibration and its isolation: single values, and tables of responses, motions and absorbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from tmm_report.chapters.machine.vibration.solve import Found
+from tmm_report.chapters.machine.vibration.values import BASE, quantity, units, values
+from tmm_report.mechanics.masses import vibration as vib
+from tmm_report.problems import N_, Message
+from tmm_report.quantity.model import Book, Column, Quantity, Table, text_column
+from tmm_report.quantity.part import Part
+from tmm_report.quantity.symbols import Symbol
+
+__all__ = ["book", "tables", "values"]
+
+Array = Any
+PREFIX = "vibration"
+
+
+def book(found: Found) -> Part:
+    """All that is said in numbers, found without the prefix of its names."""
+    return Part(PREFIX, Book.of(tables(found), values(found)))
+
+
+def tables(found: Found) -> Iterator[Table]:
+    if found.given.free:
+        yield _table("motion", N_("motion of the machine from the start"), _motion(found))
+        if found.decrement is not None:
+            yield _table("swings", N_("amplitudes of the free motion, period by period"), _swings(found))
+        return
+    yield _table(
+        "response", N_("response of the machine at other frequencies of the excitation"), _response(found)
+    )
+    yield _table("dampings", N_("the same isolators with other dampings"), _dampings(found))
+    text = N_("dynamic coefficient, lag and force ratio against the frequency, by damping ratio")
+    yield _table("curves", text, _curves(found))
+    if found.shaking is None and not found.unbounded:
+        yield _table("motion", N_("motion of the machine from the start"), _motion(found))
+    if found.shaking is not None:
+        yield _table("harmonics", N_("harmonics of the shaking force and what each does"), _harmonics(found))
+        yield _table("turn", N_("shaking force, motion and force on the base over a turn"), _turn(found))
+    if found.absorbed is not None:
+        yield _table("absorbers", N_("absorbers on the machine"), _absorbers(found))
+        text = N_("dynamic coefficient of the machine with each absorber against the frequency")
+        yield _table("absorbed", text, _absorbed(found))
+
+
+def _table(name: str, meaning: str, columns: Iterator[Column]) -> Table:
+    return Table(f"{PREFIX}_{name}", Message(meaning), tuple(columns))
+
+
+def _column(found: Found, key: str, numbers: Any) -> Column:
+    """A number of the machine at several frequencies, with several dampings or absorbers; infinity is nan: a dash."""
+    numbers = np.asarray(numbers, dtype=float)
+    return quantity(found, key, "").column(np.where(np.isfinite(numbers), numbers, np.nan))
+
+
+def ratio(found: Found) -> str:
+    """What a machine on a fixed base hands on to it, or one on a moving base takes from it."""
+    return "ratio_z" if found.given.base is not None else "ratio"
+
+
+# --- responses
+
+ROWS = (0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0)  # ω/ω0 of the table of responses
+
+
+def _response(found: Found) -> Iterator[Column]:
+    most = max(ROWS[-1], float(np.ceil(found.eta)))
+    eta, zeta = (
+        np.unique(np.round([*ROWS, most, _working(found)], 12)),
+        found.zeta,
+    )  # the working one among them
+    beta, handed = vib.magnification(eta, zeta), vib.transmissibility(eta, zeta)
+    moved, pushed = _moved(found, eta, beta, handed)
+    yield _column(found, "eta", eta)
+    yield _column(found, "omega", eta * found.natural)
+    yield _column(found, "beta", beta)
+    yield _column(found, "lag", np.where(np.isfinite(beta), vib.lag(eta, zeta), np.nan))
+    yield _column(found, ratio(found), handed)
+    yield _column(found, "amplitude", moved)
+    yield _column(found, "on_base", pushed)
+
+
+def _working(found: Found) -> float:
+    """ω/ω0 at work; of a resonance that nothing bounds resonance itself, and not its neighbourhood."""
+    return 1.0 if found.unbounded else found.eta
+
+
+def _moved(found: Found, eta: Array, beta: Array, handed: Array) -> tuple[Array, Array]:
+    """Amplitudes of the machine and of the force on its base."""
+    if found.given.base is not None:
+        moved = handed * found.given.base
+        return moved, found.body.inertia * np.square(eta * found.natural) * moved
+    force = found.force * (np.square(eta / found.eta) if found.grows else np.ones_like(eta))
+    with np.errstate(invalid="ignore"):
+        return beta * force / found.body.stiffness, handed * force
+
+
+def _dampings(found: Found) -> Iterator[Column]:
+    zeta = np.unique(np.round([*found.given.curves, found.zeta], 12))
+    place, height = vib.peak(zeta)
+    yield _column(found, "zeta", zeta)
+    yield _column(found, "eta_peak", place)
+    yield _column(found, "beta_peak", height)
+    yield _column(found, "beta", vib.magnification(_working(found), zeta))
+    yield _column(found, ratio(found), vib.transmissibility(_working(found), zeta))
+
+
+POINTS = 401  # of a curve against the frequency
+SPAN = 3.0  # ω/ω0 that the curves reach at least
+LINES = (
+    ("beta", "beta", "", N_("dynamic coefficient at the damping ratio %(zeta)s"), vib.magnification),
+    ("lag", "psi", "rad", N_("lag at the damping ratio %(zeta)s"), vib.lag),
+    ("ratio", "gamma", "", N_("force ratio at the damping ratio %(zeta)s"), vib.transmissibility),
+)
+
+
+def _curves(found: Found) -> Iterator[Column]:
+    eta = np.linspace(0.0, max(SPAN, 1.2 * found.eta), POINTS)
+    yield _column(found, "eta", eta)
+    for number, zeta in enumerate(found.given.curves, 1):
+        for key, letter, unit, text, of in LINES:
+            line = np.asarray(of(eta, zeta))
+            line = np.where(np.isfinite(line), line, np.nan)
+            meaning = Message(text, {"zeta": f"{zeta:g}"})
+            yield Quantity(f"{key}_{number}", Symbol(letter, str(number)), unit, meaning).column(line)
+
+
+def _motion(found: Found) -> Iterator[Column]:
+    of = units(found)
+    yield Quantity("t", Symbol("t"), "s", Message(N_("time"))).column(found.times)
+    moved = Message(N_("displacement of the machine"))
+    yield Quantity("x", Symbol(of.x), of.place, moved).column(found.motion)
+    if found.given.free:
+        return
+    steady = Message(N_("the steady part of the displacement"))
+    yield Quantity("x_steady", Symbol(of.x, "s"), of.place, steady).column(found.settled)
+
+
+SWINGS = 10  # periods of which the amplitudes are listed
+
+
+def _swings(found: Found) -> Iterator[Column]:
+    count, period, begins = np.arange(SWINGS + 1), found.period, found.begins
+    assert period is not None and begins is not None  # it swings
+    yield Quantity("swing", Symbol("i"), "", Message(N_("number of whole periods"))).column(count)
+    yield Quantity("t", Symbol("t"), "s", Message(N_("time"))).column(count * period)
+    of = Quantity("size", Symbol("A", "i"), units(found).place, Message(N_("amplitude of the free motion")))
+    yield of.column(begins * np.exp(-found.decay * period * count))
+
+
+# --- the mechanism's own force
+
+
+def _harmonics(found: Found) -> Iterator[Column]:
+    shaken = found.shaking
+    assert shaken is not None
+    eta = shaken.orders * shaken.omega / found.natural
+    size = np.where(shaken.sizes <= 1e-9 * shaken.sizes.max(), 0.0, shaken.sizes)
+    handed = vib.transmissibility(eta, found.zeta)
+    yield Quantity("order", Symbol("k"), "", Message(N_("order of the harmonic"))).column(shaken.orders)
+    yield _column(found, "omega", shaken.orders * shaken.omega)
+    yield _column(found, "force", size)
+    yield _column(found, "eta", eta)
+    yield _column(found, "ratio", handed)
+    yield _column(found, "amplitude", size * vib.magnification(eta, found.zeta) / found.body.stiffness)
+    yield _column(found, "on_base", size * handed)
+
+
+def _turn(found: Found) -> Iterator[Column]:
+    shaken = found.shaking
+    assert shaken is not None
+    angle = Message(N_("angle turned from position 0"))
+    yield Quantity("phi", Symbol("phi"), "rad", angle).column(shaken.turned)
+    force = Message(N_("shaking force of the mechanism"))
+    yield Quantity("force", Symbol("F"), "N", force).column(shaken.force)
+    yield Quantity("x", Symbol("x"), "m", Message(N_("displacement of the machine"))).column(shaken.moved)
+    handed = Message(N_("force that the isolators hand on to the base"))
+    yield Quantity("on_base", Symbol("F", BASE), "N", handed).column(shaken.handed)
+
+
+# --- absorbers
+
+
+def _absorbers(found: Found) -> Iterator[Column]:
+    hung = found.absorbed
+    assert hung is not None
+    rows = hung.fitted
+    yield text_column("kind", Message(N_("kind of the absorber")), [one.key for one in rows])
+    yield _column(found, "absorber", [one.hung.inertia for one in rows])
+    yield _column(found, "absorber_stiffness", [one.hung.stiffness for one in rows])
+    damping = Quantity("absorber_damping", Symbol("b", "a"), units(found).damping, DAMPING)
+    yield damping.column([float(one.hung.damping) for one in rows])
+    yield _column(found, "amplitude", [found.force * one.work for one in rows])
+    yield _column(found, "absorber_swing", [found.force * one.swing for one in rows])
+    yield _column(found, "eta_peak", [one.eta if np.isfinite(one.beta) else np.nan for one in rows])
+    yield _column(found, "beta_peak", [one.beta for one in rows])
+
+
+DAMPING = Message(N_("damping of the absorber"))
+WITH = N_("dynamic coefficient of the machine, absorber: %(kind)s")
+
+
+def _absorbed(found: Found) -> Iterator[Column]:
+    hung = found.absorbed
+    assert hung is not None
+    eta = np.linspace(0.0, max(2.0, 1.2 * found.eta), POINTS)
+    force = (found.body.stiffness, 0.0)
+    yield _column(found, "eta", eta)
+    yield _column(found, "beta", vib.magnification(eta, found.zeta))
+    for number, one in enumerate(hung.fitted, 1):
+        with np.errstate(divide="ignore", invalid="ignore"):
+            line = np.abs(vib.pair(found.body, one.hung, eta * found.natural, force)[0])
+        line = np.where(np.isfinite(line), line, np.nan)
+        meaning = Message(WITH, {"kind": one.key})
+        yield Quantity(f"beta_{number}", Symbol("beta", str(number)), "", meaning).column(line)

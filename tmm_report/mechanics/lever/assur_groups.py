@@ -1,0 +1,319 @@
+"""Structure of a planar mechanism: pairs, mobility, and its Assur groups, found from links and joints.
+
+Source: Artobolevsky, Theory of mechanisms and machines, ch. 2-3; W = 3n - 2p5 (Chebyshev).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import field, replace
+from itertools import combinations, islice
+from typing import Literal
+
+from tmm_report.mechanics.lever.mechanism import FRAME, Mechanism, Scalar
+from tmm_report.problems import N_, Message, Problem, ProblemError, mistake, shown
+from tmm_report.records import dataclass
+
+# (inner pair, sorted outer pairs) -> kind of the dyad; a third sliding pair (PPP) would leave a free translation
+DYAD_KINDS: dict[tuple[str, str], int] = {
+    ("R", "RR"): 1,
+    ("R", "PR"): 2,
+    ("P", "RR"): 3,
+    ("R", "PP"): 4,
+    ("P", "PR"): 5,
+}
+KIND_NAMES = {1: "RRR", 2: "RRP", 3: "RPR", 4: "PRP", 5: "RPP"}
+MOST_SETS = 20_000  # sets of links that are tried for the next group
+ROMAN = {1: "I", 2: "II", 3: "III", 4: "IV", 5: "V", 6: "VI"}
+
+
+@dataclass(frozen=True, eq=False)
+class Pair:
+    """A lower pair of two links, the one nearer to the frame first; or a higher one, H, of a cam and its follower.
+
+    `at`: link -> place of the joint (R) or of a point of the guide line (P) in that link's axes, m.
+    `along`: link -> unit direction of the guide line in that link's axes (P only). `slider`: the link that slides;
+    the other carries the guide.
+    """
+
+    kind: Literal["R", "P", "H"]
+    name: str
+    links: tuple[str, str]
+    at: Mapping[str, Scalar]
+    along: Mapping[str, Scalar] = field(default_factory=dict)
+    slider: str | None = None
+
+    def other(self, link: str | None) -> str:
+        """The other link of the pair."""
+        return self.links[1] if link == self.links[0] else self.links[0]
+
+    @property
+    def key(self) -> str:
+        return f"{self.links[0]}-{self.links[1]}"
+
+
+@dataclass(frozen=True, eq=False)
+class Group:
+    """An Assur group: its links, inner and outer pairs, class and order (= number of outer pairs)."""
+
+    links: tuple[str, ...]
+    inner: tuple[Pair, ...]
+    outer: tuple[Pair, ...]
+    group_class: int
+    kind: int | None  # of a dyad, 1..5
+
+    @property
+    def order(self) -> int:
+        return len(self.outer)
+
+    @property
+    def label(self) -> str:
+        return f"{ROMAN.get(self.group_class, self.group_class)}{self.order}({','.join(self.links)})"
+
+
+@dataclass(frozen=True, eq=False)
+class Structure:
+    """`groups` in the order of assembly: each hangs on the frame, the driving link and groups before it."""
+
+    mechanism: Mechanism
+    driver_pair: Pair
+    groups: tuple[Group, ...]
+
+    @property
+    def pairs(self) -> list[Pair]:
+        return [self.driver_pair, *(pair for group in self.groups for pair in (*group.outer, *group.inner))]
+
+    @property
+    def formula(self) -> str:
+        """E.g. I(0,1) → II2(2,3) → II2(4,5)."""
+        return " → ".join([f"I(0,{self.mechanism.driver.link})", *(group.label for group in self.groups)])
+
+    @property
+    def mechanism_class(self) -> int:
+        return max((group.group_class for group in self.groups), default=1)
+
+
+def count_pairs(mechanism: Mechanism) -> int:
+    """Number of lower pairs p5; a point shared by k links counts as k - 1 revolute pairs."""
+    shared = (len(mechanism.links_at(point)) for point in mechanism.point_names)
+    return sum(k - 1 for k in shared) + len(mechanism.slides)
+
+
+def mobility(mechanism: Mechanism) -> int:
+    """W = 3n - 2p5 (Chebyshev); a cam pair, replaced by a link with two lower pairs, takes as much as -p4 would."""
+    return 3 * len(mechanism.moving) - 2 * count_pairs(mechanism)
+
+
+def decompose(mechanism: Mechanism, sliding: bool = False) -> Structure:
+    """Find the Assur groups. Raises ProblemError for W ≠ 1, redundant constraints, loose links and links that stand
+    still.
+
+    `sliding`: the driving link may also slide on the frame; its groups are found, but such a drive is not solved.
+    """
+    driver_pair = _driver_pair(mechanism, "RP" if sliding else "R")
+    if (w := mobility(mechanism)) != 1:
+        raise ProblemError([_wrong_mobility(mechanism, w)])
+    if (w := _freedom(mechanism, [FRAME], (mechanism.driver.link,))) != 1:  # held by more than its pivot
+        raise ProblemError([_redundant([mechanism.driver.link], [FRAME], w)])
+    known = [FRAME, mechanism.driver.link]
+    groups: list[Group] = []
+    while rest := [name for name in mechanism.moving if name not in known]:
+        links = _next_group(mechanism, known, rest)
+        group = _group(mechanism, known, links)
+        if all(pair.links[0] == FRAME for pair in group.outer):
+            raise ProblemError([_still(links)])
+        groups.append(group)
+        known += links
+    return Structure(mechanism, driver_pair, tuple(groups))
+
+
+@dataclass(frozen=True, eq=False)
+class Alternative:
+    """Another choice of driving link: what the groups become, or why it cannot drive."""
+
+    link: str
+    structure: Structure | None
+    reason: Message | None = None
+
+    @property
+    def taken_apart(self) -> bool:
+        """Whether the mechanism has only dyads then."""
+        return self.structure is not None and self.structure.mechanism_class <= 2
+
+
+def alternatives(mechanism: Mechanism) -> list[Alternative]:
+    """Every other link that is joined to the frame as the driving link: pivoted links, then sliders.
+
+    A group of higher class may fall apart into dyads when another link drives; the mechanism's class changes with it.
+    """
+    found: list[Alternative] = []
+    if mechanism.cams:  # a follower cannot turn its cam
+        return found
+    for kind in "RP":
+        for link in mechanism.moving:
+            if link == mechanism.driver.link or link in [a.link for a in found]:
+                continue
+            if any(pair.kind == kind for pair in _pairs_of(mechanism, [FRAME], [link])):
+                found.append(_alternative(mechanism, link))
+    return found
+
+
+def _alternative(mechanism: Mechanism, link: str) -> Alternative:
+    try:
+        driven = replace(mechanism, driver=replace(mechanism.driver, link=link))
+        return Alternative(link, decompose(driven, sliding=True))
+    except ProblemError as error:
+        return Alternative(link, None, error.problems[0].wrong)
+
+
+def _driver_pair(mechanism: Mechanism, kinds: str) -> Pair:
+    link = mechanism.driver.link
+    for pair in _pairs_of(mechanism, [FRAME], [link]):
+        if pair.kind in kinds:
+            return pair
+    right = Message(N_("give it a point of the frame, or choose another driving link"))
+    path = ("mechanism", "driver", "link")
+    raise ProblemError(
+        [mistake(N_("driving link %(link)s is not pivoted to the frame"), path, right, link=link)]
+    )
+
+
+def _wrong_mobility(mechanism: Mechanism, w: int) -> Problem:
+    built = mechanism.real
+    n, p, higher = len(built.moving), count_pairs(built), len(mechanism.cams)
+    with_cams = N_(
+        "mobility is W = 3·%(n)d − 2·%(p)d − %(higher)d = %(w)d (n = %(n)d moving links, p5 = %(p)d lower pairs, "
+        "p4 = %(higher)d higher pairs), it must be 1"
+    )
+    text = N_(
+        "mobility is W = 3·%(n)d − 2·%(p)d = %(w)d (n = %(n)d moving links, p5 = %(p)d lower pairs), it must be 1"
+    )
+    if w > 1:
+        right = Message(
+            N_("%(excess)d link end(s) too free: join them to another link, to a fixed point or to a guide"),
+            {"excess": w - 1},
+        )
+    else:
+        right = Message(
+            N_("%(excess)d constraint(s) too many: a link or a pair is redundant, leave it out"),
+            {"excess": 1 - w},
+        )
+    if higher:
+        return mistake(with_cams, ("mechanism", "links"), right, n=n, p=p, higher=higher, w=w)
+    return mistake(text, ("mechanism", "links"), right, n=n, p=p, w=w)
+
+
+def _pairs_of(mechanism: Mechanism, known: list[str], group: list[str] | tuple[str, ...]) -> Iterator[Pair]:
+    """Pairs of the links of `group` with each other and with `known` links.
+
+    At a point shared by several links each hangs on the known link that came first (or, inside the group, on
+    the first of the group): k links at a point make k - 1 pairs.
+    """
+    for place in sorted({place for link in group for place in mechanism.shared_by[link]}):
+        point = mechanism.shared[place]
+        here = mechanism.links_at(point)
+        inside = [name for name in here if name in group]
+        base = next((name for name in known if name in here), inside[0])
+        for name in inside:
+            if name != base:
+                at = {link: mechanism.links[link].points[point] for link in (base, name)}
+                yield Pair("R", point, (base, name), at)
+    for slide in mechanism.slides:
+        guide = mechanism.guides[slide.guide]
+        ends = (guide.link, slide.link)
+        if all(link in known or link in group for link in ends) and any(link in group for link in ends):
+            links = (
+                ends if _rank(mechanism, known, ends[0]) <= _rank(mechanism, known, ends[1]) else ends[::-1]
+            )
+            at = {guide.link: guide.through, slide.link: slide.through}
+            along = {guide.link: guide.direction, slide.link: slide.direction}
+            yield Pair("P", guide.name, links, at, along, slide.link)
+
+
+def _rank(mechanism: Mechanism, known: list[str], link: str) -> int:
+    """Known links first, in the order they became known; then in the order of the description."""
+    return known.index(link) if link in known else len(known) + mechanism.moving.index(link)
+
+
+def _freedom(mechanism: Mechanism, known: list[str], links: tuple[str, ...]) -> int:
+    """Mobility of `links` when `known` stand still: 0 for an Assur group, < 0 for redundant constraints."""
+    return 3 * len(links) - 2 * sum(1 for _ in _pairs_of(mechanism, known, links))
+
+
+def _next_group(mechanism: Mechanism, known: list[str], rest: list[str]) -> list[str]:
+    """The smallest set of links that the known links fix: first in the order of the description."""
+    sets = (links for size in range(1, len(rest) + 1) for links in combinations(rest, size))
+    for links in islice(sets, MOST_SETS):
+        freedom = _freedom(mechanism, known, links)
+        if freedom == 0 and _joined(mechanism, known, links):
+            return list(links)
+        if freedom < 0:
+            raise ProblemError([_redundant(links, known, freedom)])
+    if next(islice(sets, 1), None) is not None:
+        raise ProblemError([_not_found(rest)])
+    text = N_("links %(links)s form no Assur group: nothing joins them to the driving link and the frame")
+    raise ProblemError([mistake(text, ("mechanism", "links", rest[0]), links=", ".join(rest))])
+
+
+def _not_found(rest: Sequence[str]) -> Problem:
+    text = N_(
+        "links %(links)s: none of the first %(count)s sets of them is an Assur group; larger ones are not sought"
+    )
+    right = Message(N_("take links out, or join them so that smaller groups arise"))
+    names = shown(", ".join(rest), 80)
+    return mistake(text, ("mechanism", "links", rest[0]), right, links=names, count=MOST_SETS)
+
+
+def _joined(mechanism: Mechanism, known: list[str], links: tuple[str, ...]) -> bool:
+    """Whether a pair joins `links` to known ones: a rigid truss that floats has freedom 0 by count too."""
+    return any(link in known for pair in _pairs_of(mechanism, known, links) for link in pair.links)
+
+
+def _redundant(links: Sequence[str], known: list[str], w: int) -> Problem:
+    text = N_("links %(links)s have redundant constraints: alone with links %(known)s they have W = %(w)d")
+    right = Message(N_("leave out the redundant link or pair (another part of the mechanism is too free)"))
+    values = {"links": ", ".join(links), "known": ", ".join(known), "w": w}
+    return mistake(text, ("mechanism", "links", links[0]), right, **values)
+
+
+def _still(links: Sequence[str]) -> Problem:
+    """Of a group that hangs on the frame alone: the first such one is met before all that would hang on it."""
+    text = N_("links %(links)s stand still: the frame alone holds them, the driving link does not move them")
+    right = Message(N_("join them to a moving link; a guide on a moving link states it: link: 1"))
+    return mistake(text, ("mechanism", "links", links[0]), right, links=", ".join(links))
+
+
+def _group(mechanism: Mechanism, known: list[str], links: list[str]) -> Group:
+    pairs = list(_pairs_of(mechanism, known, links))
+    inner = tuple(pair for pair in pairs if all(link in links for link in pair.links))
+    outer = tuple(pair for pair in pairs if pair not in inner)
+    if len(links) != 2:
+        return Group(tuple(links), inner, outer, _higher_class(links, inner), None)
+    kind = (
+        DYAD_KINDS.get((inner[0].kind, "".join(sorted(pair.kind for pair in outer))))
+        if len(inner) == 1
+        else None
+    )
+    if kind is None:
+        text = N_("links %(links)s form no dyad: with three sliding pairs a translation stays free")
+        right = Message(N_("a dyad has at most two sliding pairs"))
+        raise ProblemError([mistake(text, ("mechanism", "links", links[0]), right, links=", ".join(links))])
+    return Group(tuple(links), inner, outer, 2, kind)
+
+
+def _higher_class(links: list[str], inner: tuple[Pair, ...]) -> int:
+    """III for an open group with a ternary basis link; else the number of sides of its largest closed contour."""
+    neighbours = {link: [pair.other(link) for pair in inner if link in pair.links] for link in links}
+    longest = 0
+
+    def walk(path: list[str]) -> None:
+        nonlocal longest
+        for step in neighbours[path[-1]]:
+            if step == path[0] and len(path) > 2:
+                longest = max(longest, len(path))
+            elif step not in path:
+                walk([*path, step])
+
+    for link in links:
+        walk([link])
+    return max(longest, 3)
