@@ -76,8 +76,8 @@ friction: {guides: {coefficient: 0.06, length: 212 mm}, corrected: true}
 TEXTS = {
     "plans at a position that is flat by the closed form and not by Newton": EQUAL_SIDES + "method: newton\n",
     "a position where friction has no power, nor the driving moment": SLOT,
-    "parts of a machine without mass": "dynamics: {parts: [{name: gear, ratio: 0.9}], speed: 27 rad/s, varying_inertia: "
-    "[[0 deg, 0.112 kg*m^2], [180 deg, 0.108 kg*m^2], [360 deg, 0.112 kg*m^2]], "
+    "parts of a machine without mass": "dynamics: {parts: [{name: gear, ratio: 0.9}], speed: 27 rad/s, "
+    "varying_inertia: [[0 deg, 0.112 kg*m^2], [180 deg, 0.108 kg*m^2], [360 deg, 0.112 kg*m^2]], "
     "start: {begin: 1.3 rad/s, time: 0.9 s}, steady: false}",
     "a driving link alone whose methods are compared": ALONE
     + "methods: true\npositions: {table: 4, diagram: 4}\n",
