@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tmm_report.mechanics.calculus.roots import bracketed, interpolated
+from tmm_report.mechanics.calculus.roots import bisected, bracketed, interpolated
 
 FINDERS = pytest.mark.parametrize("finder", [bracketed, interpolated])
 roots = st.lists(st.floats(0.05, 0.95), min_size=1, max_size=5)
@@ -71,3 +71,12 @@ def test_a_pole_comes_to_an_end():
     assert found[0] == pytest.approx(0.3, abs=1e-12)
     assert abs(left[0]) > 1e6
     assert len(calls) <= 62
+
+
+# --- what ends somewhere
+
+
+@given(at=st.floats(0.0, 1.0, exclude_max=True))
+def test_what_holds_up_to_a_number_ends_between_it_and_the_next(at):
+    low, high = bisected(lambda x: x <= at, 0.0, 1.0)
+    assert low == at and high == np.nextafter(at, 2.0)

@@ -27,6 +27,13 @@ def slope(f: Callable[[Array], Array], x: Array, step: float) -> Array:
     return np.array(DIFFERENCE) @ (ahead - behind) / step
 
 
+def bisected(holds: Callable[[float], bool], low: float, high: float) -> tuple[float, float]:
+    """The two neighbouring numbers between which what `holds` at `low` and not at `high` ends."""
+    while low < (middle := low + (high - low) / 2) < high:
+        low, high = (middle, high) if holds(middle) else (low, middle)
+    return low, high
+
+
 def bracketed(
     f: Callable[[Array], Array], low: Array, high: Array, f_low: Array, noise: float | Array
 ) -> tuple[Array, Array]:

@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from tmm_report.mechanics.calculus.panels import Panels
+from tmm_report.mechanics.calculus.roots import bisected
 from tmm_report.mechanics.machine.characteristics import SPEED, TIME, Characteristic
 from tmm_report.mechanics.machine.passing import Passing
 from tmm_report.records import dataclass
@@ -170,8 +171,7 @@ def level(net: Callable[[Array], Array], start: float, top: float = 1e6) -> floa
             return None
         grid, high = np.linspace(high, 2 * high, 400), 2 * high
     first = int(np.argmax(net(grid) <= 0))
-    low, high = float(grid[max(first - 1, 0)]), float(grid[first])
-    for _ in range(80):
-        middle = (low + high) / 2
-        low, high = (middle, high) if float(net(middle)) > 0 else (low, middle)
-    return high
+    _, found = bisected(
+        lambda omega: float(net(omega)) > 0, float(grid[max(first - 1, 0)]), float(grid[first])
+    )
+    return found

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.mechanics.calculus.roots import bisected
 from tmm_report.records import dataclass
 
 Array = Any
@@ -166,17 +167,12 @@ def staged(time: Array, run_in: float, constant: float, rate: float) -> Array:
 
 
 def life(limit: float, rate: float, run_in: float = 0.0, constant: float = 1.0) -> float:
-    """When the wear of `staged` reaches the limit, by bisection; inf where it never does."""
+    """When the wear of `staged` reaches the limit; inf where it never does."""
     if not rate > 0:
         return float(-constant * np.log1p(-limit / run_in)) if run_in > limit else float("inf")
     low, high = max(0.0, (limit - run_in) / rate), limit / rate
-    for _ in range(200):
-        middle = (low + high) / 2
-        if float(staged(middle, run_in, constant, rate)) < limit:
-            low = middle
-        else:
-            high = middle
-    return high
+    _, found = bisected(lambda time: float(staged(time, run_in, constant, rate)) < limit, low, high)
+    return found
 
 
 def ring_pressure(force: float, inner: float, outer: float, radius: Array) -> Array:

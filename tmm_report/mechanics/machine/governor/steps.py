@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from tmm_report.mechanics.calculus.ode import Trajectory, integrate
+from tmm_report.mechanics.calculus.roots import bisected
 
 Array = Any
 State = list[float]
@@ -22,7 +23,6 @@ Left = Callable[[State], dict[str, float]]  # of what may end a stretch, by name
 LONGEST = 0.01  # of the end of the span: a step is not longer, so that nothing happens unseen within it
 SHORTEST = 1e-12  # of it, below which a solution is given up
 MOST = 50_000  # steps
-BISECTIONS = 50
 
 
 class Step(NamedTuple):
@@ -153,15 +153,10 @@ def _within(parts: Array, x: Array) -> Array:
 
 
 def _meets(step: Step, left: Left) -> float:
-    """The part of the step at which nothing is left, by bisection."""
-    parts, low, high = _parts([step])[:, 0], 0.0, 1.0
-    for _ in range(BISECTIONS):
-        middle = (low + high) / 2
-        if min(left(_within(parts, middle).tolist()).values()) > 0:
-            low = middle
-        else:
-            high = middle
-    return high
+    """The part of the step at which nothing is left."""
+    parts = _parts([step])[:, 0]
+    _, found = bisected(lambda x: min(left(_within(parts, x).tolist()).values()) > 0, 0.0, 1.0)
+    return found
 
 
 def _trajectory(steps: list[Step], last: float, ended: int | None, count: int) -> Trajectory:

@@ -8,6 +8,7 @@ import numpy as np
 
 from tmm_report.mechanics.calculus.distinct import distinct
 from tmm_report.mechanics.calculus.panels import Panels
+from tmm_report.mechanics.calculus.roots import bisected
 from tmm_report.mechanics.machine.characteristics import BySpeed, Geared
 from tmm_report.mechanics.machine.reduced import LOST, Acting, Plant
 from tmm_report.mechanics.machine.run.motion_law import SAMPLES, NeverReached, Run
@@ -59,13 +60,17 @@ def _turns(plant: Plant, grid: Array) -> list[float]:
     for wanted in plant.passing.moments(float(plant.inertia.flat[0])):
         off = moment - wanted
         for k in np.nonzero(off[:-1] * off[1:] < 0)[0]:
-            low, high, sign = grid[k], grid[k + 1], np.sign(off[k])
-            for _ in range(60):
-                middle = (low + high) / 2
-                inside = sign * (float(plant.net(middle)) - wanted) > 0
-                low, high = (middle, high) if inside else (low, middle)
-            found.append(float((low + high) / 2))
+            found.append(_meets(plant, wanted, grid[k], grid[k + 1], np.sign(off[k])))
     return found
+
+
+def _meets(plant: Plant, wanted: float, low: float, high: float, sign: float) -> float:
+    """The speed at which the moment is the wanted one; before it, it differs from that by the sign."""
+    falls = low > high
+    one, other = bisected(
+        lambda omega: (sign * (float(plant.net(omega)) - wanted) > 0) != falls, *sorted((low, high))
+    )
+    return float((one + other) / 2)
 
 
 def _kinks(one: Acting) -> list[float]:
