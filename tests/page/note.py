@@ -330,7 +330,17 @@ class Note:
 
     @cached_property
     def words(self) -> list[str]:
-        return list(_lines(self.root))
+        """The text, then the letters, units and words of each drawing, in the order in which they were put there."""
+        return [
+            *_lines(self.root),
+            *(f"{name}: {' | '.join(lettered(svg))}" for name, svg in self.drawings.items()),
+        ]
+
+
+def lettered(svg: str) -> list[str]:
+    """What is written in a drawing, but for plain numbers: of a diagram the letters and units of its axes."""
+    texts = ("".join(node.itertext()).strip() for node in fromstring(svg).iter() if node.tag.endswith("text"))
+    return [text for text in texts if not re.fullmatch(r"[-−+]?[\d.,]*°?", text)]
 
 
 def steady(lines: list[str]) -> list[str]:
