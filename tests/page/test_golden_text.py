@@ -1,4 +1,4 @@
-"""The text of a note of every chapter in both languages, word by word and number by number, as it was last approved: `python tools/golden.py`."""
+"""The text of a note of every chapter in both languages, as it was last approved: `python tools/golden.py`."""
 
 from __future__ import annotations
 
