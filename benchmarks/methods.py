@@ -18,7 +18,7 @@ import stored
 from lines import Line, Panel, draw
 
 from tmm_report import course
-from tmm_report.commands.methods_run import Measured, measured
+from tmm_report.commands.methods.measured import Measured, measured
 from tmm_report.mechanics.rivals.model import Trial
 from tmm_report.mechanics.rivals.trials import worst
 

@@ -15,7 +15,7 @@ from multiprocessing import Process
 from pathlib import Path
 
 from tmm_report import load, solve
-from tmm_report.commands.methods_run import measured
+from tmm_report.commands.methods.measured import measured
 from tmm_report.mechanics.rivals.choice import ACCURACY
 
 VARIANTS = Path(__file__).resolve().parent.parent / "variants"

@@ -25,8 +25,8 @@ from notes import NAMES, note, program
 from once import once
 
 from tmm_report import render, solve
-from tmm_report.commands.assemblies_page import page
-from tmm_report.commands.ways import find
+from tmm_report.commands.assemblies.page import page
+from tmm_report.commands.assemblies.ways import find
 from tmm_report.course import Results, loads
 from tmm_report.i18n import Translator
 from tmm_report.languages import LANGUAGES

@@ -20,8 +20,8 @@ from typer.testing import CliRunner
 from tmm_report import course, yamlread
 from tmm_report.chapters.title.given import Title
 from tmm_report.cli import app
-from tmm_report.commands.assemblies_page import page
-from tmm_report.commands.ways import MOST, Assemblies, find
+from tmm_report.commands.assemblies.page import page
+from tmm_report.commands.assemblies.ways import MOST, Assemblies, find
 from tmm_report.course import loads
 from tmm_report.i18n import Translator
 

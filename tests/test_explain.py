@@ -11,12 +11,12 @@ import pytest
 from conftest import ALL_FILES, FILES, read, solved
 from told import Told
 
-from tmm_report.commands import explain_target
-from tmm_report.commands.derivation import Walk, derive
-from tmm_report.commands.explain import run, starts, written_out
-from tmm_report.commands.explain_target import find
-from tmm_report.commands.explain_text import lines
-from tmm_report.commands.explain_way import Ways
+from tmm_report.commands.explain import target as explain_target
+from tmm_report.commands.explain.derivation import Walk, derive
+from tmm_report.commands.explain.run import run, starts, written_out
+from tmm_report.commands.explain.target import find
+from tmm_report.commands.explain.text import lines
+from tmm_report.commands.explain.way import Ways
 from tmm_report.course import solve
 from tmm_report.i18n import Translator
 from tmm_report.note import parts

@@ -16,10 +16,10 @@ from conftest import ALL_FILES, read
 from told import Told
 
 from tmm_report import course
-from tmm_report.commands.explain import run, starts, written_out
-from tmm_report.commands.explain_stated import stated, written
-from tmm_report.commands.explain_target import Target, find, is_text
-from tmm_report.commands.explain_way import Ways
+from tmm_report.commands.explain.run import run, starts, written_out
+from tmm_report.commands.explain.stated import stated, written
+from tmm_report.commands.explain.target import Target, find, is_text
+from tmm_report.commands.explain.way import Ways
 from tmm_report.course import INITIAL_DATA, LEVER, OTHERS, room, solve
 from tmm_report.i18n import Translator
 from tmm_report.note import parts

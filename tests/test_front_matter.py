@@ -14,9 +14,9 @@ from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.report import _conclusions
 from tmm_report.report.formats import Html
-from tmm_report.report.layout import Cell, Column, numeric, worded
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Cell, Column, numeric, worded
 from tmm_report.report.part import Failed, Part
 from tmm_report.report.symbol_list import SymbolList
 

@@ -14,8 +14,8 @@ from notes import NAMES, VARIANTS
 from typer.testing import CliRunner
 
 from tmm_report.cli import app
-from tmm_report.commands.gallery import variants
-from tmm_report.commands.gallery_page import Markdown
+from tmm_report.commands.gallery.page import Markdown
+from tmm_report.commands.gallery.run import variants
 
 COMMITTED = Path(__file__).parents[1] / "docs" / "gallery"
 HEADING = re.compile(r"^## (.+)$", re.M)

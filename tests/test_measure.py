@@ -6,8 +6,8 @@ import pytest
 
 from tmm_report.i18n import Translator
 from tmm_report.quantity.symbols import math_symbol, notation
-from tmm_report.report import measure
 from tmm_report.report.formats import tex_escape
+from tmm_report.report.paper import measure
 
 KEYS = (
     "M_pr,PD,1", "P_fr,O", "A_+", "S'_E", "S''_E", "psi''_3", "a_A3A^r", "omega_2", "l_OA", "J_II", "vec:v_BA",

@@ -11,7 +11,7 @@ from browser import Seen
 from notes import NAMES, note, program
 
 from tmm_report.languages import LANGUAGES
-from tmm_report.report import measure
+from tmm_report.report.paper import measure
 
 MM = 96 / 25.4  # CSS pixels
 

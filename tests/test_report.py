@@ -18,10 +18,10 @@ from tmm_report.chapters.lever.structure.naming import link_name
 from tmm_report.i18n import Translator
 from tmm_report.note import render
 from tmm_report.report.formats import Html, Tex, tex_escape
-from tmm_report.report.layout import TEXT_WIDTH, Column, numeric, worded
-from tmm_report.report.lines import pieces
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, environment
+from tmm_report.report.paper.layout import TEXT_WIDTH, Column, numeric, worded
+from tmm_report.report.paper.lines import pieces
 
 HOSTILE = '</p><script>alert(1)</script> \\input{/etc/passwd} {{ 7*7 }} {% raw %} 100% & $x^2$ #1 a_b ~ "q"'
 

@@ -17,7 +17,7 @@ from tmm_report.i18n import Translator
 from tmm_report.report.formats import Html, Tex
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template
-from tmm_report.report.sheets import CAPTION, PAGE, SHEETS, fits, percent, sheet_of
+from tmm_report.report.paper.sheets import CAPTION, PAGE, SHEETS, fits, percent, sheet_of
 from tmm_report.resources import data_root
 
 SIZES = st.tuples(st.floats(1, 1200), st.floats(1, 1200))

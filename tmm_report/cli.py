@@ -165,7 +165,7 @@ def gallery(
     """Solve every variant of a folder and write a page with their schemes and main numbers."""
     with console_of(lang) as console:
         console.stage(Message(N_("solving")))
-        from tmm_report.commands.gallery import run
+        from tmm_report.commands.gallery.run import run
 
         done = run(folder, output, console.language, console)
     ended(done)
@@ -188,7 +188,7 @@ def assemblies(
     """List and draw every way in which the mechanism can be put together, each with its sketch for the variant."""
     with console_of(lang) as console:
         console.stage(Message(N_("looking for assemblies")))
-        from tmm_report.commands.assemblies import run
+        from tmm_report.commands.assemblies.run import run
 
         done = run(variant, angle, output, lang, console)
     ended(done)
@@ -215,7 +215,7 @@ def methods(
     """Run every method that can solve a variant: times, errors against 40 digits, the cheapest that is good enough."""
     with console_of(lang) as console:
         console.stage(Message(N_("solving")))
-        from tmm_report.commands.methods import run
+        from tmm_report.commands.methods.run import run
 
         done = run(variant, output, accuracy, formats, lang, console, quick=quick)
     ended(done)
@@ -397,7 +397,7 @@ def explain(
     """Print how a quantity is derived, with numbers."""
     with console_of(lang) as console:
         console.stage(Message(N_("solving")))
-        from tmm_report.commands.explain import run
+        from tmm_report.commands.explain.run import run
 
         done = run(variant, quantity, position, lang, console)
     ended(done)

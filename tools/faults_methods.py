@@ -297,7 +297,7 @@ FAULTS = (
     ),
     Fault(
         "a logarithmic chart upside down",
-        "tmm_report/figures/logs.py",
+        "tmm_report/figures/charts/logs.py",
         "return (math.log10(value) - self.low) * self.long",
         "return (self.high - math.log10(value)) * self.long",
         tests=("tests/figures/test_logarithmic_charts.py",),

@@ -10,11 +10,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from mechanisms import CASES, compressor
 
-from tmm_report.figures.detail import SHORT, beside, clipped, times
 from tmm_report.figures.drawing import THICK, Arc, Circle, Drawing, Path, Text, line
-from tmm_report.figures.scheme import positions_scheme, scheme
-from tmm_report.figures.strokes import BAND, Stroke
-from tmm_report.figures.view import view_of
+from tmm_report.figures.schemes.detail import SHORT, beside, clipped, times
+from tmm_report.figures.schemes.scheme import positions_scheme, scheme
+from tmm_report.figures.schemes.strokes import BAND, Stroke
+from tmm_report.figures.schemes.view import view_of
 
 places = st.complex_numbers(max_magnitude=30, allow_nan=False, allow_infinity=False)
 

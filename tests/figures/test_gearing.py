@@ -19,7 +19,7 @@ from tmm_report.quantity.text import number
 from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page
-from tmm_report.report.sheets import percent, sheet_of
+from tmm_report.report.paper.sheets import percent, sheet_of
 
 GIVEN = {
     "external": spur.Given(-2, 0.006, 0.130, wheels=("4", "5")),

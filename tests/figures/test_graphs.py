@@ -15,11 +15,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tmm_report.chapters.lever.kinematics.view.diagrams import Diagrams
-from tmm_report.figures.axes import angle_axis, figure, position_marks, round_ticks, value_ticks
+from tmm_report.figures.charts.axes import angle_axis, figure, position_marks, round_ticks, value_ticks
+from tmm_report.figures.charts.graphs import Curve, graph
+from tmm_report.figures.charts.sheet import CURVE, JOINED
 from tmm_report.figures.drawing import Path, Text, svg, tikz
-from tmm_report.figures.graphs import Curve, graph
 from tmm_report.figures.lettering import Symbol, width
-from tmm_report.figures.sheet import CURVE, JOINED
 from tmm_report.i18n import Translator
 from tmm_report.quantity.paper import ROUND
 

@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tmm_report.figures.charts.logs import LEVEL, STAIRS, WIDE, Series, decades, loglog
 from tmm_report.figures.drawing import Path, Text
-from tmm_report.figures.logs import LEVEL, STAIRS, WIDE, Series, decades, loglog
 
 values = st.lists(st.floats(1e-18, 1e12), min_size=1, max_size=8)
 

@@ -12,7 +12,7 @@ from tmm_report.chapters.gears.spur.solve.mesh import ROUND, TALL, round_scale
 from tmm_report.figures.drawing import DASHED, Arc, Circle, Path, Text
 from tmm_report.mechanics.calculus.polygons import clearance
 from tmm_report.quantity.text import number
-from tmm_report.report.sheets import percent, sheet_of
+from tmm_report.report.paper.sheets import percent, sheet_of
 
 GIVEN = {
     "reference": spur.Given(-2, 0.006, 0.130, wheels=("4", "5")),

@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tmm_report.figures.charts.plane import FIELD, Frame, Spot, Trace, framed, plane
 from tmm_report.figures.drawing import Path, Text, svg, tikz
-from tmm_report.figures.plane import FIELD, Frame, Spot, Trace, framed, plane
 
 TURN = np.exp(1j * np.linspace(0, 2 * np.pi, 41)[:-1])
 

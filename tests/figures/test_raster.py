@@ -18,6 +18,8 @@ from hypothesis import strategies as st
 from pixels import PIXEL, SHEET, box, inked, picture, places
 
 from tmm_report.figures import raster
+from tmm_report.figures.charts.graphs import Curve, graph
+from tmm_report.figures.charts.sheet import LOOKS
 from tmm_report.figures.drawing import (
     COLOURS,
     THICK,
@@ -33,10 +35,8 @@ from tmm_report.figures.drawing import (
     polygon,
     polyline,
 )
-from tmm_report.figures.graphs import Curve, graph
 from tmm_report.figures.primitives import HEAD
 from tmm_report.figures.raster import INCH, dots, png
-from tmm_report.figures.sheet import LOOKS
 
 
 def away(z: np.ndarray, strokes) -> np.ndarray:

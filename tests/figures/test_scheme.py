@@ -8,12 +8,18 @@ import numpy as np
 import pytest
 from mechanisms import CASES, compressor, four_bar, offset_slider, rotated, scotch_yoke
 
-from tmm_report.figures.bodies import Motion, bodies
 from tmm_report.figures.drawing import Circle, Path, Text, svg, tikz
-from tmm_report.figures.marks import JOINT
 from tmm_report.figures.placing import AWAY, LEADER
-from tmm_report.figures.scheme import GROUPS_PAGE, groups_apart, positions_scheme, scheme, standard_scale
-from tmm_report.figures.superposed import SMALL
+from tmm_report.figures.schemes.bodies import Motion, bodies
+from tmm_report.figures.schemes.marks import JOINT
+from tmm_report.figures.schemes.scheme import (
+    GROUPS_PAGE,
+    groups_apart,
+    positions_scheme,
+    scheme,
+    standard_scale,
+)
+from tmm_report.figures.schemes.superposed import SMALL
 from tmm_report.mechanics.lever.mechanism import Link
 
 GROUPS = [("I (0,1)", ("0", "1")), ("II (2,3)", ("2", "3"))]

@@ -10,8 +10,8 @@ import pytest
 from conftest import solved
 from notes import VARIANTS
 
-from tmm_report.grading.answers import NOTES, read
 from tmm_report.grading.expected import expected, reversed_reactions
+from tmm_report.grading.handed_in.answers import NOTES, read
 from tmm_report.grading.rubric import Rubric
 from tmm_report.intake.writing import csv_bytes, xlsx_bytes
 

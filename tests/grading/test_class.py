@@ -9,8 +9,8 @@ import pytest
 
 from tmm_report import course
 from tmm_report.grading import rubric as rubrics
-from tmm_report.grading.answers import read
 from tmm_report.grading.expected import expected, reversed_reactions
+from tmm_report.grading.handed_in.answers import read
 from tmm_report.grading.marks import grade
 
 CLASS = Path(__file__).parents[1] / "cases" / "class"

@@ -10,9 +10,9 @@ from dataclasses import replace
 import pytest
 from test_attacks import PAYLOADS
 
-from tmm_report.grading.gradebook import gradebook, gradescope, line
 from tmm_report.grading.model import KINDS, Digest, Rule
-from tmm_report.grading.words import cause_text, kind_text
+from tmm_report.grading.year.gradebook import gradebook, gradescope, line
+from tmm_report.grading.year.words import cause_text, kind_text
 from tmm_report.i18n import Translator
 
 EN, RU = Translator("en"), Translator("ru")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tmm_report.assignments import people
-from tmm_report.grading.roster import ROWS, roster
+from tmm_report.grading.year.roster import ROWS, roster
 from tmm_report.intake.writing import csv_bytes, xlsx_bytes
 from tmm_report.problems import ProblemError
 

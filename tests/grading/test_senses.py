@@ -9,13 +9,13 @@ import pytest
 from conftest import solved
 
 from tmm_report.grading import rubric as rubrics
-from tmm_report.grading.answers import read
 from tmm_report.grading.expected import expected
+from tmm_report.grading.handed_in.answers import read
+from tmm_report.grading.handed_in.template import template
 from tmm_report.grading.marks import grade
 from tmm_report.grading.model import Answered, Answers, Rule
 from tmm_report.grading.rubric import Rubric
 from tmm_report.grading.senses import lines, told
-from tmm_report.grading.template import template
 
 TABLES = ("outputs_table", "rates_table", "loads_table", "reactions_table", "balancing_table")
 

@@ -12,11 +12,11 @@ from notes import VARIANTS
 from told import Told
 
 from tmm_report.commands.grade.sheet import run as write_sheets
-from tmm_report.grading.answers import read
 from tmm_report.grading.expected import expected
+from tmm_report.grading.handed_in.answers import read
+from tmm_report.grading.handed_in.template import template, whose_line
 from tmm_report.grading.marks import closed, grade
 from tmm_report.grading.rubric import Rubric, TableRule, worth
-from tmm_report.grading.template import template, whose_line
 from tmm_report.i18n import Translator
 from tmm_report.intake import cells
 from tmm_report.languages import LANGUAGES

@@ -16,9 +16,9 @@ from hypothesis import strategies as st
 from test_attacks import PAYLOADS
 
 from tmm_report.commands.grade.statistics_page import statistics_files
-from tmm_report.grading.copies import limit
 from tmm_report.grading.model import Digest, Rule
-from tmm_report.grading.statistics import lines, statistics
+from tmm_report.grading.year.copies import limit
+from tmm_report.grading.year.statistics import lines, statistics
 from tmm_report.i18n import Translator
 
 KEYS = ("S", "V", "A", "M")

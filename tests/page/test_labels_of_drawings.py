@@ -11,7 +11,7 @@ from reading import CHOSEN, drawings, wrong
 
 from tmm_report.figures.drawing import Circle, Drawing, Item, Path, Text
 from tmm_report.figures.lettering import tex_parts
-from tmm_report.report.sheets import percent
+from tmm_report.report.paper.sheets import percent
 
 SLACK = 0.15  # mm: lettering may touch its neighbour by so much
 NARROW = (

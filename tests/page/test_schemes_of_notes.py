@@ -17,7 +17,7 @@ from test_drawings import figures
 from tmm_report.chapters.lever.kinematics.solve.working_stroke import working_of
 from tmm_report.course import LeverFound
 from tmm_report.figures.drawing import THICK, Arc, Drawing, Path
-from tmm_report.figures.strokes import BAND
+from tmm_report.figures.schemes.strokes import BAND
 from tmm_report.mechanics.lever.mechanism import FRAME
 
 

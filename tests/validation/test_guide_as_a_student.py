@@ -13,8 +13,8 @@ import yaml
 from conftest import solved
 
 from tmm_report.grading import rubric
-from tmm_report.grading.answers import read
 from tmm_report.grading.expected import expected, reversed_reactions
+from tmm_report.grading.handed_in.answers import read
 from tmm_report.grading.marks import grade
 from tmm_report.grading.model import RIGHT, Rule
 from tmm_report.intake.writing import csv_bytes, xlsx_bytes

@@ -14,12 +14,12 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.figures import marks
 from tmm_report.figures.aside import asides
 from tmm_report.figures.dimensions import head
 from tmm_report.figures.drawing import THIN, Arrow, Drawing, Item, Pen, Tag, dot, line
 from tmm_report.figures.lettering import Part
 from tmm_report.figures.plans import PENS, Style
+from tmm_report.figures.schemes import marks
 from tmm_report.records import dataclass
 
 LETTER = 2.8  # height of the letters of forces and arms, mm

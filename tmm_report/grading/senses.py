@@ -14,7 +14,7 @@ from tmm_report.course import Results, room
 from tmm_report.judging.diagnose.words import named
 from tmm_report.judging.model import Answered, Answers, Asked, Cause, Expected, Judged, Name
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.directions import direction, sense
+from tmm_report.quantity.terms.directions import direction, sense
 
 Judge = Callable[[Asked, Answered], Judged]
 THROUGHOUT = 0.9  # of the answered cells of a work that must be right with the other sign: others are slips

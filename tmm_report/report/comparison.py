@@ -7,8 +7,8 @@ from typing import Any
 
 from tmm_report.quantity import model
 from tmm_report.quantity.model import Quantity
-from tmm_report.report.layout import Cell, Table, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Cell, Table, worded
 
 
 def comparison_table(

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.figures.axes import angle_axis, round_ticks
-from tmm_report.figures.graphs import Curve, Graph, graph
+from tmm_report.figures.charts.axes import angle_axis, round_ticks
+from tmm_report.figures.charts.graphs import Curve, Graph, graph
 from tmm_report.figures.lettering import Parts, lettered
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.lever.cycle import Extreme

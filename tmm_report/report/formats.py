@@ -11,17 +11,17 @@ from typing import Any, Protocol
 
 from markupsafe import Markup
 
+from tmm_report.figures.charts.graphs import Graph
 from tmm_report.figures.drawing import Drawing, svg, tikz
-from tmm_report.figures.graphs import Graph
 from tmm_report.i18n import Translator
 from tmm_report.quantity.ref import Ref, attributes
 from tmm_report.quantity.symbols import GREEK, latex_escape, xml_escape
 from tmm_report.records import dataclass
-from tmm_report.report.layout import Cell, Words
-from tmm_report.report.lines import broken, finer, pieces
-from tmm_report.report.measure import breakable
-from tmm_report.report.sheets import CAPTION, Sheet, percent, sheet_of
-from tmm_report.report.sheets import PAGE as PAGE
+from tmm_report.report.paper.layout import Cell, Words
+from tmm_report.report.paper.lines import broken, finer, pieces
+from tmm_report.report.paper.measure import breakable
+from tmm_report.report.paper.sheets import CAPTION, Sheet, percent, sheet_of
+from tmm_report.report.paper.sheets import PAGE as PAGE
 
 
 class Mathematics(Protocol):

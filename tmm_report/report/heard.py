@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 
 from markupsafe import Markup
 
+from tmm_report.figures.charts.graphs import Graph
 from tmm_report.figures.drawing import Drawing
-from tmm_report.figures.graphs import Graph
 from tmm_report.i18n import Translator
 from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Formula, VectorEquation
@@ -22,9 +22,9 @@ from tmm_report.quantity.written import Equation
 from tmm_report.records import dataclass
 from tmm_report.report import render
 from tmm_report.report.formats import Html, Mathematics
-from tmm_report.report.layout import Cell, Words
 from tmm_report.report.numbering import Numbering, Place, Section
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Cell, Words
 from tmm_report.report.part import Part, Title
 from tmm_report.report.plain import Item
 

@@ -17,8 +17,8 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template, pas
 from jinja2.runtime import Context, Undefined
 from markupsafe import Markup
 
+from tmm_report.figures.charts.graphs import Graph
 from tmm_report.figures.drawing import Drawing
-from tmm_report.figures.graphs import Graph
 from tmm_report.i18n import Translator
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.formula import Formula, Inline, Var
@@ -26,12 +26,12 @@ from tmm_report.quantity.model import Column, Table, Value
 from tmm_report.quantity.symbols import Symbol, math_symbol, xml_escape
 from tmm_report.quantity.text import column, number, unit_text
 from tmm_report.quantity.written import Equation, explained
-from tmm_report.report import layout
 from tmm_report.report.bytecode import bytecode_cache
 from tmm_report.report.formats import Format
-from tmm_report.report.layout import Cell, Words
 from tmm_report.report.numbering import Numbering
-from tmm_report.report.sheets import percent
+from tmm_report.report.paper import layout
+from tmm_report.report.paper.layout import Cell, Words
+from tmm_report.report.paper.sheets import percent
 from tmm_report.report.sources import SOURCES
 from tmm_report.report.symbol_list import SymbolList
 from tmm_report.resources import data_root

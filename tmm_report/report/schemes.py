@@ -8,8 +8,8 @@ from functools import cached_property
 import numpy as np
 
 from tmm_report.figures.drawing import Drawing
-from tmm_report.figures.scheme import Arrays, apart_scale, groups_apart, positions_scheme, scheme
-from tmm_report.figures.strokes import Stroke
+from tmm_report.figures.schemes.scheme import Arrays, apart_scale, groups_apart, positions_scheme, scheme
+from tmm_report.figures.schemes.strokes import Stroke
 from tmm_report.mechanics.lever.assur_groups import Group
 from tmm_report.mechanics.lever.cams.replacing_dyad import standing
 from tmm_report.mechanics.lever.mechanism import FRAME, Mechanism

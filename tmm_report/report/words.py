@@ -10,7 +10,7 @@ from markupsafe import Markup
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.lever.assur_groups import ROMAN, Group, Structure
 from tmm_report.problems import N_
-from tmm_report.quantity.directions import COMPASS
+from tmm_report.quantity.terms.directions import COMPASS
 from tmm_report.quantity.text import unit_text
 from tmm_report.report.page import Page
 

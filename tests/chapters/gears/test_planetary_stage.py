@@ -26,7 +26,7 @@ from tmm_report.problems import ProblemError
 from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template
-from tmm_report.report.sheets import fits
+from tmm_report.report.paper.sheets import fits
 
 SINGLE = {
     "kind": "planetary",

@@ -15,7 +15,7 @@ from markupsafe import Markup
 
 from tmm_report.commands.grade.legend import MARKS, Limits, Mark, Says, mark
 from tmm_report.grading.model import HELD, RIGHT, Cause, Digest, Marked, MarkedColumn, Name, Rule
-from tmm_report.grading.words import attempt_text, override_text, state_text
+from tmm_report.grading.year.words import attempt_text, override_text, state_text
 from tmm_report.i18n import Translator
 from tmm_report.problems import N_, shown
 from tmm_report.records import dataclass

@@ -8,9 +8,9 @@ from dataclasses import replace
 from tmm_report import yamlread
 from tmm_report.commands.batch.inputs import Task
 from tmm_report.commands.grade.work import Work
-from tmm_report.grading.gradebook import Roster
-from tmm_report.grading.overrides import Overrides
-from tmm_report.grading.whose import folded, number, whose
+from tmm_report.grading.year.gradebook import Roster
+from tmm_report.grading.year.overrides import Overrides
+from tmm_report.grading.year.whose import folded, number, whose
 from tmm_report.intake.sources import Handed, Source, Unread
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake, shown
 from tmm_report.records import dataclass

@@ -19,15 +19,15 @@ from tmm_report.commands.grade.statistics_page import statistics_files
 from tmm_report.commands.grade.work import Options, Work, unsolved, work
 from tmm_report.commands.talk import UNWRITABLE, Talk, failure, unlinked, unwritable, written
 from tmm_report.commands.whole import alone
-from tmm_report.grading import others as year
 from tmm_report.grading import rubric as rubrics
-from tmm_report.grading.gradebook import gradebook
 from tmm_report.grading.model import RIGHT, Digest
-from tmm_report.grading.overrides import FILE as OVERRIDES
-from tmm_report.grading.overrides import overrides
-from tmm_report.grading.roster import roster as read_roster
-from tmm_report.grading.statistics import Statistics, lines, statistics
-from tmm_report.grading.words import state_text
+from tmm_report.grading.year import others as year
+from tmm_report.grading.year.gradebook import gradebook
+from tmm_report.grading.year.overrides import FILE as OVERRIDES
+from tmm_report.grading.year.overrides import overrides
+from tmm_report.grading.year.roster import roster as read_roster
+from tmm_report.grading.year.statistics import Statistics, lines, statistics
+from tmm_report.grading.year.words import state_text
 from tmm_report.i18n import Translator
 from tmm_report.intake.sources import handed
 from tmm_report.problems import N_, Message, Problem, mistake, shown

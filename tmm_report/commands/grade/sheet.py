@@ -11,9 +11,9 @@ from tmm_report.course import loads, solve
 from tmm_report.grading import rubric as rubrics
 from tmm_report.grading import senses
 from tmm_report.grading.expected import expected
+from tmm_report.grading.handed_in.template import FORMATS, different, template, whose_line
 from tmm_report.grading.marks import closed
 from tmm_report.grading.rubric import Rubric
-from tmm_report.grading.template import FORMATS, different, template, whose_line
 from tmm_report.problems import N_, Message, ProblemError
 
 

@@ -10,9 +10,9 @@ from typing import NamedTuple
 
 from markupsafe import Markup
 
-from tmm_report.grading.copies import limit
-from tmm_report.grading.statistics import Share, Statistics, lines
-from tmm_report.grading.words import kind_text
+from tmm_report.grading.year.copies import limit
+from tmm_report.grading.year.statistics import Share, Statistics, lines
+from tmm_report.grading.year.words import kind_text
 from tmm_report.i18n import Translator
 from tmm_report.intake.writing import csv_bytes
 from tmm_report.problems import N_, Message

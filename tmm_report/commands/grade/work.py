@@ -13,13 +13,13 @@ from tmm_report.commands.batch.work import loaded, solved_together
 from tmm_report.commands.files import translator, write
 from tmm_report.commands.grade.feedback import feedback
 from tmm_report.course import Results, Variant
-from tmm_report.grading import others as year
-from tmm_report.grading.answers import read
-from tmm_report.grading.attempts import attempts
 from tmm_report.grading.expected import expected, reversed_reactions
+from tmm_report.grading.handed_in.answers import read
+from tmm_report.grading.handed_in.attempts import attempts
 from tmm_report.grading.marks import digest, grade
 from tmm_report.grading.model import ABSENT, HELD, UNREAD, Answers, Digest, Expected, Marked, Override
 from tmm_report.grading.rubric import Rubric
+from tmm_report.grading.year import others as year
 from tmm_report.i18n import Translator
 from tmm_report.intake.sources import Source, Unread
 from tmm_report.languages import FALLBACK

@@ -19,8 +19,8 @@ from tmm_report.chapters.lever.kinetostatics.given import ByDisplacement, ByStro
 from tmm_report.chapters.lever.kinetostatics.solve.load_breaks import breaks
 from tmm_report.chapters.lever.kinetostatics.solve.positions import magnitude
 from tmm_report.chapters.lever.moving import Moving, machine
-from tmm_report.figures.axes import position_marks
-from tmm_report.figures.graphs import Curve, graph
+from tmm_report.figures.charts.axes import position_marks
+from tmm_report.figures.charts.graphs import Curve, graph
 from tmm_report.mechanics.lever.mechanism import ZeroAngle
 from tmm_report.problems import ProblemError
 

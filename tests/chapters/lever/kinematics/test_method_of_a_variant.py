@@ -23,9 +23,9 @@ from tmm_report.mechanics.rivals.motion.every import motion_method
 from tmm_report.mechanics.rivals.trials import SAME, worst
 from tmm_report.problems import ProblemError
 from tmm_report.report.formats import Html
-from tmm_report.report.layout import Cell
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Cell
 from tmm_report.report.words import method_name
 from tmm_report.stack import solve_many
 

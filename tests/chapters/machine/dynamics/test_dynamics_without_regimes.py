@@ -10,7 +10,8 @@ from test_dynamics_chapter import alone, book
 from told import Told
 
 from tmm_report import course, render
-from tmm_report.commands import explain, gallery
+from tmm_report.commands.explain import run as explain
+from tmm_report.commands.gallery import run as gallery
 
 CASES = sorted((Path(__file__).parents[3] / "cases" / "machine").glob("crash_*.yaml"))
 FLYWHEEL = "parts: [{name: flywheel, inertia: 3}]"

@@ -19,8 +19,8 @@ from tmm_report.figures.drawing import Drawing
 from tmm_report.problems import N_
 from tmm_report.quantity import model as quantity
 from tmm_report.quantity.formula import Formula
-from tmm_report.report.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.part import Failed, Inner, Part
 
 SCHEME = N_("Kinematic scheme of the drive")

@@ -13,9 +13,9 @@ from tmm_report.chapters.gears.planetary.solve.stage import Found
 from tmm_report.chapters.gears.planetary.solve.stated_shifts import whole
 from tmm_report.mechanics.gears.planetary.stage import EXTERNAL, INTERNAL, MEMBERS, ROWS, Member
 from tmm_report.quantity.formula import Expr, Formula, Number, Var, arccos, cos, sin, sqrt, tan
-from tmm_report.quantity.gear_terms import arctan, involute
 from tmm_report.quantity.part import Part
 from tmm_report.quantity.ref import Ref
+from tmm_report.quantity.terms.gear_terms import arctan, involute
 
 HALF_TURN = Var("pi", np.pi, "deg", ref=Ref("pi", unit="deg"))
 

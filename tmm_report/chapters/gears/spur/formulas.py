@@ -20,8 +20,8 @@ from tmm_report.quantity.formula import (
     sqrt,
     tan,
 )
-from tmm_report.quantity.gear_terms import arctan, involute
 from tmm_report.quantity.part import Part
+from tmm_report.quantity.terms.gear_terms import arctan, involute
 
 UNITS = {"m": "mm"}  # of the results -> of print
 

@@ -15,7 +15,7 @@ from tmm_report.mechanics.gears.limits.condition import Condition
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Book, Column, Quantity, Table, text_column
 from tmm_report.quantity.symbols import Symbol, segment
-from tmm_report.quantity.wheel_words import DIAMETERS, TEETH, dimension, of_wheel
+from tmm_report.quantity.terms.wheel_words import DIAMETERS, TEETH, dimension, of_wheel
 
 __all__ = ["book", "tables", "values"]
 

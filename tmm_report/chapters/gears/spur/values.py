@@ -10,9 +10,9 @@ from tmm_report.chapters.gears.spur.solve.motion import sliding_limit
 from tmm_report.chapters.gears.spur.solve.pair import Found
 from tmm_report.mechanics.gears import shift_sharing
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.gear_terms import HA, C
 from tmm_report.quantity.model import Quantity, Value
 from tmm_report.quantity.symbols import Symbol, segment
+from tmm_report.quantity.terms.gear_terms import HA, C
 
 Row = tuple[str, Symbol | None, str, str, float]  # key, symbol, unit, meaning, number
 

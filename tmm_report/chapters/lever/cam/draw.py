@@ -10,7 +10,6 @@ from itertools import product
 import numpy as np
 
 from tmm_report.chapters.lever.cam.solve import CamFound
-from tmm_report.figures import marks
 from tmm_report.figures.drawing import (
     AXIS,
     DASHED,
@@ -28,6 +27,7 @@ from tmm_report.figures.drawing import (
     polyline,
 )
 from tmm_report.figures.lettering import Symbol, symbol
+from tmm_report.figures.schemes import marks
 
 ROOM = (140.0, 180.0)  # mm: what the drawing may fill
 FINE = 721

@@ -13,15 +13,15 @@ from tmm_report.chapters.lever.cam import draw, formulas
 from tmm_report.chapters.lever.cam import quantities as q
 from tmm_report.chapters.lever.cam.formulas import Written
 from tmm_report.chapters.lever.cam.solve import CamFound, Cams
+from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.drawing import Drawing
-from tmm_report.figures.graphs import Curve, Graph
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula, Var
 from tmm_report.quantity.model import Book
 from tmm_report.quantity.ref import Ref
 from tmm_report.report.diagrams import CycleGraphs, points, scale_of
-from tmm_report.report.layout import Cell, Table, numeric, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Cell, Table, numeric, worded
 from tmm_report.report.part import Failed, Part
 
 if TYPE_CHECKING:

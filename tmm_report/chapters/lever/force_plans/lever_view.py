@@ -13,8 +13,8 @@ from tmm_report.chapters.lever.force_plans.lever_draw import lever_picture
 from tmm_report.figures.drawing import Drawing
 from tmm_report.problems import N_
 from tmm_report.quantity.model import Book
-from tmm_report.report.layout import DASH, Table, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import DASH, Table, worded
 from tmm_report.report.part import Part
 
 WAYS = {

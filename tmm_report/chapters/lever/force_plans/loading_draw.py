@@ -11,12 +11,12 @@ import numpy as np
 from tmm_report.chapters.lever.force_plans.drafting import ForceDrawn, ForcePlan
 from tmm_report.chapters.lever.force_plans.drafting.plan import Held
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
-from tmm_report.figures.apart import loose
 from tmm_report.figures.drawing import AXIS, Circle, Drawing, Item, Tag
 from tmm_report.figures.lettering import Part, lettered, symbol
 from tmm_report.figures.loading import Arm, Couple, Force, loading, point_mark
 from tmm_report.figures.plans import Style
-from tmm_report.figures.view import View, view_of
+from tmm_report.figures.schemes.apart import loose
+from tmm_report.figures.schemes.view import View, view_of
 from tmm_report.mechanics.lever.cams.replacing_dyad import standing
 from tmm_report.quantity.symbols import Symbol
 

@@ -21,8 +21,8 @@ from tmm_report.quantity.formula import Var
 from tmm_report.quantity.model import Book, Quantity
 from tmm_report.report.comparison import comparison_table
 from tmm_report.report.diagrams import scale_of
-from tmm_report.report.layout import Table, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Table, worded
 from tmm_report.report.part import Part
 from tmm_report.report.words import group_label
 

@@ -14,7 +14,7 @@ from tmm_report.chapters.lever.friction.corrected import STILL, Correction, Loss
 from tmm_report.chapters.lever.friction.solve import FrictionFound, PairLoss
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as forces
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
-from tmm_report.figures.graphs import Curve, Graph
+from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Expr, Formula, Var
 from tmm_report.quantity.model import Book
@@ -22,8 +22,8 @@ from tmm_report.quantity.model import Table as Numbers
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.diagrams import CycleGraphs
-from tmm_report.report.layout import Table, numeric
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Table, numeric
 
 
 def tilting(losses: Iterable[PairLoss | Loss], table: Numbers, page: Page) -> Markup | None:

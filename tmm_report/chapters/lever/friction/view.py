@@ -13,7 +13,7 @@ from tmm_report.chapters.lever.friction.corrected_view import CorrectedView, til
 from tmm_report.chapters.lever.friction.solve import FrictionFound, PairLoss
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as forces
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
-from tmm_report.figures.graphs import Curve, Graph
+from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.mechanics.lever.assur_groups import Pair
 from tmm_report.mechanics.pairs.materials import Range, Stock
 from tmm_report.problems import N_
@@ -22,8 +22,8 @@ from tmm_report.quantity.model import Book
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.diagrams import CycleGraphs
-from tmm_report.report.layout import Cell, Table, numeric, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Cell, Table, numeric, worded
 from tmm_report.report.part import Part
 from tmm_report.report.words import PAIR_KINDS
 

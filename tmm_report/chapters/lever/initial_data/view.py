@@ -16,8 +16,8 @@ from tmm_report.mechanics.lever.mechanism import FRAME, Guide, Link, Mechanism, 
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import PI, Formula
 from tmm_report.quantity.model import Book, variable
-from tmm_report.report.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.part import Part
 from tmm_report.report.schemes import Schemes
 from tmm_report.report.words import sense

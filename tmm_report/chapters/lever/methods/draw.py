@@ -6,9 +6,9 @@ import math
 from collections.abc import Callable
 
 from tmm_report.chapters.lever.methods.solve import Family
+from tmm_report.figures.charts.logs import Series, loglog
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.lettering import Parts
-from tmm_report.figures.logs import Series, loglog
 from tmm_report.mechanics.rivals.choice import FLOOR, rounded
 from tmm_report.mechanics.rivals.counts import Counted
 from tmm_report.mechanics.rivals.model import Trial

@@ -17,8 +17,8 @@ from tmm_report.problems import N_
 from tmm_report.quantity import model
 from tmm_report.quantity.model import Book
 from tmm_report.report.diagrams import letter
-from tmm_report.report.layout import DASH, Cell, Table, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import DASH, Cell, Table, worded
 from tmm_report.report.part import Part
 from tmm_report.report.words import method_name
 

@@ -22,8 +22,8 @@ from tmm_report.quantity.formula import Formula, Number, Var
 from tmm_report.quantity.model import Book
 from tmm_report.quantity.symbols import segment
 from tmm_report.report.comparison import comparison_table
-from tmm_report.report.layout import Column, Table, numeric, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Column, Table, numeric, worded
 from tmm_report.report.part import Part
 from tmm_report.report.words import group_name
 

@@ -14,8 +14,8 @@ from tmm_report.judging.model import Rule
 from tmm_report.problems import N_
 from tmm_report.quantity.model import Book
 from tmm_report.report.comparison import own_numbers_table
-from tmm_report.report.layout import Table
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Table
 from tmm_report.report.part import Part
 
 if TYPE_CHECKING:

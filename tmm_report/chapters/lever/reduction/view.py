@@ -12,15 +12,15 @@ from tmm_report.chapters.lever.initial_data import quantities as initial
 from tmm_report.chapters.lever.kinematics import quantities as rates
 from tmm_report.chapters.lever.reduction import quantities as q
 from tmm_report.chapters.lever.reduction.solve import Reduction
-from tmm_report.figures.graphs import Curve, Graph
+from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.mechanics.lever.vector_equations import moving_points, turning_links
 from tmm_report.problems import N_
 from tmm_report.quantity import model
 from tmm_report.quantity.formula import Expr, Formula
 from tmm_report.quantity.model import Book
 from tmm_report.report.diagrams import CycleGraphs, points
-from tmm_report.report.layout import Table, numeric
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Table, numeric
 from tmm_report.report.part import Part
 
 if TYPE_CHECKING:

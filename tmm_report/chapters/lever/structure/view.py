@@ -19,8 +19,8 @@ from tmm_report.mechanics.lever.motion import Motion
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula, Var
 from tmm_report.quantity.model import Book, Value
-from tmm_report.report.layout import Table, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Table, worded
 from tmm_report.report.part import Part
 from tmm_report.report.schemes import Schemes
 from tmm_report.report.words import PAIR_KINDS, group_name, roman, structural_formula

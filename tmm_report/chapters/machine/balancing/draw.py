@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 
 from tmm_report.chapters.machine.balancing.solve.whole import Case, Found
+from tmm_report.figures.charts.plane import Num, Spot, Trace, framed, plane
 from tmm_report.figures.drawing import NORMAL, THIN, Circle, Drawing, Item, Pen, dot, line
 from tmm_report.figures.lettering import Part, Symbol
 from tmm_report.figures.placing import Tag
-from tmm_report.figures.plane import Num, Spot, Trace, framed, plane
-from tmm_report.figures.scheme import standard_scale
-from tmm_report.figures.view import view_of
+from tmm_report.figures.schemes.scheme import standard_scale
+from tmm_report.figures.schemes.view import view_of
 
 Array = Any
 POINTS = 180  # of a hodograph that is drawn

@@ -23,7 +23,7 @@ from tmm_report.figures.drawing import (
     polygon,
 )
 from tmm_report.figures.lettering import symbol
-from tmm_report.figures.marks import ground
+from tmm_report.figures.schemes.marks import ground
 
 FORCE = 20.0  # length of a force, mm
 BASE = 62.0  # of a plane

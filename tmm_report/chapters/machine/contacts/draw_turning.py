@@ -25,7 +25,7 @@ from tmm_report.figures.drawing import (
     line,
     polygon,
 )
-from tmm_report.figures.marks import block, fixed_guide, ground, support, turning
+from tmm_report.figures.schemes.marks import block, fixed_guide, ground, support, turning
 
 
 def wheel(item: Solved, title: str) -> Drawing:

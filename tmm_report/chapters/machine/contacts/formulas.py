@@ -11,8 +11,8 @@ from tmm_report.chapters.machine.contacts.quantities import name, terms
 from tmm_report.chapters.machine.contacts.solve import Solved
 from tmm_report.problems import Message
 from tmm_report.quantity.formula import PI, Expr, Formula, Function, Var, cos, sin, tan
-from tmm_report.quantity.gear_terms import arctan
 from tmm_report.quantity.model import Table
+from tmm_report.quantity.terms.gear_terms import arctan
 
 
 class Of:

@@ -9,7 +9,7 @@ import numpy as np
 from tmm_report.chapters.machine.contacts import formulas as plane
 from tmm_report.chapters.machine.contacts.formulas import Formulas, Of, exp
 from tmm_report.quantity.formula import PI, Expr, Formula, Function, cos, sin, sqrt
-from tmm_report.quantity.gear_terms import arctan
+from tmm_report.quantity.terms.gear_terms import arctan
 
 
 def arcsin(x: Expr) -> Expr:

@@ -19,8 +19,8 @@ from tmm_report.mechanics.pairs.materials import Stock
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.model import Book
-from tmm_report.report import layout
 from tmm_report.report.page import Page
+from tmm_report.report.paper import layout
 from tmm_report.report.part import Part
 
 LENGTHS = ("m",)

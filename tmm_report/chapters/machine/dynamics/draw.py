@@ -10,10 +10,10 @@ import numpy as np
 from tmm_report.chapters.machine.dynamics import quantities as q
 from tmm_report.chapters.machine.dynamics import terms
 from tmm_report.chapters.machine.dynamics.solve import Found
+from tmm_report.figures.charts.graphs import Curve, Graph
+from tmm_report.figures.charts.plane import Trace, framed, plane
 from tmm_report.figures.drawing import NORMAL, THICK, Drawing, line, polygon
-from tmm_report.figures.graphs import Curve, Graph
 from tmm_report.figures.lettering import Parts
-from tmm_report.figures.plane import Trace, framed, plane
 from tmm_report.i18n import NP_
 from tmm_report.mechanics.machine.run.motion_law import Run
 from tmm_report.mechanics.machine.run.steady import Steady

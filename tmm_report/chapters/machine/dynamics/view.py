@@ -13,13 +13,13 @@ from tmm_report.chapters.machine.dynamics import draw
 from tmm_report.chapters.machine.dynamics.formulas import DynamicsFormulas
 from tmm_report.chapters.machine.dynamics.plant import BRAKE, MOTOR, PAIRS
 from tmm_report.chapters.machine.dynamics.solve import Found
+from tmm_report.figures.charts.graphs import Graph
 from tmm_report.figures.drawing import Drawing
-from tmm_report.figures.graphs import Graph
 from tmm_report.mechanics.machine.reduced import LOST
 from tmm_report.problems import N_
 from tmm_report.quantity.ref import Ref
-from tmm_report.report.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.part import Part
 
 WAYS = {

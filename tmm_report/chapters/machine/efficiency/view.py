@@ -17,8 +17,8 @@ from tmm_report.figures.drawing import Drawing
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Expr, Formula, Var
 from tmm_report.quantity.model import Book
-from tmm_report.report import layout
 from tmm_report.report.page import Page
+from tmm_report.report.paper import layout
 from tmm_report.report.part import Part as Printed
 
 

@@ -26,8 +26,8 @@ from tmm_report.figures.drawing import (
     together,
 )
 from tmm_report.figures.lettering import Symbol
-from tmm_report.figures.marks import joint
 from tmm_report.figures.plans import PlanVector, plan
+from tmm_report.figures.schemes.marks import joint
 from tmm_report.mechanics.masses.rotor import Polygon
 from tmm_report.quantity.paper import round_scale
 

@@ -10,16 +10,16 @@ from markupsafe import Markup
 
 from tmm_report.chapters.machine.engine.drawn import LETTERS, UNITS
 from tmm_report.chapters.machine.engine.quantities import graph
+from tmm_report.figures.charts.graphs import Curve, Graph
+from tmm_report.figures.charts.plane import Trace, framed, plane
 from tmm_report.figures.drawing import Drawing
-from tmm_report.figures.graphs import Curve, Graph
 from tmm_report.figures.lettering import Parts
-from tmm_report.figures.plane import Trace, framed, plane
 from tmm_report.problems import N_
 from tmm_report.quantity import model
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.diagrams import CycleGraphs
-from tmm_report.report.layout import Cell, Table, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Cell, Table, worded
 
 if TYPE_CHECKING:
     from tmm_report.chapters.machine.engine.view import EngineView

@@ -14,13 +14,13 @@ from tmm_report.chapters.machine.engine.drawn import Star
 from tmm_report.chapters.machine.engine.formulas import EngineFormulas
 from tmm_report.chapters.machine.engine.solve import Found
 from tmm_report.chapters.machine.engine.words import BALANCED, REMEDIES
+from tmm_report.figures.charts.graphs import Graph
 from tmm_report.figures.drawing import Drawing
-from tmm_report.figures.graphs import Graph
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula
 from tmm_report.report.diagrams import scale_of
-from tmm_report.report.layout import Column, Table, numeric, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Column, Table, numeric, worded
 from tmm_report.report.part import Part
 
 STAGES = {

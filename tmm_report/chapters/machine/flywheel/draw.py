@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 
 from tmm_report.chapters.machine.flywheel.solve import Found
+from tmm_report.figures.charts.plane import Frame, Spot, Trace, framed, plane
 from tmm_report.figures.drawing import DASHED, NORMAL, THIN, Arc, Drawing, Item, Tag, dot, line
 from tmm_report.figures.lettering import Parts, symbol
-from tmm_report.figures.plane import Frame, Spot, Trace, framed, plane
 from tmm_report.mechanics.machine.flywheel.inertia import Touch
 
 Array = Any

@@ -11,8 +11,8 @@ from tmm_report.chapters.machine.flywheel.given import Disc
 from tmm_report.chapters.machine.flywheel.solve import Found
 from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import PI, POWER, Expr, Formula, Number, Page, Piece, Var, sqrt
-from tmm_report.quantity.gear_terms import arctan
 from tmm_report.quantity.model import Book, Table, Value
+from tmm_report.quantity.terms.gear_terms import arctan
 from tmm_report.records import dataclass
 
 

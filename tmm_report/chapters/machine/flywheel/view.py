@@ -15,15 +15,15 @@ from tmm_report.chapters.machine.flywheel import draw, sketch
 from tmm_report.chapters.machine.flywheel import quantities as q
 from tmm_report.chapters.machine.flywheel.formulas import FlywheelFormulas
 from tmm_report.chapters.machine.flywheel.solve import Found
+from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.drawing import Drawing
-from tmm_report.figures.graphs import Curve, Graph
 from tmm_report.figures.lettering import symbol
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula, Var
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.diagrams import CycleGraphs, scale_of
-from tmm_report.report.layout import Table, numeric, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Table, numeric, worded
 from tmm_report.report.part import Part
 
 METHODS = {

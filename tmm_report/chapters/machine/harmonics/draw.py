@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 
 from tmm_report.chapters.machine.harmonics.solve import Wave
-from tmm_report.figures.axes import round_ticks
+from tmm_report.figures.charts.axes import round_ticks
+from tmm_report.figures.charts.plane import Frame, Num, Trace, plane
 from tmm_report.figures.drawing import Drawing, Pen
 from tmm_report.figures.lettering import Symbol
 from tmm_report.figures.placing import Tag
-from tmm_report.figures.plane import Frame, Num, Trace, plane
 from tmm_report.mechanics.calculus import harmonics as fourier
 
 Array = Any

@@ -12,8 +12,8 @@ from markupsafe import Markup
 from tmm_report.chapters.machine.harmonics import quantities as q
 from tmm_report.chapters.machine.harmonics.draw import field, turns
 from tmm_report.chapters.machine.harmonics.solve import Found, Signal, Wave
+from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.drawing import Drawing
-from tmm_report.figures.graphs import Curve, Graph
 from tmm_report.mechanics.calculus.harmonics import Series
 from tmm_report.problems import N_
 from tmm_report.quantity.definition import Definition
@@ -21,8 +21,8 @@ from tmm_report.quantity.formula import Var, cos, sin, sqrt
 from tmm_report.quantity.model import Book
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.diagrams import CycleGraphs, plot
-from tmm_report.report.layout import Column, Table, numeric, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Column, Table, numeric, worded
 from tmm_report.report.part import Part
 
 

@@ -28,8 +28,8 @@ from tmm_report.figures.drawing import (
     polygon,
 )
 from tmm_report.figures.lettering import Symbol, width
-from tmm_report.figures.marks import support
 from tmm_report.figures.plans import PlanVector, plan
+from tmm_report.figures.schemes.marks import support
 from tmm_report.mechanics.masses.rotor import Polygon
 from tmm_report.quantity.paper import round_scale
 

@@ -20,8 +20,8 @@ from tmm_report.quantity import model
 from tmm_report.quantity.formula import Formula
 from tmm_report.report.comparison import comparison_table
 from tmm_report.report.diagrams import scale_of
-from tmm_report.report.layout import Column, Table, numeric
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Column, Table, numeric
 from tmm_report.report.part import Part
 
 

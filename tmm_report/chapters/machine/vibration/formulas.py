@@ -10,8 +10,8 @@ from tmm_report.chapters.machine.vibration.values import units
 from tmm_report.i18n import NP_
 from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import PI, Expr, Formula, Function, Var, cos, sin, sqrt
-from tmm_report.quantity.gear_terms import arctan
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.terms.gear_terms import arctan
 from tmm_report.quantity.written import Equation
 
 

@@ -14,14 +14,14 @@ from tmm_report.chapters.machine.vibration.formulas import VibrationFormulas
 from tmm_report.chapters.machine.vibration.quantities import ratio
 from tmm_report.chapters.machine.vibration.solve import WORKING, Found
 from tmm_report.chapters.machine.vibration.values import BASE, quantity
+from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.drawing import Drawing
-from tmm_report.figures.graphs import Curve, Graph
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.diagrams import CycleGraphs, plot
-from tmm_report.report.layout import Cell, Table, Words, numeric, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Cell, Table, Words, numeric, worded
 from tmm_report.report.part import Part
 
 HIGHEST = 6.0  # of a drawn dynamic coefficient: a resonance without damping goes on to infinity

@@ -16,8 +16,8 @@ from tmm_report.figures.drawing import Drawing
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula
 from tmm_report.report.diagrams import scale_of
-from tmm_report.report.layout import Table, Words, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Table, Words, worded
 
 
 class PivotView(PivotFormulas):

@@ -15,15 +15,15 @@ from tmm_report.chapters.machine.wear.guide import FACES, GuideFound
 from tmm_report.chapters.machine.wear.pivot_view import PivotView
 from tmm_report.chapters.machine.wear.quantities import face_word, guides, pivots, side_index
 from tmm_report.chapters.machine.wear.solve import Found
+from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.drawing import Drawing
-from tmm_report.figures.graphs import Curve, Graph
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.model import Table as Numbers
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.diagrams import CycleGraphs, plot
-from tmm_report.report.layout import Column, Table, Words, numeric, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Column, Table, Words, numeric, worded
 from tmm_report.report.part import Part
 
 ROWS = 21  # of a printed profile: the whole stands in the results

@@ -6,7 +6,7 @@ from tmm_report.chapters.gears.drive.draw.sketch import CLEAR, DISC, RIM, SIDE, 
 from tmm_report.chapters.gears.planetary.solve.stage import Found
 from tmm_report.figures.drawing import NORMAL, THICK, Tag, line
 from tmm_report.figures.lettering import symbol
-from tmm_report.figures.marks import ground
+from tmm_report.figures.schemes.marks import ground
 from tmm_report.mechanics.gears.trains import Member, Mesh
 from tmm_report.records import dataclass
 

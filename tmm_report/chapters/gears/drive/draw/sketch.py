@@ -9,7 +9,7 @@ from dataclasses import field
 from tmm_report.chapters.gears.drive.plans import Plans
 from tmm_report.figures.drawing import NORMAL, THICK, Item, Tag, line
 from tmm_report.figures.lettering import symbol
-from tmm_report.figures.marks import ground, turning
+from tmm_report.figures.schemes.marks import ground, turning
 from tmm_report.mechanics.gears.trains import Member
 from tmm_report.records import dataclass
 

@@ -27,7 +27,7 @@ from tmm_report.figures.drawing import (
     polyline,
 )
 from tmm_report.figures.lettering import Symbol
-from tmm_report.figures.marks import turning
+from tmm_report.figures.schemes.marks import turning
 from tmm_report.mechanics.gears.eccentric.teeth import Body
 
 Array = Any

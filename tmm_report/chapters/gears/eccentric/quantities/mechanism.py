@@ -15,7 +15,7 @@ from tmm_report.mechanics.gears.pair_sizes import least_ring
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Book, Column, Quantity, Table, text_column
 from tmm_report.quantity.symbols import Symbol, math_symbol
-from tmm_report.quantity.wheel_words import dimension, of_wheel
+from tmm_report.quantity.terms.wheel_words import dimension, of_wheel
 
 __all__ = ["GAP", "book", "tables", "values"]
 

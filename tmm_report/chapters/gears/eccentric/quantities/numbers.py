@@ -9,9 +9,9 @@ from tmm_report.chapters.gears.eccentric.quantities.further import further_value
 from tmm_report.chapters.gears.eccentric.solve.mechanism import CARRIER, RING, SUN, Found
 from tmm_report.mechanics.gears.pair_sizes import ring_rule
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.gear_terms import HA, C
 from tmm_report.quantity.model import Quantity, Value
 from tmm_report.quantity.symbols import Symbol, math_symbol
+from tmm_report.quantity.terms.gear_terms import HA, C
 
 # key, symbol (None of what is never written as one), unit, meaning, number
 Row = tuple[str, Symbol | None, str, str | Message, float]

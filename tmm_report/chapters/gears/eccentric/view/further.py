@@ -15,8 +15,8 @@ from tmm_report.figures.drawing import Drawing
 from tmm_report.quantity.formula import PI, Formula, Number, Var, cos, sin
 from tmm_report.quantity.model import Table as Numbers
 from tmm_report.quantity.part import Part
-from tmm_report.report.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Cell, Column, Table, numeric, worded
 
 SHOWN = 12  # sets near the ratio
 WRITTEN = 1  # the position written out in full

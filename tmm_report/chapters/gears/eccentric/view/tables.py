@@ -9,8 +9,8 @@ from tmm_report.chapters.gears.eccentric.solve.mechanism import CARRIER, RING, S
 from tmm_report.mechanics.gears.limits.condition import Condition
 from tmm_report.problems import N_
 from tmm_report.quantity import model as quantity
-from tmm_report.report.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Cell, Column, Table, numeric, worded
 
 CONDITIONS = {
     "assembly": N_("assembly of satellite %(wheel)s, pitches"),

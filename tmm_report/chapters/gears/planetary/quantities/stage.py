@@ -16,10 +16,10 @@ from tmm_report.chapters.gears.planetary.solve.stage import Found, Given
 from tmm_report.mechanics.gears.pair_sizes import least_teeth
 from tmm_report.mechanics.gears.planetary import stage as p
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.gear_terms import HA
 from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, text_column
 from tmm_report.quantity.symbols import Symbol, both, math_symbol
-from tmm_report.quantity.wheel_words import DIAMETERS, dimension, of_wheel
+from tmm_report.quantity.terms.gear_terms import HA
+from tmm_report.quantity.terms.wheel_words import DIAMETERS, dimension, of_wheel
 
 Array = Any
 # key, symbol (None of what is never written as one), unit, meaning, number

@@ -9,9 +9,9 @@ from markupsafe import Markup
 from tmm_report.chapters.gears.planetary.solve.schemes import Choice, Judged
 from tmm_report.problems import N_
 from tmm_report.quantity.model import Table
-from tmm_report.report.layout import Cell, worded
-from tmm_report.report.layout import Table as Layout
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Cell, worded
+from tmm_report.report.paper.layout import Table as Layout
 
 SCHEMES = {
     "sun-ring": N_("single-row, external and internal mesh"),

@@ -21,9 +21,9 @@ from tmm_report.mechanics.gears.planetary.stage import ROWS
 from tmm_report.problems import N_
 from tmm_report.quantity import model as quantity
 from tmm_report.quantity.symbols import Symbol
-from tmm_report.quantity.wheel_words import DIAMETERS
-from tmm_report.report.layout import Cell, Table, Words, padded, worded
+from tmm_report.quantity.terms.wheel_words import DIAMETERS
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Cell, Table, Words, padded, worded
 
 SHOWN = 10  # solutions in the table, besides the chosen one
 PLACES = {

@@ -17,7 +17,7 @@ from tmm_report.chapters.gears.spur.draw.sheet import FAR, Num, Sheet, between, 
 from tmm_report.chapters.gears.spur.solve.mesh import Mesh
 from tmm_report.figures.dimensions import arc_span, span
 from tmm_report.figures.drawing import DASHED, NORMAL, THIN, Arc, Drawing, Pen, line, polyline
-from tmm_report.figures.marks import turning
+from tmm_report.figures.schemes.marks import turning
 
 ARC = (Pen(0.8, "blue"), Pen(0.8, "red"))
 INTO = (10.0, 20.0, 30.0)  # under the root circle: angle of a tooth, of contact, arrow of rotation, mm

@@ -10,7 +10,7 @@ import numpy as np
 
 from tmm_report.chapters.gears.spur.draw.sheet import SMALL, Num
 from tmm_report.chapters.gears.spur.solve.mesh import Mesh
-from tmm_report.figures.axes import round_ticks
+from tmm_report.figures.charts.axes import round_ticks
 from tmm_report.figures.dimensions import HEAD, head, spread
 from tmm_report.figures.drawing import (
     DASHED,

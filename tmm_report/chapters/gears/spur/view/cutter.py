@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from tmm_report.quantity.formula import Expr, Formula, cos, sin, sqrt, tan
-from tmm_report.quantity.gear_terms import involute
-from tmm_report.report.layout import Table, padded, worded
+from tmm_report.quantity.terms.gear_terms import involute
+from tmm_report.report.paper.layout import Table, padded, worded
 
 if TYPE_CHECKING:
     from tmm_report.chapters.gears.spur.view.pair import SpurView

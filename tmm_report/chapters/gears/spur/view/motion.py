@@ -12,8 +12,8 @@ from tmm_report.chapters.gears.spur.solve.motion import FAST, NARROWEST, SLOW, W
 from tmm_report.chapters.gears.spur.solve.pair import Found
 from tmm_report.quantity.formula import Expr, Formula, Number, Var, sqrt
 from tmm_report.quantity.part import Part
-from tmm_report.report.layout import Column, Table, numeric
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Column, Table, numeric
 
 
 class MotionView:

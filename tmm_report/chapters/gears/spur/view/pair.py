@@ -28,9 +28,9 @@ from tmm_report.mechanics.gears.limits.condition import Condition
 from tmm_report.problems import N_, Message
 from tmm_report.quantity import model
 from tmm_report.quantity.symbols import Symbol
-from tmm_report.quantity.wheel_words import DIAMETERS, TEETH, of_wheel
-from tmm_report.report.layout import Cell, Table, Words, padded, worded
+from tmm_report.quantity.terms.wheel_words import DIAMETERS, TEETH, of_wheel
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Cell, Table, Words, padded, worded
 from tmm_report.report.part import Failed, Part
 
 LEAST, MOST = "≥\N{NO-BREAK SPACE}", "≤\N{NO-BREAK SPACE}"  # before a limit, on one line with it

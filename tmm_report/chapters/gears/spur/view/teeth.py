@@ -19,8 +19,8 @@ from tmm_report.figures.drawing import Drawing
 from tmm_report.mechanics.gears.limits.blocking_contour import Lack
 from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.part import Part
-from tmm_report.report.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Cell, Column, Table, numeric, worded
 
 CHOSEN, NEAREST, SAME_DISTANCE = range(3)  # rows of the contour's table
 

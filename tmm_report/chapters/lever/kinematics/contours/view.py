@@ -19,8 +19,8 @@ from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula, Number, Var, at
 from tmm_report.quantity.model import Book
 from tmm_report.quantity.symbols import Symbol
-from tmm_report.report.layout import Table, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Table, worded
 from tmm_report.report.words import group_name
 
 CONVENTIONS = (

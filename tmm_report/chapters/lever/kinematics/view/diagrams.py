@@ -9,7 +9,7 @@ import numpy as np
 from tmm_report.chapters.lever.kinematics.quantities import motion_of
 from tmm_report.chapters.lever.kinematics.solve.analogues import analogues_of
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics, Travel
-from tmm_report.figures.graphs import Curve, Graph
+from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.i18n import Translator
 from tmm_report.quantity.formula import Var
 from tmm_report.quantity.symbols import Symbol

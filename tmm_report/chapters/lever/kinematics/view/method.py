@@ -9,8 +9,8 @@ from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
 from tmm_report.mechanics.rivals.choice import Choice
 from tmm_report.problems import N_
 from tmm_report.quantity.model import Table
-from tmm_report.report.layout import Cell
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Cell
 from tmm_report.report.part import Failed
 from tmm_report.report.words import method_name
 

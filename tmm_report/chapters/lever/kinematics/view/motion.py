@@ -22,8 +22,8 @@ from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.model import Value
 from tmm_report.quantity.ref import Ref
-from tmm_report.report.layout import TEXT_WIDTH, Cell, Column, Table, part, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import TEXT_WIDTH, Cell, Column, Table, part, worded
 from tmm_report.report.part import Failed
 from tmm_report.report.words import force_direction
 

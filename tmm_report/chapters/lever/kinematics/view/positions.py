@@ -19,7 +19,7 @@ from tmm_report.chapters.lever.kinematics.view.motion import MotionView
 from tmm_report.chapters.lever.schemes import schemes_of
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.lettering import symbol
-from tmm_report.figures.strokes import Stroke
+from tmm_report.figures.schemes.strokes import Stroke
 from tmm_report.mechanics.lever.cams.replacing_dyad import CamDyad
 from tmm_report.mechanics.lever.dyads import Dyad
 from tmm_report.mechanics.lever.high_class.newton import HigherGroup
@@ -27,8 +27,8 @@ from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.model import Book, variable
 from tmm_report.quantity.symbols import segment
-from tmm_report.report.layout import Table, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Table, worded
 from tmm_report.report.part import Failed, Part
 from tmm_report.report.schemes import Schemes
 from tmm_report.report.words import group_label, group_name

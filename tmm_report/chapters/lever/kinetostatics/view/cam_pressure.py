@@ -15,8 +15,8 @@ from tmm_report.chapters.lever.kinetostatics.solve.cam_pressure import Pressing
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
 from tmm_report.problems import N_
 from tmm_report.quantity.ref import Ref
-from tmm_report.report.layout import Cell, Table, numeric
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Cell, Table, numeric
 from tmm_report.report.part import Failed, Part
 
 

@@ -13,8 +13,8 @@ from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Formula, Var
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol
-from tmm_report.report.layout import Table, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Table, worded
 from tmm_report.report.part import Part
 
 POWER_BALANCE = Definition("M_bal", (Var("dT", 0.0) / Var("dt", 0.0) - Var("N", 0.0)) / Var("omega_1", 0.0))

@@ -18,8 +18,8 @@ from tmm_report.chapters.lever.kinetostatics.view.hodographs import (
     indicated,
     sheets,
 )
+from tmm_report.figures.charts.graphs import Graph
 from tmm_report.figures.drawing import Drawing
-from tmm_report.figures.graphs import Graph
 from tmm_report.problems import N_
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.diagrams import scale_of

@@ -14,8 +14,8 @@ from tmm_report.mechanics.lever.cycle import larger
 from tmm_report.problems import N_
 from tmm_report.quantity.model import Table as Numbers
 from tmm_report.quantity.ref import Ref
-from tmm_report.report.layout import Cell, Table, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Cell, Table, worded
 
 SIDES = {"before": N_("before the jump"), "after": N_("after the jump")}
 ENDS = {"least": "M_bal_min", "greatest": "M_bal_max"}

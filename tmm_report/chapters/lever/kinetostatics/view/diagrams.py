@@ -9,7 +9,7 @@ import numpy as np
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as q
 from tmm_report.chapters.lever.kinetostatics.solve.drawn_cycle import Array, Sampled
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
-from tmm_report.figures.graphs import Curve, Graph
+from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.lettering import Parts
 from tmm_report.i18n import Translator
 from tmm_report.report.diagrams import CycleGraphs, points

@@ -14,8 +14,8 @@ from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatic
 from tmm_report.chapters.lever.kinetostatics.solve.whole_cycle import ROUNDING
 from tmm_report.chapters.lever.kinetostatics.view.cycle import CycleView
 from tmm_report.quantity.formula import Expr, Formula, cos
-from tmm_report.report.layout import Table, numeric
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Table, numeric
 from tmm_report.report.part import Part
 
 

@@ -12,9 +12,9 @@ from tmm_report.chapters.lever.kinetostatics.quantities import positions as q
 from tmm_report.chapters.lever.kinetostatics.solve.drawn_cycle import Array, Sampled
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
 from tmm_report.chapters.lever.kinetostatics.view.diagrams import reaction
+from tmm_report.figures.charts.plane import Frame, Trace, framed, plane
 from tmm_report.figures.drawing import Drawing, Item, Tag
 from tmm_report.figures.lettering import Parts
-from tmm_report.figures.plane import Frame, Trace, framed, plane
 from tmm_report.mechanics.lever.forces.reactions import Reaction
 from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.paper import round_scale

@@ -22,8 +22,8 @@ from tmm_report.chapters.lever.plans.solve import Plans
 from tmm_report.problems import N_
 from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Var
-from tmm_report.report.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.part import NEXT_CHAPTER, Part
 from tmm_report.report.words import force_direction, sense
 

@@ -11,12 +11,12 @@ from markupsafe import Markup
 from tmm_report.chapters.machine.balancing.formulas import BalancingFormulas
 from tmm_report.chapters.machine.balancing.quantities import slider_cranks as q
 from tmm_report.chapters.machine.balancing.solve.whole import Found
-from tmm_report.figures.graphs import Curve, Graph
+from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.diagrams import CycleGraphs
-from tmm_report.report.layout import Table, numeric, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Table, numeric, worded
 
 
 class SliderView(BalancingFormulas):

@@ -11,7 +11,7 @@ from tmm_report.chapters.machine.balancing.quantities import weights
 from tmm_report.chapters.machine.balancing.quantities import whole as q
 from tmm_report.chapters.machine.balancing.solve.cases import Case
 from tmm_report.problems import N_
-from tmm_report.report.layout import Table, numeric, worded
+from tmm_report.report.paper.layout import Table, numeric, worded
 
 WAYS = {
     "original": N_("as it is"),

@@ -14,8 +14,8 @@ from tmm_report.chapters.machine.balancing.solve.cases import Case
 from tmm_report.chapters.machine.balancing.solve.whole import Found
 from tmm_report.chapters.machine.balancing.view.slider_crank import SliderView
 from tmm_report.chapters.machine.balancing.view.tables import WAYS, BalancingSheet
+from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.drawing import Drawing
-from tmm_report.figures.graphs import Curve, Graph
 from tmm_report.problems import N_
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.diagrams import CycleGraphs, scale_of

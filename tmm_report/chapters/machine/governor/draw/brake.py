@@ -21,7 +21,7 @@ from tmm_report.figures.drawing import (
     polyline,
 )
 from tmm_report.figures.lettering import Symbol
-from tmm_report.figures.marks import turning
+from tmm_report.figures.schemes.marks import turning
 
 OUTER, INNER, SHAFT = 34.0, 30.0, 4.0  # radii of the drum and the shaft, mm
 FACE, BACK, CENTRE = (

@@ -9,9 +9,9 @@ import numpy as np
 
 from tmm_report.chapters.machine.governor.solve.by_itself import DirectFound
 from tmm_report.chapters.machine.governor.solve.in_loop import LoopFound
+from tmm_report.figures.charts.plane import Frame, Spot, Trace, framed, plane
 from tmm_report.figures.drawing import Drawing, Pen, Tag
 from tmm_report.figures.lettering import Parts, Symbol
-from tmm_report.figures.plane import Frame, Spot, Trace, framed, plane
 from tmm_report.mechanics.machine.governor import stability as small
 
 Array = Any

@@ -12,13 +12,13 @@ from tmm_report.chapters.machine.governor.draw import brake
 from tmm_report.chapters.machine.governor.formulas.brake import BrakeFormulas
 from tmm_report.chapters.machine.governor.quantities import whole as q
 from tmm_report.chapters.machine.governor.solve.brake import BrakeFound
+from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.drawing import Drawing
-from tmm_report.figures.graphs import Curve, Graph
 from tmm_report.problems import N_
 from tmm_report.quantity.model import Book
 from tmm_report.report.diagrams import plot
-from tmm_report.report.layout import Table, numeric
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Table, numeric
 
 UNITS = {
     "n": "", "m": "", "rho": "mm", "gap": "mm", "R": "mm", "f": "", "c": "N/mm", "F_0": "", "M": "", "J": "",

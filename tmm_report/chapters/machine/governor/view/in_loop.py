@@ -11,15 +11,15 @@ from tmm_report.chapters.machine.governor.draw import blocks, charts
 from tmm_report.chapters.machine.governor.formulas.in_loop import LoopFormulas, Rate
 from tmm_report.chapters.machine.governor.quantities import in_loop as q
 from tmm_report.chapters.machine.governor.solve.in_loop import LoopFound
+from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.drawing import Drawing
-from tmm_report.figures.graphs import Curve, Graph
 from tmm_report.mechanics.machine.governor.stability import kind
 from tmm_report.problems import N_
 from tmm_report.quantity.model import Book, Value
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.diagrams import plot
-from tmm_report.report.layout import Column, Table, numeric, worded
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Column, Table, numeric, worded
 from tmm_report.report.part import Failed
 
 GIVEN = (

@@ -20,8 +20,8 @@ from tmm_report.mechanics.machine.governor.equilibrium import Arms, BellCrank
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Var
 from tmm_report.report.diagrams import scale_of
-from tmm_report.report.layout import Column, Table, numeric
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Column, Table, numeric
 from tmm_report.report.part import Part
 
 UNITS = {  # of print, of the numbers that are given

@@ -1,0 +1,1 @@
+"""`tmm-report assemblies`: `ways` (all of them), their `page`; `run`: the command."""

@@ -1,0 +1,106 @@
+"""How a number is found that the formulas of the note do not define, or only approach: by its chapter's `ways`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from functools import cached_property
+from itertools import chain
+from typing import Any
+
+import numpy as np
+
+from tmm_report.commands.explain.target import Target
+from tmm_report.course import INITIAL_DATA, Results, chapters, room
+from tmm_report.quantity.formula import Formula
+from tmm_report.quantity.model import Book
+from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.ways import GIVEN, Input, Known, Line, Way, by_kind, own_ways
+from tmm_report.records import dataclass
+from tmm_report.results import tables, values
+
+
+@dataclass(frozen=True, eq=False)
+class Told:
+    """A way as it is told: what it starts with, what is worked out with numbers, and its formulas, row by row of those
+    asked for."""
+
+    way: Way
+    inputs: list[list[Input]]
+    worked: list[Line]
+    formulas: list[Formula]
+
+    @property
+    def says(self) -> bool:
+        """Whether it says more than that there is a method."""
+        return bool(self.worked or self.formulas) or any(self.inputs) or self.way.text in GIVEN
+
+
+@dataclass(frozen=True, eq=False)
+class Ways:
+    """The ways to all the numbers of the results."""
+
+    results: Results
+    book: Book
+
+    @classmethod
+    def of(cls, results: Results) -> Ways:
+        return cls(results, Book.of(tables(results), values(results)))
+
+    def told(self, target: Target) -> Told | None:
+        """The way to a number: the first that says with which numbers; None where its chapter has none."""
+        chapter, found = self._chapter(target)
+        ways = list(own_ways(room(chapter, "ways").WAYS, target.name.partition(".")[2]))
+        if (kind := by_kind(target.table, target.column, target.quantity.key)) is not None:
+            ways.append((kind, ()))
+        every = (self._one(target, found, way, parts) for way, parts in ways)
+        first = None
+        for told in every:
+            if told.says:
+                return told
+            first = first or told
+        return first
+
+    def _one(self, target: Target, found: Any, way: Way, parts: tuple[str, ...]) -> Told:
+        rows: list[int | None] = [*target.rows] if target.table is not None else [None]
+        known = [Known(self.book, target.table, row, parts, target.quantity.key, found) for row in rows]
+        names = known[0].named(way.of) if known else []
+        inputs = [list(one.inputs(names)) for one in known]
+        worked = [line for one in known for line in way.worked(found, one)] if way.worked is not None else []
+        formulas = list(chain.from_iterable(_formula(way, target, one) for one in known))
+        return Told(way, inputs, worked, formulas)
+
+    def _chapter(self, target: Target) -> tuple[str, Any]:
+        """The name and the Found of the chapter that a number is of."""
+        return self._of[target.table.name if target.table is not None else f"values.{target.quantity.key}"]
+
+    @cached_property
+    def _of(self) -> dict[str, tuple[str, Any]]:
+        """Of every table and every single value the chapter that it is of."""
+        found: dict[str, tuple[str, Any]] = {}
+        for name, own in self._rooms():
+            quantities = room(name, "quantities")
+            found |= dict.fromkeys((table.name for table in quantities.tables(own)), (name, own))
+            found |= dict.fromkeys((f"values.{value.key}" for value in quantities.values(own)), (name, own))
+        return found
+
+    def _rooms(self) -> Iterable[tuple[str, Any]]:
+        if self.results.lever is not None:
+            yield INITIAL_DATA, self.results.lever
+        yield from chapters(self.results)
+
+
+def _formula(way: Way, target: Target, known: Known) -> Iterator[Formula]:
+    """The formula of a way, where the variant has what it is made of, and the number is there."""
+    if way.by is None or not np.isfinite(float(target.column.values[known.row or 0])):
+        return
+    try:
+        expression = way.by(known)
+    except KeyError:
+        return
+    symbol = (
+        target.column.symbol(known.row) if target.quantity.symbol is not None else Symbol(target.quantity.key)
+    )
+    formula = Formula(symbol, expression, target.column.unit_of(known.row or 0), scale=0.0)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        if np.isfinite(formula.value):
+            yield formula

@@ -1,0 +1,1 @@
+"""`tmm-report gallery`: `page`, an entry for every variant; `run`: the command."""

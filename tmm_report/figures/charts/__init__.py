@@ -1,0 +1,1 @@
+"""Curves over axes: over one axis in panels (`graphs`, `axes`, `sheet`, `peaks`), in a plane (`plane`), logarithmic (`logs`)."""

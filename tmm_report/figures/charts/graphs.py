@@ -1,0 +1,172 @@
+"""Graphs with axes over the driver's angle or any other quantity: panels one above another, in mm of paper.
+
+The layout is made here, by `axes`; `sheet` puts it on paper, `peaks` finds the places of the values at extremes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import cached_property
+from itertools import cycle
+
+import numpy as np
+
+from tmm_report.figures.charts import sheet
+from tmm_report.figures.charts.axes import (
+    BELOW,
+    FIGURE,
+    GAP,
+    HEAD,
+    NUMBERS,
+    PAPER,
+    RIGHT,
+    TICK,
+    Panel,
+    Values,
+    figure,
+    scales_of,
+    value_ticks,
+    values_of,
+)
+from tmm_report.figures.charts.sheet import LOOKS, Look
+from tmm_report.figures.drawing import Drawing
+from tmm_report.figures.lettering import Parts, width
+from tmm_report.quantity.text import ZERO
+from tmm_report.records import dataclass
+
+Letters = Parts | str
+WIDEST = 20.0  # mm: of the figures beside an axis, until they are known
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """One curve: `values` (P,) in the unit of its panel's label; `name` stands over the panel where there is one.
+
+    `extremes`: the points to mark as (x, value); None: the greatest and the least of `values`.
+    `scale`: the natural size of the quantity, beside which a curve that is nothing but rounding is seen to be one.
+    """
+
+    values: np.ndarray
+    name: Letters = ""
+    panel: int = 0
+    extremes: Sequence[tuple[float, float]] | None = None
+    scale: float = 0.0
+
+    def settled(self) -> Curve:
+        """The curve without the noise of computation: what is noise is 0, a constant has no extremes."""
+        noise = ZERO * max(self.scale, np.nanmax(np.abs(self.values), initial=0.0))
+        values = np.where(np.abs(self.values) <= noise, 0.0, self.values)
+        if not np.nanmax(values, initial=-np.inf) - np.nanmin(values, initial=np.inf) > noise:
+            return replace(self, values=values, extremes=())
+        ends = self.extremes and [(at, value if abs(value) > noise else 0.0) for at, value in self.extremes]
+        return replace(self, values=values, extremes=ends)
+
+    def marked(self, x: np.ndarray) -> list[tuple[float, float]]:
+        """The points to mark: those given, or the greatest and the least."""
+        if self.extremes is not None:
+            return list(self.extremes)
+        if not np.isfinite(self.values).any():
+            return []
+        picks = (int(np.nanargmax(self.values)), int(np.nanargmin(self.values)))
+        return [(float(x[k]), float(self.values[k])) for k in picks]
+
+
+@dataclass(frozen=True, eq=False)
+class Graph:
+    """A graph laid out on its sheet; the same data give the same bytes. Words as in `graph`."""
+
+    curves: Sequence[Curve]
+    x: np.ndarray
+    xlabel: Parts
+    ylabels: Sequence[Parts]
+    panels: Sequence[Panel]
+    step: float
+    positions: int
+    comma: bool
+    join: bool
+    title: str
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Width and height, mm."""
+        top = self.panels[0]
+        rows = sheet.rows(top, self.ylabels[0], self.of(0))
+        return top.right + RIGHT, top.top + _head(rows, self.positions > 0)
+
+    def of(self, number: int) -> list[tuple[Curve, Look]]:
+        """The curves of a panel and how each is drawn."""
+        curves = [curve for curve in self.curves if curve.panel == number]
+        return list(zip(curves, cycle(LOOKS), strict=False))
+
+    @cached_property
+    def drawing(self) -> Drawing:
+        return sheet.drawn(self)
+
+
+def graph(
+    curves: Sequence[Curve],
+    x: np.ndarray,
+    xlabel: Letters,
+    ylabels: Sequence[Letters],
+    *,
+    wide: float = 0.0,
+    step: float = 30.0,
+    positions: int = 0,
+    comma: bool = False,
+    join: bool = True,
+    title: str = "",
+) -> Graph:
+    """Curves over `x` (P,), ascending, a panel for each of `ylabels`, sharing x; values at round scales.
+
+    `wide`: length of the axis of x, mm; 0: what the text of a page leaves. `step`: of x between ticks; `positions`:
+    how many positions the cycle is numbered with over the top, 0: none; `comma`: decimal comma; `join`: thin lines
+    join the extremes of all panels; `title` is for who cannot see it.
+    """
+    x, curves = np.asarray(x, float), [curve.settled() for curve in curves]
+    names = [_parts(label) for label in ylabels]
+    own = [[curve for curve in curves if curve.panel == number] for number in range(len(names))]
+    axes = [_axis(of, x) for of in own]
+    bare = Panel(0.0, 1.0, (float(x[0]), float(x[-1])), (0.0, 1.0), WIDEST, wide or PAPER - WIDEST - RIGHT)
+    heads = [
+        _head(sheet.rows(bare, name, list(zip(of, cycle(LOOKS), strict=False))), positions > 0 and k == 0)
+        for k, (name, of) in enumerate(zip(names, own, strict=True))
+    ]
+    laid = _stacked(bare, axes, heads)
+    left = _left(laid, comma)
+    laid = [replace(panel, left=left, wide=wide or PAPER - left - RIGHT) for panel in laid]
+    return Graph(
+        curves, x, _parts(xlabel), names, laid, step, positions, comma, join and len(names) > 1, title
+    )
+
+
+def _parts(text: Letters) -> Parts:
+    return (text,) if isinstance(text, str) else text
+
+
+def _axis(curves: Sequence[Curve], x: np.ndarray) -> Values:
+    """What an axis holds: the curves, and the extremes given, which may lie between their points."""
+    marked = [value for curve in curves for _, value in curve.marked(x)]
+    return values_of(np.concatenate([np.array(marked), *(curve.values for curve in curves)]), marked)
+
+
+def _left(laid: Sequence[Panel], comma: bool) -> float:
+    """Width of the widest figure beside an axis with its tick, mm."""
+    texts = [figure(value, comma) for panel in laid for value in value_ticks(panel)]
+    return max(width((text,), FIGURE) for text in texts) + TICK + 1.8
+
+
+def _head(rows: int, numbered: bool) -> float:
+    """Height of what stands over a panel, mm."""
+    return HEAD * rows + (NUMBERS if numbered else 0.0)
+
+
+def _stacked(bare: Panel, axes: Sequence[Values], heads: Sequence[float]) -> list[Panel]:
+    """The panels one above another, from the top of the sheet down."""
+    scales = scales_of(axes, BELOW + sum(heads) + GAP * (len(axes) - 1))
+    laid: list[Panel] = []
+    bottom = BELOW
+    for axis, head, scale in reversed(list(zip(axes, heads, scales, strict=True))):
+        laid.append(replace(bare, bottom=bottom, tall=axis.tall(scale), y=axis.range(scale)))
+        bottom = laid[-1].top + head + GAP
+    return laid[::-1]

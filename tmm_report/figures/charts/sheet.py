@@ -1,0 +1,214 @@
+"""A graph on paper: grid, frames, curves, extremes, figures and names, as a drawing in mm.
+
+The names of an axis and of the curves stand over their panel, where no curve comes.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from tmm_report.figures.charts.axes import (
+    FIGURE,
+    HEAD,
+    NUMBERS,
+    TICK,
+    Panel,
+    figure,
+    multiples,
+    position_marks,
+    value_ticks,
+)
+from tmm_report.figures.charts.peaks import Crowd, placed
+from tmm_report.figures.drawing import Circle, Drawing, Item, Path, Pen, Text, line, polygon
+from tmm_report.figures.lettering import Parts, width
+
+if TYPE_CHECKING:
+    from tmm_report.figures.charts.graphs import Curve, Graph
+
+NAME = 3.2  # height of the names of axes, mm
+CURVE, FRAME, GRID = 0.39, 0.22, 0.13  # widths of lines, mm
+JOINED = Pen(0.16, "grey", (1.4, 1.0))
+RING, MARK = 0.85, 0.6  # radii of a ring at an extreme and of a marker, mm
+SAMPLE, SPACE = 10.0, 4.0  # length of a sample of a line, space before the next, mm
+
+
+class Look(NamedTuple):
+    """How a curve is told apart without colour too: by its dashes and by its marker, of so many corners at a turn."""
+
+    pen: Pen
+    corners: int
+    turn: float = 0.0
+
+
+LOOKS = (
+    Look(Pen(CURVE), 12),
+    Look(Pen(CURVE, "blue", (2.4, 0.9)), 4, math.pi / 4),
+    Look(Pen(CURVE, "red", (2.4, 0.8, 0.5, 0.8)), 3, math.pi / 2),
+    Look(Pen(CURVE, "green", (0.7, 0.6)), 4),
+    Look(Pen(CURVE, "grey", (3.2, 0.8, 0.5, 0.8, 0.5, 0.8)), 3, -math.pi / 2),
+)
+
+
+def drawn(graph: Graph) -> Drawing:
+    """All of it; zero is the lower left corner of the sheet."""
+    items: list[Item] = []
+    for number, panel in enumerate(graph.panels):
+        items += _panel(graph, panel, number)
+    items += _x_axis(graph)
+    items += _numbers(graph)
+    return Drawing(tuple(items), graph.title)
+
+
+def _panel(graph: Graph, panel: Panel, number: int) -> Iterator[Item]:
+    own = graph.of(number)
+    yield from _ruled(graph, panel)
+    for curve, look in own:
+        yield from _curve(panel.places(graph.x, curve.values), look)
+    crowd = Crowd(panel, [panel.places(graph.x, curve.values) for curve, _ in own])
+    extremes = list(_extremes(graph, crowd, own))
+    if graph.join:
+        yield from _joined(graph, crowd)
+    yield from extremes
+    yield from _names(graph, panel, number)
+
+
+def _ruled(graph: Graph, panel: Panel) -> Iterator[Item]:
+    """Grid, line of zero, frame, ticks and the figures of the values."""
+    xs = [panel.across(x) for x in _x_ticks(graph)]
+    ys = {value: panel.up(value) for value in value_ticks(panel)}
+    yield Path((*_upright(panel, xs), *_level(panel, ys.values())), Pen(GRID, "pale"))
+    ticks = [(complex(panel.left - TICK, y), complex(panel.left, y)) for y in ys.values()]
+    ticks += [(complex(x, panel.bottom - TICK), complex(x, panel.bottom)) for x in xs]
+    corners = complex(panel.left, panel.bottom), complex(panel.right, panel.top)
+    box = (corners[0], complex(panel.right, panel.bottom), corners[1], complex(panel.left, panel.top))
+    yield polygon(box, Pen(FRAME))
+    yield Path((*_level(panel, [panel.up(0.0)]), *ticks), Pen(FRAME))
+    for value, y in ys.items():
+        yield Text(complex(panel.left - TICK - 0.6, y), (figure(value, graph.comma),), FIGURE, 1)
+
+
+def _upright(panel: Panel, xs: Iterable[float]) -> list[tuple[complex, ...]]:
+    return [(complex(x, panel.bottom), complex(x, panel.top)) for x in xs]
+
+
+def _level(panel: Panel, ys: Iterable[float]) -> list[tuple[complex, ...]]:
+    return [(complex(panel.left, y), complex(panel.right, y)) for y in ys]
+
+
+def _x_ticks(graph: Graph) -> list[float]:
+    return multiples(float(graph.x[0]), float(graph.x[-1]), graph.step)
+
+
+def _curve(places: np.ndarray, look: Look) -> Iterator[Item]:
+    """A line that breaks where a value is nan, with a marker at every twelfth of its way along x."""
+    strokes = _unbroken(places)
+    if strokes:
+        yield Path(tuple(tuple(stroke.tolist()) for stroke in strokes), look.pen)
+    twelfths = np.linspace(places[0].real, places[-1].real, 13)
+    spots = places[np.unique(np.abs(places.real - twelfths[:, None]).argmin(axis=1))]
+    yield from _markers(spots[np.isfinite(spots.imag)].tolist(), look)
+
+
+def _unbroken(places: np.ndarray) -> list[np.ndarray]:
+    """The stretches of a curve between its gaps."""
+    gaps = np.flatnonzero(~np.isfinite(places.imag))
+    stretches = (stretch[np.isfinite(stretch.imag)] for stretch in np.split(places, gaps))
+    return [stretch for stretch in stretches if len(stretch) > 1]
+
+
+def _markers(spots: Sequence[complex], look: Look) -> Iterator[Path]:
+    if spots:
+        radius = MARK * (1 + 1.4 / look.corners)  # a triangle looks smaller than a disc
+        shape = [cmath.rect(radius, look.turn + math.tau * k / look.corners) for k in range(look.corners)]
+        yield Path(tuple(tuple(spot + z for z in shape) for spot in spots), None, look.pen.colour, True)
+
+
+def _joined(graph: Graph, crowd: Crowd) -> Iterator[Item]:
+    """Thin upright lines through all panels at the extremes, broken at values: the zeros of the derivative below
+    them."""
+    panel = crowd.panel
+    at = {round(at, 6) for curve in graph.curves for at, _ in curve.marked(graph.x)}
+    for x in [panel.across(x) for x in sorted(at)]:
+        foot = panel.bottom
+        for _, low, _, high in sorted(crowd.over(x), key=lambda box: box[1]):
+            yield line(complex(x, foot), complex(x, max(low, foot)), JOINED)
+            foot = max(foot, high)
+        yield line(complex(x, foot), complex(x, panel.top), JOINED)
+
+
+def _extremes(graph: Graph, crowd: Crowd, own: Sequence[tuple[Curve, Look]]) -> Iterator[Item]:
+    """Rings at the extremes, and beside each its value where it covers least."""
+    panel = crowd.panel
+    for curve, look in own:
+        points = curve.marked(graph.x)
+        middle = float(np.nanmean(curve.values)) if points else 0.0
+        for at, value in points:
+            place = complex(panel.across(at), panel.up(value))
+            yield Circle(place, RING, Pen(0.2, look.pen.colour), "white")
+            text = (figure(value, graph.comma),)
+            left, foot, right, top = placed(crowd, place, width(text, FIGURE), value >= middle)
+            yield Text(complex((left + right) / 2, (foot + top) / 2), text, FIGURE, 0, look.pen.colour)
+
+
+# --- names ---
+
+
+def rows(panel: Panel, label: Parts, own: Sequence[tuple[Curve, Look]]) -> int:
+    """How many rows the names of an axis and of its curves take over their panel."""
+    return 1 + max((row for row, *_ in _samples(panel, label, own)), default=0)
+
+
+def _samples(
+    panel: Panel, label: Parts, own: Sequence[tuple[Curve, Look]]
+) -> list[tuple[int, float, Parts, Look]]:
+    """Of each named curve the row, from the lowest up, the place of its sample along x, mm, its name and look."""
+    named = [((curve.name,) if isinstance(curve.name, str) else curve.name, look) for curve, look in own]
+    row, x, found = 0, panel.left + width(label, NAME) + 2 * SPACE, []
+    for name, look in named:
+        if not any(name):
+            continue
+        wide = SAMPLE + 1.2 + width(name, FIGURE)
+        if x + wide > panel.right and x > panel.left:
+            row, x = row + 1, panel.left
+        found.append((row, x, name, look))
+        x += wide + SPACE
+    return [(row - of, x, name, look) for of, x, name, look in found]
+
+
+def _names(graph: Graph, panel: Panel, number: int) -> Iterator[Item]:
+    """The name of an axis and those of its curves, with a sample of each line."""
+    own = graph.of(number)
+    samples = _samples(panel, graph.ylabels[number], own)
+    foot = panel.top + HEAD / 2 + 0.3 + (NUMBERS if graph.positions and number == 0 else 0.0)
+    top = foot + HEAD * max((row for row, *_ in samples), default=0)
+    yield Text(complex(panel.left, top), graph.ylabels[number], NAME)
+    for row, x, name, look in samples:
+        start = complex(x, foot + HEAD * row)
+        yield line(start, start + SAMPLE, look.pen)
+        yield from _markers([start + SAMPLE / 2], look)
+        yield Text(start + SAMPLE + 1.2, name, FIGURE)
+
+
+def _x_axis(graph: Graph) -> Iterator[Item]:
+    """Figures and the name of x under the lowest panel."""
+    low = graph.panels[-1]
+    foot = low.bottom - TICK - 0.6 - FIGURE / 2
+    for value in _x_ticks(graph):
+        yield Text(complex(low.across(value), foot), (figure(value, graph.comma),), FIGURE, 0)
+    yield Text(complex(low.right, foot - FIGURE / 2 - 2.6), graph.xlabel, NAME, 1)
+
+
+def _numbers(graph: Graph) -> Iterator[Item]:
+    """Numbers of the positions over the top panel, a tick at each."""
+    top = graph.panels[0]
+    marks = list(position_marks(top, graph.positions))
+    if marks:
+        yield Path(tuple((complex(x, top.top), complex(x, top.top + TICK)) for x, _ in marks), Pen(FRAME))
+    for x, name in marks:
+        if name:
+            yield Text(complex(x, top.top + TICK + 0.5 + FIGURE / 2), (name,), FIGURE, 0)

@@ -1,0 +1,158 @@
+"""Schemes of a mechanism: one position, all positions together, and its groups taken apart.
+
+`places` maps each point to its world places, complex (P,), m; `turns` maps each link to the unit direction of its
+x axis, complex (P,); `mu_l` is m of the mechanism per mm of paper, None: a standard scale that fits the page.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from itertools import product
+
+import numpy as np
+
+from tmm_report.figures.drawing import Drawing, Item, Tag
+from tmm_report.figures.schemes.apart import in_rows, taken_off
+from tmm_report.figures.schemes.detail import Place, ring_reach, with_detail
+from tmm_report.figures.schemes.strokes import CLEAR, OUTSIDE, Stroke, stroke_bands, stroke_tags
+from tmm_report.figures.schemes.superposed import labelled, position_tags, superposed
+from tmm_report.figures.schemes.view import Arrays, View, view_of
+from tmm_report.mechanics.lever.mechanism import Mechanism
+
+PAGE = (165.0, 228.0)  # what a drawing may fill of a sheet, mm
+GROUPS_PAGE = (165.0, 130.0)  # what the groups taken apart may fill
+
+Group = tuple[str, Sequence[str]]  # its name as it is printed, its links ("0" with the driving link)
+
+
+def scheme(
+    mechanism: Mechanism,
+    places: Arrays,
+    turns: Arrays,
+    mu_l: float | None = None,
+    position: int = 0,
+    zero: complex = 1.0,
+    title: str = "",
+    detailed: bool = True,
+) -> Drawing:
+    """One position. `zero`: unit direction from which the driver's angle is counted in its sense of rotation.
+    `detailed`: with a larger detail where the crank is short."""
+
+    def draw(view: View, place: Place) -> tuple[Sequence[Item], Sequence[Tag]]:
+        items, tags = [*view.plates(), *view.frame(), *view.links()], view.point_tags() + view.number_tags()
+        if place == "beside":
+            return items, tags
+        turning = view.rotation_tags() + view.angle_tags(zero)
+        return [*items, *view.rotation(), *view.angle(zero)], tags + turning
+
+    mu = mu_l or standard_scale(mechanism, places, turns)
+    return with_detail(
+        lambda scale: view_of(mechanism, places, turns, scale, position), mu, draw, title, detailed
+    )
+
+
+def positions_scheme(
+    mechanism: Mechanism,
+    places: Arrays,
+    turns: Arrays,
+    mu_l: float | None = None,
+    position: int = 0,
+    paths: Arrays | None = None,
+    traced: Sequence[str] = (),
+    strokes: Sequence[Stroke] = (),
+    title: str = "",
+) -> Drawing:
+    """All positions, `position` drawn thick, the places of cranks, rockers and sliders numbered.
+
+    `paths`: denser places of the points, complex (Q,), m, for their trajectories; `traced` names points to trace
+    beside the coupler points, mass centres for example; `strokes`: working strokes, marked round the driver's circle.
+    """
+
+    def draw(view: View, place: Place) -> tuple[Sequence[Item], Sequence[Tag]]:
+        numbers = [tag for point in _numbered(view, place) for tag in position_tags(view, point)]
+        tags = [*view.point_tags(), *numbers, *view.number_tags()]
+        tags += [] if place == "beside" else view.rotation_tags()
+        turning = [] if place == "beside" else view.rotation()
+        shown = () if place == "detail" else strokes
+        outside = OUTSIDE if place == "alone" else ring_reach(view) - view.crank[0] + CLEAR
+        items = superposed(view, paths or {}, traced, stroke_bands(view, shown, outside))
+        return [*items, *turning], [*tags, *stroke_tags(view, shown, outside)]
+
+    mu = mu_l or standard_scale(mechanism, places, turns)
+    return with_detail(lambda scale: view_of(mechanism, places, turns, scale, position), mu, draw, title)
+
+
+def _numbered(view: View, place: Place) -> list[str]:
+    """Joints whose positions are numbered: those of the driver where it is drawn large enough for that."""
+    crank = {point for point in labelled(view) if view.driver in view.joints[point]}
+    return [p for p in labelled(view) if place == "alone" or (p in crank) == (place == "detail")]
+
+
+def groups_apart(
+    mechanism: Mechanism,
+    places: Arrays,
+    turns: Arrays,
+    groups: Sequence[Group],
+    position: int = 0,
+    mu_l: float | None = None,
+    title: str = "",
+) -> Drawing:
+    """The driving link and the Assur groups side by side, each over its name, outer joints as free halves."""
+
+    mu = mu_l or apart_scale(mechanism, places, turns, groups, position)
+    return Drawing(_apart(view_of(mechanism, places, turns, mu, position), groups), title)
+
+
+def apart_scale(
+    mechanism: Mechanism,
+    places: Arrays,
+    turns: Arrays,
+    groups: Sequence[Group],
+    position: int = 0,
+    least: float = 0.0,
+) -> float:
+    """`least`, m/mm, where the groups taken apart fit a page at it; else the finest standard scale at which they fit
+    the part of a page that is theirs."""
+
+    def draw(mu: float) -> Drawing:
+        return Drawing(_apart(view_of(mechanism, places, turns, mu, position), groups))
+
+    if least and all(size <= room for size, room in zip(draw(least).size, PAGE, strict=True)):
+        return least
+    return _fitting(max(least, _span(places) / PAGE[0]), draw, GROUPS_PAGE)
+
+
+def _apart(view: View, groups: Sequence[Group]) -> tuple[Item, ...]:
+    return in_rows([taken_off(view, name, links) for name, links in groups], PAGE[0] - 2)
+
+
+# --- scales ---
+
+
+def standard_scale(mechanism: Mechanism, places: Arrays, turns: Arrays) -> float:
+    """The finest of the scales 1, 2, 2.5, 4, 5 x 10^n m/mm at which all positions fit the page."""
+    page = (PAGE[0], PAGE[1] - 8)  # the rest is for lettering, left out here for speed
+
+    def draw(mu: float) -> Drawing:
+        view = view_of(mechanism, places, turns, mu, 0)
+        return Drawing(tuple(superposed(view, places, ())))
+
+    return _fitting(_span(places) / PAGE[1], draw, page)
+
+
+def _fitting(least: float, draw: Callable[[float], Drawing], page: tuple[float, float]) -> float:
+    """The least standard scale, m/mm, not under `least`, whose drawing fits the page."""
+    power = math.floor(math.log10(least)) if least > 0 else -3
+    scales = [digit * 10.0 ** (power + more) for more, digit in product(range(4), (1, 2, 2.5, 4, 5))]
+    for mu in scales:
+        if mu >= least and all(size <= room for size, room in zip(draw(mu).size, page, strict=True)):
+            return float(f"{mu:.3g}")
+    return float(f"{scales[-1]:.3g}")
+
+
+def _span(places: Arrays) -> float:
+    """The greater side of the box that holds all places, m."""
+    every = np.concatenate([np.ravel(place) for place in places.values()])
+    every = every[np.isfinite(every)]
+    return float(max(np.ptp(every.real), np.ptp(every.imag))) if len(every) else 0.0

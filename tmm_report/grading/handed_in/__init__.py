@@ -1,0 +1,1 @@
+"""What students hand in: the sheet they fill in, their files, which attempt counts."""

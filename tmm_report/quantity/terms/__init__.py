@@ -1,0 +1,1 @@
+"""Words and symbols that several chapters use: directions, gears, wheels."""

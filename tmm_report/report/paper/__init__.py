@@ -1,0 +1,1 @@
+"""What fits on paper: widths by the metrics of the faces, where formulas and tables break, sheets of paper."""

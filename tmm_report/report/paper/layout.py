@@ -1,0 +1,192 @@
+"""How a table of the note is cut into parts that fit the width of an A4 page."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from typing import Any, NamedTuple
+
+from markupsafe import Markup
+
+from tmm_report.quantity.ref import Ref
+from tmm_report.records import dataclass
+from tmm_report.report.paper.measure import whole, widest_word
+
+TEXT_WIDTH = 165.0  # mm, of A4 between margins of 30 and 15 mm
+EM = 3.73  # mm: of a table's letters
+PADDING = 3.6  # mm: both margins of a cell and its line
+WHOLE = 20  # rows: a longer table may be cut by the end of a page
+
+
+class Cell(str):
+    """A printed number, or a word that stands for one, that knows where it stands in the results.
+
+    `full`: the number with the zeros at its end that were left out.
+    """
+
+    ref: Ref
+    full: str
+
+    def __new__(cls, text: str, ref: Ref, full: str = "") -> Cell:
+        cell = super().__new__(cls, text)
+        cell.ref, cell.full = ref, full or text
+        return cell
+
+
+class Words(Markup):
+    """Ready words that stand for a number or a text of the results."""
+
+    ref: Ref
+
+    def __new__(cls, text: Markup, ref: Ref) -> Words:
+        cell = super().__new__(cls, text)
+        cell.ref = ref
+        return cell
+
+
+class Column(NamedTuple):
+    head: Any
+    cells: Sequence[str]
+
+    @property
+    def width(self) -> float:
+        """mm, no word of the head and no number being broken."""
+        return _least(self.head, self.cells)
+
+
+@dataclass(frozen=True)
+class Part:
+    """What stands side by side on the page. `shares`: widths of the columns in parts of the text's width."""
+
+    head: Sequence[Any]
+    rows: Sequence[Sequence[Any]]
+    shares: Sequence[float]
+
+    @property
+    def long(self) -> bool:
+        return len(self.rows) > WHOLE
+
+
+@dataclass(frozen=True)
+class Table:
+    caption: Any
+    parts: Sequence[Part]
+    words: bool = False  # of text: as wide as the page
+
+
+def worded(
+    caption: Any, head: Sequence[Any], rows: Iterable[Sequence[Any]], shares: Sequence[float]
+) -> Table:
+    """A table with text in its cells; widths in proportion to `shares`, but no word is broken.
+
+    What is wider than the page is cut into parts; each begins with the first column.
+    """
+    head, lines, shares = _told(head, [list(row) for row in rows], shares)
+    lines = _aligned(lines)
+    columns = list(zip(*lines, strict=True)) or [()] * len(head)
+    least = [_least(name, cells) for name, cells in zip(head, columns, strict=True)]
+    blocks = _blocks(least[1:], TEXT_WIDTH - least[0])
+    kept = [[0, *(1 + k for k in block)] for block in blocks]
+    parts = [
+        Part(
+            [head[k] for k in ks],
+            [[row[k] for k in ks] for row in lines],
+            _shared([shares[k] for k in ks], [least[k] / TEXT_WIDTH for k in ks]),
+        )
+        for ks in kept
+    ]
+    return Table(caption, parts, words=True)
+
+
+def _shared(shares: Sequence[float], least: Sequence[float]) -> list[float]:
+    """Parts of the page's width: in proportion, but none is less than it must be."""
+    wide = [max(0.0, share / sum(shares) - low) for share, low in zip(shares, least, strict=True)]
+    room = max(0.0, 1 - sum(least)) / (sum(wide) or 1.0)
+    whole = sum(least) + room * sum(wide)
+    return [(low + room * more) / whole for low, more in zip(least, wide, strict=True)]
+
+
+def _least(head: Any, cells: Iterable[Any]) -> float:
+    """The width of a column, mm, in which nothing is broken that may not be."""
+    texts = {str(cell) for cell in cells}
+    if all(map(_NUMERIC.fullmatch, texts)):  # of numbers the longest is the widest, but for a comma or a sign
+        most = max(map(len, texts), default=0)
+        texts = {text for text in texts if len(text) > most - 2}
+    return PADDING + EM * max(map(widest_word, (str(head), *texts)))
+
+
+_NUMERIC = re.compile(r"[\d.,−-]*|—")
+
+
+DASH = "\N{EM DASH}"
+
+
+def _told(
+    head: Sequence[Any], rows: list[list[Any]], shares: Sequence[float]
+) -> tuple[list[Any], list[list[Any]], list[float]]:
+    """The columns that say something: one of dashes alone is left out, the first stays."""
+    kept = [k for k in range(len(head)) if k == 0 or not rows or any(str(row[k]) != DASH for row in rows)]
+    return [head[k] for k in kept], [[row[k] for k in kept] for row in rows], [shares[k] for k in kept]
+
+
+def _aligned(rows: list[list[Any]]) -> list[list[Any]]:
+    """Numbers of one column of the results with as many decimals under one another as their digits allow."""
+    columns = [padded(column) for column in zip(*rows, strict=True)]
+    return [list(row) for row in zip(*columns, strict=True)]
+
+
+def padded(cells: Sequence[Any]) -> Sequence[Any]:
+    """Numbers of one column of the results with as many decimals as their digits allow; other cells as they are."""
+    numbers = [cell for cell in cells if isinstance(cell, Cell) and _DECIMAL.fullmatch(cell.full)]
+    if len({(cell.ref.key, cell.ref.by, cell.ref.unit) for cell in numbers}) != 1:
+        return cells
+    most = max(map(_decimals, numbers))
+    return [_to(cell, most) if any(cell is number for number in numbers) else cell for cell in cells]
+
+
+def _to(cell: Cell, places: int) -> Cell:
+    """The number with so many decimals, or as many as it was rounded to."""
+    known, own = _decimals(cell.full), _decimals(cell)
+    more = min(places, known) - own
+    return Cell(cell.full[: len(cell.full) - (known - own - more)], cell.ref, cell.full) if more > 0 else cell
+
+
+_DECIMAL = re.compile(r"[−-]?\d+[.,]\d+")
+
+
+def _decimals(text: str) -> int:
+    match = re.search(r"[.,](\d+)$", text)
+    return len(match[1]) if match else 0
+
+
+def numeric(caption: Any, first: Column, columns: Sequence[Column]) -> Table:
+    """A table of numbers, cut into parts as wide as the page; each begins with the first column.
+
+    A column of dashes alone is left out.
+    """
+    columns = [column for column in columns if not column.cells or any(c != DASH for c in column.cells)]
+    blocks = _blocks([column.width for column in columns], TEXT_WIDTH - first.width)
+    return Table(caption, [part([first, *(columns[k] for k in block)]) for block in blocks])
+
+
+def _blocks(widths: Sequence[float], room: float) -> list[range]:
+    """Neighbouring columns by their numbers, about equally many in each block, no block wider than the room."""
+    for size in range(len(widths), 1, -1):
+        size = -(-len(widths) // -(-len(widths) // size))  # as many blocks, about equally long
+        blocks = [range(k, min(k + size, len(widths))) for k in range(0, len(widths), size)]
+        if all(sum(widths[k] for k in block) <= room for block in blocks):
+            return blocks
+    return [range(k, k + 1) for k in range(len(widths))] or [range(0)]
+
+
+def part(columns: Sequence[Column]) -> Part:
+    """Columns side by side; the room that is left goes to heads that would stand on several lines."""
+    rows = list(zip(*(column.cells for column in columns), strict=True))
+    least = [column.width for column in columns]
+    more = [
+        max(0.0, PADDING + EM * whole(str(column.head)) - width)
+        for column, width in zip(columns, least, strict=True)
+    ]
+    share = min(1.0, max(0.0, TEXT_WIDTH - sum(least)) / (sum(more) or 1.0))
+    widths = [width + share * extra for width, extra in zip(least, more, strict=True)]
+    return Part([c.head for c in columns], rows, [width / TEXT_WIDTH for width in widths])
