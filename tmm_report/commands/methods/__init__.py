@@ -1,1 +1,3 @@
-"""`tmm-report methods`: `measured` (rivals run and timed), `page` and `data` (what is said of them); `run`: the command."""
+"""`tmm-report methods`: `measured` (rivals run and timed), `page` and `data` (what is said of them); `run`: the
+command.
+"""
