@@ -282,12 +282,12 @@ def _readings(found: LeverFound) -> readings.ReadingsFound:
     from tmm_report.chapters.readings.solve import solve
 
     before = ((name, getattr(found, name)) for name in LEVER)
-    tables = [
+    tables = (
         (name, table)
         for name, chapter in before
         if chapter is not None
         for table in room(name, "quantities").tables(chapter)
-    ]
+    )
     return solve(found.given.readings, found.plans, tables)
 
 

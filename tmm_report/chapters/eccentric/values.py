@@ -12,6 +12,7 @@ from tmm_report.problems import N_, Message
 from tmm_report.quantity.gear_terms import HA, C
 from tmm_report.quantity.model import Quantity, Value
 from tmm_report.quantity.symbols import Symbol, math_symbol
+from tmm_report.quantity.tabulated import tabulated
 
 # key, symbol (None of what is never written as one), unit, meaning, number
 Row = tuple[str, Symbol | None, str, str | Message, float]
@@ -20,6 +21,7 @@ GAP = "Delta"
 AXES_STOPPED = Symbol("u", SUN + RING, CARRIER)
 
 
+@tabulated
 def values(found: Found, prefix: str = "eccentric") -> Iterator[Value]:
     """All of them; every key begins with `prefix`."""
     for rows in (_given, _equation, _chosen, _lengths, _proof, _motion, _drawings, further_values):
