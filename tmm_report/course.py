@@ -296,12 +296,12 @@ def _forces(given: Loads | None, motion: kinematics.Kinematics) -> kinetostatics
 def _readings(found: LeverFound) -> readings.ReadingsFound:
     """A student may have read any number of the chapters before."""
     before = ((name, getattr(found, name)) for name in LEVER)
-    tables = [
+    tables = (
         (name, table)
         for name, chapter in before
         if chapter is not None
         for table in room(name, "quantities").tables(chapter)
-    ]
+    )
     return readings.solve(found.given.readings, found.plans, tables)
 
 

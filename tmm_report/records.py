@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -28,7 +29,8 @@ def _defined(cls: type, frozen: bool, eq: bool) -> type:
     cls = dataclasses.dataclass(init=False, repr=False, eq=False)(cls)
     shared: dict[str, Any] = {"__init__": _first_init(cls), "__repr__": _repr}
     if eq:
-        shared |= {"__eq__": _eq, "__hash__": _hash if frozen else None}
+        of = _compared([field.name for field in dataclasses.fields(cls) if field.compare])
+        shared |= {"__eq__": _eq_by(of), "__hash__": _hash_by(of) if frozen else None}
     if frozen:
         shared |= {"__setattr__": _refuse, "__delattr__": _refuse}
     for name, value in shared.items():
@@ -111,16 +113,26 @@ def _default(field: dataclasses.Field[Any], key: str, names: dict[str, Any]) -> 
     return f"={key}", field.name if field.init else key
 
 
-def _values(self: Any) -> tuple[Any, ...]:
-    return tuple(getattr(self, field.name) for field in dataclasses.fields(self) if field.compare)
+Compared = Callable[[Any], Any]
 
 
-def _eq(self: Any, other: object) -> bool:
-    return _values(self) == _values(other) if other.__class__ is self.__class__ else NotImplemented
+def _compared(names: list[str]) -> Compared:
+    """What instances are compared by: the values of some fields, taken in C."""
+    return attrgetter(*names) if names else lambda _: ()
 
 
-def _hash(self: Any) -> int:
-    return hash(_values(self))
+def _eq_by(of: Compared) -> Callable[[Any, object], bool]:
+    def __eq__(self: Any, other: object) -> bool:
+        return of(self) == of(other) if other.__class__ is self.__class__ else NotImplemented
+
+    return __eq__
+
+
+def _hash_by(of: Compared) -> Callable[[Any], int]:
+    def __hash__(self: Any) -> int:
+        return hash(of(self))
+
+    return __hash__
 
 
 def _repr(self: Any) -> str:

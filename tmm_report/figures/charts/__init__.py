@@ -1,3 +1,3 @@
-"""Curves over axes: over one axis in panels (`graphs`, `axes`, `sheet`, `peaks`), in a plane (`plane`), with logarithmic
-axes (`logs`).
+"""Curves over axes: over one axis in panels (`graphs`, `axes`, `sheet`, `peaks`), in a plane (`plane`), with axes that
+are logarithmic (`logs`).
 """

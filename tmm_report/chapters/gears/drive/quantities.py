@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from typing import assert_never
 
@@ -18,6 +18,7 @@ from tmm_report.chapters.gears.spur.solve import pair as spur
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, text_column
 from tmm_report.quantity.symbols import Symbol, both, math_symbol, segment
+from tmm_report.quantity.tabulated import tabulated
 
 # key, symbol (None of what is never written as one), unit, meaning, number
 Row = tuple[str, Symbol | None, str, str, float]
@@ -36,6 +37,7 @@ def book(found: Found, prefix: str = "drive") -> Book:
     return Book.of(tables(found, prefix), values(found, prefix))
 
 
+@tabulated
 def tables(found: Found, prefix: str = "drive") -> Iterator[Table]:
     """Speeds, loads, flow of the power, comparison; then those of the stages."""
     yield Table(f"{prefix}_stages", STAGES, _stages(found))
@@ -50,6 +52,7 @@ def tables(found: Found, prefix: str = "drive") -> Iterator[Table]:
         yield from stage_tables(stage, f"stage{number}")
 
 
+@tabulated
 def values(found: Found, prefix: str = "drive") -> Iterator[Value]:
     """Ratio, deviation, efficiency of the drive; then the values of the stages."""
     for rows in (_ratios(found), _whole(found), _diagrams(found), crank_rows(found)):
@@ -69,7 +72,7 @@ def listings(found: Found, say: Callable[[str], str]) -> Iterator[tuple[str, lis
             yield f"stage{number}_combinations", planetary_quantities.judged(stage, say)
 
 
-def stage_tables(stage: Stage, prefix: str) -> Iterator[Table]:
+def stage_tables(stage: Stage, prefix: str) -> Iterable[Table]:
     match stage:
         case spur.Found():
             return spur_quantities.tables(stage, prefix)
@@ -79,7 +82,7 @@ def stage_tables(stage: Stage, prefix: str) -> Iterator[Table]:
             assert_never(stage)
 
 
-def stage_values(stage: Stage, prefix: str) -> Iterator[Value]:
+def stage_values(stage: Stage, prefix: str) -> Iterable[Value]:
     match stage:
         case spur.Found():
             return spur_quantities.values(stage, prefix)

@@ -15,6 +15,7 @@ from tmm_report.mechanics.gears.limits.condition import Condition
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Book, Column, Quantity, Table, text_column
 from tmm_report.quantity.symbols import Symbol, segment
+from tmm_report.quantity.tabulated import tabulated
 from tmm_report.quantity.terms.wheel_words import DIAMETERS, TEETH, dimension, of_wheel
 
 __all__ = ["book", "tables", "values"]
@@ -81,6 +82,7 @@ def book(found: Found, prefix: str) -> Book:
     return Book.of(tables(found, prefix), values(found, prefix))
 
 
+@tabulated
 def tables(found: Found, prefix: str) -> Iterator[Table]:
     """The wheels, conditions, specific sliding over the line of action, readings of the drawing, blocking contour."""
     parts = {

@@ -12,11 +12,13 @@ from tmm_report.mechanics.gears import shift_sharing
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Quantity, Value
 from tmm_report.quantity.symbols import Symbol, segment
+from tmm_report.quantity.tabulated import tabulated
 from tmm_report.quantity.terms.gear_terms import HA, C
 
 Row = tuple[str, Symbol | None, str, str, float]  # key, symbol, unit, meaning, number
 
 
+@tabulated
 def values(found: Found, prefix: str) -> Iterator[Value]:
     """The single numbers of the pair; every key begins with `prefix`."""
     topics = (_pair, _given, _teeth, _section, _shifts, _quality, _motion, _drawing)

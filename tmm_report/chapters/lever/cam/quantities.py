@@ -13,6 +13,7 @@ from tmm_report.mechanics.cams.cam import Sliding, Swinging
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.tabulated import tabulated
 
 PHASES = Message(N_("phases of the cam's turn"))
 SAMPLES = Message(N_("positions of which the laws of the cam are written out"))
@@ -91,6 +92,7 @@ def pressure(found: CamFound) -> Quantity:
     )
 
 
+@tabulated
 def tables(found: Cams) -> Iterator[Table]:
     for one in found.cams:
         name = one.cam.name
@@ -165,6 +167,7 @@ def _profile(found: CamFound, lifted: Lifted) -> Iterator[Column]:
         )
 
 
+@tabulated
 def values(found: Cams) -> Iterator[Value]:
     for one in found.cams:
         yield from _sizes(one)

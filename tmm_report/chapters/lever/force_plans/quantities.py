@@ -14,6 +14,7 @@ from tmm_report.chapters.lever.plans.quantities import COMPARISON, comparison
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Quantity, Table, Value, text_column
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.tabulated import tabulated
 from tmm_report.quantity.written import worked_table
 
 if TYPE_CHECKING:  # drafting takes the names of its quantities from here
@@ -62,10 +63,12 @@ def moment_sum(about: str, links: tuple[str, ...], in_mm: bool = False) -> Quant
     return Quantity(f"SigmaM_{about}_{'-'.join(links)}", Symbol("SigmaM", about), unit, meaning)
 
 
+@tabulated
 def values(found: ForcePlans) -> Iterator[Value]:
     yield WORST.value(found.worst)
 
 
+@tabulated
 def tables(found: ForcePlans) -> Iterator[Table]:
     for drawn in found.drawn:
         yield from (worked_table(worked) for worked in drawn.worked)

@@ -13,6 +13,7 @@ from tmm_report.mechanics.lever.assur_groups import Pair
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.tabulated import tabulated
 
 GIVEN = Message(N_("friction in the kinematic pairs"))
 LOSSES = Message(N_("friction power and instantaneous efficiency"))
@@ -74,6 +75,7 @@ def pressing(pair: Pair) -> Quantity:
     return Quantity(f"N_{pair.key}", Symbol("N", both(*pair.links)), "N", meaning)
 
 
+@tabulated
 def tables(found: FrictionFound) -> Iterator[Table]:
     yield _given(found.table.pairs)
     for name, losses, turned in (
@@ -121,6 +123,7 @@ def _losses(losses: Losses) -> Iterator[Column]:
         yield rate(loss.pair).column(loss.rate)
 
 
+@tabulated
 def values(found: FrictionFound) -> Iterator[Value]:
     yield MEAN_POWER.value(found.mean_power)
     yield MEAN_EFFICIENCY.value(found.mean_efficiency)

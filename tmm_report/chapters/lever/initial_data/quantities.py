@@ -13,6 +13,7 @@ from tmm_report.mechanics.lever.mechanism import FRAME, Link, Mechanism
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
 from tmm_report.quantity.symbols import Symbol, segment
+from tmm_report.quantity.tabulated import tabulated
 from tmm_report.quantity.written import SEGMENT
 
 if TYPE_CHECKING:
@@ -51,10 +52,12 @@ def inertia(link: str) -> Quantity:
     return Quantity(f"J_{link}", Symbol("J", link), "kg·m²", Message(text, {"of": link}))
 
 
+@tabulated
 def tables(lever: LeverFound) -> Iterator[Table]:
     return given_tables(lever.given.mechanism)
 
 
+@tabulated
 def values(lever: LeverFound) -> Iterator[Value]:
     return given_values(lever.given.mechanism, lever.plans.length_scale)
 

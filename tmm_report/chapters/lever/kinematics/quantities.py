@@ -27,6 +27,7 @@ from tmm_report.mechanics.lever.cycle import Extreme
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, kept, plain, text_column
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.tabulated import tabulated
 
 if TYPE_CHECKING:
     from tmm_report.mechanics.rivals.choice import Choice
@@ -45,6 +46,7 @@ def book(found: Kinematics) -> Book:
     return Book.of(tables(found), values(found))
 
 
+@tabulated
 def tables(found: Kinematics) -> Iterator[Table]:
     """Outputs, places and rates at the table positions and at the diagram positions; singular positions."""
     quantities = rates(found.linkage)
@@ -165,6 +167,7 @@ def _special(found: Kinematics) -> tuple[Column, ...]:
 # ---------------------------------------------------------------- single numbers
 
 
+@tabulated
 def values(found: Kinematics) -> Iterator[Value]:
     zero = Message(N_("angle of the driving link in position 0"))
     yield Quantity("phi_0", Symbol("phi", "0"), "deg", zero).value(math.degrees(found.cycle.zero))

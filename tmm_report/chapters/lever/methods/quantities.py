@@ -13,6 +13,7 @@ from tmm_report.mechanics.rivals.trials import worst
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.tabulated import tabulated
 from tmm_report.quantity.text import round_significant
 
 TRIED = {
@@ -82,6 +83,7 @@ RECOMMENDED = Quantity(
 )
 
 
+@tabulated
 def tables(found: Found) -> Iterator[Table]:
     for family in found.families.values():
         yield Table(f"methods_{family.key}", TRIED[family.key], tuple(_columns(family)))
@@ -136,6 +138,7 @@ def _enough(found: Counted) -> Table:
     )
 
 
+@tabulated
 def values(found: Found) -> Iterator[Value]:
     yield ACCURACY.value(found.accuracy)
     yield LEAST.value(FLOOR)

@@ -14,6 +14,7 @@ from tmm_report.chapters.lever.kinematics.quantities import POSITION
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, Value, plain, text_column
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.tabulated import tabulated
 from tmm_report.quantity.written import segment_of, worked_table
 
 if TYPE_CHECKING:  # drafting takes the names of its quantities from here
@@ -41,6 +42,7 @@ DELTA = Quantity(
 SENSES = Message(N_("senses of angular velocities or accelerations found from the plan"))
 
 
+@tabulated
 def values(found: Plans) -> Iterator[Value]:
     yield MU_V.value(found.velocity_scale)
     yield MU_A.value(found.acceleration_scale)
@@ -62,6 +64,7 @@ def chosen(choice: Choice, named: Mapping[str, Quantity]) -> tuple[Value, Value]
     return replace(of, key=f"largest_{of.key}").value(choice.value), drawn.value(segment.mm)
 
 
+@tabulated
 def tables(found: Plans) -> Iterator[Table]:
     """Of every plan what was worked by hand; of all the segments and values; the comparison of every position."""
     named = found.named

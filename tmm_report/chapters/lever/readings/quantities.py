@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from tmm_report.chapters.lever.plans.quantities import comparison
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Table, Value, plain
+from tmm_report.quantity.tabulated import tabulated
 
 if TYPE_CHECKING:
     from tmm_report.chapters.lever.readings.solve import ReadingsFound
@@ -16,6 +17,7 @@ READINGS = Message(N_("the student's own readings against the analytical method"
 ALLOWED = Message(N_("1: within what is allowed, 0: not"))
 
 
+@tabulated
 def tables(found: ReadingsFound) -> Iterator[Table]:
     for position, rows in found.rows.items():
         units = {one.key: one.asked.unit for one in rows}
@@ -28,5 +30,6 @@ def table_name(position: int) -> str:
     return f"readings_{position}"
 
 
+@tabulated
 def values(found: ReadingsFound) -> Iterator[Value]:
     yield from ()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -80,20 +80,30 @@ class ReadingsFound:
 
 
 def solve(readings: Readings, plans: Plans, tables: Iterable[tuple[str, Table]]) -> ReadingsFound:
-    """Compare the numbers with those of the tables by positions, each with the chapter that found it.
+    """Compare the numbers with those of the tables by positions, each with the chapter that found it. Tables are made
+    when they are reached: those behind the last quantity that is read only to look for the causes of what is wrong.
 
     Raises ProblemError for quantities and units that there are not."""
-    columns_asked = (one for chapter, table in tables for one in of_table(table, chapter))
-    asked = {one.name: one for one in columns_asked if one.by_position}
+    every = (one for chapter, table in tables for one in of_table(table, chapter) if one.by_position)
+    asked = _until(every, {name for numbers in readings.values() for name in numbers})
     meant = _meant(readings, asked)
     columns = {one.name: _answered(one, meant) for one in {id(one): one for one, *_ in meant}.values()}
     judged = {name: _judged(asked[name], column, plans) for name, column in columns.items()}
     wrong = any((columns[name].given & ~one.ok).any() for name, one in judged.items())
-    causes = _causes(columns, asked, judged) if wrong else ()
+    causes = _causes(columns, asked | {one.name: one for one in every}, judged) if wrong else ()
     rows: dict[int, list[Reading]] = {position: [] for position in readings}
     for one, position, written, number in meant:
         rows[position].append(_reading(one, position, written, number, judged[one.name], causes))
     return ReadingsFound({position: tuple(found) for position, found in rows.items()}, causes)
+
+
+def _until(every: Iterator[Asked], keys: set[str]) -> dict[Name, Asked]:
+    """The columns up to the last of the keys; all of them where a key is a name that is written otherwise."""
+    asked, left = {}, set(keys)
+    while left and (one := next(every, None)) is not None:
+        asked[one.name] = one
+        left.discard(one.key)
+    return asked
 
 
 Meant = list[

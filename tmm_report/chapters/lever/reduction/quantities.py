@@ -10,6 +10,7 @@ from tmm_report.i18n import NP_
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, Value
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.tabulated import tabulated
 
 INERTIAS = Message(N_("reduced moment of inertia and the parts of the links in it"))
 BY_PLANS = Message(N_("ratios of velocities read off the plans, and the reduced moment of inertia by them"))
@@ -69,6 +70,7 @@ def link_ratio(link: str, driver: str) -> Quantity:
     return Quantity(f"u_{link}_{driver}", Symbol("u", f"{link},{driver}"), "", meaning)
 
 
+@tabulated
 def tables(found: Reduction) -> Iterator[Table]:
     if found.plans:
         yield Table("reduction_plans", BY_PLANS, tuple(_by_plans(found)))
@@ -105,6 +107,7 @@ def _moments(reduced: Reduced) -> Iterator[Column]:
     yield MOMENT.column(reduced.whole_moment)
 
 
+@tabulated
 def values(found: Reduction) -> Iterator[Value]:
     low, high = found.extremes
     least, greatest = (

@@ -10,6 +10,7 @@ from tmm_report.mechanics.lever.assur_groups import Group, Pair
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.tabulated import tabulated
 
 PAIRS = Message(N_("kinematic pairs"))
 GROUPS = Message(N_("Assur groups, in the order in which they are detached"))
@@ -45,6 +46,7 @@ FREEDOM = Quantity("W", Symbol("W"), "", Message(N_("mobility")))
 MECHANISM_CLASS = Quantity("class", None, "", Message(N_("class of the mechanism")))
 
 
+@tabulated
 def values(found: Structure) -> Iterator[Value]:
     yield MOVING.value(found.moving_links)
     yield LOWER.value(found.lower_pairs)
@@ -57,6 +59,7 @@ def values(found: Structure) -> Iterator[Value]:
         yield REPLACED_FREEDOM.value(found.mobility)
 
 
+@tabulated
 def tables(found: Structure) -> Iterator[Table]:
     yield Table("pairs", PAIRS, _pairs(found.pairs))
     yield Table("groups", GROUPS, _groups(found, detached(found)))

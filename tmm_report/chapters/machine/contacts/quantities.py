@@ -10,6 +10,7 @@ from tmm_report.chapters.machine.contacts.terms import ETA, KINDS, TERMS, F
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, Value, plain, text_column
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.tabulated import tabulated
 
 CONE = Quantity("phi_fr", Symbol("phi", "fr"), "deg", Message(N_("angle of friction")))
 PAIRS = Message(N_("single pairs with friction"))
@@ -26,6 +27,7 @@ def terms(item: Solved) -> Mapping[str, Quantity]:
     return {key: own[key] for key in item.numbers}
 
 
+@tabulated
 def tables(found: Found) -> Iterator[Table]:
     yield Table("contacts", PAIRS, tuple(_listed(found)))
     for item in found.items:
@@ -63,6 +65,7 @@ def _ends(item: Solved) -> tuple[float, float]:
     return (stock.range if stock is not None else None) or (math.nan, math.nan)
 
 
+@tabulated
 def values(found: Found) -> Iterator[Value]:
     """The efficiency of each pair that has one."""
     for item in found.items:

@@ -39,6 +39,7 @@ from tmm_report.mechanics.machine.run.motion_law import SAMPLES, Run
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Book, Column, Quantity, Table, text_column
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.tabulated import tabulated
 
 __all__ = ["book", "tables", "values"]
 
@@ -59,6 +60,7 @@ def book(found: Found) -> Book:
     return Book.of(tables(found), values(found))
 
 
+@tabulated
 def tables(found: Found) -> Iterator[Table]:
     if found.given.parts:
         yield Table("dynamics_parts", PARTS, tuple(_parts(found)))

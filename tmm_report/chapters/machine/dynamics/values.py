@@ -27,11 +27,13 @@ from tmm_report.mechanics.machine.characteristics import Constant, Kloss, Linear
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Quantity, Value
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.tabulated import tabulated
 
 # key, symbol (None of what is never written as one), unit, meaning, number, angle at which it is, rad
 Row = tuple[str, Symbol | None, str, str, float] | tuple[str, Symbol | None, str, str, float, float]
 
 
+@tabulated
 def values(found: Found) -> Iterator[Value]:
     """All of them; every key begins with "dynamics_"."""
     for rows in (_reduced, _motor, _resistances, _friction, _steady, _energies, _uniform, _runs, _checks):

@@ -12,6 +12,7 @@ from tmm_report.i18n import NP_
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.tabulated import tabulated
 
 PARTS = Message(N_("parts of the machines joined: efficiency, loss, power"))
 IN, OUT, LOST = NP_("index", "in"), NP_("index", "out"), NP_("index", "lost")
@@ -54,6 +55,7 @@ def of_powers(found: Found, of: Quantity) -> Quantity:
     return of if found.stated else replace(of, unit="")
 
 
+@tabulated
 def tables(found: Found) -> Iterator[Table]:
     rows = parts(found)
     shares = _output_shares(found.whole)
@@ -100,6 +102,7 @@ def _output_shares(part: Part) -> dict[Part, float]:
     return found
 
 
+@tabulated
 def values(found: Found) -> Iterator[Value]:
     yield WHOLE.value(found.efficiency)
     yield WHOLE_LOSS.value(1 - found.efficiency)

@@ -14,6 +14,7 @@ from tmm_report.mechanics.masses.engine_cylinders import Turning, cranks
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, plain, text_column
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.tabulated import tabulated
 
 __all__ = ["tables", "values"]
 
@@ -23,6 +24,7 @@ NAME = Message(N_("number of the cylinder"))
 OF = {"force": N_("inertia force"), "couple": N_("moment of the inertia forces")}
 
 
+@tabulated
 def tables(found: Found) -> Iterator[Table]:
     yield Table("engine_cylinders", Message(N_("cylinders of the engine")), tuple(_cylinders(found)))
     yield Table("engine_orders", Message(N_("inertia forces and moments by orders")), tuple(_orders(found)))

@@ -12,6 +12,7 @@ from tmm_report.i18n import NP_
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Quantity, Value
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.tabulated import tabulated
 
 ROD = NP_("index", "rod")
 COUNTER = NP_("index", "cw")  # counterweight
@@ -20,6 +21,7 @@ COUNTER = NP_("index", "cw")  # counterweight
 Row = tuple[str, Symbol | None, str, str, float]
 
 
+@tabulated
 def values(found: Found) -> Iterator[Value]:
     """All of them; every key begins with "engine_"."""
     for rows in (_masses, _sizes, _counterweight, _left, _drawn):

@@ -15,6 +15,7 @@ from tmm_report.mechanics.machine.flywheel.inertia import Touch
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Book, Column, Quantity, Table, text_column
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.tabulated import tabulated
 
 __all__ = ["book", "tables", "values"]
 
@@ -79,6 +80,7 @@ def book(found: Found) -> Book:
     return Book.of(tables(found), values(found))
 
 
+@tabulated
 def tables(found: Found) -> Iterator[Table]:
     for name, turned in (("table", found.sides.turned), ("diagram", found.sides.drawn)):
         columns = (quantity.column(numbers) for quantity, numbers in cycle(found, turned))

@@ -12,6 +12,7 @@ from tmm_report.i18n import NP_
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Quantity, Value
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.tabulated import tabulated
 
 # key, symbol (None of what is never written as one), unit, meaning, number, angle at which it is, rad
 Row = tuple[str, Symbol | None, str, str, float] | tuple[str, Symbol | None, str, str, float, float]
@@ -20,6 +21,7 @@ MEAN, FL, OWN, NOM = NP_("index", "mean"), NP_("index", "fl"), NP_("index", "own
 EX = NP_("index", "exc")
 
 
+@tabulated
 def values(found: Found) -> Iterator[Value]:
     """All of them; every key begins with "flywheel_"."""
     for rows in (_given, _loads, _wittenbauer, _motion, _sizes):

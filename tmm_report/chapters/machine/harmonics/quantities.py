@@ -10,6 +10,7 @@ from tmm_report.chapters.machine.harmonics.solve import Found, Signal, Wave
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, Value, kept, text_column
 from tmm_report.quantity.symbols import GREEK, Symbol
+from tmm_report.quantity.tabulated import tabulated
 
 CONTENT = Message(N_("harmonics of the outputs and of points: amplitudes and phases by order"))
 LEFT = Message(N_("what the harmonics leave of each motion"))
@@ -65,6 +66,7 @@ def signal_name(signal: Signal) -> str:
     return f"{GREEK.get(letter, letter)}_{signal.name}"
 
 
+@tabulated
 def tables(found: Found) -> Iterator[Table]:
     if found.signals:
         orders = ORDER.column(list(range(found.given.highest + 1)))
@@ -149,6 +151,7 @@ def _settled(values: np.ndarray, size: float) -> np.ndarray:
 # ---------------------------------------------------------------- single numbers
 
 
+@tabulated
 def values(found: Found) -> Iterator[Value]:
     yield SAMPLES.value(found.count)
     yield TAIL.value(found.tail)

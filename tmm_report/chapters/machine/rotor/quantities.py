@@ -12,6 +12,7 @@ from tmm_report.chapters.machine.rotor.values import values
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, plain, text_column
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.tabulated import tabulated
 
 __all__ = ["tables", "values"]
 
@@ -31,6 +32,7 @@ XZ = Quantity("J_xz", Symbol("J", "xz"), "kg·m²", Message(N_("product of inert
 YZ = Quantity("J_yz", Symbol("J", "yz"), "kg·m²", Message(N_("product of inertia about the axes y and z")))
 
 
+@tabulated
 def tables(found: Found) -> Iterator[Table]:
     yield Table("rotor_masses", Message(N_("unbalances of the rotor")), tuple(_masses(found)))
     yield Table(

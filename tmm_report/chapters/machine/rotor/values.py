@@ -11,6 +11,7 @@ from tmm_report.i18n import NP_
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Quantity, Value
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.tabulated import tabulated
 
 PER = NP_("index", "lim")  # permissible
 SUM = "Sigma"
@@ -19,6 +20,7 @@ SUM = "Sigma"
 Row = tuple[str, Symbol | None, str, str, float]
 
 
+@tabulated
 def values(found: Found) -> Iterator[Value]:
     """All of them; every key begins with "rotor_"."""
     for rows in (_unbalance, _polygons, _left, _limits):

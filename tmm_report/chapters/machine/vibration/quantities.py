@@ -14,6 +14,7 @@ from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Book, Column, Quantity, Table, text_column
 from tmm_report.quantity.part import Part
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.tabulated import tabulated
 
 __all__ = ["book", "tables", "values"]
 
@@ -26,6 +27,7 @@ def book(found: Found) -> Part:
     return Part(PREFIX, Book.of(tables(found), values(found)))
 
 
+@tabulated
 def tables(found: Found) -> Iterator[Table]:
     if found.given.free:
         yield _table("motion", N_("motion of the machine from the start"), _motion(found))

@@ -11,6 +11,7 @@ from tmm_report.i18n import NP_
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Quantity, Value
 from tmm_report.quantity.symbols import math_symbol
+from tmm_report.quantity.tabulated import tabulated
 from tmm_report.records import dataclass
 
 BASE = NP_("index", "base")
@@ -174,6 +175,7 @@ def quantity(found: Found, key: str, prefix: str = "vibration_") -> Quantity:
     return Quantity(f"{prefix}{key}", sign, getattr(of, unit, unit), Message(text))
 
 
+@tabulated
 def values(found: Found) -> Iterator[Value]:
     parts = (_body, _excitation, _steady, _wanted, _dry, _stood, _absorber, _shaken)
     for part in (_body, _free) if found.given.free else parts:

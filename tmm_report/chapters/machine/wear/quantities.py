@@ -16,6 +16,7 @@ from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, text_column
 from tmm_report.quantity.part import Part
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.tabulated import tabulated
 
 Array = Any
 CAUSES = ("force", "couple")
@@ -23,6 +24,7 @@ SHORT = {"force": "R", "couple": "M"}
 STAGES = 61  # moments of the diagram of the greatest wear against the time
 
 
+@tabulated
 def tables(found: Found) -> Iterator[Table]:
     for prefix, guide in guides(found):
         yield from guide_tables(guide, prefix)
@@ -30,6 +32,7 @@ def tables(found: Found) -> Iterator[Table]:
         yield from pivot_tables(pivot, prefix)
 
 
+@tabulated
 def values(found: Found) -> Iterator[Value]:
     for prefix, guide in guides(found):
         yield from guide_values(guide, prefix)

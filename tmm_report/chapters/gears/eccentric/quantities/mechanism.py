@@ -15,6 +15,7 @@ from tmm_report.mechanics.gears.pair_sizes import least_ring
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Book, Column, Quantity, Table, text_column
 from tmm_report.quantity.symbols import Symbol, math_symbol
+from tmm_report.quantity.tabulated import tabulated
 from tmm_report.quantity.terms.wheel_words import dimension, of_wheel
 
 __all__ = ["GAP", "book", "tables", "values"]
@@ -31,6 +32,7 @@ def book(found: Found, prefix: str = "eccentric") -> Book:
     return Book.of(tables(found, prefix), values(found, prefix))
 
 
+@tabulated
 def tables(found: Found, prefix: str = "eccentric") -> Iterator[Table]:
     parts = {
         "family": (N_("Sets of teeth of the family"), _family),

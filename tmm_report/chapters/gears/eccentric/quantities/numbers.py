@@ -11,6 +11,7 @@ from tmm_report.mechanics.gears.pair_sizes import ring_rule
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Quantity, Value
 from tmm_report.quantity.symbols import Symbol, math_symbol
+from tmm_report.quantity.tabulated import tabulated
 from tmm_report.quantity.terms.gear_terms import HA, C
 
 # key, symbol (None of what is never written as one), unit, meaning, number
@@ -20,6 +21,7 @@ GAP = "Delta"
 AXES_STOPPED = Symbol("u", SUN + RING, CARRIER)
 
 
+@tabulated
 def values(found: Found, prefix: str = "eccentric") -> Iterator[Value]:
     """All of them; every key begins with `prefix`."""
     for rows in (_given, _equation, _chosen, _lengths, _proof, _motion, _drawings, further_values):

@@ -18,6 +18,7 @@ from tmm_report.mechanics.gears.planetary import stage as p
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, text_column
 from tmm_report.quantity.symbols import Symbol, both, math_symbol
+from tmm_report.quantity.tabulated import tabulated
 from tmm_report.quantity.terms.gear_terms import HA
 from tmm_report.quantity.terms.wheel_words import DIAMETERS, dimension, of_wheel
 
@@ -55,6 +56,7 @@ def book(found: Found, prefix: str) -> Book:
     return Book.of(tables(found, prefix), values(found, prefix))
 
 
+@tabulated
 def values(found: Found, prefix: str) -> Iterator[Value]:
     """The single numbers of the stage."""
     for rows in (_given(found.given), _ratio(found), _satellites(found), _assembly(found), _whole(found)):
@@ -63,6 +65,7 @@ def values(found: Found, prefix: str) -> Iterator[Value]:
     yield from ring_values(found, prefix)
 
 
+@tabulated
 def tables(found: Found, prefix: str) -> Iterator[Table]:
     """Sizes, motions with each member held, the solutions; meshes, conditions, combinations that fail."""
     name = {"name": found.name}

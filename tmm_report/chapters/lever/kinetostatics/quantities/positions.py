@@ -25,6 +25,7 @@ from tmm_report.mechanics.lever.forces.reactions import Reaction
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, kept, text_column
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.tabulated import tabulated
 
 if TYPE_CHECKING:  # the solver's own names are taken from here
     from tmm_report.chapters.lever.kinetostatics.given import Force, Moment
@@ -168,6 +169,7 @@ def book(found: Kinetostatics) -> Book:
     return Book.of(tables(found), values(found))
 
 
+@tabulated
 def tables(found: Kinetostatics) -> Iterator[Table]:
     given = found.given
     if given.forces or given.moments:
@@ -337,6 +339,7 @@ def _powers(found: Kinetostatics, solved: Solved) -> Iterator[Column]:
 # ---------------------------------------------------------------- single numbers
 
 
+@tabulated
 def values(found: Kinetostatics) -> Iterator[Value]:
     yield from extremes(found)
     yield from gear_quantities.values(found)

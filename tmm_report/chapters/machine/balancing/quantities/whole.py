@@ -18,6 +18,7 @@ from tmm_report.i18n import NP_
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.tabulated import tabulated
 
 SHAKING = Message(N_("shaking force and shaking moment of the mechanism as it is"))
 BALANCED = Message(N_("shaking force and shaking moment left by each way of balancing, by its number"))
@@ -88,6 +89,7 @@ def moment(number: int) -> Quantity:
     return Quantity(f"M_shake_{number}", Symbol("M", f"Sigma{number}"), "N·m", meaning)
 
 
+@tabulated
 def tables(found: Found) -> Iterator[Table]:
     sets = (("table", found.kinematics.turned), ("diagram", found.kinematics.diagram_turned))
     for name, turned in sets:
@@ -201,6 +203,7 @@ def _rotors(found: Found) -> Table:
 # ---------------------------------------------------------------- single numbers
 
 
+@tabulated
 def values(found: Found) -> Iterator[Value]:
     yield PART.value(found.given.part)
     yield MISS.value(found.check)

@@ -15,6 +15,7 @@ from tmm_report.mechanics.machine.governor.equilibrium import Arms
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, plain
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.tabulated import tabulated
 
 CONTACT = NP_("index", "cont")
 UPPER, LOWER = NP_("index", "up"), NP_("index", "low")
@@ -60,6 +61,7 @@ def book(found: Found) -> Book:
     return Book.of(tables(found), values(found))
 
 
+@tabulated
 def tables(found: Found) -> Iterator[Table]:
     if found.direct is not None:
         yield Table(
@@ -115,6 +117,7 @@ def _brake_tables(found: BrakeFound) -> Iterator[Table]:
 # --- single numbers
 
 
+@tabulated
 def values(found: Found) -> Iterator[Value]:
     if found.direct is not None:
         yield from values_given.of_direct(found.direct)
