@@ -58,10 +58,13 @@ def test_every_chapter_keeps_its_tables_and_values(chapter):
         assert make.__wrapped__.__code__ is not make.__code__
 
 
-@pytest.mark.parametrize(("chapter", "make"), [("kinematics", "places"), ("kinetostatics", "_loads")])
-def test_all_read_the_same_tables(chapter, make, monkeypatch):
+@pytest.mark.parametrize(
+    ("chapter", "room", "make"),
+    [("kinematics", "quantities", "places"), ("kinetostatics", "quantities.positions", "_loads")],
+)
+def test_all_read_the_same_tables(chapter, room, make, monkeypatch):
     """Solved with readings, written, marked and rendered twice: of the table and the diagram positions one each."""
-    quantities, calls = course.room(chapter, "quantities"), []
+    quantities, calls = course.room(chapter, room), []
     of = getattr(quantities, make)
     monkeypatch.setattr(quantities, make, lambda *args: calls.append(args) or of(*args))
     results = course.solve(read("compressor"))
@@ -73,7 +76,7 @@ def test_all_read_the_same_tables(chapter, make, monkeypatch):
 
 
 def test_readings_make_no_table_behind_the_last_that_they_name(monkeypatch):
-    quantities, calls = course.room("kinetostatics", "quantities"), []
+    quantities, calls = course.room("kinetostatics", "quantities.positions"), []
     of = quantities._loads
     monkeypatch.setattr(quantities, "_loads", lambda *args: calls.append(args) or of(*args))
     assert not course.solve(read("compressor")).lever.readings.wrong and not calls
