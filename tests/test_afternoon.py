@@ -4,6 +4,7 @@ gradebook for Moodle, and the two copies found."""
 from __future__ import annotations
 
 import csv
+import json
 import re
 import shlex
 import shutil
@@ -18,7 +19,6 @@ from tmm_report.cli import app
 from tmm_report.grading.expected import expected
 from tmm_report.intake.sheets import read_sheets
 from tmm_report.intake.writing import csv_bytes, xlsx_bytes
-from tmm_report.jsontext import indented
 
 DOCS = Path(__file__).parents[1] / "docs"
 COMMANDS = re.findall(r"<!-- walk -->\n```sh\n(.*?)\n```", (DOCS / "afternoon.md").read_text("utf-8"), re.S)
@@ -132,7 +132,7 @@ def handed_in(id: str, columns: Numbers, kind: int) -> tuple[str, bytes]:
         case 2:
             return f"{id}.csv", csv_bytes(rows, ".")
         case _:
-            return f"{id}.yaml", indented(written).encode()
+            return f"{id}.yaml", json.dumps(written, ensure_ascii=False).encode()
 
 
 @pytest.fixture(scope="module")

@@ -79,8 +79,8 @@ class Quantity:
         return Quantity(f"{self.key}_{axis}", symbol, self.unit, Message(text, {"of": self.meaning}))
 
     @cached_property
-    def said(self) -> dict[str, bytes]:
-        """What was written of it into results.json, by the language: kept by who writes."""
+    def said(self) -> dict[str, dict[str, str]]:
+        """What results.json says of it, by the language: kept by who writes."""
         return {}
 
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import csv
 import io
+import json
 import math
 from collections.abc import Iterator
 from typing import Any
 
 from tmm_report.commands.methods.measured import All
 from tmm_report.i18n import Translator
-from tmm_report.jsontext import indented
 
 
 def rows(found: All) -> Iterator[dict[str, Any]]:
@@ -55,7 +55,7 @@ def as_json(found: All, tr: Translator) -> dict[str, bytes]:
             "recommended": counted.recommended,
         },
     }
-    return {"methods.json": (indented(data) + "\n").encode()}
+    return {"methods.json": (json.dumps(data, ensure_ascii=False, allow_nan=False, indent=1) + "\n").encode()}
 
 
 def as_csv(found: All) -> dict[str, bytes]:

@@ -7,6 +7,7 @@ The works stand by their ids, whatever their order before. Nothing here says wha
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -15,7 +16,6 @@ from tmm_report.grading.model import HELD, RIGHT, Digest, Rule
 from tmm_report.grading.year.words import attempt_text, cause_text, override_text, state_text
 from tmm_report.i18n import Translator
 from tmm_report.intake.writing import csv_bytes, xlsx_bytes
-from tmm_report.jsontext import indented
 from tmm_report.problems import N_, Message
 from tmm_report.records import dataclass
 
@@ -237,7 +237,7 @@ def gradescope(one: Line, tr: Translator) -> bytes:
         "stdout_visibility": "hidden",
         "tests": tests,
     }
-    return (indented(document) + "\n").encode()
+    return (json.dumps(document, ensure_ascii=False, allow_nan=False, indent=1) + "\n").encode()
 
 
 def _test(one: Line, name: Name, count: Count, tr: Translator) -> dict[str, object]:
