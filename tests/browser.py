@@ -65,6 +65,7 @@ PAGES: dict[str, Callable[[], bytes]] = {
     "wide-en": lambda: a_wide_note("en"),
 }
 PRINTED = {"compressor-ru", "compressor-en", "assemblies"}
+QUICK, QUICK_PRINTED = {"compressor-ru", "assemblies"}, {"crank_rocker-ru", "wide-ru"}
 FONTS = Path(matplotlib.get_data_path()) / "fonts" / "ttf"  # the same on every machine
 TEXT = 624  # CSS pixels of the text of A4, 165 mm
 
@@ -114,12 +115,13 @@ document.fonts.ready.then(() => {
 
 
 @once
-def in_print() -> dict[str, dict[str, Any]]:
-    """Every ready variant's note laid out for print, and two that are wider than any."""
+def in_print(quick: bool) -> dict[str, dict[str, Any]]:
+    """Notes laid out for print: a small and a wide one; or all other ready variants', and the other wide one."""
     notes = {f"{name}-{read(name).language}": partial(a_note, name, read(name).language) for name in NAMES}
     makers = notes | {f"wide-{language}": partial(a_wide_note, language) for language in LANGUAGES}
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder, browser(Path(folder)) as talk:
-        return {name: laid_out(talk, Path(folder) / "note.html", make()) for name, make in makers.items()}
+        chosen = {name: make for name, make in makers.items() if (name in QUICK_PRINTED) == quick}
+        return {name: laid_out(talk, Path(folder) / "note.html", make()) for name, make in chosen.items()}
 
 
 def laid_out(talk: Talk, file: Path, content: bytes) -> dict[str, Any]:
@@ -148,12 +150,18 @@ def printed_without_fonts(name: str, language: str) -> bytes:
             return opened(talk, folder, name, a_note(name, language), print_it=True).pdf
 
 
+def seen(name: str) -> Seen:
+    return _seen(name in QUICK)[name]
+
+
 @once
-def seen() -> dict[str, Seen]:
-    """All pages."""
+def _seen(quick: bool) -> dict[str, Seen]:
+    """The pages that quick tests look at, or all others."""
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder, browser(Path(folder)) as talk:
         return {
-            name: opened(talk, Path(folder), name, make(), name in PRINTED) for name, make in PAGES.items()
+            name: opened(talk, Path(folder), name, make(), name in PRINTED)
+            for name, make in PAGES.items()
+            if (name in QUICK) == quick
         }
 
 

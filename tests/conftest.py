@@ -12,7 +12,7 @@ from hypothesis import settings
 from tmm_report import course
 from tmm_report.course import load
 
-pytest_plugins = ["cpu"]
+pytest_plugins = ["cpu", "exhaustive"]
 
 # few examples and new ones, so that something new is found now and then; or many, the same at every run
 settings.register_profile("dev", deadline=None, max_examples=15)
@@ -68,9 +68,23 @@ def compressor() -> course.Results:
     return solved("compressor")
 
 
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log):
+    """Tests that stand together go to one worker, which makes what they share once; who is done takes from others."""
+    if config.getvalue("dist") == "load":
+        from xdist.scheduler import WorkStealingScheduling
+
+        return WorkStealingScheduling(config, log)
+    return None
+
+
 @pytest.fixture(scope="session", autouse=True)
 def shared_folder(tmp_path_factory) -> None:
     """Workers of one run, each with a folder in that of the run, share what is made once."""
+    folder = tmp_path_factory.getbasetemp()
     if os.environ.get("PYTEST_XDIST_WORKER"):
-        once.folder = tmp_path_factory.getbasetemp().parent / "once"
+        folder = folder.parent
+        once.folder = folder / "once"
         once.folder.mkdir(exist_ok=True)
+    if os.environ.pop("PYTHONDONTWRITEBYTECODE", ""):  # processes that tests start: none compiles all anew
+        os.environ["PYTHONPYCACHEPREFIX"] = str(folder / "compiled")

@@ -28,6 +28,7 @@ SILENT = "st30"  # hands nothing in
 COPIES = {"st21": "st20", "st23": "st22"}  # who copied from whom
 OTHERS = {"st25": "st24"}  # who solved whose variant
 Numbers = dict[str, np.ndarray]
+pytestmark = pytest.mark.exhaustive  # each command has quick tests of its own
 
 
 def mistaken(id: str, columns: Numbers) -> str:

@@ -272,7 +272,7 @@ def test_a_browser_opens_and_prints_it_without_a_network(tmp_path):
     assert re.search(r"Content-Security-Policy[^>]*default-src 'none'", text)
     assert not re.search(r"(?:src|href)\s*=|url\(|@import|<script", text)
     assert len(figures(text)) == 4
-    seen = browser.seen()["assemblies"]
+    seen = browser.seen("assemblies")
     assert seen.text == text and seen.console == [] and seen.asked == []
     pdf.write_bytes(seen.pdf)
     info = subprocess.run([program("pdfinfo"), str(pdf)], capture_output=True, text=True, check=True).stdout

@@ -79,6 +79,7 @@ def test_figures_stay_well_formed(page):
         ElementTree.fromstring(figure)
 
 
+@pytest.mark.exhaustive
 def test_latex_prints_it_literally(hostile, tmp_path):
     """Compiled with everything allowed that a careless user might allow, nothing is read, written or run."""
     files = render(hostile, "tex")

@@ -49,14 +49,15 @@ UNSEEN = {  # what no terminal may be told
     "zero": "a\u200b\u2060b\u00ad",
 }
 EVERY = {**PAYLOADS, **UNSEEN}
+pytestmark = pytest.mark.exhaustive  # of one variant: test_attacks.py
 TAGS = {"script", "img", "foreignobject", "iframe", "object", "embed"}
 RUBRIC = "positions: [7]\ntables: {rates_table: {columns: [v_B]}}\n"
 
 
 def variant(text: str) -> str:
-    """The compressor's lever in Russian with the text for everything that names its student."""
+    """The compressor's motion in Russian with the text for everything that names its student."""
     given = (VARIANTS / "compressor.yaml").read_text("utf-8")
-    given = given[: given.index("\ndrive:")]
+    given = given[: given.index("\nloads:")]
     title = given[given.index("title:") : given.index("\nlanguage:")]
     named = "\n".join(f"  {key}: {json.dumps(text)}" for key in ("student", "group", "variant", "topic"))
     return given.replace(title, f"title:\n{named}\n") + "\npositions: {table: 12}\n"

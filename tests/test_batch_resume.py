@@ -141,6 +141,7 @@ def thirty(tmp_path) -> Path:
     return write(tmp_path / "thirty", **{f"v{k:02}": student(f"S{k}") for k in range(24)})
 
 
+@pytest.mark.exhaustive
 @POSIX
 def test_a_run_that_is_killed_goes_on_and_ends_with_the_same_bytes(thirty, tmp_path):
     batch([thirty], tmp_path / "undisturbed")
@@ -154,6 +155,7 @@ def test_a_run_that_is_killed_goes_on_and_ends_with_the_same_bytes(thirty, tmp_p
     assert tree(tmp_path / "out") == tree(tmp_path / "undisturbed")
 
 
+@pytest.mark.exhaustive
 @POSIX
 def test_ctrl_c_says_how_to_go_on(thirty, tmp_path):
     running = started(tmp_path, thirty, tmp_path / "out")
@@ -206,6 +208,7 @@ if __name__ == "__main__":
 """
 
 
+@pytest.mark.exhaustive
 @POSIX
 def test_memory_is_flat_however_many_variants(tmp_path):
     """300 MB of variants pass through a process that grows by a tenth of that at most."""

@@ -67,28 +67,22 @@ def test_same_variant_same_bytes(tmp_path):
     assert [name for name in one if one[name] != two[name].read_bytes()] == []
 
 
-def test_results_are_strict_json_with_units_and_meanings(tmp_path):
-    for name in NAMES:
-        assert (
-            run(
-                "solve", VARIANTS / f"{name}.yaml", "-o", tmp_path, "--format", "json", "--lang", "en"
-            ).exit_code
-            == 0
-        )
+@pytest.mark.parametrize("name", NAMES)
+def test_results_are_strict_json_with_units_and_meanings(name, tmp_path):
+    command = ["solve", VARIANTS / f"{name}.yaml", "-o", tmp_path, "--format", "json", "--lang", "en"]
+    assert run(*command).exit_code == 0
 
-        def refuse(constant: str):
-            raise AssertionError(constant)
+    def refuse(constant: str):
+        raise AssertionError(constant)
 
-        document = json.loads((tmp_path / "results.json").read_text(encoding="utf-8"), parse_constant=refuse)
-        columns = [c for table in document["tables"].values() for c in table["columns"]]
-        optional = {"symbol", "symbols"}  # of the column, of its rows
-        assert all(
-            c["meaning"] and set(c) - optional == {"key", "unit", "meaning", "values"} for c in columns
-        )
-        assert all(len(c["symbols"]) == len(c["values"]) for c in columns if "symbols" in c)
-        for table in document["tables"].values():
-            assert len({len(c["values"]) for c in table["columns"]}) == 1
-            assert len({c["key"] for c in table["columns"]}) == len(table["columns"])
+    document = json.loads((tmp_path / "results.json").read_text(encoding="utf-8"), parse_constant=refuse)
+    columns = [c for table in document["tables"].values() for c in table["columns"]]
+    optional = {"symbol", "symbols"}  # of the column, of its rows
+    assert all(c["meaning"] and set(c) - optional == {"key", "unit", "meaning", "values"} for c in columns)
+    assert all(len(c["symbols"]) == len(c["values"]) for c in columns if "symbols" in c)
+    for table in document["tables"].values():
+        assert len({len(c["values"]) for c in table["columns"]}) == 1
+        assert len({c["key"] for c in table["columns"]}) == len(table["columns"])
 
 
 def test_csv_repeats_json(tmp_path):

@@ -5,9 +5,11 @@ from __future__ import annotations
 import re
 from functools import cache, lru_cache
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 import pytest
+from batching import COMPRESSOR
 from conftest import ALL_FILES, FILES, read, solved
 from told import Told
 
@@ -32,9 +34,16 @@ MARKUP = re.compile(r"[<>{}\\$&]|data-")
 _RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 
+@cache
 def told(name, quantity, position=None, language="en"):
+    """What is said; of the compressor without its gears and flywheel, which nothing here asks for."""
     talk = Told()
-    run(VARIANTS / f"{name}.yaml", quantity, position, language, talk)
+    with TemporaryDirectory() as folder:
+        file = VARIANTS / f"{name}.yaml"
+        if name == "compressor":
+            file = Path(folder) / file.name
+            file.write_text(COMPRESSOR, "utf-8")
+        run(file, quantity, position, language, talk)
     return talk.lines
 
 
@@ -250,7 +259,7 @@ def missing():
 
 
 def test_the_same_question_has_the_same_answer():
-    assert told("compressor", "R_12", 7) == told("compressor", "R_12", 7)
+    assert told.__wrapped__("crank_rocker", "R_12", 7) == told("crank_rocker", "R_12", 7)
 
 
 def test_the_reaction_turned_round_is_explained_as_the_reaction_that_it_is():

@@ -72,6 +72,8 @@ def failing(folder: Path, variants: str, tests: tuple[str, ...], golden: bool) -
         "-m",
         "pytest",
         "-q",
+        "-m",
+        "",  # the exhaustive ones too: the variants are chosen here
         "-p",
         "no:cacheprovider",
         "--tb=no",

@@ -174,6 +174,7 @@ for name, content in files.items():
 """
 
 
+@pytest.mark.exhaustive
 @pytest.mark.skipif(sys.platform != "linux", reason="limits of a process as Linux has them")
 def test_thousands_of_names_that_nobody_asked_for_cost_neither_memory_nor_time():
     done = subprocess.run(

@@ -11,6 +11,7 @@ from xml.etree.ElementTree import fromstring
 import numpy as np
 import pytest
 from browser import printed_without_fonts, seen
+from exhaustive import many
 from note import text_of
 from notes import note
 from pages import table_of
@@ -153,9 +154,10 @@ def unprinted(pdf: bytes, name: str) -> list[str]:
 
 @pytest.mark.skipif("compressor" not in CHOSEN, reason="looks at another variant")
 def test_the_browser_prints_them_at_their_length():
-    wrong(unprinted(seen()["compressor-ru"].pdf, "compressor"))
+    wrong(unprinted(seen("compressor-ru").pdf, "compressor"))
 
 
+@pytest.mark.exhaustive
 @pytest.mark.skipif("compressor" not in CHOSEN, reason="looks at another variant")
 def test_the_browser_prints_them_at_their_length_where_no_font_is_installed():
     wrong(unprinted(printed_without_fonts("compressor", "ru"), "compressor"))
@@ -179,11 +181,13 @@ def bar_of_a_hundred(pdf: bytes) -> list[float]:
 @pytest.mark.skipif("compressor" not in CHOSEN, reason="looks at another variant")
 @pytest.mark.parametrize(
     "printed",
-    [
-        lambda: seen()["compressor-ru"].pdf,
-        lambda: printed_without_fonts("compressor", "ru"),
-        lambda: typeset("compressor", "ru")[1],
-    ],
+    many(
+        [
+            lambda: seen("compressor-ru").pdf,
+            lambda: printed_without_fonts("compressor", "ru"),
+            lambda: typeset("compressor", "ru")[1],
+        ]
+    ),
     ids=["browser", "without fonts", "latex"],
 )
 def test_the_bar_is_a_hundred_millimetres_long(printed):
@@ -206,6 +210,7 @@ def meshes(name: str) -> Iterator[tuple[str, complex]]:
 LINE = re.compile(r"M(-?[\d.]+) (-?[\d.]+)L(-?[\d.]+) (-?[\d.]+)")
 
 
+@pytest.mark.exhaustive
 @pytest.mark.skipif("compressor" not in CHOSEN, reason="looks at another variant")
 def test_a_mesh_is_of_its_size_where_no_font_is_installed():
     pdf = printed_without_fonts("compressor", "ru")
@@ -216,6 +221,7 @@ def test_a_mesh_is_of_its_size_where_no_font_is_installed():
     assert len(found) == 2 and sum(found.values()) >= 3, found
 
 
+@pytest.mark.exhaustive
 @pytest.mark.skipif("compressor" not in CHOSEN, reason="looks at another variant")
 def test_latex_prints_them_at_their_length():
     wrong(unprinted(typeset("compressor", "ru")[1], "compressor"))

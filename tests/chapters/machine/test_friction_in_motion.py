@@ -150,7 +150,7 @@ dynamics:
     assert found.coast.works.keys() >= {"pairs"} and found.coast.works["pairs"] < 0
     assert not {key for key in found.coast.works if key.startswith("P_")}
     assert reduced.panels.mean(reduced.moment) < results.lever.friction.reduced.moment.mean() / 2
-    plant, step = found.coast.plant, 1e-4
+    plant, step = found.coast.plant, 1e-3
     x = np.arange(0, found.coast.phi[-1], step) + step / 2
     energy = found.whole.panels.at(plant.inertia, np.zeros(1))[0] * (3 * math.pi) ** 2 / 2
     weights = [one for one in plant.acting if one.key.startswith("G_")]

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from exhaustive import many
 
 from tmm_report.chapters.gears.spur.given import Given
 from tmm_report.chapters.gears.spur.solve.conditions import BY_ASSEMBLY, KEYS, conditions_of
@@ -46,7 +47,7 @@ def shifted(given, x):
     return replace(given, shift=(float(x.real), float(x.imag)))
 
 
-@pytest.mark.parametrize("given", PAIRS.values(), ids=PAIRS)
+@pytest.mark.parametrize("given", many(PAIRS.values()), ids=PAIRS)
 def test_the_contour_is_bounded_by_every_limit_that_solve_knows(given):
     pair = choose_shifts(given, choose_teeth(given))
     contour = contour_of(pair, WIDEST)

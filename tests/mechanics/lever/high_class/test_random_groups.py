@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from exhaustive import many
 
 sys.path.append(str(Path(__file__).parents[4]))
 from benchmarks.random_groups import judge
@@ -54,7 +55,7 @@ def searched_near(family):
 # ---------------------------------------------------------------- the search
 
 
-@pytest.mark.parametrize("family", ["III-RRR", "III-S2-L", "IV-S"])
+@pytest.mark.parametrize("family", many(["III-RRR", "III-S2-L", "IV-S"]))
 def test_the_branch_is_one_of_all_assemblies_at_every_angle_and_its_limit_takes_two_away(family):
     batch, right = searched(family)
     for lane in range(len(batch)):
@@ -91,7 +92,7 @@ def test_it_jams_where_the_rods_of_the_four_bar_lie_in_one_line():
         assert min(abs(reach - coupler - rocker), abs(reach - abs(coupler - rocker))) < 1e-12
 
 
-@pytest.mark.parametrize("family", sorted(NEAR))
+@pytest.mark.parametrize("family", many(sorted(NEAR)))
 def test_gaps_as_narrow_as_a_thousandth_of_a_degree_are_found(family):
     _, right = searched_near(family)
     for lane, (*_, width) in enumerate(NEAR[family]):
@@ -104,7 +105,7 @@ def test_gaps_as_narrow_as_a_thousandth_of_a_degree_are_found(family):
 # ---------------------------------------------------------------- the program
 
 
-@pytest.mark.parametrize("family", ASKED)
+@pytest.mark.parametrize("family", many(ASKED))
 def test_the_program_agrees_with_the_search(family):
     batch, right = searched(family)
     verdicts = [judged(batch, right, lane, asked(batch.file(lane))) for lane in range(len(batch))]
@@ -112,12 +113,13 @@ def test_the_program_agrees_with_the_search(family):
     assert any(v.kind != "undecided" for v in verdicts)
 
 
+@pytest.mark.exhaustive
 def test_the_sample_has_every_kind_of_run():
     kinds = {judge.kind_of(right, k) for _, right in map(searched, ASKED) for k in range(EACH)}
     assert kinds == {"full turn", "no return", "gap", "no way back"}
 
 
-@pytest.mark.parametrize("family", sorted(NEAR))
+@pytest.mark.parametrize("family", many(sorted(NEAR)))
 def test_the_program_agrees_with_the_search_beside_a_tangency(family):
     batch, right = searched_near(family)
     verdicts = [judged(batch, right, lane, asked(batch.file(lane))) for lane in range(len(batch))]
