@@ -19,7 +19,6 @@ from tmm_report.chapters.lever.friction.given import Friction
 from tmm_report.chapters.lever.kinematics.given import Positions, Way
 from tmm_report.chapters.lever.kinetostatics.given import Loads
 from tmm_report.chapters.lever.methods.given import Comparison
-from tmm_report.chapters.lever.moving import Moving
 from tmm_report.chapters.lever.plans.given import Drawing
 from tmm_report.chapters.lever.readings.given import Readings
 from tmm_report.chapters.title.given import Title
@@ -37,6 +36,7 @@ if TYPE_CHECKING:
     from tmm_report.chapters.lever.kinematics.solve import positions as kinematics
     from tmm_report.chapters.lever.kinetostatics.solve import positions as kinetostatics
     from tmm_report.chapters.lever.methods import solve as methods
+    from tmm_report.chapters.lever.moving import Moving
     from tmm_report.chapters.lever.plans import solve as plans
     from tmm_report.chapters.lever.readings import solve as readings
     from tmm_report.chapters.lever.reduction import solve as reduction
@@ -258,6 +258,8 @@ def _solved(variant: Variant, moved: Moved | None) -> Results:
 
 def _moving(lever: LeverFound, rubs: bool = True) -> Moving:
     """`rubs`: whether the friction of the pairs is in it, where it is stated."""
+    from tmm_report.chapters.lever.moving import Moving  # only a lever mechanism needs it
+
     return Moving(
         lever.kinematics,
         lever.kinetostatics,

@@ -6,9 +6,8 @@ Each pair by its closed formula (mechanics/pairs/friction.py). What locks, jams 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from tmm_report.chapters.lever.moving import Moving
 from tmm_report.chapters.machine.contacts import planes, turning
 from tmm_report.chapters.machine.contacts.given import (
     Belt,
@@ -30,6 +29,9 @@ from tmm_report.chapters.machine.contacts.mistakes import mistakes
 from tmm_report.chapters.machine.contacts.terms import KINDS as KIND_NAMES
 from tmm_report.problems import N_, Message, ProblemError
 from tmm_report.records import dataclass
+
+if TYPE_CHECKING:
+    from tmm_report.chapters.lever.moving import Moving
 
 __all__ = ["Found", "Given", "Solved", "solve"]
 

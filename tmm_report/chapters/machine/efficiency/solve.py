@@ -9,12 +9,15 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from functools import cached_property
+from typing import TYPE_CHECKING
 
-from tmm_report.chapters.lever.moving import Moving
 from tmm_report.chapters.machine.efficiency.given import Given, Joined, Module, Node
 from tmm_report.mechanics.pairs import efficiency_chains
 from tmm_report.problems import N_, Message
 from tmm_report.records import dataclass
+
+if TYPE_CHECKING:
+    from tmm_report.chapters.lever.moving import Moving
 
 __all__ = ["Found", "Given", "Part", "solve"]
 

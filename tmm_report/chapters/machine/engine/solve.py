@@ -8,17 +8,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmm_report.chapters.lever.moving import Moving
 from tmm_report.chapters.machine.engine import limits
 from tmm_report.chapters.machine.engine.given import Given
 from tmm_report.mechanics.masses import engine_cylinders
 from tmm_report.mechanics.masses.engine_cylinders import Turning
 from tmm_report.problems import N_, Message
 from tmm_report.records import dataclass
+
+if TYPE_CHECKING:
+    from tmm_report.chapters.lever.moving import Moving
 
 __all__ = ["Found", "Given", "Order", "solve"]
 

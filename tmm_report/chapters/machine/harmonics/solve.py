@@ -8,12 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics, Output
-from tmm_report.chapters.lever.moving import Moving
 from tmm_report.chapters.machine.harmonics.given import Given
 from tmm_report.mechanics.calculus import harmonics as fourier
 from tmm_report.mechanics.calculus.harmonics import Series
@@ -24,6 +23,9 @@ from tmm_report.mechanics.masses.counterweights import pivoted
 from tmm_report.mechanics.masses.slider_harmonics import SliderCrank, slider_cranks
 from tmm_report.problems import N_, Message, ProblemError, mistake
 from tmm_report.records import dataclass
+
+if TYPE_CHECKING:
+    from tmm_report.chapters.lever.moving import Moving
 
 __all__ = ["Found", "Given", "solve"]
 

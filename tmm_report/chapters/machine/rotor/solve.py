@@ -8,11 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmm_report.chapters.lever.moving import Moving
 from tmm_report.chapters.machine.rotor.correction import PLANES, Correction, correction
 from tmm_report.chapters.machine.rotor.given import Given
 from tmm_report.mechanics.masses import rotor
@@ -20,6 +19,9 @@ from tmm_report.mechanics.masses.rotor import Polygon, polygon
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.paper import round_scale
 from tmm_report.records import dataclass
+
+if TYPE_CHECKING:
+    from tmm_report.chapters.lever.moving import Moving
 
 __all__ = ["Correction", "Found", "Given", "solve"]
 

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmm_report.chapters.lever.moving import Moving
 from tmm_report.mechanics.calculus.vectors import dot
 from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.mechanics.lever.motion import Motion
@@ -15,6 +14,9 @@ from tmm_report.mechanics.masses import vibration as vib
 from tmm_report.mechanics.masses.vibration import Body
 from tmm_report.problems import N_, Message, ProblemError, mistake
 from tmm_report.records import dataclass
+
+if TYPE_CHECKING:
+    from tmm_report.chapters.lever.moving import Moving
 
 Array = Any
 COUNT = 720  # angles over a turn: its last harmonics are rounding

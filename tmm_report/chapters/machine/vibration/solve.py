@@ -9,11 +9,10 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmm_report.chapters.lever.moving import Moving
 from tmm_report.chapters.machine.vibration import mistakes
 from tmm_report.chapters.machine.vibration.given import Given
 from tmm_report.chapters.machine.vibration.measures import Absorbed, Stood, absorbed, stood
@@ -22,6 +21,9 @@ from tmm_report.mechanics.masses import vibration as vib
 from tmm_report.mechanics.masses.vibration import Body
 from tmm_report.problems import N_, Message
 from tmm_report.records import dataclass
+
+if TYPE_CHECKING:
+    from tmm_report.chapters.lever.moving import Moving
 
 __all__ = ["Found", "Given", "solve"]
 

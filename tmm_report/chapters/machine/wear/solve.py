@@ -6,15 +6,18 @@ The law and its sources are in mechanics/pairs/wear.py.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Solved, at, stated
-from tmm_report.chapters.lever.moving import Moving
 from tmm_report.chapters.machine.wear import guide, pivot
 from tmm_report.chapters.machine.wear.given import Given
 from tmm_report.chapters.machine.wear.guide import GuideFound
 from tmm_report.chapters.machine.wear.pivot import PivotFound
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.records import dataclass
+
+if TYPE_CHECKING:
+    from tmm_report.chapters.lever.moving import Moving
 
 __all__ = ["Found", "Given", "solve"]
 

@@ -5,12 +5,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
-from tmm_report.chapters.lever.moving import Moving
 from tmm_report.chapters.machine.balancing.given import FULL, Given
 from tmm_report.chapters.machine.balancing.solve.cases import (
     ORIGINAL,
@@ -37,6 +36,9 @@ from tmm_report.mechanics.masses.counterweights import shaking, smallest_circle
 from tmm_report.mechanics.masses.slider_harmonics import SliderCrank, slider_cranks
 from tmm_report.problems import N_, Message, ProblemError, mistake
 from tmm_report.records import dataclass
+
+if TYPE_CHECKING:
+    from tmm_report.chapters.lever.moving import Moving
 
 __all__ = ["Case", "Found", "Given", "solve"]
 

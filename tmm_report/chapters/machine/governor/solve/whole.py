@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from tmm_report.chapters.lever.moving import Moving
 from tmm_report.chapters.machine.governor.given import Given
 from tmm_report.chapters.machine.governor.solve import brake
 from tmm_report.chapters.machine.governor.solve import by_itself as direct
@@ -15,6 +15,9 @@ from tmm_report.chapters.machine.governor.solve.in_loop import LoopFound
 from tmm_report.chapters.machine.governor.solve.mistakes import rpm
 from tmm_report.problems import N_, Message
 from tmm_report.records import dataclass
+
+if TYPE_CHECKING:
+    from tmm_report.chapters.lever.moving import Moving
 
 __all__ = ["Found", "Given", "solve"]
 
