@@ -271,7 +271,7 @@ def test_a_graph_needs_no_library_of_graphs():
     code = (
         "import sys, numpy as np\n"
         "from tmm_report.figures.drawing import svg\n"
-        "from tmm_report.figures.graphs import Curve, graph\n"
+        "from tmm_report.figures.charts.graphs import Curve, graph\n"
         "svg(graph([Curve(np.ones(3))], np.array([0., 180., 360.]), 'x', ['y']).drawing)\n"
         "assert 'matplotlib' not in sys.modules\n"
     )

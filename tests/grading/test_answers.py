@@ -141,7 +141,7 @@ def test_a_scale_that_is_none_is_noted(scale, asked):
 HOSTILE = """
 import random, resource, sys
 from tmm_report import load, solve
-from tmm_report.grading.answers import NOTES, read
+from tmm_report.grading.handed_in.answers import NOTES, read
 from tmm_report.grading.expected import expected
 from tmm_report.intake.writing import csv_bytes, xlsx_bytes
 
