@@ -344,8 +344,8 @@ def lettered(svg: str) -> list[str]:
 
 
 def steady(lines: list[str]) -> list[str]:
-    """The lines without the digits of what rounding leaves, below 1e-9: those are other ones on every processor."""
-    return [re.sub(r"\d+(?:[.,]\d+)?·10⁻(?:[¹²][⁰¹²³⁴⁵⁶⁷⁸⁹])", "~0", line) for line in lines]
+    """The lines with 0 for what rounding leaves, below 1e-7: its digits are other ones on every processor, or none."""
+    return [re.sub(r"\d+(?:[.,]\d+)?·10⁻(?:[¹²][⁰¹²³⁴⁵⁶⁷⁸⁹]|[⁸⁹])", "0", line) for line in lines]
 
 
 def _tables(root: Element) -> Iterator[Table]:

@@ -6,7 +6,9 @@ Whatever is not Markup is escaped for its format, so that a name from a variant 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from dataclasses import field
+from functools import lru_cache
 from typing import Any, Protocol
 
 from markupsafe import Markup
@@ -47,17 +49,18 @@ class Html:
     waiting: list[tuple[Sheet, float, Markup]] = field(default_factory=list)
 
     def escape(self, text: str) -> Markup:
-        if not self.breaking:
-            return Markup(xml_escape(text))
-        return Markup(_BREAK_HTML.join(map(xml_escape, breakable(text))))
+        return _escaped(text, self.breaking)
 
     def marked(self, text: str, ref: Ref) -> Markup:
         """A number in running text that says where it stands in the results."""
         return Markup(f"<span{attributes(ref)}>{xml_escape(text)}</span>")
 
-    def data(self, cell: Any) -> Markup:
-        """The same of a table's cell, as attributes of its element."""
-        return Markup(attributes(cell.ref) if isinstance(cell, Cell | Words) else "")
+    def cells(self, row: Iterable[Any]) -> Markup:
+        """A row's cells; those that are numbers or words of the results say so by attributes of their elements."""
+        return Markup("".join([f"<td{_data(cell)}>{self._text(cell)}</td>" for cell in row]))
+
+    def _text(self, cell: Any) -> Markup:
+        return cell if isinstance(cell, Markup) else self.escape(str(cell))
 
     def math(self, item: Mathematics, tr: Translator, display: bool = False) -> Markup:
         text, share = broken(item.mathml(tr)) if display else (item.mathml(tr), 1.0)
@@ -85,6 +88,16 @@ class Html:
         self.waiting.clear()
         drawn = [f'<div class="sheet {sheet.name}">\n{figure}</div>\n' for sheet, _, figure in sheets]
         return Markup("".join(drawn))
+
+
+@lru_cache(maxsize=4096)
+def _escaped(text: str, breaking: bool) -> Markup:
+    """Kept, for a note says most of its words many times."""
+    return Markup(_BREAK_HTML.join(map(xml_escape, breakable(text))) if breaking else xml_escape(text))
+
+
+def _data(cell: Any) -> str:
+    return attributes(cell.ref) if isinstance(cell, Cell | Words) else ""
 
 
 @dataclass

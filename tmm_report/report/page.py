@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any, ParamSpec, TypeVar
 
 import jinja2
@@ -72,6 +72,16 @@ def template(name: str) -> Template:
     return environment().get_template(name)
 
 
+@lru_cache(maxsize=4096)
+def _pieces(text: str) -> tuple[tuple[str, bool], ...]:
+    """A message in pieces: what it says, and the names of what is put in."""
+    pieces, end = list[tuple[str, bool]](), 0
+    for match in _VALUE.finditer(text):
+        pieces += [(text[end : match.start()], False), (match[1], True) if match[1] else ("%", False)]
+        end = match.end()
+    return (*pieces, (text[end:], False))
+
+
 class Page:
     """What templates call: text, mathematics and numbers in one format and one language."""
 
@@ -113,11 +123,10 @@ class Page:
         }  # fmt: skip
 
     def _filled(self, text: str, values: dict[str, Any]) -> Markup:
-        out, end = [], 0
-        for match in _VALUE.finditer(text):
-            out += [self.text(text[end : match.start()]), self.text(values[match[1]] if match[1] else "%")]
-            end = match.end()
-        return Markup("").join([*out, self.text(text[end:])])
+        pieces = [
+            self.text(values[piece] if named else piece) for piece, named in _pieces(text) if named or piece
+        ]
+        return Markup("".join(pieces))
 
     def message(self, message: Message) -> Markup:
         """A message that brings its values, symbols among them."""

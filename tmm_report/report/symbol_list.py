@@ -62,14 +62,15 @@ class SymbolList:
 def _once(lines: Sequence[Line]) -> list[Line]:
     """Each meaning of a symbol once, in the unit of its first use; a fuller wording stands for the shorter one."""
     lines = list({(line.symbols, line.meaning): line for line in reversed(lines)}.values())[::-1]
+    alike: dict[tuple[Markup, str], list[Line]] = {}
+    for line in lines:
+        alike.setdefault((line.symbols, line.unit), []).append(line)
     return [
         line
         for line in lines
         if not any(
-            other is not line
-            and (other.symbols, other.unit) == (line.symbols, line.unit)
-            and other.meaning.startswith(line.meaning)
-            for other in lines
+            other is not line and other.meaning.startswith(line.meaning)
+            for other in alike[line.symbols, line.unit]
         )
     ]
 

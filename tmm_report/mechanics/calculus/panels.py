@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 
 from tmm_report.mechanics.calculus.distinct import distinct
+from tmm_report.mechanics.calculus.zeros import grid, zeros
 from tmm_report.records import dataclass
 
 Array = Any
@@ -101,7 +102,7 @@ class Panels:
         return values @ _rule(self.order)[5].T
 
     def at(self, values: Array, x: Array) -> Array:
-        """Values (K, n) at any places x (P,), periodic; at an edge, of the panel that begins there."""
+        """Values (..., K, n) at any places x (P,), periodic; at an edge, of the panel that begins there."""
         x = np.asarray(x, dtype=float)
         flat = np.mod(x, self.period).ravel()
         k = np.clip(np.searchsorted(self.edges, flat, side="right") - 1, 0, self.shape[0] - 1)
@@ -109,9 +110,11 @@ class Panels:
         hit = away == 0
         with np.errstate(divide="ignore", invalid="ignore"):
             share = _rule(self.order)[2] / away
-            found = np.sum(share * values[k], axis=-1) / np.sum(share, axis=-1)
-        on = hit.any(axis=-1)
-        return np.where(on, np.sum(np.where(hit, values[k], 0.0), axis=-1), found).reshape(x.shape)
+            found = np.sum(share * values[..., k, :], axis=-1) / np.sum(share, axis=-1)
+        if hit.any():
+            known = np.sum(np.where(hit, values[..., k, :], 0.0), axis=-1)
+            found = np.where(hit.any(axis=-1), known, found)
+        return found.reshape(*np.shape(values)[:-2], *x.shape)
 
     def extremes(self, values: Array) -> tuple[tuple[float, float], tuple[float, float]]:
         """Least and greatest of a function (K, n), each as (value, place): at the ends of the panels, both sides of a
@@ -138,53 +141,33 @@ class Panels:
 
     def roots(self, values: Array, within: bool = False) -> Array:
         """Places where a function (K, n) passes through zero, ascending; jumps across zero too unless `within`."""
+        return self.roots_of(np.asarray(values)[None], within)[0]
+
+    def roots_of(self, values: Array, within: bool = False) -> list[Array]:
+        """The same of functions (F, K, n), each its own."""
         ends = self.ends(values)
-        grid = np.concatenate([self.edges[:-1, None], self.x, self.edges[1:, None]], axis=1)
-        rows = np.concatenate([ends[:, :1], values, ends[:, 1:]], axis=1)
+        rows = np.concatenate([ends[..., :1], values, ends[..., 1:]], axis=-1)
         signs = np.where(rows == 0, 1.0, np.sign(rows))
         # next to nothing at an end: what passes through zero there does so on the edge
-        nothing = np.abs(ends) <= 1e-13 * np.abs(rows).max()
-        signs[:, 0] = np.where(nothing[:, 0], signs[:, 1], signs[:, 0])
-        signs[:, -1] = np.where(nothing[:, 1], signs[:, -2], signs[:, -1])
-        k, i = np.nonzero(signs[:, :-1] * signs[:, 1:] < 0)
-        found = self._polished(values, k, grid[k, i], grid[k, i + 1])
+        nothing = np.abs(ends) <= 1e-13 * np.abs(rows).max(axis=(-2, -1), keepdims=True)
+        signs[..., 0] = np.where(nothing[..., 0], signs[..., 1], signs[..., 0])
+        signs[..., -1] = np.where(nothing[..., 1], signs[..., -2], signs[..., -1])
+        f, k, i = np.nonzero(signs[..., :-1] * signs[..., 1:] < 0)
+        on = grid(self.order)
+        t = zeros(values[f, k], on[i], on[i + 1], signs[f, k, i])
+        found = self.edges[k] + self.half[k, 0] * (1 + t)
+        each = [found[f == one] for one in range(len(values))]
         if within:
-            return np.sort(found)
-        before, after = signs[:, -1], np.roll(signs[:, 0], -1)
-        jumps = self.edges[1:][before * after < 0]
-        return self._once(np.concatenate([found, jumps]))
+            return [np.sort(places) for places in each]
+        before, after = signs[..., -1], np.roll(signs[..., 0], -1, axis=-1)
+        jumps = [self.edges[1:][across] for across in before * after < 0]
+        return [self._once(np.concatenate(both)) for both in zip(each, jumps, strict=True)]
 
     def _once(self, places: Array) -> Array:
         """Ascending, within the period; what is found from both sides of an edge is one."""
         near = NARROWEST * self.period
         inside = np.sort(np.where(places > self.period - near, 0.0, places))
         return inside[np.diff(inside, prepend=-1.0) > near]
-
-    def _polished(self, values: Array, k: Array, left: Array, right: Array) -> Array:
-        """Roots of the panels' polynomials between brackets, by bisection with secant steps (Illinois)."""
-        a, b = left.copy(), right.copy()
-        fa, fb = self._inside(values, k, a), self._inside(values, k, b)
-        for _ in range(60):
-            with np.errstate(divide="ignore", invalid="ignore"):
-                c = np.where(fa != fb, b - fb * (b - a) / (fb - fa), (a + b) / 2)
-            c = np.where((c > np.minimum(a, b)) & (c < np.maximum(a, b)), c, (a + b) / 2)
-            c = np.where(fb == 0, b, np.where(fa == 0, a, c))  # found
-            fc = self._inside(values, k, c)
-            swapped = fc * fb < 0
-            a, fa = np.where(swapped, b, a), np.where(swapped, fb, fa / 2)
-            b, fb = c, fc
-            if not c.size or np.max(np.abs(a - b)) < 1e-15 * self.period or np.all(fc == 0):
-                break
-        return b
-
-    def _inside(self, values: Array, k: Array, x: Array) -> Array:
-        """Values at places that lie in the panels k, their ends among them."""
-        away = x[:, None] - self.x[k]
-        hit = away == 0
-        with np.errstate(divide="ignore", invalid="ignore"):
-            share = _rule(self.order)[2] / away
-            found = np.sum(share * values[k], axis=-1) / np.sum(share, axis=-1)
-        return np.where(hit.any(axis=-1), np.sum(np.where(hit, values[k], 0.0), axis=-1), found)
 
 
 def panels(

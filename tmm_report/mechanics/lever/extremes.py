@@ -16,6 +16,7 @@ import numpy as np
 
 from tmm_report.mechanics.calculus.distinct import distinct
 from tmm_report.mechanics.calculus.panels import ORDER, Panels
+from tmm_report.mechanics.calculus.zeros import grid, zeros
 from tmm_report.mechanics.lever.cycle import Extreme
 from tmm_report.records import dataclass
 
@@ -24,7 +25,6 @@ ALIKE = 1e-10  # values nearer than this part of the largest are one, and the fi
 JUMP = 1e-8  # of the largest value: what differs by less on both sides of an edge does not jump
 RESOLVED = 1e-11  # of the size of a function, of the last coefficients of a panel's polynomial
 MOST = 240  # panels: what they do not resolve is not smooth
-STEPS = 40  # of the search for a root; it ends sooner
 
 
 @dataclass(frozen=True)
@@ -90,31 +90,15 @@ def _sides(ends: Array, closed: bool) -> Array:
 def still(over: Panels, slope: Array) -> tuple[Array, Array, Array]:
     """Where functions (F, K, n) pass through zero within their panels: numbers of function and panel, places; (S,)."""
     ends = over.ends(slope)
-    grid = np.concatenate([over.edges[:-1, None], over.x, over.edges[1:, None]], axis=1)
     rows = np.concatenate([ends[..., :1], slope, ends[..., 1:]], axis=-1)
     rows = np.where(np.abs(rows) <= 1e-13 * np.abs(rows).max(axis=(-2, -1), keepdims=True), 0.0, rows)
     f, k, i = np.nonzero(rows[..., :-1] * rows[..., 1:] < 0)
     on = np.nonzero((rows[..., 1:-1] == 0) & (rows[..., :-2] * rows[..., 2:] < 0))
-    found = _roots(over, slope, f, k, grid[k, i], grid[k, i + 1])
-    exact = grid[on[1], on[2] + 1]
+    at = grid(over.order)
+    t = zeros(slope[f, k], at[i], at[i + 1], np.sign(rows[f, k, i]))
+    found = over.edges[k] + over.half[k, 0] * (1 + t)
+    exact = over.x[on[1], on[2]]
     return np.append(f, on[0]), np.append(k, on[1]), np.append(found, exact)
-
-
-def _roots(over: Panels, values: Array, f: Array, k: Array, a: Array, b: Array) -> Array:
-    """Between brackets, by regula falsi in the Illinois way."""
-    fa, fb = inside(over, values, f, k, a), inside(over, values, f, k, b)
-    for _ in range(STEPS if f.size else 0):
-        with np.errstate(divide="ignore", invalid="ignore"):
-            c = np.where(fa != fb, b - fb * (b - a) / (fb - fa), b)
-        c = np.where((c - a) * (c - b) <= 0, c, (a + b) / 2)
-        fc = inside(over, values, f, k, c)
-        turned = fc * fb < 0
-        a, fa = np.where(turned, b, a), np.where(turned, fb, fa / 2)
-        moved = np.abs(c - b).max()
-        b, fb = c, fc
-        if moved < 1e-14 * over.period:
-            break
-    return b
 
 
 def inside(over: Panels, values: Array, f: Array, k: Array, x: Array) -> Array:
@@ -177,8 +161,9 @@ def integral(over: Panels, values: Array, x: Array) -> Array:
     points, weights = np.polynomial.legendre.leggauss(over.order)
     half = (x - over.edges[k]) / 2
     inner = over.edges[k, None] + half[:, None] * (1 + points)
-    found = np.array([inside(over, values[None], 0 * k, k, inner[:, i]) for i in range(over.order)])
-    return over.running_edges(values)[k] + half * (weights @ found)
+    panel = np.repeat(k, over.order)
+    found = inside(over, values[None], 0 * panel, panel, inner.ravel()).reshape(inner.shape)
+    return over.running_edges(values)[k] + half * (found @ weights)
 
 
 def signed(over: Panels, values: Array) -> tuple[float, float]:

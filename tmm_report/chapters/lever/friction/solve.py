@@ -163,7 +163,7 @@ def _whole(given: Friction, kinetostatics: Kinetostatics) -> Whole | None:
     faces = (over.on(of) for reaction in reactions for of in _faces(given, reaction))
     # what is rounding passes through zero wherever it likes
     known += [np.where(np.abs(of) > least, of, 0.0) for of in faces]
-    kinks = np.concatenate([over.panels.roots(of) for of in (*known, over.balancing)])
+    kinks = np.concatenate(over.panels.roots_of(np.stack([*known, over.balancing])))
     cuts = _apart(over.panels, kinks)
     for _ in range(CUTS):
         over = cut_at(over, cuts, kinetostatics.given, kinetostatics.kinematics)

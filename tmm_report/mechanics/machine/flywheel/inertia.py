@@ -23,6 +23,7 @@ from typing import Any
 import numpy as np
 
 from tmm_report.mechanics.calculus.panels import Panels
+from tmm_report.mechanics.calculus.zeros import evaluated, grid, zeros
 from tmm_report.records import dataclass
 
 Array = Any
@@ -57,9 +58,10 @@ class Cycle:
     def mean_inertia(self) -> float:
         return float(self.panels.mean(self.varying))
 
-    def at(self, values: Array, x: float) -> float:
-        """A continuous function at one angle."""
-        return float(self.panels.at(values, np.array([x]))[0])
+    @cached_property
+    def curve(self) -> Array:
+        """The energy–mass curve: J_II and A, (2, K, n)."""
+        return np.stack([self.varying, self.work])
 
 
 @dataclass(frozen=True)
@@ -87,22 +89,22 @@ class Method:
     lower: Touch
 
 
-def tangent(cycle: Cycle, slope: float, upper: bool) -> Touch:
-    """The supporting line of a slope above or below the energy–mass curve."""
-    heights = cycle.work - slope * cycle.varying
-    return _touch(cycle, slope, highest(cycle.panels, heights if upper else -heights))
+Tangents = tuple[Touch, Touch]
 
 
-def _touch(cycle: Cycle, slope: float, at: float) -> Touch:
-    at = float(at)
-    return Touch(slope, at, _either(cycle, cycle.varying, at), _either(cycle, cycle.work, at))
+def tangents(cycle: Cycle, upper: float, lower: float) -> Tangents:
+    """The supporting lines of the slope `upper` above the energy–mass curve and of the slope `lower` below it."""
+    above, below = (cycle.work - slope * cycle.varying for slope in (upper, lower))
+    return touches(cycle, upper, lower, highest(cycle.panels, np.stack([above, -below])))
 
 
-def _either(cycle: Cycle, values: Array, at: float) -> float:
-    """At the end of the period the value there, not that of the beginning: rounding of the work may part them."""
-    if at >= cycle.panels.period:
-        return float(cycle.panels.ends(values)[-1, 1])
-    return cycle.at(values, at)
+def touches(cycle: Cycle, upper: float, lower: float, at: Array) -> Tangents:
+    """Lines of two slopes through the curve at two angles (2,). At the end of the period they have the values there,
+    not those of the beginning: rounding of the work may part them."""
+    end = cycle.panels.ends(cycle.curve)[:, -1:, 1]
+    found = np.where(at >= cycle.panels.period, end, cycle.panels.at(cycle.curve, at))
+    (one, other), (work, its) = found.tolist()
+    return Touch(upper, float(at[0]), one, work), Touch(lower, float(at[1]), other, its)
 
 
 def _method(key: str, upper: Touch, lower: Touch, delta: float, mean: float) -> Method:
@@ -112,15 +114,14 @@ def _method(key: str, upper: Touch, lower: Touch, delta: float, mean: float) -> 
 def exact(cycle: Cycle, delta: float, mean: float) -> Method:
     """The true solution: slopes ω_max²/2 and ω_min²/2, ω_m(1 ± δ/2). `mean`: ω_m, rad/s."""
     most, least = mean * (1 + delta / 2), mean * (1 - delta / 2)
-    upper, lower = tangent(cycle, most**2 / 2, True), tangent(cycle, least**2 / 2, False)
+    upper, lower = tangents(cycle, most**2 / 2, least**2 / 2)
     return _method("exact", upper, lower, delta, mean)
 
 
 def wittenbauer(cycle: Cycle, delta: float, mean: float) -> Method:
     """Tangents to the energy–mass curve at tan ψ = ω_m²(1 ± δ)/2, where δ²/4 is left out of (1 ± δ/2)².
     (Wittenbauer; Artobolevsky, Theory of mechanisms and machines, ch. 19)"""
-    upper = tangent(cycle, mean**2 * (1 + delta) / 2, True)
-    lower = tangent(cycle, mean**2 * (1 - delta) / 2, False)
+    upper, lower = tangents(cycle, mean**2 * (1 + delta) / 2, mean**2 * (1 - delta) / 2)
     return _method("wittenbauer", upper, lower, delta, mean)
 
 
@@ -128,7 +129,7 @@ def mertsalov(cycle: Cycle, delta: float, mean: float) -> Method:
     """The energy of the second group of links is taken at the mean speed, T_II = J_II ω_m²/2; what the first group must
     take up is ΔT_I = A − T_II, and J_I its swing by δω_m². (Mertsalov; Frolov (ed.), Theory of mechanisms, ch. 4)
     Of the exact one it is too large by some mean value of J_II."""
-    upper, lower = tangent(cycle, mean**2 / 2, True), tangent(cycle, mean**2 / 2, False)
+    upper, lower = tangents(cycle, mean**2 / 2, mean**2 / 2)
     return _method("mertsalov", upper, lower, delta, mean)
 
 
@@ -138,18 +139,15 @@ def rerikh(cycle: Cycle, delta: float, mean: float) -> Method:
     between these two positions, ω_max² and ω_min² as ω_m²(1 ± δ). Never above Wittenbauer's, which moves the positions
     to where the tangents touch. (the formulation taken here of the methods of Rerikh and of Artobolevsky)"""
     middle = mean**2 / 2
-    greatest, least = tangent(cycle, middle, True).at, tangent(cycle, middle, False).at
-    upper, lower = (
-        _touch(cycle, middle * (1 + delta), greatest),
-        _touch(cycle, middle * (1 - delta), least),
-    )
+    at = np.array([touch.at for touch in tangents(cycle, middle, middle)])
+    upper, lower = touches(cycle, middle * (1 + delta), middle * (1 - delta), at)
     return _method("rerikh", upper, lower, delta, mean)
 
 
 def constant(cycle: Cycle, delta: float, mean: float) -> Method:
     """The estimate δ = A_ex/(J_r ω_m²) with a constant J_r = J_I + the mean of J_II."""
     (_, least), (_, greatest) = cycle.swing
-    upper, lower = _touch(cycle, 0.0, greatest), _touch(cycle, 0.0, least)
+    upper, lower = touches(cycle, 0.0, 0.0, np.array([greatest, least]))
     found = _method("constant", upper, lower, delta, mean)
     return Method(found.key, found.inertia - cycle.mean_inertia, upper, lower)
 
@@ -166,64 +164,45 @@ METHODS: tuple[Callable[[Cycle, float, float], Method], ...] = (
 # ---------------------------------------------------------------- the highest place
 
 
-def highest(over: Panels, values: Array) -> float:
-    """The angle of the greatest value of a function (K, n), of equal ones the first: as `extremes` of the panels, but
-    only panels are looked into that may hold it, as a tangent is laid some twenty times for a flywheel."""
-    rows = np.concatenate([values, over.ends(values)], axis=1)
-    top = rows.max(axis=1)
+def highest(over: Panels, values: Array) -> Array:
+    """The angles of the greatest values of functions (F, K, n), of equal ones the first, (F,): as `extremes` of the
+    panels, but only panels are looked into that may hold it, as tangents are laid some ten times for a flywheel."""
+    ends = over.ends(values)
+    rows = np.concatenate([ends[..., :1], values, ends[..., 1:]], axis=-1)
+    top = rows.max(axis=-1)
     # between its points a polynomial of this degree rises above them by less than they differ
-    rivals = np.flatnonzero(2 * top - rows.min(axis=1) >= top.max())
-    places, heights = _places(over, rivals, values[rivals])
-    order = np.argsort(places, kind="stable")
-    near = 1e-13 * np.abs(heights).max()
-    return float(places[order][heights[order] >= heights.max() - near][0])
+    f, k = np.nonzero(2 * top - rows.min(axis=-1) >= top.max(axis=-1, keepdims=True))
+    places, heights = _places(over, k, rows[f, k])
+    return np.array([_first(places[f == one], heights[f == one]) for one in range(len(values))])
 
 
-def _places(over: Panels, rivals: Array, values: Array) -> tuple[Array, Array]:
-    """Ends, points and summits of some panels, and the function there."""
-    grid, series, first, second, rises = _legendre(over.order)
-    rise = values @ rises.T
-    k, i = np.nonzero((rise[:, :-1] > 0) & (rise[:, 1:] <= 0))
-    t = _summits(values[k] @ first.T, values[k] @ second.T, grid[i], grid[i + 1])
-    summits = np.sum(_basis(t, over.order) * (values[k] @ series.T), axis=1)
-    left, half = over.edges[rivals, None], over.half[rivals]
-    inside = left + half * (1 + grid)
-    inside[:, -1] = over.edges[rivals + 1]
-    tops = (left + half)[k, 0] + half[k, 0] * t
-    known = np.concatenate([over.ends(values)[:, :1], values, over.ends(values)[:, 1:]], axis=1)
-    return np.concatenate([inside.ravel(), tops]), np.concatenate([known.ravel(), summits])
+def _first(places: Array, heights: Array) -> float:
+    """Of places (R, n) of heights, nan where there is none, the first of the highest."""
+    near = 1e-13 * np.nanmax(np.abs(heights))
+    return float(places[heights >= np.nanmax(heights) - near].min())
 
 
-def _summits(first: Array, second: Array, low: Array, high: Array) -> Array:
-    """Where series (m, n) pass from above zero to below it, between `low` and `high` (m,): by Newton's method with the
-    series of their derivatives, kept between the ends by halving."""
-    order = first.shape[-1]
-    t = (low + high) / 2
-    for _ in range(60):
-        basis = _basis(t, order)
-        value, slope = np.sum(basis * first, axis=1), np.sum(basis * second, axis=1)
-        low, high = np.where(value > 0, t, low), np.where(value > 0, high, t)
-        step = t - value / np.where(slope < 0, slope, -np.inf)
-        step = np.where((step >= low) & (step <= high) & (slope < 0), step, (low + high) / 2)
-        if np.all(np.abs(step - t) < 1e-15):
-            break
-        t = step
-    return t
-
-
-def _basis(t: Array, order: int) -> Array:
-    return np.polynomial.legendre.legvander(t, order - 1)
+def _places(over: Panels, k: Array, rows: Array) -> tuple[Array, Array]:
+    """Of functions in panels k (R,), by their values at ends and points (R, n + 2): ends, points and the summits after
+    them, and the function there, (R, 2 n + 3); nan where there is no summit."""
+    on, values = grid(over.order), rows[:, 1:-1]
+    rise = values @ _rises(over.order).T
+    r, i = np.nonzero((rise[:, :-1] > 0) & (rise[:, 1:] <= 0))
+    t = zeros(rise[r, 1:-1], on[i], on[i + 1], np.ones(len(r)))
+    half = over.half[k]
+    known = over.edges[k, None] + half * (1 + on)
+    known[:, -1] = over.edges[k + 1]
+    places, heights = np.full((2, len(k), over.order + 1), np.nan)
+    places[r, i] = over.edges[k[r]] + half[r, 0] * (1 + t)
+    heights[r, i] = evaluated(values[r], t)
+    return np.concatenate([known, places], axis=1), np.concatenate([rows, heights], axis=1)
 
 
 @cache
-def _legendre(order: int) -> tuple[Array, Array, Array, Array, Array]:
-    """Of a panel on [-1, 1]: its ends and points; from the values at its points the series of the function, of its
-    first and of its second derivative, and the first derivative at ends and points."""
-    grid = np.concatenate([[-1.0], np.polynomial.legendre.leggauss(order)[0], [1.0]])
-    series = np.linalg.inv(_basis(grid[1:-1], order))
-    first, second = (np.polynomial.legendre.legder(series, m) for m in (1, 2))
-    first, second = (np.pad(each, ((0, order - len(each)), (0, 0))) for each in (first, second))
-    return grid, series, first, second, _basis(grid, order) @ first
+def _rises(order: int) -> Array:
+    """From the values at a panel's points to the derivative at its ends and points, (n + 2, n)."""
+    series = np.linalg.inv(np.polynomial.legendre.legvander(grid(order)[1:-1], order - 1))
+    return np.polynomial.legendre.legval(grid(order), np.polynomial.legendre.legder(series)).T
 
 
 # ---------------------------------------------------------------- dimensions

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.mechanics.machine.flywheel.inertia import Cycle, Touch, tangent
+from tmm_report.mechanics.machine.flywheel.inertia import Cycle, Tangents, Touch, tangents
 from tmm_report.records import dataclass
 
 Array = Any
@@ -63,15 +63,15 @@ def turning(cycle: Cycle, fixed: float, mean: float) -> Turning | None:
     if fixed + np.min(cycle.varying) <= 0 or _left(cycle, fixed, mean, STILL, _nearly)[0] >= 0:
         return None
     delta = _root(lambda x: _left(cycle, fixed, mean, x, _nearly), 0.0)
-    delta = _root(lambda x: _left(cycle, fixed, mean, x, tangent), delta)
-    upper, lower = _left(cycle, fixed, mean, delta, tangent)[2]
+    delta = _root(lambda x: _left(cycle, fixed, mean, x, tangents), delta)
+    upper, lower = _left(cycle, fixed, mean, delta, tangents)[2]
     # of the same line the energy at the beginning: at the least speed little of it is left to round
     start = fixed * lower.slope - lower.cut
     return Turning(cycle, fixed, mean, delta, start, upper, lower)
 
 
-Left = tuple[float, float, tuple[Touch, Touch]]
-Tangent = Callable[[Cycle, float, bool], Touch]
+Left = tuple[float, float, Tangents]
+Touching = Callable[[Cycle, float, float], Tangents]
 
 
 def _root(left: Callable[[float], Left], delta: float) -> float:
@@ -88,18 +88,21 @@ def _root(left: Callable[[float], Left], delta: float) -> float:
     return delta
 
 
-def _left(cycle: Cycle, fixed: float, mean: float, delta: float, touching: Tangent) -> Left:
+def _left(cycle: Cycle, fixed: float, mean: float, delta: float, touching: Touching) -> Left:
     """(P − Q) − J_I δω_m² at a δ, its derivative by δ, and both tangents."""
     most, least = mean * (1 + delta / 2), mean * (1 - delta / 2)
-    upper, lower = touching(cycle, most**2 / 2, True), touching(cycle, least**2 / 2, False)
+    upper, lower = touching(cycle, most**2 / 2, least**2 / 2)
     slope = -mean / 2 * (most * upper.inertia + least * lower.inertia) - fixed * mean**2
     return upper.cut - lower.cut - fixed * delta * mean**2, slope, (upper, lower)
 
 
-def _nearly(cycle: Cycle, slope: float, upper: bool) -> Touch:
-    """`tangent` to the nearest of the panels' points: to begin with."""
-    heights = (cycle.work - slope * cycle.varying).ravel()
-    k = int(heights.argmax() if upper else heights.argmin())
+def _nearly(cycle: Cycle, upper: float, lower: float) -> Tangents:
+    """`tangents` to the nearest of the panels' points: to begin with."""
+    above, below = (cycle.work - slope * cycle.varying for slope in (upper, lower))
+    return _at_point(cycle, upper, int(above.argmax())), _at_point(cycle, lower, int(below.argmin()))
+
+
+def _at_point(cycle: Cycle, slope: float, k: int) -> Touch:
     at, inertia, work = (float(values.flat[k]) for values in (cycle.panels.x, cycle.varying, cycle.work))
     return Touch(slope, at, inertia, work)
 
