@@ -6,7 +6,7 @@ heard.formulas[0]      # the formula itself, its number and the section in which
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import field
 from typing import Any, NamedTuple
 
@@ -91,10 +91,11 @@ class Listener(Html):
             self.heard.formulas.append(Spoken(item, number, self._section()))
         return Markup("")
 
-    def data(self, cell: Any) -> Markup:
-        if isinstance(cell, Cell | Words):
-            table = self.numbering.last.get("table", "")
-            self.heard.cells.append(Listed(cell.ref, table, self._section()))
+    def cells(self, row: Iterable[Any]) -> Markup:
+        for cell in row:
+            if isinstance(cell, Cell | Words):
+                table = self.numbering.last.get("table", "")
+                self.heard.cells.append(Listed(cell.ref, table, self._section()))
         return Markup("")
 
     def _section(self) -> Section:
