@@ -260,7 +260,8 @@ def not_asking(chapter: str) -> str:
 def test_a_chapter_taken_out_is_missed_by_nothing(chapter, tmp_path):
     """Its folder, its templates and its lines of course.py are deleted in a copy, where other chapters are solved."""
     for folder in ("tmm_report", "templates"):
-        shutil.copytree(ROOT / folder, tmp_path / folder)  # with what is compiled: it need not be done again
+        # with what is compiled, so that it need not be done again, but for what just now is
+        shutil.copytree(ROOT / folder, tmp_path / folder, ignore=shutil.ignore_patterns("*.pyc.*"))
     shutil.rmtree(tmp_path / "tmm_report" / "chapters" / place(chapter))
     templates = tmp_path / "templates" / "chapters"
     (templates / f"{place(chapter)}.j2").unlink()
