@@ -103,17 +103,18 @@ def _engine(given: Any) -> Named:
 
 
 def _vibration(given: Any) -> Named:
-    if given.wanted is None or given.force is None:
+    if given.transmissibility is None or given.shaken is None:
         return
     own = context()
-    m, zeta, wanted, omega = (number(x) for x in (given.inertia, given.ratio, given.wanted, given.omega))
+    m, omega = number(given.inertia), number(given.speed)
+    zeta, wanted = number(given.damping_ratio), number(given.transmissibility)
     q = own.polyroots(
         [wanted**2, -2 * wanted**2 + 4 * zeta**2 * (wanted**2 - 1), wanted**2 - 1],
         maxsteps=200,
         extraprec=200,
     )[-1].real  # (1 + 4ζ²q)/((1 − q)² + 4ζ²q) = T², q = η²
     natural, eta = omega / own.sqrt(q), own.sqrt(q)
-    c, force = m * natural**2, number(given.force)
+    c, force = m * natural**2, number(given.shaken)
     beta = 1 / own.sqrt((1 - q) ** 2 + 4 * zeta**2 * q)
     yield "vibration_needed", eta
     yield "vibration_natural", natural

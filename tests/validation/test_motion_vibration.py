@@ -25,7 +25,8 @@ def test_isolators_stiff_and_soft():
     )
     agrees(
         "grover-4-10-1-isolation",
-        X_a=stiff.amplitude, Ft_a=stiff.on_base, X_b=soft.amplitude, Ft_b=soft.on_base,
+        X_a=stiff.s.number("amplitude"), Ft_a=stiff.s.number("on_base"),
+        X_b=soft.s.number("amplitude"), Ft_b=soft.s.number("on_base"),
     )  # fmt: skip
 
 
@@ -36,7 +37,7 @@ def test_radio_on_a_moving_base():
         f"  mass: {of['m']} kg\n  isolators: {n}\n  stiffness: {of['k'] / n}\n  damping: {of['c'] / n}\n"
         f"  base: {of['Y']}\n  speed: {of['N']} rpm\n"
     )
-    agrees("grover-4-10-3-base", X=radio.amplitude, F_each=radio.on_base / n)
+    agrees("grover-4-10-3-base", X=radio.s.number("amplitude"), F_each=radio.s.number("on_base") / n)
 
 
 def test_damping_from_two_measured_frequencies():
@@ -53,8 +54,9 @@ def test_disc_on_a_shaft_beyond_resonance():
         f"  inertia: {of['J']}\n  stiffness: {of['K']}\n  damping: {of['C']}\n  moment: {of['T0']}\n"
         f"  speed: {of['w']} rad/s\n"
     )
-    couple = disc.body.damping * disc.omega * disc.amplitude
-    agrees("grover-4-2-1-torsion", theta=disc.amplitude, damp_couple=couple, lag_deg=math.degrees(disc.lag))
+    theta, lag = disc.s.number("amplitude"), math.degrees(disc.s.number("lag"))
+    couple = disc.body.damping * disc.omega * theta
+    agrees("grover-4-2-1-torsion", theta=theta, damp_couple=couple, lag_deg=lag)
 
 
 def test_absorber_that_keeps_resonances_away():
@@ -68,7 +70,7 @@ def test_absorber_that_keeps_resonances_away():
     swing = shaft.force * hung.tuned.swing  # against the moment: the source gives it its sign
     agrees(
         "grover-5-7-1-absorber",
-        mu=hung.mu, J2=hung.tuned.hung.inertia, k_each=hung.each, b2=-swing,
+        mu=hung.mu, J2=hung.tuned.hung.inertia, k_each=shaft.s.number("absorber_each"), b2=-swing,
     )  # fmt: skip
 
 
@@ -93,7 +95,7 @@ def test_fan_on_damped_isolators():
         f"  mass: {of['m']} kg\n  damping_ratio: {of['zeta']}\n  transmissibility: {of['TR']}\n"
         f"  force: 1 N\n  speed: {of['N']} rpm\n"
     )
-    agrees("solutioninn-fan-45kg", r2=fan.needed**2, k=fan.body.stiffness)
+    agrees("solutioninn-fan-45kg", r2=fan.s.number("needed") ** 2, k=fan.body.stiffness)
 
 
 def test_damper_without_a_spring():

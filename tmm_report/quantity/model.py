@@ -39,12 +39,14 @@ def kept(make: Callable[Names, Made]) -> Callable[Names, Made]:
 @dataclass(frozen=True)
 class Quantity:
     """`key`: its name in the results; `symbol`: how it is written, None of names and other texts; `unit`: of its
-    numbers in the results, "" of pure numbers and texts."""
+    numbers in the results, "" of pure numbers and texts; `shown`: unit in which the note prints it, where that is
+    another one."""
 
     key: str
     symbol: Symbol | None
     unit: str
     meaning: Message
+    shown: str = ""
 
     @property
     def sign(self) -> Symbol:
@@ -52,6 +54,11 @@ class Quantity:
         if self.symbol is None:
             raise ValueError(f"{self.key} has no symbol")
         return self.symbol
+
+    @property
+    def printed(self) -> str:
+        """The unit in which the note prints it."""
+        return self.shown or self.unit
 
     def column(self, values: Array | Texts) -> Column:
         """Its numbers (P,), or a list of texts, one for each row of a table."""
@@ -76,7 +83,8 @@ class Quantity:
 
     def _component(self, axis: str, text: str) -> Quantity:
         symbol = self.symbol and replace(self.symbol, sup=",".join(filter(None, (self.symbol.sup, axis))))
-        return Quantity(f"{self.key}_{axis}", symbol, self.unit, Message(text, {"of": self.meaning}))
+        meaning = Message(text, {"of": self.meaning})
+        return Quantity(f"{self.key}_{axis}", symbol, self.unit, meaning, self.shown)
 
     @cached_property
     def said(self) -> dict[str, dict[str, str]]:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -15,7 +15,7 @@ from tmm_report.figures.lettering import Parts, lettered
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.lever.cycle import Extreme
 from tmm_report.quantity.formula import Var
-from tmm_report.quantity.model import Quantity
+from tmm_report.quantity.model import Column, Quantity, Table
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.text import unit_text
@@ -76,6 +76,41 @@ def letter(symbol: Symbol | str, tr: Translator) -> Parts:
     drawn = lettered(replace(symbol, base=base or symbol.base), lambda word: tr.pgettext("index", word))
     assert drawn is not None
     return ("Δ", drawn) if base not in ("", symbol.base) else (drawn,)
+
+
+class Line(NamedTuple):
+    """A curve of a chart: a column of the results; `name`: over its panel, where several run in it; `extremes`: as a
+    `Curve` has them; what is above `most`, in the unit of print, runs off the sheet."""
+
+    column: Column
+    name: str = ""
+    panel: int = 0
+    extremes: Sequence[tuple[float, float]] | None = ()
+    most: float = math.inf
+
+
+def chart(lines: Iterable[Line], along: Column, of: Sequence[Quantity], tr: Translator) -> Graph:
+    """Columns over an ascending one. `of`: what each panel shows, from the top: its letter and unit are on the axis,
+    and the curves are drawn in that unit."""
+    drawn = [
+        Curve(_below(line, of[line.panel].printed), line.name, line.panel, line.extremes) for line in lines
+    ]
+    panels = [(quantity.sign, quantity.printed) for quantity in of]
+    unit = along.quantity.printed
+    return plot(drawn, along.numbers(unit), replace(along.quantity, unit=unit), panels, tr)
+
+
+def cycle_chart(table: Table, keys: Sequence[str], tr: Translator) -> Graph:
+    """Columns over the angle turned, each in a panel of its own with its letter and unit."""
+    graphs = CycleGraphs(table["phi"].numbers(), 0, tr)
+    of = [table[key] for key in keys]
+    drawn = [Curve(column.numbers(column.quantity.printed), panel=k) for k, column in enumerate(of)]
+    return graphs.graph(drawn, [graphs.letter(one.symbol(), one.quantity.printed) for one in of])
+
+
+def _below(line: Line, unit: str) -> Array:
+    numbers = line.column.numbers(unit)
+    return np.where(numbers <= line.most, numbers, np.nan) if line.most < math.inf else numbers
 
 
 def plot(

@@ -237,9 +237,10 @@ class Page:
     ) -> layout.Column:
         """A column of the results as a table of the note prints it: symbol and unit, one number of decimals.
 
-        `unit`: of print; `size`: magnitudes; `rows`: only the first so many.
+        `unit`: of print, where it is not that of the declaration; `size`: magnitudes; `rows`: only the first so many.
         """
         column = table[key]
+        unit = unit or column.quantity.shown
         self.symbols.add(column.symbol(), column.meaning, unit or column.unit)
         numbers = column.numbers(unit)[:rows]
         texts = self.col(np.abs(numbers) if size else numbers, digits)
@@ -259,6 +260,7 @@ class Page:
         scale: float = 1.0,
     ) -> Cell:
         """One number of the results as text that knows its place: a single value, or a row of a table's column."""
+        unit = unit or (of if isinstance(of, Value) else of[key]).quantity.shown
         if isinstance(of, Value):
             number, ref = of.number(unit), of.ref(unit, size)
         else:

@@ -19,7 +19,7 @@ def solved(text):
 
 
 def value(found, key):
-    return quantities.book(found)[key].value
+    return found.s[key].value
 
 
 KINDS = {
@@ -75,7 +75,7 @@ def test_the_logarithmic_decrement_is_that_of_the_motion_itself():
     assert value(found, "decrement") == pytest.approx(math.log(tops[0] / tops[1]), rel=1e-8)
     assert value(found, "falls") == pytest.approx(tops[1] / tops[2], rel=1e-8)
     assert value(found, "period") == pytest.approx(times[1] - times[0], rel=1e-8)
-    table = quantities.book(found).table("swings")
+    table = {table.name: table for table in quantities.tables(found)}["vibration_swings"]
     sizes, t = table["size"].numbers(), table["t"].numbers()
     assert sizes[1:] / sizes[:-1] == pytest.approx(math.exp(-value(found, "decrement")))
     within = t <= found.times[-1]

@@ -92,6 +92,13 @@ def from_frequencies(damped: float, peak: float) -> tuple[float, float]:
     return zeta, damped / float(np.sqrt(1 - zeta**2))
 
 
+def kind(zeta: float) -> str:
+    """Of the free motion: it swings, "under" the critical damping, is "critical", or creeps back, "over" it."""
+    if abs(zeta - 1) <= CRITICAL:
+        return "critical"
+    return "under" if zeta < 1 else "over"
+
+
 # --- one mass, in time
 
 

@@ -1,72 +1,226 @@
-"""What is given of vibration and its isolation."""
+"""What is given of vibration and its isolation, as the block states it, SI."""
 
 from __future__ import annotations
 
+from dataclasses import field
+from typing import TYPE_CHECKING, Annotated, ClassVar
+
 from tmm_report.records import dataclass
 
-CURVES = (0.0, 0.1, 0.25, 0.5, 1.0)
+if TYPE_CHECKING:
+    from pydantic import Field
+
+    from tmm_report.variant.values import (
+        Angle,
+        Damping,
+        FixedDirection,
+        Label,
+        Length,
+        Positive,
+        PositiveInertia,
+        PositiveMass,
+        Scale,
+        SignedSpeed,
+        Speed,
+        TorsionalDamping,
+        Velocity,
+        quantity,
+        whole,
+    )
+
+CURVES = [0.0, 0.1, 0.25, 0.5, 1.0]
 
 
 @dataclass(frozen=True)
 class Unbalance:
-    """A mass off the axis of a shaft, kg and m."""
+    """A mass off the axis of a shaft."""
 
-    mass: float
-    radius: float
+    mass: PositiveMass
+    radius: Positive
 
 
 @dataclass(frozen=True)
 class Foundation:
-    """What the isolators stand on, itself on springs: kg, N/m, N s/m, or kg m², N m/rad, N m s/rad."""
+    """The mass that the isolators stand on and its own springs."""
 
-    inertia: float
-    stiffness: float
-    damping: float = 0.0
+    mass: PositiveMass
+    stiffness: Annotated[float, quantity("stiffness", 1e-9)]
+    damping: Damping = 0.0
+
+    @property
+    def inertia(self) -> float:
+        return self.mass
+
+
+@dataclass(frozen=True)
+class TurningFoundation:
+    """The disc that the shaft ends in and its own shaft."""
+
+    inertia: PositiveInertia
+    stiffness: Annotated[float, quantity("torsional stiffness", 1e-9)]
+    damping: TorsionalDamping = 0.0
 
 
 @dataclass(frozen=True)
 class Absorber:
-    """A mass hung on the machine: its `inertia`, or the parts of the working frequency between which no natural one may
-    lie; on `springs` springs, those of a turning one at `arm` from the axis, m."""
+    """A mass hung on the machine by springs."""
 
-    inertia: float | None = None
-    clear: tuple[float, float] | None = None
-    springs: int = 1
-    arm: float | None = None
+    mass: PositiveMass | None = None
+    clear: Annotated[
+        tuple[Scale, Scale] | None,
+        Field(description="parts of the working frequency between which no natural one may lie"),
+    ] = None
+    springs: Annotated[int, whole(1, 1000)] = 1
+    arm: ClassVar[None] = None
+
+    @property
+    def inertia(self) -> float | None:
+        return self.mass
+
+
+@dataclass(frozen=True)
+class TurningAbsorber:
+    """A disc hung on the main one by springs."""
+
+    inertia: PositiveInertia | None = None
+    clear: Annotated[
+        tuple[Scale, Scale] | None,
+        Field(description="parts of the working frequency between which no natural one may lie"),
+    ] = None
+    springs: Annotated[int, whole(1, 1000)] = 1
+    arm: Annotated[Positive | None, Field(description="of the springs, from the axis")] = None
+
+
+@dataclass(frozen=True)
+class Start:
+    """How the motion begins."""
+
+    displacement: Length = 0.0
+    velocity: Velocity = 0.0
+
+    @property
+    def place(self) -> float:
+        return self.displacement
+
+    @property
+    def rate(self) -> float:
+        return self.velocity
+
+
+@dataclass(frozen=True)
+class TurningStart:
+    """How the motion begins."""
+
+    angle: Angle = 0.0
+    speed: SignedSpeed = 0.0
+
+    @property
+    def place(self) -> float:
+        return self.angle
+
+    @property
+    def rate(self) -> float:
+        return self.speed
 
 
 @dataclass(frozen=True, eq=False)
-class Given:
-    """A mass, kg, or with `turning` a disc, kg m², on `isolators` equal springs and dampers.
+class Common:
+    """What both kinds state alike."""
 
-    `stiffness`, `damping`: of each; `ratio`: ζ in place of the damping; `wanted`: force ratio to be reached, for which
-    the stiffness is chosen where none is stated. One of these shakes it: `force`, amplitude, N or N m; `unbalance`;
-    `base`, amplitude of the base's motion, m or rad; `direction` along which the mechanism's shaking force is taken.
-    `omega`: of the excitation, rad/s, None with the mechanism's. `friction`: dry, in place of the damper, N or N m;
-    `place`, `speed`: at the start; `curves`: ζ of the curves drawn.
-    """
+    name: Annotated[Label | None, Field(description="of the machine, in the heading")] = None
+    isolators: Annotated[
+        Annotated[int, whole(1, 1000)],
+        Field(description="equal springs with their dampers, side by side"),
+    ] = 1
+    damping_ratio: Annotated[
+        Annotated[float, quantity("number", 0.0, 10.0, "0 … 10")] | None,
+        Field(description="in parts of the critical damping"),
+    ] = None
+    transmissibility: Annotated[
+        Annotated[float, quantity("number", 1e-6, 0.999999, "0 … 1")] | None,
+        Field(description="force on the base by the exciting force that is wanted"),
+    ] = None
+    speed: Annotated[Speed | None, Field(description="of the excitation", examples=["750 rpm"])] = None
+    curves: Annotated[
+        list[Annotated[float, quantity("number", 0.0, 10.0, "0 … 10")]],
+        Field(min_length=1, max_length=5, description="damping ratios of the curves drawn"),
+    ] = field(default_factory=CURVES.copy)
 
-    inertia: float
-    turning: bool = False
-    isolators: int = 1
-    stiffness: float | None = None
-    damping: float | None = None
-    ratio: float | None = None
-    wanted: float | None = None
-    force: float | None = None
+
+@dataclass(frozen=True, eq=False)
+class Linear(Common):
+    """A machine on isolators and what shakes it."""
+
+    mass: Annotated[PositiveMass, Field(examples=["1200 kg"])] = field(kw_only=True)
+    stiffness: Annotated[
+        Annotated[float, quantity("stiffness", 1e-9)] | None, Field(description="of each isolator")
+    ] = None
+    damping: Annotated[Damping | None, Field(description="of each isolator")] = None
+    force: Annotated[Annotated[float, quantity("force", 1e-12)] | None, Field(description="amplitude")] = None
     unbalance: Unbalance | None = None
-    base: float | None = None
-    direction: complex | None = None
-    omega: float | None = None
-    friction: float | None = None
+    base: Annotated[Positive | None, Field(description="amplitude of the motion of the base")] = None
+    mechanism: Annotated[
+        FixedDirection | None,
+        Field(description="direction along which the shaking force of the mechanism is taken"),
+    ] = None
+    friction: Annotated[
+        Annotated[float, quantity("force", 1e-12)] | None, Field(description="dry, in place of the dampers")
+    ] = None
     foundation: Foundation | None = None
     absorber: Absorber | None = None
-    place: float = 0.0
-    speed: float = 0.0
-    curves: tuple[float, ...] = CURVES
-    name: str = ""
+    start: Start = Start()
+    turning: ClassVar[bool] = False
+
+    @property
+    def inertia(self) -> float:
+        return self.mass
+
+    @property
+    def shaken(self) -> float | None:
+        """Amplitude of the force."""
+        return self.force
 
     @property
     def free(self) -> bool:
         """Whether nothing shakes it: it is let go and vibrates freely."""
-        return self.force is self.unbalance is self.base is self.direction is None
+        return self.force is self.unbalance is self.base is self.mechanism is None
+
+
+@dataclass(frozen=True, eq=False)
+class Turning(Common):
+    """A disc that swings on a shaft."""
+
+    inertia: Annotated[PositiveInertia, Field(examples=["0.12 kg*m^2"])] = field(kw_only=True)
+    stiffness: Annotated[
+        Annotated[float, quantity("torsional stiffness", 1e-9)] | None, Field(description="of the shaft")
+    ] = None
+    damping: TorsionalDamping | None = None
+    moment: Annotated[Annotated[float, quantity("moment", 1e-12)] | None, Field(description="amplitude")] = (
+        None
+    )
+    base: Annotated[
+        Annotated[float, quantity("angle", 1e-12)] | None,
+        Field(description="amplitude of the swing of the shaft's other end"),
+    ] = None
+    friction: Annotated[
+        Annotated[float, quantity("moment", 1e-12)] | None, Field(description="dry, in place of the damper")
+    ] = None
+    foundation: TurningFoundation | None = None
+    absorber: TurningAbsorber | None = None
+    start: TurningStart = TurningStart()
+    turning: ClassVar[bool] = True
+    unbalance: ClassVar[None] = None
+    mechanism: ClassVar[None] = None
+
+    @property
+    def shaken(self) -> float | None:
+        """Amplitude of the moment."""
+        return self.moment
+
+    @property
+    def free(self) -> bool:
+        """Whether nothing shakes it: it is let go and vibrates freely."""
+        return self.moment is self.base is None
+
+
+Given = Linear | Turning

@@ -29,11 +29,6 @@ class Stood:
     natural: tuple[float, float]
     grounded: float
 
-    @property
-    def ratio(self) -> float:
-        """γ, the machine's amplitude by that of its base."""
-        return abs(self.machine) / abs(self.under)
-
 
 def stood(given: Given, body: Body, omega: float) -> Stood:
     stand = given.foundation
@@ -71,12 +66,11 @@ class Fitted:
 
 @dataclass(frozen=True, eq=False)
 class Absorbed:
-    """`mu`: mass of the absorber by that of the machine; `natural`: both frequencies with the tuned one, rad/s; `each`:
-    stiffness of one of its springs; `fitted`: tuned, with the best damping, the damper without a spring."""
+    """`mu`: mass of the absorber by that of the machine; `natural`: both frequencies with the tuned one, rad/s;
+    `fitted`: tuned, with the best damping, the damper without a spring."""
 
     mu: float
     natural: tuple[float, float]
-    each: float
     fitted: tuple[Fitted, ...]
 
     @property
@@ -85,8 +79,6 @@ class Absorbed:
 
 
 def absorbed(given: Given, body: Body, omega: float) -> Absorbed:
-    stated = given.absorber
-    assert stated is not None
     mu = _share(given, body, omega)
     main = body._replace(damping=0.0)
     hung = {
@@ -97,9 +89,7 @@ def absorbed(given: Given, body: Body, omega: float) -> Absorbed:
     low, high = vib.pair_natural(main, hung["tuned"])
     over = _over(float(main.natural), (float(low), float(high)))
     fitted = tuple(_fitted(key, body, one, omega, over) for key, one in hung.items())
-    arm = stated.arm if given.turning and stated.arm is not None else 1.0
-    each = hung["tuned"].stiffness / (stated.springs * arm**2)
-    return Absorbed(mu, (float(low), float(high)), each, fitted)
+    return Absorbed(mu, (float(low), float(high)), fitted)
 
 
 def _share(given: Given, body: Body, omega: float) -> float:

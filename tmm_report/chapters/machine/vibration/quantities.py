@@ -7,31 +7,27 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.machine.vibration.solve import Found
-from tmm_report.chapters.machine.vibration.values import BASE, quantity, units, values
+from tmm_report.chapters.machine.vibration.solve import Found, ratio_key
+from tmm_report.chapters.machine.vibration.values import Harmonics, OverTurn
 from tmm_report.mechanics.masses import vibration as vib
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.model import Book, Column, Quantity, Table, text_column
-from tmm_report.quantity.part import Part
+from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.tabulated import tabulated
-
-__all__ = ["book", "tables", "values"]
 
 Array = Any
 PREFIX = "vibration"
 
 
-def book(found: Found) -> Part:
-    """All that is said in numbers, found without the prefix of its names."""
-    return Part(PREFIX, Book.of(tables(found), values(found)))
+def values(found: Found) -> Iterator[Value]:
+    return found.s.values()
 
 
 @tabulated
 def tables(found: Found) -> Iterator[Table]:
     if found.given.free:
         yield _table("motion", N_("motion of the machine from the start"), _motion(found))
-        if found.decrement is not None:
+        if "decrement" in found.s:
             yield _table("swings", N_("amplitudes of the free motion, period by period"), _swings(found))
         return
     yield _table(
@@ -55,17 +51,6 @@ def _table(name: str, meaning: str, columns: Iterator[Column]) -> Table:
     return Table(f"{PREFIX}_{name}", Message(meaning), tuple(columns))
 
 
-def _column(found: Found, key: str, numbers: Any) -> Column:
-    """A number of the machine at several frequencies, with several dampings or absorbers; infinity is nan: a dash."""
-    numbers = np.asarray(numbers, dtype=float)
-    return quantity(found, key, "").column(np.where(np.isfinite(numbers), numbers, np.nan))
-
-
-def ratio(found: Found) -> str:
-    """What a machine on a fixed base hands on to it, or one on a moving base takes from it."""
-    return "ratio_z" if found.given.base is not None else "ratio"
-
-
 # --- responses
 
 ROWS = (0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0)  # ω/ω0 of the table of responses
@@ -73,19 +58,17 @@ ROWS = (0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0)  # ω/ω0
 
 def _response(found: Found) -> Iterator[Column]:
     most = max(ROWS[-1], float(np.ceil(found.eta)))
-    eta, zeta = (
-        np.unique(np.round([*ROWS, most, _working(found)], 12)),
-        found.zeta,
-    )  # the working one among them
+    eta = np.unique(np.round([*ROWS, most, _working(found)], 12))  # the working one among them
+    zeta = found.zeta
     beta, handed = vib.magnification(eta, zeta), vib.transmissibility(eta, zeta)
     moved, pushed = _moved(found, eta, beta, handed)
-    yield _column(found, "eta", eta)
-    yield _column(found, "omega", eta * found.natural)
-    yield _column(found, "beta", beta)
-    yield _column(found, "lag", np.where(np.isfinite(beta), vib.lag(eta, zeta), np.nan))
-    yield _column(found, ratio(found), handed)
-    yield _column(found, "amplitude", moved)
-    yield _column(found, "on_base", pushed)
+    yield found.s.column("eta", eta)
+    yield found.s.column("omega", eta * found.natural)
+    yield found.s.column("beta", beta)
+    yield found.s.column("lag", np.where(np.isfinite(beta), vib.lag(eta, zeta), np.nan))
+    yield found.s.column(ratio_key(found.given), handed)
+    yield found.s.column("amplitude", moved)
+    yield found.s.column("on_base", pushed)
 
 
 def _working(found: Found) -> float:
@@ -106,11 +89,11 @@ def _moved(found: Found, eta: Array, beta: Array, handed: Array) -> tuple[Array,
 def _dampings(found: Found) -> Iterator[Column]:
     zeta = np.unique(np.round([*found.given.curves, found.zeta], 12))
     place, height = vib.peak(zeta)
-    yield _column(found, "zeta", zeta)
-    yield _column(found, "eta_peak", place)
-    yield _column(found, "beta_peak", height)
-    yield _column(found, "beta", vib.magnification(_working(found), zeta))
-    yield _column(found, ratio(found), vib.transmissibility(_working(found), zeta))
+    yield found.s.column("zeta", zeta)
+    yield found.s.column("eta_peak", place)
+    yield found.s.column("beta_peak", height)
+    yield found.s.column("beta", vib.magnification(_working(found), zeta))
+    yield found.s.column(ratio_key(found.given), vib.transmissibility(_working(found), zeta))
 
 
 POINTS = 401  # of a curve against the frequency
@@ -124,7 +107,7 @@ LINES = (
 
 def _curves(found: Found) -> Iterator[Column]:
     eta = np.linspace(0.0, max(SPAN, 1.2 * found.eta), POINTS)
-    yield _column(found, "eta", eta)
+    yield found.s.column("eta", eta)
     for number, zeta in enumerate(found.given.curves, 1):
         for key, letter, unit, text, of in LINES:
             line = np.asarray(of(eta, zeta))
@@ -134,26 +117,21 @@ def _curves(found: Found) -> Iterator[Column]:
 
 
 def _motion(found: Found) -> Iterator[Column]:
-    of = units(found)
-    yield Quantity("t", Symbol("t"), "s", Message(N_("time"))).column(found.times)
-    moved = Message(N_("displacement of the machine"))
-    yield Quantity("x", Symbol(of.x), of.place, moved).column(found.motion)
-    if found.given.free:
-        return
-    steady = Message(N_("the steady part of the displacement"))
-    yield Quantity("x_steady", Symbol(of.x, "s"), of.place, steady).column(found.settled)
+    yield found.s.column("t", found.times)
+    yield found.s.column("x", found.motion)
+    if not found.given.free:
+        yield found.s.column("x_steady", found.settled)
 
 
 SWINGS = 10  # periods of which the amplitudes are listed
 
 
 def _swings(found: Found) -> Iterator[Column]:
-    count, period, begins = np.arange(SWINGS + 1), found.period, found.begins
-    assert period is not None and begins is not None  # it swings
-    yield Quantity("swing", Symbol("i"), "", Message(N_("number of whole periods"))).column(count)
-    yield Quantity("t", Symbol("t"), "s", Message(N_("time"))).column(count * period)
-    of = Quantity("size", Symbol("A", "i"), units(found).place, Message(N_("amplitude of the free motion")))
-    yield of.column(begins * np.exp(-found.decay * period * count))
+    s, count = found.s, np.arange(SWINGS + 1)
+    times = count * s.number("period")
+    yield s.column("swing", count)
+    yield s.column("t", times)
+    yield s.column("size", s.number("begins") * np.exp(-s.number("decay") * times))
 
 
 # --- the mechanism's own force
@@ -165,25 +143,22 @@ def _harmonics(found: Found) -> Iterator[Column]:
     eta = shaken.orders * shaken.omega / found.natural
     size = np.where(shaken.sizes <= 1e-9 * shaken.sizes.max(), 0.0, shaken.sizes)
     handed = vib.transmissibility(eta, found.zeta)
-    yield Quantity("order", Symbol("k"), "", Message(N_("order of the harmonic"))).column(shaken.orders)
-    yield _column(found, "omega", shaken.orders * shaken.omega)
-    yield _column(found, "force", size)
-    yield _column(found, "eta", eta)
-    yield _column(found, "ratio", handed)
-    yield _column(found, "amplitude", size * vib.magnification(eta, found.zeta) / found.body.stiffness)
-    yield _column(found, "on_base", size * handed)
+    yield Harmonics.order.column(shaken.orders)
+    yield found.s.column("omega", shaken.orders * shaken.omega)
+    yield found.s.column("force", size)
+    yield found.s.column("eta", eta)
+    yield found.s.column("ratio", handed)
+    yield found.s.column("amplitude", size * vib.magnification(eta, found.zeta) / found.body.stiffness)
+    yield found.s.column("on_base", size * handed)
 
 
 def _turn(found: Found) -> Iterator[Column]:
     shaken = found.shaking
     assert shaken is not None
-    angle = Message(N_("angle turned from position 0"))
-    yield Quantity("phi", Symbol("phi"), "rad", angle).column(shaken.turned)
-    force = Message(N_("shaking force of the mechanism"))
-    yield Quantity("force", Symbol("F"), "N", force).column(shaken.force)
-    yield Quantity("x", Symbol("x"), "m", Message(N_("displacement of the machine"))).column(shaken.moved)
-    handed = Message(N_("force that the isolators hand on to the base"))
-    yield Quantity("on_base", Symbol("F", BASE), "N", handed).column(shaken.handed)
+    yield OverTurn.phi.column(shaken.turned)
+    yield OverTurn.force.column(shaken.force)
+    yield OverTurn.x.column(shaken.moved)
+    yield OverTurn.on_base.column(shaken.handed)
 
 
 # --- absorbers
@@ -194,17 +169,15 @@ def _absorbers(found: Found) -> Iterator[Column]:
     assert hung is not None
     rows = hung.fitted
     yield text_column("kind", Message(N_("kind of the absorber")), [one.key for one in rows])
-    yield _column(found, "absorber", [one.hung.inertia for one in rows])
-    yield _column(found, "absorber_stiffness", [one.hung.stiffness for one in rows])
-    damping = Quantity("absorber_damping", Symbol("b", "a"), units(found).damping, DAMPING)
-    yield damping.column([float(one.hung.damping) for one in rows])
-    yield _column(found, "amplitude", [found.force * one.work for one in rows])
-    yield _column(found, "absorber_swing", [found.force * one.swing for one in rows])
-    yield _column(found, "eta_peak", [one.eta if np.isfinite(one.beta) else np.nan for one in rows])
-    yield _column(found, "beta_peak", [one.beta for one in rows])
+    yield found.s.column("absorber", [one.hung.inertia for one in rows])
+    yield found.s.column("absorber_stiffness", [one.hung.stiffness for one in rows])
+    yield found.s.column("absorber_damping", [float(one.hung.damping) for one in rows])
+    yield found.s.column("amplitude", [found.force * one.work for one in rows])
+    yield found.s.column("absorber_swing", [found.force * one.swing for one in rows])
+    yield found.s.column("eta_peak", [one.eta if np.isfinite(one.beta) else np.nan for one in rows])
+    yield found.s.column("beta_peak", [one.beta for one in rows])
 
 
-DAMPING = Message(N_("damping of the absorber"))
 WITH = N_("dynamic coefficient of the machine, absorber: %(kind)s")
 
 
@@ -213,8 +186,8 @@ def _absorbed(found: Found) -> Iterator[Column]:
     assert hung is not None
     eta = np.linspace(0.0, max(2.0, 1.2 * found.eta), POINTS)
     force = (found.body.stiffness, 0.0)
-    yield _column(found, "eta", eta)
-    yield _column(found, "beta", vib.magnification(eta, found.zeta))
+    yield found.s.column("eta", eta)
+    yield found.s.column("beta", vib.magnification(eta, found.zeta))
     for number, one in enumerate(hung.fitted, 1):
         with np.errstate(divide="ignore", invalid="ignore"):
             line = np.abs(vib.pair(found.body, one.hung, eta * found.natural, force)[0])

@@ -1,0 +1,188 @@
+"""The single numbers of a chapter: each declared once, and computed by assigning the expression that is printed.
+
+    class Values(Sheet, prefix="vibration"):
+        inertia = Q("m", "kg", N_("mass of the machine"))
+        natural = Q("omega_0", "rad/s", N_("natural frequency without damping"))
+
+    s = Values()
+    s.inertia = 1200.0                            # a number that is given or found elsewhere
+    s.natural = sqrt(s.stiffness / s.inertia)     # its value, its formula, its row of a where-list
+    s["natural"].value, s.formula("natural"), Values.natural.column(numbers)
+
+results.json, CSV, formulas, where-lists, axes, explanations and marks take letter, unit and meaning from the
+declaration.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+from typing import Any, ClassVar, Self, overload
+
+from tmm_report.problems import Message
+from tmm_report.quantity.formula import Expr, Formula, Var
+from tmm_report.quantity.model import Book, Column, Quantity, Value
+from tmm_report.quantity.symbols import Symbol, math_symbol
+from tmm_report.quantity.units import factor
+from tmm_report.records import dataclass
+
+
+@dataclass(frozen=True, eq=False)
+class Computed:
+    """A number with the expression that a student would write for it. `number`: where that form loses digits, or the
+    number is found by a search; `scale`: of what it is nought beside, where it may be."""
+
+    expression: Expr
+    number: float | None = None
+    scale: float | None = None
+
+
+class Q:
+    """A declared number. `symbol`: as keys are written, "omega_d", or None of what is never written as one; `unit`: of
+    the results; `meaning`: a literal for translation; `shown`: unit of print, where it is another; `formed`: unit in
+    formulas, where it is another: angles that are printed in degrees are so in formulas, too."""
+
+    key: str = ""
+
+    def __init__(
+        self,
+        symbol: str | Symbol | None,
+        unit: str,
+        meaning: str | Message,
+        shown: str = "",
+        formed: str | None = None,
+    ):
+        self.symbol = math_symbol(symbol) if isinstance(symbol, str) else symbol
+        self.unit, self.shown = unit, shown
+        self.formed = ("deg" if shown == "deg" else "") if formed is None else formed
+        self.meaning = Message(meaning) if isinstance(meaning, str) else meaning
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self.key = name
+
+    @overload
+    def __get__(self, sheet: None, owner: type) -> Self: ...
+    @overload
+    def __get__(self, sheet: Sheet, owner: type) -> Var: ...
+    def __get__(self, sheet: Sheet | None, owner: type) -> Self | Var:
+        return self if sheet is None else sheet.var(self.key)
+
+    def __set__(self, sheet: Sheet, value: Expr | Computed | float | None) -> None:
+        sheet.put(self.key, value)
+
+    @cached_property
+    def quantity(self) -> Quantity:
+        """As a column of a table, whose name stands before it."""
+        return self.named("")
+
+    def named(self, prefix: str) -> Quantity:
+        return Quantity(f"{prefix}{self.key}", self.symbol, self.unit, self.meaning, self.shown)
+
+    def column(self, values: Any) -> Column:
+        """Its numbers (P,) at the rows of a table."""
+        return self.quantity.column(values)
+
+
+@dataclass(frozen=True, eq=False)
+class _Kept:
+    value: Value
+    expression: Expr | None
+    scale: float | None
+
+
+class Sheet:
+    """The numbers of one variant. A number that is None is not there; assigning one twice is an error of the program.
+
+    `other`: declarations that this variant calls otherwise, by their keys: J and kg·m² of what turns for m and kg.
+    """
+
+    PREFIX: ClassVar[str] = ""
+    DECLARED: ClassVar[Mapping[str, Q]] = {}
+
+    def __init_subclass__(cls, prefix: str | None = None) -> None:
+        if prefix is not None:
+            cls.PREFIX = f"{prefix}_"
+        cls.DECLARED = {**cls.DECLARED, **{key: one for key, one in vars(cls).items() if isinstance(one, Q)}}
+
+    def __init__(self, other: Mapping[str, Q] | None = None, **others: Q):
+        self._others = {**(other or {}), **others}
+        for key, one in self._others.items():
+            one.key = key
+        self._kept: dict[str, _Kept] = {}
+
+    def declared(self, key: str) -> Q:
+        """Raises KeyError for what the chapter has not."""
+        return self._others.get(key) or self.DECLARED[key]
+
+    def put(self, key: str, value: Expr | Computed | float | None) -> None:
+        """What `sheet.key = value` does."""
+        if value is None:
+            return
+        if key in self._kept:
+            raise ValueError(f"{self.PREFIX}{key} is found twice")
+        made = value if isinstance(value, Computed) else None
+        expression = made.expression if made else value if isinstance(value, Expr) else None
+        number: Any = made.number if made else None if expression is not None else value
+        declared = self.declared(key)
+        if number is None:
+            assert expression is not None
+            number = expression.evaluate()
+            if declared.formed not in ("", "deg", declared.unit):
+                number /= factor(declared.unit, declared.formed)
+        of = declared.named(self.PREFIX)
+        self._kept[key] = _Kept(of.value(float(number)), expression, made.scale if made else None)
+
+    def take(self, record: object, *keys: str) -> None:
+        """Fields of a record by their names, of those that are declared; `keys`: these alone."""
+        for key in keys or [key for key in self.DECLARED if hasattr(record, key)]:
+            self.put(key, getattr(record, key))
+
+    # --- what is there
+
+    def __contains__(self, key: str) -> bool:
+        return key in self._kept
+
+    def __getitem__(self, key: str) -> Value:
+        """Raises KeyError for what this variant has not."""
+        return self._kept[key].value
+
+    def get(self, key: str) -> float | None:
+        """The number in the unit of the results; None where this variant has it not."""
+        return self._kept[key].value.value if key in self._kept else None
+
+    def number(self, key: str) -> float:
+        """The number in the unit of the results."""
+        return self._kept[key].value.value
+
+    def var(self, key: str) -> Var:
+        """The number for an expression."""
+        return self[key].var(self.declared(key).formed)
+
+    def has_formula(self, key: str) -> bool:
+        return key in self._kept and self._kept[key].expression is not None
+
+    def formula(self, key: str) -> Formula:
+        """symbol = expression = numbers = value. Raises KeyError for a number that was not computed by one."""
+        kept = self._kept[key]
+        if kept.expression is None:
+            raise KeyError(f"{self.PREFIX}{key} has no formula")
+        form: dict[str, Any] = {} if kept.scale is None else {"scale": kept.scale}
+        return kept.value.formula(kept.expression, self.declared(key).formed, **form)
+
+    def values(self) -> Iterator[Value]:
+        """All numbers, in the order of their declarations."""
+        for key in self.DECLARED:
+            if key in self._kept:
+                yield self._kept[key].value
+
+    def quantity(self, key: str) -> Quantity:
+        """As a column of a table: letter, unit and meaning as this variant has them."""
+        return self.declared(key).quantity
+
+    def column(self, key: str, values: Any) -> Column:
+        """Numbers (P,) at the rows of a table; what is not finite is a dash there."""
+        return self.quantity(key).column([x if math.isfinite(x) else math.nan for x in values])
+
+    def book(self) -> Book:
+        return Book.of((), self.values())

@@ -1,0 +1,117 @@
+"""What the view of every chapter offers its template: numbers, formulas, lists, tables by the keys of the declarations.
+
+Letter, unit and noun come from the declaration, so that a view cannot print another: it chooses, and says sentences.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Sequence
+from typing import Any
+
+from markupsafe import Markup
+
+from tmm_report.quantity.formula import Formula, Var
+from tmm_report.quantity.model import Book, Column, Table, Value
+from tmm_report.quantity.sheet import Sheet
+from tmm_report.quantity.written import Equation
+from tmm_report.report.page import Page
+from tmm_report.report.paper import layout
+from tmm_report.report.paper.layout import numeric
+
+
+class ChapterView:
+    """`s`: the single numbers of the chapter; `tables`: of the results, found here without `prefix`, with which their
+    names begin there. `own`: whether its letters are its own, to be explained again where another chapter has explained
+    them as something else."""
+
+    own = False
+
+    def __init__(self, page: Page, s: Sheet, tables: Iterable[Table] = (), prefix: str | None = None):
+        self.page, self.t, self.s = page, page.t, s
+        self.prefix = s.PREFIX if prefix is None else prefix
+        self._tables = Book.of(tables).tables
+
+    # --- single numbers
+
+    def value(self, key: str) -> Value:
+        return self.s[key]
+
+    def number(self, key: str, unit: str = "", **form: Any) -> Markup:
+        """A single number in running text, without its unit."""
+        return self.page.shown(self.value(key), unit=unit, **form)
+
+    def measured(self, key: str, unit: str = "", **form: Any) -> Markup:
+        """A single number in running text with its unit."""
+        printed = self.page.unit(unit or self.value(key).quantity.printed)
+        between = "" if printed in ("", "°") else " "
+        return self.page.listed([self.number(key, unit, **form), printed], between)
+
+    def var(self, key: str, unit: str = "") -> Var:
+        """A single number as it is printed."""
+        value = self.value(key)
+        return value.var(unit or value.quantity.shown)
+
+    def sized(self, key: str, unit: str = "") -> Markup:
+        """symbol = value unit."""
+        return self.page.value(self.var(key, unit))
+
+    def listed(self, keys: Iterable[str]) -> Markup:
+        """`sized` of those that this variant has."""
+        return self.page.listed(self.sized(key) for key in keys if key in self.s)
+
+    # --- formulas
+
+    def formula(self, key: str) -> Formula:
+        return self.s.formula(key)
+
+    def formulas(self, *keys: str) -> list[Formula]:
+        """Those of the numbers that this variant computes by one."""
+        return [self.formula(key) for key in keys if self.s.has_formula(key)]
+
+    def where(self, *formulas: Formula | Equation) -> list[dict[str, Any]]:
+        """What a "where" list says of the quantities of the formulas."""
+        items = self.page.where(*formulas)
+        return [{**item, "id": (self.prefix, item["id"])} for item in items] if self.own else items
+
+    def explained(self, *keys: str) -> list[dict[str, Any]]:
+        """What a "where" list says of single numbers."""
+        return [
+            self.page.explained(f"{self.prefix}{key}", self.value(key), self.value(key).quantity.printed)
+            for key in keys
+            if key in self.s
+        ]
+
+    # --- tables
+
+    def table(self, name: str) -> Table:
+        """A table of the results. Raises KeyError for one that this variant has not."""
+        return self._tables[f"{self.prefix}{name}"]
+
+    def has(self, name: str) -> bool:
+        return f"{self.prefix}{name}" in self._tables
+
+    def column(self, name: str, key: str, unit: str = "", **form: Any) -> layout.Column:
+        return self.page.column(self.table(name), key, unit, **form)
+
+    def columns(
+        self, name: str, keys: Iterable[str] = (), leave: Collection[str] = ()
+    ) -> list[layout.Column]:
+        """As the note prints them; without `keys` all of them but those that it is to `leave` out."""
+        chosen: Sequence[str] = [*keys] or [
+            one.key for one in self.table(name).columns if one.key not in leave
+        ]
+        return [self.column(name, key) for key in chosen]
+
+    def numeric(
+        self, caption: Any, name: str, keys: Iterable[str] = (), leave: Collection[str] = (), **first: Any
+    ) -> layout.Table:
+        """A table of numbers; `first`: how its first column is printed."""
+        own, *others = self.columns(name, keys, leave)
+        if first:
+            key = next(iter(keys), "") or self.table(name).columns[0].key
+            own = self.column(name, key, **first)
+        return numeric(caption, own, others)
+
+    def of(self, name: str, key: str) -> Column:
+        """A column of the results."""
+        return self.table(name)[key]

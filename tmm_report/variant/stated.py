@@ -1,0 +1,84 @@
+"""Blocks of which the record that validation makes is what the chapter computes with: no function copies its fields.
+
+    @dataclass(frozen=True)                          # in the chapter's given.py, which imports no pydantic
+    class Spring:
+        \"\"\"The spring that presses the sleeve down.\"\"\"
+
+        stiffness: Stiffness                         # of variant.values, imported for type checkers alone
+        force: Annotated[ForceValue, Field(description="at the lower stop", examples=["1200 N"])] = 0.0
+
+    class Block(model.Block):                        # in its block.py
+        spring: Stated[Spring] | None = None
+
+The model that reads the mapping is made of the record's annotations, its docstring of the record's; a record within a
+record is read likewise. What the parts of one record say wrong of one another its `__post_init__` raises as WrongValue.
+"""
+
+import dataclasses
+import sys
+import types
+from functools import cache, partial
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar, Union, get_args, get_origin, get_type_hints
+
+from pydantic import AfterValidator, Field, create_model
+
+from tmm_report.variant import values
+from tmm_report.variant.model import Model
+
+T = TypeVar("T")
+
+if TYPE_CHECKING:
+    Stated = Annotated[T, "a record"]
+else:
+
+    class Stated:
+        """`Stated[Record]`: a mapping of the file that becomes the record."""
+
+        def __class_getitem__(cls, record: type) -> Any:
+            return stated(record)
+
+
+def stated(record: type) -> Any:
+    """The type of a mapping of the file that becomes the record."""
+    return Annotated[model_of(record), AfterValidator(partial(_made, record))]
+
+
+@cache
+def model_of(record: type) -> type[Model]:
+    """The model that reads a record's mapping."""
+    names = {**vars(values), "Field": Field, **vars(sys.modules[record.__module__])}
+    hints = get_type_hints(record, names, include_extras=True)
+    fields: Any = {
+        field.name: (_read(hints[field.name]), _default(field))
+        for field in dataclasses.fields(record)
+        if field.init
+    }
+    made = create_model(
+        record.__name__, __base__=Model, __doc__=record.__doc__, __module__=__name__, **fields
+    )
+    made.NOT_OFFERED = getattr(record, "NOT_OFFERED", {})
+    return made
+
+
+def _made(record: type, model: Model) -> Any:
+    return record(**{name: getattr(model, name) for name in type(model).model_fields})
+
+
+def _default(field: Any) -> Any:
+    if field.default_factory is not dataclasses.MISSING:
+        return Field(default_factory=field.default_factory)
+    return ... if field.default is dataclasses.MISSING else field.default
+
+
+def _read(annotation: Any) -> Any:
+    """The type with the models of the records in it."""
+    origin, arguments = get_origin(annotation), get_args(annotation)
+    if origin is Annotated:
+        inner, *more = arguments
+        return Annotated[_read(inner), *more]
+    if origin in (Union, types.UnionType):
+        return Union[tuple(map(_read, arguments))]  # noqa: UP007
+    if origin in (list, tuple, dict):
+        return origin[tuple(map(_read, arguments))]
+    is_record = isinstance(annotation, type) and dataclasses.is_dataclass(annotation)
+    return stated(annotation) if is_record else annotation
