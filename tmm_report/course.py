@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     from tmm_report.chapters.lever.readings import solve as readings
     from tmm_report.chapters.lever.reduction import solve as reduction
     from tmm_report.chapters.lever.structure import solve as structure
+    from tmm_report.chapters.lever.transmission import solve as transmission
     from tmm_report.chapters.machine.balancing.solve import whole as balancing
     from tmm_report.chapters.machine.contacts import solve as contacts
     from tmm_report.chapters.machine.dynamics import solve as dynamics
@@ -74,6 +75,7 @@ if not TYPE_CHECKING:
     force_plans = Late("lever.force_plans.solve")
     friction = Late("lever.friction.solve")
     reduction = Late("lever.reduction.solve")
+    transmission = Late("lever.transmission.solve")
     readings = Late("lever.readings.solve")
     methods = Late("lever.methods.solve")
     dynamics = Late("machine.dynamics.solve")
@@ -103,6 +105,7 @@ class LeverGiven:
     loads: Loads | None = None
     friction: Friction | None = None
     reduction: bool = False
+    transmission: float | None = None  # the least permitted angle, rad
     way: Way | None = None
     methods: Comparison | None = None
     accuracy: float | None = None  # relative: what the numbers are to hold
@@ -149,6 +152,7 @@ class LeverFound:
     force_plans: force_plans.ForcePlans | None = None
     friction: friction.FrictionFound | None = None
     reduction: reduction.Reduction | None = None
+    transmission: transmission.Found | None = None
     readings: readings.ReadingsFound | None = None
     methods: methods.Found | None = None
 
@@ -284,6 +288,7 @@ def solve_lever(given: LeverGiven, moved: Moved | None = None, flywheel: Any = N
         force_plans.solve(given.drawing, given.positions.force_plan, forces, drawn) if forces else None,
         friction.solve(given.friction, forces) if given.friction and forces else None,
         reduction.solve(motion, forces, drawn) if given.reduction else None,
+        transmission.solve(motion, given.transmission) if given.transmission else None,
     )
     if given.methods:
         moving = _moving(found, flywheel is None or flywheel.friction)

@@ -26,6 +26,7 @@ DRIVE = "tmm_report/chapters/gears/drive/"
 SPUR = "tmm_report/chapters/gears/spur/"
 PLANETARY = "tmm_report/chapters/gears/planetary/"
 REDUCTION = "tmm_report/chapters/lever/reduction/"
+TRANSMISSION = "tmm_report/chapters/lever/transmission/"
 ECCENTRIC = "tmm_report/chapters/gears/eccentric/"
 MECHANICS = "tmm_report/mechanics/"
 PAGE = "tmm_report/report/page.py"
@@ -180,6 +181,17 @@ FAULTS = (
           "float(diameters[i]) * 1e3", "hoist_drive"),
     Fault("curves of sliding swapped", SPUR + "draw/sliding.py", "return (found.first, found.second)[i]",
           "return (found.first, found.second)[1 - i]", "hoist_drive"),
+    # --- transmission angles ---
+    Fault("transmission angle from the guide, not from its normal", TRANSMISSION + "view.py",
+          "cosine = apart / a if", "cosine = apart / (2 * a) if", "slider_crank_offset"),
+    Fault("transmission angles as their complements", TRANSMISSION + "solve.py",
+          "return np.arcsin(np.minimum(", "return np.arccos(np.minimum(", "hay_press"),
+    Fault("greatest transmission angle for the least", TRANSMISSION + "solve.py",
+          "(_, peak), *_ = peaks(", "(peak, _), *_ = peaks(", "hay_press",
+          ("tests/chapters/lever/test_transmission.py",)),
+    Fault("a bad transmission angle called permitted", TRANSMISSION + "view.py",
+          "fails, shown = least.value < most.value", "fails, shown = least.value > most.value", "hay_press",
+          ("tests/chapters/lever/test_transmission.py",)),
     # --- reduction ---
     Fault("angular velocities not squared in the energy", "tmm_report/chapters/lever/moving.py",
           "(motion.angular_velocity(name) / motion.omega) ** 2", "(motion.angular_velocity(name) / motion.omega)",

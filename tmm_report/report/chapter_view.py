@@ -42,9 +42,7 @@ class ChapterView:
 
     def measured(self, key: str, unit: str = "", **form: Any) -> Markup:
         """A single number in running text with its unit."""
-        printed = self.page.unit(unit or self.value(key).quantity.printed)
-        between = "" if printed in ("", "°") else " "
-        return self.page.listed([self.number(key, unit, **form), printed], between)
+        return self.page.measured(self.value(key), unit=unit, **form)
 
     def var(self, key: str, unit: str = "") -> Var:
         """A single number as it is printed."""

@@ -102,7 +102,7 @@ def chart(lines: Iterable[Line], along: Column, of: Sequence[Quantity], tr: Tran
 
 def cycle_chart(table: Table, keys: Sequence[str], tr: Translator) -> Graph:
     """Columns over the angle turned, each in a panel of its own with its letter and unit."""
-    graphs = CycleGraphs(table["phi"].numbers(), 0, tr)
+    graphs = CycleGraphs(table["phi"].numbers("rad"), 0, tr)
     of = [table[key] for key in keys]
     drawn = [Curve(column.numbers(column.quantity.printed), panel=k) for k, column in enumerate(of)]
     return graphs.graph(drawn, [graphs.letter(one.symbol(), one.quantity.printed) for one in of])

@@ -278,6 +278,11 @@ class Page:
         cell = self.cell(of, *args, **form)
         return self.form.marked(cell, cell.ref)
 
+    def measured(self, of: Value, **form: Any) -> Markup:
+        """A single number in running text with its unit."""
+        unit = self.unit(form.get("unit") or of.quantity.printed)
+        return self.listed([self.shown(of, **form), unit], "" if unit in ("", "°") else " ")
+
     def positions(self, table: Table, rows: int | None = None) -> layout.Column:
         """The numbers of the positions, the first column of a table by positions."""
         head = self.t("Position")
