@@ -24,6 +24,7 @@ def test_numbers_are_those_of_the_golden_file(name):
 def test_no_golden_file_without_a_variant():
     """Nor an approved text of another note than those that the tool refreshes."""
     texts = {f"{name}.{language}.txt" for name in NAMES for language in TOOL["languages"](read(name))}
+    texts |= {f"{name}.numbers" for name in TOOL["READ_IN_ALL"]}
     assert {file.name for file in TOOL["GOLDEN"].iterdir()} == {f"{name}.json" for name in NAMES} | texts
 
 

@@ -2,8 +2,8 @@
 
 tests/golden/<variant>.json holds the key numbers of each ready variant, by rows. A file is rewritten only where a
 row differs by more than the tolerance, and every such number is printed; files of variants that are gone are removed.
-tests/golden/<variant>.<language>.txt holds the text of some notes, a line for each paragraph, row and formula; what
-changed in them is printed as a diff.
+tests/golden/<variant>.<language>.txt holds the text of some notes, a line for each paragraph, row and formula, and
+<variant>.numbers what their results.json calls its numbers; what changed in them is printed as a diff.
 """
 
 from __future__ import annotations
@@ -174,11 +174,33 @@ def refresh_text(file: Path) -> list[str]:
     return told
 
 
+def called(document: Mapping[str, Any]) -> list[str]:
+    """What results.json calls its numbers: key, symbol, unit, meaning, each once, and what its tables are."""
+    tables = document["tables"]
+    columns = (one for table in tables.values() for one in table["columns"])
+    numbers = [*document["values"], *columns]
+    said = [
+        " | ".join(str(one.get(part, "")) for part in ("key", "symbol", "unit", "meaning")) for one in numbers
+    ]
+    return list(dict.fromkeys([*said, *(f"{name}: {table['meaning']}" for name, table in tables.items())]))
+
+
+def refresh_called(file: Path) -> list[str]:
+    """Of the variants whose notes are read in all languages: what changed in the words of results.json."""
+    target = GOLDEN / f"{file.stem}.numbers"
+    if file.stem not in READ_IN_ALL:
+        return []
+    lines = called(json.loads(render(solve(load(file)), "json", "en")["results.json"]))
+    old = target.read_text("utf-8").splitlines() if target.is_file() else []
+    target.write_text("\n".join(lines) + "\n", encoding="utf-8", newline="\n")
+    return list(difflib.unified_diff(old, lines, f"{target.name}, approved", "now", lineterm="", n=0))
+
+
 def main(names: list[str]) -> int:
     files = sorted((ROOT / "variants").glob("*.yaml"))
     for file in files:
         if not names or file.stem in names:
-            for line in [*refresh(file), *refresh_text(file)]:
+            for line in [*refresh(file), *refresh_text(file), *refresh_called(file)]:
                 print(f"{file.stem}: {line}")
     for stale in sorted(GOLDEN.glob("*.json")):
         if stale.stem not in {file.stem for file in files}:
