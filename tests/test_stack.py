@@ -11,8 +11,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tmm_report import course, render, stack
-from tmm_report.chapters.lever.kinetostatics.given import ByDisplacement, Force, Loads
+from tmm_report.chapters.lever.kinetostatics.given import Force, Loads
 from tmm_report.i18n import Translator
+from tmm_report.mechanics.calculus.laws import ByDisplacement
 from tmm_report.mechanics.calculus.variants import Each, Unlike, one, together
 from tmm_report.problems import ProblemError
 from tmm_report.results import as_json

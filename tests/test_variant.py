@@ -10,8 +10,8 @@ import jsonschema
 import pytest
 
 from tmm_report import course, variant, yamlread
-from tmm_report.chapters.lever.kinetostatics.given import ByAngle, ByDisplacement, ByPosition, Constant
 from tmm_report.languages import LANGUAGES
+from tmm_report.mechanics.calculus.laws import ByAngle, ByDisplacement, ByPosition, Constant
 from tmm_report.mechanics.lever.mechanism import ZeroAngle, ZeroExtreme
 from tmm_report.problems import ProblemError, mistake
 

@@ -32,16 +32,16 @@ FAULTS = (
     ),
     Fault(
         "pressures by position are taken as forces",
-        STATICS + "block/build.py",
-        "ByPosition(tuple(y * area for y in written.by_position))",
-        "ByPosition(tuple(y for y in written.by_position))",
+        "tmm_report/mechanics/calculus/laws.py",
+        "return tuple(value * factor for value in values)",
+        "return values",
         tests=("tests/chapters/lever/kinetostatics/test_loads_at_the_edge.py",),
     ),
     Fault(
         "a constant pressure is taken as a force",
-        STATICS + "block/build.py",
-        "Constant(written.constant * area)",
-        "Constant(written.constant)",
+        "tmm_report/mechanics/calculus/laws.py",
+        "amount=self.amount * factor",
+        "amount=self.amount",
         tests=("tests/chapters/lever/kinetostatics/test_loads_at_the_edge.py",),
     ),
     Fault(

@@ -64,9 +64,9 @@ FAULTS = (
     ),
     Fault(
         "exact loads on the back stroke read from the forward one",
-        "tmm_report/chapters/lever/kinetostatics/solve/acting_exact.py",
-        "return np.where(np.where(still, x < 0.5, rate <= 0), 0, 1)",
-        "return np.where(np.where(still, x < 0.5, rate <= 0), 0, 0)",
+        "tmm_report/mechanics/rivals/exact/laws.py",
+        "return values[which]",
+        "return values[0]",
         tests=("tests/mechanics/rivals/test_exact.py",),
     ),
     Fault(

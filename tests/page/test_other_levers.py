@@ -12,8 +12,9 @@ from reading import wrong
 from test_against_results import unmarked, wrong_cells, wrong_formulas, wrong_spans
 
 from tmm_report import render
-from tmm_report.chapters.lever.kinetostatics.given import Constant, Moment
+from tmm_report.chapters.lever.kinetostatics.given import Moment
 from tmm_report.course import LeverGiven, solve
+from tmm_report.mechanics.calculus.laws import Constant
 
 NAMES = ["crank_rocker", "quick_return", "tangent"]
 

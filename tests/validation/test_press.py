@@ -15,7 +15,8 @@ from conftest import read, stating
 
 from tmm_report import course
 from tmm_report.chapters.lever.kinematics.given import Positions
-from tmm_report.chapters.lever.kinetostatics.given import ByAngle, Loads
+from tmm_report.chapters.lever.kinetostatics.given import Loads
+from tmm_report.mechanics.calculus.laws import ByAngle
 from tmm_report.mechanics.lever import motion
 from tmm_report.mechanics.lever.assembly.stated import assemble
 

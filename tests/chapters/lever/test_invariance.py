@@ -11,9 +11,10 @@ from hypothesis import strategies as st
 
 from tmm_report import course
 from tmm_report.chapters.lever.friction.given import Friction
-from tmm_report.chapters.lever.kinetostatics.given import ByDisplacement, ByStrokes, Loads
+from tmm_report.chapters.lever.kinetostatics.given import Loads
 from tmm_report.chapters.lever.plans.given import Drawing
 from tmm_report.course import Results, Variant
+from tmm_report.mechanics.calculus.laws import ByDisplacement, ByStrokes
 from tmm_report.mechanics.lever.mechanism import FRAME, Assembly, ZeroAngle
 
 few = settings(

@@ -9,8 +9,9 @@ import pytest
 from conftest import read, solved, stating
 
 from tmm_report import course
-from tmm_report.chapters.lever.kinetostatics.given import ByAngle, ByDisplacement, Constant, Force, Loads
+from tmm_report.chapters.lever.kinetostatics.given import Force, Loads
 from tmm_report.chapters.lever.moving import Moving, machine
+from tmm_report.mechanics.calculus.laws import ByAngle, ByDisplacement, Constant
 from tmm_report.problems import ProblemError
 
 

@@ -5,7 +5,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tmm_report.mechanics.calculus.roots import bisected, bracketed, interpolated
+from tmm_report.mechanics.calculus.roots import (
+    bisected,
+    bracketed,
+    first_root,
+    interpolated,
+    newton,
+    root_between,
+)
 
 FINDERS = pytest.mark.parametrize("finder", [bracketed, interpolated])
 roots = st.lists(st.floats(0.05, 0.95), min_size=1, max_size=5)
@@ -80,3 +87,41 @@ def test_a_pole_comes_to_an_end():
 def test_what_holds_up_to_a_number_ends_between_it_and_the_next(at):
     low, high = bisected(lambda x: x <= at, 0.0, 1.0)
     assert low == at and high == np.nextafter(at, 2.0)
+
+
+@given(at=st.floats(0.05, 0.95))
+def test_one_root_between_two_numbers(at):
+    assert root_between(lambda x: np.expm1(x - at), 0.0, 1.0) == pytest.approx(at, abs=1e-14)
+    assert root_between(lambda x: at**3 - x**3, 0.0, 1.0) == pytest.approx(at, abs=1e-12)
+
+
+def test_the_first_of_several_roots_beyond_what_is_unknown():
+    grid = np.linspace(0.0, 10.0, 101)
+    found = first_root(lambda x: np.where(x > 1, np.sin(x), np.nan), grid)
+    assert found == pytest.approx(np.pi, abs=1e-14)
+    assert first_root(lambda x: 1 + x**2, grid) is None
+    assert first_root(lambda x: x - 0.3, grid[:4]) == pytest.approx(0.3, abs=1e-14)
+
+
+@given(at=st.floats(0.05, 0.95), start=st.floats(0.0, 1.0))
+def test_newtons_steps_stay_between_the_ends(at, start):
+    """Of a function whose slope leads far away, is none, or is of the wrong sign."""
+    places = []
+
+    def of(slope):
+        def f(x):
+            places.append(x)
+            return -np.cbrt(x - at), slope(x)
+
+        return f
+
+    steep = newton(of(lambda x: -1 / (3 * np.cbrt(x - at) ** 2 + 1e-300)), 0.0, 1.0, start)
+    none, wrong = (newton(of(lambda x, k=k: k), 0.0, 1.0, start) for k in (0.0, 1.0))
+    assert [steep, none, wrong] == pytest.approx([at] * 3, abs=1e-8)
+    assert min(places) >= 0 and max(places) <= 1
+
+
+def test_newton_settles_in_few_steps():
+    f, calls = counted(lambda x: (2 - x**2, -2 * x))
+    assert newton(f, 0.0, 2.0, 2.0) == pytest.approx(np.sqrt(2), abs=1e-15)
+    assert len(calls) <= 6

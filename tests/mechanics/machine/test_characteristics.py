@@ -7,6 +7,7 @@ import math
 import numpy as np
 import pytest
 
+from tmm_report.mechanics.calculus import laws
 from tmm_report.mechanics.machine import characteristics as ch
 from tmm_report.mechanics.machine import reduced_train
 
@@ -86,9 +87,9 @@ def test_a_gear_hands_on_the_power_less_its_losses():
 
 
 def test_tables_are_straight_between_their_points_and_repeat_by_angle():
-    assert ch.BySpeed((0.0, 10.0), (5.0, 9.0)).at(2.5) == pytest.approx(6.0)
-    assert ch.ByTime((0.0, 2.0, 4.0), (0.0, 8.0, 0.0)).at(0.0, 0.0, 3.0) == pytest.approx(4.0)
-    by_angle = ch.ByAngle((0.0, 1.0, 2.0), (0.0, 6.0, 0.0), 2.0)
+    assert laws.BySpeed((0.0, 10.0), (5.0, 9.0)).at(2.5) == pytest.approx(6.0)
+    assert laws.ByTime((0.0, 2.0, 4.0), (0.0, 8.0, 0.0)).at(0.0, 0.0, 3.0) == pytest.approx(4.0)
+    by_angle = laws.ByAngle((0.0, 1.0, 2.0), (0.0, 6.0, 0.0), 2.0)
     assert by_angle.at(0.0, np.array([0.5, 2.5, 7.5])) == pytest.approx([3.0, 3.0, 3.0])
 
 
@@ -144,17 +145,17 @@ def test_no_motor_with_much_resistance_of_the_stator_has_a_great_overload_at_a_g
 
 
 def test_a_moment_by_angle_rises_where_it_is_stated_to_rise_and_falls_at_once_at_the_end_of_the_cycle():
-    saw = ch.ByAngle((0.0, 2 * math.pi), (0.0, 100.0))
+    saw = laws.ByAngle((0.0, 2 * math.pi), (0.0, 100.0), 2 * math.pi)
     assert saw.at(0.0, np.array([0.5, 3.0, 6.0, 2 * math.pi + 0.5])) == pytest.approx(
         100 * np.array([0.5, 3.0, 6.0, 0.5]) / (2 * math.pi)
     )
 
 
 def test_a_moment_by_angle_that_does_not_begin_at_zero_is_joined_through_it():
-    law = ch.ByAngle((math.pi / 2, 3 * math.pi / 2), (10.0, 30.0))
+    law = laws.ByAngle((math.pi / 2, 3 * math.pi / 2), (10.0, 30.0), 2 * math.pi)
     assert law.at(0.0, np.array([0.0, math.pi, math.pi / 4])) == pytest.approx([20.0, 20.0, 15.0])
 
 
 def test_a_moment_by_angle_jumps_where_two_points_have_one_angle():
-    law = ch.ByAngle((0.0, 1.0, 1.0, 2.0, 2.0), (0.0, 0.0, 40.0, 40.0, 0.0))
+    law = laws.ByAngle((0.0, 1.0, 1.0, 2.0, 2.0), (0.0, 0.0, 40.0, 40.0, 0.0), 2 * math.pi)
     assert law.at(0.0, np.array([0.99, 1.01, 1.99, 2.01, 6.0])) == pytest.approx([0.0, 40.0, 40.0, 0.0, 0.0])

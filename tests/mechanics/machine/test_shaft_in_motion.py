@@ -8,6 +8,7 @@ from conftest import examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tmm_report.mechanics.calculus import laws
 from tmm_report.mechanics.calculus.panels import panels
 from tmm_report.mechanics.machine import characteristics as ch
 from tmm_report.mechanics.machine.reduced import Acting, Plant, between, level, pointwise
@@ -130,7 +131,7 @@ def test_whole_cycles_by_collocation_are_those_by_small_steps():
     machine = plant(MOTOR, WAVY, **UNEVEN)
     goal = Goal(angle=9 * 2 * np.pi + 1.0)
     one = by_time(machine, 20.0, goal)
-    never = Acting("never", law=ch.ByTime((0.0, 1.0), (0.0, 0.0)))
+    never = Acting("never", law=laws.ByTime((0.0, 1.0), (0.0, 0.0)))
     other = by_time(plant(MOTOR, WAVY, never, **UNEVEN), 20.0, goal)
     assert one.steps < other.steps / 3
     assert (one.t[-1], one.omega[-1]) == pytest.approx((other.t[-1], other.omega[-1]), rel=1e-7)
@@ -151,7 +152,7 @@ def test_a_start_from_rest_keeps_its_energy_and_meets_the_equation():
 def test_no_step_leaps_over_a_load():
     """Neither one that acts over a part of the turn nor one that acts for a short time."""
     bump = moment(lambda x: np.where(x < 4, -12.0, 0.0))
-    short = Acting("short", law=ch.ByTime((9.0, 9.01, 9.02, 9.03), (0.0, 400.0, 400.0, 0.0)), sign=-1.0)
+    short = Acting("short", law=laws.ByTime((9.0, 9.01, 9.02, 9.03), (0.0, 400.0, 400.0, 0.0)), sign=-1.0)
     found = by_time(plant(moment(12.5, "motor"), bump, short), 1.0, Goal(time=12.0))
     assert found.error < 1e-5 and found.works["short"] < -50
 

@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 from conftest import solved
 
+from tmm_report.mechanics.calculus.laws import ByTime
 from tmm_report.mechanics.calculus.panels import panels
-from tmm_report.mechanics.machine.characteristics import ByTime, Linear
+from tmm_report.mechanics.machine.characteristics import Linear
 from tmm_report.mechanics.machine.reduced import Acting, Plant
 from tmm_report.mechanics.rivals.run_up import (
     RUN_UPS,

@@ -1,4 +1,9 @@
-"""Roots in brackets, and differences of high order: what search over a cycle is made of. All brackets at once."""
+"""Roots in brackets, and differences of high order. The only finders of roots in one unknown:
+
+- of one function `bisected` (of it is known whether it holds), `root_between` and `first_root` (its values), `newton`
+  (its values and slopes);
+- of many brackets at once `bracketed` and `interpolated`, of which search over a cycle is made.
+"""
 
 from __future__ import annotations
 
@@ -15,6 +20,7 @@ TRIES = (
     60  # evaluations after which a bracket is left as it is: bisection alone would have come to a few bits
 )
 FEW_BITS = 1e-15  # width of a bracket of angles, rad
+CLOSE = 1e-13  # relative, of two steps of Newton's method: the next would be the square of it
 
 # central difference of eighth order: f' ≈ Σ c_k (f(x + kh) − f(x − kh)) / h
 DIFFERENCE = (4 / 5, -1 / 5, 4 / 105, -1 / 280)
@@ -32,6 +38,35 @@ def bisected(holds: Callable[[float], bool], low: float, high: float) -> tuple[f
     while low < (middle := low + (high - low) / 2) < high:
         low, high = (middle, high) if holds(middle) else (low, middle)
     return low, high
+
+
+def root_between(f: Callable[[Array], Array], low: float, high: float) -> float:
+    """The root of one function of arrays, (N,) -> (N,), between two numbers at which it has unlike signs."""
+    ends = np.array([low]), np.array([high])
+    return float(interpolated(f, *ends, f(ends[0]), np.zeros(1))[0][0])
+
+
+def first_root(f: Callable[[Array], Array], grid: Array) -> float | None:
+    """The root in the first interval of an ascending grid at whose ends the function has unlike signs; what is nan has
+    none. None where there is no such interval."""
+    values = f(grid)
+    turns = np.flatnonzero(values[:-1] * values[1:] <= 0)
+    return root_between(f, grid[turns[0]], grid[turns[0] + 1]) if turns.size else None
+
+
+def newton(f: Callable[[float], tuple[float, float]], low: float, high: float, start: float) -> float:
+    """The root of one function, of which `f` tells the value and the slope: above zero at `low`, not at `high`, and
+    looked for from `start` on. Newton's method, kept between the ends by halving."""
+    x = start
+    for _ in range(TRIES):
+        value, slope = f(x)
+        low, high = (x, high) if value > 0 else (low, x)
+        step = x - value / slope if slope < 0 else (low + high) / 2
+        step = step if low <= step <= high else (low + high) / 2
+        if abs(step - x) <= FEW_BITS + CLOSE * abs(step):
+            return step
+        x = step
+    return x
 
 
 def bracketed(

@@ -18,6 +18,7 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.mechanics.calculus.roots import interpolated
 from tmm_report.mechanics.calculus.vectors import cross, dot, resolve
 from tmm_report.mechanics.cams.cam import Moved, Sliding, Swinging, bounded
 from tmm_report.mechanics.cams.follower_laws import FULL_TURN, Spline
@@ -25,7 +26,6 @@ from tmm_report.records import dataclass
 
 Array = Any
 LAID = 720  # points by which the contact is first found
-STEPS = 12  # of Newton's method, which settles in four or five
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,23 +126,13 @@ class ByProfile:
         lifted = self._coordinate(b[..., :-1]) * (1 if isinstance(self.motion, Sliding) else self.motion.side)
         found = np.where(crossed, lifted, -np.inf)
         at = np.argmax(found, axis=-1)
-        low, high = (np.take_along_axis(gap, at[..., None] + k, axis=-1)[..., 0] for k in (0, 1))
-        with np.errstate(invalid="ignore", divide="ignore"):
-            u = laid[at] + FULL_TURN / LAID * np.clip(low / (low - high), 0.0, 1.0)
-        u = np.where(np.isfinite(np.max(found, axis=-1)), u, np.nan)
-        for _ in range(STEPS):
-            u = u - self._step(u, np.exp(1j * phi))
-        return u
+        first = np.take_along_axis(gap, at[..., None], axis=-1)[..., 0]
+        begin = np.where(np.isfinite(np.max(found, axis=-1)), laid[at], np.nan)
 
-    def _step(self, u: Array, turned: Array) -> Array:
-        b, rate = self._pitch(u)
-        b, rate = b * turned, rate * turned
-        if isinstance(self.motion, Sliding):
-            slope = cross(self.motion.along, rate)
-        else:
-            arm = b - self.motion.pivot
-            slope = dot(arm, rate) / np.abs(arm)
-        return self._gap(b) / slope
+        def gap_at(u: Array) -> Array:
+            return self._gap(self._pitch(u)[0] * turned[..., 0])
+
+        return interpolated(gap_at, begin, begin + FULL_TURN / LAID, first, np.zeros(np.shape(begin)))[0]
 
     # ------------------------------------------------------------ a flat face that slides
 
@@ -154,9 +144,12 @@ class ByProfile:
         laid = np.arange(LAID) * FULL_TURN / LAID
         p = self.curve.of(laid).z
         u = laid[np.argmax(dot(back[..., None], p), axis=-1)]
-        for _ in range(STEPS):
-            _, d, dd = self.curve.of(u)
-            u = u - np.clip(dot(back, d) / dot(back, dd), -0.05, 0.05)
+        ends = u - FULL_TURN / LAID, u + FULL_TURN / LAID
+
+        def falls(u: Array) -> Array:  # past the point that lies farthest along the normal
+            return dot(back, self.curve.of(u)[1])
+
+        u = interpolated(falls, *ends, falls(ends[0]), np.zeros(np.shape(u)))[0]
         K, radius = self.curvature(u)
         h = dot(back, K) + radius
         slant = dot(n, self.motion.along)

@@ -7,9 +7,11 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.mechanics.calculus.roots import first_root
 from tmm_report.mechanics.gears.meshing import Pair, Rack
 
 Array = Any
+SHIFTS = np.linspace(-5.0, 5.0, 129)  # among which that of equal sliding is looked for
 
 
 def rule_teeth(rack: Rack) -> float:
@@ -31,17 +33,14 @@ def equal_sliding(pair: Pair) -> float:
 
     `Pair.sliding_difference` falls steadily between the shifts at which either tip reaches the other's base circle.
     """
-    low, high = -5.0, 5.0
-    for _ in range(8):  # each round narrows the bracket 128 times
-        x1 = np.linspace(low, high, 129)
+
+    def difference(x1: Array) -> Array:
         trial = with_first_shift(pair, x1)
         sound = (trial.rho_p[0] > 0) & (trial.rho_p[1] > 0) & (trial.active > 0)
-        value = np.where(sound, trial.sliding_difference, np.nan)
-        turns = np.flatnonzero(value[:-1] * value[1:] <= 0)
-        if not turns.size:
-            return float("nan")
-        low, high = x1[turns[0]], x1[turns[0] + 1]
-    return float((low + high) / 2)
+        return np.where(sound, trial.sliding_difference, np.nan)
+
+    found = first_root(difference, SHIFTS)
+    return float("nan") if found is None else found
 
 
 def with_first_shift(pair: Pair, x1: Array) -> Pair:

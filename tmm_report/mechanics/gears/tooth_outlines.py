@@ -28,7 +28,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from tmm_report.mechanics.calculus.polygons import overlap_and_clearance
-from tmm_report.mechanics.calculus.roots import interpolated
+from tmm_report.mechanics.calculus.roots import root_between
 from tmm_report.mechanics.gears.involute import inv, inverse
 from tmm_report.records import dataclass
 
@@ -191,14 +191,9 @@ def _junction(fillet: Trochoid, base: float, base_angle: float, alpha: float) ->
         rise = np.sqrt(np.maximum(np.abs(point / base) ** 2 - 1, 0.0))
         return np.angle(point) - (base_angle - rise + np.arctan(rise))
 
-    low = _root(lambda theta: np.abs(fillet(theta)) - base, 0.0, last)
-    theta = _root(apart, low, last) if apart(low) < 0 else low
+    low = root_between(lambda theta: np.abs(fillet(theta)) - base, 0.0, last)
+    theta = root_between(apart, low, last) if apart(low) < 0 else low
     return theta, math.sqrt(max(0.0, float(np.abs(fillet(theta)) / base) ** 2 - 1))
-
-
-def _root(f: Curve, low: float, high: float) -> float:
-    ends = np.array([low]), np.array([high])
-    return float(interpolated(f, *ends, f(ends[0]), 0.0)[0][0])
 
 
 # --- a wheel with internal teeth ---
@@ -256,12 +251,12 @@ def _ring_fillet(
     wanted = min(wanted, 0.99 * (root - base))
     least = rho = wanted / 4
     if middle(least, root) < 0:
-        root = _root(lambda r: middle(least, r), base + least, root)
+        root = root_between(lambda r: middle(least, r), base + least, root)
     elif rise(least, root) * base > rack_end:
         rho = wanted
         if rise(rho, root) * base < rack_end:
-            rho = _root(lambda x: rise(x, root) * base - rack_end, least, rho)
-        rho = rho if middle(rho, root) >= 0 else _root(lambda x: middle(x, root), least, rho)
+            rho = root_between(lambda x: rise(x, root) * base - rack_end, least, rho)
+        rho = rho if middle(rho, root) >= 0 else root_between(lambda x: middle(x, root), least, rho)
     return rho, float(rise(rho, root)), root
 
 

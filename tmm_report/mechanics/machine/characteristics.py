@@ -1,23 +1,22 @@
-"""Characteristics: the moment on a shaft as a function of its speed, angle or time, of motors and of working machines.
+"""Characteristics of motors and working machines: the moment on a shaft as a function of its speed, angle or time.
 
 All are moments in the sense of rotation, N m, of ω rad/s, φ rad and t s, numbers or arrays; a resistance is above zero
 where it is against the rotation, and whoever adds it up changes its sign. `of` says what a characteristic depends on.
+What is stated by points, and what is constant, are `calculus.laws`; here are the motors' own, and their gears.
 (Klyuchev, Theory of electric drives, ch. 3–4; Dubey, Fundamentals of electrical drives, ch. 5–6)
 """
 
 from __future__ import annotations
 
 import math
-from functools import cached_property
 from typing import Any, ClassVar, Protocol
 
 import numpy as np
 
-from tmm_report.mechanics.calculus.repeated import repeated
+from tmm_report.mechanics.calculus.laws import DOUBLES, SPEED, Arithmetic, Break, Law
 from tmm_report.records import dataclass
 
 Array = Any
-SPEED, ANGLE, TIME, NOTHING = "speed", "angle", "time", ""
 
 
 class Characteristic(Protocol):
@@ -28,44 +27,36 @@ class Characteristic(Protocol):
     def at(self, omega: Array, phi: Array = 0.0, t: Array = 0.0) -> Array:
         """The moment, N m."""
 
-
-@dataclass(frozen=True)
-class Constant:
-    """A moment that does not change; of a resistance, dry friction."""
-
-    of: ClassVar[str] = NOTHING
-    moment: float
-
-    def at(self, omega: Array, phi: Array = 0.0, t: Array = 0.0) -> Array:
-        return self.moment
+    def breaks(self) -> tuple[Break, ...]:
+        """Places on its axis at which it has a corner or a jump."""
 
 
 @dataclass(frozen=True)
-class Linear:
+class Linear(Law):
     """A shunt or separately excited motor: M = M0 (1 − ω/ω0), `stall`: M0 at rest, `no_load`: ω0 without a load."""
 
     of: ClassVar[str] = SPEED
     stall: float
     no_load: float
 
-    def at(self, omega: Array, phi: Array = 0.0, t: Array = 0.0) -> Array:
-        return self.stall * (1 - omega / self.no_load)
+    def value(self, at: Any, which: Any = 0, numbers: Arithmetic = DOUBLES) -> Any:
+        return self.stall * (1 - at / self.no_load)
 
 
 @dataclass(frozen=True)
-class Series:
+class Series(Law):
     """A series-wound motor without saturation: M = a/(ω + b)², a in N m/s², b in rad/s."""
 
     of: ClassVar[str] = SPEED
     a: float
     b: float
 
-    def at(self, omega: Array, phi: Array = 0.0, t: Array = 0.0) -> Array:
-        return self.a / (omega + self.b) ** 2
+    def value(self, at: Any, which: Any = 0, numbers: Arithmetic = DOUBLES) -> Any:
+        return self.a / (at + self.b) ** 2
 
 
 @dataclass(frozen=True)
-class Kloss:
+class Kloss(Law):
     """An induction motor: M = 2 M_max (1 + a s_m)/(s/s_m + s_m/s + 2 a s_m), s = 1 − ω/ω_s.
 
     `synchronous`: ω_s; `greatest`: M_max; `critical`: s_m; `a`: resistance of the stator to that of the rotor; 0 is
@@ -78,13 +69,13 @@ class Kloss:
     critical: float
     a: float = 0.0
 
-    def at(self, omega: Array, phi: Array = 0.0, t: Array = 0.0) -> Array:
-        s, m = 1 - omega / self.synchronous, self.critical
+    def value(self, at: Any, which: Any = 0, numbers: Arithmetic = DOUBLES) -> Any:
+        s, m = 1 - at / self.synchronous, self.critical
         return 2 * self.greatest * (1 + self.a * m) * s * m / (s * s + m * m + 2 * self.a * m * m * s)
 
 
 @dataclass(frozen=True)
-class Power:
+class Power(Law):
     """A resistance M (ω/ω_n)^k: k = 1 viscous, k = 2 of a fan or a pump; against the motion in either sense."""
 
     of: ClassVar[str] = SPEED
@@ -92,56 +83,9 @@ class Power:
     speed: float
     exponent: int = 1
 
-    def at(self, omega: Array, phi: Array = 0.0, t: Array = 0.0) -> Array:
-        share = omega / self.speed
+    def value(self, at: Any, which: Any = 0, numbers: Arithmetic = DOUBLES) -> Any:
+        share = at / self.speed
         return self.moment * (share if self.exponent == 1 else share * abs(share))
-
-
-@dataclass(frozen=True, eq=False)
-class BySpeed:
-    """Straight lines between points (speed, moment); beyond them the last moment."""
-
-    of: ClassVar[str] = SPEED
-    x: tuple[float, ...]
-    y: tuple[float, ...]
-
-    @cached_property
-    def corners(self) -> tuple[Array, Array]:
-        """Made once: an integrator asks for one value at a time."""
-        return np.array(self.x), np.array(self.y)
-
-    def at(self, omega: Array, phi: Array = 0.0, t: Array = 0.0) -> Array:
-        return np.interp(omega, *self.corners)
-
-
-@dataclass(frozen=True, eq=False)
-class ByAngle:
-    """The same of the angle turned, repeated each `period`, rad; two points of the same angle are a jump."""
-
-    of: ClassVar[str] = ANGLE
-    x: tuple[float, ...]
-    y: tuple[float, ...]
-    period: float = 2 * math.pi
-
-    def at(self, omega: Array, phi: Array = 0.0, t: Array = 0.0) -> Array:
-        return repeated(phi, self.x, self.y, self.period)
-
-
-@dataclass(frozen=True, eq=False)
-class ByTime:
-    """The same of time, s; two points of the same time are a jump, at which the later one holds."""
-
-    of: ClassVar[str] = TIME
-    x: tuple[float, ...]
-    y: tuple[float, ...]
-
-    @cached_property
-    def corners(self) -> tuple[Array, Array]:
-        """Made once: an integrator asks for one value at a time."""
-        return np.array(self.x), np.array(self.y)
-
-    def at(self, omega: Array, phi: Array = 0.0, t: Array = 0.0) -> Array:
-        return np.interp(t, *self.corners)
 
 
 @dataclass(frozen=True, eq=False)
@@ -153,6 +97,9 @@ class Reversed:
 
     def at(self, omega: Array, phi: Array = 0.0, t: Array = 0.0) -> Array:
         return -self.motor.at(-omega, phi, t)
+
+    def breaks(self) -> tuple[Break, ...]:
+        return tuple(Break(-one.at, -one.after, -one.before) for one in self.motor.breaks())
 
 
 def reversed_(law: Characteristic) -> Characteristic:
@@ -187,6 +134,11 @@ class Geared:
         if isinstance(own, float):  # an integrator asks for one value at a time
             return self.ratio * own * (eta if own > 0 else 1 / eta)
         return self.ratio * own * np.where(np.asarray(own) > 0, eta, 1 / eta)
+
+    def breaks(self) -> tuple[Break, ...]:
+        """Of the moment on the motor's own shaft, at the speeds of the main one."""
+        ratio = self.ratio if self.of == SPEED else 1.0
+        return tuple(one._replace(at=one.at / ratio) for one in self.inner.breaks())
 
 
 # ---------------------------------------------------------------- from what a name plate says

@@ -15,9 +15,10 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.mechanics.calculus.laws import SPEED, TIME
 from tmm_report.mechanics.calculus.panels import Panels
 from tmm_report.mechanics.calculus.roots import bisected
-from tmm_report.mechanics.machine.characteristics import SPEED, TIME, Characteristic
+from tmm_report.mechanics.machine.characteristics import Characteristic
 from tmm_report.mechanics.machine.passing import Passing
 from tmm_report.records import dataclass
 
@@ -43,6 +44,10 @@ class Acting:
         """Of a law."""
         assert self.law is not None
         return self.sign * self.law.at(omega, 0.0, t)
+
+    def breaks(self, of: str) -> list[float]:
+        """Speeds, rad/s, or times, s, at which its moment has a corner or a jump."""
+        return [] if self.law is None or self.law.of != of else [one.at for one in self.law.breaks()]
 
 
 @dataclass(frozen=True, eq=False)

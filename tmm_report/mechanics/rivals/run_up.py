@@ -20,10 +20,10 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.mechanics.calculus.laws import TIME
 from tmm_report.mechanics.calculus.ode import integrate
 from tmm_report.mechanics.machine.reduced import Plant
 from tmm_report.mechanics.machine.run.by_angle import by_angle
-from tmm_report.mechanics.machine.run.by_time import kinks
 from tmm_report.mechanics.machine.run.law import run as program
 from tmm_report.mechanics.machine.run.motion_law import Goal, NeverReached, Run
 from tmm_report.mechanics.rivals.model import Method
@@ -197,7 +197,7 @@ def _within(rates: Derivatives, last: float, t: float, y: Array) -> tuple[float,
 
 def reference(scene: StartUp) -> Arrived:
     """What the others are measured by: DOP853 as fine as doubles allow, from kink to kink of the moments by time."""
-    times = {x for one in scene.plant.laws for x in kinks(one) if 0 < x < scene.time}
+    times = {x for one in scene.plant.laws for x in one.breaks(TIME) if 0 < x < scene.time}
     return by_tolerance(scene, 0, "DOP853", FINEST, tuple(sorted(times)))
 
 

@@ -15,12 +15,13 @@ from hypothesis import strategies as st
 
 from tmm_report import course, render, stack
 from tmm_report import results as of_results
-from tmm_report.chapters.lever.kinetostatics.given import ByDisplacement, ByStrokes, Loads
+from tmm_report.chapters.lever.kinetostatics.given import Loads
+from tmm_report.chapters.lever.kinetostatics.solve.law_arguments import reading
 from tmm_report.chapters.lever.kinetostatics.solve.load_breaks import breaks
-from tmm_report.chapters.lever.kinetostatics.solve.positions import magnitude
 from tmm_report.chapters.lever.moving import Moving, machine
 from tmm_report.figures.charts.axes import position_marks
 from tmm_report.figures.charts.graphs import Curve, graph
+from tmm_report.mechanics.calculus.laws import ByDisplacement, ByStrokes
 from tmm_report.mechanics.lever.mechanism import ZeroAngle
 from tmm_report.problems import ProblemError
 
@@ -253,7 +254,7 @@ def test_the_loads_are_smooth_between_their_breaks(at):
     edges = np.append(edges, 2 * TURN)
     inside = edges[:-1, None] + np.diff(edges)[:, None] * np.array([0.2, 0.5, 0.8])
     x = cycle.motion(inside.ravel()).place(at).imag.reshape(inside.shape)
-    force_of = magnitude(force.law, lever.kinematics, cycle.motion(inside.ravel()), inside.ravel(), at)
+    force_of = reading(force.law, lever.kinematics, cycle.motion(inside.ravel()), inside.ravel(), at).value
     y = force_of.reshape(inside.shape)
     middle = y[:, 0] + (y[:, 2] - y[:, 0]) * (x[:, 1] - x[:, 0]) / (x[:, 2] - x[:, 0])
     assert y[:, 1] == pytest.approx(middle, abs=1e-9 * np.abs(y).max())
@@ -294,7 +295,7 @@ def test_ways_that_repeat_are_strokes_that_repeat(forward, back, zero, turns, at
     motion = kinematics.cycle.motion(turned)
     ways = ByDisplacement(1j, forward, back)
     strokes = ByStrokes(1j, ("a", "b") * turns, (forward, back) * turns)
-    expected, got = (magnitude(law, kinematics, motion, turned, "B") for law in (ways, strokes))
+    expected, got = (reading(law, kinematics, motion, turned, "B").value for law in (ways, strokes))
     assert got == pytest.approx(expected, abs=1e-9)
 
 
@@ -329,7 +330,7 @@ def test_the_first_stroke_is_the_one_under_way_at_position_0(zero, at, first, or
     300° up for 150°."""
     kinematics, turned = of_zero(math.radians(zero), 2), np.radians(at)
     law = ByStrokes(1j, FOUR, NUMBERS, FOUR.index(first) if first else None)
-    got = magnitude(law, kinematics, kinematics.cycle.motion(turned), turned, "B")
+    got = reading(law, kinematics, kinematics.cycle.motion(turned), turned, "B").value
     assert [FOUR[int(k)] for k in got] == order.split()
 
 
@@ -339,7 +340,7 @@ def test_the_stroke_that_begins_at_a_dead_centre_holds_there():
     ends = np.arange(4) * math.pi
     for off, expected in ((0.0, [2, 3, 0, 1]), (1e-6, [2, 3, 0, 1]), (-1e-6, [1, 2, 3, 0])):
         turned = np.mod(ends + off, 2 * TURN)
-        got = magnitude(law, kinematics, kinematics.cycle.motion(turned), turned, "B")
+        got = reading(law, kinematics, kinematics.cycle.motion(turned), turned, "B").value
         assert got.tolist() == expected
 
 

@@ -10,11 +10,12 @@ import pytest
 from conftest import read, solved
 
 from tmm_report import course
-from tmm_report.chapters.lever.kinetostatics.given import ByAngle, Constant, Force, Loads, Moment
+from tmm_report.chapters.lever.kinetostatics.given import Force, Loads, Moment
 from tmm_report.chapters.lever.kinetostatics.quantities.cycle import ranges
 from tmm_report.chapters.lever.kinetostatics.solve.drawn_cycle import sampled
 from tmm_report.chapters.lever.kinetostatics.solve.indicator_strokes import reach
 from tmm_report.chapters.lever.kinetostatics.solve.positions import at, stated
+from tmm_report.mechanics.calculus.laws import ByAngle, Constant
 
 NAMES = (
     "compressor",

@@ -7,8 +7,10 @@ import math
 import numpy as np
 
 from tmm_report.chapters.lever.kinetostatics.quantities.equations import worked
+from tmm_report.mechanics.calculus.laws import TRAVEL
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Expr, Var, cos, sin, sqrt
+from tmm_report.quantity.laws import written
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.ways import NAME, STATED, Known, Way
 
@@ -94,6 +96,25 @@ def _power_of(q: Known, load: str) -> Expr:
     )
 
 
+def _by_law(q: Known) -> Expr:
+    """The law of a load at its place, with the sign that the load has there; raises KeyError where the load stands
+    still and is nothing."""
+    from tmm_report.chapters.lever.kinetostatics.quantities.positions import forces, moments
+    from tmm_report.chapters.lever.kinetostatics.solve.law_arguments import reading
+
+    given, solved = q.found.given, q.found.diagram if q.fine else q.found.table
+    loads = {of.key: (one.law, one.at) for of, one in zip(forces(given.forces), given.forces, strict=True)}
+    loads |= {of.key: (one.law, None) for of, one in zip(moments(given.moments), given.moments, strict=True)}
+    law, point = loads[q.own]
+    read = reading(law, q.found.kinematics, solved.motion, solved.turned, point)
+    at, which = (np.broadcast_to(row, solved.turned.shape)[q.row] for row in (read.at, read.which))
+    place = Var(Symbol("x"), float(at)) if law.of == TRAVEL else Var(Symbol("phi"), float(at), "rad")
+    size, own = written(read.law, place, int(which)), float(q(q.own).number)
+    if not math.isclose(abs(float(size.value)), abs(own), rel_tol=1e-9, abs_tol=1e-9):
+        raise KeyError(q.own)
+    return size if own * float(size.value) >= 0 else -size
+
+
 def _summed(q: Known) -> Expr:
     assert q.table is not None
     terms = [
@@ -169,7 +190,7 @@ WAYS = (
         "loads_given.* force_extremes.key force_extremes.unit works.load *.sense strokes.stroke strokes.load",
         NAME,
     ),
-    Way("stated_table.*", LAW, of="phi"),
+    Way("stated_table.*", LAW, of="phi", by=_by_law),
     Way("loads_table.G_*_x", by=_weight_part("x")),
     Way("loads_table.G_*_y", by=_weight_part("y")),
     Way("loads_table.G_*", LOADS, by=_weight),
@@ -179,8 +200,8 @@ WAYS = (
     Way("loads_table.M_I*", LOADS, by=lambda q: -q("masses:{0}.J") * q("rates_table.e_{0}")),
     Way("loads_table.P_*_x", LAW, of="stated_table.P_{0} P_{0}_y"),
     Way("loads_table.P_*_y", LAW, of="stated_table.P_{0} P_{0}_x"),
-    Way("loads_table.P_*", LAW, of="stated_table.P_{0} P_{0}_x P_{0}_y"),
-    Way("loads_table.M_*", LAW, of="stated_table.M_{0} phi"),
+    Way("loads_table.P_*", LAW, of="stated_table.P_{0} P_{0}_x P_{0}_y", by=_by_law),
+    Way("loads_table.M_*", LAW, of="stated_table.M_{0} phi", by=_by_law),
     Way("powers_table.N_sum", by=_summed),
     Way("powers_table.N_*", POWER, of="phi", by=_power),
     Way("reactions_table.R_*_x", GROUPS, worked=worked, by=_part(cos), beside=True),

@@ -9,7 +9,8 @@ import numpy as np
 
 from tmm_report.chapters.machine.dynamics import quantities as q
 from tmm_report.chapters.machine.dynamics.solve import Found
-from tmm_report.mechanics.machine.characteristics import Constant, Kloss, Linear, Series
+from tmm_report.mechanics.calculus.laws import Constant
+from tmm_report.mechanics.machine.characteristics import Kloss, Linear, Series
 from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Expr, Formula, Number, Var, sqrt
 from tmm_report.quantity.model import Book, Table

@@ -6,6 +6,7 @@ import math
 from dataclasses import field
 from typing import Literal
 
+from tmm_report.mechanics.calculus.laws import ByAngle
 from tmm_report.mechanics.machine.characteristics import Characteristic
 from tmm_report.records import dataclass
 
@@ -106,7 +107,7 @@ class Coast:
 @dataclass(frozen=True, eq=False)
 class Given:
     """SI. `speed`: of the main shaft as stated, rad/s; `period`: angle of a cycle without a mechanism, rad; `varying`:
-    points (angle, kg m²) of a moment of inertia that is stated; `passing`: whether what accelerates a part is lost in
+    a moment of inertia that is stated, kg m²; `passing`: whether what accelerates a part is lost in
     its gears too; `friction`: whether that of the mechanism's pairs resists, where it is stated; `steady`: None: where
     it follows from what is stated."""
 
@@ -116,7 +117,7 @@ class Given:
     springs: tuple[Spring, ...] = ()
     speed: float | None = None
     period: float = 2 * math.pi
-    varying: tuple[tuple[float, float], ...] = ()
+    varying: ByAngle | None = None
     passing: bool = False
     gravity: float = G
     friction: bool = True

@@ -12,12 +12,12 @@ import numpy as np
 from tmm_report.chapters.lever.moving import Machine, Moving, machine
 from tmm_report.chapters.machine.dynamics import refusals
 from tmm_report.chapters.machine.dynamics.given import Given, Part, Spring, Supply
+from tmm_report.mechanics.calculus.laws import ANGLE, NOTHING
 from tmm_report.mechanics.calculus.panels import Panels, panels
-from tmm_report.mechanics.calculus.repeated import repeated
 from tmm_report.mechanics.calculus.vectors import dot
 from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.mechanics.machine import reduced_train
-from tmm_report.mechanics.machine.characteristics import ANGLE, NOTHING, ByAngle, Characteristic, reversed_
+from tmm_report.mechanics.machine.characteristics import Characteristic, reversed_
 from tmm_report.mechanics.machine.passing import Passing
 from tmm_report.mechanics.machine.reduced import Acting, Plant
 from tmm_report.mechanics.machine.run.steady import NotSteady, closing
@@ -157,7 +157,8 @@ def _closing(free: Plant, mean: float) -> float:
 def _panels(given: Given, of: Machine | None, idle: Reduced | None, bends: Sequence[float]) -> Panels:
     """Those of the mechanism, or of the period, cut at the points of what is stated by angle too."""
     laws = [one.law for one in given.resistances] + ([given.motor.own] if given.motor else [])
-    breaks = [x for law in laws if isinstance(law, ByAngle) for x in law.x] + [x for x, _ in given.varying]
+    laws += [given.varying] if given.varying else []
+    breaks = [one.at for law in laws if law.of == ANGLE for one in law.breaks()]
     if of is None:
         found = panels(given.period, breaks)
     else:
@@ -178,12 +179,7 @@ def _varying(given: Given, of: Machine | None, over: Panels) -> tuple[Array, Arr
         return _moved(of, over, of.whole_inertia), _moved(of, over, of.slope)
     if not given.varying:
         return np.zeros(over.shape), np.zeros(over.shape)
-    x, y = np.array(given.varying).T
-    ends, heights = np.append(x, x[0] + given.period), np.append(y, y[0])
-    piece = np.searchsorted(ends, x[0] + np.mod(over.x - x[0], given.period), side="right") - 1
-    piece = np.clip(piece, 0, len(x) - 1)
-    slope = (heights[piece + 1] - heights[piece]) / (ends[piece + 1] - ends[piece])
-    return repeated(over.x, x, y, given.period), slope
+    return given.varying.value(over.x), given.varying.slope(over.x)
 
 
 # ---------------------------------------------------------------- what acts

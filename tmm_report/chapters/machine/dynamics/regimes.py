@@ -9,9 +9,9 @@ import numpy as np
 from tmm_report.chapters.machine.dynamics import refusals
 from tmm_report.chapters.machine.dynamics.given import Coast, Given, Start
 from tmm_report.chapters.machine.dynamics.plant import MOTOR, Whole
-from tmm_report.mechanics.machine.characteristics import BySpeed, Kloss, Linear, Power
+from tmm_report.mechanics.calculus.laws import TIME, BySpeed
+from tmm_report.mechanics.machine.characteristics import Kloss, Linear, Power
 from tmm_report.mechanics.machine.reduced import LOST, Plant, level
-from tmm_report.mechanics.machine.run.by_time import kinks
 from tmm_report.mechanics.machine.run.law import run
 from tmm_report.mechanics.machine.run.motion_law import Goal, NeverReached, Run
 from tmm_report.mechanics.machine.run.steady import NotSteady, Steady, at_mean_speed, periodic
@@ -35,7 +35,7 @@ def starts(plant: Plant, start: Start) -> None:
 
 def _strongest(plant: Plant) -> float:
     """The time at which most is left to drive a machine at rest, s."""
-    kinked = [x for one in plant.laws for x in kinks(one)]
+    kinked = [x for one in plant.laws for x in one.breaks(TIME)]
     times = [0.0, *kinked, *(math.nextafter(x, 0.0) for x in kinked)]  # both sides of a jump
     return max(times, key=lambda t: float(plant.net(0.0, t)))
 
@@ -127,15 +127,15 @@ def _fastest(given: Given) -> float:
     match motor.own if motor else None:
         case Kloss(synchronous=top) | Linear(no_load=top):
             return top / (motor.ratio if motor else 1.0)
-        case BySpeed(x=x):
-            return x[-1] / (motor.ratio if motor else 1.0)
+        case BySpeed(speeds=speeds):
+            return speeds[-1] / (motor.ratio if motor else 1.0)
     return 2 * given.speed if given.speed else 0.0
 
 
 def stated_top(given: Given) -> float:
     """Speed of the main shaft up to which characteristics say something where no regime does, rad/s."""
     fans = [one.law.speed for one in given.resistances if isinstance(one.law, Power)]
-    curves = [one.law.x[-1] for one in given.resistances if isinstance(one.law, BySpeed)]
+    curves = [one.law.speeds[-1] for one in given.resistances if isinstance(one.law, BySpeed)]
     return _fastest(given) or max([*fans, *curves], default=0.0) or 1.0
 
 

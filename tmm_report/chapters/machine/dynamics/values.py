@@ -23,7 +23,8 @@ from tmm_report.chapters.machine.dynamics.terms import (
     RUN_DOWN,
     RUN_UP,
 )
-from tmm_report.mechanics.machine.characteristics import Constant, Kloss, Linear, Power, Series
+from tmm_report.mechanics.calculus.laws import Constant
+from tmm_report.mechanics.machine.characteristics import Kloss, Linear, Power, Series
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Quantity, Value
 from tmm_report.quantity.symbols import Symbol
@@ -91,7 +92,7 @@ def _resistances(found: Found) -> Iterator[Row]:
     for k, one in enumerate(found.given.resistances, 1):
         if isinstance(one.law, Constant):
             text = N_("constant moment of a resistance")
-            yield f"M_res{k}", Symbol("M", f"{RES},{k}"), "N·m", text, one.law.moment
+            yield f"M_res{k}", Symbol("M", f"{RES},{k}"), "N·m", text, one.law.amount
         elif isinstance(one.law, Power) and one.law.exponent == 1:
             text = N_("coefficient of a viscous resistance")
             yield f"c_res{k}", Symbol("c", str(k)), "N·m·s/rad", text, one.law.moment / one.law.speed

@@ -5,46 +5,11 @@ from __future__ import annotations
 from dataclasses import field
 from typing import Literal
 
+from tmm_report.mechanics.calculus.laws import Constant, Law
 from tmm_report.problems import N_
 from tmm_report.records import dataclass
 
 Shaft = Literal["main", "motor"]
-
-
-@dataclass(frozen=True)
-class Constant:
-    """A moment that does not change, N m."""
-
-    value: float
-
-
-@dataclass(frozen=True)
-class Table:
-    """Moments, N m, or moments of inertia, kg m², at angles turned, rad, ascending: linear between them, periodic; two
-    at the same angle are a jump."""
-
-    angles: tuple[float, ...]
-    values: tuple[float, ...]
-
-
-@dataclass(frozen=True)
-class Harmonic:
-    """cos·cos(order φ) + sin·sin(order φ), N m."""
-
-    order: float
-    cos: float
-    sin: float
-
-
-@dataclass(frozen=True)
-class Series:
-    """A mean moment and harmonics of the angle turned, N m."""
-
-    mean: float
-    harmonics: tuple[Harmonic, ...]
-
-
-Law = Constant | Table | Series
 
 
 @dataclass(frozen=True)

@@ -4,12 +4,14 @@ as they are stated."""
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
 from tmm_report.chapters.lever.moving import Machine, Moving, machine
-from tmm_report.chapters.machine.flywheel.given import Areas, Constant, Given, Law, Punch, Series, Table
+from tmm_report.chapters.machine.flywheel.given import Areas, Given, Punch
+from tmm_report.mechanics.calculus.laws import ByAngle, Constant, Law
 from tmm_report.mechanics.calculus.panels import NARROWEST, WIDEST, Panels, panels
 from tmm_report.mechanics.machine.flywheel.inertia import Cycle
 from tmm_report.problems import N_, Message, ProblemError, mistake
@@ -98,17 +100,19 @@ def period(given: Given, omega: float) -> float:
 
 def _stated(given: Given, omega: float) -> Sides:
     whole = period(given, omega)
-    laws = _laws(given, omega)
-    over = _panels(whole, [*laws, each_turn(given)], given.areas)
-    driving, resisting = (None if law is None else evaluated(law, over.x, whole) for law in laws)
-    resisting = None if resisting is None else -resisting
+    driven, resisted = _laws(given, omega)
+    between = _of_areas(given.areas, whole) if given.areas else None
+    of_inertia = _repeated_inertia(given, whole)
+    over = _panels(whole, [law for law in (driven, resisted, between, of_inertia) if law])
+    driving = driven.value(over.x) if driven else None
+    resisting = -resisted.value(over.x) if resisted else None
     balancing, spread = "", 0.0
-    if given.areas:
-        excess = _excess(given.areas, over)
+    if between:
+        excess = between.value(over.x)
     else:
         driving, resisting, balancing, spread = _both(over, driving, resisting)
         excess = driving + resisting - spread
-    cycle = Cycle(over, excess, _inertia(given, over), _constant(given, omega))
+    cycle = Cycle(over, excess, _inertia(of_inertia, over), _constant(given, omega))
     count = given.positions
     turned, drawn = (_on_edges(over, n) for n in (count, count * max(1, DRAWN // count)))
     return Sides(cycle, driving, resisting, balancing, spread, turned, drawn)
@@ -122,48 +126,37 @@ def _on_edges(over: Panels, count: int) -> Array:
 
 
 def _laws(given: Given, omega: float) -> tuple[Law | None, Law | None]:
-    """Of the driving and of the resisting side, each as it is stated."""
-    return (given.driving, _stroke(given.punch, omega) if given.punch else given.resisting)
+    """Of the driving and of the resisting side, each as it is stated, over the whole cycle."""
+    whole = period(given, omega)
+    resisting = _stroke(given.punch, omega) if given.punch else given.resisting
+    return given.driving and given.driving.repeating(whole), resisting and resisting.repeating(whole)
 
 
-def _stroke(punch: Punch, omega: float) -> Table:
+def _stroke(punch: Punch, omega: float) -> ByAngle:
     """The resistance of a punch: its work spread evenly over the stroke, at the beginning of the cycle."""
     end, moment = omega * punch.time, punch.work / (omega * punch.time)
-    return Table((0.0, end, end, omega * punch.period), (moment, moment, 0.0, 0.0))
+    return ByAngle((0.0, end, end, omega * punch.period), (moment, moment, 0.0, 0.0))
 
 
-def _panels(whole: float, laws: list[Law | None], areas: Areas | None) -> Panels:
-    """Edges at the points of all the tables, and narrow enough for the highest harmonic."""
-    marks = [x for law in laws if isinstance(law, Table) for x in law.angles]
-    marks += [whole * k / len(areas.works) for k in range(len(areas.works))] if areas else []
-    orders = [one.order for law in laws if isinstance(law, Series) for one in law.harmonics]
-    widest = min(WIDEST * max(1.0, whole / FULL_TURN), math.pi / (2 * max(orders, default=1.0)))
+def _panels(whole: float, laws: list[Law]) -> Panels:
+    """Edges at the breaks of all the laws, and narrow enough for the highest harmonic."""
+    marks = [one.at for law in laws for one in law.breaks(whole)]
+    widest = min(WIDEST * max(1.0, whole / FULL_TURN), math.pi / 2, *(law.widest for law in laws))
     return panels(whole, marks, widest)
 
 
-def evaluated(law: Law, x: Array, whole: float) -> Array:
-    """A law at angles turned, rad."""
-    match law:
-        case Constant(value):
-            return np.full(np.shape(x), value)
-        case Table(angles, values):
-            return _between(np.array(angles), np.array(values), np.mod(x, whole), whole)
-        case Series(mean, harmonics):
-            terms = (one.cos * np.cos(one.order * x) + one.sin * np.sin(one.order * x) for one in harmonics)
-            return sum(terms, np.full(np.shape(x), mean))
+def _repeated_inertia(given: Given, whole: float) -> Law:
+    """The moment of inertia over the whole cycle: what is stated of one turn repeats in every turn."""
+    of = given.inertia
+    one_turn = given.turns != 1 and all(one.at <= FULL_TURN * (1 + 1e-12) for one in of.breaks())
+    return of.repeating(FULL_TURN if one_turn else whole)
 
 
-def _between(angles: Array, values: Array, x: Array, whole: float) -> Array:
-    """Linear between the points of a table, and from its last to its first of the next cycle."""
-    ends = np.concatenate([[angles[-1] - whole], angles, [angles[0] + whole]])
-    return np.interp(x, ends, np.concatenate([values[-1:], values, values[:1]]))
-
-
-def _inertia(given: Given, over: Panels) -> Array:
+def _inertia(law: Law, over: Panels) -> Array:
     """J_II at the points: of a table all that it states. Raises ProblemError where no masses have such inertia."""
-    if isinstance(given.inertia, Constant):
+    if isinstance(law, Constant):
         return np.zeros(over.shape)
-    found = evaluated(each_turn(given), over.x, over.period)
+    found = law.value(over.x)
     (least, at), _ = over.extremes(found)
     if least < -EVEN * np.max(np.abs(found)):
         text = N_(
@@ -193,22 +186,10 @@ def _without_jumps(over: Panels, inertia: Array) -> None:
         raise ProblemError([mistake(text, ("flywheel", "inertia"), right, **values)])
 
 
-def each_turn(given: Given) -> Law:
-    """The moment of inertia over the whole cycle: what is stated of one turn repeats in every turn."""
-    of = given.inertia
-    if not isinstance(of, Table) or of.angles[-1] > FULL_TURN * (1 + 1e-12) or given.turns == 1:
-        return of
-    # a last point at the end of the turn is the first of the next
-    keep = len(of.angles) - (of.angles[0] == 0 and of.angles[-1] >= FULL_TURN * (1 - 1e-12))
-    turns = range(round(given.turns))
-    angles = tuple(x + FULL_TURN * turn for turn in turns for x in of.angles[:keep])
-    return Table(angles, of.values[:keep] * len(turns))
-
-
 def _constant(given: Given, omega: float) -> float:
     """What turns with the main link besides the flywheel, the motor's rotor reduced to it, kg m²."""
     rotor = given.motor.inertia * (given.motor.speed / omega) ** 2 if given.motor else 0.0
-    fixed = given.inertia.value if isinstance(given.inertia, Constant) else 0.0
+    fixed = given.inertia.amount if isinstance(given.inertia, Constant) else 0.0
     return given.own + fixed + rotor
 
 
@@ -222,7 +203,7 @@ def mean_speed(given: Given) -> float:
     return given.motor.speed
 
 
-def _excess(areas: Areas, over: Panels) -> Array:
+def _of_areas(areas: Areas, whole: float) -> ByAngle:
     """A moment that gives the stated works one after another, each over its equal part of the cycle. Raises
     ProblemError where they do not close."""
     works = np.array(areas.works)
@@ -231,8 +212,11 @@ def _excess(areas: Areas, over: Panels) -> Array:
         right = Message(N_("what is above the line of the mean moment is as much as what is below it"))
         raise ProblemError([mistake(text, ("flywheel", "areas"), right, left=f"{works.sum():.6g}")])
     count = len(works)
-    part = np.minimum((over.x / over.period * count).astype(int), count - 1)
-    return (works - works.mean())[part] * (count / over.period)
+    moments = (works - works.mean()) * (count / whole)
+    ends = [whole * k / count for k in range(count + 1)]
+    return ByAngle(
+        tuple(x for pair in pairwise(ends) for x in pair), tuple(np.repeat(moments, 2).tolist()), whole
+    )
 
 
 def _both(over: Panels, driving: Array | None, resisting: Array | None) -> tuple[Array, Array, str, float]:

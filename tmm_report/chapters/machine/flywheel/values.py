@@ -6,9 +6,10 @@ import math
 from collections.abc import Iterator
 
 from tmm_report.chapters.lever.moving import friction_rows
-from tmm_report.chapters.machine.flywheel.given import Constant, Disc, Rim
+from tmm_report.chapters.machine.flywheel.given import Disc, Rim
 from tmm_report.chapters.machine.flywheel.solve import Found
 from tmm_report.i18n import NP_
+from tmm_report.mechanics.calculus.laws import Constant
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Quantity, Value
 from tmm_report.quantity.symbols import Symbol
@@ -56,7 +57,7 @@ def _given(found: Found) -> Iterator[Row]:
 def _own(found: Found) -> Iterator[Row]:
     """What the machine's own constant part is made of."""
     given = found.given
-    fixed = given.inertia.value if isinstance(given.inertia, Constant) else 0.0
+    fixed = given.inertia.amount if isinstance(given.inertia, Constant) else 0.0
     stated = N_("constant moment of inertia that is stated, of what turns with the main link")
     yield "J_0", Symbol("J", "0"), "kg·m²", stated, given.own + fixed
     links = N_("constant parts of the reduced moments of inertia of the links")

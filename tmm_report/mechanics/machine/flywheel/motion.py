@@ -13,12 +13,12 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.mechanics.calculus.roots import newton
 from tmm_report.mechanics.machine.flywheel.inertia import Cycle, Tangents, Touch, tangents
 from tmm_report.records import dataclass
 
 Array = Any
 STEPS = 8  # steps of the integration in a panel
-TURNS = 60  # of Newton's method at most
 STILL = 2.0  # unevenness of a machine that just comes to a stand once a cycle
 
 
@@ -62,8 +62,8 @@ def turning(cycle: Cycle, fixed: float, mean: float) -> Turning | None:
     to turn faster than twice the mean to pass. By Newton's method on (P − Q) − fixed·δω_m², which falls with δ."""
     if fixed + np.min(cycle.varying) <= 0 or _left(cycle, fixed, mean, STILL, _nearly)[0] >= 0:
         return None
-    delta = _root(lambda x: _left(cycle, fixed, mean, x, _nearly), 0.0)
-    delta = _root(lambda x: _left(cycle, fixed, mean, x, tangents), delta)
+    delta = newton(lambda x: _left(cycle, fixed, mean, x, _nearly)[:2], 0.0, STILL, 0.0)
+    delta = newton(lambda x: _left(cycle, fixed, mean, x, tangents)[:2], 0.0, STILL, delta)
     upper, lower = _left(cycle, fixed, mean, delta, tangents)[2]
     # of the same line the energy at the beginning: at the least speed little of it is left to round
     start = fixed * lower.slope - lower.cut
@@ -72,20 +72,6 @@ def turning(cycle: Cycle, fixed: float, mean: float) -> Turning | None:
 
 Left = tuple[float, float, Tangents]
 Touching = Callable[[Cycle, float, float], Tangents]
-
-
-def _root(left: Callable[[float], Left], delta: float) -> float:
-    """By Newton's method, kept between the ends by halving."""
-    low, high = 0.0, STILL
-    for _ in range(TURNS):
-        value, slope, _ = left(delta)
-        low, high = (delta, high) if value > 0 else (low, delta)
-        step = delta - value / slope if slope < 0 else (low + high) / 2
-        step = step if low <= step <= high else (low + high) / 2
-        if abs(step - delta) <= 1e-15 + 1e-13 * step:
-            return step
-        delta = step
-    return delta
 
 
 def _left(cycle: Cycle, fixed: float, mean: float, delta: float, touching: Touching) -> Left:

@@ -9,6 +9,7 @@ import numpy as np
 
 from tmm_report.mechanics.calculus.distinct import distinct
 from tmm_report.mechanics.calculus.panels import Panels
+from tmm_report.mechanics.calculus.roots import newton
 from tmm_report.mechanics.machine.reduced import Plant
 from tmm_report.mechanics.machine.run.motion_law import SAMPLES, TURNS, Goal, NeverReached, Run
 
@@ -180,10 +181,10 @@ def _timed(plant: Plant, start: float, time: float, phi: float, energy: Callable
         if _sampled(plant, phi, phi + high, energy).t[-1] >= time:
             break
         high = 2 * high
-    for _ in range(60):
-        found = _sampled(plant, phi, phi + high, energy)
-        step = (time - float(found.t[-1])) * float(found.omega[-1])
-        if abs(step) < 1e-14 * high:
-            break
-        high = max(high + step, high / 2)
-    return found
+
+    def left(turned: float) -> tuple[float, float]:
+        found = _sampled(plant, phi, phi + turned, energy)
+        omega = float(found.omega[-1])
+        return time - float(found.t[-1]), -1 / omega if omega else 0.0
+
+    return _sampled(plant, phi, phi + newton(left, 0.0, high, high), energy)

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 
 from tmm_report.mechanics.calculus.distinct import distinct
+from tmm_report.mechanics.calculus.laws import SPEED
 from tmm_report.mechanics.calculus.panels import Panels
 from tmm_report.mechanics.calculus.roots import bisected
-from tmm_report.mechanics.machine.characteristics import BySpeed, Geared
-from tmm_report.mechanics.machine.reduced import LOST, Acting, Plant
+from tmm_report.mechanics.machine.reduced import LOST, Plant
 from tmm_report.mechanics.machine.run.motion_law import SAMPLES, NeverReached, Run
 
 Array = Any
@@ -45,7 +45,7 @@ def by_speed(plant: Plant, start: float, end: float, phi: float = 0.0) -> Run:
 def _edges(plant: Plant, start: float, end: float) -> tuple[Array, Array]:
     """Edges of the pieces, as distances from `start`, and the speeds that are listed, which are among them."""
     grid = np.linspace(start, end, SAMPLES + 1)
-    breaks = np.array([*(x for one in plant.laws for x in _kinks(one)), *_turns(plant, grid)])
+    breaks = np.array([*(x for one in plant.laws for x in one.breaks(SPEED)), *_turns(plant, grid)])
     low, high = min(start, end), max(start, end)
     inner = breaks[(breaks > low) & (breaks < high)] if breaks.size else breaks
     distances = distinct(np.abs(np.concatenate([grid, inner]) - start))
@@ -71,12 +71,6 @@ def _meets(plant: Plant, wanted: float, low: float, high: float, sign: float) ->
         lambda omega: (sign * (float(plant.net(omega)) - wanted) > 0) != falls, *sorted((low, high))
     )
     return float((one + other) / 2)
-
-
-def _kinks(one: Acting) -> list[float]:
-    gear = one.law if isinstance(one.law, Geared) else None
-    law = gear.inner if gear else one.law
-    return [x / (gear.ratio if gear else 1.0) for x in law.x] if isinstance(law, BySpeed) else []
 
 
 def _drives(plant: Plant, start: float, end: float, omega: Array, way: float) -> None:

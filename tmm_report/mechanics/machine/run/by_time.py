@@ -13,8 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.mechanics.machine.characteristics import TIME, ByTime, Geared
-from tmm_report.mechanics.machine.reduced import LOST, Acting, Plant, level, pointwise
+from tmm_report.mechanics.calculus.laws import TIME
+from tmm_report.mechanics.machine.reduced import LOST, Plant, level, pointwise
 from tmm_report.mechanics.machine.run.by_angle import running_at
 from tmm_report.mechanics.machine.run.motion_law import MOST, SAMPLES, STEPPED, TURNS, Goal, NeverReached, Run
 from tmm_report.mechanics.machine.run.steady import advanced, moment_at
@@ -82,10 +82,10 @@ def _between_kinks(plant: Plant, start: float, goal: Goal, phi: float, longest: 
     """A step must not leap over a load that acts for a short time: none leads from one side of a kink to the other."""
     first = waits(plant, phi) if start == 0 else 0.0
     if goal.time is None:  # until after the last change
-        longest += max((x for one in plant.laws for x in kinks(one)), default=0.0)
+        longest += max((x for one in plant.laws for x in one.breaks(TIME)), default=0.0)
     if first >= longest:
         raise NeverReached("stall", 0.0, phi)
-    breaks = sorted({x for one in plant.laws for x in kinks(one) if first < x < longest})
+    breaks = sorted({x for one in plant.laws for x in one.breaks(TIME) if first < x < longest})
     state = (phi, start)
     for begin, end in pairwise([first, *breaks, longest]):
         piece = _stepped(plant, (begin, end), state, goal, phi, None, end == longest)
@@ -98,7 +98,7 @@ def _between_kinks(plant: Plant, start: float, goal: Goal, phi: float, longest: 
 def waits(plant: Plant, phi: float) -> float:
     """Time for which a machine stands still before it starts, s: until what drives at rest is more than what resists,
     by which it is held. Raises NeverReached where that is never so."""
-    kinked = {x for one in plant.laws for x in kinks(one) if x > 0}
+    kinked = {x for one in plant.laws for x in one.breaks(TIME) if x > 0}
     times = sorted({0.0, *kinked, *(nextafter(x, 0.0) for x in kinked)})  # both sides of a jump
     moments = [plant.places(phi)[2] + sum(float(one.at(0.0, t)) for one in plant.laws) for t in times]
     k = next((k for k, moment in enumerate(moments) if moment > 0), None)
@@ -107,12 +107,6 @@ def waits(plant: Plant, phi: float) -> float:
     if k == 0:
         return 0.0
     return times[k - 1] - moments[k - 1] * (times[k] - times[k - 1]) / (moments[k] - moments[k - 1])
-
-
-def kinks(one: Acting) -> tuple[float, ...]:
-    """Times at which a moment by time has another slope, s."""
-    law = one.law.inner if isinstance(one.law, Geared) else one.law
-    return law.x if isinstance(law, ByTime) else ()
 
 
 def _next(plant: Plant, phi: float) -> float:

@@ -16,12 +16,14 @@ from typing import Any
 import numpy as np
 
 from tmm_report.mechanics.calculus.panels import Panels
+from tmm_report.mechanics.calculus.roots import newton
 from tmm_report.mechanics.machine.characteristics import Geared
 from tmm_report.mechanics.machine.reduced import LOST, Acting, Plant
 from tmm_report.records import dataclass
 
 Array = Any
 STEPS, DONE = 40, 1e-12
+LEAST = 1e-14  # of the energies, above zero, with which the slowest place is passed
 NUDGE = 1e-6  # of the speed: for the slope of a characteristic
 
 
@@ -278,21 +280,20 @@ def closing(plant: Plant, mean: float) -> float:
 
 def _of_works(plant: Plant, moment: Array, mean: float) -> Steady:
     """T as the running work of a `moment` at the points, (K, n)."""
-    panels = plant.panels
-    swing = panels.running(moment)
-    low = -float(swing.min())
+    swing = plant.panels.running(moment)
+    swing = swing - plant.panels.mean(swing)
+    heavy, low = float(plant.panels.mean(plant.inertia)), -float(swing.min())
 
-    def motion(start: float) -> Steady:
-        return Steady(plant, start + swing, 1.0, 0)
+    def motion(level: float) -> Steady:
+        """About a mean energy, J."""
+        return Steady(plant, level + swing, 1.0, 0)
 
-    heavy, start = float(panels.mean(plant.inertia)), 0.0
-    start = max(low + 1e-9 * abs(low), heavy * mean**2 / 2 - float(panels.mean(swing)))
-    for _ in range(STEPS):
-        found = motion(start)
-        miss = heavy * (mean**2 - found.mean**2) / 2
-        if abs(miss) < 1e-14 * heavy * mean**2:
-            return found
-        start += miss
-        if start <= low:
-            raise NotSteady(float(panels.x.flat[int(np.argmin(swing))]))
-    return motion(start)
+    def slow(level: float) -> tuple[float, float]:
+        """What the energy lacks at the mean speed, J, for which the level makes up all but one for one."""
+        return heavy * (mean**2 - motion(level).mean ** 2) / 2, -1.0
+
+    least = low + LEAST * heavy * mean**2
+    if slow(least)[0] <= 0:
+        raise NotSteady(float(plant.panels.x.flat[int(np.argmin(swing))]))
+    most = max(least, low + float(np.max(plant.inertia)) * mean**2 / 2)  # nowhere below the mean speed
+    return motion(newton(slow, least, most, max(least, heavy * mean**2 / 2)))

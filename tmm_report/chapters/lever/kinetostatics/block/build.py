@@ -3,23 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
 from tmm_report.chapters.lever.kinetostatics.block import models as m
-from tmm_report.chapters.lever.kinetostatics.given import (
-    ByAngle,
-    ByDisplacement,
-    ByPosition,
-    ByStrokes,
-    Constant,
-    Curve,
-    Force,
-    Law,
-    Loads,
-    Moment,
-    Motion,
-    TurnLaw,
-)
+from tmm_report.chapters.lever.kinetostatics.given import Force, Loads, Moment, Motion
+from tmm_report.mechanics.calculus.laws import ByAngle, ByDisplacement, ByPosition, ByStrokes, Constant, Law
 from tmm_report.variant.values import SENSES, SIDES
 
 _TURNS: dict[str, int | Motion] = {**SENSES, "along motion": "along", "against motion": "against"}
@@ -34,7 +21,9 @@ def loads(written: m.LoadsModel) -> Loads:
 
 
 def _force(written: m.ForceModel | m.PistonModel, index: int) -> Force:
-    law = _force_law(written)
+    law = _law(written)
+    if isinstance(written, m.PistonModel):
+        law = law.scaled(math.pi / 4 * written.piston_diameter**2)
     return Force(written.name or f"F{index}", written.at, written.direction, law, written.on)
 
 
@@ -42,32 +31,21 @@ def _moment(written: m.MomentModel, index: int) -> Moment:
     return Moment(written.name or f"M{index}", written.on, _TURNS[written.direction], _law(written))
 
 
-def _force_law(written: m.ForceModel | m.PistonModel) -> Law:
-    area = math.pi / 4 * written.piston_diameter**2 if isinstance(written, m.PistonModel) else 1.0
-    if written.by_displacement is not None:
-        return _indicated(written.by_displacement, area)
-    return _law(written, area)
+def _law(written: m.ForceModel | m.PistonModel | m.MomentModel) -> Law:
+    """The one law by which a load is stated."""
+    if not isinstance(written, m.MomentModel) and written.by_displacement is not None:
+        return _indicated(written.by_displacement)
+    if written.by_angle is not None:
+        return ByAngle.through(written.by_angle)
+    if written.by_position is not None:
+        return ByPosition(tuple(written.by_position))
+    assert written.constant is not None  # `_one_law` wants one of them
+    return Constant(written.constant)
 
 
-def _indicated(diagram: m.Indicator, area: float) -> ByDisplacement | ByStrokes:
-    """An indicator diagram; `area` turns pressures into forces."""
-
-    def forces(curve: Sequence[tuple[float, float]]) -> Curve:
-        return tuple((x, y * area) for x, y in curve)
-
+def _indicated(diagram: m.Indicator) -> ByDisplacement | ByStrokes:
     zero = SIDES[diagram.zero]
     if isinstance(diagram, m.Diagram | m.PressureDiagram):
-        return ByDisplacement(zero, forces(diagram.forward), forces(diagram.back))
-    names = tuple(diagram.strokes)
-    first = names.index(diagram.first) if diagram.first is not None else None
-    return ByStrokes(zero, names, tuple(map(forces, diagram.strokes.values())), first)
-
-
-def _law(written: m.ForceModel | m.PistonModel | m.MomentModel, area: float = 1.0) -> TurnLaw:
-    """The one law of those that forces and moments have both; `area` turns pressures into forces."""
-    if written.by_angle is not None:
-        return ByAngle(tuple(x for x, _ in written.by_angle), tuple(y * area for _, y in written.by_angle))
-    if written.by_position is not None:
-        return ByPosition(tuple(y * area for y in written.by_position))
-    assert written.constant is not None  # `_one_law` wants one of them
-    return Constant(written.constant * area)
+        return ByDisplacement(zero, tuple(diagram.forward), tuple(diagram.back))
+    names, curves = tuple(diagram.strokes), tuple(map(tuple, diagram.strokes.values()))
+    return ByStrokes(zero, names, curves, names.index(diagram.first) if diagram.first is not None else None)

@@ -12,8 +12,8 @@ from tmm_report.quantity.model import Quantity, Table, text_column
 from tmm_report.quantity.symbols import Symbol
 
 if TYPE_CHECKING:
-    from tmm_report.chapters.lever.kinetostatics.given import ByStrokes
     from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
+    from tmm_report.mechanics.calculus.laws import ByStrokes
 
 Array = Any
 

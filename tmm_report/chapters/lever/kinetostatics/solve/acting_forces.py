@@ -3,25 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, assert_never
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmm_report.chapters.lever.kinetostatics.given import (
-    ByAngle,
-    ByDisplacement,
-    ByPosition,
-    ByStrokes,
-    Constant,
-    Force,
-    Law,
-    Loads,
-    Moment,
-)
-from tmm_report.chapters.lever.kinetostatics.solve.indicator_strokes import by_displacement, by_strokes
-from tmm_report.mechanics.calculus.repeated import repeated
+from tmm_report.chapters.lever.kinetostatics.given import Force, Loads, Moment
+from tmm_report.chapters.lever.kinetostatics.solve.law_arguments import reading
 from tmm_report.mechanics.calculus.vectors import cross
-from tmm_report.mechanics.lever.cycle import Cycle
 from tmm_report.mechanics.lever.forces.reactions import Load
 from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.mechanics.lever.motion import Motion
@@ -91,7 +79,7 @@ def loaded(given: Loads, motion: Motion, loads: Stated) -> Loading:
 
 def _force(force: Force, kinematics: Kinematics, motion: Motion, turned: Array) -> tuple[Array, Array]:
     """The vector, and how much of it lies along its stated direction: less than nothing where the law says so."""
-    size = magnitude(force.law, kinematics, motion, turned, force.at)
+    size = reading(force.law, kinematics, motion, turned, force.at).value
     if not isinstance(force.direction, str):
         return size * force.direction, size
     velocity = motion.velocity(force.at)
@@ -104,40 +92,12 @@ def _force(force: Force, kinematics: Kinematics, motion: Motion, turned: Array) 
 
 def _moment(moment: Moment, kinematics: Kinematics, motion: Motion, turned: Array) -> tuple[Array, Array]:
     """The moment, + counter-clockwise, and how much of it is in its stated sense."""
-    size = magnitude(moment.law, kinematics, motion, turned, None)
+    size = reading(moment.law, kinematics, motion, turned, None).value
     if not isinstance(moment.direction, str):
         return size * moment.direction, size
     rate = motion.angular_velocity(moment.on)
     sense = np.where(np.abs(rate) <= 1e-12 * np.nanmax(np.abs(rate), initial=0.0), 0.0, np.sign(rate))
     return size * (sense if moment.direction == "along" else -sense), size * np.abs(sense)
-
-
-def magnitude(law: Law, kinematics: Kinematics, motion: Motion, turned: Array, at: str | None) -> Array:
-    """A law's magnitude at angles `turned`, (..., P)."""
-    cycle = kinematics.cycle
-    match law:
-        case Constant(value):
-            return np.full(motion.shape, value)
-        case ByPosition(values):
-            angles = np.arange(len(values)) * (cycle.period / kinematics.positions.table)
-            return _interpolate(cycle, turned, angles, np.array(values))
-        case ByAngle(angles, values):
-            return _interpolate(cycle, turned, np.array(angles), np.array(values))
-        case ByDisplacement() | ByStrokes():
-            if at is None:
-                raise TypeError("a moment has no displacement: its law is by angle or by position")
-            if isinstance(law, ByDisplacement):
-                return by_displacement(law, cycle, motion, at)
-            return by_strokes(law, cycle, motion, turned, at)
-        case _:
-            assert_never(law)
-
-
-def _interpolate(cycle: Cycle, turned: Array, angles: Array, values: Array) -> Array:
-    """Straight lines between the points, periodic where the driving link goes round."""
-    if not cycle.closed:
-        return np.interp(turned, angles, values)
-    return repeated(turned, angles, values, cycle.period)
 
 
 def still(given: Loads, motion: Motion) -> Iterator[Problem]:

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.lever.kinetostatics.given import ByDisplacement, ByStrokes
+from tmm_report.mechanics.calculus.laws import ByStrokes, Diagram
 from tmm_report.mechanics.calculus.vectors import dot
 from tmm_report.mechanics.lever.cycle import Cycle, Extreme
 from tmm_report.mechanics.lever.motion import Motion
@@ -84,7 +84,7 @@ def _leaves(law: ByStrokes, cycle: Cycle, at: str, begins: Array) -> Array:
     return dot(cycle.motion(middle).velocity(at), law.zero) < 0
 
 
-def travelled(law: ByDisplacement | ByStrokes, cycle: Cycle, motion: Motion, at: str) -> Array:
+def travelled(law: Diagram, cycle: Cycle, motion: Motion, at: str) -> Array:
     """x = displacement / stroke of the loaded point, counted from the extreme in `zero`, (..., P).
 
     Raises ProblemError for a point that has no stroke in the direction from which the diagram counts.
@@ -97,18 +97,12 @@ def travelled(law: ByDisplacement | ByStrokes, cycle: Cycle, motion: Motion, at:
     return (high.value - dot(motion.place(at), law.zero)) / (high.value - low.value)
 
 
-def by_displacement(law: ByDisplacement, cycle: Cycle, motion: Motion, at: str) -> Array:
-    """An indicator diagram read at the point's displacement and direction of motion."""
-    x = travelled(law, cycle, motion, at)
-    forward, back = (np.interp(x, *np.array(curve).T) for curve in (law.forward, law.back))
+def under_way(law: Diagram, cycle: Cycle, motion: Motion, turned: Array, x: Array, at: str) -> Array:
+    """Number of the curve that holds at angles `turned`, rad, where the point has travelled `x`, (..., P): of the
+    stroke under way, or of the way in which the point goes."""
+    if isinstance(law, ByStrokes):
+        return strokes(law, cycle, at).at(turned)
     rate = dot(motion.velocity(at), law.zero)
     # at the ends of the stroke the point stands still: the stroke that begins there holds, not the rounding's sign
     still = np.abs(rate) <= 1e-9 * np.nanmax(np.abs(rate), initial=0.0)
-    return np.where(np.where(still, x < 0.5, rate <= 0), forward, back)
-
-
-def by_strokes(law: ByStrokes, cycle: Cycle, motion: Motion, turned: Array, at: str) -> Array:
-    """An indicator diagram of a cycle of several turns read at the point's displacement in the stroke under way."""
-    x = travelled(law, cycle, motion, at)
-    curves = np.array([np.interp(x, *np.array(curve).T) for curve in law.curves])
-    return np.take_along_axis(curves, strokes(law, cycle, at).at(turned)[None], axis=0)[0]
+    return np.where(np.where(still, x < 0.5, rate <= 0), 0, 1)

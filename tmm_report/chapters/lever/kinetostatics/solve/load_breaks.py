@@ -8,18 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmm_report.chapters.lever.kinetostatics.given import (
-    ByAngle,
-    ByDisplacement,
-    ByPosition,
-    ByStrokes,
-    Force,
-    Law,
-    Loads,
-    Moment,
-)
+from tmm_report.chapters.lever.kinetostatics.given import Force, Loads, Moment
 from tmm_report.chapters.lever.kinetostatics.solve.indicator_strokes import reach, strokes
+from tmm_report.chapters.lever.kinetostatics.solve.law_arguments import over_cycle
 from tmm_report.mechanics.calculus.distinct import distinct
+from tmm_report.mechanics.calculus.laws import ByDisplacement, ByStrokes, Diagram
 from tmm_report.mechanics.calculus.vectors import dot
 from tmm_report.mechanics.cams.follower_laws import FULL_TURN
 from tmm_report.mechanics.lever.cams.kinks import breaks as cam_breaks
@@ -36,9 +29,9 @@ def breaks(given: Loads, kinematics: Kinematics) -> Array:
     """Angles turned from position 0 at which a load, or the motion itself in a corner, has a kink or a jump, rad,
     ascending."""
     cycle = kinematics.cycle
-    count = kinematics.positions.table
     loads: list[Force | Moment] = [*given.forces, *given.moments]
-    fixed = [x for load in loads for x in _stated(load.law, cycle, count)]
+    laws = [over_cycle(load.law, kinematics) for load in loads if not isinstance(load.law, Diagram)]
+    fixed = [one.at for law in laws for one in law.breaks()]
     passed = [of for load in loads for of in _passed(load, cycle)]
     found = [cycle.repeated(roots) for roots in cycle.roots_of(passed)] if passed else []
     for force in given.forces:
@@ -51,21 +44,12 @@ def breaks(given: Loads, kinematics: Kinematics) -> Array:
     return distinct(np.concatenate([np.array(fixed, dtype=float), *found]))
 
 
-def _stated(law: Law, cycle: Cycle, count: int) -> Iterator[float]:
-    """Those that a law states by angle."""
-    match law:
-        case ByPosition(values):
-            yield from np.arange(len(values)) * (cycle.period / count)
-        case ByAngle(angles, _):
-            yield from angles
-
-
 def _passed(load: Force | Moment, cycle: Cycle) -> Iterator[Quantity]:
     """What passes through zero where the load has a kink or a jump, in every turn alike: a displacement that is stated,
     a point or a link that turns back."""
     match load:
         case Force(at=at, law=ByDisplacement() as law):
-            yield from _strokes(at, law, cycle)
+            yield from _ways(at, law, cycle)
         case Force(at=at, direction=str()):
             along = _fastest(cycle, at)
             yield lambda motion: dot(motion.velocity(at), along)
@@ -73,7 +57,7 @@ def _passed(load: Force | Moment, cycle: Cycle) -> Iterator[Quantity]:
             yield lambda motion: motion.angular_velocity(on)
 
 
-def _strokes(at: str, law: ByDisplacement, cycle: Cycle) -> Iterator[Quantity]:
+def _ways(at: str, law: ByDisplacement, cycle: Cycle) -> Iterator[Quantity]:
     """The ends of the strokes, and the displacements at which an indicator diagram has its points."""
 
     def rate(motion: Motion) -> Array:
@@ -81,7 +65,7 @@ def _strokes(at: str, law: ByDisplacement, cycle: Cycle) -> Iterator[Quantity]:
 
     yield rate
     low, high = cycle.extremes(lambda motion: dot(motion.place(at), law.zero), rate)
-    for x in sorted({x for way in (law.forward, law.back) for x, _ in way if 0 < x < 1}):
+    for x in _inside(law):
         yield partial(_beyond, at, law.zero, high.value - x * (high.value - low.value))
 
 
@@ -90,13 +74,21 @@ def _in_strokes(at: str, law: ByStrokes, cycle: Cycle) -> Iterator[Array]:
     own = strokes(law, cycle, at)
     yield own.begins
     _, (low, high) = reach(cycle, at, law.zero)
-    points = sorted({x for curve in law.curves for x, _ in curve if 0 < x < 1})
+    points = _inside(law)
     places = [high.value - x * (high.value - low.value) for x in points]
     met = cycle.roots_of([partial(_beyond, at, law.zero, place) for place in places]) if places else []
-    for x, roots in zip(points, met, strict=True):
+    for curves, roots in zip(points.values(), met, strict=True):
         turned = cycle.repeated(roots)
-        has = np.array([any(x == point for point, _ in curve) for curve in law.curves])
-        yield turned[has[own.at(turned)]]
+        yield turned[np.isin(own.at(turned), curves)]
+
+
+def _inside(law: Diagram) -> dict[float, list[int]]:
+    """The breaks of a diagram within the stroke, ascending, and which of its curves have each."""
+    found: dict[float, list[int]] = {}
+    for one in sorted(law.breaks()):
+        if 0 < one.at < 1:
+            found.setdefault(one.at, []).append(one.which)
+    return found
 
 
 def _beyond(at: str, along: complex, place: float, motion: Motion) -> Array:

@@ -9,13 +9,12 @@ from typing import Any
 import numpy as np
 
 from tmm_report.chapters.lever.kinematics.solve.positions import PRINTED, TOLERANCE, Kinematics, rounding
-from tmm_report.chapters.lever.kinetostatics.given import ByStrokes, Constant, Loads
+from tmm_report.chapters.lever.kinetostatics.given import Loads
 from tmm_report.chapters.lever.kinetostatics.solve.acting_forces import Loading as Loading
 from tmm_report.chapters.lever.kinetostatics.solve.acting_forces import Stated as Stated
 from tmm_report.chapters.lever.kinetostatics.solve.acting_forces import loaded, stated
 from tmm_report.chapters.lever.kinetostatics.solve.acting_forces import loaded_link as loaded_link
 from tmm_report.chapters.lever.kinetostatics.solve.acting_forces import loading as loading
-from tmm_report.chapters.lever.kinetostatics.solve.acting_forces import magnitude as magnitude
 from tmm_report.chapters.lever.kinetostatics.solve.acting_forces import resultants as resultants
 from tmm_report.chapters.lever.kinetostatics.solve.acting_forces import still as still
 from tmm_report.chapters.lever.kinetostatics.solve.cam_pressure import Pressing, pressings
@@ -28,6 +27,7 @@ from tmm_report.chapters.lever.kinetostatics.solve.whole_cycle import Over as Ov
 from tmm_report.chapters.lever.kinetostatics.solve.whole_cycle import cut_at as cut_at
 from tmm_report.chapters.lever.kinetostatics.solve.whole_cycle import over
 from tmm_report.chapters.lever.kinetostatics.solve.works import Works, works
+from tmm_report.mechanics.calculus.laws import ByStrokes, Constant
 from tmm_report.mechanics.lever.cycle import Extreme, least_and_greatest
 from tmm_report.mechanics.lever.forces import reactions as statics
 from tmm_report.mechanics.lever.forces.reactions import Statics

@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmm_report.chapters.lever.kinetostatics.given import ByDisplacement, ByStrokes, Curve
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as q
 from tmm_report.chapters.lever.kinetostatics.solve.drawn_cycle import Array, Sampled
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
@@ -15,6 +14,7 @@ from tmm_report.chapters.lever.kinetostatics.view.diagrams import reaction
 from tmm_report.figures.charts.plane import Frame, Trace, framed, plane
 from tmm_report.figures.drawing import Drawing, Item, Tag
 from tmm_report.figures.lettering import Parts
+from tmm_report.mechanics.calculus.laws import Diagram
 from tmm_report.mechanics.lever.forces.reactions import Reaction
 from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.paper import round_scale
@@ -138,20 +138,12 @@ def indicated(
     """Of every force that is stated by displacement: force against the part of the stroke travelled. `word`: the
     strokes in the language of the note."""
     for of, force in zip(q.forces(found.given.forces), found.given.forces, strict=True):
-        if isinstance(force.law, ByDisplacement | ByStrokes):
-            named = list(_strokes(force.law, word))
-            curves = [np.array([complex(x, y) for x, y in curve]) for _, curve in named]
+        if isinstance(force.law, Diagram):
+            named = [word(name) for name, _ in force.law.named()]
+            curves = [np.array([complex(x, y) for x, y in curve]) for _, curve in force.law.named()]
             frame = _frame([*curves, np.array([0j, 1 + 0j])], INDICATED, equal=False)
-            traces = [Trace(z, (name,)) for (name, _), z in zip(named, curves, strict=True)]
+            traces = [Trace(z, (name,)) for name, z in zip(named, curves, strict=True)]
             x: Parts = graphs.letter(Symbol("x"))
             yield Indicated(
                 of, force.name, frame.y_scale, plane(frame, traces, x, graphs.letter(of.sign, of.unit), num)
             )
-
-
-def _strokes(law: ByDisplacement | ByStrokes, word: Callable[[str], str]) -> Iterator[tuple[str, Curve]]:
-    if isinstance(law, ByDisplacement):
-        yield word("forward"), law.forward
-        yield word("back"), law.back
-    else:
-        yield from ((word(name), curve) for name, curve in zip(law.names, law.curves, strict=True))

@@ -20,6 +20,7 @@ from tmm_report.chapters.machine.dynamics.block.models import (
 from tmm_report.chapters.machine.dynamics.block.motors import motor, resistance
 from tmm_report.chapters.machine.dynamics.given import Coast, Part, Spring, Start
 from tmm_report.chapters.machine.dynamics.given import Given as Stated
+from tmm_report.mechanics.calculus.laws import ByAngle
 from tmm_report.problems import Problem
 from tmm_report.variant import model
 from tmm_report.variant.model import Read
@@ -53,7 +54,7 @@ def build(written: DynamicsModel, turn: float = 2 * math.pi) -> Stated:
         springs=tuple(_spring(one) for one in written.springs),
         speed=written.speed,
         period=period,
-        varying=tuple(written.varying_inertia or ()),
+        varying=ByAngle.through(written.varying_inertia, period) if written.varying_inertia else None,
         passing=written.losses_of_acceleration,
         gravity=written.gravity,
         friction=written.friction is not False,

@@ -5,6 +5,7 @@ from typing import Annotated, Any
 from pydantic import Field, model_validator
 
 from tmm_report.chapters.machine.dynamics.given import Motor, Resistance
+from tmm_report.mechanics.calculus.laws import ByAngle, BySpeed, ByTime, Constant
 from tmm_report.mechanics.machine import characteristics as ch
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.units import WrongValue
@@ -223,7 +224,7 @@ def _law(written: MotorModel | ResistanceModel, kind: str, period: float) -> ch.
     stated = getattr(written, kind)
     match kind:
         case "constant" | "friction":
-            return ch.Constant(stated)
+            return Constant(stated)
         case "viscous":
             return ch.Power(stated, 1.0)
         case "fan":
@@ -231,7 +232,7 @@ def _law(written: MotorModel | ResistanceModel, kind: str, period: float) -> ch.
         case "by_speed" | "by_time" | "by_angle":
             x, y = (tuple(float(one) for one in row) for row in zip(*stated, strict=True))
             if kind == "by_angle":
-                return ch.ByAngle(x, y, period)
-            return (ch.BySpeed if kind == "by_speed" else ch.ByTime)(x, y)
+                return ByAngle(x, y, period)
+            return (BySpeed if kind == "by_speed" else ByTime)(x, y)
     found: ch.Characteristic = stated.law()
     return found

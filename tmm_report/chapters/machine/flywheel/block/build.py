@@ -11,6 +11,7 @@ from tmm_report.chapters.machine.flywheel.block.models import (
 )
 from tmm_report.chapters.machine.flywheel.given import MATERIALS
 from tmm_report.chapters.machine.flywheel.given import Given as Stated
+from tmm_report.mechanics.calculus.laws import ByAngle, Constant, Harmonics, Law, Wave
 
 
 def built(w: FlywheelModel) -> Stated:
@@ -26,7 +27,7 @@ def built(w: FlywheelModel) -> Stated:
         resisting=_law(w.resisting),
         areas=stated_as.Areas(tuple(x * w.areas.scale for x in w.areas.values)) if w.areas else None,
         punch=stated_as.Punch(**dict(w.punch)) if w.punch else None,
-        inertia=_law(w.inertia) or stated_as.Constant(0.0),
+        inertia=_law(w.inertia) or Constant(0.0),
         own=w.own,
         shaft=w.shaft,
         ratio=w.ratio,
@@ -46,15 +47,15 @@ def _wheel(w: WheelModel | None) -> stated_as.Wheel | None:
     return stated_as.Wheel(w.mass * w.radius_of_gyration**2, w.mass, w.radius_of_gyration)
 
 
-def _law(w: MomentModel | InertiaModel | None) -> stated_as.Law | None:
+def _law(w: MomentModel | InertiaModel | None) -> Law | None:
     if w is None:
         return None
     if w.table is not None:
-        return stated_as.Table(*zip(*w.table, strict=True))
+        return ByAngle.through(w.table)
     if w.harmonics is not None:
-        terms = (stated_as.Harmonic(one.order, one.cos, one.sin) for one in w.harmonics)
-        return stated_as.Series(w.mean or 0.0, tuple(terms))
-    return stated_as.Constant(w.constant if w.constant is not None else w.mean or 0.0)
+        waves = (Wave(one.order, one.cos, one.sin) for one in w.harmonics)
+        return Harmonics(w.mean or 0.0, tuple(waves))
+    return Constant(w.constant if w.constant is not None else w.mean or 0.0)
 
 
 def _shape(w: FlywheelModel) -> stated_as.Shape:

@@ -13,6 +13,7 @@ from tmm_report.chapters.machine.governor.solve import mistakes
 from tmm_report.chapters.machine.governor.solve import steady_states as steady
 from tmm_report.chapters.machine.governor.solve.by_itself import DirectFound
 from tmm_report.chapters.machine.governor.solve.steady_states import Steady
+from tmm_report.mechanics.calculus.roots import bisected
 from tmm_report.mechanics.machine.governor import stability as small
 from tmm_report.mechanics.machine.governor.response import (
     Machine,
@@ -153,10 +154,10 @@ class LoopFound:
         return small.stable(small.polynomial(self.loop, Servo(self.servo.T, 0.0, float(beta), self.servo.Ti)))
 
     def _edge(self, bad: float, good: float) -> float:
-        for _ in range(50):
-            middle = (bad + good) / 2
-            bad, good = (bad, middle) if self._holds(middle) else (middle, good)
-        return float(good)
+        """The last β that is stable on the way from one that is not."""
+        if bad < good:
+            return bisected(lambda beta: not self._holds(beta), bad, good)[1]
+        return bisected(self._holds, good, bad)[0]
 
     # --- the response
 

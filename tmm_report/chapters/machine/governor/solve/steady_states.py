@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -10,11 +9,12 @@ import numpy as np
 from tmm_report.chapters.machine.governor.given import Plant
 from tmm_report.chapters.machine.governor.solve import mistakes
 from tmm_report.chapters.machine.governor.solve.by_itself import DirectFound
+from tmm_report.mechanics.calculus.roots import first_root
 from tmm_report.mechanics.machine.governor.response import Machine
 from tmm_report.records import dataclass
 
 Array = Any
-SEARCH = 257  # places among which an equilibrium is looked for, each time finer
+SEARCH = 257  # places among which an equilibrium is looked for
 
 
 @dataclass(frozen=True)
@@ -43,21 +43,11 @@ def direct(key: str, load: float, machine: Machine, plant: Plant, governor: Dire
     most, least = excess(ends) + load
     if not min(least, most) <= load <= max(least, most):
         raise mistakes.no_steady_state(key, load, least, most)
-    z = _crossing(excess, governor.lift)
+    z = first_root(excess, np.linspace(0.0, governor.lift, SEARCH))
+    if z is None:  # the load of an end, but for rounding
+        z = float(ends[np.argmin(np.abs(excess(ends)))])
     omega, full, s = (float(one[0]) for one in states(np.array([z])))
     return Steady(full * s, full, omega, z, s)
-
-
-def _crossing(f: Callable[[Array], Array], lift: float) -> float:
-    """The first sign change of f over the lift, narrowed down."""
-    low, high = 0.0, lift
-    for _ in range(6):
-        z = np.linspace(low, high, SEARCH)
-        signs = np.sign(f(z))
-        k = int(np.argmax(signs != signs[0])) if (signs != signs[0]).any() else len(z) - 1
-        low, high = z[max(k - 1, 0)], z[k]
-    ends = f(np.array([low, high]))
-    return float(low - ends[0] * (high - low) / (ends[1] - ends[0])) if ends[0] != ends[1] else float(low)
 
 
 def indirect(key: str, load: float, machine: Machine, plant: Plant, governor: DirectFound) -> Steady:

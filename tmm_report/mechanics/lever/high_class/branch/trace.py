@@ -186,7 +186,8 @@ def _at(curve: Curve, one: Node, other: Node, u: float) -> Node | None:
 
 
 def _extreme(curve: Curve, way: int, one: Node, other: Node) -> Node:
-    """The node between two at which the driver's angle is extreme, by the Illinois method on its slope."""
+    """The node between two at which the driver's angle is extreme, by the Illinois method on its slope: none of
+    `calculus.roots`, as every trial is a node that may be lost on the way, and the best one is kept."""
     a, b, fa, fb = 0.0, 1.0, way * one.t[-1], way * other.t[-1]
     best = other if abs(fb) < abs(fa) else one
     side = 0

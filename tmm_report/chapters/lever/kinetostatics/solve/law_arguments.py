@@ -1,0 +1,44 @@
+"""Where a law of a load is read: its argument at the positions of a mechanism."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from tmm_report.chapters.lever.kinetostatics.solve.indicator_strokes import travelled, under_way
+from tmm_report.mechanics.calculus.laws import ByPosition, Diagram, Law
+from tmm_report.mechanics.lever.motion import Motion
+
+if TYPE_CHECKING:
+    from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
+
+Array = Any
+
+
+class Reading(NamedTuple):
+    """A law of the cycle, the places on its axis and the curves that hold there, (..., P)."""
+
+    law: Law
+    at: Array
+    which: Array
+
+    @property
+    def value(self) -> Array:
+        return self.law.value(self.at, self.which)
+
+
+def reading(law: Law, kinematics: Kinematics, motion: Motion, turned: Array, at: str | None) -> Reading:
+    """At angles `turned`, rad, of a load at the point `at`, or on a link."""
+    if not isinstance(law, Diagram):
+        return Reading(over_cycle(law, kinematics), turned, 0)
+    if at is None:
+        raise TypeError("a moment has no displacement: its law is by angle or by position")
+    x = travelled(law, kinematics.cycle, motion, at)
+    return Reading(law, x, under_way(law, kinematics.cycle, motion, turned, x, at))
+
+
+def over_cycle(law: Law, kinematics: Kinematics) -> Law:
+    """Over the angle turned from position 0, and repeated where the driving link goes round."""
+    cycle = kinematics.cycle
+    if isinstance(law, ByPosition):
+        law = law.by_angle(cycle.period / kinematics.positions.table)
+    return law.repeating(cycle.period) if cycle.closed else law
