@@ -1,5 +1,6 @@
 """Ready variants for the tests: `variant` or `results` runs a test once for every lever mechanism of variants/."""
 
+import gc
 import os
 from dataclasses import replace
 from functools import cache
@@ -76,6 +77,15 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log):
 
         return WorkStealingScheduling(config, log)
     return None
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_collection_finish(session: pytest.Session) -> None:
+    """Thousands of collected tests and imported modules stay to the end: nothing is gained by looking through them at
+    every hundred new objects."""
+    gc.collect()
+    gc.freeze()
+    gc.set_threshold(20_000, 10, 10)
 
 
 @pytest.fixture(scope="session", autouse=True)

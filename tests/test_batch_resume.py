@@ -13,6 +13,7 @@ from pathlib import Path
 import batch_chores
 import pytest
 from batching import Heard, batch, mixed, statuses, student, tree, write
+from exhaustive import many
 
 from tmm_report.commands.batch import progress
 from tmm_report.commands.batch import run as command
@@ -69,7 +70,7 @@ def test_only_what_is_new_or_changed_is_done(source, tmp_path, monkeypatch):
     assert tree(tmp_path / "out") == tree(tmp_path / "other")
 
 
-@pytest.mark.parametrize("changed", [{"formats": "json,csv"}, {"language": "ru"}, {"version": "9"}])
+@pytest.mark.parametrize("changed", many([{"formats": "json,csv"}, {"version": "9"}, {"language": "ru"}], 2))
 def test_other_options_or_another_program_do_it_anew(source, tmp_path, monkeypatch, changed):
     batch([source], tmp_path / "out")
     done = counted(monkeypatch)

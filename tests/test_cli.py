@@ -13,6 +13,7 @@ from pathlib import Path
 
 import jsonschema
 import pytest
+from exhaustive import FEW, many
 from notes import NAMES, VARIANTS, note
 from typer.testing import CliRunner
 
@@ -54,17 +55,24 @@ def test_the_folder_is_named_after_the_variant(tmp_path, monkeypatch):
     assert (tmp_path / "compressor-note" / "results.json").is_file()
 
 
-def test_same_variant_same_bytes(tmp_path):
+@pytest.mark.parametrize("name", many(["crank_rocker", "compressor"]))
+def test_same_variant_same_bytes(name, tmp_path):
     """Rendered here and by the command in another process, which hashes texts in its own way."""
-    command = [sys.executable, "-m", "tmm_report", "solve", str(COMPRESSOR), "-o", str(tmp_path)]
+    command = [
+        sys.executable,
+        "-m",
+        "tmm_report",
+        "solve",
+        str(VARIANTS / f"{name}.yaml"),
+        "-o",
+        str(tmp_path),
+    ]
     subprocess.run([*command, "--format", "html,tex,json,csv"], check=True, capture_output=True)
-    one = {
-        name: text for fmt in ("html", "tex", "json", "csv") for name, text in note("compressor", fmt).items()
-    }
+    one = {file: text for fmt in ("html", "tex", "json", "csv") for file, text in note(name, fmt).items()}
     two = {path.relative_to(tmp_path).as_posix(): path for path in tmp_path.rglob("*") if path.is_file()}
     del two[LIST]
     assert one.keys() == two.keys() and len(one) > 10
-    assert [name for name in one if one[name] != two[name].read_bytes()] == []
+    assert [file for file in one if one[file] != two[file].read_bytes()] == []
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -216,12 +224,13 @@ def test_messages_in_the_users_language(tmp_path):
     assert not re.search(r": [a-z]+ [a-z]+ [a-z]+", russian.output), russian.output
 
 
-def test_schema_accepts_the_variants_and_refuses_unknown_keys():
+@pytest.mark.parametrize("names", many([FEW, NAMES]))
+def test_schema_accepts_the_variants_and_refuses_unknown_keys(names):
     done = run("schema")
     schema = json.loads(done.output)
     jsonschema.Draft202012Validator.check_schema(schema)
     validator = jsonschema.Draft202012Validator(schema)
-    for name in NAMES:
+    for name in names:
         data = read(VARIANTS / f"{name}.yaml").data
         assert list(validator.iter_errors(data)) == []
         assert list(validator.iter_errors({**data, "surplus": 1}))
@@ -249,7 +258,7 @@ def test_every_command_and_option_has_help():
 
 def test_pdf_without_tex_says_what_to_install(tmp_path, monkeypatch):
     monkeypatch.setenv("PATH", str(tmp_path))
-    done = run("solve", COMPRESSOR, "-o", tmp_path / "out", "--format", "html", "--pdf")
+    done = run("solve", VARIANTS / "crank_rocker.yaml", "-o", tmp_path / "out", "--format", "html", "--pdf")
     assert done.exit_code == 1 and "texlive-lang-cyrillic" in done.output and "MiKTeX" in done.output
     assert (tmp_path / "out" / "note.html").is_file()
 
@@ -257,7 +266,12 @@ def test_pdf_without_tex_says_what_to_install(tmp_path, monkeypatch):
 def test_open_shows_the_note(tmp_path, monkeypatch):
     shown = []
     monkeypatch.setattr("webbrowser.open", shown.append)
-    assert run("solve", COMPRESSOR, "-o", tmp_path / "out", "--format", "json", "--open").exit_code == 0
+    assert (
+        run(
+            "solve", VARIANTS / "crank_rocker.yaml", "-o", tmp_path / "out", "--format", "json", "--open"
+        ).exit_code
+        == 0
+    )
     assert shown == [(tmp_path / "out" / "note.html").resolve().as_uri()]
     assert (Path(tmp_path) / "out" / "note.html").is_file()
 

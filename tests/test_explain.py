@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from batching import COMPRESSOR
 from conftest import ALL_FILES, FILES, read, solved
+from exhaustive import many
 from told import Told
 
 from tmm_report.commands.explain import target as explain_target
@@ -96,7 +97,7 @@ IN_BOTH = ("compressor", "whitworth")
 
 @pytest.mark.parametrize(
     ("name", "language"),
-    [(file.stem, "ru") for file in FILES] + [(name, "en") for name in IN_BOTH],
+    [(file.stem, "ru") for file in FILES] + many([(name, "en") for name in IN_BOTH]),
 )
 def test_every_velocity_reaction_and_moment_ends_in_its_number(name, language):
     position = 2

@@ -27,6 +27,7 @@ def outcome(k: int) -> Outcome:
     return tried(text(f"test {k}"), rendered=True)
 
 
+@pytest.mark.exhaustive
 def test_every_key_alternative_and_enum_value_of_the_schema_is_drawn():
     """A new key is drawn without a line of its own; one that a rule always takes away again is told here."""
     left = set(schema.every())

@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from exhaustive import many
 
 sys.path.append(str(Path(__file__).parents[1]))
 
@@ -91,7 +92,7 @@ TEXTS = {
 }
 
 
-@pytest.mark.parametrize("language", ("ru", "en"))
+@pytest.mark.parametrize("language", many(("ru", "en")))
 @pytest.mark.parametrize("name", TEXTS)
 def test_it_has_a_note(name, language):
     results = course.solve(course.loads(TEXTS[name]))

@@ -1,9 +1,9 @@
 import gettext
 import re
-import runpy
 from pathlib import Path
 
 import pytest
+from catalogues import messages
 
 from tmm_report import languages
 from tmm_report.i18n import Translator
@@ -15,8 +15,7 @@ LANGUAGES = [row.code for row in languages.LANGUAGES.values() if not row.ids]
 
 @pytest.fixture(scope="module")
 def tool():
-    pytest.importorskip("babel")
-    return runpy.run_path(str(ROOT / "tools" / "messages.py"))
+    return messages()
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

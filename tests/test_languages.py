@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import runpy
 import shutil
 import subprocess
 import sys
@@ -11,6 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from catalogues import messages
 from notes import VARIANTS, program
 from typer.testing import CliRunner
 
@@ -32,14 +32,13 @@ FOREIGN = Language("eo", "Esperanto", "comma", babel="nonesuch")
 
 @pytest.fixture(scope="module")
 def tool():
-    pytest.importorskip("babel")
-    return runpy.run_path(str(ROOT / "tools" / "messages.py"))
+    return messages()
 
 
 def lacking(row: Language, tool: dict) -> list[str]:
     """Every piece of a language that is missing or wrong, in words."""
     pieces = [*of_table(row), *of_starting_variant(row)]
-    return pieces if row.ids else [*pieces, *of_catalogue(row, tool), *of_glossary(row, tool)]
+    return pieces if row.ids else [*pieces, *of_translations(row, tool)]
 
 
 def of_table(row: Language) -> Iterator[str]:
@@ -68,6 +67,10 @@ def of_starting_variant(row: Language) -> Iterator[str]:
     else:
         if started.language != row.code:
             yield f"new/{row.code}.yaml: language {started.language}"
+
+
+def of_translations(row: Language, tool: dict) -> list[str]:
+    return [*of_catalogue(row, tool), *of_glossary(row, tool)]
 
 
 def of_catalogue(row: Language, tool: dict) -> Iterator[str]:
@@ -143,14 +146,14 @@ def test_what_is_missing_in_a_catalogue_is_named(begun, text, other, said):
     catalogue = po.read_text("utf-8")
     assert text in catalogue
     po.write_text(catalogue.replace(text, other), encoding="utf-8")
-    assert any(said in piece for piece in lacking(LANGUAGES["ru"], tool))
+    assert any(said in piece for piece in of_translations(LANGUAGES["ru"], tool))
 
 
 def test_a_term_that_no_text_has_is_named(begun):
     tool, po = begun
     file = po.parent.parent / "glossary.yaml"
     file.write_text(file.read_text("utf-8") + "flywheel governor: регулятор|\n", encoding="utf-8")
-    assert "glossary.yaml: 'flywheel governor' is in no text" in lacking(LANGUAGES["ru"], tool)
+    assert "glossary.yaml: 'flywheel governor' is in no text" in of_glossary(LANGUAGES["ru"], tool)
 
 
 # ---------------------------------------------------------------- a language is its row and its files

@@ -166,10 +166,15 @@ def test_a_chapter_has_its_rooms_and_its_template(chapter):
     assert callable(course.room(chapter, "view").parts)
 
 
+@cache
+def keys_of_variants() -> dict[str, set[str]]:
+    return {path.stem: set(yaml.safe_load(path.read_text("utf-8"))) for path in ALL_FILES}
+
+
 def asking(chapter: str) -> list[str]:
     """Names of the ready variants, those that have a key of the chapter's first."""
     keys = set(course.room(chapter, "block").Block.model_fields) if chapter not in STAGES else {"drive"}
-    stated = {path.stem: set(yaml.safe_load(path.read_text("utf-8"))) for path in ALL_FILES}
+    stated = keys_of_variants()
     return sorted(stated, key=lambda name: (not keys & stated[name], name))
 
 

@@ -91,9 +91,10 @@ def test_nothing_of_a_wide_note_is_wider_than_the_text():
     assert overfull(set_by_tex(files)[0]) == []
 
 
+@pytest.mark.exhaustive
 def test_pdf_is_the_same_twice():
-    _, pdf = typeset("eccentric", "en")
-    assert compile_pdf(note("eccentric", "tex", "en")) == pdf
+    _, pdf = typeset("tangent", "en")
+    assert compile_pdf(note("tangent", "tex", "en")) == pdf
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -114,7 +115,7 @@ def test_every_sign_can_be_set(name):
 def test_letters_of_every_language_of_the_users_are_set(tmp_path):
     """Of Kazakh and Ukrainian names no letter is lost, in text, bold, and as the name of a point."""
     letters = "ӘәҒғҚқҢңӨөҰұҮүҺһЇїЄєҐґ"  # і shares its glyph with the Latin one
-    text = (VARIANTS / "slider_crank_offset.yaml").read_text(encoding="utf-8")
+    text = (VARIANTS / "slider_crank_offset.yaml").read_text(encoding="utf-8").partition("\nloads:")[0]
     variant = loads(re.sub(r"\bB\b", "Қ", text))
     assert "Қ" in variant.lever.mechanism.point_names
     found = solve(replace(variant, title=Title(topic=letters, student=letters)))

@@ -4,6 +4,7 @@ import operator
 from dataclasses import replace
 from functools import cache
 
+import exhaustive
 import numpy as np
 import pytest
 from conftest import FILES, examples, read
@@ -189,8 +190,9 @@ def test_a_number_that_is_nothing_in_one_variant_only_parts_them():
     assert stack.topology(variant.lever) != stack.topology(other)
 
 
-def test_the_note_is_the_same_too():
+@pytest.mark.parametrize("some", exhaustive.many([slice(0, 1), slice(1, None)]), ids=["first", "others"])
+def test_the_note_is_the_same_too(some):
     rows = [varied("crank_rocker", seed) for seed in range(stack.LEAST)]
-    for variant, found in zip(rows, stack.solve_many(rows), strict=True):
+    for variant, found in list(zip(rows, stack.solve_many(rows), strict=True))[some]:
         assert render(found, "tex") == render(course.solve(variant), "tex")
         assert render(found, "csv") == render(course.solve(variant), "csv")

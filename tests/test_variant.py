@@ -4,6 +4,7 @@
 import math
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import jsonschema
@@ -395,6 +396,7 @@ def test_load_names_the_file(tmp_path):
 # --- the schema, the starting variants, the cost
 
 
+@cache
 def validator():
     schema = course.schema()
     jsonschema.Draft202012Validator.check_schema(schema)

@@ -111,8 +111,10 @@ def misnamed(catalogue: Catalog, terms: dict[str, list[str]]) -> list[str]:
     A term that stands in the translation as it is in English is a key of a variant there.
     """
     wrong = []
+    worded = [(entry, _words(entry.id)) for entry in messages(catalogue)]
     for term, names in terms.items():
-        texts = [entry for entry in messages(catalogue) if _named(term, _forms(entry.id))]
+        named = re.compile(rf"\b{re.escape(term)}\b", re.I)
+        texts = [entry for entry, words in worded if named.search(words)]
         wrong += [
             f"{term!r} is not called {' or '.join(names)}: {_forms(entry.string)[0]!r}"
             for entry in texts
@@ -128,10 +130,9 @@ def _forms(text: str | tuple[str, ...] | list[str]) -> list[str]:
     return [text] if isinstance(text, str) else list(text)
 
 
-def _named(term: str, forms: list[str]) -> bool:
-    """Whether an id has the term in its words: the names of its values are not words."""
-    words = (VALUES.sub("", form) for form in forms)
-    return any(re.search(rf"\b{re.escape(term)}\b", text, re.I) for text in words)
+def _words(text: str | tuple[str, ...]) -> str:
+    """What an id says, a line a form: the names of its values are not words."""
+    return "\n".join(VALUES.sub("", form) for form in _forms(text))
 
 
 def _called(name: str, text: str) -> bool:

@@ -172,6 +172,7 @@ def test_the_contour_is_drawn_where_it_is(found):
     ET.fromstring(svg(drawing))
 
 
+@pytest.mark.exhaustive
 def test_tips_that_cannot_pass_each_other_are_said_so_without_a_number():
     """A ring of 41 teeth has no room for the tips of a pinion of 40: an overlap of ∞° says nothing."""
     found = spur.solve(spur.Given(1.025, 0.005, None, (40, 41)))

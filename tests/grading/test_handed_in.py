@@ -9,9 +9,11 @@ import json
 import os
 import zipfile
 from functools import partial
+from itertools import product
 from pathlib import Path
 
 import pytest
+from exhaustive import many
 from notes import VARIANTS
 from told import Told
 
@@ -53,7 +55,7 @@ def year(tmp_path, monkeypatch) -> Path:
     (tmp_path / "variants").mkdir()
     (tmp_path / "answers").mkdir()
     text = (VARIANTS / "compressor.yaml").read_text("utf-8")
-    text = text[: text.index("\ndrive:")] + "\npositions: {table: 12}\n"
+    text = text[: text.index("\nloads:")] + "\npositions: {table: 12}\n"
     body = text[text.index("\nmechanism:") :]
     for id, name in NAMES.items():
         title = f'title: {{student: "{name}", group: М-31, variant: {id}}}\nlanguage: ru\n'
@@ -115,8 +117,12 @@ def submissions(kind: str) -> dict[str, bytes]:
     return {**files, f"{OWNERS['s1']}{tail}onlinetext.html": b"<p>see the file</p>"}
 
 
-@pytest.mark.parametrize("packed", ["folder", "folder within", "zip", "zip of a folder"])
-@pytest.mark.parametrize("kind", ["old", "new", "flat"])
+KINDS, PACKED = ("old", "new", "flat"), ("folder", "folder within", "zip", "zip of a folder")
+DOWNLOADS = [("old", "zip of a folder"), ("new", "folder within"), ("flat", "folder"), ("flat", "zip")]
+OTHERS = [case for case in product(KINDS, PACKED) if case not in DOWNLOADS]
+
+
+@pytest.mark.parametrize(("kind", "packed"), many([*DOWNLOADS, *OTHERS], len(DOWNLOADS)))
 def test_moodles_download_is_matched_by_number_then_by_name(year, kind, packed):
     roster = "id,name,moodle_id\n" + "".join(
         f"{id},{name},{'102' * (id == 's2')}\n" for id, name in NAMES.items()
@@ -314,8 +320,12 @@ TRIES = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("rule", ["", "attempts: last\n", "attempts: best\n"])
-@pytest.mark.parametrize("name", TRIES)
+LAST, BEST = "attempts: last\n", "attempts: best\n"
+RULED = [*((name, "") for name in TRIES), ("worse later", BEST)]
+OTHERWISE = [case for case in product(TRIES, (LAST, BEST)) if case not in RULED]
+
+
+@pytest.mark.parametrize(("name", "rule"), many([*RULED, *OTHERWISE], len(RULED)))
 def test_of_several_attempts_the_last_counts_or_the_best(year, name, rule):
     for file, content in TRIES[name].items():
         lay(file, content)

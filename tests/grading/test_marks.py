@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import solved
+from exhaustive import many
 
 from tmm_report.course import loads, solve
 from tmm_report.grading import rubric as rubrics
@@ -155,7 +156,7 @@ def everything(asked, value) -> dict:
 
 
 @pytest.mark.parametrize("name", ["compressor", "press", "forging", "crank_rocker"])
-@pytest.mark.parametrize("value", [0.0, 1.0, 1234.5, 1e300])
+@pytest.mark.parametrize("value", many([0.0, 1.0, 1234.5, 1e300]))
 def test_one_number_in_every_cell_earns_next_to_nothing(name, value):
     """Of a press all forces but two are nothing beside the greatest: noughts in all cells had half of the points."""
     own = expected(solved(name))

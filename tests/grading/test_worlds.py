@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from conftest import examples, read, solved, stating
+from exhaustive import many
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
@@ -79,7 +80,7 @@ DATA = [
 ]
 
 
-@pytest.mark.parametrize(("name", "key", "by"), DATA)
+@pytest.mark.parametrize(("name", "key", "by"), many(DATA))
 def test_a_length_from_the_neighbours_row_is_one_mistake_and_named(name, key, by):
     keys = {datum.key: datum for datum in data(bare(solved(name)))}
     datum = keys.get(key) or keys[f"{key.rsplit('.', 2)[0]}.points"]

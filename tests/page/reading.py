@@ -14,6 +14,7 @@ from unittest.mock import patch
 from conftest import FILES, solved
 from conftest import LEVERS as MECHANISMS
 from conftest import read as variant
+from exhaustive import many
 from note import Note, read
 from notes import NAMES, note
 from once import once
@@ -24,10 +25,17 @@ from tmm_report.report.formats import Tex
 
 CHOSEN = [name for name in NAMES if name in os.environ.get("PAGE_VARIANTS", " ".join(NAMES)).split()]
 ENGLISH = [name for name in ("compressor", "press", "hoist_drive", "eccentric") if name in CHOSEN]
-BOTH = [(name, "") for name in CHOSEN] + [(name, "en") for name in ENGLISH]
 LEVERS = [path.stem for path in MECHANISMS if path.stem in CHOSEN]
 LINKAGES = [path.stem for path in FILES if path.stem in CHOSEN]
 """Those of links of constant lengths: a link that replaces a cam pair is another one in every position."""
+
+
+def in_both(names: list[str]) -> list[Any]:
+    """Parameters of a test: variants in their own language, and those that are read in English, too."""
+    return [(name, "") for name in names] + many([(name, "en") for name in ENGLISH if name in names])
+
+
+BOTH = in_both(CHOSEN)
 
 
 def language(name: str, other: str = "") -> str:

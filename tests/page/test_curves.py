@@ -13,7 +13,7 @@ from curves import Curve, curves, is_graph
 from note import Note, text_of
 from pages import table_of
 from printed import number, unit
-from reading import BOTH, CHOSEN, LEVERS, html, results, wrong
+from reading import CHOSEN, LEVERS, html, in_both, results, wrong
 
 CLOSE = 2e-4  # of the height of a curve: figures of four digits beside the ticks
 WRITTEN = 1.5e-3  # mm: places and ticks are written to a thousandth
@@ -154,7 +154,7 @@ def rockers(document: dict[str, Any]) -> list[str]:
     return [key for key in table_of(document, "outputs_table") if key.startswith("psi_")]
 
 
-@pytest.mark.parametrize(("name", "language"), [of for of in BOTH if of[0] in LEVERS])
+@pytest.mark.parametrize(("name", "language"), in_both(LEVERS))
 def test_printed_scales_are_those_of_the_axes(name, language):
     """What 1 mm of a diagram stands for, each letter's in the order of the diagrams."""
     note, found = html(name, language), []

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from conftest import read as variant_of
+from exhaustive import many
 from note import read
 from reading import wrong
 from test_against_results import unmarked, wrong_cells, wrong_formulas, wrong_spans
@@ -35,7 +36,7 @@ def by_a_segment(given: LeverGiven) -> LeverGiven:
 
 
 @pytest.mark.parametrize("changed", [by_hand, on_one_flank, by_a_segment])
-@pytest.mark.parametrize("name", ["compressor", "shaper", "quick_return"])
+@pytest.mark.parametrize("name", many(["shaper", "compressor", "quick_return"]))
 def test_every_number_is_marked_and_right(name, changed):
     ready = variant_of(name)
     given = replace(changed(ready.lever), readings={}, reduction=False, friction=None)

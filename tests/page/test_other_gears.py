@@ -4,6 +4,7 @@ import json
 from functools import cache
 
 import pytest
+from exhaustive import many
 from note import read
 from reading import wrong
 from test_against_results import unmarked, wrong_cells, wrong_formulas, wrong_spans
@@ -63,6 +64,10 @@ TEXTS = {
 } | {name: f"eccentric: {{{block}, module: 2 mm}}\n" for name, block in ECCENTRICS.items()}
 
 
+QUICK = ("two rows alike", "rounded shifts, pointed teeth", "no middle satellite")
+CASES = many(sorted(TEXTS, key=lambda name: name not in QUICK), len(QUICK))
+
+
 @cache
 def made(name: str):
     """The note and results.json."""
@@ -72,13 +77,13 @@ def made(name: str):
     )
 
 
-@pytest.mark.parametrize("name", TEXTS)
+@pytest.mark.parametrize("name", CASES)
 def test_marked_numbers_are_those_of_the_results(name):
     note, document = made(name)
     assert len(note.marked) > 200
     wrong([*wrong_cells(note, document), *wrong_formulas(note, document), *wrong_spans(note, document)])
 
 
-@pytest.mark.parametrize("name", TEXTS)
+@pytest.mark.parametrize("name", CASES)
 def test_every_printed_number_is_marked(name):
     wrong(list(unmarked(made(name)[0])))

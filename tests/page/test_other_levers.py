@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import pytest
 from conftest import read as variant_of
+from exhaustive import many
 from note import read
 from reading import wrong
 from test_against_results import unmarked, wrong_cells, wrong_formulas, wrong_spans
@@ -31,7 +32,7 @@ def with_two_moments(given: LeverGiven) -> LeverGiven:
 
 
 @pytest.mark.parametrize("changed", [without_loads, with_two_moments])
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", many(NAMES))
 def test_every_number_is_marked_and_right(name, changed):
     ready = variant_of(name)
     given = replace(changed(ready.lever), readings={}, reduction=True)

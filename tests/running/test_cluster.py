@@ -35,6 +35,7 @@ def scheduler():
         yield local
 
 
+@pytest.mark.exhaustive
 def test_a_killed_process_loses_nothing(scheduler):
     """One of the cluster's own processes, in the middle of its work."""
     running = cluster.over(
@@ -49,6 +50,7 @@ def test_a_killed_process_loses_nothing(scheduler):
     assert not {pid, os.getpid()} & set(found.values()), "each works in a process beside it"
 
 
+@pytest.mark.exhaustive
 def test_results_are_those_of_the_tasks(scheduler):
     found = dict(
         cluster.over(chores.backwards, chunked(range(50), 7), address=scheduler.scheduler_address, seconds=60)
@@ -56,6 +58,7 @@ def test_results_are_those_of_the_tasks(scheduler):
     assert found == {k: 2 * k for k in range(50)}
 
 
+@pytest.mark.exhaustive
 def test_what_raises_is_lost_with_its_trace_and_the_rest_goes_on(scheduler):
     tasks = [1, "raise", 2, 3]
     found = dict(
@@ -67,6 +70,7 @@ def test_what_raises_is_lost_with_its_trace_and_the_rest_goes_on(scheduler):
 
 
 @POSIX
+@pytest.mark.exhaustive
 def test_what_kills_its_process_is_lost_and_the_rest_goes_on(scheduler):
     tasks = [1, "crash", 2]
     found = dict(
@@ -75,6 +79,7 @@ def test_what_kills_its_process_is_lost_and_the_rest_goes_on(scheduler):
     assert found == {1: 2, 2: 4, "crash": Lost("died")}
 
 
+@pytest.mark.exhaustive
 def test_what_hangs_is_lost_and_the_rest_goes_on(scheduler):
     tasks = [1, "hang", 2]
     found = dict(
@@ -88,6 +93,7 @@ def test_a_cluster_of_our_own_is_started_and_ended():
     assert found == {k: 2 * k for k in range(9)}
 
 
+@pytest.mark.exhaustive
 def test_lists_are_taken_as_they_are_needed(scheduler, monkeypatch):
     monkeypatch.setattr(cluster, "ALIVE", 4)
     taken = []

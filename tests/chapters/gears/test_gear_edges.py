@@ -7,6 +7,7 @@ import warnings
 from functools import cache
 
 import pytest
+from conftest import examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -183,7 +184,7 @@ def test_stated_shifts_are_not_changed_without_a_word():
     assert doubts(solved(INTERNAL)) == [] and "Taken are" not in note(INTERNAL)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(40))
 @given(st.integers(6, 150), st.integers(6, 150), st.floats(-1.5, 2.5), st.floats(-1.5, 2.5), st.booleans(),
        st.floats(0, 30), st.sampled_from(["", ", cutter: {z0: 20, x0: 0.1}", ", cutter: {z0: 9, x0: -1}"]))  # fmt: skip
 def test_any_pair_is_solved_or_refused_without_a_warning_of_numpy(z1, z2, x1, x2, internal, helix, cutter):

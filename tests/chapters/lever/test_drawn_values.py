@@ -7,6 +7,7 @@ from itertools import combinations
 import numpy as np
 import pytest
 from conftest import read, stating
+from exhaustive import many
 
 from tmm_report import course
 from tmm_report.chapters.lever.plans.solve import Comparison, Drawn
@@ -83,7 +84,7 @@ def force_errors(found: course.Results) -> dict[tuple[int, str], float]:
     return errors
 
 
-@pytest.mark.parametrize("accuracy", FORCE_STEPS)
+@pytest.mark.parametrize("accuracy", many(FORCE_STEPS))
 def test_plans_agree_with_the_analytical_values(variant, accuracy):
     found = drawn(variant, accuracy)
     assert len(found.lever.plans.drawn) == len(found.lever.force_plans.drawn) == variant.lever.positions.table

@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from conftest import solved
+from exhaustive import many
 
 from tmm_report.mechanics.lever.assembly.stated import assemble
 from tmm_report.mechanics.lever.cycle import Cycle, cycle_of
@@ -136,7 +137,7 @@ def off(found, exact, known) -> float:
 
 
 @pytest.mark.parametrize("form", FORMS)
-@pytest.mark.parametrize("seed", [1, 2, 3, 4])
+@pytest.mark.parametrize("seed", many([1, 2, 3, 4]))
 def test_the_closed_form_is_the_motion_that_newtons_method_finds(form, seed):
     of = FORMS[form](seed)
     closed = motion_method("parallelogram")

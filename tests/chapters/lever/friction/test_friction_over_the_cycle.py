@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from conftest import solved
+from exhaustive import many
 
 from tmm_report.chapters.lever.friction import quantities as q
 from tmm_report.chapters.lever.friction.solve import rubbing_of
@@ -27,7 +28,7 @@ def dense(found, count=36000):
     return lost, np.abs(one.balancing * motion.omega)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", many(NAMES))
 def test_means_are_those_of_the_whole_cycle(name):
     """And not of the diagram positions, which pass over what jumps between them."""
     found = solved(name).lever.friction

@@ -12,6 +12,7 @@ import pytest
 from conftest import examples, read, solved, stating
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from notes import note as note_of
 
 from tmm_report import course, render, stack
 from tmm_report import results as of_results
@@ -430,7 +431,7 @@ def test_a_diagram_of_two_turns_numbers_all_positions():
 
 @cache
 def english(name: str) -> str:
-    return render(solved(name), "html", "en")["note.html"].decode()
+    return note_of(name, "html", "en")["note.html"].decode()
 
 
 def test_the_note_says_how_the_cycle_goes():

@@ -1,9 +1,9 @@
 """A moment of inertia stated about any point of a link."""
 
 import pytest
-from conftest import solved
+from notes import note as note_of
 
-from tmm_report import course, render
+from tmm_report import course
 from tmm_report.problems import ProblemError
 
 TEXT = """
@@ -76,6 +76,6 @@ def test_what_is_neither_a_moment_nor_a_moment_about_a_point_is_refused(inertia)
 
 def test_the_note_writes_steiner_out_in_numbers():
     """J1 = J1,O − m1 l²: the press states it about its pivot."""
-    note = render(solved("press"), "html", "en")["note.html"].decode()
+    note = note_of("press", "html", "en")["note.html"].decode()
     assert 'data-q="J_about" data-k="0" data-t="masses"' in note and "Steiner" in note
-    assert "Steiner" not in render(solved("compressor"), "html", "en")["note.html"].decode()
+    assert "Steiner" not in note_of("compressor", "html", "en")["note.html"].decode()

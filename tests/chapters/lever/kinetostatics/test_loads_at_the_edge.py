@@ -9,6 +9,7 @@ import math
 import numpy as np
 import pytest
 from edge_variants import PUMP, ROCKER, forces, found, refused
+from exhaustive import many
 
 from tmm_report import render
 
@@ -111,7 +112,7 @@ def test_the_link_that_takes_a_force_has_its_point_and_moves():
 # ---------------------------------------------------------------- points at one place
 
 
-@pytest.mark.parametrize("point", ("A: 100 mm", "O: 0", "S1: 50 mm"))
+@pytest.mark.parametrize("point", many(("A: 100 mm", "O: 0", "S1: 50 mm")))
 def test_a_point_may_stand_at_the_place_of_another(point):
     """Loads and masses at it do what they do at the other; the lengths are as without it."""
     name, place = point.split(": ")

@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
+from exhaustive import many
 from test_dynamics_chapter import alone, book
 from told import Told
 
@@ -29,7 +30,7 @@ TEXTS = {
 }
 
 
-@pytest.mark.parametrize("language", ("ru", "en"))
+@pytest.mark.parametrize("language", many(("ru", "en")))
 @pytest.mark.parametrize("name", TEXTS)
 def test_there_is_a_note_in_every_form(name, language):
     results = course.solve(course.loads(TEXTS[name]))

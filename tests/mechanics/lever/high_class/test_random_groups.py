@@ -64,6 +64,7 @@ def test_the_branch_is_one_of_all_assemblies_at_every_angle_and_its_limit_takes_
         assert found.taken in (None, 2)
 
 
+@pytest.mark.exhaustive
 def test_a_parallelogram_of_rods_keeps_its_link_parallel_and_jams_where_a_four_bar_would():
     batch, right = searched("III-P")
     v = batch.numbers

@@ -1,0 +1,27 @@
+"""The tool of the translations as the tests use it: the program and its templates are read for texts once a run."""
+
+from __future__ import annotations
+
+import runpy
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+from once import once
+
+TOOL = Path(__file__).resolve().parent.parent / "tools" / "messages.py"
+
+
+@once
+def texts() -> tuple[Any, ...]:
+    return runpy.run_path(str(TOOL))["extracted"]()
+
+
+@cache
+def messages() -> dict[str, Any]:
+    """Names of tools/messages.py."""
+    pytest.importorskip("babel")
+    tool = runpy.run_path(str(TOOL))
+    tool["merged"].__globals__["extracted"] = tool["extracted"] = texts
+    return tool
