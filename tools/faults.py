@@ -16,6 +16,7 @@ class Fault(NamedTuple):
     new: str
     variants: str = "crank_rocker"
     tests: tuple[str, ...] = ()
+    words: bool = False  # of a word, which the approved texts alone hold
 
 
 KIN = "tmm_report/chapters/lever/kinematics/"

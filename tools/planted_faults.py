@@ -3,7 +3,7 @@
 Every fault of tools/faults.py is an edit in a copy of the program; the tests of the page and those that the fault names
 run there on one or two variants. A fault that makes no test fail that did not fail before survives: its name is printed
 and the exit code is 1; so it is where an edit does not find its text. Golden texts are left out, for they only say
-that something changed: `--golden` lets them look too.
+that something changed (`--golden` lets them look too), but of the faults of words, which they alone hold.
 """
 
 from __future__ import annotations
@@ -31,6 +31,7 @@ import faults_exact  # noqa: E402
 import faults_methods  # noqa: E402
 import faults_motion  # noqa: E402
 import faults_note  # noqa: E402
+import faults_words  # noqa: E402
 from faults import Fault  # noqa: E402
 
 FAULTS = (
@@ -42,6 +43,7 @@ FAULTS = (
     *faults_cures.FAULTS,
     *faults_methods.FAULTS,
     *faults_exact.FAULTS,
+    *faults_words.faults(ROOT),
 )
 
 COPIED = ("tmm_report", "templates", "variants", "tests", "tools", "pyproject.toml", "README.md", "docs")
@@ -65,8 +67,10 @@ def copy(folder: Path) -> Path:
     return folder
 
 
-def failing(folder: Path, variants: str, tests: tuple[str, ...], golden: bool) -> frozenset[str]:
-    """The tests that fail in a copy, those that cannot even be collected among them."""
+def failing(folder: Path, fault: Fault, golden: bool) -> frozenset[str]:
+    """The tests that fail in a copy, those that cannot even be collected among them; of a fault of words only the
+    approved texts are asked."""
+    variants = fault.variants
     command = [
         sys.executable,
         "-m",
@@ -78,11 +82,10 @@ def failing(folder: Path, variants: str, tests: tuple[str, ...], golden: bool) -
         "no:cacheprovider",
         "--tb=no",
         "-rfE",
-        "tests/page",
-        *tests,
     ]
     others = [LEVERS_BESIDE, *([] if variants in GEARS else [GEARS_BESIDE]), *([] if golden else [TEXTS])]
-    command += [f"--ignore=tests/page/{other}" for other in others]
+    all_else = ["tests/page", *fault.tests, *(f"--ignore=tests/page/{other}" for other in others)]
+    command += [f"tests/page/{TEXTS}"] if fault.words else all_else
     added = {"PYTHONPATH": str(folder), "PAGE_VARIANTS": variants}
     done = subprocess.run(command, cwd=folder, env=os.environ | added, capture_output=True, text=True)
     if done.returncode not in (0, 1) and not FAILED.search(done.stdout):
@@ -90,20 +93,25 @@ def failing(folder: Path, variants: str, tests: tuple[str, ...], golden: bool) -
     return frozenset(FAILED.findall(done.stdout))
 
 
-def planted(folder: Path, fault: Fault) -> str:
+def planted(folder: Path, fault: Fault) -> bytes:
     """Make the edit; the text as it was. Raises Misplaced."""
     path = folder / fault.file
-    text = path.read_text("utf-8") if path.exists() else ""
-    if text.count(fault.old) != 1:
-        raise Misplaced(f"its text stands {text.count(fault.old)} times in {fault.file}")
-    path.write_text(text.replace(fault.old, fault.new), "utf-8")
-    return text
+    data, old = (path.read_bytes() if path.exists() else b""), fault.old.encode()
+    if data.count(old) != 1:
+        raise Misplaced(f"its text stands {data.count(old)} times in {fault.file}")
+    path.write_bytes(data.replace(old, fault.new.encode()))
+    return data
 
 
 def placed(fault: Fault) -> bool:
     """Whether an edit finds its text in the program as it is."""
     path = ROOT / fault.file
-    return path.exists() and path.read_text("utf-8").count(fault.old) == 1
+    return path.exists() and path.read_bytes().count(fault.old.encode()) == 1
+
+
+def alike(fault: Fault) -> Fault:
+    """What the tests that look at a fault depend on."""
+    return Fault("", "", "", "", fault.variants, fault.tests, fault.words)
 
 
 class Planter:
@@ -116,23 +124,23 @@ class Planter:
             self.free.put(folder)
         self.before = cache(self._before)
 
-    def _before(self, variants: str, tests: tuple[str, ...]) -> frozenset[str]:
+    def _before(self, alike: Fault) -> frozenset[str]:
         folder = self.free.get()
         try:
-            return failing(folder, variants, tests, self.golden)
+            return failing(folder, alike, self.golden)
         finally:
             self.free.put(folder)
 
     def told(self, fault: Fault) -> tuple[Fault, list[str], str]:
         """A fault, the tests that notice it, and what is wrong with the edit."""
-        before = self.before(fault.variants, fault.tests)
+        before = self.before(alike(fault))
         folder = self.free.get()
         try:
             text = planted(folder, fault)
             try:
-                return fault, sorted(failing(folder, fault.variants, fault.tests, self.golden) - before), ""
+                return fault, sorted(failing(folder, fault, self.golden) - before), ""
             finally:
-                (folder / fault.file).write_text(text, "utf-8")
+                (folder / fault.file).write_bytes(text)
         except Misplaced as misplaced:
             return fault, [], str(misplaced)
         finally:
@@ -143,7 +151,7 @@ def run(faults: list[Fault], jobs: int, golden: bool) -> Iterator[tuple[Fault, l
     with tempfile.TemporaryDirectory() as temporary, ThreadPoolExecutor(jobs) as pool:
         folders = [copy(Path(temporary) / f"copy{k}") for k in range(jobs)]
         planter = Planter(folders, golden)
-        list(pool.map(planter.before, *zip(*{(f.variants, f.tests): None for f in faults}, strict=True)))
+        list(pool.map(planter.before, dict.fromkeys(map(alike, faults))))
         yield from pool.map(planter.told, faults)
 
 

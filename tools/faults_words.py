@@ -1,0 +1,135 @@
+"""Wrong words to be planted beside right numbers, in every chapter by the same kinds, found in its texts as they are.
+
+Captions exchanged, another source, a word turned into its opposite, in the text or in its translation alone; nouns,
+letters and units of declared numbers exchanged. Each is looked for in an approved note that says
+it (tests/golden); a text that none says, or that stands twice, is passed over.
+"""
+
+from __future__ import annotations
+
+import gettext
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from itertools import islice
+from pathlib import Path
+
+from faults import Fault
+
+EACH = 1  # of a kind in a file
+OPPOSITE = {
+    "greatest": "least", "least": "greatest", "less": "more", "above": "below", "below": "above", "before": "after",
+    "after": "before", "inner": "outer", "lower": "upper", "upper": "lower", "driving": "driven", "larger": "smaller",
+    "sum": "difference", "input": "output", "same": "other", "stable": "unstable", "first": "last", "with": "without",
+}  # fmt: skip
+TURNED = {  # of as many letters, so that the compiled catalogue stays in order
+    "больше": "меньше", "меньше": "больше", "наибольш": "наименьш", "наименьш": "наибольш", "выше": "ниже",
+    "ниже": "выше", "начал": "конец", "левая": "права", "перед": "после", "после": "перед", "сумма": "длина",
+    "силы": "пути", "угла": "пути", "длина": "сумма", "масс": "длин", "момент": "размер", "скорост": "ускорен",
+    "звена": "точки", "точки": "звена", "плана": "графа", "силой": "парой",
+}  # fmt: skip
+UNITS = {
+    "m": "m/s", "m/s": "m/s²", "m/s²": "m/s", "rad/s": "rad/s²", "rad/s²": "rad/s", "N": "N·m", "N·m": "N",
+    "kg": "kg·m²", "kg·m²": "kg", "W": "J", "J": "W", "N/m": "N", "mm": "m", "rad": "rad/s", "kg·m": "kg", "s": "m",
+}  # fmt: skip
+CATALOGUE = "templates/locale/ru/LC_MESSAGES/tmm_report.mo"
+TEXT = re.compile(r't\("((?:[^"\\]|\\.)+)"')
+CAPTION = re.compile(r'm\.(?:table|figure)\(.*?t\("([^"%\\]+)"')
+SOURCE = re.compile(r'm\.by\("(\w+)"[^)]*\)')
+NOUN = re.compile(r'N_\("([a-z][^"%\\]+)"\)')
+LETTER = re.compile(r'(?:Q\(|Symbol\()"(\w+)"')
+UNIT = re.compile(r'"(' + "|".join(re.escape(unit) for unit in UNITS) + r')"')
+
+Edit = tuple[str, str, str]  # old, new, by which words an approved text is known that says it
+Found = Iterator[Edit]
+
+
+def faults(root: Path) -> Iterator[Fault]:
+    texts = {kind: dict(_approved(root, kind)) for kind in (".en.txt", ".ru.txt", ".numbers")}
+    for file, kind, where, edits in _of_all(root):
+        said = ((old, new, _saying(texts[where], words)) for old, new, words in edits)
+        for number, (old, new, variant) in enumerate(islice((one for one in said if one[2]), EACH), 1):
+            name = f"words: {kind} {number} in {file.relative_to(root).as_posix()}"
+            yield Fault(name, file.relative_to(root).as_posix(), old, new, variant, words=True)
+
+
+def _approved(root: Path, kind: str) -> Iterator[tuple[str, str]]:
+    for path in sorted((root / "tests" / "golden").glob(f"*{kind}")):
+        yield path.name.removesuffix(kind), path.read_text("utf-8")
+
+
+def _saying(texts: Mapping[str, str], words: str) -> str:
+    """The variant with the shortest approved text that says this."""
+    own = words.split("%(")[0].strip()
+    saying = [name for name in texts if own and own in texts[name]]
+    return min(saying, key=lambda name: len(texts[name]), default="")
+
+
+def _of_all(root: Path) -> Iterator[tuple[Path, str, str, Found]]:
+    """File, kind of the fault, kind of the text in which it is looked for, the edits."""
+    catalogue = root / CATALOGUE
+    for page in sorted((root / "templates" / "chapters").rglob("*.j2")):
+        text = page.read_text("utf-8")
+        yield page, "another caption", ".en.txt", _exchanged(text, CAPTION)
+        yield page, "another source", ".en.txt", _sources(text)
+        yield page, "the opposite", ".en.txt", _opposite(text)
+        kind = f"the opposite in the translation of {page.stem}, {page.parent.name}"
+        yield catalogue, kind, ".ru.txt", _translated(text, catalogue)
+    for file in sorted((root / "tmm_report" / "chapters").rglob("*.py")):
+        code = file.read_text("utf-8")
+        declared = [line for line in code.splitlines() if re.search(r"\b(?:Q|Quantity)\(.*N_\(", line)]
+        yield file, "another noun", ".numbers", _exchanged(code, NOUN)
+        yield file, "another letter", ".numbers", _lines(code, declared, LETTER, _rotated(declared, LETTER))
+        yield file, "another unit", ".numbers", _lines(code, declared, UNIT, UNITS.__getitem__)
+
+
+def _once(text: str, edits: Iterable[Edit]) -> Found:
+    """Those that find their text once and change it."""
+    return (edit for edit in edits if edit[0] != edit[1] and text.count(edit[0]) == 1)
+
+
+def _exchanged(text: str, pattern: re.Pattern[str]) -> Found:
+    """Each by the next one."""
+    found = list(dict.fromkeys(pattern.findall(text)))
+    pairs = zip(found, [*found[1:], *found[:1]], strict=True)
+    return _once(text, ((f'"{one}"', f'"{other}"', one) for one, other in pairs))
+
+
+def _sources(text: str) -> Found:
+    """By another author; the note is known by what stands before."""
+    for match in SOURCE.finditer(text):
+        before = [m[1] for m in TEXT.finditer(text[: match.start()])]
+        other = "frolov" if match[1] != "frolov" else "levitsky"
+        yield from _once(text, [(match[0], match[0].replace(f'"{match[1]}"', f'"{other}"'), before[-1])])
+
+
+def _opposite(text: str) -> Found:
+    words = re.compile(r"\b(" + "|".join(OPPOSITE) + r")\b")
+    for one in (m[1] for m in TEXT.finditer(text)):
+        other = words.sub(lambda m: OPPOSITE[m[1]], one, count=1)
+        yield from _once(text, [(f'"{one}"', f'"{other}"', one)])
+
+
+def _translated(text: str, catalogue: Path) -> Found:
+    """In the compiled catalogue, where a message ends with a zero byte and keeps its length."""
+    with catalogue.open("rb") as file:
+        say = gettext.GNUTranslations(file).gettext
+    words, data = re.compile("|".join(TURNED)), catalogue.read_bytes()
+    for one in (say(m[1].replace('\\"', '"')) for m in TEXT.finditer(text)):
+        other = words.sub(lambda m: TURNED[m[0]], one, count=1)
+        if one != other and "%(" not in one and data.count(f"\0{one}\0".encode()) == 1:
+            yield f"\0{one}\0", f"\0{other}\0", one
+
+
+def _rotated(lines: list[str], pattern: re.Pattern[str]) -> Callable[[str], str]:
+    """Another letter of the same file."""
+    found = list(dict.fromkeys(pattern.findall("\n".join(lines))))
+    return dict(zip(found, [*found[1:], *found[:1]], strict=True)).__getitem__
+
+
+def _lines(text: str, lines: list[str], pattern: re.Pattern[str], other: Callable[[str], str]) -> Found:
+    """The first that a line says, by another: the whole line is the text, its noun says where it is read."""
+    for line in lines:
+        found, noun = pattern.search(line), NOUN.search(line)
+        if found is not None and noun is not None:
+            start, end = found.span(1)
+            yield from _once(text, [(line, line[:start] + other(found[1]) + line[end:], noun[1])])
