@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import field, replace
 from functools import cached_property
+from itertools import chain
 
 import numpy as np
 
@@ -84,7 +85,8 @@ class Drawing:
     @cached_property
     def box(self) -> Box:
         """Left, bottom, right and top of all items with the margin, mm."""
-        places = np.array([z for item in self.items for z in item.corners()] or [0j], complex)
+        corners = chain.from_iterable([item.corners() for item in self.items])
+        places = np.array(list(corners) or [0j], complex)
         (left, right), (bottom, top) = ((float(x.min()), float(x.max())) for x in (places.real, places.imag))
         return left - self.margin, bottom - self.margin, right + self.margin, top + self.margin
 
