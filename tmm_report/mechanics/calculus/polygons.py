@@ -18,6 +18,7 @@ Boxes = list[Array]  # left, bottom, right, top, (P, blocks) each
 Pairs = tuple[Array, Array, Array]  # place, side of the one, side of the other, (K,) each, by places
 BLOCK = 8  # sides in a box
 AT_ONCE = 500_000  # pairs of boxes that are compared at a time
+SLACK = 0.01  # of the width of a polygon: how near what it may meet is looked for at first
 BOUND = 50  # vertices of each chain from which a first bound of their distance is found
 
 
@@ -43,10 +44,11 @@ def overlaps_and_clearances(one: Array, other: Array, opening: bool = False) -> 
     Of each boundary only the chain takes part that comes near the box of the other.
     """
     around = _around(_corners(one)), _around(_corners(other))
-    bound = _between_vertices(_chain(one, around[1], 0.0).places, _chain(other, around[0], 0.0).places)
-    mine, theirs = (
-        _chain(polygon, box, bound.max()) for polygon, box in ((one, around[1]), (other, around[0]))
-    )
+    reach = SLACK * float((around[0][2] - around[0][0]).max())
+    mine, theirs = _chain(one, around[1], reach), _chain(other, around[0], reach)
+    bound = _between_vertices(mine.places, theirs.places)
+    if bound.max() > reach:
+        mine, theirs = _chain(one, around[1], bound.max()), _chain(other, around[0], bound.max())
     pairs = _near(mine.places, theirs.places, bound)
     shared, apart = _nested(one, other, opening), _distances(mine.places, theirs.places, pairs, bound)
     apart[shared > 0] *= -1
