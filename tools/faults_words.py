@@ -95,11 +95,11 @@ def _exchanged(text: str, pattern: re.Pattern[str]) -> Found:
 
 
 def _sources(text: str) -> Found:
-    """By another author; the note is known by what stands before."""
+    """By another author; the note is known by the longest text of the page."""
+    longest = max((m[1].split("%(")[0] for m in TEXT.finditer(text)), key=len, default="")
     for match in SOURCE.finditer(text):
-        before = [m[1] for m in TEXT.finditer(text[: match.start()])]
         other = "frolov" if match[1] != "frolov" else "levitsky"
-        yield from _once(text, [(match[0], match[0].replace(f'"{match[1]}"', f'"{other}"'), before[-1])])
+        yield from _once(text, [(match[0], match[0].replace(f'"{match[1]}"', f'"{other}"'), longest)])
 
 
 def _opposite(text: str) -> Found:

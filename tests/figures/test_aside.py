@@ -59,7 +59,7 @@ def test_a_moved_arrow_keeps_length_and_direction_and_ticks_lead_to_its_ends():
     assert [tick[0] for tick in ticks] == [50, 0]
     for tick, end in zip(ticks, (moved.start, moved.end), strict=True):
         assert abs(tick[1] - tick[0]) > abs(end - tick[0]) == SPACING
-    assert 'data-aside="1.3"' in moved.svg() and "data-aside" not in thick.svg()
+    assert 'data-aside="1.3"' in moved.svg([]) and "data-aside" not in thick.svg([])
 
 
 def test_a_drawing_all_on_one_line_has_room_for_its_letters():

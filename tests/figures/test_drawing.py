@@ -62,7 +62,7 @@ def test_a_drawn_segment_is_as_long_as_given(a, b):
 def test_an_arrow_goes_from_its_start_to_its_end_with_a_small_head(a, b):
     if abs(b - a) < 0.01:
         return
-    shaft, head = Arrow(a, b).parts()
+    shaft, head = Arrow(a, b).parts
     tip, *wings = head.strokes[0]
     assert shaft.strokes[0][0] == a and tip == b
     back = (sum(wings) / 2 - tip) / (a - b)

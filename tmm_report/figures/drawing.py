@@ -9,6 +9,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import field, replace
 from functools import cached_property
+from itertools import chain
+
+import numpy as np
 
 from tmm_report.figures.lettering import Parts, xml_text
 from tmm_report.figures.placing import Tag, placed
@@ -36,6 +39,7 @@ from tmm_report.figures.primitives import (
     polyline,
     tikz_colour,
     tikz_point,
+    with_places,
     written,
 )
 from tmm_report.records import dataclass
@@ -81,9 +85,10 @@ class Drawing:
     @cached_property
     def box(self) -> Box:
         """Left, bottom, right and top of all items with the margin, mm."""
-        places = [z for item in self.items for stroke in item.outline() for z in stroke] or [0j]
-        xs, ys = [z.real for z in places], [z.imag for z in places]
-        return min(xs) - self.margin, min(ys) - self.margin, max(xs) + self.margin, max(ys) + self.margin
+        corners = chain.from_iterable([item.corners() for item in self.items])
+        places = np.array(list(corners) or [0j], complex)
+        (left, right), (bottom, top) = ((float(x.min()), float(x.max())) for x in (places.real, places.imag))
+        return left - self.margin, bottom - self.margin, right + self.margin, top + self.margin
 
     @property
     def size(self) -> tuple[float, float]:
@@ -151,10 +156,12 @@ def svg(drawing: Drawing, turned: bool = False) -> str:
         ' transform="rotate(-90)"' if turned else ""
     )
     style = f'<g {look} font-family="{_FONTS}" font-size="{TEXT}">'
-    body = "".join([item.svg() if not isinstance(item, Text) else "" for item in drawing.items])
-    texts = "".join([item.svg() for item in drawing.items if isinstance(item, Text)])
+    places: list[complex] = []
+    body = "".join([item.svg(places) for item in drawing.items if not isinstance(item, Text)])
+    texts = "".join([item.svg(places) for item in drawing.items if isinstance(item, Text)])
+    drawn = with_places(f'{body}<g fill="#000000">{texts}</g>', places)
     title = f"<title>{xml_text(drawing.title)}</title>" if drawing.title else ""
-    return f'{head}{title}{style}{body}<g fill="#000000">{texts}</g></g></svg>'
+    return f"{head}{title}{style}{drawn}</g></svg>"
 
 
 # --- TikZ ---

@@ -1,16 +1,21 @@
 """Primitives of a drawing, mm of paper: lines, arcs, arrows, lettering, each written as SVG and as TikZ.
 
 Each knows its outline (polylines, mm), its shifted copy, its SVG and its TikZ; a place is one complex number, y up.
+The numbers of places in SVG are written for the whole drawing at once: an item adds its places to a list and leaves a
+`%.7g` for each of their two numbers, x and −y.
 """
 
 from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
+from itertools import chain
 from typing import Literal
+
+import numpy as np
 
 from tmm_report.figures.lettering import Parts, svg_parts, tex_parts, width, xml_text
 from tmm_report.records import dataclass
@@ -65,9 +70,12 @@ class Path:
     def moved(self, by: complex) -> Path:
         return replace(self, strokes=tuple(tuple(z + by for z in stroke) for stroke in self.strokes))
 
-    def svg(self) -> str:
-        end = "Z" if self.closed else ""
-        d = "".join("M" + "L".join(map(_svg_point, stroke)) + end for stroke in self.strokes)
+    def corners(self) -> Iterable[complex]:
+        return chain.from_iterable(self.strokes)
+
+    def svg(self, places: list[complex]) -> str:
+        places += self.corners()
+        d = "".join([_svg_stroke(len(stroke), self.closed) for stroke in self.strokes])
         return f'<path d="{d}"{_svg_look(self.pen, self.fill, self.opacity)}/>'
 
     def tikz(self) -> str:
@@ -86,12 +94,17 @@ class Circle:
     def outline(self) -> list[tuple[complex, ...]]:
         return [tuple(self.centre + self.radius * turn for turn in _ROUND)]
 
+    def corners(self) -> Iterable[complex]:
+        reach = complex(self.radius, self.radius)
+        return self.centre - reach, self.centre + reach
+
     def moved(self, by: complex) -> Circle:
         return replace(self, centre=self.centre + by)
 
-    def svg(self) -> str:
-        x, y = written(self.centre.real), written(-self.centre.imag)
-        return f'<circle cx="{x}" cy="{y}" r="{written(self.radius)}"{_svg_look(self.pen, self.fill, 1.0)}/>'
+    def svg(self, places: list[complex]) -> str:
+        places.append(self.centre)
+        look = _svg_look(self.pen, self.fill, 1.0)
+        return f'<circle cx="%.7g" cy="%.7g" r="{written(self.radius)}"{look}/>'
 
     def tikz(self) -> str:
         look = _tikz_look(self.pen, self.fill, 1.0)
@@ -116,13 +129,17 @@ class Arc:
         step = (self.end - self.start) / (count - 1)
         return [tuple(self.at(self.start + step * i) for i in range(count))]
 
+    def corners(self) -> Iterable[complex]:
+        return self.outline()[0]
+
     def moved(self, by: complex) -> Arc:
         return replace(self, centre=self.centre + by)
 
-    def svg(self) -> str:
+    def svg(self, places: list[complex]) -> str:
+        places += self.at(self.start), self.at(self.end)
         large, sweep = int(abs(self.end - self.start) > math.pi), int(self.end < self.start)
         r = written(self.radius)
-        d = f"M{_svg_point(self.at(self.start))}A{r} {r} 0 {large} {sweep} {_svg_point(self.at(self.end))}"
+        d = f"M%.7g %.7gA{r} {r} 0 {large} {sweep} %.7g %.7g"
         return f'<path d="{d}"{_svg_look(self.pen, "", 1.0)}/>'
 
     def tikz(self) -> str:
@@ -146,6 +163,7 @@ class Arrow:
     of: str = ""
     aside: float = 0.0
 
+    @cached_property
     def parts(self) -> tuple[Path, Path]:
         """The shaft, which stops inside the head to keep the tip sharp, and the head; its tip is `end`."""
         along = self.end - self.start
@@ -159,19 +177,22 @@ class Arrow:
         return shaft, Path(((self.end, base + wing, base - wing),), None, pen.colour, closed=True)
 
     def outline(self) -> list[tuple[complex, ...]]:
-        return [(self.start, self.end), *self.parts()[1].outline()]
+        return [(self.start, self.end), *self.parts[1].outline()]
+
+    def corners(self) -> Iterable[complex]:
+        return self.start, *self.parts[1].strokes[0]
 
     def moved(self, by: complex) -> Arrow:
         return replace(self, start=self.start + by, end=self.end + by)
 
-    def svg(self) -> str:
-        shaft, head = self.parts()
-        drawn = shaft.svg() + head.svg()
+    def svg(self, places: list[complex]) -> str:
+        shaft, head = self.parts
+        drawn = shaft.svg(places) + head.svg(places)
         aside = f' data-aside="{written(self.aside)}"' if self.aside else ""
-        return f'<g data-q="{xml_text(self.of)}"{aside}>{drawn}</g>' if self.of else drawn
+        return f'<g data-q="{_as_it_is(xml_text(self.of))}"{aside}>{drawn}</g>' if self.of else drawn
 
     def tikz(self) -> str:
-        shaft, head = self.parts()
+        shaft, head = self.parts
         return shaft.tikz() + "\n" + head.tikz()
 
 
@@ -201,15 +222,20 @@ class Text:
         x0, y0, x1, y1 = self.box
         return [(complex(x0, y0), complex(x1, y0), complex(x1, y1), complex(x0, y1))]
 
+    def corners(self) -> Iterable[complex]:
+        x0, y0, x1, y1 = self.box
+        return complex(x0, y0), complex(x1, y1)
+
     def moved(self, by: complex) -> Text:
         return replace(self, at=self.at + by)
 
-    def svg(self) -> str:
-        x, y = written(self.baseline.real), written(-self.baseline.imag)
+    def svg(self, places: list[complex]) -> str:
+        places.append(self.baseline)
         anchor = ("", ' text-anchor="middle"', ' text-anchor="end"')[self.align + 1]
         size = f' font-size="{self.size}"' if self.size != TEXT else ""
         fill = f' fill="#{COLOURS[self.colour]}"' if self.colour != "black" else ""
-        return f'<text x="{x}" y="{y}"{anchor}{size}{fill}>{svg_parts(self.parts, self.size)}</text>'
+        text = _as_it_is(svg_parts(self.parts, self.size))
+        return f'<text x="%.7g" y="%.7g"{anchor}{size}{fill}>{text}</text>'
 
     def tikz(self) -> str:
         anchor = ("base west", "base", "base east")[self.align + 1]
@@ -266,8 +292,24 @@ def written(value: float) -> str:
     return f"{round(value, 3) + 0.0:.7g}"
 
 
-def _svg_point(z: complex) -> str:
-    return f"{round(z.real, 3) + 0.0:.7g} {round(-z.imag, 3) + 0.0:.7g}"
+def with_places(svg: str, places: Sequence[complex]) -> str:
+    """The SVG with the numbers of its places as `written` writes them, all at once."""
+    numbers = np.array(places, complex).conj().view(float)
+    rounded = np.round(numbers, 3)
+    # numpy rounds the product with 1000, which decides a half otherwise than the number itself
+    halves = np.nonzero(np.abs(np.abs(1000 * (numbers - rounded)) - 0.5) < 1e-6)[0]
+    rounded[halves] = [round(x, 3) for x in numbers[halves].tolist()]
+    return svg % tuple((rounded + 0.0).tolist())
+
+
+def _as_it_is(text: str) -> str:
+    """Text among which numbers are put in."""
+    return text.replace("%", "%%")
+
+
+@lru_cache
+def _svg_stroke(points: int, closed: bool) -> str:
+    return "M" + "L".join(["%.7g %.7g"] * points) + ("Z" if closed else "")
 
 
 @lru_cache

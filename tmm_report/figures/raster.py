@@ -78,7 +78,7 @@ def inked(item: Item) -> Iterator[Ink]:
         case Arc():
             yield Ink(traced([_bent(item.centre, item.radius, item.start, item.end)]), item.pen)
         case Arrow():
-            yield from (ink for part in item.parts() for ink in inked(part))
+            yield from (ink for part in item.parts for ink in inked(part))
         case Text():
             yield Ink(_placed(item), None, item.colour)
 

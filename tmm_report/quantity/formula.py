@@ -19,7 +19,7 @@ import numpy as np
 
 from tmm_report.i18n import NP_, Translator
 from tmm_report.problems import Message
-from tmm_report.quantity.ref import Ref, without_attributes
+from tmm_report.quantity.ref import Ref, read_alike
 from tmm_report.quantity.symbols import Latex, MathML, Symbol, math_symbol, notation, segment, with_power
 from tmm_report.quantity.text import ZERO, round_significant
 from tmm_report.records import dataclass
@@ -397,8 +397,8 @@ class Formula:
         pieces = [form.symbol(result)]
         last = ""
         for side in self._sides(form):
-            joined = without_attributes("".join(side)).replace(' form="prefix"', "")
-            if joined == last:  # a bare number is not repeated as its own value: it is the value
+            joined = "".join(side)
+            if read_alike(joined, last):  # a bare number is not repeated as its own value: it is the value
                 del pieces[-len(side) :]
             pieces += [form.operator("=") + side[0], *side[1:]]
             last = joined

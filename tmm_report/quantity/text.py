@@ -48,9 +48,14 @@ def split(
         text, power = f"{size:.{places}f}", None
     else:
         text, power = _significant(size, digits) if size else ("0", None)
-    if "." in text and not keep_zeros:
-        text = text.rstrip("0").rstrip(".")
+    if not keep_zeros:
+        text = _bare(text)
     return Parts(x < 0 and text.strip("0.") != "", text, power)
+
+
+def _bare(text: str) -> str:
+    """Digits without zeros at their end."""
+    return text.rstrip("0").rstrip(".") if "." in text else text
 
 
 def _significant(size: float, digits: int) -> tuple[str, int | None]:
@@ -73,7 +78,18 @@ def number(
     keep_zeros: bool = False,
 ) -> str:
     """`split` as running text: 4,444; −41,888; 1,35·10⁻⁵; a dash for nan."""
-    parts = split(x, digits, places, scale, keep_zeros)
+    return _running(split(x, digits, places, scale, keep_zeros), decimal)
+
+
+def short_and_full(
+    x: float, digits: int, decimal: str, places: int | None = None, scale: float = 1.0
+) -> tuple[str, str]:
+    """`number` without and with the zeros at its end."""
+    full = split(x, digits, places, scale, keep_zeros=True)
+    return _running(full._replace(digits=_bare(full.digits)), decimal), _running(full, decimal)
+
+
+def _running(parts: Parts, decimal: str) -> str:
     text = (MINUS if parts.negative else "") + parts.digits.replace(".", decimal)
     return text if parts.power is None else f"{text}·10{str(parts.power).translate(_RAISED)}"
 

@@ -13,7 +13,8 @@ from typing import Any, ParamSpec, TypeVar
 
 import jinja2
 import numpy as np
-from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template, pass_context
+from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template, nodes, pass_context
+from jinja2.compiler import CodeGenerator, Frame
 from jinja2.runtime import Context, Undefined
 from markupsafe import Markup
 
@@ -24,7 +25,7 @@ from tmm_report.problems import N_, Message
 from tmm_report.quantity.formula import Formula, Inline, Var
 from tmm_report.quantity.model import Column, Table, Value
 from tmm_report.quantity.symbols import Symbol, math_symbol, xml_escape
-from tmm_report.quantity.text import column, number, unit_text
+from tmm_report.quantity.text import column, number, short_and_full, unit_text
 from tmm_report.quantity.written import Equation, explained
 from tmm_report.report.bytecode import bytecode_cache
 from tmm_report.report.formats import Format
@@ -43,9 +44,23 @@ _VALUE = re.compile(r"%(?:\((\w+)\)[sd]|%)")
 
 @pass_context  # without it jinja2 folds string literals at compile time, html-escaping them before `finalize`
 def _finalize(context: Context, value: Any) -> Any:
-    if isinstance(value, Markup | Undefined):
+    if isinstance(value, Markup):
         return value
-    return context["page"].text(value)
+    return str(value) if isinstance(value, Undefined) else context["page"].text(value)
+
+
+class _Once(CodeGenerator):
+    """What is put out is escaped by `finalize`: jinja2 would copy it by escaping it once more."""
+
+    def _output_child_pre(self, node: nodes.Expr, frame: Frame, finalize: Any) -> None:
+        self.write(finalize.src)
+
+    def _output_child_post(self, node: nodes.Expr, frame: Frame, finalize: Any) -> None:
+        self.write(")")
+
+
+class _Environment(Environment):
+    code_generator_class = _Once
 
 
 TRIMMED = True  # blocks take their line's blanks and end with them
@@ -54,9 +69,9 @@ TRIMMED = True  # blocks take their line's blanks and end with them
 @cache
 def environment() -> Environment:
     compiled_as = (
-        f"jinja {getattr(jinja2, '__version__', '')}, escaped, finalized in context, trimmed {TRIMMED}"
+        f"jinja {getattr(jinja2, '__version__', '')}, escaped once, finalized in context, trimmed {TRIMMED}"
     )
-    return Environment(
+    return _Environment(
         loader=FileSystemLoader(data_root() / "templates"),
         undefined=StrictUndefined,
         autoescape=True,
@@ -210,10 +225,6 @@ class Page:
     def num(self, x: float, digits: int = 5, places: int | None = None, scale: float = 1.0) -> str:
         return number(float(x), digits, self.tr.decimal, places, scale)
 
-    def _full(self, x: float, digits: int, places: int | None, scale: float) -> str:
-        """The number with the zeros at its end."""
-        return number(float(x), digits, self.tr.decimal, places, scale, keep_zeros=True)
-
     def col(self, values: Iterable[float], digits: int = 5) -> list[str]:
         """A table column."""
         return column(values, digits, self.tr.decimal)
@@ -266,7 +277,8 @@ class Page:
         else:
             number, ref = of[key].number(row, unit), of.ref(key, row, unit, size)
         number = abs(number) if size else number
-        return Cell(self.num(number, digits, places, scale), ref, self._full(number, digits, places, scale))
+        short, full = short_and_full(float(number), digits, self.tr.decimal, places, scale)
+        return Cell(short, ref, full)
 
     def word(self, text: str | Markup, table: Table, key: str, row: int) -> Cell | Words:
         """A translated word or a name that stands for a cell of the results."""

@@ -125,7 +125,8 @@ def _markers(spots: Sequence[complex], look: Look) -> Iterator[Path]:
     if spots:
         radius = MARK * (1 + 1.4 / look.corners)  # a triangle looks smaller than a disc
         shape = [cmath.rect(radius, look.turn + math.tau * k / look.corners) for k in range(look.corners)]
-        yield Path(tuple(tuple(spot + z for z in shape) for spot in spots), None, look.pen.colour, True)
+        places = np.array(spots)[:, None] + np.array(shape)
+        yield Path(tuple(map(tuple, places.tolist())), None, look.pen.colour, True)
 
 
 def _joined(graph: Graph, crowd: Crowd) -> Iterator[Item]:

@@ -8,10 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.mechanics.calculus.roots import bracketed
+from tmm_report.mechanics.calculus.roots import interpolated
 
 Array = Any
 NOISE = 1e-12  # of the function: a root is left where it is this small
+NARROW = 1e-10  # of a side of the grid: about a jump nothing is sought closer
 
 
 def isolines(f: Callable[[Array], Array], grid: Array, values: Array | None = None) -> tuple[Array, ...]:
@@ -41,9 +42,8 @@ def _crossed(values: Array) -> tuple[Array, Array]:
 
 
 def _roots(f: Callable[[Array], Array], start: Array, stop: Array, at_start: Array) -> Array:
-    part, _ = bracketed(
-        lambda t: f(start + t * (stop - start)), np.zeros(len(start)), np.ones(len(start)), at_start, NOISE
-    )
+    low, high, noise = np.zeros(len(start)), np.ones(len(start)), np.full(len(start), NOISE)
+    part, _ = interpolated(lambda t: f(start + t * (stop - start)), low, high, at_start, noise, NARROW)
     return start + part * (stop - start)
 
 

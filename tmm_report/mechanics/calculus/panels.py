@@ -180,7 +180,12 @@ def panels(
     marks = marks[keep]
     marks[-1] = period  # a break next to the end is the end
     counts = np.maximum(1, np.ceil(np.diff(marks) / widest - 1e-9).astype(int))
-    pieces = [
-        np.linspace(a, b, n, endpoint=False) for a, b, n in zip(marks[:-1], marks[1:], counts, strict=True)
-    ]
-    return Panels(np.concatenate([*pieces, [period]]), order)
+    return Panels(cut(marks, counts), order)
+
+
+def cut(edges: Array, counts: Array) -> Array:
+    """Edges (K+1,) with each of the panels cut into so many (K,) equal ones."""
+    first = np.cumsum(counts) - counts
+    part = np.arange(counts.sum()) - np.repeat(first, counts)
+    starts, steps = (np.repeat(x, counts) for x in (edges[:-1], np.diff(edges) / counts))
+    return np.append(part * steps + starts, edges[-1])

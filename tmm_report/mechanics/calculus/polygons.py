@@ -1,21 +1,25 @@
 """Area that two closed polygons share, and the distance between their sides. Vertices (N,) complex, counter-clockwise.
 
 An `other` that is `opening` bounds a hole, as the inside of a ring wheel: its material lies outside. Sides are compared
-in blocks by their boxes, so that wheels of some ten thousand sides take milliseconds.
+in blocks by their boxes, so that wheels of some ten thousand sides take milliseconds; polygons in many places (P, N)
+are compared together.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import pairwise
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 Array = Any
-Boxes = tuple[Array, Array, Array, Array]  # left, bottom, right, top
+Boxes = list[Array]  # left, bottom, right, top, (P, blocks) each
+Pairs = tuple[Array, Array, Array]  # place, side of the one, side of the other, (K,) each, by places
 BLOCK = 8  # sides in a box
-BOUND = 100  # vertices of each polygon from which a first bound of their distance is found
+AT_ONCE = 500_000  # pairs of boxes that are compared at a time
+SLACK = 0.01  # of the width of a polygon: how near what it may meet is looked for at first
+BOUND = 50  # vertices of each chain from which a first bound of their distance is found
 
 
 def overlap(one: Array, other: Array, opening: bool = False) -> float:
@@ -30,12 +34,49 @@ def clearance(one: Array, other: Array, opening: bool = False) -> float:
 
 def overlap_and_clearance(one: Array, other: Array, opening: bool = False) -> tuple[float, float]:
     """Both, from one search for the crossings."""
-    boxes = _boxes(one), _boxes(other)
-    crossed = _crossings(one, other, boxes)
-    if not len(crossed[0]):
-        shared = _nested(one, other, opening)
-        return shared, _distance(one, other, boxes) * (-1 if shared else 1)
-    return _overlap(one, other, crossed, opening), 0.0 - _sunk(one, other, crossed, opening)
+    shared, apart = overlaps_and_clearances(one[None], other[None], opening)
+    return float(shared[0]), float(apart[0])
+
+
+def overlaps_and_clearances(one: Array, other: Array, opening: bool = False) -> tuple[Array, Array]:
+    """Both, (P,), of polygons (P, N) and (P, M) in P places, from one search for the sides that are near.
+
+    Of each boundary only the chain takes part that comes near the box of the other.
+    """
+    around = _around(_corners(one)), _around(_corners(other))
+    reach = SLACK * float((around[0][2] - around[0][0]).max())
+    mine, theirs = _chain(one, around[1], reach), _chain(other, around[0], reach)
+    bound = _between_vertices(mine.places, theirs.places)
+    if bound.max() > reach:
+        mine, theirs = _chain(one, around[1], bound.max()), _chain(other, around[0], bound.max())
+    pairs = _near(mine.places, theirs.places, bound)
+    shared, apart = _nested(one, other, opening), _distances(mine.places, theirs.places, pairs, bound)
+    apart[shared > 0] *= -1
+    for k, crossed in _crossings(mine, theirs, pairs):
+        shared[k] = _overlap(one[k], other[k], crossed, opening)
+        apart[k] = 0.0 - _sunk(one[k], other[k], crossed, opening)
+    return shared, apart
+
+
+class Chain(NamedTuple):
+    """A piece of a boundary: `places` of its vertices (P, n + 1) with n sides between them, and which they are."""
+
+    places: Array
+    number: Array
+
+
+def _chain(polygon: Array, box: Boxes, reach: float) -> Chain:
+    """The shortest piece that has all vertices which in any of the places come within `reach` of a box, and their
+    neighbours; the whole boundary where none come or all do."""
+    n = polygon.shape[1]
+    near = np.nonzero(_meet(_corners(polygon), box, reach).any(axis=0))[0]
+    number = np.arange(n + 1) % n
+    if len(near):
+        beyond = np.diff(near, append=near[0] + n)
+        gap = int(np.argmax(beyond))  # the longest way round between two of them is left out
+        if beyond[gap] > 2:
+            number = (near[gap] + beyond[gap] - 1 + np.arange(n - beyond[gap] + 3)) % n
+    return Chain(polygon[:, number], number)
 
 
 def _overlap(one: Array, other: Array, crossed: tuple[Array, Array], opening: bool) -> float:
@@ -56,23 +97,30 @@ def _sunk(one: Array, other: Array, crossed: tuple[Array, Array], opening: bool)
     return max((_depth(points, sides) for points, sides in sunk if len(points)), default=0.0)
 
 
-def _crossings(one: Array, other: Array, boxes: tuple[Boxes, Boxes]) -> tuple[Array, Array]:
-    """Where the boundaries cross, on each of them: index of the side and the part of it passed, (K,), ascending."""
-    i, j = _near(one, other, boxes, 0.0)
-    start, along = one[i], _next(one, i) - one[i]
-    gap, across = other[j] - start, _next(other, j) - other[j]
+def _crossings(one: Chain, other: Chain, pairs: Pairs) -> Iterator[tuple[int, tuple[Array, Array]]]:
+    """Places where the boundaries cross, and where on each of them: index of the side and the part of it passed, (K,),
+    ascending."""
+    p, i, j = pairs
+    start, there = one.places[p, i], other.places[p, j]
+    along, across, gap = one.places[p, i + 1] - start, other.places[p, j + 1] - there, there - start
     turn = _cross(along, across)
     with np.errstate(divide="ignore", invalid="ignore"):
         s, t = _cross(gap, across) / turn, _cross(gap, along) / turn
     hit = (s >= 0) & (s < 1) & (t >= 0) & (t < 1)
-    return np.sort((i + s)[hit]), np.sort((j + t)[hit])
+    p, mine, theirs = p[hit], one.number[i[hit]] + s[hit], other.number[j[hit]] + t[hit]
+    for k in np.unique(p):
+        yield int(k), (np.sort(mine[p == k]), np.sort(theirs[p == k]))
 
 
 def inside(points: Array, polygon: Array) -> Array:
-    """Whether each of the points (K,) lies inside, by the number of sides to the right of it."""
-    below = np.append(polygon, polygon[0]).imag <= points.imag[:, None]
-    k, side = np.nonzero(below[:, :-1] != below[:, 1:])  # the few that a horizontal through the point meets
-    low, along, point = polygon[side], _next(polygon, side) - polygon[side], points[k]
+    """Whether each of the points (K,) lies inside the polygon (N,), or its own of (K, N), by the number of sides to the
+    right of it."""
+    below = polygon.imag <= points.imag[:, None]
+    # the few that a horizontal through the point meets
+    k, side = np.nonzero(below != np.roll(below, -1, axis=1))
+    polygon, point = np.broadcast_to(polygon, below.shape), points[k]
+    low = polygon[k, side]
+    along = polygon[k, (side + 1) % polygon.shape[1]] - low
     x = low.real + (point.imag - low.imag) * along.real / along.imag
     return np.bincount(k[x > point.real], minlength=len(points)) % 2 == 1
 
@@ -81,12 +129,15 @@ def area(polygon: Array) -> float:
     return float(_cross(polygon, np.roll(polygon, -1)).sum() / 2)
 
 
-def _nested(one: Array, other: Array, opening: bool) -> float:
-    """Area shared where the boundaries do not cross."""
-    if inside(one[:1], other)[0]:
-        return 0.0 if opening else area(one)
-    around = area(other) if inside(other[:1], one)[0] else 0.0
-    return area(one) - around if opening else around
+def _nested(one: Array, other: Array, opening: bool) -> Array:
+    """Area shared where the boundaries do not cross, (P,)."""
+    within, around = inside(one[:, 0], other), inside(other[:, 0], one)
+    shared = np.zeros(len(one))
+    for k in np.nonzero(~within if opening else within)[0]:
+        shared[k] = area(one[k])
+    for k in np.nonzero(around & ~within)[0]:
+        shared[k] = shared[k] - area(other[k]) if opening else area(other[k])
+    return shared
 
 
 def _runs(polygon: Array, at: Array, other: Array, wanted: bool) -> Iterator[Array]:
@@ -109,27 +160,28 @@ def _fan(chain: Array) -> float:
     return float(_cross(chain[:-1], chain[1:]).sum() / 2)
 
 
-def _distance(one: Array, other: Array, boxes: tuple[Boxes, Boxes]) -> float:
-    bound = _between_vertices(one, other)
-    i, j = _near(one, other, boxes, bound)
-    ends = (one[i], _next(one, i)), (other[j], _next(other, j))
-    return float(
-        min(
-            bound,
-            *(_to_side(a[0], *b).min() for a, b in ((ends[0], ends[1]), (ends[1], ends[0]))),
-        )
-    )
+def _distances(one: Array, other: Array, pairs: Pairs, bound: Array) -> Array:
+    """Least distances of the sides of chains, (P,), not above the bounds."""
+    p, i, j = pairs
+    mine, theirs = (one[p, i], one[p, i + 1]), (other[p, j], other[p, j + 1])
+    least = bound.copy()
+    for point, side in ((mine[0], theirs), (theirs[0], mine)):
+        np.minimum.at(least, p, _to_side(point, *side))
+    return least
 
 
-def _between_vertices(one: Array, other: Array) -> float:
-    """A distance of two vertices, about the least: of some of them, then of the neighbours of the nearest two."""
-    step = [max(1, len(p) // BOUND) for p in (one, other)]
-    apart = _square(one[:: step[0], None] - other[None, :: step[1]])
-    near = np.unravel_index(np.argmin(apart), apart.shape)
+def _between_vertices(one: Array, other: Array) -> Array:
+    """Of each place a distance of two vertices, about the least, (P,): of some of them, then of the neighbours of the
+    nearest two."""
+    places = np.arange(len(one))
+    step = [max(1, p.shape[1] // BOUND) for p in (one, other)]
+    apart = _square(one[:, :: step[0], None] - other[:, None, :: step[1]])
+    near = np.unravel_index(np.argmin(apart.reshape(len(one), -1), axis=1), apart.shape[1:])
     mine, theirs = (
-        p[(k * s + np.arange(-s, s + 1)) % len(p)] for p, k, s in zip((one, other), near, step, strict=True)
+        p[places[:, None], np.clip(k[:, None] * s + np.arange(-s, s + 1), 0, p.shape[1] - 1)]
+        for p, k, s in zip((one, other), near, step, strict=True)
     )
-    return float(np.sqrt(_square(mine[:, None] - theirs).min()))
+    return np.sqrt(_square(mine[:, :, None] - theirs[:, None]).min(axis=(1, 2)))
 
 
 def _depth(points: Array, polygon: Array) -> float:
@@ -148,52 +200,57 @@ def _square(vectors: Array) -> Array:
     return vectors.real**2 + vectors.imag**2
 
 
-def _near(one: Array, other: Array, boxes: tuple[Boxes, Boxes], reach: float) -> tuple[Array, Array]:
-    """Indices of the pairs of sides whose blocks' boxes come within `reach` of each other."""
-    mine, theirs = boxes
+def _near(one: Array, other: Array, reach: Array) -> Pairs:
+    """The pairs of sides of chains whose blocks' boxes come within `reach` (P,) of each other."""
+    mine, theirs = _boxes(one), _boxes(other)
     first, second = _meeting(mine, _around(theirs), reach), _meeting(theirs, _around(mine), reach)
-    low, high = (box[:, None] for box in _taken(mine, first)), (box[None] for box in _taken(theirs, second))
-    a, b = np.nonzero(_meet(tuple(low), tuple(high), reach))
+    low, high = [side[:, first, None] for side in mine], [side[:, None, second] for side in theirs]
+    taken = max(1, AT_ONCE // max(1, len(first) * len(second)))
+    met = [
+        _meet([x[own] for x in low], [x[own] for x in high], reach[own, None, None])
+        for own in (slice(k, k + taken) for k in range(0, len(one), taken))
+    ]
+    p, a, b = np.nonzero(np.concatenate(met))
     k = np.arange(BLOCK)
     i = first[a][:, None, None] * BLOCK + k[:, None] + 0 * k
     j = second[b][:, None, None] * BLOCK + k + 0 * k[:, None]
-    known = (i < len(one)) & (j < len(other))
-    return i[known], j[known]
+    known = (i < one.shape[1] - 1) & (j < other.shape[1] - 1)
+    return np.broadcast_to(p[:, None, None], i.shape)[known], i[known], j[known]
 
 
-def _boxes(polygon: Array) -> Boxes:
-    starts = np.arange(0, len(polygon), BLOCK)
+def _boxes(chain: Array) -> Boxes:
+    """Of the blocks of a chain's sides, (P, blocks)."""
+    last = chain.shape[1] - 1
+    starts = np.arange(0, last, BLOCK)
 
     def ends(pick: np.ufunc, x: Array) -> Array:
         """Of each block, whose last side ends where the next one starts."""
-        return pick(pick.reduceat(x, starts), np.append(x[starts[1:]], x[0]))
+        return pick(pick.reduceat(x[:, :last], starts, axis=1), x[:, np.minimum(starts + BLOCK, last)])
 
-    x, y = polygon.real.copy(), polygon.imag.copy()
-    return ends(np.minimum, x), ends(np.minimum, y), ends(np.maximum, x), ends(np.maximum, y)
+    x, y = chain.real.copy(), chain.imag.copy()
+    return [ends(np.minimum, x), ends(np.minimum, y), ends(np.maximum, x), ends(np.maximum, y)]
+
+
+def _corners(polygon: Array) -> Boxes:
+    """The boxes of its vertices."""
+    return [polygon.real, polygon.imag, polygon.real, polygon.imag]
 
 
 def _around(boxes: Boxes) -> Boxes:
-    """The box of them all."""
-    left, bottom, right, top = boxes
-    return left.min(), bottom.min(), right.max(), top.max()
+    """The box of them all, (P, 1)."""
+    picked = zip((np.min, np.min, np.max, np.max), boxes, strict=True)
+    return [pick(side, axis=1, keepdims=True) for pick, side in picked]
 
 
-def _taken(boxes: Boxes, which: Array) -> Iterator[Array]:
-    return (side[which] for side in boxes)
+def _meeting(boxes: Boxes, box: Boxes, reach: Array) -> Array:
+    """The blocks that meet a box in any place."""
+    return np.nonzero(_meet(boxes, box, reach[:, None]).any(axis=0))[0]
 
 
-def _meeting(boxes: Boxes, box: Boxes, reach: float) -> Array:
-    return np.nonzero(_meet(boxes, box, reach))[0]
-
-
-def _meet(one: Any, other: Any, reach: float) -> Array:
+def _meet(one: Boxes, other: Boxes, reach: Array | float) -> Array:
     x0, y0, x1, y1 = one
     u0, v0, u1, v1 = other
     return (x0 - reach <= u1) & (u0 <= x1 + reach) & (y0 - reach <= v1) & (v0 <= y1 + reach)
-
-
-def _next(polygon: Array, i: Array) -> Array:
-    return polygon[(i + 1) % len(polygon)]
 
 
 def _cross(a: Array, b: Array) -> Array:

@@ -95,12 +95,18 @@ def bracketed(
 
 
 def interpolated(
-    f: Callable[[Array], Array], low: Array, high: Array, f_low: Array, noise: Array
+    f: Callable[[Array], Array],
+    low: Array,
+    high: Array,
+    f_low: Array,
+    noise: Array,
+    narrow: float = FEW_BITS,
 ) -> tuple[Array, Array]:
     """Roots in many brackets at once, (..., N), and f there: inverse quadratic interpolation, guarded by bisection.
 
-    Stops where |f| is within `noise` (a number, or one a bracket), its rounding error, or the bracket is a few bits
-    wide. `f` is always asked for all brackets, those already done at their roots, which they keep.
+    Stops where |f| is within `noise` (a number, or one a bracket), its rounding error, or the bracket is `narrow`, as
+    it comes to be about a jump. `f` is always asked for all brackets, those already done at their roots, which they
+    keep.
     Source: Chandrupatla, Adv. Eng. Software 28 (1997) 145.
     """
     a, fa, b, fb = low, f_low, high, f(high)  # a: the newest point; b: the other end
@@ -113,7 +119,7 @@ def interpolated(
             c, fc = np.where(same, a, b), np.where(same, fa, fb)
             b, fb = np.where(same, b, a), np.where(same, fb, fa)
             a, fa = x, fx
-            done = (np.abs(fa) <= noise) | (np.abs(b - a) < FEW_BITS)
+            done = (np.abs(fa) <= noise) | (np.abs(b - a) < narrow)
             if done.all():
                 break
             x = np.where(done, a, a + _inside(_interpolated(a, b, c, fa, fb, fc), b - a) * (b - a))

@@ -30,15 +30,20 @@ def _series(order: int) -> tuple[Array, Array]:
     return of, np.pad(np.polynomial.chebyshev.chebder(of), ((0, 1), (0, 0)))
 
 
-def _sum(series: Array, t: Array) -> Array:
-    """Of series (S, n), each at its own place t (S,)."""
-    basis = np.cos(np.arccos(t)[:, None] * np.arange(series.shape[-1]))
+def _basis(t: Array, order: int) -> Array:
+    """What series are summed over at places t (S,): (S, n)."""
+    return np.cos(np.arccos(t)[:, None] * np.arange(order))
+
+
+def _sum(series: Array, basis: Array) -> Array:
+    """Of series (S, n), each at its own place."""
     return np.einsum("ij,ij->i", basis, series)
 
 
 def evaluated(values: Array, t: Array) -> Array:
     """Polynomials of values (S, n), each at its own place t (S,)."""
-    return _sum(values @ _series(values.shape[-1])[0].T, t)
+    order = values.shape[-1]
+    return _sum(values @ _series(order)[0].T, _basis(t, order))
 
 
 def zeros(values: Array, low: Array, high: Array, sign: Array) -> Array:
@@ -48,7 +53,8 @@ def zeros(values: Array, low: Array, high: Array, sign: Array) -> Array:
     nothing = ROUNDING * np.abs(of).sum(axis=1)
     t = (low + high) / 2
     for _ in range(STEPS if t.size else 0):
-        value, slope = _sum(of, t), _sum(slope_of, t)
+        basis = _basis(t, of.shape[-1])
+        value, slope = _sum(of, basis), _sum(slope_of, basis)
         above, falls = value > 0, slope < 0
         low, high = np.where(above, t, low), np.where(above, high, t)
         step = t - value / np.where(falls, slope, -np.inf)

@@ -164,6 +164,7 @@ class ByCutter:
 
 
 Cut = ByRack | ByCutter
+MadeBy = tuple[Cutter, float] | None  # a pinion cutter and its shift; None: a rack
 
 
 def real_start(cut: Cut) -> Array:
@@ -180,14 +181,16 @@ def real_start(cut: Cut) -> Array:
         found[under] = _tabled(cut, float(z.flat[0]), x[under], start[under])
         return found[()]
     places, back = np.unique(np.stack([z[under], x[under]]), axis=1, return_inverse=True)
-    found[under] = _undercut(_with(cut, places[0], places[1]))[back.ravel()]
+    if places.shape[1] == 1:
+        found[under] = _undercut_of_one(*places[:, 0].tolist(), cut.m, cut.rack, _made_by(cut))
+    else:
+        found[under] = _undercut(_with(cut, places[0], places[1]))[back.ravel()]
     return found[()]
 
 
 def _tabled(cut: Cut, z: float, x: Array, start: Array) -> Array:
     """The same for many shifts of one wheel: by a table as far as it goes."""
-    made_by = None if isinstance(cut, ByRack) else (cut.tool, cut.shift)
-    limit, span, series = _table(z, cut.rack, made_by)
+    limit, span, series = _table(z, cut.rack, _made_by(cut))
     beyond = x < limit - span
     place = 1 + 2 * (x - limit) / max(span, SHORTEST)
     found = -start * np.polynomial.chebyshev.chebval(np.maximum(place, -1.0), series)
@@ -197,8 +200,19 @@ def _tabled(cut: Cut, z: float, x: Array, start: Array) -> Array:
     return found
 
 
+def _made_by(cut: Cut) -> MadeBy:
+    return None if isinstance(cut, ByRack) else (cut.tool, cut.shift)
+
+
 @lru_cache(maxsize=64)
-def _table(z: float, rack: Rack, made_by: tuple[Cutter, float] | None) -> tuple[float, float, Array]:
+def _undercut_of_one(z: float, x: float, m: float, rack: Rack, made_by: MadeBy) -> float:
+    """`_undercut` of one wheel: asked for by its mistakes, its conditions and its blocking contour in turn."""
+    own = np.array([z]), m, np.array([x]), rack
+    return float(_undercut(ByRack(*own) if made_by is None else ByCutter(*own, *made_by))[0])
+
+
+@lru_cache(maxsize=64)
+def _table(z: float, rack: Rack, made_by: MadeBy) -> tuple[float, float, Array]:
     """The undercut's end over −ρ_l, a smooth function of the shift: its least shift without undercut, how far below it
     the table goes, and its Chebyshev series there."""
     cut: Cut = ByRack(z, 1.0, 0.0, rack) if made_by is None else ByCutter(z, 1.0, 0.0, rack, *made_by)
@@ -221,15 +235,17 @@ def _undercut(cut: Cut) -> Array:
     Close to the base circle the curves part with the third power of it, and the crossing would be known to few digits;
     there it is −ρ_l/2 times a smooth function of ρ_l, which is found from three deeper undercuts.
     """
-    start, near = cut.start, cut.start > -NEAR * cut.m
-    with np.errstate(invalid="ignore", divide="ignore"):
-        found = cut.undercut_end()
-    if not near.any():
-        return found
+    start, near = cut.start, np.nonzero(cut.start > -NEAR * cut.m)[0]
     z, limit = cut.z[near], (cut.least_shift + 0 * cut.x)[near]
-    deeper = [_with(cut, z, limit - k * NEAR * math.sin(cut.rack.alpha)) for k in (1, 2, 3)]
-    nodes = np.array([0 * z, *(one.start for one in deeper)])
-    shares = np.array([0.5 + 0 * z, *(-one.undercut_end() / one.start for one in deeper)])
+    deep = [limit - k * NEAR * math.sin(cut.rack.alpha) for k in (1, 2, 3)]
+    # all curves that are to be followed, at once
+    every = _with(cut, np.concatenate([cut.z, z, z, z]), np.concatenate([cut.x, *deep]))
+    with np.errstate(invalid="ignore", divide="ignore"):
+        ends = every.undercut_end()
+    found = ends[: len(start)]
+    deeper = every.start[len(start) :].reshape(3, -1)
+    nodes = np.array([0 * z, *deeper])
+    shares = np.array([0.5 + 0 * z, *(-ends[len(start) :].reshape(3, -1) / deeper)])
     found[near] = -start[near] * _interpolated(nodes, shares, start[near])
     return found
 

@@ -27,8 +27,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from tmm_report.mechanics.calculus.polygons import overlap_and_clearance
-from tmm_report.mechanics.calculus.roots import root_between
+from tmm_report.mechanics.calculus.polygons import overlaps_and_clearances
+from tmm_report.mechanics.calculus.roots import interpolated, root_between
 from tmm_report.mechanics.gears.involute import inv, inverse
 from tmm_report.records import dataclass
 
@@ -305,9 +305,7 @@ def over_pitch(one: Wheel, other: Wheel, distance: float, count: int = 24) -> tu
     turns = one.pitch_angle * np.arange(count) / count
     first = one.placed(0.0, turns)
     second = other.placed(centre_beside(other, distance), mating_turn(one, other, turns))
-    found = [overlap_and_clearance(a, b, other.internal) for a, b in zip(first, second, strict=True)]
-    shared, apart = np.array(found).T
-    return shared, apart
+    return overlaps_and_clearances(first, second, other.internal)
 
 
 def touching_turn(one: Wheel, other: Wheel, distance: float, turn: Array) -> Array:

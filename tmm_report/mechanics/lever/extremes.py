@@ -7,7 +7,7 @@ values of both its sides count, and which of them holds is told.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
 from typing import Any
@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from tmm_report.mechanics.calculus.distinct import distinct
-from tmm_report.mechanics.calculus.panels import ORDER, Panels
+from tmm_report.mechanics.calculus.panels import ORDER, Panels, cut
 from tmm_report.mechanics.calculus.zeros import grid, zeros
 from tmm_report.mechanics.lever.cycle import Extreme
 from tmm_report.records import dataclass
@@ -113,9 +113,16 @@ def inside(over: Panels, values: Array, f: Array, k: Array, x: Array) -> Array:
 
 
 @cache
+def _gauss(order: int) -> tuple[Array, Array]:
+    """Gauss–Legendre points on [-1, 1] and their weights."""
+    points, weights = np.polynomial.legendre.leggauss(order)
+    return points, weights
+
+
+@cache
 def _points(order: int) -> tuple[Array, Array]:
     """Gauss–Legendre points on [-1, 1] and their barycentric weights."""
-    points, _ = np.polynomial.legendre.leggauss(order)
+    points, _ = _gauss(order)
     apart = points[:, None] - points
     np.fill_diagonal(apart, 1.0)
     barycentric = 1.0 / np.prod(apart, axis=1)
@@ -136,12 +143,7 @@ def refined(over: Panels, values: Array, sizes: Array) -> Panels:
     parts = 2 ** np.minimum(cuts, 4)
     if not cuts.any() or parts.sum() > MOST:
         return over
-    pieces = [np.linspace(a, b, n, endpoint=False) for a, b, n in _each(over, parts)]
-    return replace(over, edges=np.concatenate([*pieces, over.edges[-1:]]))
-
-
-def _each(over: Panels, parts: Array) -> Iterator[tuple[float, float, int]]:
-    return zip(over.edges[:-1], over.edges[1:], parts, strict=True)
+    return replace(over, edges=cut(over.edges, parts))
 
 
 @cache
@@ -158,7 +160,7 @@ def integral(over: Panels, values: Array, x: Array) -> Array:
     """Of a function (K, n) from 0 to places x (S,) within the period."""
     x = np.asarray(x, float)
     k = np.clip(np.searchsorted(over.edges, x, side="left") - 1, 0, over.shape[0] - 1)
-    points, weights = np.polynomial.legendre.leggauss(over.order)
+    points, weights = _gauss(over.order)
     half = (x - over.edges[k]) / 2
     inner = over.edges[k, None] + half[:, None] * (1 + points)
     panel = np.repeat(k, over.order)

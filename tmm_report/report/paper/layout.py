@@ -140,8 +140,8 @@ def padded(cells: Sequence[Any]) -> Sequence[Any]:
     numbers = [cell for cell in cells if isinstance(cell, Cell) and _DECIMAL.fullmatch(cell.full)]
     if len({(cell.ref.key, cell.ref.by, cell.ref.unit) for cell in numbers}) != 1:
         return cells
-    most = max(map(_decimals, numbers))
-    return [_to(cell, most) if any(cell is number for number in numbers) else cell for cell in cells]
+    most, own = max(map(_decimals, numbers)), set(map(id, numbers))
+    return [_to(cell, most) if id(cell) in own else cell for cell in cells]
 
 
 def _to(cell: Cell, places: int) -> Cell:
