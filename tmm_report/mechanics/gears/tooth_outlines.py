@@ -28,7 +28,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from tmm_report.mechanics.calculus.polygons import overlaps_and_clearances
-from tmm_report.mechanics.calculus.roots import interpolated, root_between
+from tmm_report.mechanics.calculus.roots import root_between
 from tmm_report.mechanics.gears.involute import inv, inverse
 from tmm_report.records import dataclass
 
