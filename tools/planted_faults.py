@@ -67,9 +67,9 @@ def copy(folder: Path) -> Path:
     return folder
 
 
-def failing(folder: Path, fault: Fault, golden: bool) -> frozenset[str]:
-    """The tests that fail in a copy, those that cannot even be collected among them; of a fault of words only the
-    approved texts are asked."""
+def failing(folder: Path, fault: Fault, golden: bool, one: bool = False) -> frozenset[str]:
+    """The tests that fail in a copy, those that cannot even be collected among them, or `one` of them; of a fault of
+    words only the approved texts are asked."""
     variants = fault.variants
     command = [
         sys.executable,
@@ -82,13 +82,14 @@ def failing(folder: Path, fault: Fault, golden: bool) -> frozenset[str]:
         "no:cacheprovider",
         "--tb=no",
         "-rfE",
+        *(["-x"] if one else []),
     ]
     others = [LEVERS_BESIDE, *([] if variants in GEARS else [GEARS_BESIDE]), *([] if golden else [TEXTS])]
     all_else = ["tests/page", *fault.tests, *(f"--ignore=tests/page/{other}" for other in others)]
     command += [f"tests/page/{TEXTS}"] if fault.words else all_else
     added = {"PYTHONPATH": str(folder), "PAGE_VARIANTS": variants}
     done = subprocess.run(command, cwd=folder, env=os.environ | added, capture_output=True, text=True)
-    if done.returncode not in (0, 1) and not FAILED.search(done.stdout):
+    if done.returncode not in (0, 1, 2) and not FAILED.search(done.stdout):
         return frozenset({f"pytest ended with {done.returncode}: {done.stdout[-300:]}"})
     return frozenset(FAILED.findall(done.stdout))
 
@@ -138,7 +139,7 @@ class Planter:
         try:
             text = planted(folder, fault)
             try:
-                return fault, sorted(failing(folder, fault, self.golden) - before), ""
+                return fault, sorted(failing(folder, fault, self.golden, one=not before) - before), ""
             finally:
                 (folder / fault.file).write_bytes(text)
         except Misplaced as misplaced:
