@@ -87,7 +87,7 @@ def _rotor(given: Any) -> Named:
     yield "rotor_M", abs(M)
     yield "rotor_L", last - first
     yield "rotor_e", abs(D) / number(given.mass)
-    yield "rotor_D_per", number(given.mass) * number(given.grade) / number(given.speed)
+    yield "rotor_D_per", number(given.mass) * number(given.grade) / 1000 / number(given.speed)
 
 
 def _engine(given: Any) -> Named:
