@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from tmm_report.chapters.machine.rotor.quantities import compared, table
 from tmm_report.chapters.machine.rotor.solve import Found
 from tmm_report.quantity.formula import Expr, Formula, sqrt
 
 
-def product(found: Found) -> Formula | None:
-    """D = m r of the first mass that is stated so; None where all unbalances are stated as they are."""
+def product(found: Found) -> Iterator[Formula]:
+    """D = m r of the first mass that is stated so."""
     known = [k for k, one in enumerate(found.given.heavy) if one.mass and one.radius]
-    if not known:
-        return None
-    masses, k = table(found, "masses"), known[0]
-    return masses.formula("D", k, masses.var("m", k) * masses.var("r", k))
+    masses = table(found, "masses")
+    for k in known[:1]:
+        yield masses.formula("D", k, masses.var("m", k) * masses.var("r", k))
 
 
 # --- weights
@@ -88,3 +87,8 @@ def force(found: Found) -> Iterator[Formula]:
     bearings = table(found, "bearings")
     for row in (0, 1):
         yield bearings.formula("R_before", row, bearings.var("D_before", row) * found.s.omega**2)
+
+
+ROWS: dict[str, Callable[[Found], Iterator[Formula]]] = {
+    one.__name__: one for one in (product, balancing, balancing_sizes, weight, read, carried, force)
+}

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from markupsafe import Markup
 
-from tmm_report.chapters.machine.rotor import equations
 from tmm_report.chapters.machine.rotor import quantities as q
 from tmm_report.chapters.machine.rotor.draw import Sheet, polygon_picture, scheme
+from tmm_report.chapters.machine.rotor.equations import ROWS
 from tmm_report.chapters.machine.rotor.solve import Found
 from tmm_report.chapters.machine.rotor.words import KINDS, LIMITED, SHARED
 from tmm_report.figures.drawing import Drawing
@@ -54,28 +54,9 @@ class RotorView(ChapterView):
         columns = [self.of(name, key) for key in keys]
         return _by_meaning(self.page.explained("", one, one.unit) for one in columns)
 
-    # --- formulas of rows
-
-    def product(self) -> Formula | None:
-        return equations.product(self.found)
-
-    def balancing(self) -> Iterator[Formula]:
-        return equations.balancing(self.found)
-
-    def balancing_sizes(self) -> Iterator[Formula]:
-        return equations.balancing_sizes(self.found)
-
-    def weight(self) -> Iterator[Formula]:
-        return equations.weight(self.found)
-
-    def read(self) -> Iterator[Formula]:
-        return equations.read(self.found)
-
-    def carried(self) -> Iterator[Formula]:
-        return equations.carried(self.found)
-
-    def force(self) -> Iterator[Formula]:
-        return equations.force(self.found)
+    def rows(self, of: str) -> list[Formula]:
+        """Formulas of rows of the tables."""
+        return list(ROWS[of](self.found))
 
     # --- words
 
