@@ -87,7 +87,7 @@ def _rotor(given: Any) -> Named:
     yield "rotor_M", abs(M)
     yield "rotor_L", last - first
     yield "rotor_e", abs(D) / number(given.mass)
-    yield "rotor_D_per", number(given.mass) * number(given.grade) / number(given.speed)
+    yield "rotor_D_per", number(given.mass) * number(given.grade) / 1000 / number(given.speed)
 
 
 def _engine(given: Any) -> Named:
@@ -155,30 +155,30 @@ def _vibration(given: Any) -> Named:
 
 def _governor(given: Any) -> Named:
     """Speeds of equilibrium in the lowest and highest positions, or the spring that two speeds ask for."""
-    direct, own = given.direct, context()
-    weights, low = direct.weights, number(direct.lowest)
+    own, geometry = context(), given.geometry
+    weights, low = given.weights, number(given.lowest)
     pull, sleeve = weights.count * number(weights.ball), number(weights.sleeve) * number(weights.gravity)
     weight = pull * number(weights.gravity)
-    if isinstance(direct.geometry, Arms) and direct.choice is None and not direct.geometry.upper_offset:
+    if isinstance(geometry, Arms) and given.choose is None and not geometry.upper_offset:
         ends = []
-        for x in (low, number(direct.highest)):
-            upper = x / own.sqrt(number(direct.geometry.upper) ** 2 - x**2)
-            away = x - number(direct.geometry.lower_offset)
-            lower = away / own.sqrt(number(direct.geometry.lower) ** 2 - away**2)
+        for x in (low, number(given.highest)):
+            upper = x / own.sqrt(number(geometry.upper) ** 2 - x**2)
+            away = x - number(geometry.lower_offset)
+            lower = away / own.sqrt(number(geometry.lower) ** 2 - away**2)
             ends.append(own.sqrt((weight * upper + sleeve * (upper + lower)) / (pull * x)))
         yield "governor_omega_0", ends[0]
         yield "governor_omega_h", ends[1]
         yield "governor_delta", 2 * (ends[1] - ends[0]) / (ends[1] + ends[0])
-    elif isinstance(direct.geometry, BellCrank) and not direct.geometry.level and direct.choice is not None:
-        ratio = number(direct.geometry.ball_arm) / number(direct.geometry.sleeve_arm)
+    elif isinstance(geometry, BellCrank) and not geometry.level and given.choose is not None:
+        ratio = number(geometry.ball_arm) / number(geometry.sleeve_arm)
         pressed = []
-        for lift, speed in zip((number(0), number(direct.lift)), direct.choice.speeds, strict=True):
+        for lift, speed in zip((number(0), number(given.lift)), given.choose.spring, strict=True):
             r = low + ratio * lift
-            lean = own.asin((r - number(direct.geometry.fulcrum)) / number(direct.geometry.ball_arm))
+            lean = own.asin((r - number(geometry.fulcrum)) / number(geometry.ball_arm))
             held = -weight * ratio * own.tan(lean) + sleeve
             pressed.append(pull * r * ratio * number(speed) ** 2 - held)
         yield "governor_F_0", pressed[0]
-        yield "governor_c", (pressed[1] - pressed[0]) / number(direct.lift)
+        yield "governor_c", (pressed[1] - pressed[0]) / number(given.lift)
 
 
 # ---------------------------------------------------------------- start-up and run-down, flywheel

@@ -4,10 +4,12 @@ A formula is evaluated where it is printed, so print and result agree even where
 no expression with it: mechanics' own numpy, or another law.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 
+from tmm_report.quantity.formula import Formula
+from tmm_report.quantity.model import Book, Table
 from tmm_report.quantity.sheet import Sheet
 
 
@@ -23,4 +25,23 @@ def disagreements(s: Sheet, ways: Mapping[str, float | None], tolerance: float =
         for number in (s.var(key).number, float(formula.value)):
             if not np.isclose(number, ways[key], rtol=tolerance, atol=tolerance * min(size, 1.0)):
                 told.append(f"{key}: {number!r}, by the second way {ways[key]!r}")
+    return told
+
+
+def rows_disagreements(
+    tables: Iterable[Table], formulas: Iterable[Formula], tolerance: float = 1e-9
+) -> list[str]:
+    """Of formulas of the rows of tables: those that the table, made by numpy, contradicts, noise beside `scale`."""
+    book, told = Book.of(tables), []
+    for formula in formulas:
+        ref = formula.ref
+        table = book.tables[ref.table]
+        row = list(table["key"].values).index(ref.key) if ref.by else ref.row
+        column = table[ref.by or ref.key]
+        number = column.number(row)
+        value = float(formula.value)
+        if formula.unit == "deg":
+            value, number = value % (2 * np.pi), np.radians(column.number(row, "deg")) % (2 * np.pi)
+        if not np.isclose(value, number, rtol=tolerance, atol=tolerance * (formula.scale or 0.0)):
+            told.append(f"{ref.table}.{ref.key}[{row}]: {value!r}, in the table {number!r}")
     return told

@@ -250,7 +250,7 @@ def test_hartnell_with_oblique_arms_by_a_variant():
         f"  choose: {{spring: [{at['N2']} rpm, {at['N2'] * at['ratio']} rpm]}}\n"
     )
     spring = found.weights
-    alteration = found.insensitivity * found.mean * RPM
+    alteration = found.table.insensitivity(at["F"])[found.middle] * found.mean * RPM
     agrees(
         "sarkar-7-9-hartnell-oblique", x0_cm_consistent=100 * spring.preload / spring.stiffness,
         alteration_consistent=alteration,

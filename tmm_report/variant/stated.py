@@ -66,7 +66,7 @@ def _made(record: type, model: Model) -> Any:
 
 def _default(field: Any) -> Any:
     if field.default_factory is not dataclasses.MISSING:
-        return Field(default_factory=field.default_factory)
+        return Field(default=field.default_factory())
     return ... if field.default is dataclasses.MISSING else field.default
 
 

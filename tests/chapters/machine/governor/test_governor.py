@@ -11,7 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tmm_report import course
-from tmm_report.chapters.machine.governor.given import Choice, Direct
+from tmm_report.chapters.machine.governor import given as block
+from tmm_report.chapters.machine.governor.given import Choose, Given
 from tmm_report.chapters.machine.governor.solve import by_itself as direct
 from tmm_report.mechanics.machine.governor import equilibrium as g
 from tmm_report.problems import ProblemError
@@ -25,6 +26,23 @@ KINDS = {
     "crossed": (replace(PORTER, upper_offset=-0.03), 0.12),
     "Hartnell": (g.BellCrank(0.12, 0.08, 0.14), 0.11),
 }
+
+
+def stated(
+    geometry: g.Geometry, weights: g.Weights, lowest: float, highest: float | None = None, **more
+) -> Given:
+    """A governor with this mechanism and these weights, as a variant states it."""
+    more |= {"radius": block.Radius(lowest, highest), "sleeve": block.Sleeve(mass=weights.sleeve or None)}
+    more["balls"] = block.Balls(weights.count, weights.ball or None)
+    if weights.stiffness:
+        more["spring"] = block.Spring(weights.stiffness, weights.preload)
+    if isinstance(geometry, g.BellCrank):
+        crank = block.BellCrank(geometry.ball_arm, geometry.sleeve_arm, geometry.fulcrum, geometry.level)
+        return Given(bell_crank=crank, **more)
+    ends = geometry.distance, geometry.extension
+    more["balls"] = block.Balls(weights.count, weights.ball or None, *ends)
+    arms = block.Arms(geometry.upper, geometry.lower, geometry.upper_offset, geometry.lower_offset)
+    return Given(arms=arms, **more)
 
 
 def balls_at(name: str, z):
@@ -121,23 +139,23 @@ def test_a_level_bell_crank_has_a_straight_controlling_force():
     assert np.all((b < 0) == (at.S > 0))
 
 
-def flat(name: str = "Hartnell") -> Direct:
-    """A level bell crank whose line of controlling force goes through the origin: C = a r."""
+def flat(factor: float = 1.0) -> Given:
+    """A level bell crank whose line of controlling force goes through the origin: C = a r; with the stiffness of the
+    spring times the factor."""
     crank = g.BellCrank(0.12, 0.08, 0.14, level=True)
     stiffness = 20000.0
-    return Direct(crank, g.Weights(2.0, 0.0, stiffness, stiffness * 0.12 * 0.08 / 0.12), 0.12, lift=0.02)
+    preload = stiffness * 0.12 * 0.08 / 0.12
+    return stated(crank, g.Weights(2.0, 0.0, stiffness * factor, preload), 0.12, lift=0.02)
 
 
 def test_a_flat_governor_is_recognised():
     found = direct.solve(flat())
-    assert found.word == "flat" and found.delta == pytest.approx(0, abs=1e-12)
+    assert found.word == "flat" and found.s.number("delta") == pytest.approx(0, abs=1e-12)
     assert np.ptp(found.curve.omega) < 1e-9
 
 
 def test_stiffness_and_preload_beside_the_flat_ones_are_told_apart():
-    given = flat()
-    stiffer = replace(given, weights=replace(given.weights, stiffness=given.weights.stiffness * 1.001))
-    softer = replace(given, weights=replace(given.weights, stiffness=given.weights.stiffness * 0.999))
+    given, stiffer, softer = flat(), flat(1.001), flat(0.999)
     assert direct.solve(stiffer).word == "stable" and direct.solve(softer).word == "unstable"
     assert direct.solve(softer).stiffness_needed == pytest.approx(given.weights.stiffness)
     assert direct.solve(softer).preload_allowed == pytest.approx(
@@ -148,7 +166,7 @@ def test_stiffness_and_preload_beside_the_flat_ones_are_told_apart():
 @pytest.mark.parametrize("name", KINDS)
 def test_the_stiffness_needed_is_on_the_edge_of_stability(name):
     geometry, lowest = KINDS[name]
-    found = direct.solve(Direct(geometry, g.Weights(2.0, 0.0, 100.0, 900.0), lowest, lift=0.02))
+    found = direct.solve(stated(geometry, g.Weights(2.0, 0.0, 100.0, 900.0), lowest, lift=0.02))
     weights = replace(found.weights, stiffness=found.stiffness_needed)
     least = g.equilibrium(found.curve.balls, weights).S.min()
     assert abs(least) < 1e-9 * np.abs(found.curve.dE).max() + 1e-6
@@ -156,12 +174,11 @@ def test_the_stiffness_needed_is_on_the_edge_of_stability(name):
 
 def test_what_would_make_it_stable_does():
     geometry, lowest = KINDS["Hartnell"]
-    given = Direct(geometry, g.Weights(2.0, 0.0, 100.0, 900.0), lowest, lift=0.02)
-    found = direct.solve(given)
+    found = direct.solve(stated(geometry, g.Weights(2.0, 0.0, 100.0, 900.0), lowest, lift=0.02))
     assert found.word == "unstable"
     for factor, stable in ((1.001, True), (0.999, False)):
         weights = replace(found.weights, stiffness=found.stiffness_needed * factor)
-        assert (direct.solve(replace(given, weights=weights)).word == "stable") is stable
+        assert (direct.solve(stated(geometry, weights, lowest, lift=0.02)).word == "stable") is stable
 
 
 # --- choice
@@ -173,20 +190,20 @@ def test_what_would_make_it_stable_does():
 def test_the_chosen_spring_gives_the_speeds(name, spread):
     geometry, lowest = KINDS[name]
     speeds = (40.0, 40.0 * spread)
-    given = Direct(geometry, g.Weights(4.0, 2.0), lowest, lift=0.02, choice=Choice("spring", speeds))
+    given = stated(geometry, g.Weights(4.0, 2.0), lowest, lift=0.02, choose=Choose(spring=speeds))
     try:
         found = direct.solve(given)
     except ProblemError as error:  # the weights alone spread them further
         assert "no spring" in str(error) or "presses" in str(error) or "spread" in str(error)
         return
     assert found.ends == pytest.approx(speeds, rel=1e-12)
-    assert found.delta == pytest.approx(2 * (spread - 1) / (spread + 1))
+    assert found.s.number("delta") == pytest.approx(2 * (spread - 1) / (spread + 1))
 
 
 @pytest.mark.parametrize("what", ["balls", "sleeve"])
 def test_chosen_weights_give_the_speed_at_the_middle(what):
     weights = g.Weights(0.0 if what == "balls" else 6.0, 0.0 if what == "sleeve" else 40.0)
-    found = direct.solve(Direct(PORTER, weights, 0.15, 0.2, choice=Choice(what, (17.0,))))
+    found = direct.solve(stated(PORTER, weights, 0.15, 0.2, choose=Choose(**{what: 17.0})))
     assert found.table.omega[found.middle] == pytest.approx(17.0, rel=1e-12)
     assert getattr(found.weights, {"balls": "ball", "sleeve": "sleeve"}[what]) > 0
 
@@ -348,9 +365,9 @@ def test_a_spring_for_speeds_that_fall_is_found_and_called_unstable(speeds):
         2 * 2.0 * (n * math.pi / 30) ** 2 * r * 120 / 80 - 3.0 * 9.81
         for n, r in zip(speeds, (0.1, 0.16), strict=True)
     ]
-    assert own.spring_ends == pytest.approx(forces)
+    assert [own.s.number(key) for key in ("F_0", "spring_top")] == pytest.approx(forces)
     falls = speeds[1] < speeds[0]
-    assert (own.word == "unstable") == falls and (own.delta < 0) == falls
+    assert (own.word == "unstable") == falls and (own.s.number("delta") < 0) == falls
     assert any("unstable" in line.text for line in found.summary()) == falls
 
 

@@ -47,7 +47,7 @@ def page() -> Page:
 @pytest.mark.parametrize("name", NAMES)
 def test_the_curves_of_the_response_are_those_of_the_table(name):
     found, at = solved(name).governor, table(name, "response")
-    graph = LoopView(found.loop, views.q.book(found), page()).response
+    graph = LoopView(found.loop, page()).response
     wanted = (at["deviation"], at["deviation_linear"], 1e3 * at["z"], at["s"])
     assert graph.x == pytest.approx(at["t"])
     for curve, of in zip(graph.curves, wanted, strict=True):
@@ -58,7 +58,7 @@ def test_the_curves_of_the_response_are_those_of_the_table(name):
 
 def test_the_curves_of_the_brake_are_those_of_the_table():
     found, at = solved("governor_porter").governor, table("governor_porter", "brake")
-    view = BrakeView(found.brake, views.q.book(found), page())
+    view = BrakeView(found.brake, page())
     braking, driving = view.graph.curves
     assert np.interp(at["omega"], view.graph.x, braking.values) == pytest.approx(at["M_b"], abs=0.2)
     assert (driving.values == values("governor_porter")["brake_M"]).all()
@@ -74,11 +74,11 @@ def test_the_point_of_the_machine_stands_at_its_parameters():
     stated."""
     v = values("governor_porter")
     found = solved("governor_porter").governor
-    (point,) = reds(LoopView(found.loop, views.q.book(found), page()).chart)
+    (point,) = reds(LoopView(found.loop, page()).chart)
     far = max(8.0, 1.15 * v["X"], 1.15 * v["Y"])
     assert point == pytest.approx(complex(v["X"], v["Y"]) * 95 / far)
     found = solved("governor_servo").governor
-    (point,) = reds(LoopView(found.loop, views.q.book(found), page()).chart)
+    (point,) = reds(LoopView(found.loop, page()).chart)
     assert point == pytest.approx(complex(110, 85) / 2.5)
 
 

@@ -145,18 +145,19 @@ def variant(name: str, **changes: str) -> str:
 @pytest.mark.parametrize("name", ["governor_porter", "governor_servo"])
 def test_steady_states_balance(name):
     found = solved(name).governor
-    loop, machine = found.loop, found.loop.machine
-    for state, load in ((loop.before, loop.plant.before), (loop.after, loop.plant.after)):
-        assert machine.drive(state.omega) * state.s == pytest.approx(load, rel=1e-9)
+    loop, plant, mean = found.loop, found.loop.plant, found.loop.s.number("omega_mean")
+    for state, load in ((loop.before, plant.load.before), (loop.after, plant.load.after)):
+        drive = plant.torque.full - plant.torque.slope * (state.omega - mean)
+        assert drive * state.s == pytest.approx(load, rel=1e-9)
         held = found.direct.at(np.array([state.z])).omega[0]
-        assert held == pytest.approx(machine.ratio * state.omega, rel=1e-9)
+        assert held == pytest.approx(plant.ratio * state.omega, rel=1e-9)
     assert loop.stable and (loop.hurwitz > 0).all()
 
 
 def test_the_indirect_governor_has_no_static_error_and_the_direct_one_has():
-    assert solved("governor_servo").governor.loop.static_error == 0
+    assert solved("governor_servo").governor.loop.s.number("static") == 0
     direct = solved("governor_porter").governor
-    assert -direct.direct.delta < direct.loop.static_error < 0
+    assert -direct.direct.s.number("delta") < direct.loop.s.number("static") < 0
 
 
 def test_feedback_below_the_least_is_unstable():

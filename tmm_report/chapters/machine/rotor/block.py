@@ -2,144 +2,19 @@
 
 import math
 from collections.abc import Iterator
-from typing import Annotated, Any, TypedDict
+from typing import TypedDict
 
 from pydantic import Field
 
-from tmm_report.chapters.machine.rotor.given import Given as Stated
-from tmm_report.chapters.machine.rotor.given import Heavy, Plane, Steps
-from tmm_report.mechanics.masses.rotor import tilted
+from tmm_report.chapters.machine.rotor.given import Given
 from tmm_report.problems import N_, Message, Problem, mistake
-from tmm_report.quantity import units
-from tmm_report.quantity.paper import ACCURACY
-from tmm_report.quantity.units import WrongValue
 from tmm_report.variant import model
-from tmm_report.variant.model import Model, Read
-from tmm_report.variant.values import (
-    Accuracy,
-    Angle,
-    Distance,
-    Flag,
-    Inertia,
-    Label,
-    Length,
-    Mass,
-    Name,
-    Positive,
-    PositiveMass,
-    Reads,
-    Scale,
-    Speed,
-    quantity,
-)
+from tmm_report.variant.model import Read
+from tmm_report.variant.stated import Stated
 from tmm_report.yamlread import Path
 
 PATH = ("rotor",)
 NEAR = 1e-6  # m: planes so close are one
-
-
-def _unbalance(value: Any) -> float:
-    """A product of mass and radius, kg m."""
-    number, unit = units.measured(value)
-    found = number * (units.between(unit, "kg*m") if unit else 1.0)
-    if found > 1e12:
-        text = N_("%(value)s is no product of mass and radius that there can be")
-        raise WrongValue(
-            Message(text, {"value": value}), Message(N_("a product such as 12 g*mm, or 0.02 kg*m"))
-        )
-    if found < 0:
-        text = N_("%(value)s is negative: the product of mass and radius cannot be")
-        raise WrongValue(Message(text, {"value": value}), Message(N_("turn its angle by 180 deg instead")))
-    return found
-
-
-Unbalance = Annotated[
-    float,
-    Reads(
-        _unbalance,
-        {
-            "anyOf": [{"type": "number"}, {"type": "string"}],
-            "description": "mass by radius: SI (kg*m) or text with a unit",
-            "examples": ["12 g*mm"],
-        },
-    ),
-]
-Product = Annotated[float, quantity("inertia")]
-Turned = Annotated[float, quantity("angle", 0.0, math.pi, "0 … 180 deg")]
-
-
-class HeavyModel(Model):
-    """A mass off the axis: its mass and radius, or the product of both."""
-
-    name: Name | None = Field(default=None, description="left out, its number")
-    mass: PositiveMass | None = Field(default=None, examples=["2 kg"])
-    radius: Distance | None = Field(default=None, description="of its centre", examples=["30 mm"])
-    unbalance: Unbalance | None = Field(default=None, description="mass by radius, in place of both")
-    angle: Angle = Field(description="from x, counter-clockwise", examples=["60 deg"])
-    at: Length = Field(default=0.0, description="place along the shaft")
-
-
-class TiltModel(Model):
-    """A body of revolution set askew."""
-
-    angle: Angle = Field(description="between its axis and that of the shaft", examples=["0.2 deg"])
-    towards: Angle = Field(description="direction in which its axis leans, from x")
-    axial: Inertia = Field(description="moment of inertia about its own axis", examples=["0.8 kg*m^2"])
-    across: Inertia = Field(description="moment of inertia about a diameter", examples=["0.5 kg*m^2"])
-
-
-class ProductsModel(Model):
-    """Products of inertia about the body's mass centre."""
-
-    xz: Product = 0.0
-    yz: Product = 0.0
-
-
-class BodyModel(Model):
-    """A body whose mass centre is off the axis, or which is set askew."""
-
-    name: Name | None = None
-    mass: PositiveMass
-    eccentricity: Distance = 0.0
-    angle: Angle = Field(default=0.0, description="direction of the eccentricity, from x")
-    at: Length = Field(default=0.0, description="place of the mass centre along the shaft")
-    products: ProductsModel | None = None
-    tilt: TiltModel | None = None
-
-
-class PlaneModel(Model):
-    """A plane of correction: the weight's radius or its mass."""
-
-    at: Length = 0.0
-    radius: Positive | None = Field(default=None, description="the mass is found", examples=["120 mm"])
-    mass: PositiveMass | None = Field(default=None, description="the radius is found", examples=["0.4 kg"])
-    remove: Flag = Field(default=False, description="material is taken off the opposite side")
-
-
-class StepsModel(Model):
-    """How finely weights are made."""
-
-    mass: Mass = Field(default=0.0, examples=["10 g"])
-    radius: Distance = Field(default=0.0, examples=["1 mm"])
-    angle: Turned = Field(default=0.0, examples=["1 deg"])
-
-
-class RotorModel(Model):
-    """Masses on a turning shaft balanced in one plane or in two."""
-
-    name: Label | None = Field(default=None, description="in the heading")
-    masses: list[HeavyModel] = Field(default=[], max_length=30)
-    bodies: list[BodyModel] = Field(default=[], max_length=10)
-    planes: list[PlaneModel] = Field(min_length=1, max_length=2, description="one: static; two: dynamic")
-    bearings: tuple[Length, Length] | None = Field(default=None, description="places of A and B")
-    speed: Speed | None = Field(default=None, examples=["1500 rpm"])
-    grade: Scale | None = Field(default=None, description="balance quality grade G, mm/s", examples=[6.3])
-    mass: PositiveMass | None = Field(default=None, description="of the whole rotor")
-    centre: Length | None = Field(default=None, description="place of its mass centre along the shaft")
-    diameter: Positive | None = None
-    width: Positive | None = None
-    steps: StepsModel | None = Field(default=None, description="how finely weights are made")
-    accuracy: Accuracy = Field(default=ACCURACY, description="of the polygons, on paper")
 
 
 class Block(model.Block):
@@ -147,53 +22,15 @@ class Block(model.Block):
 
     ALONE = True
 
-    rotor: RotorModel | None = Field(default=None, description="masses on a turning shaft balanced")
+    rotor: Stated[Given] | None = Field(default=None, description="masses on a turning shaft balanced")
 
 
-class Given(TypedDict):
-    rotor: Stated | None
+class Taken(TypedDict):
+    rotor: Given | None
 
 
-def given(read: Read) -> Given:
-    written = read.block(Block).rotor
-    return {"rotor": _stated(written) if written else None}
-
-
-def _stated(written: RotorModel) -> Stated:
-    masses = [_mass(one, str(k)) for k, one in enumerate(written.masses, 1)]
-    bodies = [_body(one, str(k)) for k, one in enumerate(written.bodies, 1 + len(masses))]
-    return Stated(
-        heavy=(*masses, *bodies),
-        planes=tuple(Plane(one.at, one.radius, one.mass, one.remove) for one in written.planes),
-        bearings=written.bearings,
-        speed=written.speed,
-        grade=written.grade * 1e-3 if written.grade else None,
-        mass=written.mass,
-        centre=written.centre,
-        diameter=written.diameter,
-        width=written.width,
-        steps=Steps(written.steps.mass, written.steps.radius, written.steps.angle) if written.steps else None,
-        accuracy=written.accuracy,
-        name=written.name or "",
-    )
-
-
-def _mass(written: HeavyModel, name: str) -> Heavy:
-    product = (
-        written.unbalance if written.unbalance is not None else (written.mass or 0) * (written.radius or 0)
-    )
-    return Heavy(written.name or name, product, written.angle, written.at, written.mass, written.radius)
-
-
-def _body(written: BodyModel, name: str) -> Heavy:
-    couple = 0j
-    if written.products:
-        couple += complex(written.products.xz, written.products.yz)
-    if tilt := written.tilt:
-        couple += tilted(tilt.axial, tilt.across, tilt.angle, tilt.towards)
-    product = written.mass * written.eccentricity
-    named = written.name or name
-    return Heavy(named, product, written.angle, written.at, written.mass, written.eccentricity, couple, True)
+def given(read: Read) -> Taken:
+    return {"rotor": read.block(Block).rotor}
 
 
 # --- mistakes
@@ -213,7 +50,7 @@ def mistakes(read: Read) -> Iterator[Problem]:
     yield from _together(written, broken)
 
 
-def _masses(written: RotorModel) -> Iterator[Problem]:
+def _masses(written: Given) -> Iterator[Problem]:
     if not written.masses and not written.bodies:
         text = N_("the rotor has neither masses nor bodies: there is nothing to balance")
         yield mistake(
@@ -231,7 +68,7 @@ def _masses(written: RotorModel) -> Iterator[Problem]:
             yield mistake(text, (*PATH, "masses", k), Message(N_("mass: 2 kg, radius: 30 mm")))
 
 
-def _planes(written: RotorModel) -> Iterator[Problem]:
+def _planes(written: Given) -> Iterator[Problem]:
     for k, plane in enumerate(written.planes):
         if (plane.radius is None) == (plane.mass is None):
             text = N_("a plane of correction states the radius of its weight or its mass, the other is found")
@@ -241,7 +78,7 @@ def _planes(written: RotorModel) -> Iterator[Problem]:
         yield mistake(text, (*PATH, "planes", 1, "at"), Message(N_("two different places along the shaft")))
 
 
-def _bodies(written: RotorModel) -> Iterator[Problem]:
+def _bodies(written: Given) -> Iterator[Problem]:
     for k, body in enumerate(written.bodies):
         if body.tilt and body.products:
             text = N_("the couple of a body is stated twice: by its products of inertia and by its tilt")
@@ -254,7 +91,7 @@ def _bodies(written: RotorModel) -> Iterator[Problem]:
             yield mistake(text, (*PATH, "bodies", k, "tilt"))
 
 
-def _together(written: RotorModel, broken: set[str | int]) -> Iterator[Problem]:
+def _together(written: Given, broken: set[str | int]) -> Iterator[Problem]:
     if written.bearings and abs(written.bearings[0] - written.bearings[1]) < NEAR:
         text = N_("both bearings stand at one place: they cannot hold a couple")
         yield mistake(text, (*PATH, "bearings"), Message(N_("two different places along the shaft")))

@@ -94,8 +94,8 @@ def scheme(found: Found, num: Num = str, title: str = "") -> Drawing:
 
 def _marks(found: Found) -> Iterator[tuple[float, float | None, float, str, bool]]:
     """Place, radius, angle, name; whether a weight of correction."""
-    for one in found.given.heavy:
-        yield one.at, one.radius, one.angle, one.name, False
+    for name, one in zip(found.given.names, found.given.heavy, strict=True):
+        yield one.at, one.radius, one.angle, name, False
     for made in found.corrections:
         if made.product:
             yield made.at, made.radius, made.angle, made.name, True
@@ -107,7 +107,7 @@ def _shaft(found: Found, sheet: Sheet) -> Iterator[Item]:
     for at in found.given.bearings or ():
         yield from support(complex(sheet.x(at), -0.5))
     for one in found.given.heavy:
-        if one.body:
+        if one.is_body:
             yield polygon(tuple(sheet.x(one.at) + corner for corner in DISC), NORMAL, "white")
 
 

@@ -1,35 +1,30 @@
-"""The numbers of masses on a turning shaft balanced."""
+"""The numbers of masses on a turning shaft balanced: single values, and tables of masses, weights and bearings."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmm_report.chapters.machine.rotor.solve import Found
-from tmm_report.chapters.machine.rotor.values import values
+from tmm_report.chapters.machine.rotor.values import Bearings, Masses, Weights
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.model import Column, Quantity, Table, plain, text_column
+from tmm_report.quantity.model import Column, Quantity, Table, Value, plain, text_column
+from tmm_report.quantity.sheet import Q
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.tabulated import tabulated
 
-__all__ = ["tables", "values"]
+if TYPE_CHECKING:
+    from tmm_report.chapters.machine.rotor.solve import Found
+
+__all__ = ["table", "tables", "values"]
 
 Array = Any
 NONE = float("nan")
 
-MASS = Quantity("m", Symbol("m"), "kg", Message(N_("mass")))
-RADIUS = Quantity("r", Symbol("r"), "m", Message(N_("distance of the mass centre from the axis")))
-ANGLE = Quantity(
-    "alpha", Symbol("alpha"), "deg", Message(N_("angle of the unbalance from the axis x of the shaft"))
-)
-PLACE = Quantity("z", Symbol("z"), "m", Message(N_("place along the shaft")))
-PRODUCT = Quantity("D", Symbol("D"), "kg·m", Message(N_("unbalance, product of mass and radius")))
-ARM = Quantity("l", Symbol("l"), "m", Message(N_("distance from plane I along the shaft")))
-MOMENT = Quantity("M", Symbol("M"), "kg·m²", Message(N_("moment of the unbalance about plane I")))
-XZ = Quantity("J_xz", Symbol("J", "xz"), "kg·m²", Message(N_("product of inertia about the axes x and z")))
-YZ = Quantity("J_yz", Symbol("J", "yz"), "kg·m²", Message(N_("product of inertia about the axes y and z")))
+
+def values(found: Found) -> Iterator[Value]:
+    return found.s.values()
 
 
 @tabulated
@@ -44,10 +39,14 @@ def tables(found: Found) -> Iterator[Table]:
     yield Table("rotor_comparison", meaning, tuple(_comparison(found)))
 
 
-def _named(of: Quantity, names: Sequence[str], values: Any) -> Column:
-    """A column whose rows are called by the masses: m_1, m_2."""
-    sign = of.sign
-    return Column(of, values, [Symbol(sign.base, name, sign.sub) for name in names])
+def table(found: Found, name: str) -> Table:
+    return next(one for one in tables(found) if one.name == f"rotor_{name}")
+
+
+def _named(of: Q, names: Sequence[str], values: Any) -> Column:
+    """A column whose rows are called by the masses: m_1, m_2; an index of the letter goes up."""
+    sign = of.quantity.sign
+    return Column(of.quantity, values, [Symbol(sign.base, name, sign.sub or sign.sup) for name in names])
 
 
 def _degrees(angles: Array) -> Array:
@@ -59,30 +58,21 @@ def _degrees(angles: Array) -> Array:
 
 
 def _masses(found: Found) -> Iterator[Column]:
-    heavy = found.given.heavy
-    names = [one.name for one in heavy]
+    heavy, names = found.given.heavy, found.given.names
     yield text_column("name", Message(N_("name of the mass")), names)
-    yield _named(MASS, names, [NONE if one.mass is None else one.mass for one in heavy])
-    yield _named(RADIUS, names, [NONE if one.radius is None else one.radius for one in heavy])
-    yield _named(PRODUCT, names, np.abs(found.products))
-    yield _named(ANGLE, names, _degrees(np.array([one.angle for one in heavy])))
-    yield _named(PLACE, names, found.places)
+    yield _named(Masses.m, names, [NONE if one.mass is None else one.mass for one in heavy])
+    yield _named(Masses.r, names, [NONE if one.radius is None else one.radius for one in heavy])
+    yield _named(Masses.D, names, np.abs(found.products))
+    yield _named(Masses.alpha, names, _degrees(np.array([one.angle for one in heavy])))
+    yield _named(Masses.z, names, found.places)
     if np.any(found.couples):
-        yield _named(XZ, names, np.real(found.couples))
-        yield _named(YZ, names, np.imag(found.couples))
-    yield _named(ARM, names, found.places - found.given.planes[0].at)
-    yield _named(MOMENT, names, np.abs(found.moments))
-    yield from _on_paper(found)
-
-
-def _on_paper(found: Found) -> Iterator[Column]:
-    """Lengths of the vectors of the polygons, mm."""
-    count = len(found.given.heavy)
-    text = Message(N_("length of the vector in the polygon of the unbalances"))
-    yield Quantity("D_mm", Symbol("d"), "mm", text).column(found.force.lengths[:count])
+        yield _named(Masses.J_xz, names, np.real(found.couples))
+        yield _named(Masses.J_yz, names, np.imag(found.couples))
+    yield _named(Masses.l, names, found.places - found.given.planes[0].at)
+    yield _named(Masses.M, names, np.abs(found.moments))
+    yield Masses.D_mm.column(found.force.lengths[: len(heavy)])
     if found.couple is not None:
-        text = Message(N_("length of the vector in the polygon of the moments"))
-        yield Quantity("M_mm", Symbol("d", "M"), "mm", text).column(found.couple.lengths)
+        yield Masses.M_mm.column(found.couple.lengths)
 
 
 # --- what balances it
@@ -92,41 +82,19 @@ def _corrections(found: Found) -> Iterator[Column]:
     rows = found.corrections
     names = [one.name for one in rows]
     products = np.array([one.product for one in rows])
-    yield text_column("plane", Message(N_("plane of correction")), names)
-    yield _named(PLACE, names, [one.at for one in rows])
-    for axis, text, part in (
-        ("x", N_("component of the product of the weight along x"), np.real),
-        ("y", N_("component of the product of the weight along y"), np.imag),
-    ):
-        of = Quantity(f"D_{axis}", Symbol("D", "", axis), "kg·m", Message(text))
-        yield Column(of, part(products), [Symbol("D", name, axis) for name in names])
-    balancing = Quantity("D", Symbol("D"), "kg·m", Message(N_("product of mass and radius that balances")))
-    yield _named(balancing, names, np.abs(products))
-    direction = Quantity("alpha", Symbol("alpha"), "deg", Message(N_("angle of the product that balances")))
-    yield _named(direction, names, _degrees(np.array([one.direction for one in rows])))
-    weight = Quantity("m", Symbol("m"), "kg", Message(N_("mass of the balancing weight")))
-    radius = Quantity("r", Symbol("r"), "m", Message(N_("distance of the balancing weight from the axis")))
-    yield _named(weight, names, [one.mass for one in rows])
-    yield _named(radius, names, [one.radius for one in rows])
-    yield from _as_made(found, names)
-
-
-def _as_made(found: Found, names: Sequence[str]) -> Iterator[Column]:
-    rows = found.corrections
-    place = Quantity(
-        "beta", Symbol("beta"), "deg", Message(N_("angle at which the weight is put or taken off"))
-    )
     needed = np.array([1.0 if one.product else NONE for one in rows])
-    yield _named(place, names, _degrees(needed * [one.angle for one in rows]))
-    made = (
-        ("m_made", "m'", "kg", N_("mass of the weight as it is made"), [one.made_mass for one in rows]),
-        ("r_made", "r'", "m", N_("distance of the weight as it is made"), [one.made_radius for one in rows]),
-        ("beta_made", "beta'", "deg", N_("angle of the weight as it is made"),
-         _degrees(needed * [one.made_angle for one in rows])),
-    )  # fmt: skip
-    for key, base, unit, text, numbers in made:
-        of = Quantity(key, Symbol(base), unit, Message(text))
-        yield Column(of, numbers, [Symbol(base, name) for name in names])
+    yield text_column("plane", Message(N_("plane of correction")), names)
+    yield _named(Weights.z, names, [one.at for one in rows])
+    yield _named(Weights.D_x, names, np.real(products))
+    yield _named(Weights.D_y, names, np.imag(products))
+    yield _named(Weights.D, names, np.abs(products))
+    yield _named(Weights.alpha, names, _degrees(np.array([one.direction for one in rows])))
+    yield _named(Weights.m, names, [one.mass for one in rows])
+    yield _named(Weights.r, names, [one.radius for one in rows])
+    yield _named(Weights.beta, names, _degrees(needed * [one.angle for one in rows]))
+    yield _named(Weights.m_made, names, [one.made_mass for one in rows])
+    yield _named(Weights.r_made, names, [one.made_radius for one in rows])
+    yield _named(Weights.beta_made, names, _degrees(needed * [one.made_angle for one in rows]))
 
 
 # --- bearings
@@ -135,34 +103,20 @@ def _as_made(found: Found, names: Sequence[str]) -> Iterator[Column]:
 def _bearings(found: Found) -> Iterator[Column]:
     names, given = ["A", "B"], found.given
     yield text_column("bearing", Message(N_("bearing")), names)
-    yield _named(PLACE, names, list(given.bearings or ()))
-    for axis, text, part in (
-        ("x", N_("unbalance in the plane of the bearing before balancing, component along x"), np.real),
-        ("y", N_("unbalance in the plane of the bearing before balancing, component along y"), np.imag),
+    yield _named(Bearings.z, names, list(given.bearings or ()))
+    yield _named(Bearings.D_x, names, np.real(found.before))
+    yield _named(Bearings.D_y, names, np.imag(found.before))
+    for product, force, felt in (
+        (Bearings.D_before, Bearings.R_before, found.before),
+        (Bearings.D_made, Bearings.R_made, found.made),
     ):
-        of = Quantity(f"D_{axis}", Symbol("D", "", axis), "kg·m", Message(text))
-        yield Column(of, part(found.before), [Symbol("D", name, axis) for name in names])
-    for key, base, text, felt in (
-        ("before", "R", N_("before balancing"), found.before),
-        ("made", "R'", N_("with the weights as they are made"), found.made),
-    ):
-        meaning = Message(N_("unbalance in the plane of the bearing: %(when)s"), {"when": Message(text)})
-        sign = "D" + base[1:]
-        own = Quantity(f"D_{key}", Symbol(sign), "kg·m", meaning)
-        yield Column(own, np.abs(felt), [Symbol(sign, name) for name in names])
+        yield _named(product, names, np.abs(felt))
         if given.speed:
-            meaning = Message(N_("force of the unbalance on the bearing: %(when)s"), {"when": Message(text)})
-            force = Quantity(f"R_{key}", Symbol(base), "N", meaning)
-            yield Column(force, given.speed**2 * np.abs(felt), [Symbol(base, name) for name in names])
-    turned = Quantity("psi", Symbol("psi"), "deg", Message(N_("angle of the force before balancing from x")))
-    yield _named(turned, names, _degrees(np.where(found.before != 0, np.angle(found.before), NONE)))
+            yield _named(force, names, given.speed**2 * np.abs(felt))
+    yield _named(Bearings.psi, names, _degrees(np.where(found.before != 0, np.angle(found.before), NONE)))
     if found.permitted is not None:
-        meaning = Message(N_("permissible unbalance in the plane of the bearing"))
-        yield Column(
-            Quantity("D_per", Symbol("D", "lim"), "kg·m", meaning),
-            found.permitted,
-            [Symbol("D", f"lim,{name}") for name in names],
-        )
+        symbols = [Symbol("D", f"lim,{name}") for name in names]
+        yield Column(Bearings.D_per.quantity, found.permitted, symbols)
 
 
 # --- the polygons against the calculation

@@ -12,8 +12,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from tmm_report.chapters.machine.rotor import steps
 from tmm_report.chapters.machine.rotor.correction import PLANES, Correction, correction
 from tmm_report.chapters.machine.rotor.given import Given
+from tmm_report.chapters.machine.rotor.values import Values
 from tmm_report.mechanics.masses import rotor
 from tmm_report.mechanics.masses.rotor import Polygon, polygon
 from tmm_report.problems import N_, Message
@@ -31,10 +33,11 @@ PAPER = 75.0  # mm: the largest of the vectors and of the polygon's extents is a
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """Found by `solve`. `products` kg m, `places` m, `couples` kg m²: (N,), complex in axes of the shaft;
-    `corrections`: one or two; `force`, `couple`: the polygons, the latter with two planes alone."""
+    """Found by `solve`. `s`: the single numbers; `products` kg m, `places` m, `couples` kg m²: (N,), complex in axes of
+    the shaft; `corrections`: one or two; `force`, `couple`: the polygons, the latter with two planes alone."""
 
     given: Given
+    s: Values
     products: Array
     places: Array
     couples: Array
@@ -80,17 +83,22 @@ class Found:
         """Beside which a product is nothing, kg m."""
         return float(np.sum(np.abs(self.products)) + np.sum(np.abs(self.couples)) / self.length)
 
+    @property
+    def pulls(self) -> bool:
+        """Whether the sum of the unbalances is anything."""
+        return abs(self.resultant) > rotor.CLEAR * self.size
+
     @cached_property
     def masses(self) -> Array | None:
         """Of all that the rotor is made of, kg, (N,); None where single masses are stated on a shaft that is not."""
         masses = [one.mass for one in self.given.heavy]
-        made_up = None not in masses and any(one.body for one in self.given.heavy)
+        made_up = None not in masses and any(one.is_body for one in self.given.heavy)
         return np.array(masses) if made_up else None
 
     @property
-    def mass(self) -> float | None:
-        """Of the rotor, kg: stated, or of all its bodies."""
-        return self.given.mass or (None if self.masses is None else float(np.sum(self.masses)))
+    def summed_mass(self) -> float | None:
+        """Of all the bodies, kg."""
+        return None if self.masses is None else float(np.sum(self.masses))
 
     @property
     def centre(self) -> float | None:
@@ -153,19 +161,13 @@ class Found:
 
     # --- limits
 
-    @property
-    def permissible(self) -> float | None:
-        """U_per = M G/ω, kg m."""
-        of = self.given
-        return self.mass * of.grade / of.speed if self.mass and of.grade and of.speed else None
-
     @cached_property
     def permitted(self) -> Array | None:
         """In the planes of the bearings, kg m, (2,)."""
-        whole, of = self.permissible, self.given
-        if whole is None or of.bearings is None or self.centre is None:
+        whole, centre, of = self.s.get("D_per"), self.centre, self.given
+        if whole is None or of.bearings is None or centre is None:
             return None
-        return rotor.permitted(whole, np.array(of.bearings), self.centre)
+        return rotor.permitted(whole, np.array(of.bearings), centre)
 
     @property
     def overhung(self) -> bool:
@@ -179,17 +181,6 @@ class Found:
     def couple_stays(self) -> bool:
         """Whether one plane of correction is stated and a moment is left."""
         return not self.two and abs(self.exact[1]) > rotor.CLEAR * self.size * self.length
-
-    @property
-    def ratio(self) -> float | None:
-        """Width to diameter."""
-        of = self.given
-        return of.width / of.diameter if of.width and of.diameter else None
-
-    @property
-    def one_plane(self) -> float | None:
-        """The speed up to which one plane suffices, rad/s."""
-        return rotor.one_plane_up_to(self.ratio) if self.ratio is not None else None
 
     def summary(self) -> Iterator[Message]:
         """The main numbers in sentences."""
@@ -209,16 +200,20 @@ def solve(given: Given, moving: Moving | None) -> Found:
     needed = rotor.corrections(products, places, couples, np.array([plane.at for plane in given.planes]))
     corrections = tuple(correction(given, k, complex(product)) for k, product in enumerate(needed))
     moments = rotor.moments(products, places, couples, given.planes[0].at)
-    return Found(
-        given, products, places, couples, corrections, *_polygons(given, products, moments, corrections)
-    )
+    drawn = _polygons(given, products, moments, corrections)
+    found = Found(given, Values(), products, places, couples, corrections, *drawn)
+    steps.unbalance(found)
+    steps.shaft(found)
+    steps.polygons(found)
+    steps.left(found)
+    return found
 
 
 def _polygons(
     given: Given, products: Array, moments: Array, corrections: tuple[Correction, ...]
 ) -> tuple[Polygon, Polygon | None]:
     """Of the couples first, as its closing vector goes into that of the forces."""
-    names, step = [one.name for one in given.heavy], given.accuracy * 1e3
+    names, step = given.names, given.accuracy * 1e3
     if len(corrections) == 1:
         return polygon(names, products, scale_for(products), step, PLANES[0]), None
     arm = corrections[1].at - corrections[0].at

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cached_property
 from typing import Any
 
@@ -11,18 +11,21 @@ from markupsafe import Markup
 
 from tmm_report.chapters.machine.rotor import quantities as q
 from tmm_report.chapters.machine.rotor.draw import Sheet, polygon_picture, scheme
-from tmm_report.chapters.machine.rotor.formulas import RotorFormulas
+from tmm_report.chapters.machine.rotor.equations import ROWS
 from tmm_report.chapters.machine.rotor.solve import Found
 from tmm_report.chapters.machine.rotor.words import KINDS, LIMITED, SHARED
 from tmm_report.figures.drawing import Drawing
 from tmm_report.problems import N_
-from tmm_report.quantity import model
 from tmm_report.quantity.formula import Formula
+from tmm_report.quantity.written import Equation
+from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.comparison import comparison_table
 from tmm_report.report.diagrams import scale_of
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Column, Table, numeric
 from tmm_report.report.part import Part
+
+HEADS = {"masses": N_("Mass"), "corrections": N_("Plane"), "bearings": N_("Bearing")}
 
 
 def parts(found: Found, page: Page) -> Iterator[Part]:
@@ -34,39 +37,44 @@ def picture(found: Found, page: Page) -> Drawing:
     return scheme(found, page.num)
 
 
-class RotorView(RotorFormulas):
+class RotorView(ChapterView):
     def __init__(self, found: Found, page: Page):
-        super().__init__(found)
-        self.page, self.t = page, page.t
+        super().__init__(page, found.s, q.tables(found))
+        self.found = found
+
+    def where(self, *formulas: Formula | Equation) -> list[dict[str, Any]]:
+        """A quantity of many masses is explained for the first of them."""
+        return _by_meaning(super().where(*formulas))
+
+    def explained(self, *keys: str) -> list[dict[str, Any]]:
+        return _by_meaning(super().explained(*keys))
+
+    def heads(self, name: str, *keys: str) -> list[dict[str, Any]]:
+        """What a "where" list says of columns of a table."""
+        columns = [self.of(name, key) for key in keys]
+        return _by_meaning(self.page.explained("", one, one.unit) for one in columns)
+
+    def rows(self, of: str) -> list[Formula]:
+        """Formulas of rows of the tables."""
+        return list(ROWS[of](self.found))
+
+    # --- words
 
     @property
-    def name(self) -> str:
-        return self.found.given.name
+    def skewed(self) -> list[int]:
+        return [k for k, one in enumerate(self.found.given.heavy) if one.couple]
 
-    def number(self, key: str, unit: str = "", **form: Any) -> Markup:
-        return self.page.shown(self.book[f"rotor_{key}"], unit=unit, **form)
-
-    def stated(self, key: str, unit: str = "") -> Markup:
-        """symbol = value unit."""
-        return self.page.value(self.book[f"rotor_{key}"].var(unit))
-
-    def where(self, formula: Formula) -> list[dict[str, Any]]:
-        """A quantity of many masses is explained for the first of them."""
-        items = self.page.where(formula)
-        return [item | {"id": f"rotor:{item['meaning']}"} for item in items]
-
-    def explained(self, of: model.Table | None, *keys: str) -> list[dict[str, Any]]:
-        """Items of a "where" list: columns of a table, or single values, by the ids of `where`."""
-        found = [of[key] if of is not None else self.book[f"rotor_{key}"] for key in keys]
-        items = [self.page.explained("", one, one.unit) for one in found]
-        return [item | {"id": f"rotor:{item['meaning']}"} for item in items]
+    @property
+    def turns(self) -> bool:
+        """Whether any unbalance has a moment about plane I."""
+        return bool(np.max(np.abs(self.found.moments)) > 1e-9 * self.found.size * self.found.length)
 
     def products_of_inertia(self) -> Markup | None:
         """Of the bodies set askew; None where there are none."""
-        rows = [k for k, one in enumerate(self.found.given.heavy) if one.couple]
-        if not rows:
+        if not self.skewed:
             return None
-        return self.page.values(self.masses.var(key, k) for k in rows for key in ("J_xz", "J_yz"))
+        table = self.table("masses")
+        return self.page.values(table.var(key, k) for k in self.skewed for key in ("J_xz", "J_yz"))
 
     def kind(self) -> Markup:
         return self.t(KINDS[self.found.kind])
@@ -76,12 +84,12 @@ class RotorView(RotorFormulas):
     def suffices(self) -> Markup | None:
         """What the textbook's rule says; None where width, diameter or speed are not stated."""
         found = self.found
-        if found.ratio is None or found.one_plane is None or not found.given.speed:
+        if "ratio" not in self.s or not found.given.speed:
             return None
         if found.kind in ("none", "couple"):  # nothing that a single weight could balance
             return None
-        ratio, limit = self.stated("ratio"), self.stated("one_plane")
-        if found.given.speed <= found.one_plane:
+        ratio, limit = self.sized("ratio"), self.sized("one_plane")
+        if found.given.speed <= self.s.number("one_plane"):
             text = N_(
                 "By the rule for rigid rotors (IRD) balance in one plane suffices for %(ratio)s up to %(limit)s: this "
                 "rotor turns more slowly, as slow shafts, pulleys and flywheels do, and static balance is enough."
@@ -96,63 +104,48 @@ class RotorView(RotorFormulas):
     def staying(self) -> Markup | None:
         """What one plane of correction leaves; None where it leaves nothing, or there are two."""
         text = N_("In one plane of correction the force is balanced, the moment %(moment)s about it stays.")
-        return self.t(text, moment=self.stated("M")) if self.found.couple_stays else None
+        return self.t(text, moment=self.sized("M")) if self.found.couple_stays else None
 
     # ------------------------------------------------------------ tables
 
     def given_table(self) -> Table:
-        table = self.masses
-        keys = ["m", "r", "D", "alpha", "z"]
-        return numeric(
-            self.t("Unbalances of the rotor"), self._names(table), [self._column(table, key) for key in keys]
-        )
+        return self._named("masses", N_("Unbalances of the rotor"), ("m", "r", "D", "alpha", "z"))
 
     def products(self) -> Table:
-        table = self.masses
-        keys = ["D", "l", "M", "D_mm", "M_mm"] if self.found.two else ["D", "D_mm"]
-        columns = [self._column(table, key) for key in keys]
-        return numeric(self.t("Vectors of the polygons"), self._names(table), columns)
-
-    def _names(self, table: model.Table, key: str = "name", head: str = N_("Mass")) -> Column:
-        names = [self.page.word(text, table, key, row) for row, text in enumerate(table[key].values)]
-        title = self.t(head)
-        return Column(title, names)
-
-    def _column(self, table: model.Table, key: str) -> Column:
-        return self.page.column(table, key)
+        keys = ("D", "l", "M", "D_mm", "M_mm") if self.found.two else ("D", "D_mm")
+        return self._named("masses", N_("Vectors of the polygons"), keys)
 
     def weights_table(self) -> Table:
-        columns = [self._column(self.weights, key) for key in ("z", "D", "alpha", "m", "r", "beta")]
-        return numeric(self.t("Balancing weights"), self._names(self.weights, "plane", N_("Plane")), columns)
+        return self._named("corrections", N_("Balancing weights"), ("z", "D", "alpha", "m", "r", "beta"))
 
     def made_table(self) -> Table:
-        columns = [self._column(self.weights, key) for key in ("m_made", "r_made", "beta_made")]
-        caption = self.t("Balancing weights as they are made")
-        return numeric(caption, self._names(self.weights, "plane", N_("Plane")), columns)
+        caption = N_("Balancing weights as they are made")
+        return self._named("corrections", caption, ("m_made", "r_made", "beta_made"))
 
     def bearings_table(self) -> Table:
-        table = self.book.tables["rotor_bearings"]
-        columns = [self._column(table, key) for key in ("z", *self.bearing_keys)]
-        caption = self.t("Unbalance and forces in the bearings")
-        return numeric(caption, self._names(table, "bearing", N_("Bearing")), columns)
+        caption = N_("Unbalance and forces in the bearings")
+        return self._named("bearings", caption, ("z", *self.bearing_keys))
+
+    def _named(self, name: str, caption: str, keys: Iterable[str]) -> Table:
+        """A table whose first column names the rows."""
+        table, head = self.table(name), HEADS[name]
+        names = [
+            self.page.word(text, table, table.columns[0].key, row)
+            for row, text in enumerate(table.columns[0].values)
+        ]
+        return numeric(self.t(caption), Column(self.t(head), names), self.columns(name, keys))
 
     @property
     def bearing_keys(self) -> list[str]:
-        table = self.book.tables["rotor_bearings"]
         keys = ("D_before", "psi", "R_before", "D_made", "R_made", "D_per")
-        return [key for key in keys if key in table]
+        return [key for key in keys if key in self.table("bearings")]
 
     def comparison(self) -> Table:
-        table = self.book.tables["rotor_comparison"]
         named = {quantity.key: quantity for quantity, *_ in q.compared(self.found)}
         caption = self.t("Products of the weights by the polygons and by calculation")
-        return comparison_table(self.page, caption, table, named, None)  # type: ignore[arg-type]
+        return comparison_table(self.page, caption, self.table("comparison"), named, None)  # type: ignore[arg-type]
 
     # ------------------------------------------------------------ what is left
-
-    @property
-    def rounded(self) -> bool:
-        return self.found.given.steps is not None
 
     def in_limits(self) -> Markup | None:
         """Whether both bearings feel no more than is permitted, and why not; None where nothing is stated of it."""
@@ -216,4 +209,8 @@ class RotorView(RotorFormulas):
         return [self.t(text, **weight)]
 
     def _of(self, key: str, row: int) -> Markup:
-        return self.page.value(self.weights.var(key, row))
+        return self.page.value(self.table("corrections").var(key, row))
+
+
+def _by_meaning(items: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
+    return [item | {"id": f"rotor:{item['meaning']}"} for item in items]

@@ -34,7 +34,7 @@ LOW = -42.0  # where the radius of the mass centre is stated
 
 def brake(found: BrakeFound, title: str = "") -> Drawing:
     """All the shoes at rest; the first one is lettered."""
-    count = found.given.brake.count
+    count = found.given.count
     step = 2 * math.pi / count
     items: list[Item] = [Circle(0j, OUTER), Circle(0j, INNER), Circle(0j, SHAFT, NORMAL, "white")]
     items += [line(-40 + 0j, 40 + 0j, AXIS), line(-40j, 40j, AXIS)]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -11,8 +11,9 @@ from tmm_report.chapters.machine.governor.solve.by_itself import DirectFound
 from tmm_report.chapters.machine.governor.solve.in_loop import LoopFound
 from tmm_report.figures.charts.plane import Frame, Spot, Trace, framed, plane
 from tmm_report.figures.drawing import Drawing, Pen, Tag
-from tmm_report.figures.lettering import Parts, Symbol
+from tmm_report.figures.lettering import Parts
 from tmm_report.mechanics.machine.governor import stability as small
+from tmm_report.quantity.model import Column, Table
 
 Array = Any
 Num = Callable[[float], str]
@@ -22,33 +23,32 @@ FIELD = (110.0, 75.0)
 FAR = 8.0  # to which value of X and Y Vyshnegradsky's diagram goes at least
 
 
-def speeds(found: DirectFound, num: Num, units: tuple[str, str], names: tuple[str, str, str]) -> Drawing:
-    """ω(z) with the band of insensitivity. `units`: of length and speed; `names` of the curves."""
-    at = found.curve
-    z = 1e3 * at.balls.z
+Axes = tuple[Parts, Parts]  # letter and unit along, letter and unit up
+
+
+def speeds(found: DirectFound, lift: Column, axes: Axes, num: Num, names: Sequence[str]) -> Drawing:
+    """n(z), rpm, with the band of insensitivity. `names` of the curves."""
+    at, friction = found.curve, found.given.sleeve.friction
+    z = lift.numbers(lift.quantity.printed)
     curves = [z + 1j * at.omega * RPM]
-    if found.given.friction:
-        curves += [z + 1j * omega * RPM for omega in at.band(found.given.friction)]
+    if friction:
+        curves += [z + 1j * omega * RPM for omega in at.band(friction)]
     frame = framed(curves, zero=False, field=FIELD)
     traces = [Trace(curve, (name,)) for curve, name in zip(curves, names, strict=False)]
-    return plane(frame, traces, (Symbol("z"), f", {units[0]}"), (Symbol("n", "g"), f", {units[1]}"), num)
+    return plane(frame, traces, *axes, num)
 
 
-def controlling(found: DirectFound, num: Num, units: tuple[str, str, str]) -> Drawing:
-    """C(r) with rays from the origin through its ends and its middle: a ray is a speed. `units`: of length, speed,
-    force."""
-    at = found.curve
-    r, force = 1e3 * at.balls.r, at.force
-    curve = r + 1j * force
-    frame = framed([curve], field=FIELD)
+def controlling(curve: Table, axes: Axes, num: Num, rpm: str) -> Drawing:
+    """C(r) with rays from the origin through its ends and its middle: a ray is a speed, in `rpm`."""
+    radius, force, speed = (curve[key] for key in ("r", "C", "omega_g"))
+    drawn = radius.numbers(radius.quantity.printed) + 1j * force.numbers(force.quantity.printed)
+    frame = framed([drawn], field=FIELD)
     rays, spots = [], []
-    for k in (0, len(r) // 2, len(r) - 1):
-        end = curve[k] * _to_edge(frame, complex(curve[k]))
+    for k in (0, len(drawn) // 2, len(drawn) - 1):
+        end = drawn[k] * _to_edge(frame, complex(drawn[k]))
         rays.append(Trace(np.array([0, end]), (), RAY))
-        spots.append(Spot(complex(curve[k]), (num(float(at.omega[k]) * RPM), f" {units[1]}")))
-    traces = [*rays, Trace(curve, (), Pen(0.6))]
-    xlabel, ylabel = (Symbol("r"), f", {units[0]}"), (Symbol("C"), f", {units[2]}")
-    return plane(frame, traces, xlabel, ylabel, num, spots=spots)
+        spots.append(Spot(complex(drawn[k]), (num(speed.number(k, "rpm")), f" {rpm}")))
+    return plane(frame, [*rays, Trace(drawn, (), Pen(0.6))], *axes, num, spots=spots)
 
 
 def _to_edge(frame: Frame, z: complex) -> float:
@@ -59,7 +59,7 @@ def _to_edge(frame: Frame, z: complex) -> float:
 # --- stability
 
 
-def vyshnegradsky(found: LoopFound, num: Num, words: dict[str, str]) -> Drawing:
+def vyshnegradsky(found: LoopFound, axes: Axes, num: Num, words: dict[str, str]) -> Drawing:
     """The hyperbola XY = 1, the regions of the stable processes, the point of the machine."""
     assert found.vyshnegradsky is not None
     x, y = found.vyshnegradsky
@@ -85,10 +85,10 @@ def vyshnegradsky(found: LoopFound, num: Num, words: dict[str, str]) -> Drawing:
         Tag((words["unstable"],), (frame.at(complex(0.02, 0.03) * far),), 0.4, 1 + 1j),
     ]
     spot = Spot(complex(x, y), (words["machine"],), "red")
-    return plane(frame, traces, (Symbol("X"),), (Symbol("Y"),), num, spots=[spot], tags=tags)
+    return plane(frame, traces, *axes, num, spots=[spot], tags=tags)
 
 
-def isodrome(found: LoopFound, num: Num, unit: str, words: dict[str, str]) -> Drawing:
+def isodrome(found: LoopFound, axes: Axes, num: Num, words: dict[str, str]) -> Drawing:
     """The boundary of stability over T_i and β with the point of the machine."""
     assert found.servo is not None
     _, beta, Ti = found.boundary
@@ -98,8 +98,7 @@ def isodrome(found: LoopFound, num: Num, unit: str, words: dict[str, str]) -> Dr
     traces = [Trace(np.where(inside, Ti + 1j * beta, np.nan), (words["boundary"],), Pen(0.6))]
     spots = [Spot(complex(found.servo.Ti, found.servo.beta), (words["machine"],), "red")]
     tags = [Tag((text,), (frame.at(at),)) for at, text in _named(found, far, words)]
-    xlabel, ylabel = (Symbol("T", "i"), f", {unit}"), (Symbol("β"),)
-    return plane(frame, traces, xlabel, ylabel, num, spots=spots, tags=tags)
+    return plane(frame, traces, *axes, num, spots=spots, tags=tags)
 
 
 def _named(found: LoopFound, far: complex, words: dict[str, str]) -> list[tuple[complex, str]]:

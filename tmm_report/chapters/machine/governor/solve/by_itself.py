@@ -8,8 +8,10 @@ from typing import Any, Literal
 
 import numpy as np
 
-from tmm_report.chapters.machine.governor.given import Direct
+from tmm_report.chapters.machine.governor import steps
+from tmm_report.chapters.machine.governor.given import Given
 from tmm_report.chapters.machine.governor.solve import mistakes
+from tmm_report.chapters.machine.governor.values import Values
 from tmm_report.mechanics.machine.governor.equilibrium import (
     Arms,
     Balls,
@@ -17,10 +19,7 @@ from tmm_report.mechanics.machine.governor.equilibrium import (
     Equilibrium,
     Weights,
     ball_mass,
-    effort,
     equilibrium,
-    friction_for,
-    nonuniformity,
     sleeve_mass,
     spring_force,
 )
@@ -35,9 +34,11 @@ Word = Literal["stable", "unstable", "flat", "partly"]
 
 @dataclass(frozen=True, eq=False)
 class DirectFound:
-    """`lift` of the sleeve, m; `weights` with what was chosen; at the places of the table and of the curve."""
+    """`s`: the single numbers; `lift` of the sleeve, m; `weights` with what was chosen; at the places of the table and
+    of the curve."""
 
-    given: Direct
+    given: Given
+    s: Values
     lift: float
     weights: Weights
     table: Equilibrium
@@ -62,26 +63,6 @@ class DirectFound:
     @property
     def mean(self) -> float:
         return sum(self.ends) / 2
-
-    @property
-    def delta(self) -> float:
-        """Non-uniformity; negative where the speed falls as the sleeve rises."""
-        return nonuniformity(*self.ends)
-
-    @property
-    def insensitivity(self) -> float:
-        """ε at the middle of the lift by the friction on the sleeve."""
-        return float(self.table.insensitivity(self.given.friction)[self.middle])
-
-    @property
-    def effort(self) -> float:
-        """At the middle of the lift, N."""
-        return float(effort(self.table.E[self.middle], self.given.effort_for))
-
-    @property
-    def power(self) -> float:
-        """Effort times lift, J."""
-        return self.effort * self.lift
 
     # --- stability
 
@@ -117,20 +98,8 @@ class DirectFound:
         held = np.min(found.E - self.weights.preload + most)
         return most if most > 0 and held > 0 else None
 
-    # --- what was chosen
 
-    @cached_property
-    def spring_ends(self) -> tuple[float, float]:
-        """Force of the spring at the lower and at the upper stop, N."""
-        spring = self.weights
-        return spring.preload, spring.preload + spring.stiffness * self.lift
-
-    def friction_for(self, insensitivity: float) -> float:
-        """Friction on the sleeve that costs no more than this anywhere on the lift, N."""
-        return float(np.min(friction_for(self.table.E, insensitivity)))
-
-
-def solve(given: Direct) -> DirectFound:
+def solve(given: Given) -> DirectFound:
     """Raises ProblemError where the arms do not reach, or nothing can be chosen, or nothing holds the sleeve."""
     lift = _lift(given)
     z = np.linspace(0.0, lift, POINTS)
@@ -139,22 +108,24 @@ def solve(given: Direct) -> DirectFound:
     table = equilibrium(geometry.moves(z, lowest), weights)
     curve = equilibrium(geometry.moves(np.linspace(0.0, lift, CURVE), lowest), weights)
     _held(curve, weights)
-    if given.friction >= curve.E.min():
-        raise mistakes.stuck(given.friction, float(curve.E.min()))
-    return DirectFound(given, lift, weights, table, curve)
+    if given.sleeve.friction >= curve.E.min():
+        raise mistakes.stuck(given.sleeve.friction, float(curve.E.min()))
+    found = DirectFound(given, steps.mechanism(given), lift, weights, table, curve)
+    steps.direct(found)
+    return found
 
 
 # --- the places
 
 
-def _lift(given: Direct) -> float:
+def _lift(given: Given) -> float:
     """Of the sleeve, m; the mechanism moves through all of it."""
     if isinstance(given.geometry, BellCrank):
         return _crank_lift(given.geometry, given)
     return _arms_lift(given.geometry, given)
 
 
-def _crank_lift(crank: BellCrank, given: Direct) -> float:
+def _crank_lift(crank: BellCrank, given: Given) -> float:
     highest = given.highest or given.lowest + (given.lift or 0.0) * crank.ball_arm / crank.sleeve_arm
     for radius in (given.lowest, highest):
         if not crank.level and crank.fulcrum is not None and abs(radius - crank.fulcrum) >= crank.ball_arm:
@@ -164,7 +135,7 @@ def _crank_lift(crank: BellCrank, given: Direct) -> float:
     return float(crank.lift(given.lowest, highest))
 
 
-def _arms_lift(arms: Arms, given: Direct) -> float:
+def _arms_lift(arms: Arms, given: Given) -> float:
     least, most = _radii(arms)
     for key, radius in (("lowest", given.lowest), ("highest", given.highest)):
         if radius is not None and not least < radius < most:
@@ -190,24 +161,25 @@ def _radii(arms: Arms) -> tuple[float, float]:
 # --- what holds the sleeve
 
 
-def _chosen(given: Direct, lift: float) -> Weights:
+def _chosen(given: Given, lift: float) -> Weights:
     """The weights with what is to be chosen."""
-    choice, weights = given.choice, given.weights
-    if choice is None:
+    chosen, weights = given.choose, given.weights
+    if chosen is None:
         return weights
-    if choice.what == "spring":
-        return _spring(given, lift, (choice.speeds[0], choice.speeds[1]))
+    if chosen.spring is not None:
+        return _spring(given, lift, chosen.spring)
     middle = given.geometry.moves(np.array([lift / 2]), given.lowest)
-    speed = choice.speeds[0]
-    if choice.what == "balls":
-        return replace(weights, ball=_balls(middle, weights, speed))
+    if chosen.balls is not None:
+        return replace(weights, ball=_balls(middle, weights, chosen.balls))
+    speed = chosen.sleeve
+    assert speed is not None  # `Choose`
     mass = float(sleeve_mass(middle, weights, speed)[0])
     if mass <= 0:
         raise mistakes.light_sleeve(speed, float(equilibrium(middle, replace(weights, sleeve=0.0)).omega[0]))
     return replace(weights, sleeve=mass)
 
 
-def _spring(given: Direct, lift: float, speeds: tuple[float, float]) -> Weights:
+def _spring(given: Given, lift: float, speeds: tuple[float, float]) -> Weights:
     """The spring for the speeds at both stops; of speeds that fall it makes an unstable governor, and that is told."""
     ends = given.geometry.moves(np.array([0.0, lift]), given.lowest)
     low, high = map(float, spring_force(ends, given.weights, np.array(speeds)))

@@ -8,13 +8,16 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.chapters.machine.governor import steps
 from tmm_report.chapters.machine.governor.given import Plant
 from tmm_report.chapters.machine.governor.solve import mistakes
 from tmm_report.chapters.machine.governor.solve import steady_states as steady
 from tmm_report.chapters.machine.governor.solve.by_itself import DirectFound
 from tmm_report.chapters.machine.governor.solve.steady_states import Steady
+from tmm_report.chapters.machine.governor.values import Values
 from tmm_report.mechanics.calculus.roots import bisected
 from tmm_report.mechanics.machine.governor import stability as small
+from tmm_report.mechanics.machine.governor.equilibrium import Equilibrium
 from tmm_report.mechanics.machine.governor.response import (
     Machine,
     Response,
@@ -42,40 +45,27 @@ FAR = 4.0  # how many times what is stated the chart goes to at most
 
 @dataclass(frozen=True, eq=False)
 class LoopFound:
-    """`machine` with the load after the step; `before`, `after`: steady states; small motions about the latter;
-    `response` to the step; `linear`: the deviation of the speed from the final one by the small motions alone, rad/s;
-    `inertial`: A of the governor there, kg m; `throttle_allowed`: friction on the sleeve that the allowed
-    insensitivity leaves, N."""
+    """`s`: the single numbers; `before`, `after`: steady states; small motions about the latter, `there`: of the
+    governor in it; `response` to the step; `linear`: the deviation of the speed from the final one by the small
+    motions alone, rad/s."""
 
+    s: Values
     plant: Plant
     servo: Servo | None
-    machine: Machine
     governor: Sleeve
     before: Steady
     after: Steady
+    there: Equilibrium
     loop: Loop
     response: Response
     linear: Array
     direct: DirectFound
-    inertial: float
-    throttle_allowed: float | None
-
-    @property
-    def friction(self) -> float:
-        """On the sleeve without the throttle, N."""
-        return self.direct.given.friction
-
-    @property
-    def delta(self) -> float:
-        """Non-uniformity of the governor."""
-        return self.direct.delta
 
     @property
     def too_heavy(self) -> bool:
         """Whether the throttle costs more than the insensitivity that is allowed: then the sleeve alone cannot move
         it."""
-        allowed = self.throttle_allowed
-        return allowed is not None and self.friction + self.plant.throttle.force > allowed
+        return "F_allowed" in self.s and self.s.number("F_sum") > self.s.number("F_allowed")
 
     # --- stability
 
@@ -106,11 +96,10 @@ class LoopFound:
     def stable(self) -> bool:
         return bool((self.eigenvalues.real < 0).all())
 
-    @cached_property
+    @property
     def vyshnegradsky(self) -> tuple[float, float] | None:
         """X, Y of the direct loop; None with a servo, or where a root is positive whatever they are."""
-        cubic = small.cubic(self.loop)
-        return small.vyshnegradsky(cubic) if self.servo is None and cubic[3] / cubic[0] > 0 else None
+        return (self.s.number("X"), self.s.number("Y")) if "X" in self.s else None
 
     @cached_property
     def damping_needed(self) -> float | None:
@@ -168,11 +157,6 @@ class LoopFound:
         return bool(z.min() <= NEAR * h or z.max() >= (1 - NEAR) * h)
 
     @property
-    def static_error(self) -> float:
-        """Change of the steady speed by that before the step."""
-        return (self.after.omega - self.before.omega) / self.before.omega
-
-    @property
     def final(self) -> float:
         """Speed that the machine comes to, rad/s: with friction the sleeve, with a dead zone the piston rests as soon
         as it may, short of equilibrium."""
@@ -218,35 +202,34 @@ class LoopFound:
 
 def solve(plant: Plant, servo: Servo | None, direct: DirectFound) -> LoopFound:
     """Raises ProblemError where a load finds no equilibrium."""
-    mean = direct.mean / plant.ratio
+    given, mean, least = direct.given, direct.mean / plant.ratio, plant.throttle.least
     machine = Machine(
-        plant.inertia,
-        plant.torque,
-        plant.after,
-        mean,
-        plant.slope,
-        plant.load_slope,
-        plant.ratio,
-        plant.least,
+        inertia=plant.inertia,
+        torque=plant.torque.full,
+        load=plant.load.after,
+        omega=mean,
+        slope=plant.torque.slope,
+        load_slope=plant.load.slope,
+        ratio=plant.ratio,
+        least=least,
     )
-    moved = direct.given.friction + (plant.throttle.force if servo is None else 0.0)
-    governor = sleeve(direct.at, direct.lift, moved, direct.given.damping, direct.lift / 2)
+    moved = given.sleeve.friction + (plant.throttle.force if servo is None else 0.0)
+    governor = sleeve(direct.at, direct.lift, moved, given.sleeve.damping, direct.lift / 2)
     if missed(governor, direct.at) > MISSED:
-        raise mistakes.straight(direct.given.lowest)
+        raise mistakes.straight(given.lowest)
     find = steady.direct if servo is None else steady.indirect
-    before = find("before", plant.before, machine, plant, direct)
-    after = find("after", plant.after, machine, plant, direct)
-    loop = _loop(after, machine, plant, direct)
+    before = find("before", plant.load.before, machine, plant, direct)
+    after = find("after", plant.load.after, machine, plant, direct)
+    s, there = direct.s, direct.at(np.array([after.z]))
+    steps.machine(s, plant, mean, after, there)
+    loop = _loop(s, least)
     start = _start(before, after, loop, servo)
     t = np.linspace(0.0, plant.time or _time(loop, servo), MOMENTS)
     response = _response(machine, governor, before, t, servo)
     linear = _linear(loop, servo, start, response, after)
-    wanted = plant.throttle.insensitivity
-    allowed = direct.friction_for(wanted) if wanted is not None else None
-    inertial = float(direct.at(np.array([after.z])).A[0])
-    return LoopFound(
-        plant, servo, machine, governor, before, after, loop, response, linear, direct, inertial, allowed
-    )
+    found = LoopFound(s, plant, servo, governor, before, after, there, loop, response, linear, direct)
+    steps.loop(found)
+    return found
 
 
 def _linear(loop: Loop, servo: Servo | None, start: Array, response: Response, after: Steady) -> Array:
@@ -271,20 +254,19 @@ def _response(machine: Machine, governor: Sleeve, before: Steady, t: Array, serv
 # --- small motions
 
 
-def _loop(after: Steady, machine: Machine, plant: Plant, direct: DirectFound) -> Loop:
-    at = direct.at(np.array([after.z]))
-    A, S, mass = (float(one[0]) for one in (at.A, at.S, at.mass))
+def _loop(s: Values, least: float) -> Loop:
+    """`least`: supply with the sleeve at its upper stop."""
     return Loop(
-        J=plant.inertia,
-        D=plant.slope * after.s + plant.load_slope,
-        M=after.full,
-        supply=1 - plant.least,
-        m=mass,
-        k=direct.given.damping,
-        S=S,
-        R=2 * A * after.omega * plant.ratio**2,
-        omega=after.omega,
-        h=direct.lift,
+        J=s.number("J"),
+        D=s.number("D"),
+        M=s.number("after_M_d"),
+        supply=1 - least,
+        m=s.number("after_m"),
+        k=s.number("k"),
+        S=s.number("after_S"),
+        R=s.number("R"),
+        omega=s.number("after_omega"),
+        h=s.number("h"),
     )
 
 

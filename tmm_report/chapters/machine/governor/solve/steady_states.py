@@ -33,11 +33,11 @@ def direct(key: str, load: float, machine: Machine, plant: Plant, governor: Dire
 
     def states(z: Array) -> tuple[Array, Array, Array]:
         omega = governor.at(z).omega / plant.ratio
-        return omega, machine.drive(omega), 1 - (1 - plant.least) * z / governor.lift
+        return omega, machine.drive(omega), 1 - (1 - plant.throttle.least) * z / governor.lift
 
     def excess(z: Array) -> Array:
         omega, full, s = states(z)
-        return full * s - load - plant.load_slope * (omega - machine.omega)
+        return full * s - load - plant.load.slope * (omega - machine.omega)
 
     ends = np.array([0.0, governor.lift])
     most, least = excess(ends) + load
@@ -55,8 +55,8 @@ def indirect(key: str, load: float, machine: Machine, plant: Plant, governor: Di
     z = governor.lift / 2
     omega = float(governor.at(np.array([z])).omega[0]) / plant.ratio
     full = float(machine.drive(omega))
-    resistance = load + plant.load_slope * (omega - machine.omega)
+    resistance = load + plant.load.slope * (omega - machine.omega)
     s = resistance / full
-    if not plant.least <= s <= 1:
-        raise mistakes.no_supply(key, load, plant.least * full, full)
+    if not plant.throttle.least <= s <= 1:
+        raise mistakes.no_supply(key, load, plant.throttle.least * full, full)
     return Steady(resistance, full, omega, z, s)

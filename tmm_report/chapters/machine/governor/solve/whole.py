@@ -42,7 +42,7 @@ class Found:
             yield Message(said[not self.loop.stable])
         if self.brake is not None:
             text = N_("centrifugal brake: contact at %(contact)s rpm, held speed %(held)s rpm")
-            values = {"contact": rpm(self.brake.given.brake.contact), "held": rpm(self.brake.held)}
+            values = {key: rpm(self.brake.s.number(key)) for key in ("contact", "held")}
             yield Message(text, values)
 
 
@@ -57,12 +57,13 @@ FALLS = {
 
 def _of_direct(found: DirectFound) -> Message:
     text = N_("centrifugal governor: %(low)s … %(high)s rpm, non-uniformity %(delta)s")
-    low, high = found.ends
-    return Message(text, {"low": rpm(low), "high": rpm(high), "delta": f"{found.delta:.4g}"})
+    low, high = map(rpm, found.ends)
+    return Message(text, {"low": low, "high": high, "delta": f"{found.s.number('delta'):.4g}"})
 
 
 def solve(given: Given, moving: Moving | None) -> Found:
     """`moving`: the solved lever mechanism, which a governor does not need. Raises ProblemError."""
-    governor = direct.solve(given.direct) if given.direct else None
-    machine = loop.solve(given.plant, given.servo, governor) if given.plant and governor else None
+    governor = direct.solve(given) if given.centrifugal else None
+    servo = given.servo.in_loop if given.servo else None
+    machine = loop.solve(given.machine, servo, governor) if given.machine and governor else None
     return Found(given, governor, machine, brake.solve(given.brake) if given.brake else None)

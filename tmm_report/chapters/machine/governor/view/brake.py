@@ -9,61 +9,54 @@ import numpy as np
 from markupsafe import Markup
 
 from tmm_report.chapters.machine.governor.draw import brake
-from tmm_report.chapters.machine.governor.formulas.brake import BrakeFormulas
-from tmm_report.chapters.machine.governor.quantities import whole as q
+from tmm_report.chapters.machine.governor.quantities import of_brake
 from tmm_report.chapters.machine.governor.solve.brake import BrakeFound
 from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.drawing import Drawing
 from tmm_report.problems import N_
-from tmm_report.quantity.model import Book
-from tmm_report.report.diagrams import plot
+from tmm_report.quantity.formula import Formula
+from tmm_report.report.chapter_view import ChapterView
+from tmm_report.report.diagrams import Line, chart, plot
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Table, numeric
 
-UNITS = {
-    "n": "", "m": "", "rho": "mm", "gap": "mm", "R": "mm", "f": "", "c": "N/mm", "F_0": "", "M": "", "J": "",
-}  # fmt: skip
+GIVEN = ("n", "m", "rho", "gap", "R", "f", "c", "F_0", "M", "J")
+FOUND = ("rho_contact", "F", "contact", "K", "held", "spread", "pressing", "power", "contact_time")
 ROW = 10  # of the table, whose moment is written out
 
 
-class BrakeView:
-    def __init__(self, found: BrakeFound, book: Book, page: Page):
-        self.found, self.book, self.page, self.t = found, book, page, page.t
-        self.formulas = BrakeFormulas(book)
+class BrakeView(ChapterView):
+    def __init__(self, found: BrakeFound, page: Page):
+        super().__init__(page, found.s, of_brake(found))
+        self.found = found
+        self.places = next(iter(of_brake(found)))
 
     def given_values(self) -> Markup:
-        return self.page.values(self.book[f"governor_brake_{key}"].var(UNITS[key]) for key in self._keys())
+        return self.listed(self._given())
 
-    def _keys(self) -> list[str]:
-        known = [key for key in UNITS if f"governor_brake_{key}" in self.book.values]
-        return [key for key in known if self.book[f"governor_brake_{key}"].value]
+    def _given(self) -> list[str]:
+        return [key for key in GIVEN if self.s.get(key)]
 
-    def explained(self) -> list[dict[str, Any]]:
-        of = {key: self.book[f"governor_brake_{key}"] for key in self._keys()}
-        return [self.page.explained(f"brake:{key}", one, UNITS[key] or one.unit) for key, one in of.items()]
+    def explained_given(self) -> list[dict[str, Any]]:
+        return self.explained(*self._given())
 
-    def where(self) -> list[dict[str, Any]]:
+    def explained_found(self) -> list[dict[str, Any]]:
         """Of what the formulas find: letters of the brake stand for other things than those of the governor."""
-        keys = ("rho_contact", "F", "contact", "K", "held", "spread", "pressing", "power", "contact_time")
-        known = [key for key in keys if f"governor_brake_{key}" in self.book.values]
-        of = {key: self.book[f"governor_brake_{key}"] for key in known}
-        return [self.page.explained(f"brake:{key}", one, one.unit) for key, one in of.items()]
+        return self.explained(*FOUND)
 
-    def number(self, key: str, unit: str = "", **form: Any) -> Markup:
-        return self.page.shown(self.book[f"governor_brake_{key}"], unit=unit, **form)
-
-    def moment(self) -> Any:
-        return self.formulas.moment(ROW)
+    def moment(self) -> Formula:
+        """At one of the speeds of the table."""
+        over = self.places.var("omega", ROW) ** 2 - self.var("contact") ** 2
+        return self.places.formula("M_b", ROW, self.var("K") * over)
 
     def speed_of_row(self) -> Markup:
-        return self.page.shown(self.book.tables["governor_brake"], "omega", ROW)
+        return self.page.shown(self.places, "omega", ROW)
 
     def moments(self, caption: Any) -> Table:
-        table = self.book.tables["governor_brake"]
-        first = self.page.column(table, "omega")
-        return numeric(
-            caption, first, [self.page.column(table, "omega", "rpm"), self.page.column(table, "M_b")]
+        first, *others = (
+            self.page.column(self.places, *one) for one in (("omega",), ("omega", "rpm"), ("M_b",))
         )
+        return numeric(caption, first, others)
 
     @cached_property
     def drawing(self) -> Drawing:
@@ -73,19 +66,22 @@ class BrakeView:
     def graph(self) -> Graph:
         """The braking moment over the speed, with the driving one."""
         speed = np.linspace(0.0, float(self.found.omega[-1]), 121)
-        braking = self.found.given.brake.moment(speed)
-        driving = np.full_like(speed, self.found.given.moment)
-        held = (self.found.held, self.found.given.moment)
+        moment = self.s.number("M")
         curves = [
-            Curve(braking, str(self.t(N_("braking"))), extremes=[held]),
-            Curve(driving, str(self.t(N_("driving"))), extremes=()),
+            Curve(
+                self.found.shoes.moment(speed),
+                str(self.t(N_("braking"))),
+                extremes=[(self.s.number("held"), moment)],
+            ),
+            Curve(np.full_like(speed, moment), str(self.t(N_("driving"))), extremes=()),
         ]
-        return plot(curves, speed, q.SHAFT, [(q.BRAKING.sign, "N·m")], self.page.tr)
+        along, of = self.places["omega"].quantity, self.places["M_b"].quantity
+        return plot(curves, speed, along, [(of.sign, of.printed)], self.page.tr)
 
     @cached_property
     def start(self) -> Graph:
-        curve = Curve(self.found.started, extremes=())
-        return plot([curve], self.found.t, q.TIME, [(q.SHAFT.sign, "rad/s")], self.page.tr)
+        speed = self.of("start", "omega")
+        return chart([Line(speed)], self.of("start", "t"), [speed.quantity], self.page.tr)
 
     def conclusions(self) -> list[Markup]:
         text = N_(

@@ -2,39 +2,33 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import cached_property
 from typing import Any
 
 from markupsafe import Markup
 
+from tmm_report.chapters.machine.governor import equations
 from tmm_report.chapters.machine.governor.draw import blocks, charts
-from tmm_report.chapters.machine.governor.formulas.in_loop import LoopFormulas, Rate
-from tmm_report.chapters.machine.governor.quantities import in_loop as q
+from tmm_report.chapters.machine.governor.equations import Rate, Relation
+from tmm_report.chapters.machine.governor.quantities import of_loop
 from tmm_report.chapters.machine.governor.solve.in_loop import LoopFound
-from tmm_report.figures.charts.graphs import Curve, Graph
+from tmm_report.figures.charts.graphs import Graph
 from tmm_report.figures.drawing import Drawing
+from tmm_report.figures.lettering import Parts
 from tmm_report.mechanics.machine.governor.stability import kind
 from tmm_report.problems import N_
-from tmm_report.quantity.model import Book, Value
-from tmm_report.quantity.symbols import Symbol
-from tmm_report.report.diagrams import plot
+from tmm_report.quantity.model import Quantity
+from tmm_report.report.chapter_view import ChapterView
+from tmm_report.report.diagrams import Line, chart, letter
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Column, Table, numeric, worded
 from tmm_report.report.part import Failed
 
 GIVEN = (
-    "J",
-    "i",
-    "omega_mean",
-    "M_mean",
-    "k_d",
-    "k_c",
-    "load_before",
-    "load_after",
-    "s_min",
-    "F_throttle",
-    "k",
-)
+    "J", "i", "omega_mean", "M_mean", "k_d", "k_c", "load_before", "load_after", "s_min", "F_throttle", "k", "T_s",
+    "zone", "beta", "T_i",
+)  # fmt: skip
 STEADY = {"before": N_("before the step"), "after": N_("after the step")}
 KINDS = {
     "unstable": N_("The point of the machine lies below the hyperbola: the loop is unstable."),
@@ -51,53 +45,58 @@ KINDS = {
 }
 
 
-class LoopView:
-    def __init__(self, found: LoopFound, book: Book, page: Page):
-        self.found, self.book, self.page, self.t = found, book, page, page.t
-        self.formulas = LoopFormulas(found, book)
+def axis(page: Page, of: Quantity) -> Parts:
+    """Letter and unit of what an axis shows."""
+    unit = (f", {page.unit(of.printed)}",) if of.printed else ()
+    return (*letter(of.sign, page.tr), *unit)
+
+
+class LoopView(ChapterView):
+    def __init__(self, found: LoopFound, page: Page):
+        super().__init__(page, found.s, of_loop(found))
+        self.found = found
 
     # ------------------------------------------------------------ words
 
-    def has(self, key: str) -> bool:
-        return f"governor_{key}" in self.book.values
-
-    def number(self, key: str, unit: str = "", **form: Any) -> Markup:
-        return self.page.shown(self.book[f"governor_{key}"], unit=unit, **form)
-
-    def sized(self, key: str, unit: str = "") -> Markup:
-        return self.page.value(self.book[f"governor_{key}"].var(unit))
-
     def given_values(self) -> Markup:
-        return self.page.values(self.book[f"governor_{key}"].var() for key in self._given())
+        return self.listed(self._given())
 
     def _given(self) -> list[str]:
-        servo = [key for key in ("T_s", "zone", "beta", "T_i") if self.has(key)]
-        return [key for key in (*GIVEN, *servo) if self.book[f"governor_{key}"].value]
+        return [key for key in GIVEN if self.s.get(key)]
+
+    def explained_given(self) -> list[dict[str, Any]]:
+        return self.explained(*self._given())
 
     def explained(self, *keys: str) -> list[dict[str, Any]]:
-        """Of these numbers, or of those that are given."""
-        of = {key: self.book[f"governor_{key}"] for key in keys or self._given() if self.has(key)}
-        return [self._meant(one) for one in of.values()]
-
-    def _meant(self, of: Value) -> dict[str, Any]:
         """A symbol is explained once, whichever number it stands for."""
-        return {**self.page.explained(of.key, of, of.unit), "id": of.symbol}
+        return [{**item, "id": item["symbol"]} for item in super().explained(*keys)]
 
     def states(self) -> list[dict[str, Any]]:
         """The states of the small motions."""
-        return [self._meant(q.state(name).value(0.0)) for name in self.found.states]
+        return self._heads("matrix", self.found.states)
 
     def motions(self) -> list[dict[str, Any]]:
         """What stands in the equations of motion."""
-        of = [
-            q.OMEGA,
-            q.Z,
-            q.SUPPLY,
-            q.FULL,
-            q.LOAD,
-            *([q.BACK] if self.found.response.x is not None else []),
-        ]
-        return [self._meant(one.value(0.0)) for one in of]
+        of = [*self._heads("steady", ("omega", "z", "s", "M_d", "M_c"))]
+        return of + (self._heads("response", ("x",)) if self.found.response.x is not None else [])
+
+    def _heads(self, name: str, keys: Iterable[str]) -> list[dict[str, Any]]:
+        columns = [self.of(name, key) for key in keys]
+        return [self.page.explained("", one, one.unit) | {"id": one.symbol()} for one in columns]
+
+    # ------------------------------------------------------------ equations
+
+    def motion(self) -> list[Relation]:
+        return equations.motion(self.found)
+
+    def small(self) -> list[Relation]:
+        return equations.small(self.found)
+
+    def characteristic(self) -> Relation:
+        return equations.characteristic(self.found)
+
+    def normal(self) -> Relation:
+        return equations.normal(self.found)
 
     def kind(self) -> Markup:
         x, y = self.found.vyshnegradsky or (0.0, 0.0)
@@ -120,23 +119,23 @@ class LoopView:
     # ------------------------------------------------------------ tables
 
     def steady(self, caption: Any) -> Table:
-        table, page = self.book.tables["governor_steady"], self.page
+        table, page = self.table("steady"), self.page
         names = [
             page.word(self.t(STEADY[str(one)]), table, "state", row)
             for row, one in enumerate(table["state"].values)
         ]
         columns = [
-            page.column(table, "M_c"), page.column(table, "omega"), page.column(table, "omega", "rpm"),
-            page.column(table, "z", "mm"), page.column(table, "s"),
+            *self.columns("steady", ("M_c", "omega")), self.column("steady", "omega", "rpm"),
+            *self.columns("steady", ("z", "s")),
         ]  # fmt: skip
         return numeric(caption, Column(self.t(N_("State")), names), columns)
 
     def matrix(self, caption: Any) -> Table:
         """Each number with its own digits."""
-        table, page, names = self.book.tables["governor_matrix"], self.page, self.found.states
+        table, page, names = self.table("matrix"), self.page, self.found.states
         rows = [
             [
-                page.word(page.math(Rate(q.STATES[name][0])), table, "state", row),
+                page.word(page.math(Rate(table[name].symbol())), table, "state", row),
                 *(page.cell(table, other, row, scale=0.0) for other in names),
             ]
             for row, name in enumerate(names)
@@ -145,14 +144,14 @@ class LoopView:
         return worded(caption, heads, rows, (2, *(3 for _ in names)))
 
     def roots(self, caption: Any) -> Table:
-        table, page = self.book.tables["governor_eigenvalues"], self.page
+        table, page = self.table("eigenvalues"), self.page
         numbers = [page.cell(table, "number", row) for row in range(len(table))]
-        columns = [page.column(table, key) for key in ("real", "imaginary")]
+        columns = self.columns("eigenvalues", ("real", "imaginary"))
         return numeric(caption, Column(self.t(N_("No.")), numbers), columns)
 
     def hurwitz(self, caption: Any) -> Table:
         """Each number with its own digits: they differ by many powers of ten."""
-        table, page = self.book.tables["governor_hurwitz"], self.page
+        table, page = self.table("hurwitz"), self.page
         rows = [
             [
                 page.cell(table, "k", row),
@@ -182,25 +181,27 @@ class LoopView:
         }  # fmt: skip
         said = {key: str(self.t(text)) for key, text in words.items()}
         if self.found.servo is None:
-            return charts.vyshnegradsky(self.found, self._num, said)
-        return charts.isodrome(self.found, self._num, self.page.unit("s"), said)
+            x, y = (axis(self.page, self.s.quantity(key)) for key in "XY")
+            return charts.vyshnegradsky(self.found, (x, y), self._num, said)
+        time, back = (axis(self.page, self.of("boundary", key).quantity) for key in ("T_i", "beta"))
+        return charts.isodrome(self.found, (time, back), self._num, said)
 
     def _num(self, value: float) -> str:
         return self.page.num(value, 4)
 
     @cached_property
     def response(self) -> Graph:
-        response, start = self.found.response, self.found.before.omega
-        peak = (float(response.t[self.found.worst]), float(response.omega[self.found.worst] - start))
         exact, small = str(self.t(N_("large motions"))), str(self.t(N_("small motions")))
-        curves = [
-            Curve(response.omega - start, exact, 0, extremes=[peak]),
-            Curve(self.found.linear + self.found.after.omega - start, small, 0, extremes=()),
-            Curve(1e3 * response.z, "", 1, extremes=()),
-            Curve(response.s, "", 2, extremes=()),
+        deviation, z, supply = (self.of("response", key) for key in ("deviation", "z", "s"))
+        peak = (self.s.number("peak_time"), deviation.number(self.found.worst))
+        lines = [
+            Line(deviation, exact, 0, [peak]),
+            Line(self.of("response", "deviation_linear"), small, 0),
+            Line(z, "", 1),
+            Line(supply, "", 2),
         ]
-        axes = [(Symbol("Δω"), "rad/s"), (q.Z.sign, "mm"), (q.SUPPLY.sign, "")]
-        return plot(curves, response.t, q.T, axes, self.page.tr)
+        panels = [one.quantity for one in (deviation, z, supply)]
+        return chart(lines, self.of("response", "t"), panels, self.page.tr)
 
     # ------------------------------------------------------------ conclusions
 
@@ -214,7 +215,7 @@ class LoopView:
         lines = [self.t(stable) if self.found.stable else Failed(self.t(unstable))]
         if self.found.stable:
             final = self.number("final" if self.found.short else "static", "%", digits=4)
-            lines.append(self.t(text, peak=self.number("peak", "%", digits=4), static=final))
+            lines.append(self.t(text, peak=self.number("peak", digits=4), static=final))
         if self.found.servo is None and self.found.too_heavy:
             text = N_("The sleeve alone cannot move the throttle: an indirect governor is needed.")
             lines.append(Failed(self.t(text)))

@@ -2,33 +2,37 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import Any
 
 from markupsafe import Markup
 
+from tmm_report.chapters.machine.governor import rows
 from tmm_report.chapters.machine.governor.draw import brake, charts, scheme
-from tmm_report.chapters.machine.governor.formulas.by_itself import DirectFormulas
-from tmm_report.chapters.machine.governor.quantities import whole as q
+from tmm_report.chapters.machine.governor.quantities import of_direct
 from tmm_report.chapters.machine.governor.solve.by_itself import DirectFound
 from tmm_report.chapters.machine.governor.solve.whole import Found
+from tmm_report.chapters.machine.governor.values import Values
 from tmm_report.chapters.machine.governor.view.brake import BrakeView
-from tmm_report.chapters.machine.governor.view.in_loop import LoopView
+from tmm_report.chapters.machine.governor.view.in_loop import LoopView, axis
 from tmm_report.figures.drawing import Drawing
+from tmm_report.figures.lettering import Symbol
 from tmm_report.mechanics.machine.governor.equilibrium import Arms, BellCrank
 from tmm_report.problems import N_
-from tmm_report.quantity.formula import Var
+from tmm_report.quantity import model
+from tmm_report.quantity.formula import Formula
+from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.diagrams import scale_of
 from tmm_report.report.page import Page
-from tmm_report.report.paper.layout import Column, Table, numeric
+from tmm_report.report.paper.layout import Table, numeric
 from tmm_report.report.part import Part
 
-UNITS = {  # of print, of the numbers that are given
-    "l_1": "mm", "l_2": "mm", "e_1": "mm", "e_2": "mm", "x_0": "mm", "L": "mm", "a": "mm", "b": "mm", "r_0": "mm",
-    "r_min": "mm",
-    "n": "", "m": "", "m_0": "", "c": "N/mm", "F_0": "", "h": "mm", "F_fr": "", "k": "",
-}  # fmt: skip
+GIVEN = (
+    "l_1", "l_2", "e_1", "e_2", "x_0", "L", "a", "b", "r_0", "r_min", "n", "m", "m_0", "c", "F_0", "h", "F_fr", "k",
+)  # fmt: skip
+TILTS = ("alpha", "beta", "gamma", "theta")
+MECHANISM = ("H", "alpha", "beta", "dx", "gamma", "r", "dr", "theta", "dy")
 STABILITY = {
     "stable": N_("The speed grows as the sleeve rises: the governor is stable all over its lift."),
     "unstable": N_(
@@ -46,11 +50,10 @@ STABILITY = {
 
 def parts(found: Found, page: Page) -> Iterator[Part]:
     yield Part("machine/governor", GovernorView(found, page))
-    book = page.once(q.book, found)
     if found.loop is not None:
-        yield Part("machine/governor/loop", LoopView(found.loop, book, page))
+        yield Part("machine/governor/loop", LoopView(found.loop, page))
     if found.brake is not None:
-        yield Part("machine/governor/brake", BrakeView(found.brake, book, page))
+        yield Part("machine/governor/brake", BrakeView(found.brake, page))
 
 
 def picture(found: Found, page: Page) -> Drawing:
@@ -61,29 +64,40 @@ def picture(found: Found, page: Page) -> Drawing:
     return brake.brake(found.brake)
 
 
-class GovernorView:
+class GovernorView(ChapterView):
     """The heading of the chapter and the centrifugal governor by itself; `found.direct` is None of a brake alone."""
 
     def __init__(self, found: Found, page: Page):
-        self.found, self.page, self.t = found, page, page.t
-        self.book = page.once(q.book, found)
-
-    @property
-    def name(self) -> str:
-        return self.found.given.name
+        own = found.direct
+        super().__init__(page, own.s if own else Values(), of_direct(own) if own else ())
+        self.found = found
 
     @property
     def direct(self) -> DirectFound:
         assert self.found.direct is not None
         return self.found.direct
 
-    @cached_property
-    def formulas(self) -> DirectFormulas:
-        return DirectFormulas(self.direct, self.book)
+    # ------------------------------------------------------------ formulas of the place at the middle of the lift
 
     @cached_property
-    def places(self) -> Any:
-        return self.book.tables["governor_equilibrium"]
+    def _rows(self) -> dict[str, Formula]:
+        return rows.formulas(self.direct)
+
+    def row(self, *keys: str) -> list[Formula]:
+        """By the keys of the columns, of those that this governor has."""
+        return [self._rows[key] for key in keys if key in self._rows]
+
+    def mechanism_formulas(self) -> list[Formula]:
+        """From the lift to r, r' and y'."""
+        return self.row(*MECHANISM)
+
+    def middle(self) -> Markup:
+        """The lift there."""
+        return self.page.value(self.table("equilibrium").var("z", self.direct.middle, "mm"))
+
+    def choice(self) -> list[Formula]:
+        """Of what was not stated."""
+        return self.formulas("F_0", "spring_top", "c", "m", "m_0")
 
     # ------------------------------------------------------------ words
 
@@ -102,47 +116,28 @@ class GovernorView:
         return self.t(N_("a simple governor with arms (Watt)"))
 
     def given_values(self) -> Markup:
-        chosen = self.direct.given.choice
-        skipped = {"spring": ("c", "F_0"), "balls": ("m",), "sleeve": ("m_0",)}[chosen.what] if chosen else ()
-        keys = [key for key in UNITS if f"governor_{key}" in self.book.values and key not in skipped]
-        return self.page.values(self._given(key) for key in keys if self.book[f"governor_{key}"].value)
+        return self.listed(key for key in self._given() if not self.s.has_formula(key))
 
-    def _given(self, key: str) -> Var:
-        return self.book[f"governor_{key}"].var(UNITS[key])
+    def _given(self) -> list[str]:
+        return [key for key in GIVEN if self.s.get(key)]
 
-    def explained(self) -> list[dict[str, Any]]:
+    def explained_given(self) -> list[dict[str, Any]]:
         """Of the given numbers, and of the others that no formula explains."""
-        keys = [
-            key
-            for key in UNITS
-            if f"governor_{key}" in self.book.values and self.book[f"governor_{key}"].value
-        ]
-        return [
-            self.page.explained(f"governor:{key}", of := self.book[f"governor_{key}"], UNITS[key] or of.unit)
-            for key in keys
-        ]
-
-    def number(self, key: str, unit: str = "", **form: Any) -> Markup:
-        return self.page.shown(self.book[f"governor_{key}"], unit=unit, **form)
-
-    def sized(self, key: str, unit: str = "") -> Markup:
-        """symbol = value."""
-        return self.page.value(self.book[f"governor_{key}"].var(unit))
+        return self.explained(*self._given())
 
     def wanted(self) -> Markup:
         """The speeds that were asked for."""
-        choice = self.direct.given.choice
-        assert choice is not None
-        if choice.what == "spring":
+        chosen = self.direct.given.choose
+        assert chosen is not None
+        if chosen.spring is not None:
             return self.t(
                 N_("The spring is chosen for %(low)s rpm at the lower stop and %(high)s rpm at the upper one."),
-                low=self.number("omega_0", "rpm"), high=self.number("omega_h", "rpm"),
+                low=self.number("omega_0"), high=self.number("omega_h"),
             )  # fmt: skip
-        text = {
-            "balls": N_("The mass of the balls is chosen for %(speed)s rpm at the middle of the lift."),
-            "sleeve": N_("The load of the sleeve is chosen for %(speed)s rpm at the middle of the lift."),
-        }[choice.what]
-        return self.t(text, speed=self.number("omega_chosen", "rpm"))
+        text = N_("The load of the sleeve is chosen for %(speed)s rpm at the middle of the lift.")
+        if chosen.balls is not None:
+            text = N_("The mass of the balls is chosen for %(speed)s rpm at the middle of the lift.")
+        return self.t(text, speed=self.number("omega_chosen"))
 
     def stability(self) -> Markup:
         return self.t(STABILITY[self.direct.word])
@@ -150,13 +145,10 @@ class GovernorView:
     def remedies(self) -> list[Markup]:
         """What would make it stable."""
         found = []
-        if (
-            "governor_stiffness_needed" in self.book.values
-            and self.book["governor_stiffness_needed"].value > 0
-        ):
+        if (self.s.get("stiffness_needed") or 0.0) > 0:
             text = N_("a spring stiffer than %(c)s N/mm with the same force at the lower stop")
-            found.append(self.t(text, c=self.number("stiffness_needed", "N/mm")))
-        if "governor_preload_allowed" in self.book.values:
+            found.append(self.t(text, c=self.number("stiffness_needed")))
+        if "preload_allowed" in self.s:
             text = N_("a force of the spring at the lower stop below %(force)s N with the same stiffness")
             found.append(self.t(text, force=self.number("preload_allowed")))
         return found
@@ -164,45 +156,33 @@ class GovernorView:
     # ------------------------------------------------------------ tables and pictures
 
     def mechanism(self, caption: Any) -> Table:
-        """Geometry over the lift."""
-        keys = ["H", "x", "alpha", "beta", "gamma", "theta", "r", "dr", "dy"]
-        units = {
-            "H": "mm",
-            "x": "mm",
-            "r": "mm",
-            "alpha": "deg",
-            "beta": "deg",
-            "gamma": "deg",
-            "theta": "deg",
-        }
-        kept = [key for key in keys if key in self.places and not self._same(key)]
-        return self._table(caption, kept, units)
+        """Geometry over the lift; the radius of the ball alone where it is on the pin."""
+        leave = ("x",) if self._on_pin else ()
+        keys = ["H", "x", *TILTS, "r", "dr", "dy"]
+        return self._over_lift(caption, [key for key in keys if key in self.places and key not in leave])
 
-    def _same(self, key: str) -> bool:
-        """Whether a column repeats another: the ball is on the pin."""
+    @property
+    def _on_pin(self) -> bool:
         geometry = self.direct.given.geometry
-        on_pin = isinstance(geometry, Arms) and geometry.distance is None and geometry.extension is None
-        return key == "x" and on_pin
+        return isinstance(geometry, Arms) and geometry.distance is None and geometry.extension is None
+
+    @property
+    def places(self) -> model.Table:
+        return self.table("equilibrium")
 
     def equilibrium(self, caption: Any) -> Table:
-        units = {"omega_g": "rad/s"}
-        table = self._table(caption, ["A", "E", "omega_g", "C", "S"], units)
-        return table
+        return self._over_lift(caption, ["A", "E", "omega_g", "C", "S"])
+
+    def _over_lift(self, caption: Any, keys: Sequence[str]) -> Table:
+        return self.numeric(caption, "equilibrium", ["z", *keys])
 
     def speeds(self, caption: Any) -> Table:
         """Speeds in rpm, with the band of insensitivity where there is friction."""
-        keys = ["omega_g", *(["omega_low", "omega_up"] if self.direct.given.friction else [])]
-        columns = [self.page.column(self.places, key, "rpm") for key in keys]
-        if self.direct.given.friction:
-            columns.append(self.page.column(self.places, "epsilon", "%", digits=4))
-        return numeric(caption, self._lifts(), columns)
-
-    def _table(self, caption: Any, keys: list[str], units: dict[str, str]) -> Table:
-        columns = [self.page.column(self.places, key, units.get(key, "")) for key in keys]
-        return numeric(caption, self._lifts(), columns)
-
-    def _lifts(self) -> Column:
-        return self.page.column(self.places, "z", "mm")
+        columns = [self.column("equilibrium", "omega_g", "rpm")]
+        if self.direct.given.sleeve.friction:
+            columns += self.columns("equilibrium", ("omega_low", "omega_up"))
+            columns.append(self.column("equilibrium", "epsilon", digits=4))
+        return numeric(caption, self.column("equilibrium", "z"), columns)
 
     @cached_property
     def drawing(self) -> Drawing:
@@ -214,14 +194,15 @@ class GovernorView:
     @cached_property
     def speed_chart(self) -> Drawing:
         words = N_("equilibrium"), N_("the sleeve begins to sink"), N_("the sleeve begins to rise")
-        names = tuple(str(self.t(word)) for word in words)
-        units = self.page.unit("mm"), self.page.unit("rpm")
-        return charts.speeds(self.direct, self._num, units, (names[0], names[1], names[2]))
+        names = [str(self.t(word)) for word in words]
+        lift = self.of("curve", "z")
+        axes = axis(self.page, lift.quantity), (Symbol("n", "g"), f", {self.page.unit('rpm')}")
+        return charts.speeds(self.direct, lift, axes, self._num, names)
 
     @cached_property
     def force_chart(self) -> Drawing:
-        units = self.page.unit("mm"), self.page.unit("rpm"), self.page.unit("N")
-        return charts.controlling(self.direct, self._num, units)
+        along, up = (axis(self.page, self.of("curve", key).quantity) for key in ("r", "C"))
+        return charts.controlling(self.table("curve"), (along, up), self._num, self.page.unit("rpm"))
 
     def _num(self, value: float) -> str:
         return self.page.num(value, 4)
@@ -235,5 +216,5 @@ class GovernorView:
             "The centrifugal governor works between %(low)s rpm and %(high)s rpm of its shaft, its non-uniformity is "
             "%(delta)s %%."
         )
-        low, high = (self.number(f"omega_{end}", "rpm") for end in ("0", "h"))
-        return [self.t(text, low=low, high=high, delta=self.number("delta", "%", digits=4)), self.stability()]
+        low, high = (self.number(f"omega_{end}") for end in ("0", "h"))
+        return [self.t(text, low=low, high=high, delta=self.number("delta", digits=4)), self.stability()]

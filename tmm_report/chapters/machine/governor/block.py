@@ -5,12 +5,11 @@ from typing import TypedDict
 
 from pydantic import Field
 
-from tmm_report.chapters.machine.governor.block.build import build
-from tmm_report.chapters.machine.governor.block.models import GovernorModel
-from tmm_report.chapters.machine.governor.given import Given as Stated
+from tmm_report.chapters.machine.governor.given import Given
 from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.variant import model
 from tmm_report.variant.model import Read
+from tmm_report.variant.stated import Stated
 
 PATH = ("governor",)
 
@@ -20,16 +19,15 @@ class Block(model.Block):
 
     ALONE = True
 
-    governor: GovernorModel | None = Field(default=None, description="the speed governor")
+    governor: Stated[Given] | None = Field(default=None, description="the speed governor")
 
 
-class Given(TypedDict):
-    governor: Stated | None
+class Taken(TypedDict):
+    governor: Given | None
 
 
-def given(read: Read) -> Given:
-    written = read.block(Block).governor
-    return {"governor": build(written) if written else None}
+def given(read: Read) -> Taken:
+    return {"governor": read.block(Block).governor}
 
 
 # --- mistakes
@@ -46,7 +44,7 @@ def mistakes(read: Read) -> Iterator[Problem]:
             yield problem
 
 
-def _together(written: GovernorModel, broken: Set[object]) -> Iterator[Problem]:
+def _together(written: Given, broken: Set[object]) -> Iterator[Problem]:
     centrifugal = bool(written.arms or written.bell_crank or broken & {"arms", "bell_crank"})
     if written.arms and written.bell_crank:
         right = Message(N_("leave one of them: arms or bell_crank"))
@@ -63,7 +61,7 @@ def _together(written: GovernorModel, broken: Set[object]) -> Iterator[Problem]:
     yield from _needs(written, centrifugal, "machine" in broken)
 
 
-def _range(written: GovernorModel) -> Iterator[Problem]:
+def _range(written: Given) -> Iterator[Problem]:
     if written.radius is None:
         right = Message(N_("for example, radius: {lowest: 150 mm, highest: 200 mm}"))
         yield mistake(N_("the working range of the governor is not stated"), (*PATH, "radius"), right)
@@ -77,7 +75,7 @@ def _range(written: GovernorModel) -> Iterator[Problem]:
         yield mistake(text, (*PATH, "radius", "highest"), right)
 
 
-def _masses(written: GovernorModel) -> Iterator[Problem]:
+def _masses(written: Given) -> Iterator[Problem]:
     chosen = written.choose
     if written.balls.mass is None and (chosen is None or chosen.balls is None):
         right = Message(N_("state their mass, or choose: {balls: 300 rpm}"))
@@ -89,7 +87,7 @@ def _masses(written: GovernorModel) -> Iterator[Problem]:
             yield mistake(N_("what is chosen is stated, too"), (*PATH, "choose", key), right)
 
 
-def _places(written: GovernorModel) -> Iterator[Problem]:
+def _places(written: Given) -> Iterator[Problem]:
     """Where the balls are on arms, and the fulcrum of an angle lever."""
     balls, crank = written.balls, written.bell_crank
     if crank is not None and crank.fulcrum is None and not crank.level:
@@ -104,7 +102,7 @@ def _places(written: GovernorModel) -> Iterator[Problem]:
             yield mistake(N_("an angle lever has no arms"), (*PATH, "balls", key), right)
 
 
-def _needs(written: GovernorModel, centrifugal: bool, broken_machine: bool) -> Iterator[Problem]:
+def _needs(written: Given, centrifugal: bool, broken_machine: bool) -> Iterator[Problem]:
     if written.machine and not centrifugal:
         right = Message(N_("state its arms or its bell_crank"))
         yield mistake(N_("the machine has no centrifugal governor"), (*PATH, "machine"), right)
