@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import pi
+from math import cos, pi
 from typing import Literal
 
 from tmm_report.mechanics.pairs.materials import Stock
@@ -147,6 +147,11 @@ class Crank:
     rod: float
     turned: float
     journals: tuple[float, float, float]
+
+    @property
+    def swing(self) -> int:
+        """+1 while the rod swings out, −1 while it swings back past 90°: so the wrist pin turns its force."""
+        return 1 if cos(self.turned) > 0 else -1
 
 
 Contact = (

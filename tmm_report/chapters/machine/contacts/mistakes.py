@@ -17,7 +17,6 @@ from tmm_report.chapters.machine.contacts.given import (
     Trial,
     Wedge,
 )
-from tmm_report.chapters.machine.contacts.turning import swing
 from tmm_report.mechanics.pairs import friction as law
 from tmm_report.problems import N_, Message, Problem, mistake
 
@@ -199,7 +198,7 @@ def _crank(of: Crank, path: Path) -> Iterator[Problem]:
         text, right = N_("the friction circles are larger than the rod"), Message(N_("smaller journals"))
         yield mistake(text, (*path, "journals"), right)
         return
-    tilt = law.tilted_rod(of.turned, of.crank, pin + swing(of) * wrist, of.rod)
+    tilt = law.tilted_rod(of.turned, of.crank, pin + of.swing * wrist, of.rod)
     if law.crank_moment(of.force, of.turned, of.crank, tilt, shaft + pin) <= 0:
         text = N_(
             "the crank stands in its dead zone: the force in the rod passes through the friction circle of the shaft "
