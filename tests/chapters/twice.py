@@ -14,7 +14,8 @@ from tmm_report.quantity.units import factor
 
 def disagreements(s: Sheet, ways: Mapping[str, float | None], tolerance: float = 1e-9) -> list[str]:
     """Of the formulas that a sheet prints: those that no second way is named for, and those that it contradicts; of a
-    formula with a number of its own, found more exactly, both are held. The second ways are in SI."""
+    formula with a number of its own, found more exactly, both are held. The second ways are in the units of the
+    results, angles in radians."""
     told = []
     for key in (key for key in s.DECLARED if s.has_formula(key)):
         if ways.get(key) is None:

@@ -151,8 +151,7 @@ class Sheet:
                 number = math.degrees(number)
             elif declared.formed not in ("", "deg", declared.unit):
                 number /= factor(declared.unit, declared.formed)
-        value = self._value(declared, number)
-        self._kept[key] = _Kept(value, expression, made.scale if made else None)
+        self._kept[key] = _Kept(self._value(declared, number), expression, made.scale if made else None)
 
     def _value(self, of: Q, number: float) -> Value:
         return of.named(self.PREFIX).value(float(number))

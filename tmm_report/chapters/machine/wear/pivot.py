@@ -8,8 +8,10 @@ from typing import Any
 import numpy as np
 
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Solved
+from tmm_report.chapters.machine.wear import steps
 from tmm_report.chapters.machine.wear.given import PivotGiven
 from tmm_report.chapters.machine.wear.mistakes import believable
+from tmm_report.chapters.machine.wear.values import Pivot
 from tmm_report.mechanics.lever.assur_groups import Pair
 from tmm_report.mechanics.lever.cycle import Cycle
 from tmm_report.mechanics.lever.forces.reactions_with_friction import relative_rate
@@ -23,12 +25,14 @@ MEMBERS = ("journal", "bushing")
 
 @dataclass(frozen=True, eq=False)
 class Member:
-    """The journal or the bushing of the link `link`: `k`, 1/Pa; `path`: Σ p|ds| of the sectors over a cycle, Pa m;
+    """The journal or the bushing of the link `link`: `k`, 1/Pa; `centre`: angle of the middle of the contact in its
+    axes, rad, (P,); `path`: Σ p|ds| of the sectors over a cycle, Pa m;
     `depth`: of the sectors after all cycles, m, (N,)."""
 
     name: str
     link: str
     k: float
+    centre: Array
     path: Array
     depth: Array
 
@@ -44,13 +48,16 @@ class Member:
 
 @dataclass(frozen=True, eq=False)
 class PivotFound:
-    """`force`: size of the reaction, N; `slide`: r|ω_rel|Δt of each position, m, (P,); `pressure`: mean over the
-    path on the projection of the journal, Pa; `period`: of a cycle, s."""
+    """`force`: size of the reaction, N; `rate`: ω_rel, rad/s; `slide`: r|ω_rel|Δt of each position, m, (P,);
+    `pressure`: mean over the path on the projection of the journal, Pa; `period`: of a cycle, s; `s`: the single
+    numbers."""
 
+    s: Pivot
     given: PivotGiven
     pair: Pair
     period: float
     force: Array
+    rate: Array
     slide: Array
     pressure: float
     members: tuple[Member, Member]
@@ -99,7 +106,8 @@ def solve(given: PivotGiven, solved: Solved, cycle: Cycle, index: int) -> PivotF
     if not np.isfinite(on_journal).all():
         raise ProblemError([mistake(N_("the reaction of the pivot is not known at every position"), path)])
     force = np.abs(on_journal)
-    turned = np.abs(relative_rate(motion, pair) / motion.omega) * (cycle.period / len(force))
+    rate = np.broadcast_to(relative_rate(motion, pair), force.shape)
+    turned = np.abs(rate / motion.omega) * (cycle.period / len(force))
     slide = given.diameter / 2 * turned
     if not np.sum(force * slide) > 0:
         raise ProblemError([mistake(N_("nothing rubs in the pivot %(name)s"), path, name=given.pivot)])
@@ -111,7 +119,10 @@ def solve(given: PivotGiven, solved: Solved, cycle: Cycle, index: int) -> PivotF
     )
     believable(max(one.greatest for one in members), given.diameter, path)
     period = cycle.period / abs(float(motion.omega))
-    return PivotFound(given, pair, period, force, slide, pressure, (members[0], members[1]))
+    s = Pivot(prefix=f"wear_pivot_{index + 1}")
+    found = PivotFound(s, given, pair, period, force, rate, slide, pressure, (members[0], members[1]))
+    steps.pivot(s, found)
+    return found
 
 
 def _pair(given: PivotGiven, solved: Solved, path: tuple[str | int, ...]) -> Pair:
@@ -141,4 +152,4 @@ def _member(
         centre,
         given.sectors,
     )
-    return Member(name, link, k, path, given.cycles * k * path)
+    return Member(name, link, k, centre, path, given.cycles * k * path)
