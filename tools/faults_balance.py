@@ -317,7 +317,7 @@ FAULTS = (
     Fault("the collar helps the load to turn the screw back", "tmm_report/chapters/machine/contacts/steps.py",
           "s.M_back = s.M_low + s.M_collar", "s.M_back = s.M_low - s.M_collar", "jack_and_belt"),
     Fault("each of the hands does all the work", "tmm_report/chapters/machine/contacts/steps.py",
-          "s.P_hand = s.M_screw / (s.n_hand * s.l_hand if of.hands > 1 else s.l_hand)",
+          "s.P_hand = s.M_screw / (s.n_hand * s.l_hand if of.sharing > 1 else s.l_hand)",
           "s.P_hand = s.M_screw / s.l_hand", "jack_and_belt",
           ("tests/chapters/machine/test_contacts.py",)),
 )  # fmt: skip

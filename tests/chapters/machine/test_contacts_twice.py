@@ -51,7 +51,7 @@ def test_every_formula_of_a_ready_variant():
 
 
 def _incline(of):
-    phi, load, slope = law.angle(of.rough.f), of.load, of.angle
+    phi, load, slope = law.angle(of.f), of.load, of.angle
     level = of.force == "level"
     up = (law.up_plane if level else law.up_plane_along)(load, slope, phi)
     down = (law.down_plane if level else law.down_plane_along)(load, slope, phi)
@@ -60,7 +60,7 @@ def _incline(of):
 
 
 def _wedge(of):
-    face, base = law.angle(of.rough.f), law.angle(of.base)
+    face, base = law.angle(of.f), law.angle(of.f_base)
     force = law.wedge(of.load, of.angle, face, base)
     return {"phi": face, "phi_base": base, "F_in": force, "F_out": law.wedge_out(of.load, of.angle, face, base),
             "alpha_lock": face + base, "eta": of.load * math.tan(of.angle) / force}  # fmt: skip
@@ -68,7 +68,7 @@ def _wedge(of):
 
 def _sliders(of):
     """The driving force by what both sliders do in a small step: F dx η = Q dy."""
-    face, guide = law.angle(of.rough.f), law.angle(of.guides)
+    face, guide = law.angle(of.f), law.angle(of.guides)
     both, theta = face + guide, of.between
     best = law.best_face(theta, both)
     alpha = best if of.face is None else of.face
@@ -85,21 +85,21 @@ def _trial(of):
 
 
 def _screw(of):
-    lead, phi = of.starts * of.pitch, law.reduced_angle(of.rough.f, of.profile)
+    lead, phi = of.starts * of.pitch, law.reduced_angle(of.f, of.profile)
     psi = law.lead_angle(lead, of.diameter)
     thread = law.screw_moment(of.load, of.diameter, psi, phi)
     low = law.lowering_moment(of.load, of.diameter, psi, phi)
-    collar = of.load * of.collar[0] * of.collar[1] if of.collar else 0.0
+    collar = of.load * of.collar.coefficient * of.collar.radius if of.collar else 0.0
     work = of.load * lead / (2 * math.pi)  # of a radian
     whole = thread + collar
     return {"h": lead, "psi": psi, "phi_red": phi, "M_thread": thread, "M_low": low, "eta_thread": work / thread,
             "M_collar": collar, "M_screw": whole, "M_back": low + collar, "eta": work / whole,
-            "P_hand": whole / (of.hands * (of.arm or 1)),
-            "D_wheel": 2 * whole / (of.hands * (of.hand_force or 1))}  # fmt: skip
+            "P_hand": whole / (of.sharing * (of.arm or 1)),
+            "D_wheel": 2 * whole / (of.sharing * (of.hand_force or 1))}  # fmt: skip
 
 
 def _pivot(of):
-    about = of.load, of.rough.f, of.outer, of.inner, of.half_cone
+    about = of.load, of.f, of.outer, of.inner, of.half_cone
     pressure, wear = law.pivot_pressure(*about), law.pivot_wear(*about)
     ring = math.pi * (of.outer - of.inner) * (of.outer + of.inner)
     speed = of.speed or 0.0
@@ -108,7 +108,7 @@ def _pivot(of):
 
 
 def _belt(of):
-    f = law.grooved(of.rough.f, of.groove)
+    f = law.grooved(of.f, of.groove)
     slack = law.slack(of.tight, f, of.wrap)
     held, radius = of.tight - slack, (of.diameter or 0.0) / 2
     v = (of.speed or 0.0) * radius
@@ -117,48 +117,49 @@ def _belt(of):
 
 def _belt_drive(of):
     """The power at another speed is less than at the best one, and equals it there."""
-    wrap, section = law.open_wrap(of.driving, of.driven, of.distance), of.width * of.thickness
-    v, most, mass = of.speed * of.driving / 2, of.stress * section, (of.density or 0.0) * section
+    driving, driven = of.diameters
+    wrap, section = law.open_wrap(driving, driven, of.distance), of.width * of.thickness
+    v, most, mass = of.speed * driving / 2, of.stress * section, (of.density or 0.0) * section
     own = mass * v**2
-    slack = law.slack(most - own, of.rough.f, wrap)
+    slack = law.slack(most - own, of.f, wrap)
     held = most - own - slack
-    ways = {"u": of.driven / of.driving, "alpha": wrap, "v": v, "T_max": most, "q": mass, "T_c": own,
+    ways = {"u": driven / driving, "alpha": wrap, "v": v, "T_max": most, "q": mass, "T_c": own,
             "T_1": most - own, "T_2": slack, "F_t": held, "P": held * v,
             "T_0": (most + slack + own) / 2}  # fmt: skip
     if of.density is None:
         return ways
     best = law.best_speed(most, mass)
     tight = most - mass * best**2
-    return ways | {"v_best": best, "P_best": (tight - law.slack(tight, of.rough.f, wrap)) * best}
+    return ways | {"v_best": best, "P_best": (tight - law.slack(tight, of.f, wrap)) * best}
 
 
 def _wheel(of):
     moment = law.rolling_moment(of.load, of.arm)
     roll = moment / of.radius / of.load
-    return {"M_roll": moment, "F_roll": moment / of.radius, "F_slide": of.rough.f * of.load, "f_roll": roll,
-            "phi_roll": law.angle(roll), "phi": law.angle(of.rough.f)}  # fmt: skip
+    return {"M_roll": moment, "F_roll": moment / of.radius, "F_slide": of.f * of.load, "f_roll": roll,
+            "phi_roll": law.angle(roll), "phi": law.angle(of.f)}  # fmt: skip
 
 
 def _journal(of):
-    rho = law.friction_circle(of.rough.f, of.diameter)
-    return {"phi": law.angle(of.rough.f), "rho": rho, "M_fr": of.load * rho,
+    rho = law.friction_circle(of.f, of.diameter)
+    return {"phi": law.angle(of.f), "rho": rho, "M_fr": of.load * rho,
             "P": of.load * rho * (of.speed or 0.0)}  # fmt: skip
 
 
 def _crank(of):
     """Without friction the moment is the force by the velocity of the slider, ds/dφ, by a small turn."""
-    shaft, pin, wrist = (law.friction_circle(of.rough.f, d) for d in of.journals)
+    shaft, pin, wrist = (law.friction_circle(of.f, d) for d in of.diameters)
 
     def stroke(phi):
         return of.crank * math.cos(phi) + math.sqrt(of.rod**2 - (of.crank * math.sin(phi)) ** 2)
 
     step = 1e-5
-    ideal = of.force * (stroke(of.turned - step) - stroke(of.turned + step)) / (2 * step)
-    circles = pin + (wrist if of.turned < math.pi / 2 else -wrist)
-    tilt = law.tilted_rod(of.turned, of.crank, circles, of.rod)
-    moment = law.crank_moment(of.force, of.turned, of.crank, tilt, shaft + pin)
+    ideal = of.force * (stroke(of.angle - step) - stroke(of.angle + step)) / (2 * step)
+    circles = pin + (wrist if of.angle < math.pi / 2 else -wrist)
+    tilt = law.tilted_rod(of.angle, of.crank, circles, of.rod)
+    moment = law.crank_moment(of.force, of.angle, of.crank, tilt, shaft + pin)
     return {"rho_shaft": shaft, "rho_pin": pin, "rho_wrist": wrist, "tau": tilt, "M_ideal": ideal,
-            "beta": law.tilted_rod(of.turned, of.crank, 0.0, of.rod), "M_crank": moment,
+            "beta": law.tilted_rod(of.angle, of.crank, 0.0, of.rod), "M_crank": moment,
             "eta": moment / ideal}  # fmt: skip
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from tmm_report.chapters.machine.contacts.given import Rough
 from tmm_report.chapters.machine.contacts.solve import Found, Solved
 from tmm_report.chapters.machine.contacts.values import KINDS, Listed
 from tmm_report.problems import N_, Message
@@ -27,7 +28,7 @@ def _listed(found: Found) -> Iterator[Column]:
     items = found.items
     yield plain("number", "", Message(N_("number of the pair")), [item.number for item in items])
     yield text_column("kind", Message(N_("kind of the pair")), [item.kind for item in items])
-    yield text_column("name", Message(N_("name of the pair")), [item.name for item in items])
+    yield text_column("name", Message(N_("name of the pair")), [item.of.name or "" for item in items])
     yield Listed.f_low.column([_ends(item)[0] for item in items])
     yield Listed.f_high.column([_ends(item)[1] for item in items])
     yield Listed.f.column([item.s.number("f") for item in items])
@@ -47,8 +48,7 @@ def _cone(item: Solved) -> float:
 
 def _ends(item: Solved) -> tuple[float, float]:
     """The range of the table, where the materials are stated."""
-    rough = getattr(item.of, "rough", None)
-    stock = rough.stock if rough is not None else None
+    stock = item.of.stock if isinstance(item.of, Rough) else None
     return (stock.range if stock is not None else None) or (math.nan, math.nan)
 
 

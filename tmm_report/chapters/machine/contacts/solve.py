@@ -17,7 +17,6 @@ from tmm_report.chapters.machine.contacts.given import (
     Given,
     Incline,
     Journal,
-    Named,
     Pivot,
     Screw,
     Sliders,
@@ -57,7 +56,6 @@ class Solved:
     number: int
     kind: str
     of: Contact
-    name: str
     s: Row
 
     @property
@@ -98,7 +96,7 @@ class Found:
             if "eta" in item.s:
                 said = {
                     "n": item.number,
-                    "kind": item.name or Message(values.KINDS[item.kind]),
+                    "kind": item.of.name or Message(values.KINDS[item.kind]),
                     "eta": f"{item.s.number('eta'):.4f}",
                 }
                 yield Message(N_("friction in pair %(n)s (%(kind)s): efficiency %(eta)s"), said)
@@ -106,14 +104,14 @@ class Found:
 
 def solve(given: Given, moving: Moving | None) -> Found:
     """Raises ProblemError with every pair that jams or cannot be. A lever mechanism has no part in it."""
-    wrong = [one for k, item in enumerate(given.items) for one in mistakes(item.of, ("contacts", k))]
+    wrong = [one for k, item in enumerate(given.items) for one in mistakes(item, ("contacts", k))]
     if wrong:
         raise ProblemError(wrong)
     return Found(given, tuple(_solved(k, item) for k, item in enumerate(given.items, 1)))
 
 
-def _solved(number: int, item: Named) -> Solved:
-    kind, sheet, step = KINDS[type(item.of)]
+def _solved(number: int, of: Contact) -> Solved:
+    kind, sheet, step = KINDS[type(of)]
     s = sheet(f"contacts_{number}", 0)
-    step(s, item.of)
-    return Solved(number, kind, item.of, item.name, s)
+    step(s, of)
+    return Solved(number, kind, of, s)

@@ -28,7 +28,7 @@ def arcsin(x: Expr) -> Expr:
 
 def incline(s: v.Incline, of: state.Incline) -> None:
     """Raising and lowering; the efficiency of lowering where the body drives, that is where the plane does not lock."""
-    s.Q, s.alpha, s.f = of.load, degrees(of.angle), of.rough.f
+    s.Q, s.alpha, s.f = of.load, degrees(of.angle), of.f
     s.phi = arctan(s.f)
     load, slope, phi = s.Q, s.alpha, s.phi
     drives = slope.number > phi.number
@@ -45,7 +45,7 @@ def incline(s: v.Incline, of: state.Incline) -> None:
 
 
 def wedge(s: v.Wedge, of: state.Wedge) -> None:
-    s.Q, s.alpha, s.f, s.f_base = of.load, degrees(of.angle), of.rough.f, of.base
+    s.Q, s.alpha, s.f, s.f_base = of.load, degrees(of.angle), of.f, of.f_base
     s.phi = arctan(s.f)
     s.phi_base = arctan(s.f_base)
     load, slope, face, base = s.Q, s.alpha, s.phi, s.phi_base
@@ -57,7 +57,7 @@ def wedge(s: v.Wedge, of: state.Wedge) -> None:
 
 def sliders(s: v.Sliders, of: state.Sliders) -> None:
     """The given face, or the best one; the driving force where the load is known."""
-    s.theta, s.f, s.f_guide, s.Q = degrees(of.between), of.rough.f, of.guides, of.load
+    s.theta, s.f, s.f_guide, s.Q = degrees(of.between), of.f, of.guides, of.load
     s.phi = arctan(s.f)
     s.phi_guide = arctan(s.f_guide)
     s.phi_both = s.phi + s.phi_guide
@@ -83,7 +83,7 @@ def trial(s: v.Trial, of: state.Trial) -> None:
 def screw(s: v.Screw, of: state.Screw) -> None:
     """Moments of thread and collar, efficiency, and what the hands do."""
     s.Q, s.d_2, s.p, s.z = of.load, of.diameter, of.pitch, float(of.starts)
-    s.beta, s.f = degrees(of.profile), of.rough.f
+    s.beta, s.f = degrees(of.profile), of.f
     load, d = s.Q, s.d_2
     s.h = s.z * s.p
     s.psi = arctan(s.h / (PI * d))
@@ -93,7 +93,7 @@ def screw(s: v.Screw, of: state.Screw) -> None:
     s.M_low = load * d / 2 * tan(phi - psi)
     s.eta_thread = tan(psi) / tan(psi + phi)
     if of.collar:
-        s.f_collar, s.R_collar = of.collar
+        s.f_collar, s.R_collar = of.collar.coefficient, of.collar.radius
         s.M_collar = s.f_collar * load * s.R_collar
         s.M_screw = s.M_thread + s.M_collar
         s.M_back = s.M_low + s.M_collar
@@ -105,10 +105,10 @@ def screw(s: v.Screw, of: state.Screw) -> None:
 
 def _hands(s: v.Screw, of: state.Screw) -> None:
     if of.arm is not None:
-        s.l_hand, s.n_hand = of.arm, float(of.hands) if of.hands > 1 else None
-        s.P_hand = s.M_screw / (s.n_hand * s.l_hand if of.hands > 1 else s.l_hand)
+        s.l_hand, s.n_hand = of.arm, float(of.sharing) if of.sharing > 1 else None
+        s.P_hand = s.M_screw / (s.n_hand * s.l_hand if of.sharing > 1 else s.l_hand)
     elif of.hand_force is not None:
-        s.P_hand, s.n_hand = of.hand_force, float(of.hands)
+        s.P_hand, s.n_hand = of.hand_force, float(of.sharing)
         s.D_wheel = 2 * s.M_screw / (s.n_hand * s.P_hand)
 
 
@@ -116,7 +116,7 @@ def _hands(s: v.Screw, of: state.Screw) -> None:
 
 
 def pivot(s: v.Pivot, of: state.Pivot) -> None:
-    s.Q, s.f, s.R_outer, s.r_inner = of.load, of.rough.f, of.outer, of.inner
+    s.Q, s.f, s.R_outer, s.r_inner = of.load, of.f, of.outer, of.inner
     s.half_cone, s.omega = degrees(of.half_cone), of.speed
     load, f, outer, inner = s.Q, s.f, s.R_outer, s.r_inner
     pressure, wear, disc = 2 * f * load * outer / 3, f * load * outer / 2, outer**2
@@ -139,10 +139,10 @@ def flat(angle: float) -> bool:
 
 def belt(s: v.Belt, of: state.Belt) -> None:
     """The power of the drum where it turns: what its brake or its drive must give."""
-    s.f, s.groove, s.alpha, s.T_1 = of.rough.f, degrees(of.groove), of.wrap, of.tight
+    s.f, s.groove, s.alpha, s.T_1 = of.f, degrees(of.groove), of.wrap, of.tight
     s.D, s.omega = of.diameter, of.speed if of.diameter is not None else None
     plain = flat(s.groove.number)
-    s.f_red = of.rough.f if plain else s.f / sin(s.groove)
+    s.f_red = of.f if plain else s.f / sin(s.groove)
     s.T_2 = s.T_1 * exp(-((s.f if plain else s.f_red) * s.alpha))
     s.F_t = s.T_1 - s.T_2
     if of.diameter is not None:
@@ -154,8 +154,8 @@ def belt(s: v.Belt, of: state.Belt) -> None:
 
 def belt_drive(s: v.BeltDrive, of: state.BeltDrive) -> None:
     """The most that the belt carries, with the tension it is put on with."""
-    s.d_1, s.d_2, s.a, s.omega_1 = of.driving, of.driven, of.distance, of.speed
-    s.b, s.t, s.sigma, s.f, s.rho = of.width, of.thickness, of.stress, of.rough.f, of.density
+    (s.d_1, s.d_2), s.a, s.omega_1 = of.diameters, of.distance, of.speed
+    s.b, s.t, s.sigma, s.f, s.rho = of.width, of.thickness, of.stress, of.f, of.density
     s.u = s.d_2 / s.d_1
     s.alpha = PI - 2 * arcsin(abs(s.d_2 - s.d_1) / (2 * s.a))
     s.v = s.omega_1 * s.d_1 / 2
@@ -178,7 +178,7 @@ def belt_drive(s: v.BeltDrive, of: state.BeltDrive) -> None:
 
 def wheel(s: v.Wheel, of: state.Wheel) -> None:
     """What makes it roll, what makes it slide, and the slopes on which it does so by itself."""
-    s.N, s.k, s.r, s.f, s.F = of.load, of.arm, of.radius, of.rough.f, of.pull
+    s.N, s.k, s.r, s.f, s.F = of.load, of.arm, of.radius, of.f, of.pull
     s.M_roll = s.k * s.N
     s.F_roll = s.M_roll / s.r
     s.F_slide = s.f * s.N
@@ -188,7 +188,7 @@ def wheel(s: v.Wheel, of: state.Wheel) -> None:
 
 
 def journal(s: v.Journal, of: state.Journal) -> None:
-    s.Q, s.d, s.f, s.omega = of.load, of.diameter, of.rough.f, of.speed
+    s.Q, s.d, s.f, s.omega = of.load, of.diameter, of.f, of.speed
     s.phi = arctan(s.f)
     s.rho = s.f * s.d / 2
     s.M_fr = s.Q * s.rho
@@ -198,8 +198,8 @@ def journal(s: v.Journal, of: state.Journal) -> None:
 
 def crank(s: v.Crank, of: state.Crank) -> None:
     """The moment on the crank with and without friction in shaft, crankpin and wrist pin."""
-    s.F, s.r, s.l, s.phi, s.f = of.force, of.crank, of.rod, degrees(of.turned), of.rough.f
-    s.d_shaft, s.d_pin, s.d_wrist = of.journals
+    s.F, s.r, s.l, s.phi, s.f = of.force, of.crank, of.rod, degrees(of.angle), of.f
+    s.d_shaft, s.d_pin, s.d_wrist = of.diameters
     s.rho_shaft = s.f * s.d_shaft / 2
     s.rho_pin = s.f * s.d_pin / 2
     s.rho_wrist = s.f * s.d_wrist / 2

@@ -8,6 +8,7 @@ from typing import Any
 from markupsafe import Markup
 
 from tmm_report.chapters.machine.contacts import draw_turning
+from tmm_report.chapters.machine.contacts.given import Rough
 from tmm_report.chapters.machine.contacts.quantities import tables
 from tmm_report.chapters.machine.contacts.solve import Found, Solved
 from tmm_report.chapters.machine.contacts.steps import flat
@@ -67,10 +68,10 @@ class PairView(ChapterView):
     @property
     def heading(self) -> Markup:
         kind = self.t(KINDS[self.item.kind])
-        return self.page.listed([kind, self.item.name], ": ") if self.item.name else kind
+        return self.page.listed([kind, self.item.of.name], ": ") if self.item.of.name else kind
 
     def concluded(self) -> Markup:
-        return self.page.listed([self.item.name or self.heading, self.number("eta", digits=4)], " – ")
+        return self.page.listed([self.item.of.name or self.heading, self.number("eta", digits=4)], " – ")
 
     def row(self) -> list[Any]:
         """Of the table of all pairs."""
@@ -119,8 +120,7 @@ class PairView(ChapterView):
 
     def materials(self) -> Markup | None:
         """Of which materials the coefficient is taken."""
-        rough = getattr(self.item.of, "rough", None)
-        stock = rough.stock if rough is not None else None
+        stock = self.item.of.stock if isinstance(self.item.of, Rough) else None
         return self._materials(stock) if stock is not None else None
 
     def _materials(self, stock: Stock) -> Markup:
