@@ -185,7 +185,7 @@ FAULTS = (
     Fault("wear of the couple left out", WEAR + "guide.py",
           "return self.parts[0] + self.parts[1]", "return self.parts[0]", "forging_machine_wear"),
     Fault("coefficients of slider and guide exchanged", WEAR + "guide.py",
-          "getattr(given.force, side)[n]", 'getattr(given.force, "slider")[n]', "forging_machine_wear",
+          "getattr(cause, side)[n] for", 'getattr(cause, "slider")[n] for', "forging_machine_wear",
           ("tests/chapters/machine/test_wear.py",)),
     Fault("moment about the pin, not about the slider's middle", WEAR + "guide.py",
           "- given.middle * force", "", "forging_machine_wear", ("tests/chapters/machine/test_wear.py",)),

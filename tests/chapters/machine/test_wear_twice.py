@@ -61,7 +61,7 @@ def _of_guide(one):
 
 def _of_pivot(one):
     given = one.given
-    ways = {"spread": wear.spread(given.arc, given.law)}
+    ways = {"spread": wear.spread(given.arc / 2, given.law)}
     return ways if given.limit is None else ways | {"life_cycles": one.life}
 
 

@@ -161,7 +161,7 @@ def _pressure(found: PivotFound, of: Member) -> np.ndarray:
     """On the sector worn most, Pa, (P,)."""
     given = found.given
     return wear.pressures(
-        given.arc, given.law, found.radius, given.width, found.force, of.centre, given.sectors
+        given.half_arc, given.law, found.radius, given.width, found.force, of.centre, given.sectors
     )[:, of.worst]
 
 

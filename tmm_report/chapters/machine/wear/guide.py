@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Solved
 from tmm_report.chapters.machine.wear import steps
-from tmm_report.chapters.machine.wear.given import Coefficient, GuideGiven
 from tmm_report.chapters.machine.wear.mistakes import believable, long_enough
 from tmm_report.chapters.machine.wear.values import Guide
 from tmm_report.mechanics.calculus.vectors import dot
@@ -22,6 +21,9 @@ from tmm_report.mechanics.pairs import wear
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.records import dataclass
+
+if TYPE_CHECKING:
+    from tmm_report.chapters.machine.wear.block import GuideModel
 
 Array = Any
 FACES = ("lower", "upper")
@@ -77,7 +79,7 @@ class GuideFound:
     slider, lower and upper; `s`: the single numbers."""
 
     s: Guide
-    given: GuideGiven
+    given: GuideModel
     pair: Pair
     upright: bool
     stroke: float
@@ -211,7 +213,7 @@ class GuideFound:
         return wear.life(limit, self.rate, run.wear, run.time) if run else limit / self.rate
 
 
-def solve(given: GuideGiven, solved: Solved, cycle: Cycle, index: int) -> GuideFound:
+def solve(given: GuideModel, solved: Solved, cycle: Cycle, index: int) -> GuideFound:
     """Raises ProblemError: a guide that moves, several sliders, a slider that stands or is shorter than two parts of
     the guide, a wear of nothing or out of all proportion."""
     path = ("wear", "guides", index)
@@ -241,7 +243,7 @@ def solve(given: GuideGiven, solved: Solved, cycle: Cycle, index: int) -> GuideF
     return found
 
 
-def _pair(given: GuideGiven, motion: Motion, path: tuple[str | int, ...]) -> Pair:
+def _pair(given: GuideModel, motion: Motion, path: tuple[str | int, ...]) -> Pair:
     pairs = [p for p in motion.linkage.structure.pairs if p.kind == "P" and p.name == given.guide]
     fixed = [p for p in pairs if FRAME in p.links]
     if not fixed:
@@ -255,7 +257,7 @@ def _pair(given: GuideGiven, motion: Motion, path: tuple[str | int, ...]) -> Pai
     return found[0]
 
 
-def _unclear(given: GuideGiven, pairs: list[Pair], path: tuple[str | int, ...]) -> Problem:
+def _unclear(given: GuideModel, pairs: list[Pair], path: tuple[str | int, ...]) -> Problem:
     links = ", ".join(str(p.slider) for p in pairs)
     text = N_("several links slide on the guide %(name)s")
     if given.slider is not None:
@@ -290,7 +292,7 @@ def _stroke(cycle: Cycle, pair: Pair, along: complex, path: tuple[str | int, ...
 
 
 def _surfaces(
-    given: GuideGiven, grid: wear.Grid, force: Array, moment: Array, path: Array
+    given: GuideModel, grid: wear.Grid, force: Array, moment: Array, path: Array
 ) -> tuple[Surface, ...]:
     rubbed = wear.rubbed(grid, force, moment, path, given.length)
     area = given.width * given.length
@@ -301,10 +303,7 @@ def _surfaces(
     for side in SIDES:
         forces, couples = getattr(rubbed, f"{side}_force"), getattr(rubbed, f"{side}_couple")
         for n, face in enumerate(FACES):
-            of: tuple[Coefficient, Coefficient] = (
-                getattr(given.force, side)[n],
-                getattr(given.couple, side)[n],
-            )
+            of = [getattr(cause, side)[n] for cause in given.faces]
             pressure = central[n], turning
             k = of[0].at(pressure[0]), of[1].at(pressure[1])
             c = given.cycles / (given.width * grid.step)

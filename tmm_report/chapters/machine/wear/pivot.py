@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Solved
 from tmm_report.chapters.machine.wear import steps
-from tmm_report.chapters.machine.wear.given import PivotGiven
 from tmm_report.chapters.machine.wear.mistakes import believable
 from tmm_report.chapters.machine.wear.values import Pivot
 from tmm_report.mechanics.lever.assur_groups import Pair
@@ -18,6 +17,9 @@ from tmm_report.mechanics.lever.forces.reactions_with_friction import relative_r
 from tmm_report.mechanics.pairs import wear
 from tmm_report.problems import N_, Message, ProblemError, mistake
 from tmm_report.records import dataclass
+
+if TYPE_CHECKING:
+    from tmm_report.chapters.machine.wear.block import PivotModel
 
 Array = Any
 MEMBERS = ("journal", "bushing")
@@ -53,7 +55,7 @@ class PivotFound:
     numbers."""
 
     s: Pivot
-    given: PivotGiven
+    given: PivotModel
     pair: Pair
     period: float
     force: Array
@@ -79,7 +81,7 @@ class PivotFound:
     @cached_property
     def spread(self) -> float:
         """By how much the pressures exceed the force."""
-        return wear.spread(self.given.arc, self.given.law)
+        return wear.spread(self.given.half_arc, self.given.law)
 
     def volume(self, of: Member) -> float:
         """m³."""
@@ -96,7 +98,7 @@ class PivotFound:
         return None if limit is None else limit / self.worst.greatest * self.given.cycles
 
 
-def solve(given: PivotGiven, solved: Solved, cycle: Cycle, index: int) -> PivotFound:
+def solve(given: PivotModel, solved: Solved, cycle: Cycle, index: int) -> PivotFound:
     """Raises ProblemError: no such pivot, more than one, a pivot that does not turn, a wear of nothing or out of all
     proportion."""
     path = ("wear", "pivots", index)
@@ -115,7 +117,7 @@ def solve(given: PivotGiven, solved: Solved, cycle: Cycle, index: int) -> PivotF
     links = given.journal, pair.other(given.journal)
     members = tuple(
         _member(given, solved, name, link, k.at(pressure), (on_journal, slide))
-        for name, link, k in zip(MEMBERS, links, (given.journal_k, given.bushing_k), strict=True)
+        for name, link, k in zip(MEMBERS, links, given.members, strict=True)
     )
     believable(max(one.greatest for one in members), given.diameter, path)
     period = cycle.period / abs(float(motion.omega))
@@ -125,7 +127,7 @@ def solve(given: PivotGiven, solved: Solved, cycle: Cycle, index: int) -> PivotF
     return found
 
 
-def _pair(given: PivotGiven, solved: Solved, path: tuple[str | int, ...]) -> Pair:
+def _pair(given: PivotModel, solved: Solved, path: tuple[str | int, ...]) -> Pair:
     pairs = [p for p in solved.motion.linkage.structure.pairs if p.kind == "R" and p.name == given.pivot]
     found = [p for p in pairs if given.journal in p.links and given.bushing in (None, p.other(given.journal))]
     if len(found) != 1:
@@ -137,13 +139,13 @@ def _pair(given: PivotGiven, solved: Solved, path: tuple[str | int, ...]) -> Pai
 
 
 def _member(
-    given: PivotGiven, solved: Solved, name: str, link: str, k: float, load: tuple[Array, Array]
+    given: PivotModel, solved: Solved, name: str, link: str, k: float, load: tuple[Array, Array]
 ) -> Member:
     """The journal touches the bushing on the side away from the force upon it."""
     on_journal, slide = load
     centre = np.angle(-on_journal / solved.motion.turn(link))
     path = wear.pressure_path(
-        given.arc,
+        given.half_arc,
         given.law,
         given.diameter / 2,
         given.width,

@@ -63,7 +63,8 @@ def _largest(values: Any) -> float:
 
 def pivot(s: Pivot, found: PivotFound) -> None:
     given = found.given
-    s.take(given, "diameter", "width", "arc", "sectors", "cycles", "limit")
+    s.take(given, "diameter", "width", "sectors", "cycles", "limit")
+    s.arc = given.half_arc
     s.positions, s.pressure, s.rubbed = len(found.force), found.pressure, found.rubbed
     alpha = s.arc
     s.spread = (
