@@ -58,10 +58,10 @@ def _eta(part: Any) -> Number:
 def _contacts(given: Any) -> Named:
     """Efficiency of screws with a square thread and no collar: tan ψ/tan(ψ + ρ)."""
     own = context()
-    for k, contact in enumerate((one.of for one in given.items), 1):
+    for k, contact in enumerate(given.items, 1):
         if isinstance(contact, Screw) and not contact.profile and contact.collar is None:
             rise = own.atan(number(contact.pitch) * contact.starts / (own.pi * number(contact.diameter)))
-            rough = own.atan(number(contact.rough.f))
+            rough = own.atan(number(contact.f))
             yield f"contacts_{k}_eta", own.tan(rise) / own.tan(rise + rough)
 
 

@@ -18,7 +18,7 @@ def pair(text: str) -> dict[str, float]:
     """The numbers of the one pair that a variant states."""
     found = course.solve(course.loads(f"language: en\ncontacts:\n  - {{{text}}}\n")).contacts
     assert found is not None
-    return dict(found.items[0].numbers)
+    return {one.key: one.value for one in found.items[0].s.values()}
 
 
 def given(name: str) -> dict[str, float]:

@@ -4,8 +4,8 @@ from typing import Literal
 
 from pydantic import Field, model_validator
 
-from tmm_report.mechanics.pairs.materials import Stock, mean, stock
-from tmm_report.problems import N_, Message
+from tmm_report.mechanics.pairs.materials import Stock, mean, stated
+from tmm_report.problems import Message
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.model import Model
 from tmm_report.variant.values import Coefficient, Label
@@ -27,25 +27,19 @@ class Rubbed(Model):
 
     @model_validator(mode="after")
     def one_coefficient(self) -> "Rubbed":
-        """Raises WrongValue for none and for both, for unknown materials, for a dash of the table."""
-        if (self.coefficient is None) == (self.materials is None):
-            wrong = Message(N_("the friction must be stated by its coefficient or by the materials"))
-            raise WrongValue(
-                wrong, Message(N_("exactly one of: %(words)s"), {"words": "coefficient, materials"})
-            )
-        if self.materials is not None:
-            found = stock(self.materials, self.lubrication, self.state)
-            if isinstance(found, tuple):
-                raise WrongValue(*found)
+        """Raises WrongValue for what `stated` finds wrong."""
+        if isinstance(self._found, tuple):
+            raise WrongValue(*self._found)
         return self
+
+    @property
+    def _found(self) -> float | Stock | tuple[Message, Message]:
+        return stated(self.coefficient, self.materials, self.lubrication, self.state)
 
     @property
     def of(self) -> Stock | None:
         """The materials, where they are stated."""
-        if self.materials is None:
-            return None
-        found = stock(self.materials, self.lubrication, self.state)
-        return found if isinstance(found, Stock) else None
+        return self._found if isinstance(self._found, Stock) else None
 
     @property
     def f(self) -> float:

@@ -54,7 +54,7 @@ def model_of(record: type) -> type[Model]:
         if field.init
     }
     made = create_model(
-        record.__name__, __base__=Model, __doc__=record.__doc__, __module__=__name__, **fields
+        record.__name__, __base__=Model, __doc__=record.__doc__, __module__=record.__module__, **fields
     )
     made.NOT_OFFERED = getattr(record, "NOT_OFFERED", {})
     return made

@@ -351,7 +351,7 @@ def _wear(made: Made, walk: Any) -> Made:
     if not walk.names.of.get("guide"):
         made.pop("guides", None)
     if not made.get("guides") and not made.get("pivots"):
-        made["pivots"] = _wear({"pivots": [walk.part("wear.PivotModel")]}, walk)["pivots"]
+        made["pivots"] = _wear({"pivots": [walk.part("PivotModel")]}, walk)["pivots"]
     return made
 
 

@@ -9,16 +9,16 @@ Keys = Sequence[str]
 
 PAIRS = ("steel–steel", "steel–bronze", "cast iron–steel", "cast iron–bronze", "сталь–чугун")
 RUBBING = (
-    "InclineModel",
-    "WedgeModel",
-    "SlidersModel",
-    "ScrewModel",
-    "contacts.PivotModel",
-    "BeltModel",
-    "BeltDriveModel",
-    "contacts.WheelModel",
-    "JournalModel",
-    "CrankModel",
+    "Incline",
+    "Wedge",
+    "Sliders",
+    "Screw",
+    "Pivot",
+    "Belt",
+    "BeltDrive",
+    "Wheel",
+    "Journal",
+    "Crank",
     "PivotFriction",
     "GuideFriction",
     "JointFriction",
@@ -75,7 +75,7 @@ SETS: Mapping[str, Sequence[Keys]] = {
     ],
     "flywheel.MomentModel": [("constant",), ("table",), ("mean", "harmonics"), ("harmonics",)],
     "flywheel.InertiaModel": [("constant",), ("table",), ("mean", "harmonics")],
-    "flywheel.WheelModel": [("inertia",), ("mass", "radius_of_gyration")],
+    "WheelModel": [("inertia",), ("mass", "radius_of_gyration")],
     "FlywheelModel": [
         (*unevenness, *load, *shape)
         for unevenness in (("delta", "speed"), ("speeds",), ("wheel", "speed"))
@@ -84,7 +84,7 @@ SETS: Mapping[str, Sequence[Keys]] = {
     ],
     "HeavyModel": [("mass", "radius"), ("unbalance",)],
     "engine.CounterweightModel": [("share", "radius"), ("share", "mass"), ("mass", "radius")],
-    "BeltDriveModel": [("driving", "driven"), ("driving", "driven_speed"), ("driven", "driven_speed")],
+    "BeltDrive": [("driving", "driven"), ("driving", "driven_speed"), ("driven", "driven_speed")],
     "DiscModel": [("width",), ("diameter",), ()],
     "RimModel": [("height", "width"), ("diameter", "width"), ()],
     "EccentricModel": [("ratio", "eccentricity"), ("ratio", "eccentricity", "t"), ("teeth",)],
@@ -109,7 +109,7 @@ APART: Mapping[str, Sequence[tuple[str, Keys]]] = {
         ("wheel", ("delta", "speeds", "machine")),
     ],
     "BodyModel": [("tilt", ("products",))],
-    "ScrewModel": [("arm", ("hand_force",))],
+    "Screw": [("arm", ("hand_force",))],
     "LinearModel": [
         ("friction", ("damping", "damping_ratio")),
         ("damping", ("damping_ratio",)),

@@ -320,10 +320,10 @@ def test_a_guide_that_stands_upright_has_a_right_and_a_left_face():
     found = of(upright + "\n" + OWN).guides[0]
     flat = written(OWN).guides[0]
     assert found.upright and not flat.upright
-    table = {one.name: one for one in quantities.guide_tables(found, "g")}
+    table = {one.name: one for one in quantities.guide_tables(found)}
     words = (
-        str(table["g_profile"]["u_lower"].quantity.meaning.values),
-        table["g_cycle"]["R"].quantity.meaning.text,
+        str(table["wear_guide_1_profile"]["u_lower"].quantity.meaning.values),
+        table["wear_guide_1_cycle"]["R"].quantity.meaning.text,
     )
     assert "right-hand" in words[0] and "to the left" in words[1]
     assert found.stroke == pytest.approx(flat.stroke, rel=1e-9)

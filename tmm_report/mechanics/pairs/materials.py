@@ -82,6 +82,19 @@ def stock(text: str, lubrication: Lubrication, state: State = "moving") -> Stock
     return found if found.range is not None else _dash(found)
 
 
+def stated(
+    coefficient: float | None, materials: str | None, lubrication: Lubrication, state: State
+) -> float | Stock | tuple[Message, Message]:
+    """A coefficient that is stated itself, or the materials it is taken of; or what is wrong and what would be right:
+    none and both, unknown materials, a dash of the table."""
+    if materials is not None and coefficient is None:
+        return stock(materials, lubrication, state)
+    if coefficient is not None and materials is None:
+        return coefficient
+    wrong = Message(N_("the friction must be stated by its coefficient or by the materials"))
+    return wrong, Message(N_("exactly one of: %(words)s"), {"words": "coefficient, materials"})
+
+
 def _dash(of: Stock) -> tuple[Message, Message]:
     named: dict[str, object] = {"one": Message(of.one), "other": Message(of.other)}
     text = (

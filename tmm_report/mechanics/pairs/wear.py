@@ -88,19 +88,26 @@ def rubbed(grid: Grid, force: Array, moment: Array, path: Array, length: float) 
     """`force` along the guide's normal and `moment` about the slider's middle, of the guide on the slider, (P,);
     `path`: |q_i| Δφ, m. A force along the normal presses the lower faces together; a moment counter-clockwise
     presses the lower faces at ξ > 0 and the upper ones at ξ < 0."""
-    even = np.full(grid.covered, 1 / grid.covered)
+    laid = pressing(grid, np.abs(force) * path, couple_force(moment, length) * path, force, moment)
+    return Rubbed(
+        *((grid.on_guide(lower), grid.on_guide(upper)) for lower, upper in laid),
+        *((lower.sum(axis=0), upper.sum(axis=0)) for lower, upper in laid),
+    )
+
+
+Faces = tuple[Array, Array]
+
+
+def pressing(grid: Grid, even: Array, couple: Array, force: Array, moment: Array) -> tuple[Faces, Faces]:
+    """What comes to each point of the slider (P, N_s) on its lower and upper face: of `even`, as of the central
+    reaction, all points alike, and of `couple` by the triangular law, (P,); `force`, `moment`: their senses."""
+    alike = np.full(grid.covered, 1 / grid.covered)
     halves, ahead = share(grid), grid.xi > 0
-    work, turn = np.abs(force) * path, couple_force(moment, length) * path
-    faces = (force > 0, force < 0)
-    by_force = [np.where(face, work, 0.0)[:, None] * even for face in faces]
-    lifts, dips = (np.where(sense, turn, 0.0)[:, None] for sense in (moment > 0, moment < 0))
-    by_couple = [
+    lower, upper = (np.where(face, even, 0.0)[:, None] * alike for face in (force > 0, force < 0))
+    lifts, dips = (np.where(sense, couple, 0.0)[:, None] for sense in (moment > 0, moment < 0))
+    return (lower, upper), (
         lifts * np.where(ahead, halves, 0.0) + dips * np.where(ahead, 0.0, halves),
         lifts * np.where(ahead, 0.0, halves) + dips * np.where(ahead, halves, 0.0),
-    ]
-    return Rubbed(
-        *((grid.on_guide(lower), grid.on_guide(upper)) for lower, upper in (by_force, by_couple)),
-        *((lower.sum(axis=0), upper.sum(axis=0)) for lower, upper in (by_force, by_couple)),
     )
 
 
@@ -125,7 +132,14 @@ def settling(grid: Grid, travel: Array, guide: Array, slider: Array) -> tuple[Ar
 def pressure_path(
     arc: float, law: str, radius: float, width: float, force: Array, path: Array, centre: Array, sectors: int
 ) -> Array:
-    """Σ p|ds| of each sector of a cylinder over the cycle, Pa m, (N,): sector j reaches from 2πj/N to 2π(j + 1)/N.
+    """Σ p|ds| of each sector of a cylinder over the cycle, Pa m, (N,); `path`: m, (P,)."""
+    return pressures(arc, law, radius, width, force * path, centre, sectors).sum(axis=0)
+
+
+def pressures(
+    arc: float, law: str, radius: float, width: float, force: Array, centre: Array, sectors: int
+) -> Array:
+    """Mean pressures of the sectors of a cylinder, Pa, (P, N): sector j reaches from 2πj/N to 2π(j + 1)/N.
 
     `centre`: angle of the middle of the contact on the cylinder, rad, (P,); `arc`: its half angle. Law "uniform", p
     even, or "cosine", p = p0 cos ψ; the pressures add up to the force: R = b r ∫ p cos ψ dψ.
@@ -139,7 +153,7 @@ def pressure_path(
     part = np.where(away[:, 1:] >= away[:, :-1], end - begin, end + whole - begin)
     mean = part / (2 * np.pi / sectors)
     top = force / (radius * width * _lift(arc, law))
-    return (top * path) @ mean
+    return top[:, None] * mean
 
 
 def _running(angle: Array, arc: float, law: str) -> Array:

@@ -58,13 +58,13 @@ def _body(at: complex, along: complex, half: complex = 7 + 4.5j) -> Item:
 
 def incline(item: Solved, title: str) -> Drawing:
     level = isinstance(item.of, Incline) and item.of.force == "level"
-    return _slope(item.numbers["alpha"], item.numbers["phi"], ("α", "φ"), level, title)
+    return _slope(item.s.number("alpha"), item.s.number("phi"), ("α", "φ"), level, title)
 
 
 def screw(item: Solved, title: str) -> Drawing:
     """The thread unrolled: a plane of the lead angle."""
-    drawn = _slope(item.numbers["psi"], item.numbers["phi_red"], ("ψ", "φ'"), True, title)
-    slope = _seen(item.numbers["psi"])
+    drawn = _slope(item.s.number("psi"), item.s.number("phi_red"), ("ψ", "φ'"), True, title)
+    slope = _seen(item.s.number("psi"))
     top = complex(BASE, BASE * math.tan(slope))
     tags = [
         tag("h", complex(BASE + 1, top.imag / 2), 1),
@@ -107,7 +107,7 @@ def _slope(slope: float, phi: float, names: tuple[str, str], level: bool, title:
 
 def wedge(item: Solved, title: str) -> Drawing:
     """The wedge between the base and a load that is guided upright."""
-    angle = _seen(item.numbers["alpha"])
+    angle = _seen(item.s.number("alpha"))
     top = complex(BASE, BASE * math.tan(angle))
     left, right = 24.0, 42.0
     low, high = complex(left, left * math.tan(angle)), complex(right, right * math.tan(angle))
@@ -131,7 +131,7 @@ def wedge(item: Solved, title: str) -> Drawing:
 
 def sliders(item: Solved, title: str) -> Drawing:
     """The driving slider on a level guide, the driven one in its guide, the face between them with its normal."""
-    theta, alpha = math.radians(item.numbers["theta"]), _seen(item.numbers["alpha"], 5.0, 68.0)
+    theta, alpha = math.radians(item.s.number("theta")), _seen(item.s.number("alpha"), 5.0, 68.0)
     at, normal, along = 10j, cmath.rect(1, alpha), cmath.rect(1, theta)
     face = 1j * normal
 

@@ -60,7 +60,7 @@ def wheel(item: Solved, title: str) -> Drawing:
 
 def belt(item: Solved, title: str) -> Drawing:
     """The drum with the rope over its angle of contact; of more than a turn the rest of it is drawn."""
-    radius, whole = 18.0, item.numbers["alpha"]
+    radius, whole = 18.0, item.s.number("alpha")
     wrap = whole % (2 * math.pi) if whole > 2 * math.pi else whole
     wrap = wrap if wrap > 0.4 else math.pi
     start = math.pi / 2 + wrap / 2
@@ -84,9 +84,9 @@ def belt(item: Solved, title: str) -> Drawing:
 
 def belt_drive(item: Solved, title: str) -> Drawing:
     """Both pulleys and their distance to one scale."""
-    n = item.numbers
-    mm = 90.0 / (n["a"] + (n["d_1"] + n["d_2"]) / 2)
-    one, other, far = n["d_1"] / 2 * mm, n["d_2"] / 2 * mm, n["a"] * mm
+    n = item.s.number
+    mm = 90.0 / (n("a") + (n("d_1") + n("d_2")) / 2)
+    one, other, far = n("d_1") / 2 * mm, n("d_2") / 2 * mm, n("a") * mm
     lean = math.asin((other - one) / far)
     items: list[Item] = [
         Circle(0j, one, NORMAL), Circle(complex(far), other, NORMAL), dot(0j), dot(complex(far)),
@@ -125,9 +125,9 @@ def journal(item: Solved, title: str) -> Drawing:
 
 def pivot(item: Solved, title: str) -> Drawing:
     """The end of the shaft in its bearing, cut along the axis."""
-    n, outer = item.numbers, 20.0
-    inner = outer * n["r_inner"] / n["R_outer"]
-    deep = 0.0 if n["half_cone"] == 90.0 else 1 / math.tan(_wide(n["half_cone"]))
+    n, outer = item.s.number, 20.0
+    inner = outer * n("r_inner") / n("R_outer")
+    deep = 0.0 if n("half_cone") == 90.0 else 1 / math.tan(_wide(n("half_cone")))
     rim, core = complex(outer, outer * deep), complex(inner, inner * deep)
     mirrored = [-z.conjugate() for z in (core, rim)]
     top = rim.imag + 22
@@ -156,10 +156,10 @@ def _wide(half_cone: float) -> float:
 
 def crank(item: Solved, title: str) -> Drawing:
     """The mechanism to scale with its friction circles enlarged, and the force that is tangent to them."""
-    n = item.numbers
-    mm, phi = 110.0 / (n["r"] + n["l"]), math.radians(n["phi"])
-    length, pin, wrist = n["l"] * mm, 4.0, 3.0
-    at = cmath.rect(n["r"] * mm, phi)
+    n = item.s.number
+    mm, phi = 110.0 / (n("r") + n("l")), math.radians(n("phi"))
+    length, pin, wrist = n("l") * mm, 4.0, 3.0
+    at = cmath.rect(n("r") * mm, phi)
     slider = complex(at.real + math.sqrt(length**2 - at.imag**2))
     swing = 1 if math.cos(phi) > 0 else -1
     tilt = math.asin(at.imag / length) - math.asin((pin + swing * wrist) / length)
@@ -171,7 +171,7 @@ def crank(item: Solved, title: str) -> Drawing:
         *fixed_guide(slider - 14, slider + 14, -1j),
         *(Circle(centre, size, DASHED) for centre, size in ((0j, 5.0), (at, pin), (slider, wrist))),
         *(Circle(centre, 1.0, NORMAL, "white") for centre in (0j, at, slider)),
-        line(0j, complex(n["r"] * mm), AXIS), Arc(0j, 9, 0, phi, THIN),
+        line(0j, complex(n("r") * mm), AXIS), Arc(0j, 9, 0, phi, THIN),
         Arrow(ends[0], ends[1], Pen(0.35, "red")),
     ]  # fmt: skip
     push = force(slider + 10 + FORCE, -FORCE + 0j, "F", 1j, 0.3)

@@ -17,7 +17,6 @@ from tmm_report.chapters.machine.contacts.given import (
     Trial,
     Wedge,
 )
-from tmm_report.chapters.machine.contacts.turning import swing
 from tmm_report.mechanics.pairs import friction as law
 from tmm_report.problems import N_, Message, Problem, mistake
 
@@ -50,7 +49,7 @@ def _deg(angle: float) -> str:
 
 
 def _steep(of: Incline | Wedge, path: Path) -> Iterator[Problem]:
-    phi = law.angle(of.rough.f)
+    phi = law.angle(of.f)
     if not 0 < of.angle < RIGHT_ANGLE:
         text, right = (
             N_("a plane that slopes by %(angle)s° is none"),
@@ -67,7 +66,7 @@ def _steep(of: Incline | Wedge, path: Path) -> Iterator[Problem]:
 
 
 def _sliders(of: Sliders, path: Path) -> Iterator[Problem]:
-    phi = law.angle(of.rough.f)
+    phi = law.angle(of.f)
     both = phi + law.angle(of.guides)
     if of.between <= 0:
         text = N_("sliders with %(angle)s° between their directions do not drive one another over a face")
@@ -88,7 +87,7 @@ def _sliders(of: Sliders, path: Path) -> Iterator[Problem]:
 def _face(of: Sliders, path: Path, face: float) -> Iterator[Problem]:
     """The reaction of the face leans by φ1 and presses both sliders to the sides of their guides on which the formula
     is built while φ1 ≤ α ≤ θ + φ1."""
-    phi = law.angle(of.rough.f)
+    phi = law.angle(of.f)
     jam = of.between + phi + law.angle(of.guides) - RIGHT_ANGLE
     least, most = max(jam, phi), min(RIGHT_ANGLE, of.between + phi)
     if least <= face <= most:
@@ -132,7 +131,7 @@ def _screw(of: Screw, path: Path) -> Iterator[Problem]:
         yield mistake(text, (*path, "profile"), right, angle=_deg(of.profile))
         return
     psi = law.lead_angle(of.starts * of.pitch, of.diameter)
-    phi = law.reduced_angle(of.rough.f, of.profile)
+    phi = law.reduced_angle(of.f, of.profile)
     if psi + phi >= RIGHT_ANGLE:
         text = N_(
             "it jams: the lead angle of %(psi)s° and the angle of friction of %(phi)s° make a right angle or more"
@@ -166,15 +165,16 @@ def _groove(half: float, path: Path) -> Iterator[Problem]:
 
 
 def _drive(of: BeltDrive, path: Path) -> Iterator[Problem]:
-    if 2 * of.distance <= of.driving + of.driven:
+    driving, driven = of.diameters
+    if 2 * of.distance <= driving + driven:
         text = N_(
             "the pulleys overlap: their axes are %(distance)s m apart, the sum of their radii is %(sum)s m"
         )
         right = Message(N_("axes further apart than the sum of the radii"))
-        values = {"distance": f"{of.distance:.4g}", "sum": f"{(of.driving + of.driven) / 2:.4g}"}
+        values = {"distance": f"{of.distance:.4g}", "sum": f"{(driving + driven) / 2:.4g}"}
         yield mistake(text, (*path, "distance"), right, **values)
         return
-    v = of.speed * of.driving / 2
+    v = of.speed * driving / 2
     mass = (of.density or 0.0) * of.width * of.thickness
     if mass * v**2 >= of.stress * of.width * of.thickness:
         text = N_(
@@ -185,22 +185,22 @@ def _drive(of: BeltDrive, path: Path) -> Iterator[Problem]:
 
 
 def _crank(of: Crank, path: Path) -> Iterator[Problem]:
-    if not 0 < of.turned < math.pi:
+    if not 0 < of.angle < math.pi:
         text = N_("at %(angle)s° from the dead point the force on the slider does not turn the crank on")
         right = Message(N_("an angle between 0 and 180°, in the stroke that the force drives"))
-        yield mistake(text, (*path, "angle"), right, angle=_deg(of.turned))
+        yield mistake(text, (*path, "angle"), right, angle=_deg(of.angle))
         return
     if of.crank >= of.rod:
         text, right = N_("the rod is not longer than the crank"), Message(N_("a rod longer than the crank"))
         yield mistake(text, (*path, "rod"), right)
         return
-    shaft, pin, wrist = (law.friction_circle(of.rough.f, d) for d in of.journals)
+    shaft, pin, wrist = (law.friction_circle(of.f, d) for d in of.diameters)
     if pin + wrist >= of.rod:
         text, right = N_("the friction circles are larger than the rod"), Message(N_("smaller journals"))
         yield mistake(text, (*path, "journals"), right)
         return
-    tilt = law.tilted_rod(of.turned, of.crank, pin + swing(of) * wrist, of.rod)
-    if law.crank_moment(of.force, of.turned, of.crank, tilt, shaft + pin) <= 0:
+    tilt = law.tilted_rod(of.angle, of.crank, pin + of.swing * wrist, of.rod)
+    if law.crank_moment(of.force, of.angle, of.crank, tilt, shaft + pin) <= 0:
         text = N_(
             "the crank stands in its dead zone: the force in the rod passes through the friction circle of the shaft "
             "and cannot turn it"

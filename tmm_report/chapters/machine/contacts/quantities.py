@@ -3,65 +3,52 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
+from tmm_report.chapters.machine.contacts.given import Rough
 from tmm_report.chapters.machine.contacts.solve import Found, Solved
-from tmm_report.chapters.machine.contacts.terms import ETA, KINDS, TERMS, F
+from tmm_report.chapters.machine.contacts.values import KINDS, Listed
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, Value, plain, text_column
+from tmm_report.quantity.sheet import columns
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.tabulated import tabulated
 
-CONE = Quantity("phi_fr", Symbol("phi", "fr"), "deg", Message(N_("angle of friction")))
 PAIRS = Message(N_("single pairs with friction"))
-
-
-def name(item: Solved) -> str:
-    """Of a pair's table."""
-    return f"contacts_{item.number}"
-
-
-def terms(item: Solved) -> Mapping[str, Quantity]:
-    """What the numbers of a pair are, by key."""
-    own = TERMS[item.kind]
-    return {key: own[key] for key in item.numbers}
 
 
 @tabulated
 def tables(found: Found) -> Iterator[Table]:
     yield Table("contacts", PAIRS, tuple(_listed(found)))
     for item in found.items:
-        columns = [of.column([item.numbers[key]]) for key, of in terms(item).items()]
-        yield Table(name(item), Message(KINDS[item.kind]), tuple(columns))
+        yield Table(item.s.table, Message(KINDS[item.kind]), tuple(columns([item.s])))
 
 
 def _listed(found: Found) -> Iterator[Column]:
-    yield plain("number", "", Message(N_("number of the pair")), [item.number for item in found.items])
-    yield text_column("kind", Message(N_("kind of the pair")), [item.kind for item in found.items])
-    yield text_column("name", Message(N_("name of the pair")), [item.name for item in found.items])
-    low, high = [_ends(item)[0] for item in found.items], [_ends(item)[1] for item in found.items]
-    text = Message(N_("least coefficient of the range in the table"))
-    yield Quantity("f_low", Symbol("f", "min"), "", text).column(low)
-    text = Message(N_("greatest coefficient of the range in the table"))
-    yield Quantity("f_high", Symbol("f", "max"), "", text).column(high)
-    yield F.column([item.numbers.get("f", math.nan) for item in found.items])
-    yield CONE.column([_cone(item) for item in found.items])
-    yield ETA.column([item.numbers.get("eta", math.nan) for item in found.items])
-    locks = [str(item.locks).lower() for item in found.items]
+    items = found.items
+    yield plain("number", "", Message(N_("number of the pair")), [item.number for item in items])
+    yield text_column("kind", Message(N_("kind of the pair")), [item.kind for item in items])
+    yield text_column("name", Message(N_("name of the pair")), [item.of.name or "" for item in items])
+    yield Listed.f_low.column([_ends(item)[0] for item in items])
+    yield Listed.f_high.column([_ends(item)[1] for item in items])
+    yield Listed.f.column([item.s.number("f") for item in items])
+    yield Listed.phi_fr.column([_cone(item) for item in items])
+    yield Listed.eta.column([item.s.number("eta") if "eta" in item.s else math.nan for item in items])
+    locks = [str(item.locks).lower() for item in items]
     yield text_column("locks", Message(N_("whether the pair locks by itself")), locks)
 
 
 def _cone(item: Solved) -> float:
-    """Angle of friction of the pair, degrees: of a thread the reduced one."""
-    if item.kind in ("screw", "crank"):
-        return item.numbers.get("phi_red", math.degrees(math.atan(item.numbers["f"])))
-    return item.numbers.get("phi", math.degrees(math.atan(item.numbers["f"])))
+    """Angle of friction of the pair, degrees: of a thread the reduced one; a crank calls its own angle so."""
+    key = "phi_red" if item.kind == "screw" else "phi"
+    if key in item.s and item.kind != "crank":
+        return item.s.number(key)
+    return math.degrees(math.atan(item.s.number("f")))
 
 
 def _ends(item: Solved) -> tuple[float, float]:
     """The range of the table, where the materials are stated."""
-    rough = getattr(item.of, "rough", None)
-    stock = rough.stock if rough is not None else None
+    stock = item.of.stock if isinstance(item.of, Rough) else None
     return (stock.range if stock is not None else None) or (math.nan, math.nan)
 
 
@@ -69,7 +56,7 @@ def _ends(item: Solved) -> tuple[float, float]:
 def values(found: Found) -> Iterator[Value]:
     """The efficiency of each pair that has one."""
     for item in found.items:
-        if "eta" in item.numbers:
+        if "eta" in item.s:
             text = Message(N_("efficiency of pair %(n)s"), {"n": item.number})
-            key = f"contacts_{item.number}_eta"
-            yield Quantity(key, Symbol("eta", str(item.number)), "", text).value(item.numbers["eta"])
+            key = f"{item.s.table}_eta"
+            yield Quantity(key, Symbol("eta", str(item.number)), "", text).value(item.s.number("eta"))

@@ -5,10 +5,10 @@ Each pair by its closed formula (mechanics/pairs/friction.py). What locks, jams 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
-from tmm_report.chapters.machine.contacts import planes, turning
+from tmm_report.chapters.machine.contacts import steps, values
 from tmm_report.chapters.machine.contacts.given import (
     Belt,
     BeltDrive,
@@ -17,7 +17,6 @@ from tmm_report.chapters.machine.contacts.given import (
     Given,
     Incline,
     Journal,
-    Named,
     Pivot,
     Screw,
     Sliders,
@@ -26,8 +25,8 @@ from tmm_report.chapters.machine.contacts.given import (
     Wheel,
 )
 from tmm_report.chapters.machine.contacts.mistakes import mistakes
-from tmm_report.chapters.machine.contacts.terms import KINDS as KIND_NAMES
 from tmm_report.problems import N_, Message, ProblemError
+from tmm_report.quantity.sheet import Row
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
@@ -35,54 +34,53 @@ if TYPE_CHECKING:
 
 __all__ = ["Found", "Given", "Solved", "solve"]
 
-KINDS: dict[type, tuple[str, Callable[[Any], dict[str, float]]]] = {
-    Incline: ("incline", planes.incline),
-    Wedge: ("wedge", planes.wedge),
-    Sliders: ("sliders", planes.sliders),
-    Trial: ("trial", planes.trial),
-    Screw: ("screw", planes.screw),
-    Pivot: ("pivot", turning.pivot),
-    Belt: ("belt", turning.belt),
-    BeltDrive: ("belt_drive", turning.belt_drive),
-    Wheel: ("wheel", turning.wheel),
-    Journal: ("journal", turning.journal),
-    Crank: ("crank", turning.crank),
+KINDS: dict[type, tuple[str, type[Row], Callable[[Any, Any], None]]] = {
+    Incline: ("incline", values.Incline, steps.incline),
+    Wedge: ("wedge", values.Wedge, steps.wedge),
+    Sliders: ("sliders", values.Sliders, steps.sliders),
+    Trial: ("trial", values.Trial, steps.trial),
+    Screw: ("screw", values.Screw, steps.screw),
+    Pivot: ("pivot", values.Pivot, steps.pivot),
+    Belt: ("belt", values.Belt, steps.belt),
+    BeltDrive: ("belt_drive", values.BeltDrive, steps.belt_drive),
+    Wheel: ("wheel", values.Wheel, steps.wheel),
+    Journal: ("journal", values.Journal, steps.journal),
+    Crank: ("crank", values.Crank, steps.crank),
 }
 
 
 @dataclass(frozen=True, eq=False)
 class Solved:
-    """A pair, its number from 1, its kind, its numbers by key: angles in degrees (of belts in radians), the rest SI."""
+    """A pair, its number from 1, its kind, its numbers."""
 
     number: int
     kind: str
     of: Contact
-    name: str
-    numbers: Mapping[str, float]
+    s: Row
 
     @property
     def locks(self) -> bool:
         """Whether the load alone cannot move it back, however great it is."""
-        n = self.numbers
+        n = self.s.number
         match self.kind:
             case "incline":
-                return n["alpha"] <= n["phi"]
+                return n("alpha") <= n("phi")
             case "wedge":
-                return n["alpha"] <= n["alpha_lock"]
+                return n("alpha") <= n("alpha_lock")
             case "screw":
-                return n.get("M_back", n["M_low"]) >= 0
+                return n("M_back" if "M_back" in self.s else "M_low") >= 0
             case _:
                 return False
 
     @property
     def held(self) -> bool:
         """Of a screw, whether only its collar holds it: its thread alone would run back."""
-        return self.locks and self.numbers["M_low"] < 0
+        return self.locks and self.s.number("M_low") < 0
 
     @property
     def rolls(self) -> bool:
         """Of a wheel, whether it rolls without sliding: f > k/r."""
-        return self.numbers["f"] > self.numbers["f_roll"]
+        return self.s.number("f") > self.s.number("f_roll")
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,24 +93,25 @@ class Found:
     def summary(self) -> Iterator[Message]:
         """The main numbers in sentences."""
         for item in self.items:
-            if "eta" in item.numbers:
-                values = {
+            if "eta" in item.s:
+                said = {
                     "n": item.number,
-                    "kind": item.name or Message(KIND_NAMES[item.kind]),
-                    "eta": f"{item.numbers['eta']:.4f}",
+                    "kind": item.of.name or Message(values.KINDS[item.kind]),
+                    "eta": f"{item.s.number('eta'):.4f}",
                 }
-                yield Message(N_("friction in pair %(n)s (%(kind)s): efficiency %(eta)s"), values)
+                yield Message(N_("friction in pair %(n)s (%(kind)s): efficiency %(eta)s"), said)
 
 
 def solve(given: Given, moving: Moving | None) -> Found:
     """Raises ProblemError with every pair that jams or cannot be. A lever mechanism has no part in it."""
-    wrong = [one for k, item in enumerate(given.items) for one in mistakes(item.of, ("contacts", k))]
+    wrong = [one for k, item in enumerate(given.items) for one in mistakes(item, ("contacts", k))]
     if wrong:
         raise ProblemError(wrong)
     return Found(given, tuple(_solved(k, item) for k, item in enumerate(given.items, 1)))
 
 
-def _solved(number: int, item: Named) -> Solved:
-    kind, numbers = KINDS[type(item.of)]
-    found = {key: float(value) for key, value in numbers(item.of).items()}
-    return Solved(number, kind, item.of, item.name, found)
+def _solved(number: int, of: Contact) -> Solved:
+    kind, sheet, step = KINDS[type(of)]
+    s = sheet(f"contacts_{number}", 0)
+    step(s, of)
+    return Solved(number, kind, of, s)

@@ -9,8 +9,7 @@ from markupsafe import Markup
 
 from tmm_report.chapters.machine.contacts.solve import Solved
 from tmm_report.problems import N_
-from tmm_report.quantity.model import Table
-from tmm_report.report.page import Page
+from tmm_report.report.chapter_view import ChapterView
 
 INTRODUCED = {
     "incline": N_(
@@ -65,9 +64,9 @@ PLAIN = N_("The forces are shown in figure %(figure)s.")
 def introduced(item: Solved) -> list[str]:
     """How the numbers of a pair are found, in sentences."""
     said = [INTRODUCED[item.kind]]
-    if item.kind == "screw" and item.numbers["beta"]:
+    if item.kind == "screw" and item.s.number("beta"):
         said.append(SHARP)
-    if "M_collar" in item.numbers:
+    if "M_collar" in item.s:
         said.append(COLLAR)
     return said
 
@@ -77,15 +76,15 @@ def shown(item: Solved) -> str:
     return SHOWN if item.kind in ("incline", "screw", "journal") else PLAIN
 
 
-def verdicts(item: Solved, page: Page, table: Table) -> Iterator[Markup]:
+def verdicts(item: Solved, view: ChapterView) -> Iterator[Markup]:
     """Sentences that follow from the numbers of a pair."""
     make = _OF.get(item.kind)
     if make is not None:
-        yield from make(item, page, table)
+        yield from make(item, view)
 
 
-def _incline(item: Solved, page: Page, table: Table) -> Iterator[Markup]:
-    angles = {"alpha": page.shown(table, "alpha"), "phi": page.shown(table, "phi")}
+def _incline(item: Solved, view: ChapterView) -> Iterator[Markup]:
+    angles = {"alpha": view.number("alpha"), "phi": view.number("phi")}
     if item.locks:
         text = N_(
             "The slope of %(alpha)s° is not greater than the angle of friction of %(phi)s°: the plane locks by itself, "
@@ -96,11 +95,11 @@ def _incline(item: Solved, page: Page, table: Table) -> Iterator[Markup]:
             "The slope of %(alpha)s° is greater than the angle of friction of %(phi)s°: the plane does not lock, the "
             "body slides down by itself if it is not held."
         )
-    yield page.t(text, **angles)
+    yield view.t(text, **angles)
 
 
-def _wedge(item: Solved, page: Page, table: Table) -> Iterator[Markup]:
-    angles = {"alpha": page.shown(table, "alpha"), "lock": page.shown(table, "alpha_lock")}
+def _wedge(item: Solved, view: ChapterView) -> Iterator[Markup]:
+    angles = {"alpha": view.number("alpha"), "lock": view.number("alpha_lock")}
     if item.locks:
         text = N_(
             "The angle of %(alpha)s° is not greater than both angles of friction, %(lock)s°: the wedge locks, it must "
@@ -111,23 +110,23 @@ def _wedge(item: Solved, page: Page, table: Table) -> Iterator[Markup]:
             "The angle of %(alpha)s° is greater than both angles of friction, %(lock)s°: the load drives the wedge out "
             "if it is not held."
         )
-    yield page.t(text, **angles)
+    yield view.t(text, **angles)
 
 
-def _sliders(item: Solved, page: Page, table: Table) -> Iterator[Markup]:
+def _sliders(item: Solved, view: ChapterView) -> Iterator[Markup]:
     text = N_("The face is best at %(best)s°, where the efficiency is %(eta)s.")
-    yield page.t(text, best=page.shown(table, "alpha_best"), eta=page.shown(table, "eta_best", digits=4))
+    yield view.t(text, best=view.number("alpha_best"), eta=view.number("eta_best", digits=4))
 
 
-def _trial(item: Solved, page: Page, table: Table) -> Iterator[Markup]:
+def _trial(item: Solved, view: ChapterView) -> Iterator[Markup]:
     text = N_(
         "The body is moved by the least force, %(force)s N, if it is pulled at the angle of friction, %(phi)s°."
     )
-    yield page.t(text, force=page.shown(table, "P_least"), phi=page.shown(table, "phi"))
+    yield view.t(text, force=view.number("P_least"), phi=view.number("phi"))
 
 
-def _screw(item: Solved, page: Page, table: Table) -> Iterator[Markup]:
-    angles = {"psi": page.shown(table, "psi"), "phi": page.shown(table, "phi_red")}
+def _screw(item: Solved, view: ChapterView) -> Iterator[Markup]:
+    angles = {"psi": view.number("psi"), "phi": view.number("phi_red")}
     if item.held:
         text = N_(
             "The lead angle of %(psi)s° is greater than the angle of friction of %(phi)s°: the thread itself does not "
@@ -143,11 +142,11 @@ def _screw(item: Solved, page: Page, table: Table) -> Iterator[Markup]:
             "The lead angle of %(psi)s° is greater than the angle of friction of %(phi)s°: the thread does not lock, "
             "the load turns the screw back."
         )
-    yield page.t(text, **angles)
+    yield view.t(text, **angles)
 
 
-def _wheel(item: Solved, page: Page, table: Table) -> Iterator[Markup]:
-    values = {"f": page.shown(table, "f"), "roll": page.shown(table, "f_roll")}
+def _wheel(item: Solved, view: ChapterView) -> Iterator[Markup]:
+    values = {"f": view.number("f"), "roll": view.number("f_roll")}
     if item.rolls:
         text = N_(
             "The coefficient of friction, %(f)s, is greater than k/r = %(roll)s: the wheel rolls and does not slide."
@@ -156,20 +155,20 @@ def _wheel(item: Solved, page: Page, table: Table) -> Iterator[Markup]:
         text = N_(
             "The coefficient of friction, %(f)s, is not greater than k/r = %(roll)s: the wheel slides before it rolls."
         )
-    yield page.t(text, **values)
-    if "F" in item.numbers:
-        yield page.t(_pulled(item), force=page.shown(table, "F"))
+    yield view.t(text, **values)
+    if "F" in item.s:
+        yield view.t(_pulled(item), force=view.number("F"))
 
 
 def _pulled(item: Solved) -> str:
     """What the stated force at the axle does. A wheel that is pulled faster and faster slides where the friction left
     over from rolling resistance does not turn it as fast: by its moment of inertia, which is not known here."""
-    n = item.numbers
-    if n["F"] < min(n["F_roll"], n["F_slide"]):
+    n = item.s.number
+    if n("F") < min(n("F_roll"), n("F_slide")):
         return N_("The force of %(force)s N at the axle is less than both: the wheel stays at rest.")
     if not item.rolls:
         return N_("The force of %(force)s N at the axle makes the wheel slide.")
-    if n["F"] > n["F_slide"]:
+    if n("F") > n("F_slide"):
         return N_(
             "The force of %(force)s N at the axle is greater than both: the wheel gathers speed, and by its moment of "
             "inertia it rolls or slides, too."
@@ -177,20 +176,20 @@ def _pulled(item: Solved) -> str:
     return N_("The force of %(force)s N at the axle makes the wheel roll.")
 
 
-def _belt_drive(item: Solved, page: Page, table: Table) -> Iterator[Markup]:
-    if "P_best" not in item.numbers:
-        yield page.t(N_("The centrifugal forces of the belt are neglected: its density is not stated."))
+def _belt_drive(item: Solved, view: ChapterView) -> Iterator[Markup]:
+    if "P_best" not in item.s:
+        yield view.t(N_("The centrifugal forces of the belt are neglected: its density is not stated."))
         return
     text = N_(
         "The power is greatest at the speed of %(v)s m/s, at which the centrifugal tension is a third of what the belt "
         "bears; it is %(power)s kW."
     )
-    yield page.t(text, v=page.shown(table, "v_best"), power=page.shown(table, "P_best", unit="kW"))
+    yield view.t(text, v=view.number("v_best"), power=view.number("P_best"))
 
 
-def _crank(item: Solved, page: Page, table: Table) -> Iterator[Markup]:
+def _crank(item: Solved, view: ChapterView) -> Iterator[Markup]:
     text = N_("Friction in the three journals takes so much of the moment that the efficiency is %(eta)s.")
-    yield page.t(text, eta=page.shown(table, "eta", digits=4))
+    yield view.t(text, eta=view.number("eta", digits=4))
 
 
 _OF: dict[str, Any] = {

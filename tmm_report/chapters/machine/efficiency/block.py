@@ -1,6 +1,7 @@
 """The block `efficiency` of a variant."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Annotated, Any, TypedDict
 
 from pydantic import Discriminator, Field, Tag, model_validator
@@ -105,31 +106,27 @@ class Given(TypedDict):
 
 def given(read: Read) -> Given:
     written = read.block(Block).efficiency
-    return {"efficiency": Stated(_tree(written), written.input, written.output) if written else None}
+    if written is None:
+        return {"efficiency": None}
+    return {"efficiency": Stated(tree=_tree(written), input=written.input, output=written.output)}
 
 
-def _tree(written: EfficiencyModel) -> Node:
-    if written.series is not None:
-        return Joined("series", tuple(_node(part) for part in written.series))
-    parts = written.parallel or []
-    return Joined("parallel", tuple(_node(part) for part in parts), by=_by(parts))
-
-
-def _by(parts: list[Any]) -> Any:
-    return "output" if any(part.output_share is not None for part in parts) else "input"
+def _tree(written: Any) -> Joined:
+    """A node is read by its shape, and holds nodes, which no plain record says: so it is made of its model."""
+    series, parallel = (getattr(written, key, None) for key in ("series", "parallel"))
+    return Joined(
+        kind="parallel" if series is None else "series",
+        parts=tuple(_node(part) for part in series or parallel or ()),
+        by="output" if any(part.output_share is not None for part in parallel or ()) else "input",
+    )
 
 
 def _node(written: Any) -> Node:
     share = written.share if written.output_share is None else written.output_share
-    name = written.name or ""
-    match written:
-        case ModuleModel():
-            return Module(written.efficiency, name, share)
-        case SeriesModel():
-            return Joined("series", tuple(_node(part) for part in written.series), name, share)
-        case _:
-            parts = written.parallel
-            return Joined("parallel", tuple(_node(part) for part in parts), name, share, _by(parts))
+    own: Any = {"name": written.name or "", "share": share}
+    if isinstance(written, ModuleModel):
+        return Module(efficiency=written.efficiency, **own)
+    return replace(_tree(written), **own)
 
 
 def mistakes(read: Read) -> Iterator[Problem]:

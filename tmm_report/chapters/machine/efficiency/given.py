@@ -39,6 +39,11 @@ class Given:
     input: float | None = None
     output: float | None = None
 
+    @property
+    def stated(self) -> bool:
+        """Whether a power is."""
+        return self.input is not None or self.output is not None
+
 
 def modules(node: Node) -> Iterator[Module]:
     """The machines of a tree in their order."""

@@ -11,9 +11,12 @@ from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from tmm_report.chapters.machine.efficiency import steps
 from tmm_report.chapters.machine.efficiency.given import Given, Joined, Module, Node
+from tmm_report.chapters.machine.efficiency.values import Values
 from tmm_report.mechanics.pairs import efficiency_chains
 from tmm_report.problems import N_, Message
+from tmm_report.quantity.model import Table
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
@@ -28,12 +31,13 @@ EQUAL = 1e-12  # relative: what differs by less is equal
 class Part:
     """A part of the tree.
 
-    `index`: 1, 2, … of modules, A, B, … of groups, "" of the whole; `share`: of the power that goes into the parallel
-    parts it stands among, 1 elsewhere; `slope`: ∂η/∂η_i of the whole by it; `power`: at its input and output, W, or in
-    parts of the input of the whole; `parts`: of a group.
+    `row`: of the table of all parts, 0 of the whole; `index`: 1, 2, … of modules, A, B, … of groups, "" of the whole;
+    `share`: of the power that goes into the parallel parts it stands among, 1 elsewhere; `slope`: ∂η/∂η_i of the whole
+    by it; `power`: at its input and output, W, or in parts of the input of the whole; `parts`: of a group.
     """
 
     node: Node
+    row: int
     index: str
     efficiency: float
     share: float
@@ -64,10 +68,13 @@ class Part:
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """Found by `solve`. `whole`: the tree; powers are parts of the input where no power is stated."""
+    """Found by `solve`. `whole`: the tree; `table`: its parts; `s`: the single numbers; powers are parts of the input
+    where no power is stated."""
 
     given: Given
     whole: Part
+    table: Table
+    s: Values
 
     @cached_property
     def modules(self) -> tuple[Part, ...]:
@@ -78,15 +85,6 @@ class Found:
         """Groups from the innermost outwards, the whole last."""
         found = [part for part in self.whole.within() if isinstance(part.node, Joined)]
         return tuple(reversed(found))
-
-    @property
-    def efficiency(self) -> float:
-        return self.whole.efficiency
-
-    @property
-    def stated(self) -> bool:
-        """Whether a power is stated."""
-        return self.given.input is not None or self.given.output is not None
 
     @property
     def worst(self) -> Part:
@@ -108,16 +106,10 @@ class Found:
         """Whether all modules are in series."""
         return all(part.node.kind == "series" for part in self.groups if isinstance(part.node, Joined))
 
-    @cached_property
-    def imbalance(self) -> float:
-        """Input less output less what the modules lose, by the input."""
-        into, out = self.whole.power
-        return abs(into - out - math.fsum(part.lost for part in self.modules)) / into
-
     def summary(self) -> Iterator[Message]:
         """The main numbers in a sentence."""
         text = N_("efficiency of the machines joined: %(eta)s; the module to improve first: %(first)s")
-        values = {"eta": f"{self.efficiency:.4f}", "first": self.first.name or self.first.index}
+        values = {"eta": f"{self.whole.efficiency:.4f}", "first": self.first.name or self.first.index}
         yield Message(text, values)
 
 
@@ -133,7 +125,17 @@ def solve(given: Given, moving: Moving | None) -> Found:
     power = given.input
     if power is None:
         power = 1.0 if given.output is None else given.output / eta
-    return Found(given, _part(given.tree, power, 1.0, 1.0, _Names()))
+    whole = _part(given.tree, power, 1.0, 1.0, _Names())
+    table = steps.parts(whole, given.stated)
+    found = Found(given, whole, table, steps.whole(given, whole, table))
+    found.s.efficiency_imbalance = _imbalance(found)
+    return found
+
+
+def _imbalance(found: Found) -> float:
+    """Input less output less what the modules lose, by the input."""
+    into, out = found.whole.power
+    return abs(into - out - math.fsum(part.lost for part in found.modules)) / into
 
 
 def efficiency(node: Node) -> float:
@@ -156,26 +158,26 @@ def _shares(node: Joined) -> list[float]:
 
 
 class _Names:
-    """Numbers of modules and letters of groups, in the order in which they are met."""
+    """Rows of the parts, numbers of modules and letters of groups, in the order in which they are met."""
 
     def __init__(self) -> None:
         self.modules = self.groups = 0
 
-    def next(self, node: Node, outer: bool) -> str:
+    def next(self, node: Node, outer: bool) -> tuple[int, str]:
         if outer:
-            return "" if isinstance(node, Joined) else "1"
+            return 0, "" if isinstance(node, Joined) else "1"
         if isinstance(node, Module):
             self.modules += 1
-            return str(self.modules)
+            return self.modules + self.groups, str(self.modules)
         self.groups += 1
-        return chr(ord("A") + self.groups - 1)
+        return self.modules + self.groups, chr(ord("A") + self.groups - 1)
 
 
 def _part(node: Node, power: float, share: float, slope: float, names: _Names, outer: bool = True) -> Part:
     """A part with its parts; `power`: at its input; `slope`: of the whole by it."""
-    index, eta = names.next(node, outer), efficiency(node)
+    (row, index), eta = names.next(node, outer), efficiency(node)
     if isinstance(node, Module):
-        return Part(node, index, eta, share, slope, (power, power * eta))
+        return Part(node, row, index, eta, share, slope, (power, power * eta))
     etas = [efficiency(part) for part in node.parts]
     inner = [slope * one for one in _slopes(node, etas)]
     if node.kind == "series":
@@ -186,7 +188,7 @@ def _part(node: Node, power: float, share: float, slope: float, names: _Names, o
     parts = tuple(
         _part(part, inputs[k], shares[k], inner[k], names, outer=False) for k, part in enumerate(node.parts)
     )
-    return Part(node, index, eta, share, slope, (power, power * eta), parts)
+    return Part(node, row, index, eta, share, slope, (power, power * eta), parts)
 
 
 def _slopes(node: Joined, etas: list[float]) -> list[float]:

@@ -7,17 +7,7 @@ from typing import Annotated, Any, Literal, TypedDict
 from pydantic import Field, Tag
 
 from tmm_report.chapters.lever.structure.block import FRAME, names, stated, without
-from tmm_report.chapters.machine.wear.given import (
-    PARTS,
-    POSITIONS,
-    SECTORS,
-    Coefficient,
-    Faces,
-    GuideGiven,
-    PivotGiven,
-    RunningIn,
-)
-from tmm_report.chapters.machine.wear.given import Given as Stated
+from tmm_report.chapters.machine.wear.given import PARTS, POSITIONS, SECTORS, Coefficient, Faces
 from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.variant import model
 from tmm_report.variant.errors import near
@@ -83,6 +73,22 @@ AnyHalves = Annotated[
 ]
 
 
+def _coefficient(written: Any) -> Coefficient:
+    if isinstance(written, list):
+        return Coefficient(tuple(k for _, k in written), tuple(p for p, _ in written))
+    return Coefficient((float(written),))
+
+
+def _side(written: Any) -> tuple[Coefficient, Coefficient]:
+    lower, upper = (written.lower, written.upper) if isinstance(written, TwoFaces) else (written, written)
+    return _coefficient(lower), _coefficient(upper)
+
+
+def _faces(written: Any) -> Faces:
+    slider, guide = (written.slider, written.guide) if isinstance(written, Sides) else (written, written)
+    return Faces(_side(slider), _side(guide))
+
+
 class RunningInModel(Model):
     """The first stage of wear."""
 
@@ -108,6 +114,11 @@ class GuideModel(Model):
     limit: Positive | None = Field(default=None, description="of the wear: then the life follows")
     running_in: RunningInModel | None = None
 
+    @property
+    def faces(self) -> tuple[Faces, Faces]:
+        """Coefficients at the pressure of the central reaction, and of its moment."""
+        return _faces(self.coefficient), _faces(self.coefficient if self.couple is None else self.couple)
+
 
 class PivotModel(Model):
     """A turning pair."""
@@ -127,6 +138,17 @@ class PivotModel(Model):
     density: Density | None = None
     limit: Positive | None = None
 
+    @property
+    def half_arc(self) -> float:
+        return self.arc / 2
+
+    @property
+    def members(self) -> tuple[Coefficient, Coefficient]:
+        """Coefficients of journal and bushing."""
+        k = self.coefficient
+        journal, bushing = (k.journal, k.bushing) if isinstance(k, Halves) else (k, k)
+        return _coefficient(journal), _coefficient(bushing)
+
 
 class WearModel(Model):
     """Wear of guides and pivots."""
@@ -145,69 +167,11 @@ class Block(model.Block):
 
 
 class Given(TypedDict):
-    wear: Stated | None
+    wear: WearModel | None
 
 
 def given(read: Read) -> Given:
-    written = read.block(Block).wear
-    if written is None:
-        return {"wear": None}
-    guides = tuple(_guide(one) for one in written.guides)
-    return {"wear": Stated(guides, tuple(_pivot(one) for one in written.pivots), written.positions)}
-
-
-def _coefficient(written: Any) -> Coefficient:
-    if isinstance(written, list):
-        return Coefficient(tuple(k for _, k in written), tuple(p for p, _ in written))
-    return Coefficient((float(written),))
-
-
-def _side(written: Any) -> tuple[Coefficient, Coefficient]:
-    lower, upper = (written.lower, written.upper) if isinstance(written, TwoFaces) else (written, written)
-    return _coefficient(lower), _coefficient(upper)
-
-
-def _faces(written: Any) -> Faces:
-    slider, guide = (written.slider, written.guide) if isinstance(written, Sides) else (written, written)
-    return Faces(_side(slider), _side(guide))
-
-
-def _guide(written: GuideModel) -> GuideGiven:
-    run = written.running_in
-    return GuideGiven(
-        written.guide,
-        written.length,
-        written.width,
-        written.cycles,
-        _faces(written.coefficient),
-        _faces(written.coefficient if written.couple is None else written.couple),
-        written.slider,
-        written.middle,
-        written.parts,
-        written.density,
-        written.limit,
-        RunningIn(run.wear, run.time) if run else None,
-    )
-
-
-def _pivot(written: PivotModel) -> PivotGiven:
-    k = written.coefficient
-    journal, bushing = (k.journal, k.bushing) if isinstance(k, Halves) else (k, k)
-    return PivotGiven(
-        written.pivot,
-        written.journal,
-        written.diameter,
-        written.width,
-        written.cycles,
-        _coefficient(journal),
-        _coefficient(bushing),
-        written.bushing,
-        written.arc / 2,
-        written.law,
-        written.sectors,
-        written.density,
-        written.limit,
-    )
+    return {"wear": read.block(Block).wear}
 
 
 def mistakes(read: Read) -> Iterator[Problem]:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Solved
-from tmm_report.chapters.machine.wear.given import Coefficient, GuideGiven
+from tmm_report.chapters.machine.wear import steps
 from tmm_report.chapters.machine.wear.mistakes import believable, long_enough
+from tmm_report.chapters.machine.wear.values import Guide
 from tmm_report.mechanics.calculus.vectors import dot
 from tmm_report.mechanics.lever.assur_groups import Pair
 from tmm_report.mechanics.lever.cycle import Cycle
@@ -18,11 +19,18 @@ from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.mechanics.lever.motion import Motion
 from tmm_report.mechanics.pairs import wear
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
+from tmm_report.quantity.symbols import Symbol
 from tmm_report.records import dataclass
+
+if TYPE_CHECKING:
+    from tmm_report.chapters.machine.wear.block import GuideModel
 
 Array = Any
 FACES = ("lower", "upper")
+CAUSES = ("force", "couple")
 SIDES = ("guide", "slider")
+WORDS = {"lower": N_("lower"), "upper": N_("upper")}
+UPRIGHT = {"lower": N_("right-hand"), "upper": N_("left-hand")}
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,6 +45,11 @@ class Surface:
     k: tuple[float, float]
     c: tuple[float, float]
     work: tuple[Array, Array]
+
+    @property
+    def symbol(self) -> Symbol:
+        """Of its wear: 1 the slider, 2 the guide; the lower face without a mark, the upper one with it."""
+        return Symbol("u", ("1" if self.side == "slider" else "2") + ("" if self.face == "lower" else "'"))
 
     @cached_property
     def parts(self) -> tuple[Array, Array]:
@@ -63,9 +76,10 @@ class GuideFound:
     """`turned`, `travel`, `force`, `moment`, `analogue`: angle, S from the near end of the stroke, reaction of the
     guide along its normal, its moment about the slider's middle, and q = dS/dφ, (P,), at equal steps `step` over
     the cycle; `period`: of a cycle, s; `upright`: whether the faces stand right and left; `surfaces`: guide and
-    slider, lower and upper."""
+    slider, lower and upper; `s`: the single numbers."""
 
-    given: GuideGiven
+    s: Guide
+    given: GuideModel
     pair: Pair
     upright: bool
     stroke: float
@@ -101,6 +115,19 @@ class GuideFound:
         return wear.couple_force(self.moment, self.given.length)
 
     @property
+    def skewest(self) -> int:
+        """Position at which the couple is greatest."""
+        return int(np.argmax(self.couple))
+
+    def pressing(self, face: str, point: int) -> tuple[Array, Array]:
+        """On a point of the guide: the central reaction of all points while it is pressed, and its own force of the
+        couple, N, (P,)."""
+        laid = wear.pressing(self.grid, np.abs(self.force), self.couple, self.force, self.moment)
+        under = (self.grid.under == point).astype(float)
+        even, turning = (np.sum(cause[FACES.index(face)] * under, axis=1) for cause in laid)
+        return even * self.grid.covered, turning
+
+    @property
     def skewed(self) -> bool:
         """Whether the reaction ever passes beside the middle."""
         size = np.abs(self.force).max(initial=0.0) * self.given.length
@@ -108,6 +135,10 @@ class GuideFound:
 
     def surface(self, side: str, face: str) -> Surface:
         return next(one for one in self.surfaces if (one.side, one.face) == (side, face))
+
+    def word(self, face: str) -> str:
+        """What a face is called."""
+        return (UPRIGHT if self.upright else WORDS)[face]
 
     @property
     def worst(self) -> Surface:
@@ -182,7 +213,7 @@ class GuideFound:
         return wear.life(limit, self.rate, run.wear, run.time) if run else limit / self.rate
 
 
-def solve(given: GuideGiven, solved: Solved, cycle: Cycle, index: int) -> GuideFound:
+def solve(given: GuideModel, solved: Solved, cycle: Cycle, index: int) -> GuideFound:
     """Raises ProblemError: a guide that moves, several sliders, a slider that stands or is shorter than two parts of
     the guide, a wear of nothing or out of all proportion."""
     path = ("wear", "guides", index)
@@ -204,13 +235,15 @@ def solve(given: GuideGiven, solved: Solved, cycle: Cycle, index: int) -> GuideF
     period = cycle.period / abs(float(motion.omega))
     surfaces = _surfaces(given, grid, force, moment, np.abs(analogue) * step)
     believable(max(one.greatest for one in surfaces), given.length, path)
-    return GuideFound(
-        given, pair, bool(abs(along.real) < 1e-9), stroke, period, step, solved.turned, travel, force, moment,
-        analogue, grid, surfaces,
+    found = GuideFound(
+        Guide(prefix=f"wear_guide_{index + 1}"), given, pair, bool(abs(along.real) < 1e-9), stroke, period, step,
+        solved.turned, travel, force, moment, analogue, grid, surfaces,
     )  # fmt: skip
+    steps.guide(found.s, found)
+    return found
 
 
-def _pair(given: GuideGiven, motion: Motion, path: tuple[str | int, ...]) -> Pair:
+def _pair(given: GuideModel, motion: Motion, path: tuple[str | int, ...]) -> Pair:
     pairs = [p for p in motion.linkage.structure.pairs if p.kind == "P" and p.name == given.guide]
     fixed = [p for p in pairs if FRAME in p.links]
     if not fixed:
@@ -224,7 +257,7 @@ def _pair(given: GuideGiven, motion: Motion, path: tuple[str | int, ...]) -> Pai
     return found[0]
 
 
-def _unclear(given: GuideGiven, pairs: list[Pair], path: tuple[str | int, ...]) -> Problem:
+def _unclear(given: GuideModel, pairs: list[Pair], path: tuple[str | int, ...]) -> Problem:
     links = ", ".join(str(p.slider) for p in pairs)
     text = N_("several links slide on the guide %(name)s")
     if given.slider is not None:
@@ -259,7 +292,7 @@ def _stroke(cycle: Cycle, pair: Pair, along: complex, path: tuple[str | int, ...
 
 
 def _surfaces(
-    given: GuideGiven, grid: wear.Grid, force: Array, moment: Array, path: Array
+    given: GuideModel, grid: wear.Grid, force: Array, moment: Array, path: Array
 ) -> tuple[Surface, ...]:
     rubbed = wear.rubbed(grid, force, moment, path, given.length)
     area = given.width * given.length
@@ -270,10 +303,7 @@ def _surfaces(
     for side in SIDES:
         forces, couples = getattr(rubbed, f"{side}_force"), getattr(rubbed, f"{side}_couple")
         for n, face in enumerate(FACES):
-            of: tuple[Coefficient, Coefficient] = (
-                getattr(given.force, side)[n],
-                getattr(given.couple, side)[n],
-            )
+            of = [getattr(cause, side)[n] for cause in given.faces]
             pressure = central[n], turning
             k = of[0].at(pressure[0]), of[1].at(pressure[1])
             c = given.cycles / (given.width * grid.step)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Solved
-from tmm_report.chapters.machine.wear.given import PivotGiven
+from tmm_report.chapters.machine.wear import steps
 from tmm_report.chapters.machine.wear.mistakes import believable
+from tmm_report.chapters.machine.wear.values import Pivot
 from tmm_report.mechanics.lever.assur_groups import Pair
 from tmm_report.mechanics.lever.cycle import Cycle
 from tmm_report.mechanics.lever.forces.reactions_with_friction import relative_rate
@@ -17,18 +18,23 @@ from tmm_report.mechanics.pairs import wear
 from tmm_report.problems import N_, Message, ProblemError, mistake
 from tmm_report.records import dataclass
 
+if TYPE_CHECKING:
+    from tmm_report.chapters.machine.wear.block import PivotModel
+
 Array = Any
 MEMBERS = ("journal", "bushing")
 
 
 @dataclass(frozen=True, eq=False)
 class Member:
-    """The journal or the bushing of the link `link`: `k`, 1/Pa; `path`: Σ p|ds| of the sectors over a cycle, Pa m;
+    """The journal or the bushing of the link `link`: `k`, 1/Pa; `centre`: angle of the middle of the contact in its
+    axes, rad, (P,); `path`: Σ p|ds| of the sectors over a cycle, Pa m;
     `depth`: of the sectors after all cycles, m, (N,)."""
 
     name: str
     link: str
     k: float
+    centre: Array
     path: Array
     depth: Array
 
@@ -44,13 +50,16 @@ class Member:
 
 @dataclass(frozen=True, eq=False)
 class PivotFound:
-    """`force`: size of the reaction, N; `slide`: r|ω_rel|Δt of each position, m, (P,); `pressure`: mean over the
-    path on the projection of the journal, Pa; `period`: of a cycle, s."""
+    """`force`: size of the reaction, N; `rate`: ω_rel, rad/s; `slide`: r|ω_rel|Δt of each position, m, (P,);
+    `pressure`: mean over the path on the projection of the journal, Pa; `period`: of a cycle, s; `s`: the single
+    numbers."""
 
-    given: PivotGiven
+    s: Pivot
+    given: PivotModel
     pair: Pair
     period: float
     force: Array
+    rate: Array
     slide: Array
     pressure: float
     members: tuple[Member, Member]
@@ -72,7 +81,7 @@ class PivotFound:
     @cached_property
     def spread(self) -> float:
         """By how much the pressures exceed the force."""
-        return wear.spread(self.given.arc, self.given.law)
+        return wear.spread(self.given.half_arc, self.given.law)
 
     def volume(self, of: Member) -> float:
         """m³."""
@@ -89,7 +98,7 @@ class PivotFound:
         return None if limit is None else limit / self.worst.greatest * self.given.cycles
 
 
-def solve(given: PivotGiven, solved: Solved, cycle: Cycle, index: int) -> PivotFound:
+def solve(given: PivotModel, solved: Solved, cycle: Cycle, index: int) -> PivotFound:
     """Raises ProblemError: no such pivot, more than one, a pivot that does not turn, a wear of nothing or out of all
     proportion."""
     path = ("wear", "pivots", index)
@@ -99,7 +108,8 @@ def solve(given: PivotGiven, solved: Solved, cycle: Cycle, index: int) -> PivotF
     if not np.isfinite(on_journal).all():
         raise ProblemError([mistake(N_("the reaction of the pivot is not known at every position"), path)])
     force = np.abs(on_journal)
-    turned = np.abs(relative_rate(motion, pair) / motion.omega) * (cycle.period / len(force))
+    rate = np.broadcast_to(relative_rate(motion, pair), force.shape)
+    turned = np.abs(rate / motion.omega) * (cycle.period / len(force))
     slide = given.diameter / 2 * turned
     if not np.sum(force * slide) > 0:
         raise ProblemError([mistake(N_("nothing rubs in the pivot %(name)s"), path, name=given.pivot)])
@@ -107,14 +117,17 @@ def solve(given: PivotGiven, solved: Solved, cycle: Cycle, index: int) -> PivotF
     links = given.journal, pair.other(given.journal)
     members = tuple(
         _member(given, solved, name, link, k.at(pressure), (on_journal, slide))
-        for name, link, k in zip(MEMBERS, links, (given.journal_k, given.bushing_k), strict=True)
+        for name, link, k in zip(MEMBERS, links, given.members, strict=True)
     )
     believable(max(one.greatest for one in members), given.diameter, path)
     period = cycle.period / abs(float(motion.omega))
-    return PivotFound(given, pair, period, force, slide, pressure, (members[0], members[1]))
+    s = Pivot(prefix=f"wear_pivot_{index + 1}")
+    found = PivotFound(s, given, pair, period, force, rate, slide, pressure, (members[0], members[1]))
+    steps.pivot(s, found)
+    return found
 
 
-def _pair(given: PivotGiven, solved: Solved, path: tuple[str | int, ...]) -> Pair:
+def _pair(given: PivotModel, solved: Solved, path: tuple[str | int, ...]) -> Pair:
     pairs = [p for p in solved.motion.linkage.structure.pairs if p.kind == "R" and p.name == given.pivot]
     found = [p for p in pairs if given.journal in p.links and given.bushing in (None, p.other(given.journal))]
     if len(found) != 1:
@@ -126,13 +139,13 @@ def _pair(given: PivotGiven, solved: Solved, path: tuple[str | int, ...]) -> Pai
 
 
 def _member(
-    given: PivotGiven, solved: Solved, name: str, link: str, k: float, load: tuple[Array, Array]
+    given: PivotModel, solved: Solved, name: str, link: str, k: float, load: tuple[Array, Array]
 ) -> Member:
     """The journal touches the bushing on the side away from the force upon it."""
     on_journal, slide = load
     centre = np.angle(-on_journal / solved.motion.turn(link))
     path = wear.pressure_path(
-        given.arc,
+        given.half_arc,
         given.law,
         given.diameter / 2,
         given.width,
@@ -141,4 +154,4 @@ def _member(
         centre,
         given.sectors,
     )
-    return Member(name, link, k, path, given.cycles * k * path)
+    return Member(name, link, k, centre, path, given.cycles * k * path)
