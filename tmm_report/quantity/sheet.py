@@ -41,9 +41,8 @@ class Computed:
 class Q:
     """A declared number. `symbol`: as keys are written, "omega_d", or None of what is never written as one; `unit`: of
     the results; `meaning`: a literal for translation; `shown`: unit of print, where it is another; `formed`: unit in
-    formulas, where it is another: angles that are printed in degrees are so in formulas, too."""
-
-    key: str = ""
+    formulas, where it is another: angles that are printed in degrees are so in formulas, too; `key`: where it can be no
+    attribute's name, "lambda"."""
 
     def __init__(
         self,
@@ -52,14 +51,16 @@ class Q:
         meaning: str | Message,
         shown: str = "",
         formed: str | None = None,
+        key: str = "",
     ):
+        self.key = key
         self.symbol = math_symbol(symbol) if isinstance(symbol, str) else symbol
         self.unit, self.shown = unit, shown
         self.formed = ("deg" if shown == "deg" else "") if formed is None else formed
         self.meaning = Message(meaning) if isinstance(meaning, str) else meaning
 
     def __set_name__(self, owner: type, name: str) -> None:
-        self.key = name
+        self.key = self.key or name
 
     @overload
     def __get__(self, sheet: None, owner: type) -> Self: ...
@@ -103,7 +104,7 @@ class Sheet:
     def __init_subclass__(cls, prefix: str | None = None) -> None:
         if prefix is not None:
             cls.PREFIX = f"{prefix}_"
-        cls.DECLARED = {**cls.DECLARED, **{key: one for key, one in vars(cls).items() if isinstance(one, Q)}}
+        cls.DECLARED = {**cls.DECLARED, **{one.key: one for one in vars(cls).values() if isinstance(one, Q)}}
 
     def __init__(self, other: Mapping[str, Q] | None = None, **others: Q):
         self._others = {**(other or {}), **others}
