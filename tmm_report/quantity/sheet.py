@@ -116,8 +116,12 @@ class Sheet:
         """Raises KeyError for what the chapter has not."""
         return self._others.get(key) or self.DECLARED[key]
 
-    def put(self, key: str, value: Expr | Computed | float | None) -> None:
-        """What `sheet.key = value` does."""
+    def named(self, key: str) -> Quantity:
+        """What a number is in the results."""
+        return self.declared(key).named(self.PREFIX)
+
+    def put(self, key: str, value: Expr | Computed | float | None, at: float | None = None) -> None:
+        """What `sheet.key = value` does; `at`: the angle turned from position 0 at which it holds, rad."""
         if value is None:
             return
         if key in self._kept:
@@ -131,8 +135,8 @@ class Sheet:
             number = expression.evaluate()
             if declared.formed not in ("", "deg", declared.unit):
                 number /= factor(declared.unit, declared.formed)
-        of = declared.named(self.PREFIX)
-        self._kept[key] = _Kept(of.value(float(number)), expression, made.scale if made else None)
+        of = self.named(key).value(float(number), at)
+        self._kept[key] = _Kept(of, expression, made.scale if made else None)
 
     def take(self, record: object, *keys: str) -> None:
         """Fields of a record by their names, of those that are declared; `keys`: these alone."""
