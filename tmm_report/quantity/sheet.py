@@ -42,9 +42,8 @@ class Computed:
 class Q:
     """A declared number. `symbol`: as keys are written, "omega_d", or None of what is never written as one; `unit`: of
     the results; `meaning`: a literal for translation; `shown`: unit of print, where it is another; `formed`: unit in
-    formulas, where it is another: angles that are printed in degrees are so in formulas, too."""
-
-    key: str = ""
+    formulas, where it is another: angles that are printed in degrees are so in formulas, too; `key`: where it can be no
+    attribute's name, "lambda"."""
 
     def __init__(
         self,
@@ -53,14 +52,16 @@ class Q:
         meaning: str | Message,
         shown: str = "",
         formed: str | None = None,
+        key: str = "",
     ):
+        self.key = key
         self.symbol = math_symbol(symbol) if isinstance(symbol, str) else symbol
         self.unit, self.shown = unit, shown
         self.formed = ("deg" if shown == "deg" else "") if formed is None else formed
         self.meaning = Message(meaning) if isinstance(meaning, str) else meaning
 
     def __set_name__(self, owner: type, name: str) -> None:
-        self.key = name.removesuffix("_")  # of a name that Python keeps: lambda_
+        self.key = self.key or name.removesuffix("_")  # of a name that Python keeps: lambda_
 
     @overload
     def __get__(self, sheet: None, owner: type) -> Self: ...
@@ -134,8 +135,12 @@ class Sheet:
         """Raises KeyError for what the chapter has not."""
         return self._others.get(key) or self.DECLARED[key]
 
-    def put(self, key: str, value: Expr | Computed | float | None) -> None:
-        """What `sheet.key = value` does."""
+    def named(self, key: str) -> Quantity:
+        """What a number is in the results."""
+        return self.declared(key).named(self.PREFIX)
+
+    def put(self, key: str, value: Expr | Computed | float | None, at: float | None = None) -> None:
+        """What `sheet.key = value` does; `at`: the angle turned from position 0 at which it holds, rad."""
         if value is None:
             return
         if key in self._kept:
@@ -151,10 +156,10 @@ class Sheet:
                 number = math.degrees(number)
             elif declared.formed not in ("", "deg", declared.unit):
                 number /= factor(declared.unit, declared.formed)
-        self._kept[key] = _Kept(self._value(declared, number), expression, made.scale if made else None)
+        self._kept[key] = _Kept(self._value(declared, number, at), expression, made.scale if made else None)
 
-    def _value(self, of: Q, number: float) -> Value:
-        return of.named(self.PREFIX).value(float(number))
+    def _value(self, of: Q, number: float, at: float | None) -> Value:
+        return of.named(self.PREFIX).value(float(number), at)
 
     def take(self, record: object, *keys: str) -> None:
         """Fields of a record by their names, of those that are declared; `keys`: these alone."""
@@ -222,7 +227,7 @@ class Row(Sheet):
         super().__init__(other)
         self.table, self.row, self.index = table, row, index
 
-    def _value(self, of: Q, number: float) -> Value:
+    def _value(self, of: Q, number: float, at: float | None) -> Value:
         quantity = of.quantity
         if self.index:
             quantity = replace(quantity, symbol=_indexed(quantity.symbol, self.index))

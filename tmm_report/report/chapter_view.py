@@ -79,6 +79,13 @@ class ChapterView:
             if key in self.s
         ]
 
+    def columns_explained(self, name: str, *keys: str) -> list[dict[str, Any]]:
+        """What a "where" list says of columns of a table."""
+        return [
+            self.page.explained(f"{self.prefix}{name}.{key}", one, one.quantity.printed)
+            for key, one in ((key, self.of(name, key)) for key in keys)
+        ]
+
     # --- tables
 
     def table(self, name: str) -> Table:

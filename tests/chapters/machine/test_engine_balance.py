@@ -13,9 +13,8 @@ from hypothesis import strategies as st
 
 from tmm_report import course, render
 from tmm_report.chapters.machine.engine.draw import scheme, star_picture
-from tmm_report.chapters.machine.engine.drawn import stars
 from tmm_report.chapters.machine.engine.given import Cylinder, Given, Rod
-from tmm_report.chapters.machine.engine.limits import peak, series, split
+from tmm_report.chapters.machine.engine.limits import peak, series
 from tmm_report.chapters.machine.engine.solve import solve
 from tmm_report.mechanics.masses import engine_cylinders
 from tmm_report.problems import ProblemError
@@ -26,6 +25,14 @@ SIZES = "speed: 955 rpm, crank_radius: 50 mm, rod_length: 200 mm, reciprocating:
 
 def engine(layout: str, more: str = ""):
     return course.solve(course.loads(f"engine: {{{SIZES}, {layout}{more}}}")).engine
+
+
+def built(layout, reciprocating, rotating, rod=None):
+    """Cylinders by bank, crank and place."""
+    cylinders = [Cylinder(str(k), *one) for k, one in enumerate(layout)]
+    sizes = {"speed": 100.0, "crank_radius": 0.05, "rod_length": 0.2}
+    given_ = Given(cylinders=cylinders, **sizes, reciprocating=reciprocating, rotating=rotating, rod=rod)
+    return solve(given_, None)
 
 
 def derived(values, times=1):
@@ -58,8 +65,8 @@ def test_coefficients_are_those_of_the_series_with_their_next_terms():
 
 
 def test_the_rod_is_replaced_with_its_mass_and_its_centre():
-    of = Given((Cylinder("1", 0, 0, 0),), 0.05, 0.2, 100.0, 1.0, 0.4, Rod(0.8, 0.06))
-    up, down = split(of)
+    found = built([(0, 0, 0)], 1.0, 0.4, Rod(0.8, 0.06))
+    up, down = (found.s.number(key) for key in ("m", "m_rot"))
     assert up + down == pytest.approx(1.0 + 0.4 + 0.8)
     assert (up - 1.0) * 0.2 == pytest.approx(0.8 * 0.06)
 
@@ -86,9 +93,7 @@ def test_the_orders_add_up_to_the_exact_forces_of_any_layout(layout, lam):
 @given(LAYOUT)
 def test_the_force_is_what_the_momentum_of_all_masses_loses(layout):
     """Positions of pistons and pins in the plane, differentiated twice; couples by their places."""
-    found = solve(
-        Given(tuple(Cylinder(str(k), *one) for k, one in enumerate(layout)), 0.05, 0.2, 100.0, 2.0, 1.5), None
-    )
+    found = built(layout, 2.0, 1.5)
     r, l, turned = 0.05, 0.2, TURN[:, None] + found.angles
     theta = turned - found.banks
     pistons = 1j * np.exp(1j * found.banks) * (r * np.cos(theta) + np.sqrt(l**2 - r**2 * np.sin(theta) ** 2))
@@ -178,18 +183,17 @@ def test_a_share_of_one_cylinder_turns_the_force_of_order_1_across():
 
 def test_share_mass_and_distance_of_a_counterweight_follow_from_each_other():
     one = engine("inline: {cranks: [0]}", ", rotating: 0.7 kg, counterweights: {share: 0.4, radius: 60 mm}")
-    for stated in (f"mass: {one.weight_mass!r}, radius: 60 mm", f"mass: {one.weight_mass!r}, share: 0.4"):
+    mass = one.s.number("m_cw")
+    for stated in (f"mass: {mass!r}, radius: 60 mm", f"mass: {mass!r}, share: 0.4"):
         other = engine("inline: {cranks: [0]}", f", rotating: 0.7 kg, counterweights: {{{stated}}}")
-        assert other.share == pytest.approx(0.4)
-        assert other.weight_radius == pytest.approx(0.06)
-        assert other.weight_mass == pytest.approx((0.7 + 0.4 * 2) * 50 / 60)
+        told = [other.s.number(key) for key in ("share", "r_cw", "m_cw")]
+        assert told == pytest.approx([0.4, 0.06, (0.7 + 0.4 * 2) * 50 / 60])
 
 
 @settings(max_examples=examples(60))
 @given(LAYOUT, st.floats(0, 1))
 def test_weights_on_the_shafts_found_balance_orders_1_and_2_of_any_engine(layout, share):
-    cylinders_ = tuple(Cylinder(str(k), *one) for k, one in enumerate(layout))
-    found = solve(Given(cylinders_, 0.05, 0.2, 100.0, 2.0, 1.5), None)
+    found = built(layout, 2.0, 1.5)
     left = found._courses(TURN)["orders"]
     for one in found.remedies:
         rate = one.order * 100.0
@@ -219,7 +223,7 @@ def test_how_the_rest_turns_says_what_balances_it(layout, kinds):
 def test_the_shafts_of_lanchester_of_an_inline_four():
     found = engine("inline: {cranks: [0, 180 deg, 180 deg, 0], spacing: 0.1}")
     pair = found.remedies[2]
-    assert abs(pair.forward) == pytest.approx(found.product * found.lam / 2)
+    assert abs(pair.forward) == pytest.approx(found.product * found.s.number("lambda") / 2)
     assert abs(pair.backward) == pytest.approx(abs(pair.forward))
 
 
@@ -241,8 +245,8 @@ def test_what_orders_1_and_2_leave_is_small_and_not_nothing():
 @pytest.mark.parametrize("layout", [one for one in LAYOUTS if "spacing" in one])
 def test_polygons_give_what_is_calculated_to_what_can_be_read(layout):
     found = engine(layout)
-    size = max(star.analytic for star in stars(found)) or found.unit
-    for star in stars(found):
+    size = max(star.analytic for star in found.stars) or found.unit
+    for star in found.stars:
         assert star.graph == pytest.approx(star.analytic, abs=2e-3 * size)
 
 
@@ -375,7 +379,7 @@ def test_what_is_left_of_rounding_needs_no_weight():
 )
 def test_drawings_of_many_cylinders_stand_upright(layout):
     found = engine(layout.replace("%s", "0, 90 deg, 270 deg, 180 deg, 180 deg, 270 deg, 90 deg, 0"))
-    pictures = [scheme(found), *(star_picture(one, ["direct", "reverse"], False, "") for one in stars(found))]
+    pictures = [scheme(found), *(star_picture(one, ["direct", "reverse"], False, "") for one in found.stars)]
     for picture in pictures:
         left, _, right, _ = picture.box
         assert right - left < 165  # mm: the width of a page

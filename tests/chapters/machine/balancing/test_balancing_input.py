@@ -33,12 +33,12 @@ def test_units_and_defaults():
     ).balancing
     assert given.counterweights["1"].distance == pytest.approx(0.04)
     assert given.counterweights["3"].mass == pytest.approx(0.5)
-    assert given.methods == ("full", "substituted", "optimum") and given.part == 0.5
+    assert given.ways == ("full", "substituted", "optimum") and given.part == 0.5
 
 
 def test_rotors_stated_are_rotors_asked_for():
     given = course.loads(text_of("compressor", "  rotors: {first: 60 mm, second: 40 mm}")).balancing
-    assert given.methods[-1] == "rotors" and given.radii == pytest.approx((0.06, 0.04))
+    assert given.ways[-1] == "rotors" and given.radii == pytest.approx((0.06, 0.04))
 
 
 def test_every_missing_counterweight_is_told_with_its_methods():

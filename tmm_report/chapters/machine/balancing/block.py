@@ -1,118 +1,33 @@
 """The block `balancing` of a variant."""
 
 from collections.abc import Iterator
-from typing import Annotated, Literal, TypedDict
+from typing import TypedDict
 
 from pydantic import Field
 
 from tmm_report.chapters.lever.structure.block import FRAME, Names, names, no_link, no_point, stated, without
-from tmm_report.chapters.machine.balancing.given import (
-    FULL,
-    OPTIMUM,
-    ROTORS,
-    SUBSTITUTED,
-    Counterweight,
-    Existing,
-)
-from tmm_report.chapters.machine.balancing.given import Given as Stated
+from tmm_report.chapters.machine.balancing.given import FULL, Balancing
 from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.variant import model
 from tmm_report.variant.errors import near
-from tmm_report.variant.model import Model, Read
-from tmm_report.variant.values import Angle, Coefficient, KeyName, Name, Positive, PositiveMass, whole
-
-Method = Literal["full", "pivoted", "substituted", "optimum", "rotors"]
-Order = Annotated[int, whole(2, 24)]
-
-
-class CounterweightModel(Model):
-    """A counterweight of which one size is chosen and the other found."""
-
-    mass: PositiveMass | None = Field(
-        default=None, description="then the distance is found", examples=["2 kg"]
-    )
-    distance: Positive | None = Field(
-        default=None,
-        description="from the pivot of the link; then the mass is found",
-        examples=["60 mm"],
-    )
-
-
-class ExistingModel(Model):
-    """A counterweight that is there already."""
-
-    mass: PositiveMass = Field(examples=["2 kg"])
-    distance: Positive = Field(description="from the fixed pivot of the link", examples=["60 mm"])
-    angle: Angle = Field(
-        default=3.141592653589793,
-        description="from the line from the pivot to the link's next joint, counter-clockwise",
-        examples=["180 deg"],
-    )
-
-
-class RotorsModel(Model):
-    """Lanchester's counter-rotating weights at the first and the second multiple of the speed."""
-
-    first: Positive = Field(description="radius of the weights of the first order", examples=["60 mm"])
-    second: Positive = Field(description="radius of the weights of the second order", examples=["40 mm"])
-
-
-class BalancingModel(Model):
-    """The mechanism balanced on its foundation."""
-
-    methods: list[Method] | None = Field(
-        default=None,
-        min_length=1,
-        description="full: all mass centres moved to the frame; pivoted: counterweights on all links with fixed "
-        "pivots; substituted: by masses put into joints; optimum: one counterweight on the driving link; "
-        "rotors: counter-rotating weights. Left out, full, substituted and optimum, and rotors where they are stated",
-    )
-    counterweights: dict[KeyName, CounterweightModel] = Field(default={}, description="by link")
-    stated: dict[KeyName, ExistingModel] = Field(
-        default={}, description="counterweights that are there, by link"
-    )
-    part: Coefficient = Field(
-        default=0.5, description="of the reciprocating masses that substituted balances"
-    )
-    about: Name | None = Field(
-        default=None, description="fixed point of the shaking moment; the driving pivot"
-    )
-    rotors: RotorsModel | None = None
-    highest: Order = Field(default=6, description="highest order of the harmonics of the shaking force")
+from tmm_report.variant.model import Read
+from tmm_report.variant.stated import Stated
 
 
 class Block(model.Block):
     """The mechanism balanced on its foundation."""
 
-    balancing: BalancingModel | None = Field(
+    balancing: Stated[Balancing] | None = Field(
         default=None, description="the mechanism balanced on its foundation"
     )
 
 
-class Given(TypedDict):
-    balancing: Stated | None
+class Taken(TypedDict):
+    balancing: Balancing | None
 
 
-def given(read: Read) -> Given:
-    written = read.block(Block).balancing
-    return {"balancing": build(written) if written else None}
-
-
-def build(written: BalancingModel) -> Stated:
-    methods: list[str] = list(written.methods or (FULL, SUBSTITUTED, OPTIMUM))
-    if written.rotors and not written.methods:
-        methods.append(ROTORS)
-    return Stated(
-        methods=tuple(methods),
-        counterweights={
-            link: Counterweight(one.mass, one.distance) for link, one in written.counterweights.items()
-        },
-        existing={link: Existing(one.mass, one.distance, one.angle) for link, one in written.stated.items()},
-        part=written.part,
-        about=written.about or "",
-        radii=(written.rotors.first, written.rotors.second) if written.rotors else None,
-        highest=written.highest,
-    )
+def given(read: Read) -> Taken:
+    return {"balancing": read.block(Block).balancing}
 
 
 def mistakes(read: Read) -> Iterator[Problem]:
@@ -139,7 +54,7 @@ def _broken(read: Read, path: tuple[str, ...]) -> bool:
     return any(one[: len(path)] == path for one in read.broken)
 
 
-def _sizes(read: Read, written: BalancingModel, known: Names) -> Iterator[Problem]:
+def _sizes(read: Read, written: Balancing, known: Names) -> Iterator[Problem]:
     """Each counterweight is on a moving link, and one of its sizes is stated."""
     for link, one in written.counterweights.items():
         path = ("balancing", "counterweights", link)
@@ -177,7 +92,7 @@ def _not_pivoted(link: str, path: tuple[str, ...], known: Names) -> Problem:
     return mistake(text, path, Message(N_("one of: %(words)s"), {"words": ", ".join(right)}), link=link)
 
 
-def _fixed(written: BalancingModel, known: Names) -> Iterator[Problem]:
+def _fixed(written: Balancing, known: Names) -> Iterator[Problem]:
     """The point of the moment is of the frame."""
     if written.about is not None:
         path = ("balancing", "about")

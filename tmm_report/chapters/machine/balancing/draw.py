@@ -10,18 +10,19 @@ import numpy as np
 from tmm_report.chapters.machine.balancing.solve.whole import Case, Found
 from tmm_report.figures.charts.plane import Num, Spot, Trace, framed, plane
 from tmm_report.figures.drawing import NORMAL, THIN, Circle, Drawing, Item, Pen, dot, line
-from tmm_report.figures.lettering import Part, Symbol
+from tmm_report.figures.lettering import Part, Parts, Symbol
 from tmm_report.figures.placing import Tag
 from tmm_report.figures.schemes.scheme import standard_scale
 from tmm_report.figures.schemes.view import view_of
 
 Array = Any
+Labels = tuple[Parts, Parts]
 POINTS = 180  # of a hodograph that is drawn
 
 
-def hodographs(found: Found, drawn: Sequence[tuple[int, Case]], unit: str, num: Num) -> Drawing:
+def hodographs(found: Found, drawn: Sequence[tuple[int, Case]], labels: Labels, num: Num) -> Drawing:
     """The ends of the shaking force from one origin, before and after balancing, at one scale; positions numbered on
-    the first."""
+    the first. `labels`: of both axes."""
     curves = [_thinned(case.cycle.force) for _, case in drawn]
     frame = framed(curves, equal=True)
     traces = [
@@ -29,10 +30,7 @@ def hodographs(found: Found, drawn: Sequence[tuple[int, Case]], unit: str, num: 
     ]
     count = found.kinematics.positions.table
     spots = [Spot(complex(z), (str(k),)) for k, z in enumerate(drawn[0][1].table.force[:count])]
-    return plane(
-        frame, traces, (Symbol("F", sup="x"), f", {unit}"), (Symbol("F", sup="y"), f", {unit}"), num,
-        spots=_apart(spots, frame.x_scale),
-    )  # fmt: skip
+    return plane(frame, traces, *labels, num, spots=_apart(spots, frame.x_scale))
 
 
 def _name(number: int) -> tuple[Part, ...]:
@@ -56,7 +54,7 @@ def _thinned(values: Array) -> Array:
     return values[:: max(1, len(values) // POINTS)]
 
 
-def seen(found: Found, unit: str, num: Num) -> Drawing:
+def seen(found: Found, labels: Labels, num: Num) -> Drawing:
     """The force in the line of the driving link, over ω²: its mean, and the smallest circle round it."""
     centre, radius = found.circle
     curve, mean = _thinned(found.seen), complex(np.mean(found.seen))
@@ -75,7 +73,6 @@ def seen(found: Found, unit: str, num: Num) -> Drawing:
         tags.append(Tag((Symbol("D"),), (at(mean),), colour="blue"))
     else:
         tags[-1] = Tag((Symbol("C"), ", ", Symbol("D")), (at(centre),))
-    labels = (Symbol("U", sup="x"), f", {unit}"), (Symbol("U", sup="y"), f", {unit}")
     return plane(frame, [Trace(curve, closed=True)], *labels, num, more=more, tags=tags)
 
 

@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.machine.engine.drawn import LETTERS, Star
+from tmm_report.chapters.machine.engine.drawn import Star
 from tmm_report.chapters.machine.engine.solve import Found
+from tmm_report.chapters.machine.engine.values import KINDS
 from tmm_report.figures.drawing import (
     AXIS,
     NORMAL,
@@ -67,7 +68,7 @@ def _side_view(found: Found) -> Drawing:
     items += [line(-LONG / 2 - 3 + 0j, LONG / 2 + 3 + 0j, SHAFT)]
     items += [line(-1j * (THROW + 5), 1j * (THROW + 5), AXIS)]
     tags = []
-    for one, pin, at in zip(found.given.cylinders, pins, found.places / scale, strict=True):
+    for one, pin, at in zip(found.given.laid, pins, found.places / scale, strict=True):
         foot, top = complex(at), complex(at, pin.imag)
         if abs(pin.imag) > 0.5:
             items.append(line(foot, top, THICK))
@@ -81,9 +82,9 @@ def _end_view(found: Found) -> Drawing:
     axes = 1j * np.exp(1j * found.banks)
     pins = {
         one.name: complex(pin)
-        for one, pin in zip(found.given.cylinders, 1j * np.exp(1j * found.angles) * THROW, strict=True)
+        for one, pin in zip(found.given.laid, 1j * np.exp(1j * found.angles) * THROW, strict=True)
     }
-    heads = {one.name: complex(axis) * REACH for one, axis in zip(found.given.cylinders, axes, strict=True)}
+    heads = {one.name: complex(axis) * REACH for one, axis in zip(found.given.laid, axes, strict=True)}
     items: list[Item] = [Circle(0j, THROW, AXIS)]
     tags: list[Tag] = []
     for names, head in together(heads):
@@ -132,7 +133,7 @@ def _half(star: Star, cranks: Array, drawn: Polygon, word: str) -> Iterator[Draw
     ]
     total = -drawn.closing
     if abs(total) > LEAST:
-        sign = Symbol("d", f"{LETTERS[star.of]}{star.order}", "" if drawn is star.direct else "'")
+        sign = Symbol("d", f"{KINDS[star.of].letter}{star.order}", "" if drawn is star.direct else "'")
         vectors.append(PlanVector(corners[0], corners[0] + total, sign, "reaction"))
     if any(abs(vector.end - vector.start) > 0.05 for vector in vectors):
         yield plan(vectors, {"O": corners[0]}, pole="O")

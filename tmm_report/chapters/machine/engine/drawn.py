@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmm_report.chapters.machine.engine.solve import Found
+from tmm_report.chapters.machine.engine.values import KINDS
 from tmm_report.mechanics.masses.engine_cylinders import cranks
 from tmm_report.mechanics.masses.rotor import Polygon, extent, polygon
 from tmm_report.quantity.paper import round_scale
 from tmm_report.records import dataclass
 
+if TYPE_CHECKING:
+    from tmm_report.chapters.machine.engine.solve import Found
+
 Array = Any
 PAPER = 36.0  # mm: the size of a polygon
-LETTERS = {"force": "F", "couple": "M"}
-UNITS = {"force": "N", "couple": "N·m"}
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +45,7 @@ class Star:
 
 def scales(found: Found) -> dict[str, float]:
     """kg m/mm and kg m²/mm; of the moments only where there are any."""
-    sizes = {of: [extent(v) for k in (1, 2) for v in _vectors(found, k, of)] for of in LETTERS}
+    sizes = {of: [extent(v) for k in (1, 2) for v in _vectors(found, k, of)] for of in KINDS}
     return {
         of: round_scale(max(found_sizes), PAPER) for of, found_sizes in sizes.items() if max(found_sizes) > 0
     }
@@ -52,7 +53,7 @@ def scales(found: Found) -> dict[str, float]:
 
 def stars(found: Found) -> Iterator[Star]:
     """Of orders 1 and 2, of forces and of moments."""
-    names, step = [one.name for one in found.given.cylinders], found.given.accuracy * 1e3
+    names, step = [one.name for one in found.given.laid], found.given.accuracy * 1e3
     for of, scale in scales(found).items():
         for order in (found.first, found.second):
             direct, reverse = (polygon(names, v, scale, step, "Σ") for v in _vectors(found, order.order, of))

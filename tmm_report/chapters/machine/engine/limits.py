@@ -1,4 +1,4 @@
-"""Masses of a cylinder, its counterweight, the shafts that balance what is left, the order of firing."""
+"""Limits of the counterweight, the shafts that balance what is left, the order of firing."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from tmm_report.chapters.machine.engine.given import Given
-from tmm_report.mechanics.masses import engine_cylinders
+from tmm_report.chapters.machine.engine.values import Values
 from tmm_report.mechanics.masses.engine_cylinders import Turning
 from tmm_report.problems import N_, Message, ProblemError, mistake
 from tmm_report.records import dataclass
@@ -27,43 +27,20 @@ def series(lam: float) -> dict[int, float]:
     return {1: 1.0, 2: lam, 4: -(lam**3) / 4, 6: 9 * lam**5 / 128}
 
 
-def split(given: Given) -> tuple[float, float]:
-    """Reciprocating and rotating mass of a cylinder, kg: the rod is replaced by masses at its ends."""
-    rod = given.rod
-    if rod is None:
-        return given.piston, given.rotating
-    up = rod.mass * rod.centre / given.length
-    return given.piston + up, given.rotating + rod.mass - up
-
-
-def counterweight(given: Given, up: float, down: float) -> tuple[float | None, float | None, float | None]:
-    """Share, mass and radius: two are stated, the third follows. Raises ProblemError."""
-    of = given.counterweight
-    if of is None:
-        return None, None, None
-    if of.share is not None and of.radius is not None:
-        return (
-            of.share,
-            engine_cylinders.counterweight(up, down, of.share, given.radius, of.radius),
-            of.radius,
-        )
-    if of.mass is None:
-        return None, None, None
-    if of.share is not None:
-        return of.share, of.mass, (down + of.share * up) * given.radius / of.mass
-    share = (of.mass * (of.radius or 0.0) / given.radius - down) / up
-    if not 0 <= share <= 1:
-        least, most = (f"{(down + part * up) * given.radius / (of.radius or 1.0):.4g}" for part in (0.0, 1.0))
-        text = N_(
-            "the counterweight does not balance the rotating mass, or more than all of the reciprocating one: "
-            "its share is %(share)s"
-        )
-        right = Message(
-            N_("a mass from %(least)s to %(most)s kg at this radius"), {"least": least, "most": most}
-        )
-        path = ("engine", "counterweights", "mass")
-        raise ProblemError([mistake(text, path, right, share=f"{share:.3g}")])
-    return share, of.mass, of.radius
+def check_share(s: Values, given: Given) -> None:
+    """Of a counterweight whose mass and radius are stated. Raises ProblemError."""
+    of = given.counterweights
+    if of is None or of.share is not None or 0 <= s.number("share") <= 1:
+        return
+    up, down = s.number("m"), s.get("m_rot") or 0.0
+    least, most = (f"{(down + part * up) * given.crank_radius / s.number('r_cw'):.4g}" for part in (0.0, 1.0))
+    text = N_(
+        "the counterweight does not balance the rotating mass, or more than all of the reciprocating one: "
+        "its share is %(share)s"
+    )
+    right = Message(N_("a mass from %(least)s to %(most)s kg at this radius"), {"least": least, "most": most})
+    path = ("engine", "counterweights", "mass")
+    raise ProblemError([mistake(text, path, right, share=f"{s.number('share'):.3g}")])
 
 
 def peak(sizes: Array) -> float:
@@ -120,7 +97,7 @@ def firing(given: Given, banks: Array, angles: Array) -> tuple[Fired, ...]:
     the smallest interval, so that it does not matter which cylinder is named first."""
     if not given.firing:
         return ()
-    names = [one.name for one in given.cylinders]
+    names = [one.name for one in given.laid]
     dead = {name: float(b - a) for name, b, a in zip(names, banks, angles, strict=True)}
     order = [*given.firing, given.firing[0]]
     steps = [_turn(dead[other] - dead[one], given.strokes) for one, other in pairwise(order)]

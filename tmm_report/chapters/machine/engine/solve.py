@@ -12,8 +12,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmm_report.chapters.machine.engine import limits
+from tmm_report.chapters.machine.engine import limits, steps
+from tmm_report.chapters.machine.engine.drawn import Star, scales, stars
 from tmm_report.chapters.machine.engine.given import Given
+from tmm_report.chapters.machine.engine.values import Values
 from tmm_report.mechanics.masses import engine_cylinders
 from tmm_report.mechanics.masses.engine_cylinders import Turning
 from tmm_report.problems import N_, Message
@@ -56,33 +58,24 @@ class Course:
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """Found by `solve`. `banks`, `angles`, rad, `places`, m from the plane of the moments, (N,); `reciprocating`,
-    `rotating`: masses of a cylinder, kg; `share`, `weight_mass`, `weight_radius`: of its counterweight, if any."""
+    """Found by `solve`. `s`: the single numbers; `banks`, `angles`, rad, `places`, m from the plane of the moments,
+    (N,)."""
 
     given: Given
+    s: Values
     banks: Array
     angles: Array
     places: Array
-    reciprocating: float
-    rotating: float
-    share: float | None
-    weight_mass: float | None
-    weight_radius: float | None
-
-    @property
-    def lam(self) -> float:
-        """λ = r/l."""
-        return self.given.radius / self.given.length
 
     @property
     def unit(self) -> float:
         """m r ω², N."""
-        return self.reciprocating * self.given.radius * self.given.speed**2
+        return self.s.number("unit")
 
     @property
     def product(self) -> float:
         """m r, kg m."""
-        return self.reciprocating * self.given.radius
+        return self.s.number("m") * self.given.crank_radius
 
     @property
     def spread(self) -> float:
@@ -98,8 +91,8 @@ class Found:
 
     @cached_property
     def orders(self) -> tuple[Order, ...]:
-        exact = engine_cylinders.coefficients(self.lam, ORDERS)
-        series = limits.series(self.lam)
+        lam = self.s.number("lambda")
+        exact, series = engine_cylinders.coefficients(lam, ORDERS), limits.series(lam)
         return tuple(self._order(k, series[k], float(c)) for k, c in zip(ORDERS, exact, strict=True))
 
     def _order(self, k: int, textbook: float, exact: float) -> Order:
@@ -124,9 +117,19 @@ class Found:
 
     # --- masses that turn with the cranks
 
-    def turned(self, mass: float, radius: float) -> tuple[complex, complex]:
-        """Force, N, and couple, N m, at φ = 0 of equal masses at every crank."""
-        size = mass * radius * self.given.speed**2
+    @property
+    def _rotating(self) -> float:
+        """Of each crank, kg m."""
+        return (self.s.get("m_rot") or 0.0) * self.given.crank_radius
+
+    @property
+    def _opposite(self) -> float:
+        """Of each counterweight, kg m."""
+        return (self.s.get("m_cw") or 0.0) * (self.s.get("r_cw") or 0.0)
+
+    def turned(self, product: float) -> tuple[complex, complex]:
+        """Force, N, and couple, N m, at φ = 0 of equal products of mass and radius at every crank."""
+        size = product * self.given.speed**2
         weights = (np.ones(len(self.angles)), self.places)
         pull, turn = (complex(size * engine_cylinders.rotating(0.0, self.angles, w)) for w in weights)
         return pull, turn
@@ -136,12 +139,9 @@ class Found:
         """Force and couple of order 1: of the reciprocating masses, with the rotating ones, with the counterweights."""
         force, couple = self.first.force, self.first.couple
         found = [("reciprocating", force, couple)]
-        for name, mass, radius in (
-            ("rotating", self.rotating, self.given.radius),
-            ("balanced", -(self.weight_mass or 0.0), self.weight_radius or 0.0),
-        ):
-            if mass:
-                pull, turn = self.turned(mass, radius)
+        for name, product in (("rotating", self._rotating), ("balanced", -self._opposite)):
+            if product:
+                pull, turn = self.turned(product)
                 force = Turning(force.forward + pull, force.backward)
                 couple = Turning(couple.forward + turn, couple.backward)
                 found.append((name, force, couple))
@@ -165,7 +165,7 @@ class Found:
     def _courses(self, phi: Array) -> dict[str, Course]:
         """Exact without counterweights, exact with them, orders 1 and 2 with them."""
         before = self._exact(phi)
-        added = self._turning(phi, -(self.weight_mass or 0.0) * (self.weight_radius or 0.0))
+        added = self._turning(phi, -self._opposite)
         force, couple = self.primary
         both = Course(
             phi,
@@ -176,12 +176,12 @@ class Found:
         return {"before": before, "after": after, "orders": both}
 
     def _exact(self, phi: Array) -> Course:
-        ones = np.ones(len(self.banks))
+        ones, lam = np.ones(len(self.banks)), self.s.number("lambda")
         pull, turn = (
-            self.unit * engine_cylinders.exact(phi, self.lam, self.banks, self.angles, weights)
+            self.unit * engine_cylinders.exact(phi, lam, self.banks, self.angles, weights)
             for weights in (ones, self.places)
         )
-        own = self._turning(phi, self.rotating * self.given.radius)
+        own = self._turning(phi, self._rotating)
         return Course(phi, pull + own.force, turn + own.couple)
 
     def _turning(self, phi: Array, product: float) -> Course:
@@ -209,6 +209,11 @@ class Found:
             for of, turning in (("force", force), ("couple", couple))
         )
 
+    @cached_property
+    def stars(self) -> tuple[Star, ...]:
+        """By the polygons of the cranks."""
+        return tuple(stars(self))
+
     # --- firing
 
     @cached_property
@@ -235,17 +240,15 @@ class Found:
 def solve(given: Given, moving: Moving | None) -> Found:
     """An engine stands alone: the mechanism is not needed. Raises ProblemError for a counterweight or an order of
     firing that cannot be."""
-    places = np.array([one.at for one in given.cylinders])
+    s, laid = Values(), given.laid
+    steps.cylinder(s, given)
+    steps.counterweight(s, given)
+    limits.check_share(s, given)
+    banks, angles, places = (np.array([one[k] for one in laid]) for k in (1, 2, 3))
     about = given.about if given.about is not None else (places.min() + places.max()) / 2
-    up, down = limits.split(given)
-    found = Found(
-        given,
-        np.array([one.bank for one in given.cylinders]),
-        np.array([one.crank for one in given.cylinders]),
-        places - about,
-        up,
-        down,
-        *limits.counterweight(given, up, down),
-    )
+    found = Found(given, s, banks, angles, places - about)
+    steps.left(s, found)
+    of = scales(found)
+    s.mu_F, s.mu_M = of.get("force"), of.get("couple")
     limits.check(found.firing, given)
     return found

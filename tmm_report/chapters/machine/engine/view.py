@@ -8,19 +8,21 @@ from typing import Any
 
 from markupsafe import Markup
 
-from tmm_report.chapters.machine.engine import sheet
+from tmm_report.chapters.machine.engine import equations, over_turn, quantities
 from tmm_report.chapters.machine.engine.draw import along_scale, scheme, star_picture
 from tmm_report.chapters.machine.engine.drawn import Star
-from tmm_report.chapters.machine.engine.formulas import EngineFormulas
 from tmm_report.chapters.machine.engine.solve import Found
+from tmm_report.chapters.machine.engine.values import Cylinders, Turn, graph
 from tmm_report.chapters.machine.engine.words import BALANCED, REMEDIES
 from tmm_report.figures.charts.graphs import Graph
 from tmm_report.figures.drawing import Drawing
 from tmm_report.problems import N_
+from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Formula
+from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.diagrams import scale_of
 from tmm_report.report.page import Page
-from tmm_report.report.paper.layout import Column, Table, numeric, worded
+from tmm_report.report.paper.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.part import Part
 
 STAGES = {
@@ -39,35 +41,39 @@ def picture(found: Found, page: Page) -> Drawing:
     return scheme(found)
 
 
-class EngineView(EngineFormulas):
+class EngineView(ChapterView):
     def __init__(self, found: Found, page: Page):
-        super().__init__(found)
-        self.page, self.t = page, page.t
+        super().__init__(page, found.s, quantities.tables(found))
+        self.found = found
 
     @property
     def name(self) -> str:
-        return self.found.given.name
-
-    def number(self, key: str, unit: str = "", **form: Any) -> Markup:
-        return self.page.shown(self.book[f"engine_{key}"], unit=unit, **form)
-
-    def stated(self, *keys: str) -> Markup:
-        """symbol = value unit."""
-        return self.page.values(self.var(key) for key in keys if f"engine_{key}" in self.book.values)
+        return self.found.given.name or ""
 
     def given_values(self) -> Markup:
-        keys = ["r", "l", "omega", "m_piston" if self.found.given.rod else "m"]
-        keys += ["m_rod", "a"] if self.found.given.rod else []
-        keys += ["m_crank"] if self.found.given.rotating else []
-        return self.stated(*keys)
+        rod = self.found.given.rod is not None
+        return self.listed(["r", "l", "omega", "m_piston" if rod else "m", "m_rod", "a", "m_crank"])
 
-    def where(self, formula: Formula) -> list[dict[str, Any]]:
-        return self.page.where(formula)
+    # ------------------------------------------------------------ formulas
+
+    def of_one(self) -> Definition:
+        return equations.of_one(self.found)
+
+    def turned(self) -> Definition:
+        return equations.turned(self.found)
+
+    def letters_explained(self) -> list[dict[str, Any]]:
+        """The angles of these."""
+        columns = [of.column(()) for of in (Cylinders.theta, Turn.phi)]
+        return [self.page.explained(f"engine:{one.key}", one, one.unit) for one in columns]
+
+    def greatest(self, row: int) -> Formula:
+        return equations.by_polygon(self.found, self.table("polygons"), row, self.found.stars[row])
+
+    def counterweight(self) -> list[Formula]:
+        return self.formulas("share", "m_cw", "r_cw")
 
     # ------------------------------------------------------------ tables
-
-    def _column(self, name: str, key: str) -> Column:
-        return self.page.column(self.table(name), key)
 
     def cylinders(self) -> Table:
         table = self.table("cylinders")
@@ -76,11 +82,11 @@ class EngineView(EngineFormulas):
         ]
         keys = ["beta", "psi", "z", "direct_1", "direct_2"]
         keys += [] if self.found.in_line else ["reverse_1", "reverse_2"]
-        columns = [self.page.column(table, key, digits=4) for key in keys]
+        columns = [self.column("cylinders", key, digits=4) for key in keys]
         return numeric(self.t("Cylinders and their cranks"), Column(self.t("Cylinder"), names), columns)
 
     def coefficients(self) -> Table:
-        columns = [self._column("orders", key) for key in ("c", "c_exact")]
+        columns = self.columns("orders", ("c", "c_exact"))
         return numeric(self.t("Coefficients of the orders"), self._orders(), columns)
 
     def _orders(self) -> Column:
@@ -90,20 +96,18 @@ class EngineView(EngineFormulas):
 
     def orders(self) -> Table:
         keys = [f"{letter}_{key}" for letter in self.letters for key in ("max", "min", "direction")]
-        columns = [self._column("orders", key) for key in keys]
+        columns = self.columns("orders", keys)
         return numeric(self.t("Inertia forces and moments by orders"), self._orders(), columns)
 
     def primary(self) -> Table:
-        table, rows = self.table("primary"), []
-        for row, (stage, *_) in enumerate(self.found.stages):
-            keys = [f"{letter}_{key}" for letter in self.letters for key in ("max", "min")]
-            words = self.page.word(self.t(STAGES[stage]), table, "stage", row)
-            rows.append([words, *(self.page.cell(table, key, row) for key in keys)])
-        heads = [
-            self.page.head(table[f"{letter}_{key}"].symbol(), table[f"{letter}_{key}"].unit)
-            for letter in self.letters
-            for key in ("max", "min")
+        table = self.table("primary")
+        keys = [f"{letter}_{key}" for letter in self.letters for key in ("max", "min")]
+        rows = [
+            [self.page.word(self.t(STAGES[stage]), table, "stage", row)]
+            + [self.page.cell(table, key, row) for key in keys]
+            for row, (stage, *_) in enumerate(self.found.stages)
         ]
+        heads = [self.page.head(table[key].symbol(), table[key].unit) for key in keys]
         caption = self.t("Force and moment of order 1 with the masses that turn")
         return worded(caption, [self.t("Masses"), *heads], rows, [5] + [2] * len(heads))
 
@@ -122,21 +126,19 @@ class EngineView(EngineFormulas):
         return len(self.found.stages) > 1
 
     def polygons(self) -> Table:
-        table = self.table("polygons")
+        table, page = self.table("polygons"), self.page
         keys = ["d_direct", *([] if self.found.in_line else ["d_reverse"])]
         rows = [
             [
-                self.page.head(self._graph_sign(star), table["unit"].values[row]),
-                *(self.page.cell(table, key, row) for key in keys),
-                *(sheet.by_key(self.page, table, row, by) for by in ("graph", "analytic")),
-                sheet.delta(self.page, table, row),
+                page.head(graph(star.of, star.order).sign, graph(star.of, star.order).unit),
+                *(page.cell(table, key, row) for key in keys),
+                *(self._by(row, by) for by in ("graph", "analytic", "delta")),
             ]
-            for row, star in enumerate(self.stars)
+            for row, star in enumerate(self.found.stars)
         ]
-        lengths = [self.page.head(table[key].symbol(), "mm") for key in keys]
         heads = [
             self.t("Quantity"),
-            *lengths,
+            *(page.head(table[key].symbol(), table[key].unit) for key in keys),
             self.t("By the polygon"),
             self.t("By calculation"),
             self.t("Difference, %%"),
@@ -145,22 +147,28 @@ class EngineView(EngineFormulas):
             self.t("Greatest forces and moments by the polygons"), heads, rows, [3] + [2] * (len(heads) - 1)
         )
 
-    def _graph_sign(self, star: Star) -> Any:
-        return sheet.graph(star).sign
+    def _by(self, row: int, by: str) -> Cell:
+        """Of a row the number of a column that has no letter; of no difference from nothing none."""
+        table = self.table("polygons")
+        number = table[by].values[row]
+        text = self.page.num(number, places=2 if by == "delta" else None) if number == number else "≈ 0"
+        return Cell(text, table.by_key(table["key"].values[row], by))
 
     def greatest_over_turn(self) -> Table:
-        return sheet.greatest_table(self)
+        return over_turn.greatest_table(self)
 
     def weights(self) -> Table | None:
         """None where nothing is left."""
-        return sheet.remedies_table(self) if any(one.kind != "none" for one in self.found.remedies) else None
+        return (
+            over_turn.remedies_table(self) if any(one.kind != "none" for one in self.found.remedies) else None
+        )
 
     def firing(self) -> Table:
         table = self.table("firing")
         names = [
             self.page.word(text, table, "cylinder", row) for row, text in enumerate(table["cylinder"].values)
         ]
-        columns = [self._column("firing", key) for key in ("angle", "interval")]
+        columns = self.columns("firing", ("angle", "interval"))
         return numeric(self.t("Order of firing"), Column(self.t("Cylinder"), names), columns)
 
     @property
@@ -185,12 +193,15 @@ class EngineView(EngineFormulas):
 
     def remedies(self) -> list[tuple[Markup, list[Formula]]]:
         """What is left of orders 1 and 2 and what balances it, with the products of the weights."""
-        table = self.table("remedies")
         return [
-            (self.t(REMEDIES[one.of, one.order, one.kind]), list(self.remedy(row)))
+            (self.t(REMEDIES[one.of, one.order, one.kind]), list(self._remedy(row)))
             for row, one in enumerate(self.found.remedies)
-            if len(table) and (one.of == "force" or self.found.spread)
+            if one.of == "force" or self.found.spread
         ]
+
+    def _remedy(self, row: int) -> Iterator[Formula]:
+        source = self.table("primary" if self.found.remedies[row].order == 1 else "orders")
+        return equations.remedy(self.found, self.table("remedies"), source, row)
 
     # ------------------------------------------------------------ pictures
 
@@ -214,16 +225,16 @@ class EngineView(EngineFormulas):
         text = N_("Cranks of order %(k)s and the sum of the forces, %(scale)s")
         if star.of == "couple":
             text = N_("Cranks of order %(k)s and the sum of the moments, %(scale)s")
-        scale = self.stated("mu_F" if star.of == "force" else "mu_M")
+        scale = self.sized("mu_F" if star.of == "force" else "mu_M")
         return self.t(text, k=star.order, scale=scale)
 
     @cached_property
     def hodographs(self) -> Sequence[tuple[str, Drawing]]:
-        return list(sheet.hodographs(self))
+        return list(over_turn.hodographs(self))
 
     @cached_property
     def diagrams(self) -> Sequence[tuple[str, Graph]]:
-        return list(sheet.diagrams(self))
+        return list(over_turn.diagrams(self))
 
     # ------------------------------------------------------------ conclusions
 
@@ -233,6 +244,6 @@ class EngineView(EngineFormulas):
             "The greatest inertia force of the engine of %(count)s cylinders is %(force)s N over a turn, the greatest "
             "moment %(couple)s N·m."
         )
-        force, couple = (sheet.entry(self.page, table, "after", row) for row in (0, 1))
+        force, couple = (self.page.shown(table, "after", row) for row in (0, 1))
         lines = [self.t(text, count=self.number("count"), force=force, couple=couple)]
         return lines + self.states()

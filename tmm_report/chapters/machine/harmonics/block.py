@@ -1,58 +1,34 @@
 """The block `harmonics` of a variant."""
 
 from collections.abc import Iterator
-from typing import Annotated, TypedDict
+from typing import TypedDict
 
 from pydantic import Field
 
 from tmm_report.chapters.lever.structure.block import FRAME, Names, names, no_link, no_point, stated, without
-from tmm_report.chapters.machine.harmonics.given import Given as Stated
+from tmm_report.chapters.machine.harmonics.given import Harmonics
 from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.variant import model
 from tmm_report.variant.errors import near
-from tmm_report.variant.model import Model, Read
-from tmm_report.variant.values import Name, whole
+from tmm_report.variant.model import Read
+from tmm_report.variant.stated import Stated
 from tmm_report.yamlread import Path
-
-Order = Annotated[int, whole(1, 24)]
-Steps = Annotated[int, whole(2, 50)]
-
-
-class HarmonicsModel(Model):
-    """Harmonics of the motion of points and links."""
-
-    highest: Order = Field(default=4, description="highest order")
-    points: list[Name] = Field(
-        default=[], max_length=12, description="points beside the outputs", examples=[["S2"]]
-    )
-    links: list[Name] | None = Field(
-        default=None,
-        max_length=8,
-        description="along which the wave of the motion is followed; left out, all that turn without a fixed pivot",
-        examples=[["2"]],
-    )
-    steps: Steps = Field(default=10, description="equal parts of a link")
 
 
 class Block(model.Block):
     """Harmonics of the motion of points and links."""
 
-    harmonics: HarmonicsModel | None = Field(
+    harmonics: Stated[Harmonics] | None = Field(
         default=None, description="harmonics of the motion of points and links"
     )
 
 
-class Given(TypedDict):
-    harmonics: Stated | None
+class Taken(TypedDict):
+    harmonics: Harmonics | None
 
 
-def given(read: Read) -> Given:
-    written = read.block(Block).harmonics
-    if written is None:
-        return {"harmonics": None}
-    links = None if written.links is None else tuple(dict.fromkeys(written.links))
-    points = tuple(dict.fromkeys(written.points))
-    return {"harmonics": Stated(written.highest, points, links, written.steps)}
+def given(read: Read) -> Taken:
+    return {"harmonics": read.block(Block).harmonics}
 
 
 def mistakes(read: Read) -> Iterator[Problem]:

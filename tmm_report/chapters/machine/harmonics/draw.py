@@ -11,7 +11,7 @@ from tmm_report.chapters.machine.harmonics.solve import Wave
 from tmm_report.figures.charts.axes import round_ticks
 from tmm_report.figures.charts.plane import Frame, Num, Trace, plane
 from tmm_report.figures.drawing import Drawing, Pen
-from tmm_report.figures.lettering import Symbol
+from tmm_report.figures.lettering import Parts
 from tmm_report.figures.placing import Tag
 from tmm_report.mechanics.calculus import harmonics as fourier
 
@@ -28,8 +28,8 @@ def turns(wave: Wave) -> bool:
     return bool(np.abs(along - along.mean()).max() > ENDS * np.abs(along).max())
 
 
-def field(wave: Wave, axis: str, num: Num) -> Drawing:
-    """Lines of equal deviation of x or y from its mean, mm, over ξ and φ.
+def field(wave: Wave, axis: str, labels: tuple[Parts, Parts], num: Num) -> Drawing:
+    """Lines of equal deviation of x or y from its mean, mm, over φ and ξ; `labels`: what is written at these axes.
 
     Between the ends the place is linear in ξ, so the line of a level is ξ = (level − p)/(q − p), p and q being those of
     the ends.
@@ -48,7 +48,6 @@ def field(wave: Wave, axis: str, num: Num) -> Drawing:
         for piece in _pieces(line):
             at = frame.at(complex(piece[len(piece) // 2]))
             tags.append(Tag((num(level),), (at,), gap=0.6, size=2.6, colour="blue" if level < 0 else "black"))
-    labels = ((Symbol("φ", italic=True), ", °"), (Symbol("ξ", italic=True),))
     return plane(frame, traces, *labels, num, tags=tags)
 
 

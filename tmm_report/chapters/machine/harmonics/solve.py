@@ -13,7 +13,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics, Output
+from tmm_report.chapters.machine.harmonics import values
 from tmm_report.chapters.machine.harmonics.given import Given
+from tmm_report.chapters.machine.harmonics.values import Values
 from tmm_report.mechanics.calculus import harmonics as fourier
 from tmm_report.mechanics.calculus.harmonics import Series
 from tmm_report.mechanics.lever.mechanism import FRAME
@@ -22,6 +24,7 @@ from tmm_report.mechanics.lever.vector_equations import moving_points, turning_l
 from tmm_report.mechanics.masses.counterweights import pivoted
 from tmm_report.mechanics.masses.slider_harmonics import SliderCrank, slider_cranks
 from tmm_report.problems import N_, Message, ProblemError, mistake
+from tmm_report.quantity.model import Quantity
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
@@ -39,13 +42,13 @@ BROKEN = N_(
 
 @dataclass(frozen=True, eq=False)
 class Signal:
-    """One number of the motion over the turn: a `kind` "S", "V", "a" of an output (m or rad), "x", "y" of a point;
-    `samples` (N,) at equal steps from position 0; `left`: greatest difference from the sum of the orders found, by the
-    greatest difference from the mean."""
+    """One number of the motion over the turn, `of` what: a `kind` "S", "V", "a" of an output (m or rad), "x", "y" of a
+    point; `samples` (N,) at equal steps from position 0; `left`: greatest difference from the sum of the orders found,
+    by the greatest difference from the mean."""
 
     kind: str
     name: str
-    rocker: bool
+    of: Quantity
     samples: Array
     series: Series
     left: float
@@ -70,15 +73,14 @@ class Wave:
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """Found by `solve`. `tail`: the largest harmonic of the places that the samples miss, relative."""
+    """Found by `solve`. `turned`: angles of the samples, rad, (N,)."""
 
     given: Given
     kinematics: Kinematics
-    count: int
-    tail: float
+    s: Values
     signals: tuple[Signal, ...]
     waves: tuple[Wave, ...]
-    turned: Array = field(repr=False, default=None)
+    turned: Array = field(repr=False)
 
     def summary(self) -> Iterator[Message]:
         """The main numbers in sentences."""
@@ -95,15 +97,10 @@ def solve(given: Given, moving: Moving | None) -> Found:
         raise ProblemError([mistake(N_("there is no mechanism that moves"), ("harmonics",))])
     found = moving.kinematics
     motion, turned, tail = _sampled(found)
-    return Found(
-        given,
-        found,
-        len(turned),
-        tail,
-        tuple(_signals(given, found, motion)),
-        tuple(_waves(given, found, motion)),
-        turned,
-    )
+    s = Values()
+    s.samples, s.tail = len(turned), tail
+    signals, waves = _signals(given, found, motion), _waves(given, found, motion)
+    return Found(given, found, s, tuple(signals), tuple(waves), turned)
 
 
 def _sampled(found: Kinematics) -> tuple[Motion, Array, float]:
@@ -134,14 +131,16 @@ def _sampled(found: Kinematics) -> tuple[Motion, Array, float]:
 def _signals(given: Given, found: Kinematics, motion: Motion) -> Iterator[Signal]:
     size, omega = float(np.ptp(np.abs(motion.places))), abs(found.omega)
     for travel in found.travels:
-        rocker = travel.output.kind == "rocker"
-        for kind, samples in _rates(travel.output, motion):
-            scale = (1.0 if rocker else size) * omega ** "SVa".index(kind)
-            yield _signal(kind, travel.output.name, rocker, _settled(samples, scale), given.highest)
-    for point in given.points:
+        output = travel.output
+        for kind, samples in _rates(output, motion):
+            scale = (1.0 if output.kind == "rocker" else size) * omega ** "SVa".index(kind)
+            of = values.rate(kind, output)
+            yield _signal(kind, output.name, of, _settled(samples, scale), given.highest)
+    for point in dict.fromkeys(given.points):
         place = motion.place(point)
-        yield _signal("x", point, False, _settled(place.real, size), given.highest)
-        yield _signal("y", point, False, _settled(place.imag, size), given.highest)
+        for axis, samples in (("x", place.real), ("y", place.imag)):
+            of = values.place(axis, point)
+            yield _signal(axis, point, of, _settled(samples, size), given.highest)
 
 
 def _settled(samples: Array, scale: float) -> Array:
@@ -162,7 +161,7 @@ def _rates(output: Output, motion: Motion) -> Iterator[tuple[str, Array]]:
     yield "a", acceleration
 
 
-def _signal(kind: str, name: str, rocker: bool, samples: Array, highest: int) -> Signal:
+def _signal(kind: str, name: str, of: Quantity, samples: Array, highest: int) -> Signal:
     series = fourier.series(samples, highest)
     theta = np.arange(len(samples)) * (2 * np.pi / len(samples))
     swing = np.abs(samples - series.cosine[0]).max()
@@ -170,7 +169,7 @@ def _signal(kind: str, name: str, rocker: bool, samples: Array, highest: int) ->
     still = swing <= NOISE * np.abs(samples).max()
     if still:
         series = Series(np.where(np.arange(highest + 1) > 0, 0.0, series.cosine), 0 * series.sine)
-    return Signal(kind, name, rocker, samples, series, 0.0 if still else float(left / swing))
+    return Signal(kind, name, of, samples, series, 0.0 if still else float(left / swing))
 
 
 # ---------------------------------------------------------------- waves along links
@@ -191,7 +190,7 @@ def _waves(given: Given, found: Kinematics, motion: Motion) -> Iterator[Wave]:
 
 def _links(given: Given, linkage: Linkage) -> Iterator[str]:
     if given.links is not None:
-        yield from given.links
+        yield from dict.fromkeys(given.links)
         return
     fixed, turning = pivoted(linkage.structure.pairs), turning_links(linkage)
     for name in linkage.mechanism.real.moving:

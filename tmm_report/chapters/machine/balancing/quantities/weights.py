@@ -9,8 +9,10 @@ import numpy as np
 from tmm_report.chapters.machine.balancing.solve.cases import Case, Placed
 from tmm_report.chapters.machine.balancing.solve.substituted_masses import Carried
 from tmm_report.chapters.machine.balancing.solve.whole import Found
+from tmm_report.chapters.machine.balancing.values import Masses, Splits, Weights
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.model import Column, Quantity, Table, text_column
+from tmm_report.quantity.model import Column, Table, text_column
+from tmm_report.quantity.sheet import Q
 from tmm_report.quantity.symbols import Symbol
 
 WEIGHTS = Message(N_("counterweights of each way of balancing"))
@@ -20,24 +22,6 @@ METHOD = Message(N_("way of balancing"))
 LINK = Message(N_("link"))
 
 # ---------------------------------------------------------------- counterweights
-
-X_MOMENT = Quantity(
-    "U_x", Symbol("U", "", "x"), "kg·m", Message(N_("static moment of the counterweight along the link"))
-)
-Y_MOMENT = Quantity(
-    "U_y", Symbol("U", "", "y"), "kg·m", Message(N_("static moment of the counterweight across the link"))
-)
-SIZE = Quantity("U", Symbol("U"), "kg·m", Message(N_("static moment of the counterweight")))
-ANGLE = Quantity(
-    "beta", Symbol("beta"), "deg", Message(N_("angle of the counterweight from the line of the link"))
-)
-DISTANCE = Quantity(
-    "rho", Symbol("rho"), "m", Message(N_("distance of the counterweight from the pivot of the link"))
-)
-MASS = Quantity("m_c", Symbol("m", "c"), "kg", Message(N_("mass of the counterweight")))
-OF_MASS = Quantity("m", Symbol("m"), "kg", Message(N_("mass on the link")))
-ARM_X = Quantity("x", Symbol("x"), "m", Message(N_("arm of the mass along the link")))
-ARM_Y = Quantity("y", Symbol("y"), "m", Message(N_("arm of the mass across the link")))
 
 
 def placed(cases: Sequence[Case]) -> list[tuple[Case, Placed]]:
@@ -63,8 +47,10 @@ def _weights(rows: Sequence[tuple[Case, Placed]]) -> Table:
     links = [one.link for _, one in rows]
     moments = np.array([one.moment for _, one in rows])
 
-    def named(of: Quantity, values: Sequence[float], base: str, sub: str = "", sup: str = "") -> Column:
-        return Column(of, np.array(values), [Symbol(base, f"{sub}{link}", sup) for link in links])
+    def named(of: Q, values: Sequence[float]) -> Column:
+        sign = of.quantity.sign
+        symbols = [Symbol(sign.base, f"{sign.sub}{link}", sign.sup) for link in links]
+        return Column(of.quantity, np.array(values), symbols)
 
     return Table(
         "counterweights",
@@ -72,12 +58,12 @@ def _weights(rows: Sequence[tuple[Case, Placed]]) -> Table:
         (
             text_column("method", METHOD, [case.name for case, _ in rows]),
             text_column("link", LINK, links),
-            named(X_MOMENT, list(moments.real), "U", sup="x"),
-            named(Y_MOMENT, list(moments.imag), "U", sup="y"),
-            named(SIZE, list(np.abs(moments)), "U"),
-            named(ANGLE, list(np.degrees(np.angle(moments)) % 360), "beta"),
-            named(DISTANCE, [one.distance for _, one in rows], "rho"),
-            named(MASS, [one.mass for _, one in rows], "m", "c"),
+            named(Weights.U_x, list(moments.real)),
+            named(Weights.U_y, list(moments.imag)),
+            named(Weights.U, list(np.abs(moments))),
+            named(Weights.beta, list(np.degrees(np.angle(moments)) % 360)),
+            named(Weights.rho, [one.distance for _, one in rows]),
+            named(Weights.m_c, [one.mass for _, one in rows]),
         ),
     )
 
@@ -85,8 +71,9 @@ def _weights(rows: Sequence[tuple[Case, Placed]]) -> Table:
 def _masses(rows: Sequence[tuple[Case, Placed, Carried]]) -> Table:
     names = [mass.name for *_, mass in rows]
 
-    def named(of: Quantity, values: Sequence[float]) -> Column:
-        return Column(of, np.array(values), [Symbol(of.sign.base, name) for name in names])
+    def named(of: Q, values: Sequence[float]) -> Column:
+        quantity = of.quantity
+        return Column(quantity, np.array(values), [Symbol(quantity.sign.base, name) for name in names])
 
     return Table(
         "counterweight_masses",
@@ -95,9 +82,9 @@ def _masses(rows: Sequence[tuple[Case, Placed, Carried]]) -> Table:
             text_column("method", METHOD, [case.name for case, *_ in rows]),
             text_column("link", LINK, [one.link for _, one, _ in rows]),
             text_column("point", Message(N_("point")), names),
-            named(OF_MASS, [mass.mass for *_, mass in rows]),
-            named(ARM_X, [mass.arm.real for *_, mass in rows]),
-            named(ARM_Y, [_settled(mass.arm) for *_, mass in rows]),
+            named(Masses.m, [mass.mass for *_, mass in rows]),
+            named(Masses.x, [mass.arm.real for *_, mass in rows]),
+            named(Masses.y, [_settled(mass.arm) for *_, mass in rows]),
         ),
     )
 
@@ -109,48 +96,6 @@ def _settled(arm: complex) -> float:
 # ---------------------------------------------------------------- substituted masses
 
 JOINTS = (Message(N_("first joint")), Message(N_("second joint")))
-LINK_MASS = Quantity("m", Symbol("m"), "kg", Message(N_("mass of the link")))
-LINK_INERTIA = Quantity(
-    "J", Symbol("J"), "kg·m²", Message(N_("moment of inertia of the link about its mass centre"))
-)
-ARM_A = Quantity(
-    "a",
-    Symbol("a"),
-    "m",
-    Message(N_("from the first joint to the mass centre, along the line of the joints")),
-)
-ARM_B = Quantity(
-    "b",
-    Symbol("b"),
-    "m",
-    Message(N_("from the mass centre to the second joint, along the line of the joints")),
-)
-OFF = Quantity(
-    "off", Symbol("h"), "m", Message(N_("distance of the mass centre from the line of the joints"))
-)
-AT_A = Quantity("m_A", Symbol("m", "A"), "kg", Message(N_("mass at the first joint")))
-AT_B = Quantity("m_B", Symbol("m", "B"), "kg", Message(N_("mass at the second joint")))
-REST = Quantity(
-    "J_rest", Symbol("DeltaJ"), "kg·m²", Message(N_("what two masses lack of the moment of inertia"))
-)
-THREE_A = Quantity(
-    "m_A3",
-    Symbol("m", "A", "d"),
-    "kg",
-    Message(N_("mass at the first joint of three that keep the moment of inertia")),
-)
-THREE_B = Quantity(
-    "m_B3",
-    Symbol("m", "B", "d"),
-    "kg",
-    Message(N_("mass at the second joint of three that keep the moment of inertia")),
-)
-THREE_S = Quantity(
-    "m_S3",
-    Symbol("m", "S", "d"),
-    "kg",
-    Message(N_("mass at the mass centre of three that keep the moment of inertia")),
-)
 
 
 def splits(found: Found) -> Table:
@@ -158,8 +103,9 @@ def splits(found: Found) -> Table:
     links = [one.link for one in rows]
     first, second = ([one.joints[k] for one in rows] for k in (0, 1))
 
-    def named(of: Quantity, values: list[float], base: str, subs: list[str], sup: str = "") -> Column:
-        return Column(of, np.array(values), [Symbol(base, sub, sup) for sub in subs])
+    def named(of: Q, values: list[float], subs: list[str]) -> Column:
+        sign = of.quantity.sign
+        return Column(of.quantity, np.array(values), [Symbol(sign.base, sub, sign.sup) for sub in subs])
 
     def at(names: list[str]) -> list[str]:
         return [f"{link},{name}" for link, name in zip(links, names, strict=True)]
@@ -171,16 +117,16 @@ def splits(found: Found) -> Table:
             text_column("link", LINK, links),
             text_column("first", JOINTS[0], first),
             text_column("second", JOINTS[1], second),
-            named(LINK_MASS, [one.mass for one in rows], "m", links),
-            named(LINK_INERTIA, [one.inertia for one in rows], "J", links),
-            named(ARM_A, [one.arms[0] for one in rows], "a", links),
-            named(ARM_B, [one.arms[1] for one in rows], "b", links),
-            named(OFF, [one.off for one in rows], "h", links),
-            named(AT_A, [one.masses[0] for one in rows], "m", at(first)),
-            named(AT_B, [one.masses[1] for one in rows], "m", at(second)),
-            named(REST, [one.rest for one in rows], "DeltaJ", links),
-            named(THREE_A, [one.dynamic[0] for one in rows], "m", at(first), "d"),
-            named(THREE_B, [one.dynamic[1] for one in rows], "m", at(second), "d"),
-            named(THREE_S, [one.dynamic[2] for one in rows], "m", at(["S"] * len(rows)), "d"),
+            named(Splits.m, [one.mass for one in rows], links),
+            named(Splits.J, [one.inertia for one in rows], links),
+            named(Splits.a, [one.arms[0] for one in rows], links),
+            named(Splits.b, [one.arms[1] for one in rows], links),
+            named(Splits.off, [one.off for one in rows], links),
+            named(Splits.m_A, [one.masses[0] for one in rows], at(first)),
+            named(Splits.m_B, [one.masses[1] for one in rows], at(second)),
+            named(Splits.J_rest, [one.rest for one in rows], links),
+            named(Splits.m_A3, [one.dynamic[0] for one in rows], at(first)),
+            named(Splits.m_B3, [one.dynamic[1] for one in rows], at(second)),
+            named(Splits.m_S3, [one.dynamic[2] for one in rows], at(["S"] * len(rows))),
         ),
     )

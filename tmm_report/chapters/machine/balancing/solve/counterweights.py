@@ -89,18 +89,18 @@ def cases(ground: Ground, given: Given, substituted: Substituted, whole: bool) -
     ProblemError for counterweights of which nothing is stated."""
     fitting = Fitting(given)
     found: list[tuple[str, tuple[Placed | None, ...], tuple[Rotor, ...]]] = []
-    if given.existing:
+    if given.stated:
         found.append((STATED, tuple(existing(ground, given)), ()))
-    if FULL in given.methods and whole:
+    if FULL in given.ways and whole:
         found.append((FULL, tuple(centres(ground, fitting)), ()))
-    if PIVOTED in given.methods:
+    if PIVOTED in given.ways:
         found.append((PIVOTED, tuple(by_force(ground, fitting)), ()))
-    if SUBSTITUTED in given.methods:
+    if SUBSTITUTED in given.ways:
         found.append((SUBSTITUTED, tuple(by_masses(ground, fitting, substituted)), ()))
-    if OPTIMUM in given.methods:
+    if OPTIMUM in given.ways:
         for kind in (RMS, MAX):
             found.append((f"{OPTIMUM}_{kind}", (single(ground, fitting, kind),), ()))
-    if ROTORS in given.methods and given.radii:
+    if ROTORS in given.ways and given.radii:
         rotors = tuple(four_rotors(ground, given.radii))
         found += [(f"{ROTORS}_1", (), rotors[:2]), (f"{ROTORS}_2", (), rotors)]
     fitting.raise_missing()
@@ -111,7 +111,7 @@ def cases(ground: Ground, given: Given, substituted: Substituted, whole: bool) -
 def existing(ground: Ground, given: Given) -> Iterator[Placed]:
     """Counterweights that are there already."""
     fixed = pivoted(ground.linkage.structure.pairs)
-    for link, one in given.existing.items():
+    for link, one in given.stated.items():
         about = fixed[link]
         moment = one.mass * one.distance * np.exp(1j * one.angle)
         axis = line_of(ground.linkage.mechanism, link, about)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
+from tmm_report.chapters.machine.balancing import steps
 from tmm_report.chapters.machine.balancing.given import FULL, Given
 from tmm_report.chapters.machine.balancing.solve.cases import (
     ORIGINAL,
@@ -28,6 +29,7 @@ from tmm_report.chapters.machine.balancing.solve.counterweights import (
 )
 from tmm_report.chapters.machine.balancing.solve.slider_cranks import Remaining, remaining
 from tmm_report.chapters.machine.balancing.solve.substituted_masses import Substituted, substitute, unreached
+from tmm_report.chapters.machine.balancing.values import Slider, Values
 from tmm_report.mechanics.calculus import harmonics as fourier
 from tmm_report.mechanics.lever.cycle import Cycle
 from tmm_report.mechanics.lever.mechanism import FRAME
@@ -56,15 +58,16 @@ BROKEN = N_(
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """Found by `solve`. `turned`: of the cycle's positions, rad; `tail`: what its samples miss; `unreached`: links
-    that keep the mechanism from being balanced fully; `harmonics`: of the force, −K … K; `seen`: the force in the
-    axes of the driving link over ω², kg m; `check`: of the mechanism as it is, by the reactions of the frame."""
+    """Found by `solve`. `s`, `sliders`: the single numbers, of the whole and of every slider-crank; `turned`: of the
+    cycle's positions, rad; `unreached`: links that keep the mechanism from being balanced fully; `harmonics`: of the
+    force, −K … K; `seen`: the force in the axes of the driving link over ω², kg m."""
 
     given: Given
     kinematics: Kinematics
+    s: Values
+    sliders: tuple[Slider, ...]
     about: str
     turned: Array
-    tail: float
     original: Case
     cases: tuple[Case, ...]
     substituted: Substituted
@@ -80,11 +83,6 @@ class Found:
     @property
     def every(self) -> tuple[Case, ...]:
         return (self.original, *self.cases)
-
-    @property
-    def check(self) -> float:
-        """Worst disagreement with the reactions of the frame, of all cases that are checked."""
-        return max(case.check for case in self.every if case.check is not None)
 
     def complete(self, case: Case) -> bool:
         """Whether nothing but rounding is left of the force."""
@@ -111,28 +109,32 @@ def solve(given: Given, moving: Moving | None) -> Found:
     found = moving.kinematics
     ground, tail = _ground(given, found)
     missing = tuple(unreached(found.linkage))
-    if missing and given.methods == (FULL,):
+    if missing and given.ways == (FULL,):
         raise ProblemError([_not_whole(missing)])
     substituted = substitute(found.linkage, given.part)
     cranks = tuple(slider_cranks(found.linkage, found.cycle, substituted.sliding))
     at_table, at_steps = (
         tuple(remaining(crank, ground.motions[k], ground.turned[k]) for crank in cranks) for k in (0, 2)
     )
+    every = tuple(cases(ground, given, substituted, not missing))
     seen = turned_back(ground)
+    circle = smallest_circle(fourier.fine(seen))[:2]
+    s = steps.whole(given, (ground.original, *every), tail, seen, circle)
     return Found(
         given,
         found,
+        s,
+        tuple(steps.slider(given, *of) for of in zip(cranks, at_steps, strict=True)),
         _point(given, found),
         ground.turned[2],
-        tail,
         ground.original,
-        tuple(cases(ground, given, substituted, not missing)),
+        every,
         substituted,
         missing,
         force_harmonics(ground.original, found.cycle.sense, given.highest),
         tuple(four_rotors(ground, given.radii or (1.0, 1.0))),
         seen,
-        smallest_circle(fourier.fine(seen))[:2],
+        circle,
         cranks,
         at_table,
         at_steps,

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 from markupsafe import Markup
 
-from tmm_report.chapters.machine.balancing.formulas import BalancingFormulas
 from tmm_report.chapters.machine.balancing.quantities import weights
-from tmm_report.chapters.machine.balancing.quantities import whole as q
 from tmm_report.chapters.machine.balancing.solve.cases import Case
+from tmm_report.chapters.machine.balancing.values import force, moment
+from tmm_report.chapters.machine.balancing.view.rows import BalancingRows
 from tmm_report.problems import N_
+from tmm_report.quantity import model
 from tmm_report.report.paper.layout import Table, numeric, worded
 
 WAYS = {
@@ -24,46 +26,39 @@ WAYS = {
     "rotors_1": N_("counter-rotating weights of the first order"),
     "rotors_2": N_("counter-rotating weights of the first and second order"),
 }
-_WEIGHT_UNITS = {"U": "kg·m", "beta": "°", "rho": "mm", "m_c": "kg"}
 
 
-class BalancingSheet(BalancingFormulas):
+class BalancingSheet(BalancingRows):
     def way(self, case: Case) -> Markup:
         return self.t(WAYS[case.name])
 
     def shaking(self, caption: Any) -> Table:
-        table = self.book.tables["shaking_table"]
-        keys = [*(part.key for part in q.FORCE.components), q.FORCE.key, q.MOMENT.key]
-        columns = [self.page.column(table, key) for key in keys]
-        return numeric(caption, self.page.positions(table), columns)
+        columns = self.columns("shaking_table", ("F_shake_x", "F_shake_y", "F_shake", "M_shake"))
+        return numeric(caption, self.page.positions(self.table("shaking_table")), columns)
 
     def left(self, caption: Any) -> Table:
         """Shaking force and moment at the positions, by the numbers of the ways."""
-        table = self.book.tables["balanced_table"]
         numbers = range(1, len(self.found.every))
-        keys = [of(n).key for of in (q.force, q.moment) for n in numbers]
-        return numeric(caption, self.page.positions(table), [self.page.column(table, key) for key in keys])
+        keys = [of(n).key for of in (force, moment) for n in numbers]
+        columns = self.columns("balanced_table", keys)
+        return numeric(caption, self.page.positions(self.table("balanced_table")), columns)
+
+    def heads(self, table: model.Table, keys: Iterable[str]) -> list[Markup]:
+        """Letter and unit of columns."""
+        of = [table[key].quantity for key in keys]
+        return [self.page.head(one.sign, one.printed) for one in of]
 
     def cases(self, caption: Any) -> Table:
-        table, page = self.book.tables["balancing_cases"], self.page
+        table, page = self.table("balancing_cases"), self.page
         size = self.found.original.force_max.value
-        units = {
-            "F_max": "N",
-            "F_max_at": "°",
-            "left": "%",
-            "F_rms": "N",
-            "M_max": "N·m",
-            "M_rms": "N·m",
-            "m_total": "kg",
-        }
-        heads = [self.t("No."), self.t("Way of balancing")]
-        heads += [page.head(table[key].symbol(), unit) for key, unit in units.items()]
+        keys = ("F_max", "F_max_at", "left", "F_rms", "M_max", "M_rms", "m_total")
+        heads = [self.t("No."), self.t("Way of balancing"), *self.heads(table, keys)]
         rows = []
         for row, case in enumerate(self.found.every):
             numbers: list[Any] = [
                 page.cell(table, "F_max", row, scale=size),
                 page.cell(table, "F_max_at", row, places=1),
-                page.cell(table, "left", row, "%", places=2),
+                page.cell(table, "left", row, places=2),
                 page.cell(table, "F_rms", row, scale=size),
                 *(page.cell(table, key, row) for key in ("M_max", "M_rms", "m_total")),
             ]
@@ -73,16 +68,16 @@ class BalancingSheet(BalancingFormulas):
         return worded(caption, heads, rows, (1, 8, 3, 2, 2, 3, 3, 3, 3))
 
     def counterweights(self, caption: Any) -> Table:
-        table, page = self.book.tables["counterweights"], self.page
+        table, page = self.table("counterweights"), self.page
         heads = [self.t("Way of balancing"), self.t("Link")]
-        heads += [page.head(table[key].quantity.sign, unit) for key, unit in _WEIGHT_UNITS.items()]
+        heads += self.heads(table, ("U", "beta", "rho", "m_c"))
         rows = [
             [
                 self.way(case),
                 page.word(one.link, table, "link", row),
                 page.cell(table, "U", row),
                 page.cell(table, "beta", row, places=2),
-                page.cell(table, "rho", row, "mm"),
+                page.cell(table, "rho", row),
                 page.cell(table, "m_c", row),
             ]
             for row, (case, one) in enumerate(weights.placed(self.found.cases))
@@ -91,18 +86,13 @@ class BalancingSheet(BalancingFormulas):
 
     def masses(self, caption: Any, case: Case) -> Table:
         """The masses that the counterweights of a way meet."""
-        table, page = self.book.tables["counterweight_masses"], self.page
-        heads = [self.t("Link"), self.t("Point")]
-        heads += [
-            page.head(table[key].quantity.sign, unit) for key, unit in (("m", "kg"), ("x", "mm"), ("y", "mm"))
-        ]
+        table, page = self.table("counterweight_masses"), self.page
+        heads = [self.t("Link"), self.t("Point"), *self.heads(table, "mxy")]
         rows = [
             [
                 page.word(str(table["link"].values[row]), table, "link", row),
                 page.word(str(table["point"].values[row]), table, "point", row),
-                page.cell(table, "m", row),
-                page.cell(table, "x", row, "mm"),
-                page.cell(table, "y", row, "mm"),
+                *(page.cell(table, key, row) for key in "mxy"),
             ]
             for row, name in enumerate(table["method"].values)
             if name == case.name
@@ -110,27 +100,22 @@ class BalancingSheet(BalancingFormulas):
         return worded(caption, heads, rows, (2, 2, 3, 3, 3))
 
     def substituted(self, caption: Any) -> Table:
-        table, page = self.book.tables["substituted_masses"], self.page
-        units = {"m_A": "kg", "m_B": "kg", "J_rest": "kg·m²", "m_A3": "kg", "m_B3": "kg", "m_S3": "kg"}
-        heads = [self.t("Link"), self.t("Joints")]
-        heads += [page.head(table[key].quantity.sign, unit) for key, unit in units.items()]
+        table, page = self.table("substituted_masses"), self.page
+        keys = ("m_A", "m_B", "J_rest", "m_A3", "m_B3", "m_S3")
+        heads = [self.t("Link"), self.t("Joints"), *self.heads(table, keys)]
         rows = [
             [
                 page.word(one.link, table, "link", row),
                 ", ".join(one.joints),
-                *(page.cell(table, key, row) for key in units),
+                *(page.cell(table, key, row) for key in keys),
             ]
             for row, one in enumerate(self.found.substituted.splits)
         ]
         return worded(caption, heads, rows, (3, 4, 4, 4, 5, 4, 4, 4))
 
     def harmonics(self, caption: Any) -> Table:
-        table, page = self.book.tables["shaking_harmonics"], self.page
+        table, page = self.table("shaking_harmonics"), self.page
         keys = ("order", "F_with", "alpha_with", "F_against", "alpha_against")
-        heads = [
-            page.head(table[key].quantity.sign, "°" if table[key].unit == "deg" else table[key].unit)
-            for key in keys
-        ]
         size = self.found.original.force_max.value
         rows = [
             [
@@ -144,21 +129,20 @@ class BalancingSheet(BalancingFormulas):
             ]
             for row in range(len(table))
         ]
-        return worded(caption, heads, rows, (1, 3, 3, 3, 3))
+        return worded(caption, self.heads(table, keys), rows, (1, 3, 3, 3, 3))
 
     def rotors(self, caption: Any) -> Table:
-        table, page = self.book.tables["lanchester_rotors"], self.page
-        units = {"mr": "kg·m", "alpha": "°", "r": "mm", "m": "kg"}
-        units = units if self.found.given.radii else {key: units[key] for key in ("mr", "alpha")}
+        table, page = self.table("lanchester_rotors"), self.page
+        sizes = ("r", "m") if self.found.given.radii else ()
         heads = [self.t("Speed of the rotor, in those of the driving link")]
-        heads += [page.head(table[key].quantity.sign, unit) for key, unit in units.items()]
+        heads += self.heads(table, ("mr", "alpha", *sizes))
         size = max(one.moment for one in self.found.rotors)
         rows = [
             [
                 page.cell(table, "order", row),
                 page.cell(table, "mr", row, scale=size),
                 page.cell(table, "alpha", row, places=2),
-                *(page.cell(table, key, row, "mm" if key == "r" else "") for key in list(units)[2:]),
+                *(page.cell(table, key, row) for key in sizes),
             ]
             for row in range(len(table))
         ]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 from markupsafe import Markup
@@ -12,11 +11,14 @@ from markupsafe import Markup
 from tmm_report.chapters.machine.balancing.draw import fitted, hodographs, scale, seen
 from tmm_report.chapters.machine.balancing.solve.cases import Case
 from tmm_report.chapters.machine.balancing.solve.whole import Found
+from tmm_report.chapters.machine.balancing.values import Shaking, Values
 from tmm_report.chapters.machine.balancing.view.slider_crank import SliderView
 from tmm_report.chapters.machine.balancing.view.tables import WAYS, BalancingSheet
 from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.drawing import Drawing
+from tmm_report.figures.lettering import Parts
 from tmm_report.problems import N_
+from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.diagrams import CycleGraphs, scale_of
 from tmm_report.report.page import Page
@@ -45,7 +47,7 @@ class BalancingView(BalancingSheet):
         return [self.t(text, force=of, way=self.t(WAYS[best.name]), left=left)]
 
     def _peak(self, number: int) -> Markup:
-        table = self.book.tables["balancing_cases"]
+        table = self.table("balancing_cases")
         return self.page.shown(table, "F_max", number, scale=self.found.original.force_max.value)
 
     # ------------------------------------------------------------ words
@@ -63,12 +65,6 @@ class BalancingView(BalancingSheet):
     def off_line(self) -> bool:
         """Whether a floating link has its mass centre beside the line of its joints."""
         return any(one.off for one in self.found.substituted.splits)
-
-    def value(self, key: str, unit: str = "", **form: Any) -> Markup:
-        return self.page.shown(self.book[key], unit=unit, **form)
-
-    def symbol(self, key: str, unit: str = "") -> Markup:
-        return self.page.value(self.book[key].var(unit))
 
     @property
     def single(self) -> bool:
@@ -104,17 +100,26 @@ class BalancingView(BalancingSheet):
 
     @cached_property
     def hodographs(self) -> Drawing:
-        return hodographs(self.found, self.drawn, self.page.unit("N"), self.page.num)
+        labels = self._components(*Shaking.F_shake.quantity.components)
+        return hodographs(self.found, self.drawn, labels, self.page.num)
 
     @cached_property
     def seen(self) -> Drawing:
-        return seen(self.found, self.page.unit("kg·m"), self.page.num)
+        labels = self._components(Values.seen_x.quantity, Values.seen_y.quantity)
+        return seen(self.found, labels, self.page.num)
+
+    def _components(self, x: Quantity, y: Quantity) -> tuple[Parts, Parts]:
+        """Letters and units of what both axes of a hodograph show."""
+        along, across = (
+            self._graphs.letter(Symbol(of.sign.base, sup=of.sign.sup), of.printed) for of in (x, y)
+        )
+        return along, across
 
     @cached_property
     def diagram(self) -> Graph:
         """Size of the force and the moment over the cycle, by the numbers of the ways."""
         curves = list(self._curves())
-        labels = [self._graphs.letter(Symbol("F"), "N"), self._graphs.letter(Symbol("M"), "N·m")]
+        labels = [self._graphs.label(of.quantity) for of in (Shaking.F_shake, Shaking.M_shake)]
         return self._graphs.graph(curves, labels, join=False)
 
     def _curves(self) -> Iterator[Curve]:

@@ -1,4 +1,4 @@
-"""The balancing written out: shaking at one position, substituted masses, counterweights."""
+"""Rows of the balancing's tables written out: shaking at one position, substituted masses, counterweights."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from functools import cached_property
 from tmm_report.chapters.lever.initial_data import quantities as initial
 from tmm_report.chapters.lever.kinematics import quantities as rates
 from tmm_report.chapters.machine.balancing.given import OPTIMUM, STATED, SUBSTITUTED
-from tmm_report.chapters.machine.balancing.handed import sum_at
 from tmm_report.chapters.machine.balancing.quantities import weights
 from tmm_report.chapters.machine.balancing.quantities import whole as q
 from tmm_report.chapters.machine.balancing.solve.cases import RMS, Case, Placed
 from tmm_report.chapters.machine.balancing.solve.whole import Found
+from tmm_report.chapters.machine.balancing.view.handed import sum_at
 from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.mechanics.lever.vector_equations import moving_points, turning_links
 from tmm_report.problems import N_, Message
@@ -22,6 +22,7 @@ from tmm_report.quantity import model
 from tmm_report.quantity.formula import Expr, Formula, Number, Var, sqrt
 from tmm_report.quantity.model import Book, variable
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.page import Page
 
 OF_LINK = {
@@ -34,12 +35,12 @@ OF_LINK = {
 NOTHING = 1e-9  # of the largest: a term that is rounding
 
 
-class BalancingFormulas:
+class BalancingRows(ChapterView):
     """Every number of a formula is one of the results."""
 
     def __init__(self, found: Found, page: Page):
-        self.found, self.page, self.t = found, page, page.t
-        self.book = page.once(_book, found)
+        super().__init__(page, found.s, q.tables(found))
+        self.found = found
         self.linkage = found.kinematics.linkage
         self.mechanism = self.linkage.mechanism
 
@@ -62,10 +63,9 @@ class BalancingFormulas:
 
     def shaking_formulas(self) -> list[Formula]:
         """Both projections of the force, and the moment."""
-        table, k = self.book.tables["shaking_table"], self.position
-        keys = [part.key for part in q.FORCE.components]
-        formulas = [table.formula(key, k, self._force(axis)) for key, axis in zip(keys, "xy", strict=True)]
-        return [*formulas, table.formula(q.MOMENT.key, k, self._moment())]
+        table, k = self.table("shaking_table"), self.position
+        formulas = [table.formula(f"F_shake_{axis}", k, self._force(axis)) for axis in "xy"]
+        return [*formulas, table.formula("M_shake", k, self._moment())]
 
     def _force(self, axis: str) -> Expr:
         terms = [mass * self._acceleration(point, axis) for mass, point in self._heavy()]
@@ -121,7 +121,7 @@ class BalancingFormulas:
 
     def split_formulas(self, row: int) -> list[Formula]:
         """Two masses of a link, and what they lack of its moment of inertia."""
-        table = self.book.tables["substituted_masses"]
+        table = self.table("substituted_masses")
         m, a, b = (table.var(key, row) for key in ("m", "a", "b"))
         masses = [table.formula("m_A", row, m * b / (a + b)), table.formula("m_B", row, m * a / (a + b))]
         if not table["J"].number(row):
@@ -133,7 +133,7 @@ class BalancingFormulas:
 
     def three_masses(self, row: int) -> list[Formula]:
         """Three masses that keep the moment of inertia too; none where the centre is off the line of the joints."""
-        table = self.book.tables["substituted_masses"]
+        table = self.table("substituted_masses")
         if math.isnan(table["m_S3"].number(row)):
             return []
         m, inertia, a, b = (table.var(key, row) for key in ("m", "J", "a", "b"))
@@ -152,7 +152,7 @@ class BalancingFormulas:
                 yield from self._counterweight(case, one, row)
 
     def _counterweight(self, case: Case, one: Placed, row: int) -> Iterator[Formula]:
-        table = self.book.tables["counterweights"]
+        table = self.table("counterweights")
         if case.name == STATED:
             return
         yield from self._moment_of(case, one, row)
@@ -178,33 +178,33 @@ class BalancingFormulas:
         axes = [axis for axis, part in (("x", one.moment.real), ("y", one.moment.imag)) if part]
         if case.name.startswith(OPTIMUM):
             key = "seen_mean" if case.name.endswith(RMS) else "seen"
-            parts = [self.book[f"{key}_{axis}"].var() for axis in axes]
+            parts = [self.s.var(f"{key}_{axis}") for axis in axes]
         else:
-            parts = [self.book.tables["counterweights"].var(f"U_{axis}", row) for axis in axes]
+            parts = [self.table("counterweights").var(f"U_{axis}", row) for axis in axes]
         return abs(parts[0]) if len(parts) == 1 else sqrt(parts[0] ** 2 + parts[1] ** 2)
 
     def _of_link(self, key: str, row: int, expression: Expr) -> Formula:
         """What defines a number of a counterweight, which says on which link it is."""
-        formula = self.book.tables["counterweights"].formula(key, row, expression)
+        formula = self.table("counterweights").formula(key, row, expression)
         return replace(formula, meaning=self._meaning(key, row))
 
     def _named(self, key: str, row: int) -> Var:
-        return replace(self.book.tables["counterweights"].var(key, row), meaning=self._meaning(key, row))
+        return replace(self.table("counterweights").var(key, row), meaning=self._meaning(key, row))
 
     def _meaning(self, key: str, row: int) -> Message:
-        return Message(OF_LINK[key], {"link": self.book.tables["counterweights"]["link"].values[row]})
+        return Message(OF_LINK[key], {"link": self.table("counterweights")["link"].values[row]})
 
     def _masses_of(self, case: Case, link: str) -> list[int]:
-        table = self.book.tables["counterweight_masses"]
+        table = self.table("counterweight_masses")
         rows = zip(table["method"].values, table["link"].values, strict=True)
         return [row for row, names in enumerate(rows) if names == (case.name, link)]
 
     def _sum_of(self, case: Case, row: int) -> Iterator[Formula]:
         """A mass that is the sum of those of several links and of their counterweights."""
-        table, others = self.book.tables["counterweight_masses"], self.book.tables["counterweights"]
+        table, others = self.table("counterweight_masses"), self.table("counterweights")
         _, one, met = weights.met(self.found.cases)[row]
         if case.name == SUBSTITUTED:
-            joined = sum_at(self.found, self.book, self.given, one.link, met.name, met.mass)
+            joined = sum_at(self.found, self, self.given, one.link, met.name, met.mass)
             if joined is not None:
                 yield replace(table.formula("m", row, joined), meaning=self._carried(row))
             return
@@ -224,14 +224,14 @@ class BalancingFormulas:
 
     def _met(self, axis: str, rows: list[int]) -> Expr:
         """−Σ m x, without the masses that have no arm on the axis."""
-        table = self.book.tables["counterweight_masses"]
+        table = self.table("counterweight_masses")
         used = [row for row in rows if table[axis].number(row)]
         return _less(
             [replace(table.var("m", row), meaning=self._carried(row)) * table.var(axis, row) for row in used]
         )
 
     def _carried(self, row: int) -> Message:
-        table = self.book.tables["counterweight_masses"]
+        table = self.table("counterweight_masses")
         values = {"point": table["point"].values[row], "link": table["link"].values[row]}
         return Message(N_("mass that link %(link)s carries at point %(point)s"), values)
 
@@ -243,7 +243,3 @@ def _less(terms: Sequence[Expr]) -> Expr:
     for term in others:
         total = total - term
     return total
-
-
-def _book(found: Found) -> Book:
-    return Book.of(q.tables(found), q.values(found))

@@ -6,25 +6,18 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from markupsafe import Markup
 
-from tmm_report.chapters.machine.engine.drawn import LETTERS, UNITS
-from tmm_report.chapters.machine.engine.quantities import graph
+from tmm_report.chapters.machine.engine.values import KINDS, component
 from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.charts.plane import Trace, framed, plane
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.lettering import Parts
 from tmm_report.problems import N_
-from tmm_report.quantity import model
-from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.diagrams import CycleGraphs
-from tmm_report.report.page import Page
-from tmm_report.report.paper.layout import Cell, Table, worded
+from tmm_report.report.paper.layout import Table, worded
 
 if TYPE_CHECKING:
     from tmm_report.chapters.machine.engine.view import EngineView
-
-__all__ = ["by_key", "delta", "diagrams", "entry", "graph", "greatest_table", "hodographs", "remedies_table"]
 
 Array = Any
 NAMES = {
@@ -33,28 +26,13 @@ NAMES = {
     "orders": N_("orders 1 and 2"),
 }
 REST = {"force": N_("force of order %(k)s"), "couple": N_("moment of order %(k)s")}
-QUANTITIES = {"force": N_("inertia force"), "couple": N_("moment of the inertia forces")}
 FLAT = 1e-3  # of the size: a hodograph so thin is a line, a curve so low is nothing
-
-
-def by_key(page: Page, table: model.Table, row: int, by: str) -> Cell:
-    return Cell(page.num(table[by].values[row]), table.by_key(table["key"].values[row], by))
-
-
-def delta(page: Page, table: model.Table, row: int) -> Cell:
-    value = table["delta"].values[row]
-    text = page.num(value, places=2) if value == value else "≈ 0"
-    return Cell(text, table.by_key(table["key"].values[row], "delta"))
-
-
-def entry(page: Page, table: model.Table, key: str, row: int) -> Markup:
-    return page.shown(table, key, row)
 
 
 def greatest_table(view: EngineView) -> Table:
     """Exact without and with counterweights, by orders 1 and 2, what these leave."""
     page, table, found = view.page, view.table("greatest"), view.found
-    keys = [*(["before"] if found.weight_mass else []), "after", "orders", "left"]
+    keys = [*(["before"] if "m_cw" in found.s else []), "after", "orders", "left"]
     words = {
         "before": view.t("Exact, without counterweights"),
         "after": view.t("Exact"),
@@ -63,7 +41,7 @@ def greatest_table(view: EngineView) -> Table:
     }
     rows = [
         [
-            page.listed([view.t(QUANTITIES[of]), page.unit(UNITS[of])]),
+            page.listed([view.t(KINDS[of].meaning), page.unit(KINDS[of].unit)]),
             *(page.cell(table, key, row) for key in keys),
         ]
         for row, of in enumerate(("force", "couple"))
@@ -85,7 +63,7 @@ def remedies_table(view: EngineView) -> Table:
         for row, one in enumerate(view.found.remedies)
         if one.kind != "none"
     ]
-    heads = [page.head(table[key].symbol(), "deg" if key.endswith("angle") else "") for key in keys]
+    heads = [page.head(table[key].symbol(), table[key].quantity.printed) for key in keys]
     caption = view.t("Weights that balance orders 1 and 2")
     return worded(caption, [view.t("What is balanced"), *heads], rows, [4] + [2] * len(keys))
 
@@ -104,7 +82,7 @@ def _scale(view: EngineView, of: str) -> float:
 
 def hodographs(view: EngineView) -> Iterator[tuple[str, Drawing]]:
     """Of force and moment, where it is more than a line."""
-    for of in LETTERS:
+    for of in KINDS:
         curves, scale = _seen(view, of), _scale(view, of)
         extents = [max(np.ptp(part(v)) for v in curves.values()) for part in (np.real, np.imag)]
         if scale and min(extents) > FLAT * scale:
@@ -115,8 +93,14 @@ def _hodograph(view: EngineView, of: str, curves: dict[str, Array]) -> Drawing:
     frame = framed(list(curves.values()), equal=True, field=(95.0, 95.0))
     traces = [Trace(values, (str(view.t(NAMES[name])),)) for name, values in curves.items()]
     graphs = CycleGraphs(view.found.diagram["after"].phi, 0, view.page.tr)
-    x, y = (graphs.letter(Symbol(LETTERS[of], axis), UNITS[of]) for axis in "xy")
-    return plane(frame, traces, x, y, view.page.num, title=str(view.t(QUANTITIES[of])))
+    x, y = (_axis(graphs, of, axis) for axis in "xy")
+    return plane(frame, traces, x, y, view.page.num, title=str(view.t(KINDS[of].meaning)))
+
+
+def _axis(graphs: CycleGraphs, of: str, axis: str) -> Parts:
+    """Letter and unit of what is shown along it."""
+    shown = component(of, axis)
+    return graphs.letter(shown.sign, shown.printed)
 
 
 def _marked(values: Array, scale: float) -> tuple[()] | None:
@@ -127,7 +111,7 @@ def _marked(values: Array, scale: float) -> tuple[()] | None:
 def diagrams(view: EngineView) -> Iterator[tuple[str, Graph]]:
     """Components of force and moment over a turn, those that are anything."""
     graphs = CycleGraphs(view.found.diagram["after"].phi, 0, view.page.tr)
-    for of in LETTERS:
+    for of in KINDS:
         curves, scale = _seen(view, of), _scale(view, of)
         shown: list[Curve] = []
         labels: list[Parts] = []
@@ -139,6 +123,6 @@ def diagrams(view: EngineView) -> Iterator[tuple[str, Graph]]:
                     Curve(v, name, len(labels), _marked(v, scale) if k == 0 else (), scale)
                     for k, (v, name) in enumerate(named)
                 ]
-                labels.append(graphs.letter(Symbol(LETTERS[of], axis), UNITS[of]))
+                labels.append(_axis(graphs, of, axis))
         if shown:
             yield of, graphs.graph(shown, labels, join=False)
