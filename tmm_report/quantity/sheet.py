@@ -156,10 +156,10 @@ class Sheet:
                 number = math.degrees(number)
             elif declared.formed not in ("", "deg", declared.unit):
                 number /= factor(declared.unit, declared.formed)
-        self._kept[key] = _Kept(self._value(declared, number, at), expression, made.scale if made else None)
+        self._kept[key] = _Kept(self._value(key, number, at), expression, made.scale if made else None)
 
-    def _value(self, of: Q, number: float, at: float | None) -> Value:
-        return of.named(self.PREFIX).value(float(number), at)
+    def _value(self, key: str, number: float, at: float | None) -> Value:
+        return self.named(key).value(float(number), at)
 
     def take(self, record: object, *keys: str) -> None:
         """Fields of a record by their names, of those that are declared; `keys`: these alone."""
@@ -227,8 +227,8 @@ class Row(Sheet):
         super().__init__(other)
         self.table, self.row, self.index = table, row, index
 
-    def _value(self, of: Q, number: float, at: float | None) -> Value:
-        quantity = of.quantity
+    def _value(self, key: str, number: float, at: float | None) -> Value:
+        quantity = self.declared(key).quantity
         if self.index:
             quantity = replace(quantity, symbol=_indexed(quantity.symbol, self.index))
         number = number if isinstance(number, int) else float(number)
