@@ -226,6 +226,17 @@ class Value(OfQuantity):
         return Formula(self.symbol, expression, unit or self.unit, ref=ref, meaning=self.meaning, **form)
 
 
+@dataclass(frozen=True)
+class InRow(Value):
+    """A number of a row of a table, of a wheel's among those of all wheels."""
+
+    table: str = ""
+    row: int = 0
+
+    def ref(self, unit: str = "", size: bool = False) -> Ref:
+        return Ref(self.key, self.row, self.table, unit="" if unit == self.unit else unit, size=size)
+
+
 def variable(
     quantity: Quantity,
     number: float,

@@ -10,19 +10,20 @@
     s["natural"].value, s.formula("natural"), Values.natural.column(numbers)
 
 results.json, CSV, formulas, where-lists, axes, explanations and marks take letter, unit and meaning from the
-declaration.
+declaration. A `Row` is a sheet whose numbers stand in a row of a table: those of one wheel of several.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property
 from typing import Any, ClassVar, Self, overload
 
 from tmm_report.problems import Message
 from tmm_report.quantity.formula import Expr, Formula, Var
-from tmm_report.quantity.model import Book, Column, Quantity, Value
+from tmm_report.quantity.model import Book, Column, InRow, Quantity, Value
 from tmm_report.quantity.symbols import Symbol, math_symbol
 from tmm_report.quantity.units import factor
 from tmm_report.records import dataclass
@@ -59,7 +60,7 @@ class Q:
         self.meaning = Message(meaning) if isinstance(meaning, str) else meaning
 
     def __set_name__(self, owner: type, name: str) -> None:
-        self.key = name
+        self.key = name.removesuffix("_")  # of a name that Python keeps: lambda_
 
     @overload
     def __get__(self, sheet: None, owner: type) -> Self: ...
@@ -83,6 +84,21 @@ class Q:
         """Its numbers (P,) at the rows of a table."""
         return self.quantity.column(values)
 
+    def called(self, symbol: Symbol | None, key: str = "", **values: object) -> Q:
+        """As one variant calls it; `values`: of the meaning's %(name)s."""
+        meaning = Message(self.meaning.text, values) if values else self.meaning
+        made = Q(symbol, self.unit, meaning, self.shown, self.formed)
+        made.key = key or self.key
+        return made
+
+    def of(self, name: str, **values: object) -> Q:
+        """That of one of several things: rho_4, by the same name in the key and in the index of the letter."""
+        return self.called(_indexed(self.symbol, name), f"{self.key}_{name}", **values)
+
+
+def _indexed(symbol: Symbol | None, index: str) -> Symbol | None:
+    return replace(symbol, sub=symbol.sub + index) if symbol else None
+
 
 @dataclass(frozen=True, eq=False)
 class _Kept:
@@ -95,6 +111,7 @@ class Sheet:
     """The numbers of one variant. A number that is None is not there; assigning one twice is an error of the program.
 
     `other`: declarations that this variant calls otherwise, by their keys: J and kg·m² of what turns for m and kg.
+    `prefix`: of this sheet's own names, where several of one kind are solved: the stages of a drive.
     """
 
     PREFIX: ClassVar[str] = ""
@@ -103,12 +120,14 @@ class Sheet:
     def __init_subclass__(cls, prefix: str | None = None) -> None:
         if prefix is not None:
             cls.PREFIX = f"{prefix}_"
-        cls.DECLARED = {**cls.DECLARED, **{key: one for key, one in vars(cls).items() if isinstance(one, Q)}}
+        cls.DECLARED = {**cls.DECLARED, **{one.key: one for one in vars(cls).values() if isinstance(one, Q)}}
 
-    def __init__(self, other: Mapping[str, Q] | None = None, **others: Q):
+    def __init__(self, other: Mapping[str, Q] | None = None, prefix: str | None = None, **others: Q):
+        if prefix is not None:
+            self.PREFIX = f"{prefix}_"  # type: ignore[misc]
         self._others = {**(other or {}), **others}
         for key, one in self._others.items():
-            one.key = key
+            one.key = one.key or key
         self._kept: dict[str, _Kept] = {}
 
     def declared(self, key: str) -> Q:
@@ -128,10 +147,15 @@ class Sheet:
         if number is None:
             assert expression is not None
             number = expression.evaluate()
-            if declared.formed not in ("", "deg", declared.unit):
+            if declared.unit == "deg":  # a formula is evaluated in radians
+                number = math.degrees(number)
+            elif declared.formed not in ("", "deg", declared.unit):
                 number /= factor(declared.unit, declared.formed)
-        of = declared.named(self.PREFIX)
-        self._kept[key] = _Kept(of.value(float(number)), expression, made.scale if made else None)
+        scale = made.scale if made else None
+        self._kept[key] = _Kept(self._value(declared, number), expression, scale)
+
+    def _value(self, of: Q, number: float) -> Value:
+        return of.named(self.PREFIX).value(float(number))
 
     def take(self, record: object, *keys: str) -> None:
         """Fields of a record by their names, of those that are declared; `keys`: these alone."""
@@ -186,3 +210,28 @@ class Sheet:
 
     def book(self) -> Book:
         return Book.of((), self.values())
+
+
+class Row(Sheet):
+    """The numbers of a row of a table; `index`: what is added to the index of their letters there."""
+
+    def __init__(self, table: str, row: int, index: str = "", other: Mapping[str, Q] | None = None):
+        super().__init__(other)
+        self.table, self.row, self.index = table, row, index
+
+    def _value(self, of: Q, number: float) -> Value:
+        quantity = of.quantity
+        if self.index:
+            quantity = replace(quantity, symbol=_indexed(quantity.symbol, self.index))
+        number = number if isinstance(number, int) else float(number)
+        return InRow(quantity, number, table=self.table, row=self.row)
+
+
+def columns(rows: Sequence[Row]) -> Iterator[Column]:
+    """The columns of the rows of a table, in the order of their declarations; of what a row has not, nan."""
+    for key in rows[0].DECLARED:
+        if any(key in row for row in rows):
+            of = rows[0].declared(key).quantity
+            numbers = [math.nan if (number := row.get(key)) is None else number for row in rows]
+            indices = [_indexed(of.symbol, row.index) for row in rows if row.index]
+            yield Column(of, numbers, [symbol for symbol in indices if symbol])
