@@ -26,7 +26,7 @@ CASES = {
     "equal sliding": replace(GUIDE, shift="equal sliding"),
     "backlash": replace(GUIDE, shift=(0.1765, 0.3)),
     "from shifts": replace(FREE, shift=(0.5, 0.4)),
-    "full tips": replace(FREE, shift=(0.5, 0.4), shortened=False),
+    "full tips": replace(FREE, shift=(0.5, 0.4), tip_shortening=False),
     "helical": replace(GUIDE, helix=math.radians(15), width=0.04),
     "low teeth": replace(GUIDE, rack=Rack(math.radians(20), 0.8, 0.3)),
     "internal": spur.Given(3.0, 5e-3, 0.1, wheels=("1", "2"), shift="limit"),
@@ -159,7 +159,13 @@ MISTAKES = [
     ({"shift": (0.5, 0.5)}, ("shift",), "x1 + x2 = 0.73898, or a centre distance of 131.27 mm"),
     ({"centre_distance": None, "teeth": (14, 28), "shift": (-5.0, 0.3)}, ("shift",), "a greater sum"),
     (
-        {"ratio": 2.0, "teeth": (15, 30), "centre_distance": None, "shift": (0.0, 0.0), "shortened": False},
+        {
+            "ratio": 2.0,
+            "teeth": (15, 30),
+            "centre_distance": None,
+            "shift": (0.0, 0.0),
+            "tip_shortening": False,
+        },
         ("shift",),
         "0.096 or more, or more teeth",
     ),

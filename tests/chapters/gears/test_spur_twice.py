@@ -28,7 +28,7 @@ MORE = {
     "cut by a pinion": replace(GUIDE, cutter=Cutter(20)),
     "cut by a worn pinion": replace(GUIDE, cutter=Cutter(25, -0.1), shift="limit"),
     "ring cut": replace(RING, cutter=Cutter(16, 0.1)),
-    "full tips of a cutter": replace(FREE, shift=(0.5, 0.4), shortened=False, cutter=Cutter(20)),
+    "full tips of a cutter": replace(FREE, shift=(0.5, 0.4), tip_shortening=False, cutter=Cutter(20)),
     "rounded": replace(GUIDE, shift=(0.176, 0.563)),
     "needs no shift": replace(GUIDE, module=2e-3),
     "fast": spur.Given(-2, 0.0025, None, (42, 84), shift=(0.2, 0.0)),
