@@ -373,9 +373,9 @@ FAULTS = (
     ),
     Fault(
         "stated shifts of the normal section doubly projected",
-        "tmm_report/chapters/gears/planetary/quantities/stage.py",
-        "found.sizes.shifts[order] / np.cos",
-        "found.sizes.shifts[order] * np.cos",
+        "tmm_report/chapters/gears/planetary/steps.py",
+        "self.sizes.shifts[wheel] / np.cos",
+        "self.sizes.shifts[wheel] * np.cos",
         "hoist_drive",
         ("tests/chapters/gears/test_planetary_stated.py",),
     ),

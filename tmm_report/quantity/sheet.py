@@ -186,12 +186,12 @@ class Sheet:
     def has_formula(self, key: str) -> bool:
         return key in self._kept and self._kept[key].expression is not None
 
-    def formula(self, key: str) -> Formula:
+    def formula(self, key: str, **form: Any) -> Formula:
         """symbol = expression = numbers = value. Raises KeyError for a number that was not computed by one."""
         kept = self._kept[key]
         if kept.expression is None:
             raise KeyError(f"{self.PREFIX}{key} has no formula")
-        form: dict[str, Any] = {} if kept.scale is None else {"scale": kept.scale}
+        form = form if kept.scale is None else {"scale": kept.scale, **form}
         return kept.value.formula(kept.expression, self.declared(key).formed, **form)
 
     def values(self) -> Iterator[Value]:
@@ -213,16 +213,23 @@ class Sheet:
 
 
 class Row(Sheet):
-    """The numbers of a row of a table; `index`: what is added to the index of their letters there."""
+    """The numbers of a row of a table; `index`: what the index of their letters has besides, of all, or by key."""
 
-    def __init__(self, table: str, row: int, index: str = "", other: Mapping[str, Q] | None = None):
+    def __init__(
+        self, table: str, row: int, index: str | Mapping[str, str] = "", other: Mapping[str, Q] | None = None
+    ):
         super().__init__(other)
         self.table, self.row, self.index = table, row, index
 
+    def letter(self, key: str) -> Symbol | None:
+        """As it is written in this row."""
+        index = self.index if isinstance(self.index, str) else self.index.get(key, "")
+        return _indexed(self.declared(key).symbol, index)
+
     def _value(self, of: Q, number: float) -> Value:
-        quantity = of.quantity
-        if self.index:
-            quantity = replace(quantity, symbol=_indexed(quantity.symbol, self.index))
+        quantity, letter = of.quantity, self.letter(of.key)
+        if letter != quantity.symbol:
+            quantity = replace(quantity, symbol=letter)
         number = number if isinstance(number, int) else float(number)
         return InRow(quantity, number, table=self.table, row=self.row)
 
@@ -233,5 +240,5 @@ def columns(rows: Sequence[Row]) -> Iterator[Column]:
         if any(key in row for row in rows):
             of = rows[0].declared(key).quantity
             numbers = [math.nan if (number := row.get(key)) is None else number for row in rows]
-            indices = [_indexed(of.symbol, row.index) for row in rows if row.index]
-            yield Column(of, numbers, [symbol for symbol in indices if symbol])
+            letters = [letter for row in rows if (letter := row.letter(key))]
+            yield Column(of, numbers, letters if set(letters) - {of.symbol} else ())
