@@ -34,10 +34,6 @@ def _stages(found: Found, prefix: str) -> Iterator[Stage]:
     yield Stage(found, prefix)
 
 
-def _exactly(expression: Expr, number: Any) -> Computed:
-    return Computed(expression, float(number))
-
-
 def _degrees(angle: Any) -> float:
     return float(np.degrees(angle))
 
@@ -122,9 +118,9 @@ class Stage:
         turn = cos(s.beta)
         for key, normal, metres in zip(keys, given.module_n, self.task.modules, strict=False):
             s.put(f"{key}_n", normal)
-            s.put(key, _exactly(s.var(f"{key}_n") / turn, metres))
-        s.alpha = _exactly(arctan(tan(s.alpha_n) / turn), _degrees(rack.alpha))
-        s.ha = _exactly(s.ha_n * turn, rack.ha)
+            s.put(key, Computed(s.var(f"{key}_n") / turn, metres))
+        s.alpha = Computed(arctan(tan(s.alpha_n) / turn), _degrees(rack.alpha))
+        s.ha = Computed(s.ha_n * turn, rack.ha)
 
     # ------------------------------------------------------------ ratio
 
@@ -138,12 +134,12 @@ class Stage:
         s, found = self.s, self.found
         z1, z2, z2_, z3 = (self.w(wheel).z for wheel in range(4))
         value = z3 / z1 if self.scheme.single else (z2 * z3) / (z1 * z2_)
-        s.u_basic = _exactly(value if found.basic > 0 else -value, found.basic)
+        s.u_basic = Computed(value if found.basic > 0 else -value, found.basic)
         s.u_carrier, s.delta_u = 1 - found.basic, 100 * found.deviation
         s.u = (
             found.ratio
             if self.ordinary
-            else _exactly(self._of_motion(self.task.input, self.task.output), found.ratio)
+            else Computed(self._of_motion(self.task.input, self.task.output), found.ratio)
         )
 
     def _of_motion(self, input: Member, output: Member) -> Expr:
@@ -173,7 +169,7 @@ class Stage:
         s, sizes = self.s, self.sizes
         row, distance = int(np.argmax(sizes.pitch_distances)), float(sizes.centre_distance)
         own = self.m(row) * self.teeth_sum(row) / 2
-        s.a_w = _exactly(own, distance) if self.own_distance else distance
+        s.a_w = Computed(own, distance) if self.own_distance else distance
         for row, mesh in enumerate(self.meshes):
             mesh.z_sum, mesh.eps_alpha = self.found.rows.teeth[row], self.found.rows.contact[row]
             a, angle, total = (
@@ -184,14 +180,14 @@ class Stage:
             if row not in self.found.opened:
                 mesh.a, mesh.alpha_w, mesh.x_sum = a, angle, total
                 continue
-            mesh.a = _exactly(self.m(row) * self.teeth_sum(row) / 2, a)
-            mesh.alpha_w = _exactly(arccos(mesh.a * cos(s.alpha) / s.a_w), angle)
+            mesh.a = Computed(self.m(row) * self.teeth_sum(row) / 2, a)
+            mesh.alpha_w = Computed(arccos(mesh.a * cos(s.alpha) / s.a_w), angle)
             needed = self.teeth_sum(row) * (involute(mesh.alpha_w) - involute(s.alpha)) / (2 * tan(s.alpha))
-            mesh.x_sum = total if self.whole else _exactly(needed, total)
+            mesh.x_sum = total if self.whole else Computed(needed, total)
 
     def _undercut(self) -> None:
         s, rack = self.s, self.task.rack
-        s.least_teeth = _exactly(2 * s.ha / sin(s.alpha) ** 2, self.found.least_teeth)
+        s.least_teeth = Computed(2 * s.ha / sin(s.alpha) ** 2, self.found.least_teeth)
         s.least_teeth_rounded, s.ring_rule = least_teeth(rack), ring_rule(rack)
 
     # ------------------------------------------------------------ sizes
@@ -200,11 +196,11 @@ class Stage:
         """Diameters; of meshes with a ring what keeps its tips clear of the satellite's fillets."""
         for wheel, row in zip(self.scheme.wheels, self.rows, strict=True):
             numbers = {key: float(self.sizes.diameters[key][wheel]) for key in DIAMETERS}
-            rolling = _exactly(self.m(0 if wheel < 2 else 1) * row.z, numbers.pop("d_w"))
+            rolling = Computed(self.m(0 if wheel < 2 else 1) * row.z, numbers.pop("d_w"))
             row.d_w = rolling.number if self.found.shifted else rolling
             tip = numbers.pop("d_a")
             plain = not self.found.shifted and wheel == self.largest_crown
-            row.d_a = _exactly(self.m(wheel - 1) * (row.z + 2 * self.s.ha), tip) if plain else tip
+            row.d_a = Computed(self.m(wheel - 1) * (row.z + 2 * self.s.ha), tip) if plain else tip
             for key, number in numbers.items():
                 row.put(key, number)
             row.d_a_full = float(self.sizes.tip[wheel])
@@ -219,15 +215,15 @@ class Stage:
         else:
             height = s.ha - crown.x if self.sizes.shifts[row + 1] else s.ha
             start = self.m(row) * crown.z / 2 * sin(s.alpha) - self.m(row) * height / sin(s.alpha)
-            mesh.rho_l = _exactly(start, of.start[row])
+            mesh.rho_l = Computed(start, of.start[row])
             touching = s.a_w * sin(mesh.alpha_w) + mesh.rho_l
-            mesh.d_a_cut = _exactly(2 * sqrt((central.d_b / 2) ** 2 + touching**2), of.cut[row])
+            mesh.d_a_cut = Computed(2 * sqrt((central.d_b / 2) ** 2 + touching**2), of.cut[row])
         if not np.isfinite(of.least[row]):
             mesh.z_least = of.least[row]
             return
         z, square = crown.z, sin(s.alpha) ** 2
         least = (z**2 * square - 4 * s.ha**2) / (2 * z * square - 4 * s.ha)
-        mesh.z_least = _exactly(least, of.least[row])
+        mesh.z_least = Computed(least, of.least[row])
 
     @property
     def largest_crown(self) -> int:
@@ -244,15 +240,15 @@ class Stage:
         s, found = self.s, self.found
         z1, z2, z2_, z3 = (self.w(wheel).z for wheel in range(4))
         if self.scheme.single:
-            s.assembly = _exactly((z1 + z3) / s.k, found.assembly_number)
+            s.assembly = Computed((z1 + z3) / s.k, found.assembly_number)
             return
         s.divisor = float(np.gcd(found.teeth[1], found.teeth[2]))
         one, other = z1 * z2_, z2 * z3
         top = one + other if self.scheme.rows[0] * self.scheme.rows[1] == INTERNAL else abs(one - other)
-        s.assembly = _exactly(top / (s.k * s.divisor), found.assembly_number)
+        s.assembly = Computed(top / (s.k * s.divisor), found.assembly_number)
         if found.turns is not None:
             s.turns = found.turns
-            s.usual_assembly = _exactly(
+            s.usual_assembly = Computed(
                 abs(z1 * s.u_carrier) / s.k * (1 + s.k * s.turns), found.usual_assembly
             )
 
@@ -261,4 +257,4 @@ class Stage:
         s, found = self.s, self.found
         rolling = self.w(0)["d_w"].var("m")
         s.eta, s.mu_l = found.efficiency, found.scale
-        s.force = _exactly(Number(2) / (s.k * rolling), found.force_per_moment)
+        s.force = Computed(Number(2) / (s.k * rolling), found.force_per_moment)

@@ -31,10 +31,6 @@ def _stages(found: Found, prefix: str) -> Iterator[Stage]:
     yield Stage(found, prefix)
 
 
-def _exactly(expression: Expr, number: Any) -> Computed:
-    return Computed(expression, float(number))
-
-
 def _angle(expression: Expr, number: Any) -> Computed:
     """`number`: rad."""
     return Computed(expression, float(np.degrees(number)))
@@ -118,14 +114,14 @@ class Stage:
         """How the numbers of teeth were found."""
         s, (one, two) = self.s, self.wheels
         u = two.z / one.z
-        s.ratio = _exactly(u if self.internal else -u, self.pair.ratio)
+        s.ratio = Computed(u if self.internal else -u, self.pair.ratio)
         if (choice := self.found.teeth.choice) is None:
             return
         s.u, over = choice.u, 2 * s.a_w
-        s.z_bound = _exactly((over * cos(s.beta) if self.helical else over) / s.m, choice.bound)
-        s.z_share = _exactly(s.z_bound / (s.u - 1 if self.internal else 1 + s.u), choice.share)
-        s.z_larger = _exactly(s.u * self.wheels[self.small].z, choice.larger)
-        s.z_spare = _exactly(s.z_bound - self.teeth_sum, choice.spare)
+        s.z_bound = Computed((over * cos(s.beta) if self.helical else over) / s.m, choice.bound)
+        s.z_share = Computed(s.z_bound / (s.u - 1 if self.internal else 1 + s.u), choice.share)
+        s.z_larger = Computed(s.u * self.wheels[self.small].z, choice.larger)
+        s.z_spare = Computed(s.z_bound - self.teeth_sum, choice.spare)
 
     # ------------------------------------------------------------ section, angle, shifts
 
@@ -133,9 +129,9 @@ class Stage:
         """Module and profile angle of the transverse section of helical teeth."""
         s, p = self.s, self.pair
         if self.helical:
-            s.m_t = _exactly(s.m / cos(s.beta), p.m_t)
+            s.m_t = Computed(s.m / cos(s.beta), p.m_t)
             s.alpha_t = _angle(arctan(tan(s.alpha) / cos(s.beta)), p.t.alpha)
-        s.a = _exactly(self.m_t * self.teeth_sum / 2, p.a)
+        s.a = Computed(self.m_t * self.teeth_sum / 2, p.a)
 
     def _distance(self) -> None:
         """From the centre distance to the sum of the shifts, or from the shifts to the centre distance."""
@@ -143,20 +139,20 @@ class Stage:
         profile, operating = self.found.involutes
         if self.given.centre_distance is None:
             self._shifts_taken()
-            s.x_sum = _exactly(self._combined("x"), p.x_sum)
+            s.x_sum = Computed(self._combined("x"), p.x_sum)
             angle = involute(self.alpha_t) + 2 * s.x_sum * tan(s.alpha) / self.teeth_sum
-            s.inv_alpha, s.inv_alpha_w = profile, _exactly(angle, operating)
+            s.inv_alpha, s.inv_alpha_w = profile, Computed(angle, operating)
             s.alpha_w = float(np.degrees(p.alpha_w))
-            s.a_w = _exactly(s.a * cos(self.alpha_t) / cos(s.alpha_w), p.a_w)
+            s.a_w = Computed(s.a * cos(self.alpha_t) / cos(s.alpha_w), p.a_w)
             return
         s.alpha_w = _angle(arccos(s.a * cos(self.alpha_t) / s.a_w), p.alpha_w)
-        s.inv_alpha = _exactly(self._spelled("alpha_t" if self.helical else "alpha"), profile)
-        s.inv_alpha_w = _exactly(self._spelled("alpha_w"), operating)
+        s.inv_alpha = Computed(self._spelled("alpha_t" if self.helical else "alpha"), profile)
+        s.inv_alpha_w = Computed(self._spelled("alpha_w"), operating)
         filled = self.teeth_sum * (involute(s.alpha_w) - involute(self.alpha_t)) / (2 * tan(s.alpha))
         if self.found.loose:
-            s.x_sum, s.x_needed = float(p.x_sum), _exactly(filled, self.found.needed)
+            s.x_sum, s.x_needed = float(p.x_sum), Computed(filled, self.found.needed)
         else:
-            s.x_sum = _exactly(filled, p.x_sum)
+            s.x_sum = Computed(filled, p.x_sum)
         self._shifts_taken()
 
     def _spelled(self, angle: str) -> Expr:
@@ -172,9 +168,9 @@ class Stage:
             return
         least = taken[self.small]
         ruled = least and not (self.by_cutter and shift == "limit")
-        small.x = _exactly(self._least() if shift == "limit" else self._by_rule(), least) if ruled else least
+        small.x = Computed(self._least() if shift == "limit" else self._by_rule(), least) if ruled else least
         rest = s.x_sum + small.x if self.internal else s.x_sum - small.x
-        other.x = _exactly(rest, taken[1 - self.small])
+        other.x = Computed(rest, taken[1 - self.small])
 
     @property
     def by_cutter(self) -> bool:
@@ -196,11 +192,11 @@ class Stage:
         s, p, stated = self.s, self.pair, self.given.shift
         for i, w in enumerate(self.wheels):
             least = float(p.x_min[i])
-            w.x_min = _exactly(self._least(), least) if i == self.small and not self.by_cutter else least
+            w.x_min = Computed(self._least(), least) if i == self.small and not self.by_cutter else least
         if self.found.altered and isinstance(stated, tuple):
             s.stated_one, s.stated_two = stated
-        s.y = _exactly((s.a_w - s.a) / s.m, p.y)
-        s.shortening = _exactly(s.x_sum - s.y, p.shortening) if self.equalised else float(p.shortening)
+        s.y = Computed((s.a_w - s.a) / s.m, p.y)
+        s.shortening = Computed(s.x_sum - s.y, p.shortening) if self.equalised else float(p.shortening)
 
     @property
     def equalised(self) -> bool:
@@ -217,7 +213,7 @@ class Stage:
             numbers = (np.tan(by.alpha) - by.alpha, abs(by.distance), 2 * by.tip, 2 * by.base, abs(by.start))
             for key, number in zip(("inv_alpha_w0", "a_w0", "d_a0", "d_b0", "rho_l0"), numbers, strict=True):
                 made = self._by_tool(key, tool, wheel) if self.given.cutter else None
-                tool.put(key, _exactly(made, number) if made else float(number))
+                tool.put(key, Computed(made, number) if made else float(number))
             tool.clearance0 = float(cut.pair.clearance[wheel])
 
     def _by_tool(self, key: str, tool: Tool, i: int) -> Expr | None:
@@ -243,14 +239,14 @@ class Stage:
 
     def _circles(self) -> None:
         s, p = self.s, self.pair
-        s.line = _exactly(s.a_w * sin(s.alpha_w), p.line)
+        s.line = Computed(s.a_w * sin(s.alpha_w), p.line)
         for i, w in enumerate(self.wheels):
-            w.d = _exactly(self.m_t * w.z, p.d[i])
-            w.d_b = _exactly(w.d * cos(self.alpha_t), p.d_b[i])
-            w.d_w = _exactly(w.d_b / cos(s.alpha_w), p.d_w[i])
-            w.d_f = _exactly(self._root(i), p.d_f[i])
+            w.d = Computed(self.m_t * w.z, p.d[i])
+            w.d_b = Computed(w.d * cos(self.alpha_t), p.d_b[i])
+            w.d_w = Computed(w.d_b / cos(s.alpha_w), p.d_w[i])
+            w.d_f = Computed(self._root(i), p.d_f[i])
             start = self.found.starts[i]
-            w.rho_l = _exactly(self._involute_start(i), start) if self._clears(i) else start
+            w.rho_l = Computed(self._involute_start(i), start) if self._clears(i) else start
 
     def _root(self, i: int) -> Expr:
         s, w = self.s, self.wheels[i]
@@ -277,7 +273,7 @@ class Stage:
 
     def _tips(self) -> None:
         for i, w in enumerate(self.wheels):
-            w.d_a = _exactly(self._tip(i), self.pair.d_a[i])
+            w.d_a = Computed(self._tip(i), self.pair.d_a[i])
             w.alpha_a = _angle(arccos(w.d_b / w.d_a), self.pair.alpha_a[i])
 
     def _tip(self, i: int) -> Expr:
@@ -296,11 +292,11 @@ class Stage:
         p = self.pair
         for i, w in enumerate(self.wheels):
             widened = 2 * w.x * tan(self.s.alpha)
-            w.s = _exactly(self.m_t * (PI / 2 - widened if self.ring(i) else PI / 2 + widened), p.s[i])
+            w.s = Computed(self.m_t * (PI / 2 - widened if self.ring(i) else PI / 2 + widened), p.s[i])
             # the teeth of a ring end before its base circle
-            w.s_b = float(p.s_b[i]) if self.ring(i) else _exactly(self._arc(i, w.d_b), p.s_b[i])
-            w.s_w = _exactly(self._arc(i, w.d_w, self.s.alpha_w), p.s_w[i])
-            w.s_a = _exactly(self._arc(i, w.d_a, w.alpha_a), p.s_a[i])
+            w.s_b = float(p.s_b[i]) if self.ring(i) else Computed(self._arc(i, w.d_b), p.s_b[i])
+            w.s_w = Computed(self._arc(i, w.d_w, self.s.alpha_w), p.s_w[i])
+            w.s_a = Computed(self._arc(i, w.d_a, w.alpha_a), p.s_a[i])
 
     def _arc(self, i: int, d: Var, angle: Expr | None = None) -> Expr:
         """`angle`: of the profile on the circle; None of the base circle."""
@@ -312,11 +308,11 @@ class Stage:
 
     def _pitches(self) -> None:
         s, p, (one, two) = self.s, self.pair, self.wheels
-        s.p = _exactly(PI * self.m_t, p.p)
-        s.p_b = _exactly(s.p * cos(self.alpha_t), p.p_b)
-        s.p_w = _exactly(s.p_b / cos(s.alpha_w), p.p_w)
+        s.p = Computed(PI * self.m_t, p.p)
+        s.p_b = Computed(s.p * cos(self.alpha_t), p.p_b)
+        s.p_w = Computed(s.p_b / cos(s.alpha_w), p.p_w)
         left = float(p.backlash)
-        s.backlash = _exactly(s.p_w - one.s_w - two.s_w, left) if self.found.loose else left
+        s.backlash = Computed(s.p_w - one.s_w - two.s_w, left) if self.found.loose else left
         s.backlash_n = float(p.normal_backlash)
 
     # ------------------------------------------------------------ line of action
@@ -324,10 +320,10 @@ class Stage:
     def _path(self) -> None:
         for i, w in enumerate(self.wheels):
             tip = sqrt(w.d_a**2 - w.d_b**2) / 2
-            w.rho_a = _exactly(tip, self.pair.rho_a[i])
+            w.rho_a = Computed(tip, self.pair.rho_a[i])
         lower, others = ("rho_m", ("rho_p", "rho_u")) if self.found.cut_short else ("rho_p", ())
         for i, w in enumerate(self.wheels):
-            w.put(lower, _exactly(self._lower(i), getattr(self.pair, lower)[i]))
+            w.put(lower, Computed(self._lower(i), getattr(self.pair, lower)[i]))
             for key in others:
                 w.put(key, float(getattr(self.pair, key)[i]))
             w.height = float(self.pair.height[i])
@@ -340,16 +336,16 @@ class Stage:
 
     def _quality(self) -> None:
         s, p, short = self.s, self.pair, self.found.cut_short
-        s.active = _exactly(self._real() if short else self._between_tips(), p.active)
-        s.eps = _exactly(s.active / s.p_b, p.eps)
+        s.active = Computed(self._real() if short else self._between_tips(), p.active)
+        s.eps = Computed(s.active / s.p_b, p.eps)
         if short:
-            s.active_tips = _exactly(self._between_tips(), p.active_tips)
-            s.eps_tips = _exactly(s.active_tips / s.p_b, p.eps_tips)
+            s.active_tips = Computed(self._between_tips(), p.active_tips)
+            s.eps_tips = Computed(s.active_tips / s.p_b, p.eps_tips)
         if self.helical and self.given.width is not None:
-            s.eps_beta = _exactly(s.b * sin(s.beta) / (PI * s.m), p.overlap(self.given.width))
+            s.eps_beta = Computed(s.b * sin(s.beta) / (PI * s.m), p.overlap(self.given.width))
         if self.found.two_zones:
-            s.two_length = _exactly(s.active - s.p_b, p.active - p.p_b)
-            s.two_pairs = _exactly((s.eps - 1) * Number(100), p.two_pairs)
+            s.two_length = Computed(s.active - s.p_b, p.active - p.p_b)
+            s.two_pairs = Computed((s.eps - 1) * Number(100), p.two_pairs)
         else:
             s.two_pairs = float(p.two_pairs)
 
@@ -373,7 +369,7 @@ class Stage:
             for i, w in enumerate(self.wheels):
                 mate, number = self.wheels[1 - i], getattr(self.pair, key)[i]
                 ratio = w.z * mate.var(other) / (mate.z * w.var(own))
-                w.put(key, float(number) if self.found.beyond else _exactly(1 - ratio, number))
+                w.put(key, float(number) if self.found.beyond else Computed(1 - ratio, number))
 
     # ------------------------------------------------------------ at the speed of the drive
 
@@ -383,11 +379,11 @@ class Stage:
             return
         s.omega_one, s.omega_two = motion.omega
         d_w, d_b = (self.wheels[0][key].var("m") for key in ("d_w", "d_b"))
-        s.v_pitch = _exactly(s.omega_one * d_w / 2, motion.pitch)
-        s.v_along = _exactly(s.omega_one * d_b / 2, motion.along)
+        s.v_pitch = Computed(s.omega_one * d_w / 2, motion.pitch)
+        s.v_along = Computed(s.omega_one * d_b / 2, motion.along)
         s.v_way = abs(float(self.found.path.at.rho[motion.fastest]) - float(self.pair.rho_w[0]))
         if self.given.sliding_limit is None:
             fall = Number((WIDEST - NARROWEST) / (FAST - SLOW))
             falling = Number(WIDEST) - fall * (s.v_pitch - Number(SLOW))
             limit = sliding_limit(motion.pitch)
-            s.sliding_limit = _exactly(falling, limit) if SLOW < motion.pitch < FAST else limit
+            s.sliding_limit = Computed(falling, limit) if SLOW < motion.pitch < FAST else limit
