@@ -240,11 +240,11 @@ FAULTS = (
     ),
     Fault(
         "root circle of a ring by the wrong sum",
-        SPUR + "formulas.py",
-        "return 2 * a_w0 + d_a0 if self._ring(i)",
-        "return 2 * a_w0 - d_a0 if self._ring(i)",
+        SPUR + "steps.py",
+        "return 2 * tool.a_w0 + tool.d_a0 if self.ring(i)",
+        "return 2 * tool.a_w0 - tool.d_a0 if self.ring(i)",
         "hoist_drive",
-        ("tests/page/test_other_gears.py",),
+        ("tests/chapters/gears/test_spur_twice.py",),
     ),
     Fault(
         "rounded shifts changed without a word",
@@ -373,9 +373,9 @@ FAULTS = (
     ),
     Fault(
         "stated shifts of the normal section doubly projected",
-        "tmm_report/chapters/gears/planetary/quantities/stage.py",
-        "found.sizes.shifts[order] / np.cos",
-        "found.sizes.shifts[order] * np.cos",
+        "tmm_report/chapters/gears/planetary/steps.py",
+        "self.sizes.shifts[wheel] / np.cos",
+        "self.sizes.shifts[wheel] * np.cos",
         "hoist_drive",
         ("tests/chapters/gears/test_planetary_stated.py",),
     ),
@@ -389,10 +389,10 @@ FAULTS = (
     ),
     Fault(
         "the undercut adds to a tip's radius of curvature",
-        "tmm_report/chapters/gears/spur/formulas.py",
-        "/ 2 * sin(self.alpha_t) - lost)",
-        "/ 2 * sin(self.alpha_t) + lost)",
+        SPUR + "steps.py",
+        "/ 2 * sin(self.alpha_t) - lost",
+        "/ 2 * sin(self.alpha_t) + lost",
         "hoist_drive",
-        ("tests/page/test_other_gears.py",),
+        ("tests/chapters/gears/test_spur_twice.py",),
     ),
 )

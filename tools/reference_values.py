@@ -136,7 +136,7 @@ def _pair(found: Spur, prefix: str) -> Named:
         return
     stated = gears.External(
         found.teeth.z, given.module, given.rack.alpha, given.rack.ha, given.rack.c, given.helix,
-        float(pair.a_w), float(pair.x1), given.shortened,
+        float(pair.a_w), float(pair.x1), given.tip_shortening,
     )  # fmt: skip
     for key, value in gears.pair(stated).items():
         if key in ("m_t", "alpha_t") and not given.helix:

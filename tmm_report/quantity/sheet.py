@@ -156,7 +156,8 @@ class Sheet:
                 number = math.degrees(number)
             elif declared.formed not in ("", "deg", declared.unit):
                 number /= factor(declared.unit, declared.formed)
-        self._kept[key] = _Kept(self._value(key, number, at), expression, made.scale if made else None)
+        scale = made.scale if made else None
+        self._kept[key] = _Kept(self._value(key, number, at), expression, scale)
 
     def _value(self, key: str, number: float, at: float | None) -> Value:
         return self.named(key).value(float(number), at)
@@ -194,12 +195,12 @@ class Sheet:
         """Keys of what is computed by a formula, in the order of the steps."""
         return [key for key, kept in self._kept.items() if kept.expression is not None]
 
-    def formula(self, key: str) -> Formula:
+    def formula(self, key: str, **form: Any) -> Formula:
         """symbol = expression = numbers = value. Raises KeyError for a number that was not computed by one."""
         kept = self._kept[key]
         if kept.expression is None:
             raise KeyError(f"{self.PREFIX}{key} has no formula")
-        form: dict[str, Any] = {} if kept.scale is None else {"scale": kept.scale}
+        form = form if kept.scale is None else {"scale": kept.scale, **form}
         return kept.value.formula(kept.expression, self.declared(key).formed, **form)
 
     def values(self) -> Iterator[Value]:
@@ -221,16 +222,23 @@ class Sheet:
 
 
 class Row(Sheet):
-    """The numbers of a row of a table; `index`: what is added to the index of their letters there."""
+    """The numbers of a row of a table; `index`: what the index of their letters has besides, of all, or by key."""
 
-    def __init__(self, table: str, row: int, index: str = "", other: Mapping[str, Q] | None = None):
+    def __init__(
+        self, table: str, row: int, index: str | Mapping[str, str] = "", other: Mapping[str, Q] | None = None
+    ):
         super().__init__(other)
         self.table, self.row, self.index = table, row, index
 
+    def letter(self, key: str) -> Symbol | None:
+        """As it is written in this row."""
+        index = self.index if isinstance(self.index, str) else self.index.get(key, "")
+        return _indexed(self.declared(key).symbol, index)
+
     def _value(self, key: str, number: float, at: float | None) -> Value:
-        quantity = self.declared(key).quantity
-        if self.index:
-            quantity = replace(quantity, symbol=_indexed(quantity.symbol, self.index))
+        quantity, letter = self.declared(key).quantity, self.letter(key)
+        if letter != quantity.symbol:
+            quantity = replace(quantity, symbol=letter)
         number = number if isinstance(number, int) else float(number)
         return InRow(quantity, number, table=self.table, row=self.row)
 
@@ -241,5 +249,5 @@ def columns(rows: Sequence[Row]) -> Iterator[Column]:
         if any(key in row for row in rows):
             of = rows[0].declared(key).quantity
             numbers = [math.nan if (number := row.get(key)) is None else number for row in rows]
-            indices = [_indexed(of.symbol, row.index) for row in rows if row.index]
-            yield Column(of, numbers, [symbol for symbol in indices if symbol])
+            letters = [letter for row in rows if (letter := row.letter(key))]
+            yield Column(of, numbers, letters if set(letters) - {of.symbol} else ())

@@ -59,8 +59,8 @@ class ChapterView:
 
     # --- formulas
 
-    def formula(self, key: str) -> Formula:
-        return self.s.formula(key)
+    def formula(self, key: str, **form: Any) -> Formula:
+        return self.s.formula(key, **form)
 
     def formulas(self, *keys: str) -> list[Formula]:
         """Those of the numbers that this variant computes by one."""

@@ -11,16 +11,27 @@
         spring: Stated[Spring] | None = None
 
 The model that reads the mapping is made of the record's annotations, its docstring of the record's; a record within a
-record is read likewise. What the parts of one record say wrong of one another its `__post_init__` raises as WrongValue.
+record is read likewise. Fields named in `NOT_STATED` the file has not: they say what stands round the record. What the
+parts of one record say wrong of one another its `__post_init__` raises as WrongValue.
 """
 
 import dataclasses
 import sys
 import types
 from functools import cache, partial
-from typing import TYPE_CHECKING, Annotated, Any, TypeVar, Union, get_args, get_origin, get_type_hints
+from typing import (
+    TYPE_CHECKING,
+    Annotated,
+    Any,
+    Literal,
+    TypeVar,
+    Union,
+    get_args,
+    get_origin,
+    get_type_hints,
+)
 
-from pydantic import AfterValidator, Field, create_model
+from pydantic import AfterValidator, Field, Tag, create_model
 
 from tmm_report.variant import values
 from tmm_report.variant.model import Model
@@ -46,12 +57,13 @@ def stated(record: type) -> Any:
 @cache
 def model_of(record: type) -> type[Model]:
     """The model that reads a record's mapping."""
-    names = {**vars(values), "Field": Field, **vars(sys.modules[record.__module__])}
+    names = {**vars(values), "Field": Field, "Tag": Tag, **vars(sys.modules[record.__module__])}
     hints = get_type_hints(record, names, include_extras=True)
+    not_stated = getattr(record, "NOT_STATED", ())
     fields: Any = {
-        field.name: (_read(hints[field.name]), _default(field))
+        field.name: (_read(hints[field.name]), ... if _kind(hints[field.name]) else _default(field))
         for field in dataclasses.fields(record)
-        if field.init
+        if field.init and field.name not in not_stated
     }
     made = create_model(
         record.__name__, __base__=Model, __doc__=record.__doc__, __module__=record.__module__, **fields
@@ -62,6 +74,11 @@ def model_of(record: type) -> type[Model]:
 
 def _made(record: type, model: Model) -> Any:
     return record(**{name: getattr(model, name) for name in type(model).model_fields})
+
+
+def _kind(hint: Any) -> bool:
+    """Whether it is one word alone: the file writes it, to say of which kind the mapping is."""
+    return get_origin(hint) is Literal and len(get_args(hint)) == 1
 
 
 def _default(field: Any) -> Any:

@@ -310,3 +310,11 @@ Choice = Annotated[
 ]
 Side = Literal["right", "left", "up", "down"]
 Turn = Literal["clockwise", "counter-clockwise"]
+
+# --- of gears
+Module = Annotated[float, quantity("length", 5e-5, 0.1, "0.05 … 100 mm")]
+Span = Annotated[float, quantity("length", 1e-3, 20.0, "1 mm … 20 m")]
+Helix = Annotated[float, quantity("angle", 0.0, math.radians(45), "0 … 45 deg")]
+Efficiency = Annotated[float, quantity("number", 0.01, 1.0, "0.01 … 1")]
+Tooth = Annotated[int, whole(6, 1000)]
+Shift = Annotated[float, quantity("number", -5.0, 5.0, "−5 … 5")]

@@ -419,7 +419,7 @@ AFTER: Mapping[str, Callable[[Made, Any], Made]] = {
     "GovernorModel": _governor,
     "EfficiencyModel": _efficiencies,
     "PlanetaryModel": _planetary,
-    "SpurModel": _spur,
+    "Spur": _spur,
     "EccentricModel": _eccentric,
     "RotorModel": _rotor,
     "WearModel": _wear,

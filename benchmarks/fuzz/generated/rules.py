@@ -88,7 +88,7 @@ SETS: Mapping[str, Sequence[Keys]] = {
     "DiscModel": [("width",), ("diameter",), ()],
     "RimModel": [("height", "width"), ("diameter", "width"), ()],
     "EccentricModel": [("ratio", "eccentricity"), ("ratio", "eccentricity", "t"), ("teeth",)],
-    "SpurModel": [("teeth",), ("centre_distance",), ("teeth", "centre_distance")],
+    "Spur": [("teeth",), ("centre_distance",), ("teeth", "centre_distance")],
     "PhaseModel": [("rise", "law"), ("rise",), ("dwell",), ("return", "law")],
     "vibration.StartModel": [("displacement",), ("velocity",), ("displacement", "velocity")],
     "ProfileModel": [("circle",), ("points",), ("polar",)],

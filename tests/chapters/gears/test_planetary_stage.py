@@ -204,29 +204,6 @@ def test_the_conditions_are_printed_as_in_the_guide():
     assert "=0.983" in text
 
 
-def test_printed_formulas_agree_with_what_was_found(found):
-    page = Page(Html(), Translator("en"), Numbering())
-    view = PlanetaryView(found, page, "x")
-    assert view.basic_ratio().value == pytest.approx(found.basic)
-    if not view.ordinary:
-        assert view.ratio().value == pytest.approx(found.ratio)
-    assert view.efficiency().value == pytest.approx(found.motion.efficiency)
-    assert view.distance().value == pytest.approx(1e3 * float(found.sizes.centre_distance))
-    assert abs(view.assembly().value) == pytest.approx(found.assembly_number)
-    assert view.neighbourhood().holds
-    assert view.neighbourhood().left.value - view.neighbourhood().right.value == pytest.approx(
-        1e3 * found.gap
-    )
-    assert view.coaxiality().holds or found.shifted
-    if found.shifted:
-        *_, total = view.shift()
-        assert total.value == pytest.approx(float(np.max(found.sizes.shift_sums)))
-    else:
-        assert [item.value for item in view.working()][-1] == pytest.approx(1e3 * found.sizes.working[3])
-        assert view.tip_diameter().value == pytest.approx(1e3 * float(found.sizes.largest_satellite))
-    assert all(view.ring_tip(row).holds for row in found.rows.rings)
-
-
 def test_rejected_and_accepted_make_up_all(found):
     page = Page(Html(), Translator("en"), Numbering())
     (part,) = PlanetaryView(found, page, "x").rejected(Markup("")).parts

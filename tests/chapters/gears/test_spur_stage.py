@@ -1,23 +1,21 @@
-"""The spur stage: choice of teeth and shifts, conditions, mistakes; and the view's formulas against the solver."""
+"""The spur stage: choice of teeth and shifts, conditions, mistakes."""
 
 import math
 from dataclasses import replace
 
-import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tmm_report.chapters.gears.spur.formulas import SpurFormulas
 from tmm_report.chapters.gears.spur.quantities import book, tables, values
 from tmm_report.chapters.gears.spur.solve import pair as spur
 from tmm_report.chapters.gears.spur.solve.mesh import Mesh
 from tmm_report.chapters.gears.spur.solve.sizes import choose_teeth
+from tmm_report.chapters.gears.spur.steps import stage
 from tmm_report.mechanics.gears.limits.blocking_contour import Blocking
 from tmm_report.mechanics.gears.meshing import Rack
 from tmm_report.mechanics.gears.trains import Train, speeds
 from tmm_report.problems import ProblemError
-from tmm_report.quantity.formula import Formula, agrees
 
 GUIDE = spur.Given(ratio=-2.0, module=6e-3, centre_distance=0.13, wheels=("4", "5"))
 FREE = replace(GUIDE, centre_distance=None, teeth=(14, 28))
@@ -28,7 +26,7 @@ CASES = {
     "equal sliding": replace(GUIDE, shift="equal sliding"),
     "backlash": replace(GUIDE, shift=(0.1765, 0.3)),
     "from shifts": replace(FREE, shift=(0.5, 0.4)),
-    "full tips": replace(FREE, shift=(0.5, 0.4), shortened=False),
+    "full tips": replace(FREE, shift=(0.5, 0.4), tip_shortening=False),
     "helical": replace(GUIDE, helix=math.radians(15), width=0.04),
     "low teeth": replace(GUIDE, rack=Rack(math.radians(20), 0.8, 0.3)),
     "internal": spur.Given(3.0, 5e-3, 0.1, wheels=("1", "2"), shift="limit"),
@@ -161,7 +159,13 @@ MISTAKES = [
     ({"shift": (0.5, 0.5)}, ("shift",), "x1 + x2 = 0.73898, or a centre distance of 131.27 mm"),
     ({"centre_distance": None, "teeth": (14, 28), "shift": (-5.0, 0.3)}, ("shift",), "a greater sum"),
     (
-        {"ratio": 2.0, "teeth": (15, 30), "centre_distance": None, "shift": (0.0, 0.0), "shortened": False},
+        {
+            "ratio": 2.0,
+            "teeth": (15, 30),
+            "centre_distance": None,
+            "shift": (0.0, 0.0),
+            "tip_shortening": False,
+        },
         ("shift",),
         "0.096 or more, or more teeth",
     ),
@@ -213,104 +217,6 @@ def test_what_the_messages_offer_works():
         assert spur.solve(replace(GUIDE, **changes)).pair.eps > 0
 
 
-# ---------------------------------------------------------------- what is printed is what is computed
-
-
-def _formulas(view: SpurFormulas):
-    """(formula, the solver's value) of everything the template prints."""
-    pair, mm = view.pair, 1e3
-    yield from zip(view.path(), _path(pair), strict=True)
-    for i in (0, 1):
-        keys = (
-            "d",
-            "d_b",
-            "d_w",
-            "d_f",
-            "d_a",
-            "s",
-            "alpha_a",
-            *(() if view._ring(i) else ("s_b",)),
-            "s_w",
-            "s_a",
-        )
-        for formula, key in zip(view.dimensions(i), keys, strict=True):
-            yield formula, getattr(pair, key)[i] * (1 if key == "alpha_a" else mm)
-    yield from zip(view.pitches(), (mm * pair.p, mm * pair.p_b, mm * pair.p_w), strict=True)
-    yield view.reference_distance(), mm * pair.a
-    yield view.angle_of_distance(), pair.alpha_w
-    yield view.distance_of_angle(), mm * pair.a_w
-    yield view.sum_of_shifts(), pair.x_sum
-    yield view.centre_shift(), pair.y
-    yield view.active(), mm * pair.active
-    yield view.contact(), pair.eps
-    yield view.ratio(), pair.ratio
-    yield view.backlash(), mm * pair.backlash
-    yield view.exact_least(), pair.x_min[view.small]
-    for formula, value in zip(view.slidings(), (*_sliding(pair, "p"), *_sliding(pair, "a")), strict=True):
-        yield formula, value
-    if view.equalised:
-        yield view.shortening(), pair.shortening
-    if not view.found.loose:
-        yield view.rest(), (pair.x1, pair.x2)[1 - view.small]
-        yield view.sum_of_distance(), pair.x_sum
-        yield view.filled(), mm * pair.p_w
-        yield view.angle_of_shifts(), np.tan(pair.alpha_w) - pair.alpha_w
-    if view.helical:
-        yield from zip(view.section(), (mm * pair.m_t, pair.t.alpha), strict=True)
-
-
-def _path(pair):
-    return [1e3 * x for x in (pair.line, *pair.rho_a, *pair.rho_p)]
-
-
-def _sliding(pair, where):
-    one, two = (pair.sliding(rho) for rho in (pair.rho_p[0], pair.rho_a[0]))
-    return (one.first, two.second) if where == "p" else (two.first, one.second)
-
-
-@every_case
-def test_formulas_agree_with_the_solver(given_):
-    view = SpurFormulas(spur.solve(given_), "stage1")
-    wrong = [
-        f"{formula.result}: {formula.value}, solver {value}"
-        for formula, value in _formulas(view)
-        if not isinstance(formula, Formula) or not np.isclose(formula.value, value, rtol=1e-9, atol=1e-9)
-    ]
-    assert wrong == []
-
-
-@every_case
-def test_formulas_say_where_their_value_stands(given_):
-    """The number that a formula's result refers to is its value, in the unit of print.
-
-    The sliding of a pair that cannot be made has no bound, and its formulas are not printed.
-    """
-    view = SpurFormulas(spur.solve(given_), "stage1")
-    wrong = [
-        f"{formula.ref}: {formula.value}, there {there}"
-        for formula, _ in _formulas(view)
-        if np.isfinite(there := _at(view, formula.ref)) or not view.found.beyond
-        if not np.isclose(formula.value, there, rtol=1e-9, atol=1e-9)
-    ]
-    assert wrong == []
-
-
-def _at(view, ref):
-    unit = ref.unit or "rad"  # of angles alone the unit of print is that of the results
-    if not ref.table:
-        value = view.part.book[ref.key]
-        return value.number(ref.unit or (unit if value.unit == "deg" else ""))
-    column = view.part.book.tables[ref.table][ref.key]
-    return column.number(ref.row, ref.unit or (unit if column.unit == "deg" else ""))
-
-
-def test_the_rule_s_formula():
-    view = SpurFormulas(spur.solve(GUIDE), "stage1")
-    assert agrees(view.least(), 3 / 17)
-    helical = SpurFormulas(spur.solve(CASES["helical"]), "stage1")
-    assert agrees(helical.least(), helical.pair.x1)
-
-
 # ---------------------------------------------------------------- results.json
 
 
@@ -346,9 +252,7 @@ def test_the_numbers_of_the_results_are_found_in_solving(monkeypatch):
         monkeypatch.setattr(Blocking, name, sought)
     monkeypatch.setattr(Mesh, "on_working_circle", sought)
     assert len(book(found, "stage1").tables) >= 6
-    assert [
-        list(part) for part in (SpurFormulas(found, "stage1").path(), SpurFormulas(found, "s").slidings())
-    ]
+    assert stage(found, "stage1").s.formula("line").value > 0
 
 
 def test_rows_of_different_units_are_printed_in_their_own():

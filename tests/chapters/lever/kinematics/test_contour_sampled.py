@@ -26,7 +26,7 @@ PAIRS = {
     "helical": replace(PLAIN, teeth=(14, 61), ratio=-4.4, helix=math.radians(22)),
     "external, by a pinion cutter": replace(PLAIN, cutter=Cutter(25, 0.1)),
     "internal": RING,
-    "internal, tips of full height": replace(RING, shortened=False),
+    "internal, tips of full height": replace(RING, tip_shortening=False),
     "internal, by a pinion cutter": replace(RING, cutter=Cutter(20, 0.1)),
     "the ring drives, helical": replace(RING, teeth=(60, 22), ratio=22 / 60, helix=0.3),
 }

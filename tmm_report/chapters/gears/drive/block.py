@@ -18,14 +18,14 @@ from tmm_report.chapters.gears.planetary import block as planetary
 from tmm_report.chapters.gears.planetary.block import PlanetaryModel
 from tmm_report.chapters.gears.planetary.solve import stage as solve_planetary
 from tmm_report.chapters.gears.spur import block as spur
-from tmm_report.chapters.gears.spur.block import SpurModel
-from tmm_report.chapters.gears.spur.solve import pair as solve_spur
+from tmm_report.chapters.gears.spur.given import Spur
 from tmm_report.chapters.lever.plans import block as plans
 from tmm_report.chapters.lever.structure import block as structure
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.quantity.paper import ACCURACY
 from tmm_report.variant import model
 from tmm_report.variant.model import Model, Read
+from tmm_report.variant.stated import Stated
 from tmm_report.variant.values import Flag, Scale, Speed, quantity
 
 Tolerance = Annotated[float, quantity("number", 0.0, 0.2, "0 … 20 %")]
@@ -41,7 +41,7 @@ def _kind(value: Any) -> str:
 
 
 StageModel = Annotated[
-    Annotated[SpurModel, Tag("<spur>")] | Annotated[PlanetaryModel, Tag("<planetary>")],
+    Annotated[Stated[Spur], Tag("<spur>")] | Annotated[PlanetaryModel, Tag("<planetary>")],
     Discriminator(
         _kind, custom_error_type="shape", custom_error_message=N_("begin with kind: spur or kind: planetary")
     ),
@@ -164,7 +164,7 @@ def doubts(read: Read) -> Iterator[Problem]:
     """What is odd of the stages and is solved all the same."""
     written = read.block(Block).drive
     for k, stage in enumerate(written.stages if written else ()):
-        if isinstance(stage, SpurModel):
+        if isinstance(stage, Spur):
             yield from spur.doubts(stage, ("drive", "stages", k))
 
 
@@ -203,18 +203,18 @@ def tolerance(model: DriveModel) -> float:
 
 
 def _stage(
-    model: SpurModel | PlanetaryModel, wheels: tuple[str, ...], accuracy: float, allowed: float
-) -> solve_spur.Given | solve_planetary.Given:
+    model: Spur | PlanetaryModel, wheels: tuple[str, ...], accuracy: float, allowed: float
+) -> Spur | solve_planetary.Given:
     match model:
-        case SpurModel():
-            return spur.build(model, wheels, accuracy)
+        case Spur():
+            return replace(model, wheels=(wheels[0], wheels[1]), accuracy=accuracy)
         case PlanetaryModel():
             return planetary.build(model, wheels, allowed)
         case _:
             assert_never(model)
 
 
-def numbered(stages: Sequence[SpurModel | PlanetaryModel]) -> list[tuple[str, ...]]:
+def numbered(stages: Sequence[Spur | PlanetaryModel]) -> list[tuple[str, ...]]:
     """Names of each stage's members: 1-2-3-H, of a double row 1-2-2'-3-H, then 4-5 …; several carriers H1, H2 …"""
     numbers = map(str, count(1))
     several = sum(isinstance(stage, PlanetaryModel) for stage in stages) > 1
@@ -223,7 +223,7 @@ def numbered(stages: Sequence[SpurModel | PlanetaryModel]) -> list[tuple[str, ..
     for stage in stages:
         first, second = next(numbers), next(numbers)
         match stage:
-            case SpurModel():
+            case Spur():
                 found.append((first, second))
             case PlanetaryModel():
                 row = (second,) if stage.scheme == "sun-ring" else (second, second + "'")

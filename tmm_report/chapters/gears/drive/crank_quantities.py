@@ -1,4 +1,4 @@
-"""Quantities of a drive that turns the driving link: its balancing moment on the shafts and in the teeth."""
+"""Forces in the teeth of a drive that turns the driving link, by its balancing moment."""
 
 from __future__ import annotations
 
@@ -6,41 +6,14 @@ import math
 from collections.abc import Iterator
 
 from tmm_report.chapters.gears.drive.solve import Found
+from tmm_report.chapters.gears.drive.values import GREATEST, MEAN
 from tmm_report.chapters.gears.planetary.solve import stage as planetary
 from tmm_report.chapters.gears.spur.solve import pair as spur
-from tmm_report.i18n import NP_
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, text_column
 from tmm_report.quantity.symbols import Symbol
 
 TEETH = Message(N_("forces in the teeth of the drive by the balancing moment of the driving link"))
-MEAN, GREATEST = NP_("index", "mean"), NP_("index", "max")
-
-# key, symbol (None of what is never written as one), unit, meaning, number
-Row = tuple[str, Symbol | None, str, str, float]
-
-
-def crank_rows(found: Found) -> Iterator[Row]:
-    """The moments of the link that the drive turns, and the torques at the input that overcome them."""
-    moments, torque = found.moments, found.given.torque
-    if moments is None:
-        return
-    if moments.friction is not None and not math.isnan(moments.friction):
-        rubbing = N_("mean moment of friction in the pairs, reduced to the driving link")
-        yield "M_fr", Symbol("M", "fr"), "N·m", rubbing, moments.friction
-    mean = N_("mean balancing moment of the driving link over the cycle")
-    if moments.rubs:
-        mean = N_("mean balancing moment of the driving link over the cycle, friction in the pairs in it")
-    yield "M_mean", Symbol("M", MEAN), "N·m", mean, moments.mean
-    greatest = N_("balancing moment of the driving link of the greatest size")
-    yield "M_greatest", Symbol("M", GREATEST), "N·m", greatest, moments.greatest
-    angle = N_("angle turned by the driving link at which the balancing moment has its greatest size")
-    yield "M_angle", Symbol("phi", GREATEST), "deg", angle, math.degrees(moments.angle)
-    if torque is not None:
-        at_input = N_("torque on the input shaft")
-        yield "T_mean", Symbol("T", found.input), "N·m", at_input, torque
-        times = N_("how many times the greatest balancing moment is the mean one")
-        yield "peak", Symbol("k", "M"), "", times, moments.peak
 
 
 def teeth_columns(found: Found) -> Iterator[Column]:

@@ -3,25 +3,23 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator
-from dataclasses import replace
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import assert_never
 
 from tmm_report.chapters.gears.drive.bounds import check_listing
-from tmm_report.chapters.gears.drive.crank_quantities import TEETH, crank_rows, teeth_columns
+from tmm_report.chapters.gears.drive.crank_quantities import TEETH, teeth_columns
 from tmm_report.chapters.gears.drive.solve import Found
 from tmm_report.chapters.gears.drive.stages import Stage
+from tmm_report.chapters.gears.drive.steps import whole
 from tmm_report.chapters.gears.planetary.quantities import stage as planetary_quantities
 from tmm_report.chapters.gears.planetary.solve import stage as planetary
 from tmm_report.chapters.gears.spur import quantities as spur_quantities
 from tmm_report.chapters.gears.spur.solve import pair as spur
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, text_column
-from tmm_report.quantity.symbols import Symbol, both, math_symbol, segment
+from tmm_report.quantity.sheet import Row, columns
+from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.tabulated import tabulated
-
-# key, symbol (None of what is never written as one), unit, meaning, number
-Row = tuple[str, Symbol | None, str, str, float]
 
 STAGES = Message(N_("stages of the drive in the order of the power"))
 SPEEDS = Message(N_("angular velocities of the members of the drive"))
@@ -40,9 +38,10 @@ def book(found: Found, prefix: str = "drive") -> Book:
 @tabulated
 def tables(found: Found, prefix: str = "drive") -> Iterator[Table]:
     """Speeds, loads, flow of the power, comparison; then those of the stages."""
-    yield Table(f"{prefix}_stages", STAGES, _stages(found))
-    yield Table(f"{prefix}_speeds", SPEEDS, _speeds(found))
-    yield Table(f"{prefix}_segments", SEGMENTS, _segments(found))
+    made = whole(found, prefix)
+    yield Table(f"{prefix}_stages", STAGES, tuple(_stages(found, made.stages)))
+    yield Table(f"{prefix}_speeds", SPEEDS, tuple(_of_members(made.members)))
+    yield Table(f"{prefix}_segments", SEGMENTS, tuple(_of_members(made.segments)))
     yield Table(f"{prefix}_comparison", COMPARISON, _comparison(found))
     yield Table(f"{prefix}_loads", LOADS, _loads(found))
     yield Table(f"{prefix}_meshes", MESHES, _meshes(found))
@@ -55,9 +54,7 @@ def tables(found: Found, prefix: str = "drive") -> Iterator[Table]:
 @tabulated
 def values(found: Found, prefix: str = "drive") -> Iterator[Value]:
     """Ratio, deviation, efficiency of the drive; then the values of the stages."""
-    for rows in (_ratios(found), _whole(found), _diagrams(found), crank_rows(found)):
-        for key, symbol, unit, meaning, number in rows:
-            yield Quantity(f"{prefix}_{key}", symbol, unit, Message(meaning)).value(float(number))
+    yield from whole(found, prefix).s.values()
     for number, stage in enumerate(found.stages, 1):
         yield from stage_values(stage, f"stage{number}")
 
@@ -92,92 +89,21 @@ def stage_values(stage: Stage, prefix: str) -> Iterable[Value]:
             assert_never(stage)
 
 
-# --- single numbers
-
-
-def _ratios(found: Found) -> Iterator[Row]:
-    whole = Symbol("u", both(found.input, found.output))
-    # i of a differential, whose u is that with the second input at rest
-    work = replace(whole, base="i") if found.differential else whole
-    graph = replace(work, sup="gr")
-    yield "u", work, "", N_("ratio of the drive at work"), found.ratio
-    yield "u_teeth", whole, "", N_("ratio of the drive, second inputs at rest"), found.geared
-    yield "u_required", replace(whole, sup="′"), "", N_("required ratio of the drive"), found.wanted
-    yield "delta_u", Symbol("delta", "u"), "%", N_("deviation of the ratio"), 100 * found.deviation
-    yield "u_graph", graph, "", N_("ratio by the plan of angular velocities"), found.graphical
-    error = N_("difference of the ratio by the plan from the calculated one")
-    yield "error", Symbol("delta"), "%", error, found.graphical_error
-    yield "tolerance", None, "%", N_("allowed deviation of the ratio"), 100 * found.given.tolerance
-
-
-def _whole(found: Found) -> Iterator[Row]:
-    yield "eta", Symbol("eta"), "", N_("efficiency of the drive"), found.efficiency
-    yield "losses", None, "W", N_("power lost in all the meshes"), found.losses
-
-
-def _diagrams(found: Found) -> Iterator[Row]:
-    plans, first = found.plans, found.plans.first.name
-    yield "mu_l", math_symbol("mu_l"), "m/mm", N_("scale of the kinematic scheme"), plans.length_scale
-    scale = N_("scale of the diagram of linear velocities")
-    yield "mu_v", math_symbol("mu_v"), "(m/s)/mm", scale, plans.velocity_scale
-    scale = N_("scale of the plan of angular velocities")
-    yield "mu_omega", math_symbol("mu_omega"), "(rad/s)/mm", scale, plans.angular_scale
-    yield "h", Symbol("h"), "mm", N_("pole distance of the plan of angular velocities"), plans.pole
-    yield "step", None, "mm", N_("to which the segments are read"), plans.accuracy
-    arm = N_("distance of the point whose velocity is laid off from the axis of the input member")
-    yield "arm", Symbol("r", found.input), "m", arm, found.arm
-    v = found.speed[found.input] * found.arm
-    yield "v", Symbol("v", first), "m/s", N_("velocity of the point that is laid off"), v
-    laid = segment(f"{first}{first.lower()}")
-    yield "laid", laid, "mm", N_("segment as which this velocity is laid off"), abs(v) / plans.velocity_scale
-
-
 # --- stages and members
 
 
-def _stages(found: Found) -> tuple[Column, ...]:
+def _stages(found: Found, rows: Sequence[Row]) -> Iterator[Column]:
     stages = found.stages
-    ratios = [Symbol("u", both(stage.input, stage.output)) for stage in stages]
-    required = [replace(symbol, sup="′") for symbol in ratios]
-    etas = [replace(symbol, base="eta") for symbol in ratios]
     members = ["–".join(member.name for member in stage.members) for stage in stages]
-    efficiency = Quantity("eta", Symbol("eta"), "", Message(N_("efficiency of the stage")))
-    ratio = Quantity("u", Symbol("u"), "", Message(N_("ratio of the stage, the second input at rest")))
-    wanted = Quantity("u_required", Symbol("u", "", "′"), "", Message(N_("required ratio of the stage")))
     number = Quantity("stage", None, "", Message(N_("number of the stage")))
-    return (
-        number.column(list(range(1, len(stages) + 1))),
-        text_column("members", Message(N_("members of the stage")), members),
-        Column(ratio, [stage.ratio for stage in stages], ratios),
-        Column(wanted, [stage.wanted for stage in stages], required),
-        Column(efficiency, [stage.efficiency for stage in stages], etas),
-    )
+    yield number.column(list(range(1, len(stages) + 1)))
+    yield text_column("members", Message(N_("members of the stage")), members)
+    yield from columns(rows)
 
 
-def _speeds(found: Found) -> tuple[Column, ...]:
-    members = found.train.members
-    names = [m.name for m in members]
-    omega = [found.speed[name] for name in names]
-    carried = [found.speed[m.carried_by] if m.carried_by else 0.0 for m in members]
-    relative = [w - c for w, c in zip(omega, carried, strict=True)]
-    about = Message(N_("angular velocity about the carrier of the axis"))
-    teeth = Quantity("z", Symbol("z"), "", Message(N_("number of teeth; 0: a carrier")))
-    speed = Quantity("omega", Symbol("omega"), "rad/s", Message(N_("angular velocity")))
-    turns = Quantity("n", Symbol("n"), "rpm", Message(N_("frequency of rotation")))
-    return (
-        text_column("member", MEMBER, names),
-        Column(teeth, [m.teeth for m in members], [Symbol("z", name) for name in names]),
-        Column(speed, omega, [Symbol("omega", name) for name in names]),
-        Column(turns, [w * 30 / math.pi for w in omega], [Symbol("n", name) for name in names]),
-        Quantity("omega_rel", Symbol("omega", "", "(H)"), "rad/s", about).column(relative),
-    )
-
-
-def _segments(found: Found) -> tuple[Column, ...]:
-    names = [m.name for m in found.train.members]
-    s = Quantity("s", Symbol("s"), "mm", Message(N_("segment as it is read, signed")))
-    read = [found.plans.segment(name) for name in names]
-    return text_column("member", MEMBER, names), Column(s, read, [Symbol("s", name) for name in names])
+def _of_members(rows: Mapping[str, Row]) -> Iterator[Column]:
+    yield text_column("member", MEMBER, list(rows))
+    yield from columns([*rows.values()])
 
 
 def _comparison(found: Found) -> tuple[Column, ...]:

@@ -10,15 +10,17 @@ from typing import Any, assert_never
 from markupsafe import Markup
 
 from tmm_report.chapters.gears.drive.draw.diagrams import kinematic_scheme, velocities
-from tmm_report.chapters.gears.drive.formulas import DriveFormulas
+from tmm_report.chapters.gears.drive.quantities import tables
 from tmm_report.chapters.gears.drive.solve import Found
 from tmm_report.chapters.gears.drive.stages import Stage
+from tmm_report.chapters.gears.drive.steps import whole
 from tmm_report.chapters.gears.planetary.solve import stage as planetary
 from tmm_report.chapters.gears.spur.solve import pair as spur
 from tmm_report.figures.drawing import Drawing
 from tmm_report.problems import N_
 from tmm_report.quantity import model as quantity
 from tmm_report.quantity.formula import Formula
+from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.part import Failed, Inner, Part
@@ -56,24 +58,38 @@ def picture(found: Found, page: Page) -> Drawing:
     return kinematic_scheme(found.stages, found.plans, found.speed, str(page.t(SCHEME)))
 
 
-class DriveView(DriveFormulas):
+class DriveView(ChapterView):
+    """Members are named as in the scheme; `label`: with which the names of the results begin."""
+
     def __init__(self, found: Found, page: Page, label: str):
-        super().__init__(found, label)
-        self.page, self.label = page, label
-        self.t = page.t
+        self.found, self.plans, self.label, self.whole = found, found.plans, label, whole(found, label)
+        super().__init__(page, self.whole.s, tables(found, label))
+        self.speeds_of, self.members = self.table("speeds"), self.whole.members
+
+    # ------------------------------------------------------------ formulas
+
+    def laid_off(self) -> Formula:
+        return self.value("v").formula(self.whole.laid_off(), size=True)
+
+    def input_speed(self) -> Formula:
+        return self.members[self.found.input].formula("omega")
+
+    def speeds(self) -> list[Formula]:
+        """Of all the stages in their order."""
+        return [self.members[name].formula("omega") for names in self.whole.turned for name in names]
 
     # ------------------------------------------------------------ what is given
 
     def given_table(self) -> Table:
         """Stages in the order of the power."""
-        table = self.of.table("stages")
+        table = self.table("stages")
         heads = [self.t(text) for text in (N_("Stage"), N_("Kind"), N_("Members"), N_("Required ratio"))]
         rows = [
             [
                 Cell(str(row + 1), table.ref("stage", row)),
                 self.kind(stage),
                 table["members"].values[row],
-                self.page.value(self.of_stage("u_required", row)),
+                self.page.value(self.whole.stages[row].u_required),
             ]
             for row, stage in enumerate(self.found.stages)
         ]
@@ -91,11 +107,11 @@ class DriveView(DriveFormulas):
 
     @property
     def tolerance(self) -> Markup:
-        return self.page.shown(self.of["tolerance"])
+        return self.number("tolerance")
 
     def rpm(self, name: str) -> Markup:
         """The frequency of rotation of a member."""
-        return self.page.shown(self.speeds_of, "n", self.place[name])
+        return self.page.shown(self.members[name]["n"])
 
     @property
     def second(self) -> list[str]:
@@ -110,8 +126,8 @@ class DriveView(DriveFormulas):
 
     @property
     def readable(self) -> bool:
-        """Whether the output's segment is long enough for a ratio."""
-        return bool(self.plans.segment(self.found.output))
+        """Whether the output turns, and its segment is long enough for a ratio."""
+        return self.whole.readable
 
     def symbols(self) -> list[dict[str, Any]]:
         """What the formulas of the speeds are made of."""
@@ -136,7 +152,7 @@ class DriveView(DriveFormulas):
 
     def _of_members(self, key: str, names: Sequence[str]) -> Column:
         """Speeds of some of the members."""
-        table, rows = self.speeds_of, [self.place[name] for name in names]
+        table, rows = self.speeds_of, [self.members[name].row for name in names]
         texts = self.page.col(table[key].number(row) for row in rows)
         cells = [Cell(text, table.ref(key, row)) for text, row in zip(texts, rows, strict=True)]
         return Column(self.page.head(table[key].symbol(), table[key].unit), cells)
@@ -157,7 +173,7 @@ class DriveView(DriveFormulas):
 
     def comparison_table(self) -> Table:
         """Velocities of the points and angular velocities by the diagrams and by calculation."""
-        table, page = self.of.table("comparison"), self.page
+        table, page = self.table("comparison"), self.page
         heads = [
             self.t("Quantity"),
             self.t("By the diagrams"),
@@ -178,7 +194,7 @@ class DriveView(DriveFormulas):
 
     def loads_table(self) -> Table:
         """External torques and powers; a positive power is supplied."""
-        table, page = self.of.table("loads"), self.page
+        table, page = self.table("loads"), self.page
         columns = [
             page.column(table, "T"),
             self._of_members("omega", table["member"].values),
@@ -188,7 +204,7 @@ class DriveView(DriveFormulas):
 
     def meshes_table(self) -> Table:
         """Direction of the power in every mesh."""
-        table, page = self.of.table("meshes"), self.page
+        table, page = self.table("meshes"), self.page
         rows = [
             [
                 page.word(f"{mesh.i}–{mesh.j}", table, "mesh", row),
@@ -208,7 +224,7 @@ class DriveView(DriveFormulas):
 
     def teeth_table(self) -> Table:
         """Forces in the meshes by the mean and by the greatest balancing moment."""
-        table, page = self.of.table("teeth"), self.page
+        table, page = self.table("teeth"), self.page
         names = [page.word(name, table, "mesh", row) for row, name in enumerate(table["mesh"].values)]
         keys = ("F_t_mean", "F_r_mean", "F_t_greatest", "F_r_greatest")
         columns = [page.column(table, key) for key in keys]
@@ -237,7 +253,7 @@ class DriveView(DriveFormulas):
                 "The friction of the kinematic pairs is in neither, as the variant states; it is %(moment)s on the "
                 "mean."
             )
-        return self.t(text, moment=self.page.value(self.of["M_fr"].var()))
+        return self.t(text, moment=self.sized("M_fr"))
 
     # ------------------------------------------------------------ pictures
 
@@ -251,10 +267,6 @@ class DriveView(DriveFormulas):
         found, title = self.found, str(self.t("Diagrams of linear and angular velocities"))
         return velocities(found.stages, found.plans, found.speed, title)
 
-    def formulas(self) -> list[Formula]:
-        """Speeds of all the stages in their order."""
-        return [formula for number in range(len(self.found.stages)) for formula in self.speeds(number)]
-
     def conclusions(self) -> list[Markup]:
         """What failed, first; then what was found."""
         return [*self._failures(), self.page.listed(self._found(), " ")]
@@ -267,20 +279,19 @@ class DriveView(DriveFormulas):
                 "The ratio of the gear drive deviates from the required one by %(deviation)s %%, which is more than "
                 "the allowed %(tolerance)s %%."
             )
-            deviation = self.page.shown(self.of["delta_u"], size=True, digits=3)
+            deviation = self.number("delta_u", size=True, digits=3)
             yield Failed(self.t(text, deviation=deviation, tolerance=self.tolerance))
 
     def _found(self) -> Iterator[Markup]:
-        shown = self.page.shown
         yield self.t(
             "The ratio of the gear drive is %(ratio)s, its deviation from the required one is %(deviation)s %%.",
-            ratio=self.page.value(self.of["u_teeth"].var()),
-            deviation=shown(self.of["delta_u"], digits=3),
+            ratio=self.sized("u_teeth"),
+            deviation=self.number("delta_u", digits=3),
         )
         if not self.found.locks:
-            yield self.t("The efficiency of the gear drive is %(eta)s.", eta=shown(self.of["eta"], digits=4))
-        if self.readable and self.found.runs:
+            yield self.t("The efficiency of the gear drive is %(eta)s.", eta=self.number("eta", digits=4))
+        if self.readable:
             text = N_(
                 "By the plan of angular velocities the ratio differs from the calculated one by %(error)s %%."
             )
-            yield self.t(text, error=shown(self.of["error"], size=True, digits=3))
+            yield self.t(text, error=self.number("error", size=True, digits=3))

@@ -9,22 +9,25 @@ from pydantic import Field, model_validator
 
 from tmm_report.chapters.gears.eccentric.paths import Point
 from tmm_report.chapters.gears.eccentric.solve import mechanism as eccentric
-from tmm_report.chapters.gears.spur.block import Module, RackModel, Span, Tooth
-from tmm_report.mechanics.gears.meshing import Rack
+from tmm_report.chapters.gears.spur.given import Rack
 from tmm_report.problems import N_, Message, Problem, shown
 from tmm_report.quantity import units
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant import model
 from tmm_report.variant.model import Model, Read
+from tmm_report.variant.stated import Stated
 from tmm_report.variant.values import (
     Angle,
     Density,
     Distance,
     Label,
+    Module,
     Name,
     Positive,
     Reads,
+    Span,
     Speed,
+    Tooth,
     quantity,
     whole,
 )
@@ -102,7 +105,7 @@ class EccentricModel(Model):
     ring_up_to: RingTeeth | None = Field(
         default=None, description="the largest ring of the family; left out, 200 teeth or what the ratio asks"
     )
-    rack: RackModel = Field(default_factory=RackModel)
+    rack: Stated[Rack] = Field(default_factory=Rack)
     speed: Speed | None = Field(default=None, description="of the driving wheel", examples=["600 rpm"])
     tolerance: Tolerance | None = Field(
         default=None, description="of the ratio: sets near it are listed too", examples=["2 %"]
@@ -150,7 +153,7 @@ def build(model: EccentricModel) -> eccentric.Given:
         ratio=model.ratio,
         eccentricity=model.eccentricity,
         teeth=tuple(model.teeth) if model.teeth else None,
-        rack=Rack(model.rack.alpha, model.rack.ha, model.rack.c),
+        rack=model.rack,
         clearance=model.clearance,
         backlash=model.backlash,
         t=model.t,

@@ -7,23 +7,28 @@ from typing import Annotated, Literal
 from pydantic import Field, Tag, model_validator
 
 from tmm_report.chapters.gears.planetary.solve import stage as planetary
-from tmm_report.chapters.gears.spur.block import (
-    Efficiency,
-    Helix,
-    Module,
-    RackModel,
-    Shift,
-    Span,
-    Tooth,
-    signed_ratio,
-)
-from tmm_report.mechanics.gears.meshing import Rack
+from tmm_report.chapters.gears.spur.given import Rack, signed_ratio
 from tmm_report.mechanics.gears.planetary.search import LARGEST_SHIFTED, Task
 from tmm_report.mechanics.gears.planetary.stage import SCHEMES, Member
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.model import Model
-from tmm_report.variant.values import LIST, SCALAR, Label, Reads, by_shape, quantity, whole
+from tmm_report.variant.stated import Stated
+from tmm_report.variant.values import (
+    LIST,
+    SCALAR,
+    Efficiency,
+    Helix,
+    Label,
+    Module,
+    Reads,
+    Shift,
+    Span,
+    Tooth,
+    by_shape,
+    quantity,
+    whole,
+)
 
 RATIOS = (1e-4, 1e4)
 WORDS: dict[str, Member] = {
@@ -120,7 +125,7 @@ class PlanetaryModel(Model):
         default=(12, 100), description="least and largest teeth sought, of wheels with external teeth"
     )
     ring_teeth: tuple[Ring, Ring] = Field(default=(20, 200), description="the same of rings")
-    rack: RackModel = Field(default_factory=RackModel)
+    rack: Stated[Rack] = Field(default_factory=Rack)
     efficiency: Efficiency = Field(default=0.98, description="of the stage with its carrier stopped")
 
     @model_validator(mode="after")
@@ -206,7 +211,7 @@ def build(model: PlanetaryModel, wheels: tuple[str, ...], allowed: float = USUAL
     """
     modules = model.module if isinstance(model.module, tuple) else (model.module, model.module)
     low, high = model.counts
-    normal, turn = Rack(model.rack.alpha, model.rack.ha, model.rack.c), math.cos(model.helix)
+    normal, turn = model.rack, math.cos(model.helix)
     across = normal.transverse(model.helix) if model.helix else normal
     task = Task(
         scheme=SCHEMES["sun-ring" if model.scheme == "any" else model.scheme],

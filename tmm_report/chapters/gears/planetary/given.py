@@ -44,3 +44,8 @@ class Given:
     def wheels(self) -> tuple[str, str, str, str]:
         """Names of the wheels in the order of the teeth z1, z2, z2', z3."""
         return self.names[0], *self.crowns, self.names[-2]
+
+    @property
+    def one_module(self) -> bool:
+        """Whether both rows have the same module."""
+        return self.task.scheme.single or self.task.modules[0] == self.task.modules[1]

@@ -1,45 +1,163 @@
-"""What a spur stage states."""
+"""What a spur stage states, as it stands in the list of a drive's stages; SI."""
 
 from __future__ import annotations
 
-from typing import Literal
+import math
+from dataclasses import field
+from functools import partial
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
-from tmm_report.mechanics.gears.meshing import Cutter, Rack
+from tmm_report.mechanics.gears import cutting, rack
+from tmm_report.problems import N_, Message, shown
+from tmm_report.quantity import units
 from tmm_report.quantity.paper import ACCURACY
+from tmm_report.quantity.units import WrongValue
 from tmm_report.records import dataclass
 
-Rule = Literal["rule", "limit", "equal sliding"]
-EQUAL: Rule = "equal sliding"
-STANDARD = Rack()
+if TYPE_CHECKING:
+    from pydantic import Field, Tag
+
+    from tmm_report.variant.values import (
+        LIST,
+        SCALAR,
+        Efficiency,
+        Flag,
+        Helix,
+        Label,
+        Module,
+        Reads,
+        Shift,
+        Span,
+        Tooth,
+        by_shape,
+        quantity,
+        whole,
+    )
+
+EQUAL = "equal sliding"
+
+
+def signed_ratio(value: Any, limits: tuple[float, float], wrong: str, right: str) -> float:
+    """A ratio of either sign whose magnitude is within the limits; `wrong`, `right`: what to say of another one."""
+    number = units.parse(value, "number")
+    low, high = limits
+    if low <= abs(number) <= high:
+        return number
+    limited = {"low": f"{low:g}", "high": f"{high:g}"}
+    raise WrongValue(Message(wrong, {"value": shown(value)}), Message(right, limited))
+
+
+of_pair = partial(
+    signed_ratio,
+    limits=(0.02, 50.0),
+    wrong=N_("no pair of wheels has the ratio %(value)s"),
+    right=N_("from %(low)s to %(high)s, with a minus where the wheels turn in opposite senses"),
+)
+SIGN = {"type": "number", "description": "minus: an external pair, plus: an internal one"}
+
+
+@dataclass(frozen=True)
+class Rack(rack.Rack):
+    """The basic rack that cuts the teeth."""
+
+    alpha: Annotated[
+        float,
+        quantity("angle", math.radians(10), math.radians(35), "10 … 35 deg"),
+        Field(description="profile angle", examples=["20 deg"]),
+    ] = math.radians(20)
+    ha: Annotated[
+        float,
+        quantity("number", 0.2, 2.0, "0.2 … 2"),
+        Field(alias="ha*", description="height of the head, in modules"),
+    ] = 1.0
+    c: Annotated[
+        float, quantity("number", 0.0, 1.0, "0 … 1"), Field(alias="c*", description="clearance, in modules")
+    ] = 0.25
+
+
+@dataclass(frozen=True)
+class Cutter(cutting.Cutter):
+    """A pinion cutter that cuts the ring of an internal pair, or both wheels of an external one."""
+
+    z: Annotated[int, whole(6, 1000), Field(alias="z0", description="number of its teeth", examples=[20])]
+    x: Annotated[
+        Shift,
+        Field(alias="x0", description="its own shift: above zero new, below zero worn", examples=[0.1]),
+    ] = 0.0
 
 
 @dataclass(frozen=True, eq=False)
-class Given:
-    """What a spur stage states; lengths in m, `helix` in rad.
+class Spur:
+    """A pair of wheels on fixed axes; the driving one is named first."""
 
-    `ratio`: ω1/ω2, negative for an external pair. `teeth` None: found from the centre distance; that None: found from
-    the shifts. `shift`: how the sum of shifts is divided, or both. `wheels`: their numbers in the drive, the driving
-    one first. `accuracy`: to which places are read off the drawing of the mesh, m of paper. `sliding_limit`: largest
-    specific sliding, None: by the pitch-line velocity. `cutter`: a pinion cutter that cuts the ring, or both external
-    wheels; None: dimensions as if all were cut by a rack.
-    """
+    NOT_STATED: ClassVar = ("wheels", "accuracy")
 
-    ratio: float
-    module: float
-    centre_distance: float | None = None
-    teeth: tuple[int, int] | None = None
-    wheels: tuple[str, str] = ("1", "2")
-    rack: Rack = STANDARD
-    helix: float = 0.0
-    width: float | None = None
-    shift: Rule | tuple[float, float] = "rule"
-    shortened: bool = True
-    efficiency: float = 0.98
-    name: str = ""
-    accuracy: float = ACCURACY
-    sliding_limit: float | None = None
-    cutter: Cutter | None = None
+    kind: Literal["spur"] = field(default="spur", kw_only=True)
+    name: Annotated[
+        Label | None, Field(description="in the headings; left out, the numbers of the wheels")
+    ] = field(default=None, kw_only=True)
+    ratio: Annotated[float, Reads(of_pair, SIGN), Field(examples=[-2])]
+    mesh: Annotated[
+        Literal["external", "internal"] | None,
+        Field(
+            description="says the pair in a word; left out, the sign of the ratio says it, and a plus is asked about"
+        ),
+    ] = field(default=None, kw_only=True)
+    module: Annotated[Module, Field(description="of helical teeth, in the normal section", examples=["6 mm"])]
+    centre_distance: Annotated[
+        Span | None,
+        Field(description="left out, it follows from the teeth and the shifts", examples=["130 mm"]),
+    ] = None
+    teeth: Annotated[
+        tuple[Tooth, Tooth] | None,
+        Field(description="left out, they are found from the centre distance", examples=["[14, 28]"]),
+    ] = None
+    helix: Helix = 0.0
+    width: Annotated[Span | None, Field(description="face width, for the overlap of helical teeth")] = None
+    rack: Rack = field(default_factory=Rack)
+    shift: Annotated[
+        Annotated[Literal["rule", "limit", "equal sliding"], Tag(SCALAR)]
+        | Annotated[tuple[Shift, Shift], Tag(LIST)],
+        by_shape(N_("rule, limit, equal sliding or two shifts: [0.2, 0.5]")),
+        Field(description="how the shifts are divided: by (17 − z)/17, by the exact limit, …"),
+    ] = "rule"
+    tip_shortening: Annotated[
+        Flag,
+        Field(
+            description="false: tips of full height whatever the clearance, of a ring whatever fillets they touch"
+        ),
+    ] = True
+    cutter: Annotated[
+        Cutter | None,
+        Field(
+            description="left out, dimensions are those of wheels cut by a rack; "
+            "a usual cutter of a ring is shown beside"
+        ),
+    ] = None
+    efficiency: Efficiency = 0.98
+    sliding_limit: Annotated[
+        Annotated[float, quantity("number", 0.5, 20.0, "0.5 … 20")] | None,
+        Field(
+            description="largest specific sliding; left out, 6 up to 15 m/s at the pitch line, falling to 3 at 20 m/s"
+        ),
+    ] = None
+    wheels: tuple[str, str] = field(default=("1", "2"), kw_only=True)  # their names in the drive
+    accuracy: float = field(
+        default=ACCURACY, kw_only=True
+    )  # to which the drawing of the mesh is read, m of paper
+
+    def __post_init__(self) -> None:
+        """An external pair stated in a word has a minus, written or not."""
+        if self.mesh == "external":
+            object.__setattr__(self, "ratio", -abs(self.ratio))
+        if self.mesh == "internal" and self.ratio < 0:
+            wrong = N_("the wheels of an internal pair turn in the same sense: its ratio has no minus")
+            right = Message(N_("either ratio: %(ratio)s or mesh: external"), {"ratio": f"{-self.ratio:g}"})
+            raise WrongValue(Message(wrong), right)
 
     @property
     def internal(self) -> bool:
         return self.ratio > 0
+
+
+Given = Spur

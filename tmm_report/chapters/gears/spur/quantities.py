@@ -1,4 +1,4 @@
-"""Every number of a spur stage that anyone can read: its key, symbol, unit and meaning."""
+"""The numbers of a spur stage that anyone can read: single ones and tables."""
 
 from __future__ import annotations
 
@@ -8,17 +8,16 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.gears.spur.solve.cutter import columns_of
 from tmm_report.chapters.gears.spur.solve.pair import Found
-from tmm_report.chapters.gears.spur.values import values
+from tmm_report.chapters.gears.spur.steps import stage
+from tmm_report.chapters.gears.spur.values import Points
 from tmm_report.mechanics.gears.limits.condition import Condition
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.model import Book, Column, Quantity, Table, text_column
+from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, text_column
+from tmm_report.quantity.sheet import Q, Row, columns
 from tmm_report.quantity.symbols import Symbol, segment
 from tmm_report.quantity.tabulated import tabulated
-from tmm_report.quantity.terms.wheel_words import DIAMETERS, TEETH, dimension, of_wheel
-
-__all__ = ["book", "tables", "values"]
+from tmm_report.quantity.terms.wheel_words import of_wheel
 
 WHEELS = N_("dimensions of the wheels of pair %(name)s")
 CONDITIONS = N_("conditions of pair %(name)s")
@@ -41,41 +40,6 @@ POINT = N_("A, B: ends of the active part; C, D: ends of two-pair contact; P: th
 NUMBER_OF_WHEEL = Message(N_("number of the wheel"))
 UNIT_OF_ROW = Message(N_("unit of the numbers in the row"))
 
-# one number for each wheel, by its attribute of the pair
-DIMENSIONS = (
-    *map(dimension, DIAMETERS | TEETH),
-    Quantity("alpha_a", Symbol("alpha", "a"), "deg", Message(N_("profile angle at the tip"))),
-    Quantity("rho_a", Symbol("rho", "a"), "m", Message(N_("radius of curvature of the profile at the tip"))),
-    Quantity(
-        "rho_p",
-        Symbol("rho", "p"),
-        "m",
-        Message(N_("radius of curvature at the lower point of the active profile")),
-    ),
-    Quantity(
-        "root_sliding",
-        Symbol("lambda", "p"),
-        "",
-        Message(N_("specific sliding at the lower point of the active profile")),
-    ),
-    Quantity("tip_sliding", Symbol("lambda", "a"), "", Message(N_("specific sliding at the tip"))),
-)
-# the same where the contact is shorter than between the tip circles
-SHORT = (
-    Quantity(
-        "rho_m",
-        Symbol("rho", "m"),
-        "m",
-        Message(N_("radius of curvature where the tip circle of the other wheel meets the line of action")),
-    ),
-    Quantity(
-        "rho_u",
-        Symbol("rho", "u"),
-        "m",
-        Message(N_("radius of curvature at the upper point of the active profile")),
-    ),
-)
-
 
 def book(found: Found, prefix: str) -> Book:
     """All of the stage; every name begins with `prefix`."""
@@ -83,18 +47,32 @@ def book(found: Found, prefix: str) -> Book:
 
 
 @tabulated
+def values(found: Found, prefix: str) -> Iterator[Value]:
+    """The single numbers of the pair; every key begins with `prefix`."""
+    made = stage(found, prefix)
+    yield from made.s.values()
+    yield from made.drawn.values()
+
+
+@tabulated
 def tables(found: Found, prefix: str) -> Iterator[Table]:
     """The wheels, conditions, specific sliding over the line of action, readings of the drawing, blocking contour."""
+    made = stage(found, prefix)
+    cut = [found.given.wheels[i] for i in found.cut_wheels]
     parts = {
-        "wheels": (WHEELS, _wheels), "conditions": (CONDITIONS, _conditions), "sliding": (SLIDING, _sliding),
-        "readings": (READINGS, _readings), "contour": (CONTOUR, _contour), "points": (POINTS, _points),
-        **({"velocities": (VELOCITIES, _velocities)} if found.motion else {}),
-        **({"phase": (PHASE, _phase)} if found.phase else {}),
-        **({} if found.contour.feasible else {"lacks": (LACKS, _lacks)}),
-        **({"cutter": (CUTTER, columns_of)} if found.cutters else {}),
-    }  # fmt: skip
-    for key, (meaning, columns) in parts.items():
-        yield Table(f"{prefix}_{key}", Message(meaning, {"name": found.name}), tuple(columns(found)))
+        "wheels": (WHEELS, _rows(found.given.wheels, made.wheels)),
+        "conditions": (CONDITIONS, _conditions(found)),
+        "sliding": (SLIDING, _sliding(found)),
+        "readings": (READINGS, _readings(found)),
+        "contour": (CONTOUR, _contour(found)),
+        "points": (POINTS, _points(found)),
+        **({"velocities": (VELOCITIES, _velocities(found))} if found.motion else {}),
+        **({"phase": (PHASE, _phase(found))} if found.phase else {}),
+        **({} if found.contour.feasible else {"lacks": (LACKS, _lacks(found))}),
+        **({"cutter": (CUTTER, _rows(cut, made.tools))} if cut else {}),
+    }
+    for key, (meaning, table) in parts.items():
+        yield Table(f"{prefix}_{key}", Message(meaning, {"name": found.name}), tuple(table))
 
 
 def degrees(unit: str, value: Any) -> Any:
@@ -105,28 +83,9 @@ def degrees(unit: str, value: Any) -> Any:
 # ---------------------------------------------------------------- wheels
 
 
-def _wheels(found: Found) -> Iterator[Column]:
-    pair, names = found.pair, found.given.wheels
-    shift, least = Symbol("x"), Symbol("x", "min")
-    rows: tuple[tuple[Quantity, Sequence[Any]], ...] = (
-        (Quantity("z", Symbol("z"), "", Message(N_("number of teeth"))), found.teeth.z),
-        (Quantity("x", shift, "", Message(N_("shift coefficient"))), (float(pair.x1), float(pair.x2))),
-        (Quantity("x_rule", None, "", Message(N_("least shift by the rule"))), found.rule_shifts),
-        (Quantity("x_min", least, "", Message(N_("exact least shift"))), [float(x) for x in pair.x_min]),
-        *(
-            (of, [float(degrees(of.unit, x)) for x in getattr(pair, of.key)])
-            for of in (*DIMENSIONS, *(SHORT if found.cut_short else ()))
-        ),
-        (
-            Quantity(
-                "rho_l", Symbol("rho", "l"), "m", Message(N_("radius of curvature where the involute begins"))
-            ),
-            found.starts,
-        ),
-    )
+def _rows(names: Sequence[str], rows: Sequence[Row]) -> Iterator[Column]:
     yield text_column("wheel", NUMBER_OF_WHEEL, list(names))
-    for of, numbers in rows:
-        yield Column(of, list(numbers), [of_wheel(of.symbol, name) for name in names] if of.symbol else ())
+    yield from columns(rows)
 
 
 # ---------------------------------------------------------------- conditions
@@ -161,61 +120,41 @@ def _symbol(c: Condition, found: Found) -> Symbol:
 # ---------------------------------------------------------------- line of action
 
 
+def _each(of: Q, found: Found, numbers: Sequence[Any]) -> Iterator[Column]:
+    """A column for each wheel, by its name."""
+    for name, own in zip(found.given.wheels, numbers, strict=False):
+        yield of.of(name, wheel=name).column(own)
+
+
 def _sliding(found: Found) -> Iterator[Column]:
-    at, (one, two) = found.path.along, found.given.wheels
-    yield _curvature(one).column(at.rho)
-    for name, numbers in ((one, at.first), (two, at.second)):
-        yield _slip(name).column(numbers)
+    at = found.path.along
+    yield from _each(Points.rho, found, [at.rho])
+    yield from _each(Points.lambda_, found, (at.first, at.second))
 
 
 def _points(found: Found) -> Iterator[Column]:
-    path, (one, two) = found.path, found.given.wheels
+    path = found.path
     yield text_column("point", Message(POINT), list(path.points))
-    for of, numbers in (
-        (_curvature(one), path.at.rho), (_curvature(two), path.mates),
-        (_slip(one), path.at.first), (_slip(two), path.at.second),
-    ):  # fmt: skip
-        yield of.column(numbers)
+    yield from _each(Points.rho, found, (path.at.rho, path.mates))
+    yield from _each(Points.lambda_, found, (path.at.first, path.at.second))
 
 
 def _velocities(found: Found) -> Iterator[Column]:
-    motion, points, wheels = found.motion, list(found.path.points), found.given.wheels
+    motion, points = found.motion, list(found.path.points)
     assert motion is not None
     yield text_column("point", Message(POINT), points)
-    across = N_("velocity of the point of the tooth of wheel %(wheel)s across the line of action")
-    whole = N_("velocity of the point of the tooth of wheel %(wheel)s")
-    for name, numbers in zip(wheels, motion.across, strict=True):
-        yield _velocity(f"v_tau_{name}", "τ", name, across).column(numbers)
-    for name, numbers in zip(wheels, motion.whole, strict=True):
-        yield _velocity(f"v_{name}", "", name, whole).column(numbers)
-    sliding = Message(N_("velocity of sliding, above zero where the driving wheel is the faster"))
-    yield Quantity("v_sl", Symbol("V", "slide"), "m/s", sliding).column(motion.sliding)
+    yield from _each(Points.v_tau, found, motion.across)
+    yield from _each(Points.v, found, motion.whole)
+    yield Points.v_sl.column(motion.sliding)
 
 
 def _phase(found: Found) -> Iterator[Column]:
-    phase, wheels = found.phase, found.given.wheels
+    phase = found.phase
     assert phase is not None
     text = N_("K1, K2: where two pairs of teeth touch; T: where the conjugate points t1 and t2 touch")
     yield text_column("point", Message(text), list(phase.points))
-    for name, numbers in zip(wheels, phase.rho, strict=True):
-        yield _curvature(name).column(numbers)
-    far = N_("distance of the point from the axis of wheel %(wheel)s")
-    for name, numbers in zip(wheels, phase.radii, strict=True):
-        yield Quantity(f"r_{name}", Symbol("r", name), "m", Message(far, {"wheel": name})).column(numbers)
-
-
-def _velocity(key: str, index: str, wheel: str, meaning: str) -> Quantity:
-    return Quantity(key, Symbol("V", index + wheel), "m/s", Message(meaning, {"wheel": wheel}))
-
-
-def _curvature(wheel: str) -> Quantity:
-    text = N_("radius of curvature of the profile of wheel %(wheel)s at the point of contact")
-    return Quantity(f"rho_{wheel}", Symbol("rho", wheel), "m", Message(text, {"wheel": wheel}))
-
-
-def _slip(wheel: str) -> Quantity:
-    text = Message(N_("specific sliding of wheel %(wheel)s"), {"wheel": wheel})
-    return Quantity(f"lambda_{wheel}", Symbol("lambda", wheel), "", text)
+    yield from _each(Points.rho, found, phase.rho)
+    yield from _each(Points.r, found, phase.radii)
 
 
 # ---------------------------------------------------------------- drawing of the mesh
@@ -261,11 +200,8 @@ def _contour(found: Found) -> Iterator[Column]:
     shifts = np.array([missing if x is None else x for x in points.values()])
     meaning = N_("chosen; the nearest that meets every limit; the nearest of the same centre distance")
     yield text_column("point", Message(meaning), list(points))
-    for name, numbers in zip(found.given.wheels, (shifts.real, shifts.imag), strict=True):
-        about = Message(N_("shift coefficient of wheel %(wheel)s"), {"wheel": name})
-        yield Quantity(f"x_{name}", Symbol("x", name), "", about).column(numbers)
-    step = Quantity("step", None, "", Message(N_("distance from the chosen shifts")))
-    yield step.column(np.abs(shifts - of.chosen))
+    yield from _each(Points.x, found, (shifts.real, shifts.imag))
+    yield Points.step.column(np.abs(shifts - of.chosen))
 
 
 def _lacks(found: Found) -> Iterator[Column]:

@@ -1,176 +1,168 @@
-"""The single numbers of a spur stage; they belong to its quantities and stand here for their length."""
+"""Every number of a spur stage: single ones, those of each wheel, columns of the tables."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-import numpy as np
-
-from tmm_report.chapters.gears.spur.solve.motion import sliding_limit
 from tmm_report.chapters.gears.spur.solve.pair import Found
-from tmm_report.mechanics.gears import shift_sharing
-from tmm_report.problems import N_, Message
-from tmm_report.quantity.model import Quantity, Value
-from tmm_report.quantity.symbols import Symbol, segment
-from tmm_report.quantity.tabulated import tabulated
+from tmm_report.problems import N_
+from tmm_report.quantity.sheet import Q, Row, Sheet
+from tmm_report.quantity.symbols import Symbol, math_symbol, segment
 from tmm_report.quantity.terms.gear_terms import HA, C
+from tmm_report.quantity.terms.wheel_words import DIAMETERS, OWN_SYMBOLS, TEETH
 
-Row = tuple[str, Symbol | None, str, str, float]  # key, symbol, unit, meaning, number
-
-
-@tabulated
-def values(found: Found, prefix: str) -> Iterator[Value]:
-    """The single numbers of the pair; every key begins with `prefix`."""
-    topics = (_pair, _given, _teeth, _section, _shifts, _quality, _motion, _drawing)
-    for key, symbol, unit, meaning, number in (row for topic in topics for row in topic(found)):
-        shown = float(np.degrees(number)) if unit == "deg" else float(number)
-        yield Quantity(f"{prefix}_{key}", symbol, unit, Message(meaning)).value(shown)
-
-
-def _pair(found: Found) -> Iterator[Row]:
-    p = found.pair
-    sum_ = Symbol("x", "d" if p.internal else "Sigma")
-    yield "ratio", _ratio(found), "", N_("ratio of the angular velocities"), p.ratio
-    yield "a", Symbol("a"), "m", N_("reference centre distance"), p.a
-    yield "a_w", Symbol("a", "w"), "m", N_("centre distance"), p.a_w
-    yield "alpha_w", Symbol("alpha", "w"), "deg", N_("operating pressure angle"), p.alpha_w
-    yield (
-        "x_sum",
-        sum_,
-        "",
-        N_("sum of the shift coefficients (of an internal pair, their difference)"),
-        p.x_sum,
-    )
-    yield "y", Symbol("y"), "", N_("coefficient of the shift of the centres"), p.y
-    yield "shortening", Symbol("Deltay"), "", N_("coefficient of the shortening of the tips"), p.shortening
-    yield "p", Symbol("p"), "m", N_("pitch"), p.p
-    yield "p_b", Symbol("p", "b"), "m", N_("base pitch"), p.p_b
-    yield "p_w", Symbol("p", "w"), "m", N_("pitch on the working circles"), p.p_w
-    yield "backlash", Symbol("j", "w"), "m", N_("backlash on the working circles"), p.backlash
-    line = N_("theoretical line of action, between its points of contact with the base circles")
-    yield "line", segment("N1N2"), "m", line, p.line
-    yield "active", segment("AB"), "m", N_("active part of the line of action"), p.active
-    yield "eps", Symbol("epsilon", "alpha"), "", N_("contact ratio"), p.eps
-    if found.cut_short:
-        line = N_("line of action between the tip circles")
-        yield "active_tips", segment("A0B0"), "m", line, p.active_tips
-        yield "eps_tips", Symbol("epsilon", "0"), "", N_("contact ratio by the tip circles alone"), p.eps_tips
-    share = N_("share of the time in which two pairs are in mesh")
-    yield "two_pairs", Symbol("delta", "2"), "", share, p.two_pairs
+MM = ("mm", "mm")  # of print, in formulas
+SUM = N_("sum of the shift coefficients (of an internal pair, their difference)")
+NEEDED = N_("sum of the shifts (of an internal pair, their difference) that leaves no backlash")
+BOUND = N_("what the sum of the numbers of teeth (of an internal pair, their difference) must not exceed")
+ZONE = N_("each of the two parts of the line of action with two pairs in mesh")
+FAR = N_("distance of the pitch point from the end of the active part where the profiles slide fastest")
+LINE = N_("theoretical line of action, between its points of contact with the base circles")
+OMEGA, STATED = N_("magnitude of the angular velocity"), N_("shift coefficient that is stated")
 
 
-def _ratio(found: Found) -> Symbol:
-    return Symbol("u", "".join(found.given.wheels))
+class Values(Sheet):
+    ratio = Q("u", "", N_("ratio of the angular velocities"))
+    a = Q("a", "m", N_("reference centre distance"), *MM)
+    a_w = Q("a_w", "m", N_("centre distance"), *MM)
+    alpha_w = Q("alpha_w", "deg", N_("operating pressure angle"))
+    x_sum = Q("x_Sigma", "", SUM)
+    y = Q("y", "", N_("coefficient of the shift of the centres"))
+    shortening = Q(Symbol("Deltay"), "", N_("coefficient of the shortening of the tips"))
+    p = Q("p", "m", N_("pitch"), *MM)
+    p_b = Q("p_b", "m", N_("base pitch"), *MM)
+    p_w = Q("p_w", "m", N_("pitch on the working circles"), *MM)
+    backlash = Q("j_w", "m", N_("backlash on the working circles"), *MM)
+    line = Q(segment("N1N2"), "m", LINE, *MM)
+    active = Q(segment("AB"), "m", N_("active part of the line of action"), *MM)
+    eps = Q("epsilon_alpha", "", N_("contact ratio"))
+    active_tips = Q(segment("A0B0"), "m", N_("line of action between the tip circles"), *MM)
+    eps_tips = Q("epsilon_0", "", N_("contact ratio by the tip circles alone"))
+    two_pairs = Q("delta_2", "", N_("share of the time in which two pairs are in mesh"), "%", "%")
+
+    u_required = Q("u", "", N_("required ratio of the angular velocities"))
+    m = Q("m", "m", N_("module"), *MM)
+    alpha = Q("alpha", "deg", N_("profile angle of the basic rack"))
+    ha = Q(HA, "", N_("coefficient of the height of the head"))
+    c = Q(C, "", N_("coefficient of the radial clearance"))
+    beta = Q("beta", "deg", N_("helix angle"))
+    b = Q("b", "m", N_("face width"), *MM)
+
+    u = Q("u", "", N_("required ratio of the larger number of teeth to the smaller"))
+    z_bound = Q("z_Sigma", "", BOUND)
+    z_share = Q("z", "", N_("teeth of the smaller wheel before rounding"))
+    z_larger = Q("z", "", N_("teeth of the larger wheel by the ratio, before rounding"))
+    z_spare = Q("Delta_z", "", N_("what the numbers of teeth leave of their bound"))
+
+    m_t = Q("m_t", "m", N_("module of the transverse section"), *MM)
+    alpha_t = Q("alpha_t", "deg", N_("profile angle in the transverse section"))
+    inv_alpha = Q(Symbol("inv α"), "", N_("involute function of the profile angle"))
+    inv_alpha_w = Q(Symbol("inv α", "w"), "", N_("involute function of the operating angle"))
+
+    stated_one = Q("x_st", "", STATED)
+    stated_two = Q("x_st", "", STATED)
+    x_needed = Q("x_Sigma", "", NEEDED)
+    z_rule = Q("z_min", "", N_("least number of teeth without undercut, by the rule"))
+    backlash_n = Q("j_n", "m", N_("backlash along the line of action"), *MM)
+    two_length = Q(segment("AC"), "m", ZONE, *MM)
+    eps_beta = Q("epsilon_beta", "", N_("overlap ratio of helical teeth"))
+
+    omega_one = Q("omega", "rad/s", OMEGA)
+    omega_two = Q("omega", "rad/s", OMEGA)
+    v_pitch = Q("V", "m/s", N_("pitch-line velocity, that of the point of contact in the pitch point"))
+    sliding_limit = Q("lambda_max", "", N_("largest specific sliding allowed at this pitch-line velocity"))
+    v_along = Q("V_n", "m/s", N_("velocity of both teeth along the line of action, at any of its points"))
+    v_way = Q(None, "m", FAR)
 
 
-def _given(found: Found) -> Iterator[Row]:
-    given, rack = found.given, found.pair.rack
-    yield "u_required", _ratio(found), "", N_("required ratio of the angular velocities"), given.ratio
-    yield "m", Symbol("m"), "m", N_("module"), given.module
-    yield "alpha", Symbol("alpha"), "deg", N_("profile angle of the basic rack"), rack.alpha
-    yield "ha", HA, "", N_("coefficient of the height of the head"), rack.ha
-    yield "c", C, "", N_("coefficient of the radial clearance"), rack.c
-    if given.helix:
-        yield "beta", Symbol("beta"), "deg", N_("helix angle"), given.helix
-    if given.width is not None:
-        yield "b", Symbol("b"), "m", N_("face width"), given.width
-
-
-def _teeth(found: Found) -> Iterator[Row]:
-    """How the numbers of teeth were found."""
-    if (choice := found.teeth.choice) is None:
-        return
-    names, small = found.given.wheels, found.teeth.small
-    bound = Symbol("z", "d" if found.given.internal else "Sigma")
-    text = N_("what the sum of the numbers of teeth (of an internal pair, their difference) must not exceed")
-    yield "u", Symbol("u"), "", N_("required ratio of the larger number of teeth to the smaller"), choice.u
-    yield "z_bound", bound, "", text, choice.bound
-    smaller = N_("teeth of the smaller wheel before rounding")
-    larger = N_("teeth of the larger wheel by the ratio, before rounding")
-    yield "z_share", Symbol("z", names[small]), "", smaller, choice.share
-    yield "z_larger", Symbol("z", names[1 - small]), "", larger, choice.larger
-    spare = N_("what the numbers of teeth leave of their bound")
-    yield "z_spare", Symbol("Delta", "z"), "", spare, choice.spare
-
-
-def _section(found: Found) -> Iterator[Row]:
-    """The transverse section of helical teeth, and the involute functions of both angles."""
-    p, helical = found.pair, found.pair.beta > 0
-    if helical:
-        yield "m_t", Symbol("m", "t"), "m", N_("module of the transverse section"), p.m_t
-        yield "alpha_t", Symbol("alpha", "t"), "deg", N_("profile angle in the transverse section"), p.t.alpha
-    profile, operating = found.involutes
-    name = Symbol("inv α", "t" if helical else "")
-    yield "inv_alpha", name, "", N_("involute function of the profile angle"), profile
-    yield "inv_alpha_w", Symbol("inv α", "w"), "", N_("involute function of the operating angle"), operating
-
-
-def _shifts(found: Found) -> Iterator[Row]:
-    p = found.pair
-    sum_ = Symbol("x", "d" if p.internal else "Sigma")
-    needed = N_("sum of the shifts (of an internal pair, their difference) that leaves no backlash")
-    least = N_("least number of teeth without undercut, by the rule")
-    stated = found.given.shift
-    if found.altered and isinstance(stated, tuple):
-        for wheel, x in zip(found.given.wheels, stated, strict=True):
-            text = N_("shift coefficient that is stated")
-            yield f"x_stated_{wheel}", Symbol("x", f"st{wheel}"), "", text, x
-    if found.loose:
-        yield "x_needed", sum_, "", needed, found.needed
-    yield "z_rule", Symbol("z", "min"), "", least, shift_sharing.rule_teeth(p.rack)
-    yield "backlash_n", Symbol("j", "n"), "m", N_("backlash along the line of action"), p.normal_backlash
-
-
-def _quality(found: Found) -> Iterator[Row]:
-    p, width = found.pair, found.given.width
-    zone = N_("each of the two parts of the line of action with two pairs in mesh")
-    if found.two_zones:
-        yield "two_length", segment("AC"), "m", zone, p.active - p.p_b
-    if p.beta > 0 and width is not None:
-        yield (
-            "eps_beta",
-            Symbol("epsilon", "beta"),
-            "",
-            N_("overlap ratio of helical teeth"),
-            p.overlap(width),
-        )
-
-
-def _motion(found: Found) -> Iterator[Row]:
-    """At the speed of the drive."""
-    if (motion := found.motion) is None:
-        return
-    for wheel, omega in zip(found.given.wheels, motion.omega, strict=True):
-        yield (
-            f"omega_{wheel}",
-            Symbol("omega", wheel),
-            "rad/s",
-            N_("magnitude of the angular velocity"),
-            omega,
-        )
-    pitch = N_("pitch-line velocity, that of the point of contact in the pitch point")
-    yield "v_pitch", Symbol("V"), "m/s", pitch, motion.pitch
-    if found.given.sliding_limit is None:
-        limit = N_("largest specific sliding allowed at this pitch-line velocity")
-        yield "sliding_limit", Symbol("lambda", "max"), "", limit, sliding_limit(motion.pitch)
-    along = N_("velocity of both teeth along the line of action, at any of its points")
-    yield "v_along", Symbol("V", "n"), "m/s", along, motion.along
-    way = abs(float(found.path.at.rho[motion.fastest]) - float(found.pair.rho_w[0]))
-    far = N_("distance of the pitch point from the end of the active part where the profiles slide fastest")
-    yield "v_way", segment("P" + list(found.path.points)[motion.fastest]), "m", far, way
-
-
-def _drawing(found: Found) -> Iterator[Row]:
+class Drawn(Sheet):
     """Of the drawing of the mesh, and of the outlines turned over a pitch."""
-    scale, proof = found.mesh.scale, found.proof
-    read = N_("accuracy to which places are read off the drawing of the mesh")
-    yield "accuracy", None, "m", read, found.given.accuracy
-    yield "scale", None, "", N_("lengths of the drawing of the mesh to those of the wheels"), scale
-    yield "reduction", None, "", N_("lengths of the wheels to those of the drawing of the mesh"), 1 / scale
-    if not found.beyond:
-        round_scale = N_("specific sliding that 1 mm of its graph stands for")
-        yield "mu_sliding", Symbol("mu", "lambda"), "1/mm", round_scale, found.sliding_scale
-    yield "overlap", None, "m²", N_("largest area that the outlines of the teeth share"), proof.overlap
-    yield "clearance", None, "m", N_("smallest distance between the outlines of the teeth"), proof.clearance
-    counted = N_("number of pairs in mesh, counted on the outlines")
-    yield "eps_counted", None, "", counted, proof.ratio
+
+    accuracy = Q(None, "m", N_("accuracy to which places are read off the drawing of the mesh"), "mm")
+    scale = Q(None, "", N_("lengths of the drawing of the mesh to those of the wheels"))
+    reduction = Q(None, "", N_("lengths of the wheels to those of the drawing of the mesh"))
+    mu_sliding = Q("mu_lambda", "1/mm", N_("specific sliding that 1 mm of its graph stands for"))
+    overlap = Q(None, "m²", N_("largest area that the outlines of the teeth share"), "mm²")
+    clearance = Q(None, "m", N_("smallest distance between the outlines of the teeth"), "mm")
+    eps_counted = Q(None, "", N_("number of pairs in mesh, counted on the outlines"))
+
+
+def _size(key: str) -> Q:
+    return Q(OWN_SYMBOLS.get(key) or math_symbol(key), "m", (DIAMETERS | TEETH)[key], *MM)
+
+
+TIP = N_("radius of curvature of the profile at the tip")
+LOWER = N_("radius of curvature at the lower point of the active profile")
+MEETS = N_("radius of curvature where the tip circle of the other wheel meets the line of action")
+UPPER = N_("radius of curvature at the upper point of the active profile")
+
+
+class Wheel(Row):
+    """`rho_m` and `rho_u`: where the contact is shorter than between the tip circles."""
+
+    z = Q("z", "", N_("number of teeth"))
+    x = Q("x", "", N_("shift coefficient"))
+    x_rule = Q(None, "", N_("least shift by the rule"))
+    x_min = Q("x_min", "", N_("exact least shift"))
+    d, d_b, d_w, d_f, d_a = map(_size, DIAMETERS)
+    height, s, s_b, s_w, s_a = map(_size, TEETH)
+    alpha_a = Q("alpha_a", "deg", N_("profile angle at the tip"))
+    rho_a = Q("rho_a", "m", TIP, *MM)
+    rho_p = Q("rho_p", "m", LOWER, *MM)
+    root_sliding = Q("lambda_p", "", N_("specific sliding at the lower point of the active profile"))
+    tip_sliding = Q("lambda_a", "", N_("specific sliding at the tip"))
+    rho_m = Q("rho_m", "m", MEETS, *MM)
+    rho_u = Q("rho_u", "m", UPPER, *MM)
+    rho_l = Q("rho_l", "m", N_("radius of curvature where the involute begins"), *MM)
+
+
+class Tool(Row):
+    """The pinion cutter of a wheel, and what it leaves of it."""
+
+    z0 = Q("z_0", "", N_("number of teeth of the pinion cutter"))
+    x0 = Q("x_0", "", N_("shift coefficient of the pinion cutter"))
+    inv_alpha_w0 = Q(Symbol("inv α", "w0"), "", N_("involute function of the operating angle in cutting"))
+    alpha_w0 = Q("alpha_w0", "deg", N_("operating angle in cutting"))
+    a_w0 = Q("a_w0", "m", N_("distance of the axes in cutting"), *MM)
+    d_0 = Q("d_0", "m", N_("pitch diameter of the pinion cutter"), *MM)
+    d_a0 = Q("d_a0", "m", N_("tip diameter of the pinion cutter"), *MM)
+    d_b0 = Q("d_b0", "m", N_("base diameter of the pinion cutter"), *MM)
+    d_f0 = Q("d_f", "m", N_("root diameter as the pinion cutter leaves it"), *MM)
+    rho_l0 = Q("rho_l", "m", N_("radius of curvature where the pinion cutter leaves the involute"), *MM)
+    clearance0 = Q("c", "m", N_("radial clearance at the root"), *MM)
+
+
+class Points(Sheet):
+    """At points of the line of action; those of a wheel have its name in key and letter."""
+
+    rho = Q(
+        "rho", "m", N_("radius of curvature of the profile of wheel %(wheel)s at the point of contact"), "mm"
+    )
+    lambda_ = Q("lambda", "", N_("specific sliding of wheel %(wheel)s"))
+    r = Q("r", "m", N_("distance of the point from the axis of wheel %(wheel)s"), "mm")
+    v_tau = Q(
+        Symbol("V", "τ"),
+        "m/s",
+        N_("velocity of the point of the tooth of wheel %(wheel)s across the line of action"),
+    )
+    v = Q("V", "m/s", N_("velocity of the point of the tooth of wheel %(wheel)s"))
+    v_sl = Q("V_slide", "m/s", N_("velocity of sliding, above zero where the driving wheel is the faster"))
+    x = Q("x", "", N_("shift coefficient of wheel %(wheel)s"))
+    step = Q(None, "", N_("distance from the chosen shifts"))
+
+
+def letters(found: Found) -> dict[str, Q]:
+    """What this pair calls otherwise: by the names of its wheels, as an internal or a helical one."""
+    one, two = found.given.wheels
+    ratio, kind = Symbol("u", one + two), "d" if found.given.internal else "Sigma"
+    smaller, larger = (found.given.wheels[i] for i in (found.teeth.small, 1 - found.teeth.small))
+    called = {
+        "ratio": ratio, "u_required": ratio, "x_sum": Symbol("x", kind), "x_needed": Symbol("x", kind),
+        "z_bound": Symbol("z", kind), "z_share": Symbol("z", smaller), "z_larger": Symbol("z", larger),
+        "inv_alpha": Symbol("inv α", "t" if found.pair.beta > 0 else ""),
+    }  # fmt: skip
+    if found.motion is not None:
+        called["v_way"] = segment("P" + list(found.path.points)[found.motion.fastest])
+    own = {key: Values.DECLARED[key].called(symbol) for key, symbol in called.items()}
+    for place, wheel in (("one", one), ("two", two)):
+        own[f"omega_{place}"] = Values.omega_one.called(Symbol("omega", wheel), f"omega_{wheel}")
+        own[f"stated_{place}"] = Values.stated_one.called(Symbol("x", f"st{wheel}"), f"x_stated_{wheel}")
+    return own

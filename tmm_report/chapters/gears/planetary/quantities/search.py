@@ -9,6 +9,7 @@ import numpy as np
 from tmm_report.chapters.gears.planetary.solve.combinations import Combinations
 from tmm_report.chapters.gears.planetary.solve.limits import REASONS
 from tmm_report.chapters.gears.planetary.solve.stage import Found, Given
+from tmm_report.chapters.gears.planetary.values import Values
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, text_column
 from tmm_report.quantity.symbols import Symbol
@@ -30,7 +31,6 @@ PLACE = Quantity("place", None, "", Message(N_("place of the solution")))
 OVERALL = Quantity("D", Symbol("D"), "m", Message(N_("diameter that the stage fills")))
 SHIFTED = Quantity("shifted", None, "", Message(N_("1: coaxiality is by profile shift")))
 CHOSEN = Quantity("chosen", None, "", Message(N_("1: the combination that is taken")))
-COUNT = Quantity("combinations", None, "", Message(N_("number of combinations of teeth")))
 VERDICT = Quantity("verdict", None, "", Message(N_("why the combination is rejected")))
 
 
@@ -67,7 +67,7 @@ def _rejected(found: Found) -> Iterator[Column]:
     met = {reason: count for reason, count in counts.items() if count}
     name = Message(N_("condition that fails first"))
     yield text_column("reason", name, [reason.name.lower() for reason in met])
-    yield COUNT.column(list(met.values()))
+    yield Values.combinations.column(list(met.values()))
 
 
 # --- every combination

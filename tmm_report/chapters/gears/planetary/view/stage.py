@@ -9,13 +9,20 @@ from typing import Any
 from markupsafe import Markup
 
 from tmm_report.chapters.gears.planetary.draw import front
-from tmm_report.chapters.gears.planetary.quantities.stage import one_module
+from tmm_report.chapters.gears.planetary.equations import (
+    coaxiality,
+    deviation,
+    efficiency,
+    neighbourhood,
+    ring_tip,
+)
+from tmm_report.chapters.gears.planetary.relation import Relation
 from tmm_report.chapters.gears.planetary.solve.stage import Found
 from tmm_report.chapters.gears.planetary.view.tables import PlanetaryTables
 from tmm_report.figures.drawing import Drawing
 from tmm_report.mechanics.gears.planetary.stage import EXTERNAL
 from tmm_report.problems import N_
-from tmm_report.quantity.formula import Var
+from tmm_report.quantity.formula import Formula
 from tmm_report.report.page import Page
 from tmm_report.report.part import Failed, Part
 
@@ -53,48 +60,45 @@ class PlanetaryView(PlanetaryTables):
 
     def given_values(self) -> Markup:
         """Wanted ratio, tolerance, module, satellites, efficiency, as they were given."""
-        page, of, listed = self.page, self.of, self.page.listed
-        counts = [page.shown(of[key]) for key in ("k_least", "k_most")]
+        page, listed = self.page, self.page.listed
+        counts = [self.number(key) for key in ("k_least", "k_most")]
         many = listed(counts[: len(self.task.satellites)], "…")
         return listed(
             [
-                page.value(of["u_wanted"].var()),
-                listed([page.sym(of["tolerance"].symbol), " ≤ ", self.tolerance, " %"], ""),
-                *(page.value(m) for m in self._stated()),
+                self.sized("u_wanted"),
+                listed([page.sym(self.value("tolerance").symbol), " ≤ ", self.tolerance, " %"], ""),
+                self.listed(self._stated()),
                 listed([page.sym("k"), " = ", many], ""),
-                page.value(of["eta_stopped"].var()),
+                self.sized("eta_stopped"),
             ]
         )
 
-    def _stated(self) -> list[Var]:
+    def _stated(self) -> list[str]:
         """Modules; of helical teeth those of the normal section, and the helix angle."""
-        keys = ["m"] if one_module(self.given) else ["m_I", "m_II"]
-        if self.given.helix:
-            return [*(self.of[f"{key}_n"].var("mm") for key in keys), self.of["beta"].var()]
-        return [self.m(row) for row in range(len(keys))]
+        keys = ["m"] if self.given.one_module else ["m_I", "m_II"]
+        return [*(f"{key}_n" for key in keys), "beta"] if self.given.helix else keys
 
     @property
     def tolerance(self) -> Markup:
-        return self.page.shown(self.of["tolerance"], digits=3)
+        return self.number("tolerance", digits=3)
 
-    def explained(self) -> list[dict[str, Any]]:
+    def meant(self) -> list[dict[str, Any]]:
         """What the given values are."""
         names = {"u_wanted": "planetary:u", "tolerance": "planetary:Delta"}
         names |= {"k": "planetary:k", "eta_stopped": "planetary:eta" + self.carrier}
-        said = {key: self.page.explained(name, self.of[key]) for key, name in names.items()}
-        module = self.page.explained("spur:m", self.of["m" if one_module(self.given) else "m_I"], "mm")
+        said = {key: self.page.explained(name, self.value(key)) for key, name in names.items()}
+        one = "m" if self.given.one_module else "m_I"
+        module = self.page.explained("spur:m", self.value(one), "mm")
         modules = [{**module, "symbol": "m"}]
         if self.given.helix:
-            normal = self.page.explained(
-                "planetary:mn", self.of["m_n" if one_module(self.given) else "m_I_n"], "mm"
-            )
-            modules = [{**normal, "symbol": "m_n"}, self.page.explained("spur:beta", self.of["beta"])]
+            normal = self.page.explained("planetary:mn", self.value(f"{one}_n"), "mm")
+            modules = [{**normal, "symbol": "m_n"}, self.page.explained("spur:beta", self.value("beta"))]
         return [*(said[key] for key in ("u_wanted", "tolerance")), *modules,
                 *(said[key] for key in ("k", "eta_stopped"))]  # fmt: skip
 
     def explained_shift(self) -> list[dict[str, Any]]:
         """What the formulas of profile shift are made of."""
-        row, table = self.opened, self.rows
+        row, table = self.found.opened[0] if self.found.opened else 0, self.table("rows")
         outside = self.scheme.rows[row] == EXTERNAL
         total = (
             self.t("sum of the shift coefficients of the wheels")
@@ -112,6 +116,39 @@ class PlanetaryView(PlanetaryTables):
             },
         ]
 
+    # ------------------------------------------------------------ formulas
+
+    def deviation(self) -> Formula:
+        return self.value("delta_u").formula(deviation(self.stage), size=True, digits=3)
+
+    def efficiency(self) -> Formula:
+        row = self.found.motions.index(self.found.motion)
+        return self.table("motions").formula("eta", row, efficiency(self.stage), digits=4)
+
+    def transverse(self) -> list[Formula]:
+        """Of helical teeth: modules, profile angle and height of the head in the transverse section."""
+        keys = ("m", "m_I", "m_II", "alpha", "ha")
+        return [self.formula(key, digits=6) for key in keys if self.s.has_formula(key)]
+
+    def opened(self) -> list[Formula]:
+        """The operating angle and the sum of shift coefficients of the opened rows; where the coefficients are stated
+        their sum is not found."""
+        rows, keys = [self.meshes[row] for row in self.found.opened], ("a", "alpha_w", "x_sum")
+        return [mesh.formula(key) for mesh in rows for key in keys if mesh.has_formula(key)]
+
+    def working(self) -> list[Formula]:
+        """Working diameters of wheels without shift."""
+        return [row.formula("d_w") for row in self.stage.rows]
+
+    def coaxiality(self) -> Relation:
+        return coaxiality(self.stage)
+
+    def ring_tip(self, row: int) -> Relation:
+        return ring_tip(self.stage, row)
+
+    def neighbourhood(self) -> Relation:
+        return neighbourhood(self.stage)
+
     # ------------------------------------------------------------ picture
 
     @cached_property
@@ -120,24 +157,23 @@ class PlanetaryView(PlanetaryTables):
 
     @property
     def scale(self) -> Markup:
-        return self.page.value(self.of["mu_l"].var())
+        return self.sized("mu_l")
 
     # ------------------------------------------------------------ what is said
 
     def chosen_teeth(self) -> Markup:
         """z1 = 20, z2 = 46, z3 = 112, k = 3."""
-        chosen = [*(self.z(wheel) for wheel in self.scheme.wheels), self.k]
-        return self.page.listed(self.page.value(of) for of in chosen)
+        return self.page.values([*(row.z for row in self.stage.rows), self.s.k])
 
     def conclusions(self) -> list[Markup]:
         text = N_(
             "The planetary stage %(name)s has %(teeth)s; the deviation of its ratio is %(deviation)s %%."
         )
-        deviation = self.page.shown(self.of["delta_u"], digits=3)
+        deviation = self.number("delta_u", digits=3)
         lines = [self.t(text, name=self.title, teeth=self.chosen_teeth(), deviation=deviation)]
         lines += [self.t("Its efficiency is %(eta)s, its neighbouring satellites are %(gap)s mm apart.",
-                         eta=self.page.shown(self.of["eta"], digits=4),
-                         gap=self.page.shown(self.of["gap"], unit="mm", digits=4))]  # fmt: skip
+                         eta=self.number("eta", digits=4),
+                         gap=self.number("gap", digits=4))]  # fmt: skip
         lines += [self.schemes.said()] if self.schemes else []
         locks = self.t("Stage %(name)s locks itself: it cannot be driven from its input.", name=self.title)
         return [*([Failed(locks)] if self.found.motion.locks else []), self.page.listed(lines, " ")]

@@ -9,19 +9,22 @@ from typing import Any, assert_never
 import numpy as np
 from markupsafe import Markup
 
-from tmm_report.chapters.gears.planetary.formulas import PlanetaryFormulas
+from tmm_report.chapters.gears.planetary.quantities.stage import tables
 from tmm_report.chapters.gears.planetary.solve.conditions import Condition
 from tmm_report.chapters.gears.planetary.solve.limits import REASONS
 from tmm_report.chapters.gears.planetary.solve.stage import Found, Motion
+from tmm_report.chapters.gears.planetary.steps import stage
+from tmm_report.chapters.gears.planetary.values import Values
 from tmm_report.chapters.gears.planetary.view.schemes import SchemesView
 from tmm_report.i18n import NP_
 from tmm_report.mechanics.gears.pair_sizes import ring_rule
 from tmm_report.mechanics.gears.planetary.search import Reason
-from tmm_report.mechanics.gears.planetary.stage import ROWS
+from tmm_report.mechanics.gears.planetary.stage import MEMBERS, ROWS
 from tmm_report.problems import N_
 from tmm_report.quantity import model as quantity
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.terms.wheel_words import DIAMETERS
+from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Cell, Table, Words, padded, worded
 
@@ -39,13 +42,18 @@ UNITS = {"%": " %", "deg": "°", "": ""}  # as they are written after the number
 INPUT = Symbol("omega", NP_("index", "in"))
 
 
-class PlanetaryTables(PlanetaryFormulas):
+class PlanetaryTables(ChapterView):
     """`label` begins the labels of the stage's sections and its names in the results."""
 
+    s: Values
+
     def __init__(self, found: Found, page: Page, label: str):
-        super().__init__(found, label)
-        self.page, self.label = page, label
-        self.t = page.t
+        self.found, self.given, self.task, self.label = found, found.given, found.given.task, label
+        self.stage = stage(found, label)
+        super().__init__(page, self.stage.s, tables(found, label))
+        self.scheme, self.wheels = found.scheme, self.given.wheels
+        self.one, self.three, self.carrier = (self.given.member(member) for member in MEMBERS)
+        self.sizes, self.meshes = self.table("wheels"), self.stage.meshes
 
     # ------------------------------------------------------------ the search
 
@@ -57,11 +65,11 @@ class PlanetaryTables(PlanetaryFormulas):
             "least": "rings_least",
             "most": "rings_most",
         }
-        return {name: self.page.shown(self.of[key]) for name, key in keys.items()}
+        return {name: self.number(key) for name, key in keys.items()}
 
     def rejected(self, caption: Any) -> Table:
         """How many candidates were rejected, by the first condition that fails."""
-        table = self.of.table("rejected")
+        table = self.table("rejected")
         rows: list[list[Any]] = [
             [
                 self._word(REASONS[Reason[name.upper()]], table, "reason", row),
@@ -69,7 +77,7 @@ class PlanetaryTables(PlanetaryFormulas):
             ]
             for row, name in enumerate(table["reason"].values)
         ]
-        total = self.of["combinations"]
+        total = self.value("combinations")
         rows.append([self.t("in all"), Cell(str(int(total.value)), total.ref())])
         return worded(caption, [self.t("Reason"), self.t("Combinations")], rows, (4, 1))
 
@@ -89,7 +97,7 @@ class PlanetaryTables(PlanetaryFormulas):
 
     def solutions(self, caption: Any) -> Table:
         """The best of the solutions, the chosen one marked."""
-        table, page = self.of.table("solutions"), self.page
+        table, page = self.table("solutions"), self.page
         teeth = [key for key in ("z1", "z2", "z2'", "z3") if key in table]
         rows = [
             [
@@ -157,7 +165,7 @@ class PlanetaryTables(PlanetaryFormulas):
 
     def _condition(self, of: Condition, row: int) -> list[Markup]:
         """Value, limit and what is in hand, each with its unit."""
-        table, listed = self.of.table("conditions"), self.page.listed
+        table, listed = self.table("conditions"), self.page.listed
         if of.key == "gap":
             gap = listed([self.page.shown(table, "value", row, "mm", places=2), self.page.unit("mm")], " ")
             return [gap, listed(["> ", self.page.shown(table, "limit", row, "mm")], ""), gap]
@@ -171,7 +179,7 @@ class PlanetaryTables(PlanetaryFormulas):
 
     def dimensions(self, caption: Any) -> Table:
         """Diameters of all wheels and crowns, mm, and their shift coefficients."""
-        page, sized, wheels = self.page, self.sized, self.scheme.wheels
+        page, sized, wheels = self.page, self.sizes, self.scheme.wheels
         rows = [
             [
                 self.t(text),
@@ -191,15 +199,15 @@ class PlanetaryTables(PlanetaryFormulas):
 
     def _shifts(self, key: str) -> list[Any]:
         """A row of the table: of helical teeth the coefficients of both sections."""
-        of = self.sized[key]
-        cells = [self.page.cell(self.sized, key, row, places=4) for row in range(len(self.scheme.wheels))]
+        of = self.sizes[key]
+        cells = [self.page.cell(self.sizes, key, row, places=4) for row in range(len(self.scheme.wheels))]
         return [self.page.message(of.meaning), self.page.head(of.symbol()), *cells]
 
     def _diameter(self, key: str, wheel: int) -> Any:
         """mm; the satellite of a single row with shift rolls on another circle in each mesh."""
         if key == "d_w" and wheel == 1 and self.scheme.single and self.found.shifted:
-            return self.page.listed((self.page.shown(self.rows, "d_w", row, "mm") for row in (0, 1)), "; ")
-        return self.page.cell(self.sized, key, self.place(wheel), "mm")
+            return self.page.listed((self.page.shown(self.table("rows"), "d_w", row) for row in (0, 1)), "; ")
+        return self.page.cell(self.sizes, key, self.stage.row_of(wheel), "mm")
 
     def ring_rule(self, row: int) -> Markup | None:
         """What the rule of the course says of the ring of a row; None where it says nothing."""
@@ -207,11 +215,11 @@ class PlanetaryTables(PlanetaryFormulas):
             return None
         wheel = ROWS[row][0]
         values = {
-            "rule": self.page.shown(self.of["ring_rule"]),
+            "rule": self.number("ring_rule"),
             "wheel": self.wheels[wheel],
-            "ring": self.page.shown(self.sized, "z", self.place(wheel)),
+            "ring": self.page.shown(self.sizes, "z", self.stage.row_of(wheel)),
         }
-        if self.found.teeth[wheel] >= self.of["ring_rule"].value:
+        if self.found.teeth[wheel] >= self.s.number("ring_rule"):
             return self.t(
                 "The rule of the course, by which a ring without shift has at least %(rule)s teeth, is met by ring "
                 "%(wheel)s with its %(ring)s.",
@@ -227,13 +235,13 @@ class PlanetaryTables(PlanetaryFormulas):
     def schemes(self) -> SchemesView | None:
         """The schemes that were judged; None where the scheme is stated."""
         choice = self.found.choice
-        return SchemesView(choice, self.page, self.of.table("schemes")) if choice else None
+        return SchemesView(choice, self.page, self.table("schemes")) if choice else None
 
     # ------------------------------------------------------------ motion
 
     def motions(self, caption: Any) -> Table:
         """Speeds of all members to the input's, ratio and efficiency, whichever is held; the third is the output."""
-        table = self.of.table("motions")
+        table = self.table("motions")
         keys = (f"omega_{self.one}", "omega_satellite", f"omega_{self.three}", f"omega_{self.carrier}")
         rows = [self._motion(motion, row, keys) for row, motion in enumerate(self.found.motions)]
         heads = [
@@ -250,7 +258,7 @@ class PlanetaryTables(PlanetaryFormulas):
         return self.page.listed([self.page.sym(speed.symbol()), self.page.sym(INPUT)], "/")
 
     def _motion(self, motion: Motion, row: int, keys: tuple[str, ...]) -> list[Any]:
-        table, page = self.of.table("motions"), self.page
+        table, page = self.table("motions"), self.page
         locks = self._word(N_("locks"), table, "eta", row)
         return [
             *(page.word(table[key].values[row], table, key, row) for key in ("held", "input")),

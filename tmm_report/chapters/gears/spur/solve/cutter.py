@@ -2,21 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from tmm_report.mechanics.gears.cutting import ByCutter, Cutter
 from tmm_report.mechanics.gears.meshing import Pair
-from tmm_report.problems import N_, Message
-from tmm_report.quantity.model import Column, Quantity, text_column
-from tmm_report.quantity.symbols import Symbol
 from tmm_report.records import dataclass
-
-if TYPE_CHECKING:
-    from tmm_report.chapters.gears.spur.solve.pair import Found
 
 NOMINAL = (0.1, 0.08, 0.05, 0.038, 0.025)  # m: pitch diameters of GOST 9323, the largest that suits is usual
 LARGE = (0.2, 0.16, 0.125)  # m: of modules over 8 mm
@@ -61,48 +53,3 @@ def _usual(pair: Pair, ring: int) -> Cut | None:
                 if cut.free:
                     return cut
     return None
-
-
-def columns_of(found: Found) -> Iterator[Column]:
-    """A row for each wheel."""
-    cuts, names = found.cutters, found.given.wheels
-    of = [cut.by for cut in cuts]
-    wheels = [cut.wheel for cut in cuts]
-    pairs = [cut.pair for cut in cuts]
-    yield text_column("wheel", Message(N_("number of the wheel")), [names[i] for i in wheels])
-    rows = (
-        ("z0", Symbol("z", "0"), "", N_("number of teeth of the pinion cutter"), [one.tool.z for one in of]),
-        ("x0", Symbol("x", "0"), "", N_("shift coefficient of the pinion cutter"), [one.tool.x for one in of]),
-        (
-            "inv_alpha_w0", Symbol("inv α", "w0"), "",
-            N_("involute function of the operating angle in cutting"), [np.tan(one.alpha) - one.alpha for one in of],
-        ),
-        (
-            "alpha_w0", Symbol("alpha", "w0"), "deg",
-            N_("operating angle in cutting"), [np.degrees(one.alpha) for one in of],
-        ),
-        (
-            "a_w0", Symbol("a", "w0"), "m",
-            N_("distance of the axes in cutting"), [abs(one.distance) for one in of],
-        ),
-        (
-            "d_0", Symbol("d", "0"), "m", N_("pitch diameter of the pinion cutter"),
-            [one.tool.z * one.m for one in of],
-        ),
-        ("d_a0", Symbol("d", "a0"), "m", N_("tip diameter of the pinion cutter"), [2 * one.tip for one in of]),
-        ("d_b0", Symbol("d", "b0"), "m", N_("base diameter of the pinion cutter"), [2 * one.base for one in of]),
-        (
-            "d_f0", Symbol("d", "f"), "m",
-            N_("root diameter as the pinion cutter leaves it"), [abs(one.root) for one in of],
-        ),
-        (
-            "rho_l0", Symbol("rho", "l"), "m",
-            N_("radius of curvature where the pinion cutter leaves the involute"), [abs(one.start) for one in of],
-        ),
-        (
-            "clearance0", Symbol("c"), "m", N_("radial clearance at the root"),
-            [float(pair.clearance[i]) for i, pair in zip(wheels, pairs, strict=True)],
-        ),
-    )  # fmt: skip
-    for key, symbol, unit, meaning, numbers in rows:
-        yield Quantity(key, symbol, unit, Message(meaning)).column([float(number) for number in numbers])

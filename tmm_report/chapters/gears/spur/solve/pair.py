@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import cached_property
 
-from tmm_report.chapters.gears.spur.given import EQUAL, STANDARD, Given
+from tmm_report.chapters.gears.spur.given import EQUAL, Given
 from tmm_report.chapters.gears.spur.solve.conditions import BY_ASSEMBLY, conditions_of
 from tmm_report.chapters.gears.spur.solve.contour import Contour, contour_of
 from tmm_report.chapters.gears.spur.solve.cutter import Cut, cutters_of
@@ -28,7 +28,7 @@ from tmm_report.mechanics.gears.meshing import Pair, Rack
 from tmm_report.problems import N_, Message, Problem, doubt
 from tmm_report.records import dataclass
 
-__all__ = ["EQUAL", "STANDARD", "Condition", "Found", "Given", "Rack", "solve"]
+__all__ = ["EQUAL", "Condition", "Found", "Given", "Rack", "solve"]
 
 
 @dataclass(frozen=True, eq=False)

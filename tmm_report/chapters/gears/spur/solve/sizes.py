@@ -70,7 +70,7 @@ def choose_shifts(given: Given, chosen: Teeth) -> Pair:
     stated = given.shift if isinstance(given.shift, tuple) else None
     x1, x2 = stated or _own_shifts(given, chosen)
     settings = (*chosen.z, given.module, given.rack, given.helix)
-    made = (given.internal, given.shortened, given.shortened, given.cutter)
+    made = (given.internal, given.tip_shortening, given.tip_shortening, given.cutter)
     if given.centre_distance is None:
         pair = meshing.meshed(*settings, x1, x2, *made)
         return (

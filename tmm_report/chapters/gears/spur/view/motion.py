@@ -3,111 +3,79 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import cached_property
 from typing import Any
 
 from markupsafe import Markup
 
-from tmm_report.chapters.gears.spur.solve.motion import FAST, NARROWEST, SLOW, WIDEST, Motion
+from tmm_report.chapters.gears.spur.quantities import tables
+from tmm_report.chapters.gears.spur.solve.motion import Motion
 from tmm_report.chapters.gears.spur.solve.pair import Found
-from tmm_report.quantity.formula import Expr, Formula, Number, Var, sqrt
-from tmm_report.quantity.part import Part
+from tmm_report.chapters.gears.spur.steps import Stage
+from tmm_report.chapters.gears.spur.values import Values
+from tmm_report.quantity.formula import Expr, Formula, sqrt
+from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Column, Table, numeric
 
 
-class MotionView:
-    """`part`: the numbers of the stage. Wheels are counted 0 and 1 and named as in the drive."""
+class MotionView(ChapterView):
+    """Wheels are counted 0 and 1 and named as in the drive."""
 
-    def __init__(self, found: Found, page: Page, part: Part):
+    s: Values
+
+    def __init__(self, found: Found, page: Page, of: Stage):
         assert found.motion is not None
-        self.found, self.page, self.part, self.t = found, page, part, page.t
+        super().__init__(page, of.s, tables(found, of.prefix))
+        self.found, self.names = found, found.given.wheels
         self.motion: Motion = found.motion
-        self.names = found.given.wheels
-        self.row = found.motion.fastest
-
-    @cached_property
-    def table(self) -> Any:
-        return self.part.table("velocities")
+        self.velocities_of, self.row = self.table("velocities"), found.motion.fastest
 
     @property
     def point(self) -> str:
         """Where the profiles slide fastest."""
-        return str(self.table["point"].values[self.row])
-
-    def omega(self, i: int) -> Var:
-        return self.part[f"omega_{self.names[i]}"].var()
+        return str(self.velocities_of["point"].values[self.row])
 
     # ------------------------------------------------------------ the limit of specific sliding
 
     def speeds(self) -> Markup:
         """Angular velocities of both wheels."""
-        return self.page.values(self.omega(i) for i in (0, 1))
-
-    def pitch(self) -> Formula:
-        return self.part["v_pitch"].formula(self.omega(0) * self._size("d_w", 0) / 2)
-
-    def _size(self, key: str, i: int) -> Var:
-        """A diameter in metres."""
-        return self.part.table("wheels").var(key, i)
+        return self.listed(("omega_one", "omega_two"))
 
     @property
     def stated(self) -> bool:
         """Whether the limit is stated and does not follow from the velocity."""
         return self.found.given.sliding_limit is not None
 
-    @property
-    def falling(self) -> bool:
-        """Whether the velocity lies where the limit falls."""
-        return SLOW < self.motion.pitch < FAST
-
-    def limit(self) -> Formula:
-        """λ_max between both velocities."""
-        fall = Number((WIDEST - NARROWEST) / (FAST - SLOW))
-        return self.part["sliding_limit"].formula(
-            Number(WIDEST) - fall * (self.part["v_pitch"].var() - Number(SLOW))
-        )
-
-    def limit_value(self) -> Markup:
-        return self.page.value(self.part["sliding_limit"].var())
-
     # ------------------------------------------------------------ velocities of the point of contact
-
-    def along(self) -> Formula:
-        return self.part["v_along"].formula(self.omega(0) * self._size("d_b", 0) / 2)
 
     def across(self) -> Iterator[Formula]:
         """Across the line of action where the profiles slide fastest, and the whole velocities there."""
-        for i, name in enumerate(self.names):
-            rho = self.part.table("points").var(f"rho_{name}", self.row)
-            yield self._formula(f"v_tau_{name}", self.omega(i) * rho)
-        for name in self.names:
-            yield self._formula(f"v_{name}", sqrt(self.part["v_along"].var() ** 2 + self._var(name) ** 2))
-        yield self._formula("v_sl", self._var(self.names[0]) - self._var(self.names[1]))
-
-    def _var(self, name: str) -> Var:
-        return self.table.var(f"v_tau_{name}", self.row)
+        omega = self.s.omega_one, self.s.omega_two
+        for name, turns in zip(self.names, omega, strict=True):
+            rho = self.table("points").var(f"rho_{name}", self.row)
+            yield self._formula(f"v_tau_{name}", turns * rho)
+        one, other = (self.velocities_of.var(f"v_tau_{name}", self.row) for name in self.names)
+        for name, own in zip(self.names, (one, other), strict=True):
+            yield self._formula(f"v_{name}", sqrt(self.s.v_along**2 + own**2))
+        yield self._formula("v_sl", one - other)
 
     def _formula(self, key: str, expression: Expr, size: bool = False) -> Formula:
-        return self.table.formula(key, self.row, expression, size=size)
+        return self.velocities_of.formula(key, self.row, expression, size=size)
 
     def by_distance(self) -> Formula:
         """The same by the distance from the pitch point: (ω1 ± ω2) PK."""
-        one, other = (self.omega(i) for i in (0, 1))
+        one, other = self.s.omega_one, self.s.omega_two
         if self.found.given.internal:
             rate = one - other if self.motion.omega[0] > self.motion.omega[1] else other - one
         else:
             rate = one + other
-        return self._formula("v_sl", rate * self.part["v_way"].var(), size=True)
+        return self._formula("v_sl", rate * self.s.v_way, size=True)
 
     def velocities(self, caption: Any) -> Table:
-        points = [
-            self.page.word(name, self.table, "point", row)
-            for row, name in enumerate(self.table["point"].values)
-        ]
-        columns = [self.page.column(self.table, column.key) for column in self.table.columns[1:]]
+        table = self.velocities_of
+        points = [self.page.word(name, table, "point", row) for row, name in enumerate(table["point"].values)]
+        columns = self.columns("velocities", leave=("point",))
         return numeric(caption, Column(self.t("Point"), points), columns)
 
-    def where(self) -> list[dict[str, Any]]:
-        formulas = [self.along(), *self.across(), self.by_distance()]
-        return self.page.where(*formulas)
+    def meant(self) -> list[dict[str, Any]]:
+        return self.where(self.formula("v_along"), *self.across(), self.by_distance())

@@ -9,9 +9,10 @@ from typing import Any
 import numpy as np
 from markupsafe import Markup
 
-from tmm_report.chapters.gears.spur.formulas import UNITS, SpurFormulas
+from tmm_report.chapters.gears.spur.quantities import tables
 from tmm_report.chapters.gears.spur.solve.conditions import BY_ASSEMBLY
 from tmm_report.chapters.gears.spur.solve.pair import Found
+from tmm_report.chapters.gears.spur.steps import stage
 from tmm_report.chapters.gears.spur.view.cutter import CutterView
 from tmm_report.chapters.gears.spur.view.motion import MotionView
 from tmm_report.chapters.gears.spur.view.short_contact import reasons
@@ -26,9 +27,10 @@ from tmm_report.chapters.gears.spur.words import (
 )
 from tmm_report.mechanics.gears.limits.condition import Condition
 from tmm_report.problems import N_, Message
-from tmm_report.quantity import model
-from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.formula import Formula, Inline
+from tmm_report.quantity.model import Column, Value
 from tmm_report.quantity.terms.wheel_words import DIAMETERS, TEETH, of_wheel
+from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Cell, Table, Words, padded, worded
 from tmm_report.report.part import Failed, Part
@@ -41,14 +43,41 @@ def parts(found: Found, page: Page, label: str) -> Iterator[Part]:
     yield Part("gears/spur", SpurView(found, page, label))
 
 
-class SpurView(SpurFormulas):
-    """`label` begins the labels of its sections and its names in the results."""
+class SpurView(ChapterView):
+    """`label` begins the labels of its sections and its names in the results. Wheels are counted 0 and 1 here."""
 
     def __init__(self, found: Found, page: Page, label: str):
-        super().__init__(found, label)
-        self.page, self.label = page, label
-        self.t = page.t
-        self.judged = self.part.table("conditions")
+        self.found, self.pair, self.label, self.stage = found, found.pair, label, stage(found, label)
+        super().__init__(page, self.stage.s, tables(found, label))
+        self.names, self.small, self.helical = found.given.wheels, found.teeth.small, self.stage.helical
+        self.wheels, self.sizes, self.judged = (
+            self.stage.wheels,
+            self.table("wheels"),
+            self.table("conditions"),
+        )
+
+    # ------------------------------------------------------------ formulas
+
+    def of_wheel(self, i: int, *keys: str) -> list[Formula]:
+        """Those of a wheel that it has."""
+        return [self.wheels[i].formula(key) for key in keys if self.wheels[i].has_formula(key)]
+
+    def dimensions(self, i: int) -> list[Formula]:
+        """Diameters and thicknesses of one wheel, in the order of computing."""
+        return self.of_wheel(i, "d", "d_b", "d_w", "d_f", "d_a", "s", "alpha_a", "s_b", "s_w", "s_a")
+
+    def of_both(self, *keys: str) -> list[Formula]:
+        return [formula for key in keys for i in (0, 1) for formula in self.of_wheel(i, key)]
+
+    def filled(self) -> Formula:
+        """The thicknesses on the working circles together: the pitch, where there is no backlash."""
+        one, two = self.wheels
+        return self.s["p_w"].formula(one.s_w + two.s_w, "mm")
+
+    def count(self, i: int) -> Inline:
+        """The number of teeth of a wheel, in running text."""
+        z = self.wheels[i].z
+        return Inline(z.sign, float(z.number), ref=z.ref)
 
     @property
     def title(self) -> str:
@@ -62,37 +91,37 @@ class SpurView(SpurFormulas):
 
     def given_values(self) -> Markup:
         """What the assignment gives, in one line."""
-        distance = [self.a_w] if self.found.given.centre_distance is not None else []
-        helix = [self.beta] if self.helical else []
-        items = [self.var("u_required"), self.m, *distance, self.alpha, *helix, self.ha, self.c]
-        return self.page.listed([self.page.listed(self.page.value(var) for var in items), "."], "")
+        stated = self.found.given.centre_distance is not None
+        keys = ["u_required", "m", *(["a_w"] if stated else []), "alpha", "beta", "ha", "c"]
+        return self.page.listed([self.listed(keys), "."], "")
 
     def both_shifts(self) -> Markup:
         return self.page.listed(self.one_shift(i) for i in (0, 1))
 
     def one_shift(self, i: int) -> Markup:
-        return self.page.value(self.x(i))
+        return self.page.value(self.wheels[i].x)
 
-    def shown(self, key: str, unit: str = "", digits: int = 5) -> Markup:
-        """A single number of the pair in running text."""
-        return self.page.shown(self.part[key], unit=unit, digits=digits)
+    @property
+    def needless(self) -> bool:
+        """Whether the smaller wheel needs no shift of its own."""
+        return self.wheels[self.small].number("x") == 0
 
     # ------------------------------------------------------------ what symbols mean
 
-    def meant(self, *keys: str, unit: str = "") -> list[dict[str, Any]]:
-        """Single numbers of the pair for a list of symbols; `unit`: of print, of lengths mm."""
-        return [self._meant(key, self.part[key], self.part[key].symbol, unit) for key in keys]
+    def meant(self, *keys: str) -> list[dict[str, Any]]:
+        """Single numbers of the pair for a list of symbols."""
+        return [self._meant(key, self.value(key)) for key in keys]
 
     def meant_of_wheels(self, *keys: str) -> list[dict[str, Any]]:
         """The same of numbers of each wheel: d_i."""
-        columns = [self.wheels[key] for key in keys]
-        return [self._meant(column.key, column, of_wheel(column.symbol(), "i")) for column in columns]
+        columns = [self.sizes[key] for key in keys]
+        return [
+            {**self._meant(column.key, column), "symbol": of_wheel(column.symbol(), "i")}
+            for column in columns
+        ]
 
-    def _meant(
-        self, key: str, of: model.Value | model.Column, symbol: Symbol, unit: str = ""
-    ) -> dict[str, Any]:
-        unit = unit or UNITS.get(of.unit, "")  # angles carry their sign, °
-        return {"id": f"spur:{key}", "symbol": symbol, "meaning": self.page.message(of.meaning), "unit": unit}
+    def _meant(self, key: str, of: Value | Column) -> dict[str, Any]:
+        return self.page.explained(f"spur:{key}", of, of.quantity.shown)  # angles carry their sign, °
 
     # ------------------------------------------------------------ tables
 
@@ -101,29 +130,29 @@ class SpurView(SpurFormulas):
         rows = [
             [
                 self._wheel(i),
-                self.page.cell(self.wheels, "z", i),
-                *("—" if self._ring(i) else self._shift(key, i) for key in ("x_rule", "x_min")),
+                self.page.cell(self.sizes, "z", i),
+                *("—" if self.stage.ring(i) else self._shift(key, i) for key in ("x_rule", "x_min")),
                 self._shift("x", i),
             ]
             for i in (0, 1)
         ]
-        least = [self.page.message(self.wheels[key].meaning) for key in ("x_rule", "x_min")]
+        least = [self.page.message(self.sizes[key].meaning) for key in ("x_rule", "x_min")]
         heads = [self.t("Wheel"), self.page.sym("z"), *least, self.t("shift taken")]
         return worded(caption, heads, rows, (1, 1, 2, 2, 2))
 
     def _wheel(self, i: int) -> Cell | Words:
-        return self.page.word(self.names[i], self.wheels, "wheel", i)
+        return self.page.word(self.names[i], self.sizes, "wheel", i)
 
     def _shift(self, key: str, i: int) -> Cell:
-        return self.page.cell(self.wheels, key, i, places=4)
+        return self.page.cell(self.sizes, key, i, places=4)
 
     def dimensions_table(self, caption: Any) -> Table:
         """Dimensions of both wheels; each row is a column of the results."""
-        columns = [self.wheels[key] for key in DIAMETERS | TEETH]
+        columns = [self.sizes[key] for key in DIAMETERS | TEETH]
         rows = [
             [
                 self.page.message(column.meaning),
-                self.page.head(column.symbol(), "mm"),
+                self.page.head(column.symbol(), column.quantity.printed),
                 *padded([self._size(column.key, i) for i in (0, 1)]),
             ]
             for column in columns
@@ -132,8 +161,8 @@ class SpurView(SpurFormulas):
         return worded(caption, [self.t("Dimension"), self.t("Symbol"), *wheels], rows, (4, 2, 2, 2))
 
     def _size(self, key: str, i: int) -> Cell | str:
-        """mm; a ring has no thickness on its base circle, which lies within its teeth."""
-        return "—" if key == "s_b" and self._ring(i) else self.page.cell(self.wheels, key, i, "mm")
+        """A ring has no thickness on its base circle, which lies within its teeth."""
+        return "—" if key == "s_b" and self.stage.ring(i) else self.page.cell(self.sizes, key, i)
 
     def conditions(self, caption: Any) -> Table:
         """Every condition with its value, limit and what is in hand."""
@@ -158,7 +187,7 @@ class SpurView(SpurFormulas):
         name = Message(CONDITIONS[c.key], {"wheel": c.wheel}).render(self.page.tr.gettext)
         if c.key == "sliding" and self.moving and not self.moving.stated:
             return self.t(
-                "%(name)s at %(speed)s", name=name, speed=self.page.value(self.part["v_pitch"].var(digits=4))
+                "%(name)s at %(speed)s", name=name, speed=self.page.value(self.value("v_pitch").var(digits=4))
             )
         return name
 
@@ -180,22 +209,22 @@ class SpurView(SpurFormulas):
 
     def sliding_table(self, caption: Any) -> Table:
         """Specific sliding at the characteristic points of the line of action."""
-        table = self.part.table("points")
+        table = self.table("points")
         point, *numbers = table.columns
         rows = [
             [
                 self.page.word(name, table, "point", row),
-                *(self.page.cell(table, of.key, row, UNITS.get(of.unit, "")) for of in numbers),
+                *(self.page.cell(table, of.key, row) for of in numbers),
             ]
             for row, name in enumerate(point.values)
         ]
-        heads = [self.t("Point"), *(self.page.head(of.symbol(), UNITS.get(of.unit, "")) for of in numbers)]
+        heads = [self.t("Point"), *(self.page.head(of.symbol(), of.quantity.shown) for of in numbers)]
         return worded(caption, heads, rows, (2, 3, 3, 3, 3))
 
     @cached_property
     def moving(self) -> MotionView | None:
         """At the speed of the drive."""
-        return MotionView(self.found, self.page, self.part) if self.found.motion else None
+        return MotionView(self.found, self.page, self.stage) if self.found.motion else None
 
     @cached_property
     def cutter(self) -> CutterView | None:
@@ -206,7 +235,7 @@ class SpurView(SpurFormulas):
 
     @cached_property
     def drawings(self) -> TeethView:
-        return TeethView(self.found, self.page, self.label, self.part)
+        return TeethView(self.found, self.page, self.label)
 
     # ------------------------------------------------------------ what is said
 
@@ -219,10 +248,10 @@ class SpurView(SpurFormulas):
         i = self.names.index(c.wheel)
         deep = self.found.starts[i] > float(self.pair.rho_m[i])
         keys = "rho_l", "rho_m" if deep and self.found.cut_short else "rho_p"
-        start, lower = (self.page.cell(self.wheels, key, i, "mm", places=3) for key in keys)
+        start, lower = (self.page.cell(self.sizes, key, i, places=3) for key in keys)
         values = {
             "wheel": c.wheel,
-            "least": self.shown("z_rule"),
+            "least": self.number("z_rule"),
             "short": self.page.said(self._measured("margin", row, c, size=True)),
             "limit": self.page.said(self._measured("limit", row, c)),
             "start": self.page.said(start),
@@ -248,7 +277,7 @@ class SpurView(SpurFormulas):
 
     def stated_shifts(self) -> Markup:
         """What was stated where it is not what was taken."""
-        return self.page.listed(self.page.value(self.part[f"x_stated_{name}"].var()) for name in self.names)
+        return self.listed(("stated_one", "stated_two"))
 
     def _lack(self, row: int, c: Condition) -> Markup:
         if not np.isfinite(c.margin):
@@ -274,9 +303,9 @@ class SpurView(SpurFormulas):
 
     def _found(self) -> Iterator[Markup]:
         said = self.page.said
-        values: dict[str, Any] = {"name": self.title, "eps": self.shown("eps", digits=4)}
+        values: dict[str, Any] = {"name": self.title, "eps": self.number("eps", digits=4)}
         for i in (0, 1):
-            values[f"z{i + 1}"] = said(self.page.cell(self.wheels, "z", i))
+            values[f"z{i + 1}"] = said(self.page.cell(self.sizes, "z", i))
             values[f"x{i + 1}"] = said(self._shift("x", i))
         text = N_(
             "The gear pair %(name)s has %(z1)s and %(z2)s teeth, the shifts %(x1)s and %(x2)s and the contact "
@@ -299,8 +328,8 @@ class SpurView(SpurFormulas):
         )
         yield self.t(
             text,
-            speed=self.shown("v_pitch", digits=4),
+            speed=self.number("v_pitch", digits=4),
             sliding=shown(self.judged, "value", row, digits=4),
             limit=shown(self.judged, "limit", row, digits=4),
-            velocity=shown(self.moving.table, "v_sl", self.moving.row, size=True, digits=4),
+            velocity=shown(self.moving.velocities_of, "v_sl", self.moving.row, size=True, digits=4),
         )

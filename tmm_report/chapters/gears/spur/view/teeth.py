@@ -12,28 +12,30 @@ from tmm_report.chapters.gears.spur.draw.mesh import mesh_drawing
 from tmm_report.chapters.gears.spur.draw.phase import phase_drawing
 from tmm_report.chapters.gears.spur.draw.sliding import sliding_drawing
 from tmm_report.chapters.gears.spur.draw.zones import zones
+from tmm_report.chapters.gears.spur.quantities import tables
 from tmm_report.chapters.gears.spur.solve.pair import Found
 from tmm_report.chapters.gears.spur.solve.readings import Reading
+from tmm_report.chapters.gears.spur.steps import stage
 from tmm_report.chapters.gears.spur.words import HARD, LACKS, NONE, PAIRS, STUCK
 from tmm_report.figures.drawing import Drawing
 from tmm_report.mechanics.gears.limits.blocking_contour import Lack
 from tmm_report.quantity.formula import Formula
-from tmm_report.quantity.part import Part
+from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Cell, Column, Table, numeric, worded
 
 CHOSEN, NEAREST, SAME_DISTANCE = range(3)  # rows of the contour's table
 
 
-class TeethView:
-    """Pictures and readings of one pair. `label` begins the labels of its figures; `part`: its numbers."""
+class TeethView(ChapterView):
+    """Pictures and readings of one pair. `label` begins the labels of its figures and its names in the results."""
 
-    def __init__(self, found: Found, page: Page, label: str, part: Part):
-        self.found, self.page, self.label = found, page, label
+    def __init__(self, found: Found, page: Page, label: str):
+        super().__init__(page, stage(found, label).drawn, tables(found, label))
+        self.found, self.label, self.names = found, label, found.given.wheels
         self.contour_found = found.contour
-        self.t, self.names = page.t, found.given.wheels
         self.wheel = 1 - found.teeth.small  # the larger: its angles are read off
-        self.part, self.read, self.shifts = part, part.table("readings"), part.table("contour")
+        self.read, self.shifts = self.table("readings"), self.table("contour")
 
     def num(self, value: float) -> str:
         return self.page.num(value, 4)
@@ -44,7 +46,7 @@ class TeethView:
     def scale(self) -> Markup:
         """The scale of the drawing: 2:1, 1:2.5."""
         larger = self.found.mesh.scale >= 1
-        number = self.page.shown(self.part["scale" if larger else "reduction"], digits=4)
+        number = self.number("scale" if larger else "reduction", digits=4)
         return self.page.listed([number, ":1"] if larger else ["1:", number], "")
 
     def drawing(self) -> Drawing:
@@ -59,18 +61,18 @@ class TeethView:
 
     def phase_table(self, caption: Any) -> Table:
         """Where the pair touches: radii of curvature, and distances from both axes."""
-        table = self.part.table("phase")
+        table = self.table("phase")
         points = [self.page.word(name, table, "point", row) for row, name in enumerate(table["point"].values)]
-        columns = [self.page.column(table, column.key, "mm") for column in table.columns[1:]]
+        columns = self.columns("phase", leave=("point",))
         return numeric(caption, Column(self.t("Point"), points), columns)
 
     @property
     def per_mm(self) -> Markup:
         """The scale of the graph of specific sliding."""
-        return self.page.value(self.part["mu_sliding"].var())
+        return self.sized("mu_sliding")
 
     def sliding(self) -> Drawing:
-        per_mm = self.part["mu_sliding"].value
+        per_mm = self.s.number("mu_sliding")
         return sliding_drawing(self.found.mesh, self.names, per_mm, self.num, str(self.t("Specific sliding")))
 
     def zones(self) -> Drawing:
@@ -83,7 +85,7 @@ class TeethView:
 
     @property
     def accuracy(self) -> Markup:
-        return self.page.shown(self.part["accuracy"], unit="mm", digits=4)
+        return self.number("accuracy", digits=4)
 
     def readings(self, caption: Any) -> Table:
         """Every value read off the drawing beside the computed one, with the difference in per cent."""
@@ -124,7 +126,7 @@ class TeethView:
     @property
     def _places(self) -> int:
         """Decimals of a length in mm: one more than its ends are read to, so that the difference can be checked."""
-        finest = 1e3 * self.part["accuracy"].value / self.found.mesh.scale
+        finest = 1e3 * self.s.number("accuracy") / self.found.mesh.scale
         return max(0, 1 + math.ceil(-math.log10(finest) - 1e-9))
 
     @staticmethod
@@ -154,11 +156,10 @@ class TeethView:
     @property
     def proof(self) -> dict[str, Markup]:
         """Overlap, mm², clearance, mm, and contact ratio of the drawn outlines over a pitch, printed."""
-        shown = self.page.shown
         return {
-            "overlap": shown(self.part["overlap"], unit="mm²", digits=3, scale=1e3),
-            "clearance": shown(self.part["clearance"], unit="mm", digits=2, scale=1e6),
-            "ratio": shown(self.part["eps_counted"], digits=4),
+            "overlap": self.number("overlap", digits=3, scale=1e3),
+            "clearance": self.number("clearance", digits=2, scale=1e6),
+            "ratio": self.number("eps_counted", digits=4),
         }
 
     # ------------------------------------------------------------ the blocking contour
@@ -175,7 +176,7 @@ class TeethView:
             return self.t(HARD, wheel=wheel) if lack.limit.wheel else self.t(NONE)
         if math.isinf(lack.lack) and lack.limit.kind == "fouling":
             return self.t(STUCK)
-        table = self.part.table("lacks")
+        table = self.table("lacks")
         value, bound, wanting = (
             self.page.shown(table, key, row, places=4) for key in ("value", "bound", "lack")
         )
