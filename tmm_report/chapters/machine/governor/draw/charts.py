@@ -17,13 +17,11 @@ from tmm_report.quantity.model import Column, Table
 
 Array = Any
 Num = Callable[[float], str]
+Axes = tuple[Parts, Parts]  # letter and unit along, letter and unit up
 RPM = 30 / np.pi
 RAY = Pen(0.18, "grey")
 FIELD = (110.0, 75.0)
 FAR = 8.0  # to which value of X and Y Vyshnegradsky's diagram goes at least
-
-
-Axes = tuple[Parts, Parts]  # letter and unit along, letter and unit up
 
 
 def speeds(found: DirectFound, lift: Column, axes: Axes, num: Num, names: Sequence[str]) -> Drawing:

@@ -93,7 +93,8 @@ class GovernorView(ChapterView):
 
     def middle(self) -> Markup:
         """The lift there."""
-        return self.page.value(self.table("equilibrium").var("z", self.direct.middle, "mm"))
+        unit = self.of("equilibrium", "z").quantity.printed
+        return self.page.value(self.places.var("z", self.direct.middle, unit))
 
     def choice(self) -> list[Formula]:
         """Of what was not stated."""
