@@ -33,8 +33,9 @@ NAME = Message(N_("number of the cylinder"))
 QUANTITY, UNIT = Message(N_("quantity")), Message(N_("its unit"))
 
 
+@tabulated
 def values(found: Found) -> Iterator[Value]:
-    return found.s.values()
+    yield from found.s.values()
 
 
 @tabulated

@@ -27,6 +27,7 @@ WAVE = N_(
 )
 
 
+@tabulated
 def values(found: Found) -> Iterator[Value]:
     yield from found.s.values()
     for wave in found.waves:

@@ -127,6 +127,7 @@ def _rotors(found: Found) -> Table:
 # ---------------------------------------------------------------- single numbers
 
 
+@tabulated
 def values(found: Found) -> Iterator[Value]:
     yield from found.s.values()
     for slider in found.sliders:
