@@ -38,6 +38,17 @@ class Computed:
     scale: float | None = None
 
 
+@dataclass(frozen=True, eq=False)
+class Reached:
+    """A number with the angle turned from position 0 at which it is reached, rad."""
+
+    number: float
+    at: float
+
+
+Assigned = Expr | Computed | Reached | float | None
+
+
 class Q:
     """A declared number. `symbol`: as keys are written, "omega_d", or None of what is never written as one; `unit`: of
     the results; `meaning`: a literal for translation; `shown`: unit of print, where it is another; `formed`: unit in
@@ -68,7 +79,7 @@ class Q:
     def __get__(self, sheet: Sheet | None, owner: type) -> Self | Var:
         return self if sheet is None else sheet.var(self.key)
 
-    def __set__(self, sheet: Sheet, value: Expr | Computed | float | None) -> None:
+    def __set__(self, sheet: Sheet, value: Assigned) -> None:
         sheet.put(self.key, value)
 
     @cached_property
@@ -115,7 +126,7 @@ class Sheet:
         """Raises KeyError for what the chapter has not."""
         return self._others.get(key) or self.DECLARED[key]
 
-    def put(self, key: str, value: Expr | Computed | float | None) -> None:
+    def put(self, key: str, value: Assigned) -> None:
         """What `sheet.key = value` does."""
         if value is None:
             return
@@ -123,15 +134,19 @@ class Sheet:
             raise ValueError(f"{self.PREFIX}{key} is found twice")
         made = value if isinstance(value, Computed) else None
         expression = made.expression if made else value if isinstance(value, Expr) else None
-        number: Any = made.number if made else None if expression is not None else value
+        at = value.at if isinstance(value, Reached) else None
+        number: Any = value.number if isinstance(value, Computed | Reached) else None
+        number = value if number is None and expression is None else number
         declared = self.declared(key)
         if number is None:
             assert expression is not None
             number = expression.evaluate()
             if declared.formed not in ("", "deg", declared.unit):
                 number /= factor(declared.unit, declared.formed)
+            if declared.unit == "deg":  # a formula is evaluated in radians
+                number = math.degrees(number)
         of = declared.named(self.PREFIX)
-        self._kept[key] = _Kept(of.value(float(number)), expression, made.scale if made else None)
+        self._kept[key] = _Kept(of.value(float(number), at), expression, made.scale if made else None)
 
     def take(self, record: object, *keys: str) -> None:
         """Fields of a record by their names, of those that are declared; `keys`: these alone."""
