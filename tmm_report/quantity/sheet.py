@@ -105,7 +105,8 @@ class _Kept:
 class Sheet:
     """The numbers of one variant. A number that is None is not there; assigning one twice is an error of the program.
 
-    `other`: declarations that this variant calls otherwise, by their keys: J and kg·m² of what turns for m and kg.
+    `other`: declarations that this variant calls otherwise, by their keys: J and kg·m² of what turns for m and kg; or
+    that it alone has: of each of its resistances, whatever their number.
     """
 
     PREFIX: ClassVar[str] = ""
@@ -186,8 +187,8 @@ class Sheet:
         return kept.value.formula(kept.expression, self.declared(key).formed, **form)
 
     def values(self) -> Iterator[Value]:
-        """All numbers, in the order of their declarations."""
-        for key in self.DECLARED:
+        """All numbers, in the order of their declarations; behind them those that this variant alone declares."""
+        for key in {**self.DECLARED, **self._others}:
             if key in self._kept:
                 yield self._kept[key].value
 

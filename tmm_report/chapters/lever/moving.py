@@ -19,7 +19,6 @@ from tmm_report.mechanics.lever.motion import Motion
 from tmm_report.problems import N_, Message, Problem, ProblemError, doubt, mistake
 from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.sheet import Q, Sheet
-from tmm_report.quantity.symbols import Symbol
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
@@ -157,15 +156,6 @@ def put_friction(s: Sheet, found: Machine | None) -> None:
     if found is not None and found.friction is not None and found.friction.bounded:
         s.put("P_fr", found.friction_power)
         s.put("P_fr_share", found.friction_share)
-
-
-def friction_rows(found: Machine | None) -> Iterator[tuple[str, Symbol | None, str, str, float]]:
-    """Key, symbol, unit, meaning and number of what the friction of the pairs takes; nothing where it is not known."""
-    if found is None or found.friction is None or not found.friction.bounded:
-        return
-    power, share = FRICTION_POWER, FRICTION_SHARE
-    yield "P_fr", power.symbol, power.unit, power.meaning.text, found.friction_power
-    yield "P_fr_share", share.symbol, share.unit, share.meaning.text, found.friction_share
 
 
 def friction_told(found: Machine | None) -> str:
