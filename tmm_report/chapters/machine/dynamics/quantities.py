@@ -29,6 +29,7 @@ RUNS = {
 WORKS = Message(N_("works of the forces in each regime"))
 
 
+@tabulated
 def values(found: Found) -> Iterator[Value]:
     return found.s.values()
 

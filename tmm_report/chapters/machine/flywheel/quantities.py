@@ -20,6 +20,7 @@ PROOF = Message(
 )
 
 
+@tabulated
 def values(found: Found) -> Iterator[Value]:
     return found.s.values()
 
