@@ -115,7 +115,7 @@ def _sizes(found):
     """The dimensions by mechanics, the masses by the volume of the body."""
     s, given, shape = found.s, found.given, found.given.shape
     if given.wheel is not None and given.wheel.mass is not None:
-        own = given.wheel.mass * given.wheel.gyration**2
+        own = given.wheel.mass * given.wheel.radius_of_gyration**2
         return {"J_shaft": own, "J_fl": own * (given.ratio or 1) ** 2}
     if given.wheel is not None or found.needless:
         return {}

@@ -35,7 +35,7 @@ def stated(s: Values, given: Given, wheel: Wheel) -> None:
         s.J_fl = wheel.inertia
         return
     s.i = ratio(given, s.number("omega_m"))
-    s.m, s.k = wheel.mass, wheel.gyration
+    s.m, s.k = wheel.mass, wheel.radius_of_gyration
     s.J_shaft = s.m * s.k**2
     s.J_fl = s.J_shaft * s.i**2
 
