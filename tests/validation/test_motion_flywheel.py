@@ -35,7 +35,7 @@ def test_extreme_areas_of_a_turning_moment_diagram():
     most, least = given["Emax_mm2"], given["Emin_mm2"]
     areas = f"{{values: [{most}, {least - most}, {-least}], scale: {given['J_per_mm2']}}}"
     found = solved(areas=areas, wheel=kinetic(given), speed=f"{given['N_rpm']} rpm")
-    agrees("khurmi-16-4-areas", dE_J=found.excess, Cs_percent=100 * found.delta)
+    agrees("khurmi-16-4-areas", dE_J=found.s.number("A_ex"), Cs_percent=100 * found.s.number("delta"))
 
 
 def trapezoid() -> str:
@@ -49,14 +49,14 @@ def test_a_machine_that_needs_a_trapezoidal_moment_over_three_turns():
     (_, least), (_, greatest) = found.cycle.swing
     agrees(
         "khurmi-16-6-trapezoid",
-        T_mean_Nm=found.moment,
-        W_J=found.work,
-        dE_J=found.excess,
-        CE_percent=100 * found.excess / found.work,
-        P_kW=found.power / 1e3,
+        T_mean_Nm=found.s.number("M_m"),
+        W_J=found.s.number("W"),
+        dE_J=found.s.number("A_ex"),
+        CE_percent=100 * found.s.number("A_ex") / found.s.number("W"),
+        P_kW=found.s.number("P_m") / 1e3,
         theta_min_deg=math.degrees(least),
         theta_max_deg=math.degrees(greatest),
-        Cs=found.delta,
+        Cs=found.s.number("delta"),
     )
 
 
@@ -65,7 +65,12 @@ def test_the_same_moment_as_a_resistance_has_its_extremes_the_other_way_round():
     found = solved(resisting=trapezoid(), turns=3, wheel=kinetic(given), speed=f"{given['N_rpm']} rpm")
     (_, least), (_, greatest) = found.cycle.swing
     assert math.degrees(least) == pytest.approx(630) and math.degrees(greatest) == pytest.approx(90)
-    agrees("khurmi-16-6-trapezoid", dE_J=found.excess, Cs=found.delta, P_kW=found.power / 1e3)
+    agrees(
+        "khurmi-16-6-trapezoid",
+        dE_J=found.s.number("A_ex"),
+        Cs=found.s.number("delta"),
+        P_kW=found.s.number("P_m") / 1e3,
+    )
 
 
 def test_a_four_stroke_engine_with_a_triangle_of_expansion():
@@ -74,8 +79,8 @@ def test_a_four_stroke_engine_with_a_triangle_of_expansion():
     up, down = 2 * 1.5 * work / math.pi, -2 * 0.5 * work / math.pi
     table = f"[[180 deg, 0], [270 deg, {down}], [360 deg, 0], [450 deg, {up}], [540 deg, 0], [720 deg, 0]]"
     found = solved(driving=f"{{table: {table}}}", turns=2, delta=given["Cs"], speed=f"{given['N_rpm']} rpm")
-    assert found.power == pytest.approx(given["P_W"])
-    agrees("khurmi-16-9-four-stroke", dE_J=found.excess, I_kgm2=found.fly)
+    assert found.s.number("P_m") == pytest.approx(given["P_W"])
+    agrees("khurmi-16-9-four-stroke", dE_J=found.s.number("A_ex"), I_kgm2=found.s.number("J_fl"))
 
 
 def harmonics(mean: float, rows: list) -> str:
@@ -91,9 +96,9 @@ def test_a_moment_of_two_harmonics_against_a_constant_load():
     (low, at_low), (high, at_high) = over.extremes(after.epsilon)
     agrees(
         "khurmi-16-11-harmonic",
-        dE_J=found.excess,
-        P_kW=found.power / 1e3,
-        I_kgm2=found.fly,
+        dE_J=found.s.number("A_ex"),
+        P_kW=found.s.number("P_m") / 1e3,
+        I_kgm2=found.s.number("J_fl"),
         Cs_percent=100 * after.delta,
         alpha_max=high,
         alpha_min_abs=-low,
@@ -113,13 +118,13 @@ def test_a_third_harmonic_against_a_constant_load_and_against_a_sine():
     other = solved(driving=driving, resisting=sine, **stated)
     agrees(
         "khurmi-16-13-third-harmonic",
-        dE_J=found.excess,
-        P_kW=found.power / 1e3,
-        I_kgm2=found.fly,
-        Cs_percent=100 * found.delta,
+        dE_J=found.s.number("A_ex"),
+        P_kW=found.s.number("P_m") / 1e3,
+        I_kgm2=found.s.number("J_fl"),
+        Cs_percent=100 * found.s.number("delta"),
         alpha_max=high,
         alpha_min_abs=-low,
-        Cs2_percent=100 * other.delta,
+        Cs2_percent=100 * other.s.number("delta"),
     )
 
 
@@ -131,7 +136,7 @@ def test_a_punching_machine():
     speeds = f"[{given['N2_rpm']} rpm, {given['N1_rpm']} rpm]"
     found = solved(punch=punch, speeds=speeds, radius_of_gyration=given["k_m"])
     assert (found.after.greatest, found.after.least) == pytest.approx((225 * RPM, 200 * RPM))
-    agrees("khurmi-16-19-punch", P_kW=found.power / 1e3, m_kg=found.sizes.mass)
+    agrees("khurmi-16-19-punch", P_kW=found.s.number("P_m") / 1e3, m_kg=found.s.number("m"))
 
 
 def test_the_mass_of_a_rim_from_seven_areas():
@@ -140,7 +145,7 @@ def test_the_mass_of_a_rim_from_seven_areas():
     found = solved(
         areas=areas, delta=given["Cs"], speed=f"{given['N_rpm']} rpm", radius_of_gyration=given["k_m"]
     )
-    agrees("sarkar-6-4-areas", dE_J=found.excess, m_kg=found.sizes.mass)
+    agrees("sarkar-6-4-areas", dE_J=found.s.number("A_ex"), m_kg=found.s.number("m"))
 
 
 def test_an_engine_and_a_machine_that_both_vary():
@@ -152,9 +157,9 @@ def test_an_engine_and_a_machine_that_both_vary():
     (low, at_low), (high, at_high) = found.cycle.panels.extremes(found.after.epsilon)
     agrees(
         "sarkar-6-10-two-harmonics",
-        dE_J=found.excess,
-        P_kW=found.power / 1e3,
-        I_kgm2=found.fly,
+        dE_J=found.s.number("A_ex"),
+        P_kW=found.s.number("P_m") / 1e3,
+        I_kgm2=found.s.number("J_fl"),
         Cs_percent=100 * found.after.delta,
         alpha_max=high,
         alpha_min_abs=-low,
@@ -167,7 +172,7 @@ def test_a_question_of_a_virtual_laboratory():
     given = case("vlabs-flywheel-mcq")["inputs"]
     work = given["dE_J"]
     found = solved(areas=f"{{values: [{work}, {-work}]}}", delta=given["Cs"], speed=given["omega"])
-    agrees("vlabs-flywheel-mcq", I_kgm2=found.fly)
+    agrees("vlabs-flywheel-mcq", I_kgm2=found.s.number("J_fl"))
 
 
 # --- the same by the mechanics alone

@@ -39,6 +39,17 @@ class Computed:
     scale: float | None = None
 
 
+@dataclass(frozen=True, eq=False)
+class Reached:
+    """A number with the angle turned from position 0 at which it is reached, rad."""
+
+    number: float
+    at: float
+
+
+Assigned = Expr | Computed | Reached | float | None
+
+
 class Q:
     """A declared number. `symbol`: as keys are written, "omega_d", or None of what is never written as one; `unit`: of
     the results; `meaning`: a literal for translation; `shown`: unit of print, where it is another; `formed`: unit in
@@ -70,7 +81,7 @@ class Q:
     def __get__(self, sheet: Sheet | None, owner: type) -> Self | Var:
         return self if sheet is None else sheet.var(self.key)
 
-    def __set__(self, sheet: Sheet, value: Expr | Computed | float | None) -> None:
+    def __set__(self, sheet: Sheet, value: Assigned) -> None:
         sheet.put(self.key, value)
 
     @cached_property
@@ -111,7 +122,8 @@ class _Kept:
 class Sheet:
     """The numbers of one variant. A number that is None is not there; assigning one twice is an error of the program.
 
-    `other`: declarations that this variant calls otherwise, by their keys: J and kg·m² of what turns for m and kg.
+    `other`: declarations that this variant calls otherwise, by their keys: J and kg·m² of what turns for m and kg; or
+    that it alone has: of each of its resistances, whatever their number.
     `prefix`: of this sheet's own names, where several of one kind are solved: the stages of a drive.
     """
 
@@ -139,15 +151,17 @@ class Sheet:
         """What a number is in the results."""
         return self.declared(key).named(self.PREFIX)
 
-    def put(self, key: str, value: Expr | Computed | float | None, at: float | None = None) -> None:
-        """What `sheet.key = value` does; `at`: the angle turned from position 0 at which it holds, rad."""
+    def put(self, key: str, value: Assigned) -> None:
+        """What `sheet.key = value` does."""
         if value is None:
             return
         if key in self._kept:
             raise ValueError(f"{self.PREFIX}{key} is found twice")
         made = value if isinstance(value, Computed) else None
         expression = made.expression if made else value if isinstance(value, Expr) else None
-        number: Any = made.number if made else None if expression is not None else value
+        at = value.at if isinstance(value, Reached) else None
+        number: Any = value.number if isinstance(value, Computed | Reached) else None
+        number = value if number is None and expression is None else number
         declared = self.declared(key)
         if number is None:
             assert expression is not None
@@ -204,8 +218,8 @@ class Sheet:
         return kept.value.formula(kept.expression, self.declared(key).formed, **form)
 
     def values(self) -> Iterator[Value]:
-        """All numbers, in the order of their declarations."""
-        for key in self.DECLARED:
+        """All numbers, in the order of their declarations; behind them those that this variant alone declares."""
+        for key in {**self.DECLARED, **self._others}:
             if key in self._kept:
                 yield self._kept[key].value
 

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from tmm_report.figures.charts.axes import angle_axis, round_ticks
-from tmm_report.figures.charts.graphs import Curve, Graph, graph
+from tmm_report.figures.charts.graphs import Curve, Graph, Letters, graph
 from tmm_report.figures.lettering import Parts, lettered
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.lever.cycle import Extreme
@@ -83,7 +83,7 @@ class Line(NamedTuple):
     `Curve` has them; what is above `most`, in the unit of print, runs off the sheet."""
 
     column: Column
-    name: str = ""
+    name: Letters = ""
     panel: int = 0
     extremes: Sequence[tuple[float, float]] | None = ()
     most: float = math.inf

@@ -29,7 +29,7 @@ ONE: Mapping[str, Sequence[Keys]] = {
     "ForceModel": [("constant", "by_position", "by_angle", "by_displacement")],
     "PistonModel": [("constant", "by_position", "by_angle", "by_displacement")],
     "kinetostatics.MomentModel": [("constant", "by_position", "by_angle")],
-    "dynamics.MotorModel": [("constant", "shunt", "series", "induction", "by_speed", "by_angle", "by_time")],
+    "MotorModel": [("constant", "shunt", "series", "induction", "by_speed", "by_angle", "by_time")],
     "ResistanceModel": [("friction", "viscous", "fan", "by_speed", "by_angle", "by_time")],
     "EngineModel": [("cylinders", "inline", "vee", "opposed", "radial")],
     "GovernorModel": [("arms", "bell_crank")],
@@ -63,7 +63,7 @@ SETS: Mapping[str, Sequence[Keys]] = {
         ("moment", "synchronous", "speed", "overload"),
         ("power", "synchronous", "speed", "overload"),
     ],
-    "dynamics.StartModel": [("speed",), ("time",), ("angle",), ("within",), ()],
+    "StartModel": [("speed",), ("time",), ("angle",), ("within",), ()],
     "PartModel": [
         ("inertia",),
         ("inertia", "moment"),
@@ -75,7 +75,7 @@ SETS: Mapping[str, Sequence[Keys]] = {
     ],
     "flywheel.MomentModel": [("constant",), ("table",), ("mean", "harmonics"), ("harmonics",)],
     "flywheel.InertiaModel": [("constant",), ("table",), ("mean", "harmonics")],
-    "WheelModel": [("inertia",), ("mass", "radius_of_gyration")],
+    "Wheel": [("inertia",), ("mass", "radius_of_gyration")],
     "FlywheelModel": [
         (*unevenness, *load, *shape)
         for unevenness in (("delta", "speed"), ("speeds",), ("wheel", "speed"))
@@ -85,8 +85,8 @@ SETS: Mapping[str, Sequence[Keys]] = {
     "HeavyModel": [("mass", "radius"), ("unbalance",)],
     "engine.CounterweightModel": [("share", "radius"), ("share", "mass"), ("mass", "radius")],
     "BeltDrive": [("driving", "driven"), ("driving", "driven_speed"), ("driven", "driven_speed")],
-    "DiscModel": [("width",), ("diameter",), ()],
-    "RimModel": [("height", "width"), ("diameter", "width"), ()],
+    "Disc": [("width",), ("diameter",), ()],
+    "Rim": [("height", "width"), ("diameter", "width"), ()],
     "EccentricModel": [("ratio", "eccentricity"), ("ratio", "eccentricity", "t"), ("teeth",)],
     "Spur": [("teeth",), ("centre_distance",), ("teeth", "centre_distance")],
     "PhaseModel": [("rise", "law"), ("rise",), ("dwell",), ("return", "law")],
@@ -143,7 +143,7 @@ RARE: Mapping[str, float] = {
     "DriverModel.gear": 0.3,
     "DriverModel.turns": 0.4,
     "PlanetaryModel.centre_distance": 0.1,
-    "dynamics.StartModel.motor": 0.2,
+    "StartModel.motor": 0.2,
     "LinearModel.mechanism": 1.5,
     "WearModel.guides": 3.0,
     "GovernorModel.brake": 0.3,

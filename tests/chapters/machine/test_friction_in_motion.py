@@ -61,20 +61,20 @@ def test_the_work_of_friction_is_that_of_its_power_over_the_cycle():
 def test_the_power_balance_closes_with_friction_in_it():
     """What the motor gives is what the loads take and what the pairs lose; without friction it is 375 W."""
     without, found = press(more="friction: false").flywheel, press()
-    assert without.power == pytest.approx(375, rel=1e-9)
-    assert found.flywheel.power == pytest.approx(375 + mean_lost(found), rel=1e-6)
+    assert without.s.number("P_m") == pytest.approx(375, rel=1e-9)
+    assert found.flywheel.s.number("P_m") == pytest.approx(375 + mean_lost(found), rel=1e-6)
     eta = found.lever.friction.mean_efficiency
-    assert found.flywheel.power == pytest.approx(
+    assert found.flywheel.s.number("P_m") == pytest.approx(
         375 / eta, rel=0.01
     )  # which counts what the cycle gives back, too
-    assert found.flywheel.fly > 1.1 * without.fly
+    assert found.flywheel.s.number("J_fl") > 1.1 * without.s.number("J_fl")
 
 
 def test_a_motor_is_judged_with_the_friction():
-    assert press("439 W").flywheel.needed == pytest.approx(438.5, abs=0.1)
+    assert press("439 W").flywheel.s.number("P_need") == pytest.approx(438.5, abs=0.1)
     with pytest.raises(ProblemError, match=r"0\.4385 kW on the average, 0\.06349 kW of it for the friction"):
         press("400 W")
-    assert press("400 W", more="friction: false").flywheel.needed == pytest.approx(375)
+    assert press("400 W", more="friction: false").flywheel.s.number("P_need") == pytest.approx(375)
 
 
 def test_a_mechanism_that_drives_gives_less_to_the_machine():
@@ -85,12 +85,12 @@ def test_a_mechanism_that_drives_gives_less_to_the_machine():
         of[kept] = course.solve(course.loads(text))
     (rubbed, free) = (of[key].flywheel for key in (True, False))
     assert rubbed.sides.balancing == free.sides.balancing == "resisting"
-    assert rubbed.power == pytest.approx(free.power)  # of the gases
+    assert rubbed.s.number("P_m") == pytest.approx(free.s.number("P_m"))  # of the gases
     constant = rubbed.sides.resisting - rubbed.sides.rubbing
     assert np.ptp(constant) < 1e-9 * np.abs(constant).max()
     lost = of[True].lever.friction.mean_power
-    assert -constant.mean() * rubbed.omega == pytest.approx(free.power - lost, rel=1e-6)
-    assert rubbed.sides.machine.friction_share == pytest.approx(100 * lost / free.power)
+    assert -constant.mean() * rubbed.omega == pytest.approx(free.s.number("P_m") - lost, rel=1e-6)
+    assert rubbed.sides.machine.friction_share == pytest.approx(100 * lost / free.s.number("P_m"))
 
 
 def test_friction_alone_is_a_load():
@@ -98,7 +98,7 @@ def test_friction_alone_is_a_load():
     text = CASE.read_text("utf-8").split("loads:")[0]
     text += f"loads: {{}}\n{FRICTION}\nflywheel: {{delta: 1/30}}\n"
     found = course.solve(course.loads(text))
-    assert found.flywheel.power == pytest.approx(found.lever.friction.mean_power)
+    assert found.flywheel.s.number("P_m") == pytest.approx(found.lever.friction.mean_power)
     assert found.flywheel.sides.machine.friction_share == pytest.approx(100)
 
 
@@ -106,7 +106,7 @@ def test_corrected_reactions_give_the_friction_of_the_motion():
     corrected = FRICTION[:-1] + ", corrected: true}"
     found = press(friction=corrected)
     lever = found.lever.friction
-    lost = found.flywheel.power - 375
+    lost = found.flywheel.s.number("P_m") - 375
     assert lost == pytest.approx(lever.corrected.mean_power)
     assert lost != pytest.approx(lever.mean_power, rel=1e-3)
     assert "by the reactions corrected for friction" in told(found)
@@ -213,7 +213,7 @@ flywheel: {delta: 1/30}
     assert "flywheel_P_fr" not in wheel_quantities.book(found.flywheel).values
     free = course.solve(course.loads(text.replace("1/30}", "1/30, friction: false}")))
     assert not [one for one in course.doubts(free) if "left out" in str(one)]
-    assert free.flywheel.fly == pytest.approx(found.flywheel.fly)
+    assert free.flywheel.s.number("J_fl") == pytest.approx(found.flywheel.s.number("J_fl"))
 
 
 @pytest.mark.parametrize(
@@ -237,5 +237,5 @@ def test_a_machine_alone_has_no_pairs(text, wrong):
 def test_friction_that_is_not_stated_cannot_be_asked_for():
     with pytest.raises(ProblemError, match="no friction of the pairs is stated"):
         press(friction="", more="friction: true")
-    assert press(friction="").flywheel.power == pytest.approx(375)
+    assert press(friction="").flywheel.s.number("P_m") == pytest.approx(375)
     assert "friction of the kinematic pairs" not in told(press(friction=""))

@@ -18,7 +18,7 @@ from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.mechanics.lever.motion import Motion
 from tmm_report.problems import N_, Message, Problem, ProblemError, doubt, mistake
 from tmm_report.quantity.model import Quantity
-from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.sheet import Q, Sheet
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
@@ -145,14 +145,17 @@ def _friction(reduced: Reduced | None, over: Panels, asked: bool) -> PairFrictio
     return PairFriction(float(reduced.panels.mean(reduced.moment)), moment, asked, reduced.corrected)
 
 
-def friction_rows(found: Machine | None) -> Iterator[tuple[str, Symbol | None, str, str, float]]:
-    """Key, symbol, unit, meaning and number of what the friction of the pairs takes; nothing where it is not known."""
-    if found is None or found.friction is None or not found.friction.bounded:
-        return
-    power = N_("mean power of friction in the pairs at the stated speed")
-    yield "P_fr", Symbol("P", "fr"), "W", power, found.friction_power
-    share = N_("part of the mean power that drives the mechanism which friction in the pairs takes")
-    yield "P_fr_share", None, "%", share, found.friction_share
+FRICTION_POWER = Q("P_fr", "W", N_("mean power of friction in the pairs at the stated speed"))
+FRICTION_SHARE = Q(
+    None, "%", N_("part of the mean power that drives the mechanism which friction in the pairs takes")
+)
+
+
+def put_friction(s: Sheet, found: Machine | None) -> None:
+    """What the friction of the pairs takes, `P_fr` and `P_fr_share`; nothing where it is not known."""
+    if found is not None and found.friction is not None and found.friction.bounded:
+        s.put("P_fr", found.friction_power)
+        s.put("P_fr_share", found.friction_share)
 
 
 def friction_told(found: Machine | None) -> str:

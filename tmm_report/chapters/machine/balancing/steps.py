@@ -60,7 +60,7 @@ def slider(given: Given, crank: SliderCrank, remains: Remaining) -> Slider:
         s.r_I, s.r_II = given.radii
         s.m_I, s.m_II = s.U_I / s.r_I, s.U_II / s.r_II
     for key, left in (("F_B_max", remains.exact), ("F_I_max", remains.first), ("F_II_max", remains.second)):
-        s.put(key, *fourier.greatest(left))
+        s.put(key, Reached(*fourier.greatest(left)))
     return s
 
 

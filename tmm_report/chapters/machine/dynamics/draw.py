@@ -8,26 +8,21 @@ from collections.abc import Iterator
 import numpy as np
 
 from tmm_report.chapters.machine.dynamics import quantities as q
-from tmm_report.chapters.machine.dynamics import terms
 from tmm_report.chapters.machine.dynamics.solve import Found
+from tmm_report.chapters.machine.dynamics.values import Motion
 from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.charts.plane import Trace, framed, plane
 from tmm_report.figures.drawing import NORMAL, THICK, Drawing, line, polygon
-from tmm_report.figures.lettering import Parts
-from tmm_report.i18n import NP_
-from tmm_report.mechanics.machine.run.motion_law import Run
 from tmm_report.mechanics.machine.run.steady import Steady
-from tmm_report.quantity.symbols import Symbol
-from tmm_report.report.diagrams import CycleGraphs, plot
+from tmm_report.quantity.model import Table
+from tmm_report.report.diagrams import CycleGraphs, Line, chart
 from tmm_report.report.page import Page
-
-_ = NP_
 
 
 def drawings(found: Found, page: Page) -> Iterator[Graph]:
     """All of them, the most telling first."""
-    for _, one in found.runs:
-        yield run(one, page)
+    for name, _ in found.runs:
+        yield run(found, name, page)
     if found.steady is not None and not found.even:
         yield cycle(found, page)
 
@@ -48,33 +43,33 @@ def shaft(parts: int) -> Drawing:
     return Drawing((line(0, complex(places[-1] + 12), THICK), *discs))
 
 
-def _named(symbol: Symbol, page: Page) -> Parts:
-    return CycleGraphs(np.zeros(2), 0, page.tr).letter(symbol, "")
+def _moments(table: Table, panel: int, page: Page) -> list[Line]:
+    """The driving and the resisting moment in one panel."""
+    graphs = CycleGraphs(np.zeros(2), 0, page.tr)
+    return [Line(table[key], graphs.letter(table[key].symbol()), panel) for key in ("M_dr", "M_res")]
+
+
+def _table(found: Found, name: str) -> Table:
+    return next(table for table in q.tables(found) if table.name == f"dynamics_{name}")
 
 
 def characteristics(found: Found, page: Page) -> Graph:
-    table = {table.name: table for table in q.tables(found)}["dynamics_characteristics"]
-    curves = [
-        Curve(table[key].numbers(), _named(quantity.sign, page), extremes=())
-        for key, quantity in (("M_dr", terms.DRIVING), ("M_res", terms.RESISTING))
-    ]
-    return plot(curves, table["omega"].numbers(), terms.SPEED, [(Symbol("M"), "N·m")], page.tr)
+    table = _table(found, "characteristics")
+    return chart(_moments(table, 0, page), table["omega"], [Motion.M.quantity], page.tr)
 
 
 def cycle(found: Found, page: Page) -> Graph:
     """Moments, deviation of the angular velocity from its mean, and acceleration over the cycle."""
     assert found.steady is not None  # asked for only where there is one
-    table = {table.name: table for table in q.tables(found)}["dynamics_cycle_diagram"]
+    table = _table(found, "cycle_diagram")
     curves = [
-        Curve(table["M_dr"].numbers(), _named(terms.DRIVING.sign, page), 0, extremes=()),
-        Curve(table["M_res"].numbers(), _named(terms.RESISTING.sign, page), 0, extremes=()),
+        *(Curve(line.column.numbers(), line.name, 0, extremes=()) for line in _moments(table, 0, page)),
         Curve(table["domega"].numbers(), panel=1, extremes=_extremes(found.steady), scale=found.steady.mean),
         Curve(table["epsilon"].numbers(), panel=2),
     ]
-    closed = len(found.turned) - 1
-    graphs = CycleGraphs(found.diagram_turned, closed, page.tr)
-    symbols = ((Symbol("M"), "N·m"), (terms.DEVIATION.sign, "rad/s"), (terms.ACCELERATION.sign, "rad/s²"))
-    return graphs.graph(curves, [graphs.letter(symbol, unit) for symbol, unit in symbols], join=False)
+    graphs = CycleGraphs(found.diagram_turned, len(found.turned) - 1, page.tr)
+    of = [Motion.M.quantity, table["domega"].quantity, table["epsilon"].quantity]
+    return graphs.graph(curves, [graphs.letter(one.sign, one.printed) for one in of], join=False)
 
 
 def _extremes(steady: Steady) -> list[tuple[float, float]]:
@@ -82,13 +77,8 @@ def _extremes(steady: Steady) -> list[tuple[float, float]]:
     return [(math.degrees(at), value - steady.mean) for value, at in reversed(steady.extremes)]
 
 
-def run(found: Run, page: Page) -> Graph:
+def run(found: Found, name: str, page: Page) -> Graph:
     """Angular velocity and moments over the time."""
-    driving = sum((found.of(one) for one in found.plant.acting if one.key == "motor"), np.zeros(len(found.t)))
-    curves = [
-        Curve(found.omega, panel=0),
-        Curve(driving, _named(terms.DRIVING.sign, page), 1, extremes=()),
-        Curve(driving - found.moment, _named(terms.RESISTING.sign, page), 1, extremes=()),
-    ]
-    of = [(terms.SPEED.sign, "rad/s"), (Symbol("M"), "N·m")]
-    return plot(curves, found.t, terms.TIME, of, page.tr)
+    table = _table(found, f"{name}_diagram")
+    lines = [Line(table["omega"], extremes=None), *_moments(table, 1, page)]
+    return chart(lines, table["t"], [table["omega"].quantity, Motion.M.quantity], page.tr)

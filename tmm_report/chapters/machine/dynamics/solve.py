@@ -14,9 +14,10 @@ from typing import Any
 import numpy as np
 
 from tmm_report.chapters.lever.moving import Moving, friction_doubts
-from tmm_report.chapters.machine.dynamics import refusals
+from tmm_report.chapters.machine.dynamics import refusals, steps
 from tmm_report.chapters.machine.dynamics.given import Given
 from tmm_report.chapters.machine.dynamics.inverted import turned_round
+from tmm_report.chapters.machine.dynamics.parts import parts_table
 from tmm_report.chapters.machine.dynamics.plant import MOTOR, RUBBING, WEIGHT, WORK, Whole, whole
 from tmm_report.chapters.machine.dynamics.regimes import (
     is_open,
@@ -26,11 +27,13 @@ from tmm_report.chapters.machine.dynamics.regimes import (
     stated_top,
     steady_motion,
 )
+from tmm_report.chapters.machine.dynamics.values import Values, sheet
 from tmm_report.mechanics.machine.reduced import Acting, Plant
 from tmm_report.mechanics.machine.run.by_angle import running_at
 from tmm_report.mechanics.machine.run.motion_law import Run
 from tmm_report.mechanics.machine.run.steady import Steady
 from tmm_report.problems import N_, Message, Problem, ProblemError
+from tmm_report.quantity.model import Table
 from tmm_report.quantity.text import number
 from tmm_report.records import dataclass
 
@@ -43,8 +46,8 @@ CURVE = 72  # intervals between the speeds of the characteristics
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """Found by `solve`. `turned`: angles of the table, rad; `diagram_turned`: of the diagrams; `steady`: None where the
-    motion does not become steady; `start`, `coast`: None where they are not asked for."""
+    """Found by `solve`. `s`: the single numbers; `turned`: angles of the table, rad; `diagram_turned`: of the diagrams;
+    `steady`: None where the motion does not become steady; `start`, `coast`: None where they are not asked for."""
 
     given: Given
     whole: Whole
@@ -54,6 +57,12 @@ class Found:
     steady: Steady | None
     start: Run | None
     coast: Run | None
+    s: Values
+
+    @cached_property
+    def parts(self) -> Table | None:
+        """The table of the parts, where there are any."""
+        return parts_table(self.whole.parts, self.given.gravity) if self.given.parts else None
 
     @property
     def runs(self) -> Iterator[tuple[str, Run]]:
@@ -170,34 +179,28 @@ class Found:
     def doubts(self) -> Iterator[Problem]:
         return friction_doubts(self.whole.machine, "dynamics")
 
+    def _said(self, **keys: str) -> dict[str, str]:
+        return {name: number(self.s.number(key), 4, ".") for name, key in keys.items()}
+
     def summary(self) -> Iterator[Message]:
         """The main numbers in sentences."""
         if self.steady is not None and self.even:
             text = N_("machine in motion: steady speed %(omega)s rad/s")
-            yield Message(text, {"omega": _text(self.steady.mean)})
+            yield Message(text, self._said(omega="omega_m"))
         elif self.steady is not None:
             text = N_(
                 "machine in motion: mean speed %(omega)s rad/s, coefficient of non-uniformity %(delta)s"
             )
-            yield Message(text, {"omega": _text(self.steady.mean), "delta": _text(self.steady.delta)})
+            yield Message(text, self._said(omega="omega_m", delta="delta"))
         if self.uniformly:
-            plant = self.supplied
             text = N_("machine in motion: angular acceleration %(epsilon)s rad/s²")
-            yield Message(text, {"epsilon": _text(plant.mean_moment / float(plant.inertia.flat[0]))})
+            yield Message(text, self._said(epsilon="epsilon"))
         if self.start is not None:
             text = N_("start-up: %(t)s s, %(turns)s turns")
-            yield Message(text, {"t": _text(self.start.t[-1]), "turns": _text(_turns(self.start))})
+            yield Message(text, self._said(t="t_start", turns="turns_start"))
         if self.coast is not None:
             text = N_("run-down: %(t)s s, %(turns)s turns")
-            yield Message(text, {"t": _text(self.coast.t[-1]), "turns": _text(_turns(self.coast))})
-
-
-def _turns(found: Run) -> float:
-    return float((found.phi[-1] - found.phi[0]) / (2 * np.pi))
-
-
-def _text(value: float) -> str:
-    return number(float(value), 4, ".")
+            yield Message(text, self._said(t="t_coast", turns="turns_coast"))
 
 
 def solve(given: Given, moving: Moving | None) -> Found:
@@ -210,11 +213,14 @@ def solve(given: Given, moving: Moving | None) -> Found:
     if steady is not None and steady.bends.size:
         machine, plant, steady = _moved(given, moving, steady.bends)
     turned, diagram = _angles(machine, moving)
-    return Found(
+    found = Found(
         given, machine, moving, turned, diagram, steady,
         start_up(plant, start, steady) if start is not None else None,
         run_down(machine, given.coast, steady) if given.coast is not None else None,
+        sheet(given),
     )  # fmt: skip
+    steps.numbers(found)
+    return found
 
 
 def _moved(given: Given, moving: Moving | None, bends: Sequence[float]) -> tuple[Whole, Plant, Steady | None]:

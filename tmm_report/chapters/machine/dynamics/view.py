@@ -10,7 +10,8 @@ from markupsafe import Markup
 
 from tmm_report.chapters.lever.moving import friction_told
 from tmm_report.chapters.machine.dynamics import draw
-from tmm_report.chapters.machine.dynamics.formulas import DynamicsFormulas
+from tmm_report.chapters.machine.dynamics import quantities as q
+from tmm_report.chapters.machine.dynamics.equations import Written
 from tmm_report.chapters.machine.dynamics.plant import BRAKE, MOTOR, PAIRS
 from tmm_report.chapters.machine.dynamics.solve import Found
 from tmm_report.figures.charts.graphs import Graph
@@ -18,6 +19,7 @@ from tmm_report.figures.drawing import Drawing
 from tmm_report.mechanics.machine.reduced import LOST
 from tmm_report.problems import N_
 from tmm_report.quantity.ref import Ref
+from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.part import Part
@@ -55,9 +57,9 @@ MOTORS = {
     ),
 }
 
-CONSTANTS = {
-    "M_motor", "M_stall", "omega_0", "a", "b", "M_max", "s_cr", "i_motor", "eta_motor", "M_closing", "M_brake",
-}  # fmt: skip
+CONSTANTS = (
+    "M_closing", "i_motor", "eta_motor", "M_motor", "M_stall", "omega_0", "a", "b", "M_max", "s_cr",
+)  # fmt: skip
 
 
 def parts(found: Found, page: Page) -> Iterator[Part]:
@@ -69,20 +71,13 @@ def picture(found: Found, page: Page) -> Drawing:
     return draw.glance(found, page)
 
 
-class DynamicsView(DynamicsFormulas):
+class DynamicsView(ChapterView):
     def __init__(self, found: Found, page: Page):
-        super().__init__(found, _sample(found))
-        self.page, self.t = page, page.t
+        super().__init__(page, found.s, q.tables(found))
+        self.found, self.position = found, _sample(found)
+        self.written = Written(found, self.position)
 
     # ------------------------------------------------------------ words
-
-    def number(self, key: str, unit: str = "", **form: Any) -> Markup:
-        """A single number in running text."""
-        return self.page.shown(self.book[f"dynamics_{key}"], unit=unit, **form)
-
-    def sized(self, key: str) -> Markup:
-        """symbol = value unit."""
-        return self.page.value(self.var(key))
 
     @property
     def waited(self) -> Markup:
@@ -118,27 +113,19 @@ class DynamicsView(DynamicsFormulas):
 
     def reached(self, key: str) -> Markup:
         """The angle at which a value is reached, degrees."""
-        of = self.book[f"dynamics_{key}"]
+        of = self.value(key)
         degrees = float(np.degrees(of.at or 0.0))
         return self.page.said(Cell(self.page.num(degrees, 5), Ref(of.key, by="at_deg")))
 
-    def constants(self) -> Markup:
+    @property
+    def constants(self) -> list[str]:
         """Of the motor and of the resistances, as they enter the formulas."""
-        keys = [key for key in self.book.values if key.removeprefix("dynamics_") in self._constants()]
-        return self.page.values(self.book[key].var() for key in keys)
-
-    def _constants(self) -> set[str]:
-        rubbing = {
-            key.removeprefix("dynamics_") for key in self.book.values if "_res" in key and key[-1].isdigit()
-        }
-        return CONSTANTS | rubbing
-
-    def explained(self) -> list[dict[str, Any]]:
-        return [
-            self.page.explained(key, self.book[key], self.book[key].unit)
-            for key in self.book.values
-            if key.removeprefix("dynamics_") in self._constants()
+        rubbing = [
+            f"{key}_res{k}"
+            for k in range(1, len(self.found.given.resistances) + 1)
+            for key in ("M", "c", "omega")
         ]
+        return [key for key in (*CONSTANTS, *rubbing, "M_brake") if key in self.s]
 
     def of_parts(self) -> list[dict[str, Any]]:
         """The columns of the parts, for a "where" list: their numbers differ by the index of the part."""
@@ -147,11 +134,6 @@ class DynamicsView(DynamicsFormulas):
         return [
             self.page.explained(f"part {key}", table[key], table[key].unit) for key in keys if self._has(key)
         ]
-
-    def where(self, *keys: str) -> list[dict[str, Any]]:
-        """A "where" list of single values."""
-        values = (self.book[f"dynamics_{key}"] for key in keys)
-        return [self.page.explained(of.key, of, of.unit) for of in values]
 
     def friction(self) -> Markup | None:
         """What is said of the friction of the pairs; None where none is stated."""
@@ -191,13 +173,12 @@ class DynamicsView(DynamicsFormulas):
         return Column(whole.head, whole.cells[::step])
 
     def cycle_table(self) -> Table:
-        columns = [self.page.column(self.cycle, column.key) for column in self.cycle.columns[2:]]
-        return numeric(self.t("Steady motion"), self.page.positions(self.cycle), columns)
+        table = self.table("cycle_table")
+        columns = self.columns("cycle_table", leave=("position", "phi"))
+        return numeric(self.t("Steady motion"), self.page.positions(table), columns)
 
     def run_table(self, name: str, caption: Any) -> Table:
-        table = self.table(name)
-        columns = [self.page.column(table, column.key) for column in table.columns]
-        return numeric(caption, columns[0], columns[1:])
+        return self.numeric(caption, name)
 
     def works(self) -> Table:
         table, page = self.table("works"), self.page
@@ -259,7 +240,7 @@ class DynamicsView(DynamicsFormulas):
         return draw.cycle(self.found, self.page)
 
     def run_graph(self, name: str) -> Graph:
-        return draw.run(dict(self.found.runs)[name], self.page)
+        return draw.run(self.found, name, self.page)
 
     # ------------------------------------------------------------ conclusions
 

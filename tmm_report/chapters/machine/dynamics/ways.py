@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import cast
 
 import numpy as np
 
 from tmm_report.chapters.machine.dynamics.solve import Found
 from tmm_report.mechanics.machine.run.motion_law import Run
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.formula import PI, Expr, Var
+from tmm_report.quantity.formula import Expr, Var
 from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.ways import AXIS, NAME, STATED, Input, Known, Line, Way
@@ -152,8 +153,9 @@ def _sum(terms: list[Expr]) -> Expr:
     return total
 
 
-def _turns(q: Known) -> Expr:
-    return q("dynamics_phi_{0}") / (2 * PI)
+def _assigned(q: Known) -> Expr:
+    """By its formula, where the note does not print it."""
+    return cast(Expr, q.found.s.formula(q.own.removeprefix("dynamics_")).expression)
 
 
 def _power(q: Known) -> Expr:
@@ -173,14 +175,6 @@ def _resisting(q: Known) -> Expr:
     ]
     angle = Var(Symbol("Phi"), float(q.found.steady.plant.panels.period))
     return -_sum([table.var("A_steady", k) for k in rows]) / angle
-
-
-def _accelerated(q: Known) -> Expr:
-    return (q("dynamics_M_dr") - q("dynamics_M_res")) / q("dynamics_J")
-
-
-def _energy(q: Known) -> Expr:
-    return q("dynamics_J") * q("dynamics_omega_m") ** 2 / 2
 
 
 def _rubbed(q: Known) -> Expr:
@@ -214,7 +208,7 @@ WAYS = (
     Way("dynamics_M_steady", by=_resisting),
     Way("dynamics_t_start dynamics_t_coast dynamics_phi_start dynamics_phi_coast", worked=_run),
     Way("dynamics_omega_start dynamics_omega_coast", worked=_run),
-    Way("dynamics_turns_*", by=_turns),
+    Way("dynamics_turns_* dynamics_epsilon dynamics_T_steady", by=_assigned),
     Way("dynamics_P", POWER, by=_power),
     Way("dynamics_P", POWER, of="dynamics_omega_m"),
     Way("dynamics_omega_m", STEADY, of="dynamics_M_steady dynamics_delta dynamics_J dynamics_T_cycle"),
@@ -236,8 +230,6 @@ WAYS = (
     Way("dynamics_a dynamics_b", NOMINAL, of="dynamics_a dynamics_b dynamics_i_motor"),
     Way("dynamics_M_dr", DRIVES, of="dynamics_M_motor dynamics_i_motor dynamics_eta_motor dynamics_epsilon"),
     Way("dynamics_M_res", RESISTING, of="dynamics_M_parts dynamics_M_res* dynamics_M_brake dynamics_epsilon"),
-    Way("dynamics_epsilon", by=_accelerated),
-    Way("dynamics_T_steady", by=_energy),
     Way("dynamics_P_fr", RUBBED, by=_rubbed, of="omega"),
     Way("dynamics_P_fr_share", SHARE, of="dynamics_P_fr dynamics_P"),
     Way("dynamics_*", STATED),

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from typing import Any
 
 from markupsafe import Markup
@@ -70,8 +69,8 @@ class EfficiencyView(ChapterView):
 
     # ------------------------------------------------------------ formulas
 
-    def formula(self, key: str) -> Formula:
-        return replace(super().formula(key), digits=4)
+    def formula(self, key: str, **form: Any) -> Formula:
+        return super().formula(key, **{"digits": 4, **form})
 
     def groups(self) -> list[Formula]:
         """Efficiency of every group from those of its parts, the innermost first, the whole last."""

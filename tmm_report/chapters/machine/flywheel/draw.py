@@ -68,7 +68,7 @@ def energy_mass(
     numbered = over.at(of.varying, found.sides.turned) + 1j * over.at(of.work, found.sides.turned)
     tangents = (found.methods["wittenbauer"].upper, found.methods["wittenbauer"].lower)
     corners = np.array([[1j * one.cut, _end(found, one)] for one in tangents])
-    frame = framed([curve, corners.ravel()], scales=found.scales)
+    frame = framed([curve, corners.ravel()], scales=(found.s.number("mu_J"), found.s.number("mu_T")))
     items = [item for one in tangents for item in _tangent(frame, one, _end(found, one))]
     items += [line(frame.at(0j + 1j * frame.low.imag), frame.at(1j * frame.high.imag), NORMAL)]
     tags = [*_letters(frame, tangents), *_numbers(frame, numbered[:-1])]

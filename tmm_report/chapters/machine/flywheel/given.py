@@ -3,11 +3,26 @@
 from __future__ import annotations
 
 from dataclasses import field
-from typing import Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from tmm_report.mechanics.calculus.laws import Constant, Law
 from tmm_report.problems import N_
 from tmm_report.records import dataclass
+
+if TYPE_CHECKING:
+    from pydantic import Field
+
+    from tmm_report.variant.values import (
+        Fraction,
+        Inertia,
+        Period,
+        Positive,
+        PositiveInertia,
+        PositiveMass,
+        Scale,
+        Speed,
+        quantity,
+    )
 
 Shaft = Literal["main", "motor"]
 
@@ -21,49 +36,52 @@ class Areas:
 
 @dataclass(frozen=True)
 class Punch:
-    """A working stroke of `time`, s, that takes `work`, J, every `period`, s, at a constant power of the motor."""
+    """Working strokes at equal times; the motor's power is constant."""
 
-    work: float
-    period: float
-    time: float
+    work: Annotated[float, quantity("work", 1e-9), Field(description="of a stroke", examples=["15 kJ"])]
+    period: Annotated[Period, Field(description="from stroke to stroke", examples=["5 s"])]
+    time: Annotated[Period, Field(description="that a stroke takes", examples=["2 s"])]
 
 
 @dataclass(frozen=True)
 class Motor:
-    """Nominal power, W, and speed, rad/s; `inertia` of its rotor, kg m²; `efficiency` of the transmission."""
+    """The driving motor."""
 
-    power: float
-    speed: float
-    inertia: float = 0.0
-    efficiency: float = 1.0
+    power: Annotated[float, quantity("power", 1e-9), Field(description="nominal", examples=["5.5 kW"])]
+    speed: Annotated[Speed, Field(description="nominal", examples=["960 rpm"])]
+    inertia: Annotated[Inertia, Field(description="of the rotor on its own shaft")] = 0.0
+    efficiency: Annotated[Fraction, Field(description="of the transmission to the main link")] = 1.0
 
 
 @dataclass(frozen=True)
 class Wheel:
-    """A flywheel that is there already: its moment of inertia, kg m²; or its mass, kg, and radius of gyration, m."""
+    """A flywheel that is there: its moment of inertia, or mass and radius of gyration."""
 
-    inertia: float
-    mass: float | None = None
-    gyration: float | None = None
+    inertia: PositiveInertia | None = None
+    mass: PositiveMass | None = None
+    radius_of_gyration: Positive | None = None
 
 
 @dataclass(frozen=True)
 class Disc:
-    """A solid disc: `width` is b/D; a stated diameter, m, leaves the width to be found."""
+    """A solid disc."""
 
-    width: float = 0.2
-    diameter: float | None = None
+    width: Annotated[Scale, Field(description="b/D")] = 0.2
+    diameter: Annotated[Positive | None, Field(description="stated, the width follows")] = None
 
 
 @dataclass(frozen=True)
 class Rim:
-    """A rim on spokes: `height` is h/D of the mean diameter D, `width` b/h; a stated D, m, leaves h to be found.
-    `spokes`: the part of the moment of inertia that is in spokes and hub."""
+    """A rim of rectangular section on spokes."""
 
-    height: float = 0.1
-    width: float = 1.5
-    diameter: float | None = None
-    spokes: float = 0.1
+    height: Annotated[Fraction, Field(description="h/D, of the mean diameter")] = 0.1
+    width: Annotated[Scale, Field(description="b/h")] = 1.5
+    diameter: Annotated[Positive | None, Field(description="mean; stated, the height follows")] = None
+    spokes: Annotated[
+        float,
+        quantity("number", 0.0, 0.9, "0 … 0.9"),
+        Field(description="part of the moment of inertia that is in spokes and hub"),
+    ] = 0.1
 
 
 @dataclass(frozen=True)

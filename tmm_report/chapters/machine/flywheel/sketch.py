@@ -23,18 +23,14 @@ Num = Callable[[float], str]
 
 def scale_of(found: Found) -> float:
     """m for a millimetre, round."""
-    sizes = found.sizes
-    assert sizes and sizes.outer and sizes.width
-    return round_scale(max(sizes.outer, 1.2 * sizes.width), SHEET)
+    return round_scale(max(found.s.number("D_out"), 1.2 * found.s.number("b")), SHEET)
 
 
 def sketch(found: Found, num: Num, outer_word: str = "outer", title: str = "") -> Drawing:
     """`outer_word`: index of the outer diameter."""
-    sizes = found.sizes
-    assert sizes and sizes.outer and sizes.width and sizes.diameter
     mm = 1 / scale_of(found)
-    outer, width = sizes.outer * mm, sizes.width * mm
-    inner = outer - 4 * (sizes.height * mm / 2) if sizes.height else 0.0
+    outer, width, height = (mm * (found.s.get(key) or 0.0) for key in ("D_out", "b", "h"))
+    inner = outer - 2 * height if height else 0.0
     front = [*_front(outer, inner, isinstance(found.given.shape, Disc))]
     centre = complex(outer / 2 + APART + width / 2, 0)
     side = [*_section(centre, outer, inner, width)]
@@ -101,22 +97,21 @@ def _dimensions(
     found: Found, centre: complex, outer: float, width: float, mm: float, num: Num, word: str
 ) -> Iterator[Item]:
     """Diameters to the right of the section, the width under it, the height of a rim's section to the left."""
-    sizes = found.sizes
-    assert sizes and sizes.outer and sizes.width and sizes.diameter
+    s = found.s
     edge = centre + width / 2
-    name = Symbol("D", word) if sizes.height else Symbol("D")
-    yield from _upright(edge, outer, 9.0, _equal(name, num(1e3 * sizes.outer)))
-    if sizes.height:
-        text = _equal(Symbol("D"), num(1e3 * sizes.diameter))
-        yield from _upright(edge, sizes.diameter * mm, 34.0, text)
-        text = _equal(Symbol("h"), num(1e3 * sizes.height))
-        yield from _height(centre - width / 2, outer, sizes.height * mm, text)
+    name = Symbol("D", word) if "h" in s else Symbol("D")
+    yield from _upright(edge, outer, 9.0, _equal(name, num(1e3 * s.number("D_out"))))
+    if "h" in s:
+        diameter, height = s.number("D"), s.number("h")
+        yield from _upright(edge, diameter * mm, 34.0, _equal(Symbol("D"), num(1e3 * diameter)))
+        text = _equal(Symbol("h"), num(1e3 * height))
+        yield from _height(centre - width / 2, outer, height * mm, text)
     foot = centre - 1j * (outer / 2)
     ends = foot - width / 2, foot + width / 2
     for end in ends:
         yield line(end, end - 11j, THIN)
     yield from span(ends[0] - 9j, ends[1] - 9j)
-    yield Text(foot - 13j, _equal(Symbol("b"), num(1e3 * sizes.width)), align=0)
+    yield Text(foot - 13j, _equal(Symbol("b"), num(1e3 * s.number("b"))), align=0)
 
 
 def _equal(name: Symbol, number: str) -> Parts:

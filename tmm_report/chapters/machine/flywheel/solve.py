@@ -16,89 +16,61 @@ from typing import Any
 import numpy as np
 
 from tmm_report.chapters.lever.moving import Moving, friction_doubts
-from tmm_report.chapters.machine.flywheel.given import USUAL, Given, Gyration
+from tmm_report.chapters.machine.flywheel import sizes, steps
+from tmm_report.chapters.machine.flywheel.given import USUAL, Given
 from tmm_report.chapters.machine.flywheel.loads import Sides, mean_speed, sides
-from tmm_report.chapters.machine.flywheel.sizes import Sizes, sized
+from tmm_report.chapters.machine.flywheel.methods import compared
+from tmm_report.chapters.machine.flywheel.values import Values
 from tmm_report.mechanics.machine.flywheel.inertia import METHODS, Cycle, Method
 from tmm_report.mechanics.machine.flywheel.motion import Integrated, Turning, integrated, turning
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
-from tmm_report.quantity.paper import round_scale
+from tmm_report.quantity.formula import Var
+from tmm_report.quantity.model import Table
 from tmm_report.records import dataclass
 
 __all__ = ["Found", "Given", "solve"]
 
 Array = Any
-SHEET = 110.0  # mm: the energy–mass diagram is drawn at round scales within it
 LEAST = 1e-12  # of the work of the moments: an excess work below it is rounding
 
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """Found by `solve`. `omega`: mean speed of the main link, rad/s; `delta`: the unevenness wanted, or that of the
-    flywheel that is stated; `methods`: by name, where one is wanted; `fly`: moment of inertia of the flywheel as
-    reduced to the main link, kg m², 0 where none is needed; `before`: without it, None where the machine would come to
-    a stand; `after`: with it; `proof`: the same motion integrated step by step; `sizes`: None where none is needed."""
+    """Found by `solve`. `s`: the single numbers; `methods`: by name, where a flywheel is wanted; `before`: the motion
+    without it, None where the machine would come to a stand; `after`: with it; `proof`: the same integrated step by
+    step."""
 
     given: Given
+    s: Values
     sides: Sides
-    omega: float
-    delta: float
     methods: dict[str, Method]
-    fly: float
     before: Turning | None
     after: Turning
     proof: Integrated
-    sizes: Sizes | None
     lever: bool
 
     @property
     def cycle(self) -> Cycle:
         return self.sides.cycle
 
+    @cached_property
+    def compared(self) -> Table:
+        """The table of the methods."""
+        return compared(self.methods, self.cycle.own)
+
+    def at(self, method: str, key: str) -> Var:
+        """A number of a method, for an expression."""
+        return self.compared.var(key, list(self.methods).index(method))
+
     @property
-    def exact(self) -> Method:
-        return self.methods["exact"]
+    def omega(self) -> float:
+        """Mean speed of the main link, rad/s."""
+        return self.s.number("omega_m")
 
     @property
     def needless(self) -> bool:
         """Whether the machine runs evenly enough without a flywheel."""
-        return self.fly == 0
-
-    @cached_property
-    def excess(self) -> float:
-        """The greatest excess work: the swing of A over the cycle, J."""
-        (low, _), (high, _) = self.cycle.swing
-        return high - low
-
-    @cached_property
-    def work(self) -> float | None:
-        """What the driving side gives over a cycle, J; None where only the excess is stated."""
-        if self.sides.driving is None:
-            return None
-        return float(self.cycle.panels.total(self.sides.driving))
-
-    @property
-    def moment(self) -> float | None:
-        """Mean driving moment, N m."""
-        return None if self.work is None else self.work / self.cycle.panels.period
-
-    @property
-    def power(self) -> float | None:
-        """Mean power of the driving side, W."""
-        return None if self.moment is None else self.moment * self.omega
-
-    @property
-    def needed(self) -> float | None:
-        """What the motor must give, losses of its transmission among it, W."""
-        motor = self.given.motor
-        if self.power is None or motor is None or self.sides.balancing == "resisting":
-            return None
-        return self.power / motor.efficiency
-
-    @cached_property
-    def estimate(self) -> float:
-        """δ = A_ex/(J_r ω_m²) with the flywheel and the mean of the varying inertia in J_r."""
-        return self.excess / ((self.after.fixed + self.cycle.mean_inertia) * self.omega**2)
+        return self.s.number("J_fl") == 0
 
     @property
     def diagram(self) -> bool:
@@ -111,26 +83,14 @@ class Found:
         return bool(np.any(self.cycle.varying))
 
     @property
-    def gyration(self) -> float | None:
-        """Radius of gyration, where the wheel is known by it, m."""
-        if self.given.wheel:
-            return self.given.wheel.gyration
-        return self.given.shape.radius if isinstance(self.given.shape, Gyration) else None
+    def bursts(self) -> bool:
+        """Whether the rim is faster than its material commonly allows."""
+        return self.s.number("D_out") > self.s.number("D_lim") * (1 + 1e-9)
 
     @property
     def usual(self) -> tuple[float, float] | None:
         """The unevenness usual for machines of the kind."""
         return USUAL.get(self.given.machine)
-
-    @cached_property
-    def scales(self) -> tuple[float, float]:
-        """Of the energy–mass diagram: kg m² and J for a millimetre, round."""
-        tangents = [self.methods["wittenbauer"].upper, self.methods["wittenbauer"].lower]
-        cuts = [tangent.cut for tangent in tangents]
-        (low, _), (high, _) = self.cycle.swing
-        inertia = max(float(np.max(self.cycle.varying)), 1e-300)
-        tall = max(high, *cuts) - min(low, *cuts)
-        return round_scale(inertia, SHEET), round_scale(tall, SHEET)
 
     @property
     def doubts(self) -> Iterator[Problem]:
@@ -149,43 +109,50 @@ class Found:
             text = N_(
                 "flywheel: none is needed for the unevenness %(delta)s; measured in the motion: %(found)s"
             )
-        values = {"J": f"{self.fly:.4g}", "delta": f"{self.delta:.4g}", "found": f"{self.proof.delta:.4g}"}
-        yield Message(text, values)
+        numbers = {"J": "J_fl", "delta": "delta", "found": "delta_run"}
+        yield Message(text, {name: f"{self.s.number(key):.4g}" for name, key in numbers.items()})
 
 
 def solve(given: Given, moving: Moving | None) -> Found:
     """`moving`: the solved lever mechanism, where the variant has one. Raises ProblemError."""
     omega = abs(moving.kinematics.omega) if moving else mean_speed(given)
-    found = sides(given, moving, omega)
-    _strong(given, found, omega)
-    _swings(found)
-    methods, delta, fly = _wanted(given, found.cycle, omega)
-    before = turning(found.cycle, found.cycle.own, omega)
-    after = turning(found.cycle, found.cycle.own + fly, omega)
+    of = sides(given, moving, omega)
+    s = steps.machine(given, of, omega)
+    steps.works(s, given, of)
+    _strong(s, given, of)
+    _swings(of)
+    methods = {} if given.wheel else _wanted(s, given, of.cycle)
+    if given.wheel:
+        sizes.stated(s, given, given.wheel)
+    before = turning(of.cycle, of.cycle.own, omega)
+    after = turning(of.cycle, of.cycle.own + s.number("J_fl"), omega)
     if after is None:
         text = N_("with this flywheel the machine comes to a stand once a cycle: its energy is too small")
         raise ProblemError([mistake(text, ("flywheel", "wheel"), Message(N_("state a heavier wheel")))])
-    delta = after.delta if delta is None else delta
-    start = math.sqrt(
-        2 * after.start / (after.fixed + float(found.cycle.panels.ends(found.cycle.varying)[0, 0]))
-    )
-    proof = integrated(found.cycle, after.fixed, start)
-    shape = sized(given, fly, omega, after.greatest)
-    return Found(given, found, omega, delta, methods, fly, before, after, proof, shape, moving is not None)
-
-
-def _wanted(given: Given, cycle: Cycle, omega: float) -> tuple[dict[str, Method], float | None, float]:
-    """The methods for the wanted unevenness and the flywheel by the exact one; or the flywheel that is stated."""
     if given.wheel:
-        return {}, None, given.wheel.inertia
+        steps.unevenness(s, after.delta)
+    start = math.sqrt(2 * after.start / (after.fixed + float(of.cycle.panels.ends(of.cycle.varying)[0, 0])))
+    proof = integrated(of.cycle, after.fixed, start)
+    found = Found(given, s, of, methods, before, after, proof, moving is not None)
+    steps.motion(s, found)
+    if found.diagram:
+        steps.energy_mass(s, found)
+    if not (given.wheel or found.needless):
+        sizes.dimensions(s, given)
+    return found
+
+
+def _wanted(s: Values, given: Given, cycle: Cycle) -> dict[str, Method]:
+    """The methods for the wanted unevenness; the flywheel is that of the exact one."""
     delta = given.delta
     if given.speeds:
         least, greatest = given.speeds
         delta = 2 * (greatest - least) / (greatest + least)
     assert delta is not None  # the block asks for one of the three
-    found = {one.key: one for one in (method(cycle, delta, omega) for method in METHODS)}
-    fly = found["exact"].inertia - cycle.own
-    return found, delta, max(fly, 0.0)
+    steps.unevenness(s, delta)
+    found = {one.key: one for one in (method(cycle, delta, s.number("omega_m")) for method in METHODS)}
+    s.J_fl = max(found["exact"].inertia - cycle.own, 0.0)
+    return found
 
 
 def _swings(found: Sides) -> None:
@@ -200,11 +167,11 @@ def _swings(found: Sides) -> None:
         raise ProblemError([mistake(text, ("flywheel",), Message(N_("state a load that varies")))])
 
 
-def _strong(given: Given, found: Sides, omega: float) -> None:
+def _strong(s: Values, given: Given, found: Sides) -> None:
     """Raises ProblemError for a motor whose nominal power is less than the mean power of the cycle."""
-    if given.motor is None or found.driving is None or found.balancing == "resisting":
+    power = s.get("P_need")
+    if given.motor is None or power is None:
         return  # nothing is said of the motor's own moment, or it is stated, or an engine drives
-    power = float(found.cycle.panels.mean(found.driving)) * omega / given.motor.efficiency
     if power > given.motor.power * (1 + 1e-3):
         text = N_(
             "the motor is too weak: the cycle takes %(needed)s kW on the average, the motor gives %(power)s kW; a "

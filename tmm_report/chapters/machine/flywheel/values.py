@@ -1,219 +1,158 @@
-"""The single numbers of the flywheel with their symbols, units and meanings."""
+"""The numbers of the flywheel: single ones, and the columns of its tables."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator
-
-from tmm_report.chapters.lever.moving import friction_rows
-from tmm_report.chapters.machine.flywheel.given import Disc, Rim
-from tmm_report.chapters.machine.flywheel.solve import Found
+from tmm_report.chapters.lever.moving import FRICTION_POWER, FRICTION_SHARE
 from tmm_report.i18n import NP_
-from tmm_report.mechanics.calculus.laws import Constant
-from tmm_report.problems import N_, Message
-from tmm_report.quantity.model import Quantity, Value
-from tmm_report.quantity.symbols import Symbol
-from tmm_report.quantity.tabulated import tabulated
+from tmm_report.problems import N_
+from tmm_report.quantity.sheet import Q, Sheet
+from tmm_report.quantity.symbols import segment
 
-# key, symbol (None of what is never written as one), unit, meaning, number, angle at which it is, rad
-Row = tuple[str, Symbol | None, str, str, float] | tuple[str, Symbol | None, str, str, float, float]
-
-MEAN, FL, OWN, NOM = NP_("index", "mean"), NP_("index", "fl"), NP_("index", "own"), NP_("index", "nom")
-EX = NP_("index", "exc")
-
-
-@tabulated
-def values(found: Found) -> Iterator[Value]:
-    """All of them; every key begins with "flywheel_"."""
-    for rows in (_given, _loads, _wittenbauer, _motion, _sizes):
-        for key, symbol, unit, meaning, number, *at in rows(found):
-            quantity = Quantity(f"flywheel_{key}", symbol, unit, Message(meaning))
-            yield quantity.value(number, at[0] if at else None)
+WORDS = (
+    NP_("index", "mean"),
+    NP_("index", "fl"),
+    NP_("index", "own"),
+    NP_("index", "nom"),
+    NP_("index", "exc"),
+    NP_("index", "est"),
+    NP_("index", "outer"),
+    NP_("index", "allow"),
+    NP_("index", "dr"),
+    NP_("index", "res"),
+)
 
 
-def _given(found: Found) -> Iterator[Row]:
-    given = found.given
-    yield "delta", Symbol("delta"), "", N_("coefficient of non-uniformity"), found.delta
-    if found.usual:
-        fine, coarse = found.usual
-        yield "delta_fine", None, "", N_("the least coefficient usual for machines of the kind"), fine
-        yield "delta_coarse", None, "", N_("the greatest coefficient usual for machines of the kind"), coarse
-    mean = N_("mean angular velocity of the main link")
-    yield "omega_m", Symbol("omega", MEAN), "rad/s", mean, found.omega
-    most, least = (found.omega * (1 + sign * found.delta / 2) for sign in (1, -1))
-    yield "omega_max", Symbol("omega", "max"), "rad/s", N_("greatest angular velocity"), most
-    yield "omega_min", Symbol("omega", "min"), "rad/s", N_("least angular velocity"), least
-    yield from _own(found)
-    own = N_("constant part of the machine's reduced moment of inertia, without the flywheel")
-    yield "J_own", Symbol("J", OWN), "kg·m²", own, found.cycle.own
-    period = N_("angle of the cycle")
-    yield "Phi", Symbol("Phi"), "rad", period, found.cycle.panels.period
-    if given.motor:
-        yield "P_nom", Symbol("P", NOM), "W", N_("nominal power of the motor"), given.motor.power
-        yield "omega_nom", Symbol("omega", NOM), "rad/s", N_("nominal speed of the motor"), given.motor.speed
-        yield "eta", Symbol("eta"), "", N_("efficiency of the transmission"), given.motor.efficiency
-
-
-def _own(found: Found) -> Iterator[Row]:
-    """What the machine's own constant part is made of."""
-    given = found.given
-    fixed = given.inertia.amount if isinstance(given.inertia, Constant) else 0.0
-    stated = N_("constant moment of inertia that is stated, of what turns with the main link")
-    yield "J_0", Symbol("J", "0"), "kg·m²", stated, given.own + fixed
-    links = N_("constant parts of the reduced moments of inertia of the links")
-    yield "J_c", Symbol("J", "c"), "kg·m²", links, found.sides.links
-    if given.motor:
-        rotor = N_("moment of inertia of the motor's rotor on its own shaft")
-        yield "J_r", Symbol("J", "r"), "kg·m²", rotor, given.motor.inertia
-
-
-def _loads(found: Found) -> Iterator[Row]:
-    if found.work is not None and found.moment is not None and found.power is not None:
-        side = found.sides.balancing
-        closing = N_("constant driving moment that closes the cycle")
-        closing = N_("constant resisting moment that closes the cycle") if side == "resisting" else closing
-        closing = closing if side else N_("mean driving moment")
-        yield "W", Symbol("W"), "J", N_("work of the driving moment over the cycle"), found.work
-        yield "M_m", Symbol("M", MEAN), "N·m", closing, found.moment
-        yield "P_m", Symbol("P", MEAN), "W", N_("mean power of the cycle"), found.power
-        yield (
-            "C_E",
-            Symbol("k", "E"),
-            "%",
-            N_("fluctuation of energy to the work of the cycle"),
-            _share(found),
-        )
-        left = N_("part of the work of the cycle by which both sides do not close")
-        yield "left", None, "%", left, 100 * abs(found.sides.spread / found.moment)
-    yield from friction_rows(found.sides.machine)
-    if found.needed is not None:
-        yield "P_need", Symbol("P"), "W", N_("power that the motor must give on the average"), found.needed
-    (low, at_low), (high, at_high) = found.cycle.swing
-    yield "A_max", Symbol("A", "max"), "J", N_("greatest work of the excess moment"), high, at_high
-    yield "A_min", Symbol("A", "min"), "J", N_("least work of the excess moment"), low, at_low
-    yield "A_ex", Symbol("A", EX), "J", N_("greatest excess work: fluctuation of energy"), found.excess
-    mean = N_("mean of the varying part of the moment of inertia")
-    yield "J_mean", Symbol("J", "II," + MEAN), "kg·m²", mean, found.cycle.mean_inertia
-
-
-def _share(found: Found) -> float:
-    assert found.work is not None
-    return 100 * found.excess / abs(found.work)
-
-
-def _wittenbauer(found: Found) -> Iterator[Row]:
-    """The energy–mass diagram at its scales: 1 mm of paper."""
-    if not found.diagram:
-        return
-    method, (inertia, energy) = found.methods["wittenbauer"], found.scales
-    yield "mu_J", Symbol("mu", "J"), "kg·m²/mm", N_("scale of the moments of inertia"), inertia
-    yield "mu_T", Symbol("mu", "T"), "J/mm", N_("scale of the energies"), energy
-    for end, touch in (("1", method.upper), ("2", method.lower)):
-        psi = math.degrees(math.atan(touch.slope * inertia / energy))
-        meaning = N_("angle of the tangent at the greatest speed with the axis of moments of inertia")
-        if end == "2":
-            meaning = N_("angle of the tangent at the least speed with the axis of moments of inertia")
-        yield f"psi_{end}", Symbol("psi", end), "deg", meaning, psi
-    segment = N_("segment between the tangents on the axis of energies")
-    yield "ab", Symbol("ab", kind="segment"), "mm", segment, (method.upper.cut - method.lower.cut) / energy
-
-
-def _motion(found: Found) -> Iterator[Row]:
-    estimate = N_("coefficient of non-uniformity by the estimate with a constant moment of inertia")
-    yield (
-        "J_fl",
-        Symbol("J", FL),
+class Values(Sheet, prefix="flywheel"):
+    delta = Q("delta", "", N_("coefficient of non-uniformity"))
+    delta_fine = Q(None, "", N_("the least coefficient usual for machines of the kind"))
+    delta_coarse = Q(None, "", N_("the greatest coefficient usual for machines of the kind"))
+    omega_m = Q("omega_mean", "rad/s", N_("mean angular velocity of the main link"))
+    omega_max = Q("omega_max", "rad/s", N_("greatest angular velocity"))
+    omega_min = Q("omega_min", "rad/s", N_("least angular velocity"))
+    J_0 = Q("J_0", "kg·m²", N_("constant moment of inertia that is stated, of what turns with the main link"))
+    J_c = Q("J_c", "kg·m²", N_("constant parts of the reduced moments of inertia of the links"))
+    J_r = Q("J_r", "kg·m²", N_("moment of inertia of the motor's rotor on its own shaft"))
+    J_own = Q(
+        "J_own",
         "kg·m²",
-        N_("moment of inertia of the flywheel, reduced to the main link"),
-        found.fly,
+        N_("constant part of the machine's reduced moment of inertia, without the flywheel"),
     )
-    yield "delta_est", Symbol("delta", NP_("index", "est")), "", estimate, found.estimate
-    if found.before is not None:
-        before = N_("coefficient of non-uniformity without a flywheel")
-        yield "delta_0", Symbol("delta", "0"), "", before, found.before.delta
-    yield (
-        "delta_run",
-        None,
-        "",
-        N_("coefficient of non-uniformity measured in the motion integrated"),
-        found.proof.delta,
+    Phi = Q("Phi", "rad", N_("angle of the cycle"))
+    P_nom = Q("P_nom", "W", N_("nominal power of the motor"), "kW")
+    omega_nom = Q("omega_nom", "rad/s", N_("nominal speed of the motor"))
+    eta = Q("eta", "", N_("efficiency of the transmission"))
+    W = Q("W", "J", N_("work of the driving moment over the cycle"))
+    M_m = Q("M_mean", "N·m", N_("constant driving moment that closes the cycle"))
+    P_m = Q("P_mean", "W", N_("mean power of the cycle"))
+    C_E = Q("k_E", "%", N_("fluctuation of energy to the work of the cycle"))
+    left = Q(None, "%", N_("part of the work of the cycle by which both sides do not close"))
+    P_fr = FRICTION_POWER
+    P_fr_share = FRICTION_SHARE
+    P_need = Q("P", "W", N_("power that the motor must give on the average"))
+    A_max = Q("A_max", "J", N_("greatest work of the excess moment"))
+    A_min = Q("A_min", "J", N_("least work of the excess moment"))
+    A_ex = Q("A_exc", "J", N_("greatest excess work: fluctuation of energy"))
+    J_mean = Q("J_II,mean", "kg·m²", N_("mean of the varying part of the moment of inertia"))
+    # the energy–mass diagram at its scales: 1 mm of paper
+    mu_J = Q("mu_J", "kg·m²/mm", N_("scale of the moments of inertia"))
+    mu_T = Q("mu_T", "J/mm", N_("scale of the energies"))
+    psi_1 = Q(
+        "psi_1", "deg", N_("angle of the tangent at the greatest speed with the axis of moments of inertia")
     )
-    yield (
-        "closure",
-        None,
-        "",
-        N_("relative difference of the speeds at both ends of the cycle"),
-        found.proof.closure,
+    psi_2 = Q(
+        "psi_2", "deg", N_("angle of the tangent at the least speed with the axis of moments of inertia")
     )
-    (low, at_low), (high, at_high) = found.cycle.panels.extremes(found.after.epsilon)
-    yield "eps_max", Symbol("epsilon", "max"), "rad/s²", N_("greatest angular acceleration"), high, at_high
-    yield "eps_min", Symbol("epsilon", "min"), "rad/s²", N_("least angular acceleration"), low, at_low
+    ab = Q(segment("ab"), "mm", N_("segment between the tangents on the axis of energies"))
+    J_fl = Q("J_fl", "kg·m²", N_("moment of inertia of the flywheel, reduced to the main link"))
+    delta_est = Q(
+        "delta_est", "", N_("coefficient of non-uniformity by the estimate with a constant moment of inertia")
+    )
+    delta_0 = Q("delta_0", "", N_("coefficient of non-uniformity without a flywheel"))
+    delta_run = Q(None, "", N_("coefficient of non-uniformity measured in the motion integrated"))
+    closure = Q(None, "", N_("relative difference of the speeds at both ends of the cycle"))
+    eps_max = Q("epsilon_max", "rad/s²", N_("greatest angular acceleration"))
+    eps_min = Q("epsilon_min", "rad/s²", N_("least angular acceleration"))
+    i = Q("i", "", N_("speed of the flywheel's shaft to that of the main link"))
+    J_shaft = Q("J", "kg·m²", N_("moment of inertia of the flywheel on its shaft"))
+    m = Q("m", "kg", N_("mass of the flywheel"))
+    k = Q("k", "m", N_("radius of gyration of the flywheel"))
+    D = Q("D", "m", N_("diameter of the flywheel, of a rim the mean one"))
+    b = Q("b", "m", N_("width of the flywheel"))
+    h = Q("h", "m", N_("height of the rim's section"))
+    k_h = Q("k_h", "", N_("height of the rim's section to its diameter"))
+    k_b = Q("k_b", "", N_("width of the disc to its diameter"))
+    k_s = Q("k_s", "", N_("part of the moment of inertia in spokes and hub"))
+    D_out = Q("D_outer", "m", N_("outer diameter of the flywheel"))
+    rho = Q("rho", "kg/m³", N_("density of the material"))
+    omega_s = Q("omega_s", "rad/s", N_("greatest angular velocity of the flywheel's shaft"))
+    v = Q("v", "m/s", N_("greatest speed of the rim"))
+    v_lim = Q("v_allow", "m/s", N_("speed of the rim that is commonly allowed"))
+    sigma = Q("sigma", "Pa", N_("stress in a thin rim at that speed"), "MPa")
+    D_lim = Q("D_allow", "m", N_("largest outer diameter that the rim's speed allows"))
 
 
-def _sizes(found: Found) -> Iterator[Row]:
-    if (sizes := found.sizes) is None:
-        return
-    given = found.given
-    yield "i", Symbol("i"), "", N_("speed of the flywheel's shaft to that of the main link"), sizes.ratio
-    yield "J_shaft", Symbol("J"), "kg·m²", N_("moment of inertia of the flywheel on its shaft"), sizes.inertia
-    mass = N_("mass of the flywheel")
-    if isinstance(given.shape, Rim) and not given.wheel:
-        mass = N_("mass of the flywheel without spokes and hub")
-    yield "m", Symbol("m"), "kg", mass, sizes.mass
-    if found.gyration is not None:
-        yield "k", Symbol("k"), "m", N_("radius of gyration of the flywheel"), found.gyration
-    if sizes.diameter is None or sizes.width is None:
-        return
-    yield "D", Symbol("D"), "m", N_("diameter of the flywheel, of a rim the mean one"), sizes.diameter
-    yield "b", Symbol("b"), "m", N_("width of the flywheel"), sizes.width
-    if isinstance(given.shape, Disc):
-        yield (
-            "k_b",
-            Symbol("k", "b"),
-            "",
-            N_("width of the disc to its diameter"),
-            sizes.width / sizes.diameter,
-        )
-    if isinstance(given.shape, Rim) and sizes.height is not None:
-        yield "h", Symbol("h"), "m", N_("height of the rim's section"), sizes.height
-        yield (
-            "k_h",
-            Symbol("k", "h"),
-            "",
-            N_("height of the rim's section to its diameter"),
-            sizes.height / sizes.diameter,
-        )
-        yield "k_b", Symbol("k", "b"), "", N_("width of the rim's section to its height"), given.shape.width
-        yield (
-            "k_s",
-            Symbol("k", "s"),
-            "",
-            N_("part of the moment of inertia in spokes and hub"),
-            given.shape.spokes,
-        )
-    yield from _strength(found)
+CLOSING = {  # M_m by the side that was found as the moment that closes the cycle
+    "driving": Values.M_m.meaning.text,
+    "resisting": N_("constant resisting moment that closes the cycle"),
+    "": N_("mean driving moment"),
+}
+OF_RIM = {
+    "m": Q("m", "kg", N_("mass of the flywheel without spokes and hub")),
+    "k_b": Q("k_b", "", N_("width of the rim's section to its height")),
+}
 
 
-def _strength(found: Found) -> Iterator[Row]:
-    sizes, material = found.sizes, found.given.material
-    assert sizes and sizes.outer and sizes.speed and sizes.stress and sizes.limit
-    yield "D_out", Symbol("D", NP_("index", "outer")), "m", N_("outer diameter of the flywheel"), sizes.outer
-    yield "rho", Symbol("rho"), "kg/m³", N_("density of the material"), material.density
-    yield (
-        "omega_s",
-        Symbol("omega", "s"),
-        "rad/s",
-        N_("greatest angular velocity of the flywheel's shaft"),
-        sizes.fastest,
+def sheet(rim: bool, balancing: str) -> Values:
+    """The numbers of one variant, by what it calls otherwise."""
+    closing = {"M_m": Q("M_mean", "N·m", CLOSING[balancing])}
+    return Values(closing | OF_RIM if rim else closing)
+
+
+class OverCycle(Sheet):
+    """Over the cycle of the machine."""
+
+    M_dr = Q("M_dr", "N·m", N_("driving moment on the main link"))
+    M_res = Q("M_res", "N·m", N_("moment of the resistances"))
+    M_fr = Q("M_fr", "N·m", N_("moment of friction in the pairs, among the moment of the resistances"))
+    M_ex = Q("M_exc", "N·m", N_("excess moment"))
+    A = Q("A", "J", N_("work of the excess moment from the beginning of the cycle"))
+    J_II = Q("J_II", "kg·m²", N_("varying part of the reduced moment of inertia"))
+    T_II = Q("T_II", "J", N_("kinetic energy of the varying part at the mean speed"))
+    dT_I = Q("DeltaT_I", "J", N_("change of the kinetic energy of the constant part"))
+    omega_0 = Q("omega_0", "rad/s", N_("angular velocity of the main link without the flywheel"))
+    omega = Q("omega", "rad/s", N_("angular velocity of the main link with the flywheel"))
+    domega = Q(
+        "Deltaomega", "rad/s", N_("difference of the angular velocity with the flywheel from the mean one")
     )
-    yield "v", Symbol("v"), "m/s", N_("greatest speed of the rim"), sizes.speed
-    yield (
-        "v_lim",
-        Symbol("v", NP_("index", "allow")),
-        "m/s",
-        N_("speed of the rim that is commonly allowed"),
-        material.limit,
+    epsilon = Q("epsilon", "rad/s²", N_("angular acceleration of the main link with the flywheel"))
+
+
+class Methods(Sheet):
+    """Of the methods, a row each: of the tangents that they take at both ends the angle, J_II, A, slope and cut."""
+
+    J_I = Q("J_I", "kg·m²", N_("constant moment of inertia that is needed"))
+    J_fl = Values.J_fl
+    deviation = Q("DeltaJ", "%", N_("difference from the exact moment of inertia of the flywheel"))
+    phi_1 = Q("phi_1", "deg", N_("angle at which the speed is taken to be greatest"))
+    J_1 = Q("J_1", "kg·m²", N_("varying part of the moment of inertia where the speed is greatest"))
+    A_1 = Q("A_1", "J", N_("work of the excess moment where the speed is greatest"))
+    s_1 = Q("s_1", "(rad/s)²", N_("slope of the tangent at the greatest speed"))
+    T_1 = Q(
+        "T_1", "J", N_("work where the speed is greatest, less the energy of the varying part at this speed")
     )
-    yield "sigma", Symbol("sigma"), "Pa", N_("stress in a thin rim at that speed"), sizes.stress
-    limit = N_("largest outer diameter that the rim's speed allows")
-    yield "D_lim", Symbol("D", NP_("index", "allow")), "m", limit, sizes.limit
+    phi_2 = Q("phi_2", "deg", N_("angle at which the speed is taken to be least"))
+    J_2 = Q("J_2", "kg·m²", N_("varying part of the moment of inertia where the speed is least"))
+    A_2 = Q("A_2", "J", N_("work of the excess moment where the speed is least"))
+    s_2 = Q("s_2", "(rad/s)²", N_("slope of the tangent at the least speed"))
+    T_2 = Q(
+        "T_2", "J", N_("work where the speed is least, less the energy of the varying part at this speed")
+    )
+
+
+class Proof(Sheet):
+    """Of the motion in two ways."""
+
+    omega_max = Values.omega_max
+    omega_min = Values.omega_min
+    delta = Values.delta
+    miss = Q(None, "", N_("relative difference of the coefficient from the one by the energy integral"))

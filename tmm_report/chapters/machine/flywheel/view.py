@@ -13,14 +13,17 @@ from markupsafe import Markup
 from tmm_report.chapters.lever.moving import friction_told
 from tmm_report.chapters.machine.flywheel import draw, sketch
 from tmm_report.chapters.machine.flywheel import quantities as q
-from tmm_report.chapters.machine.flywheel.formulas import FlywheelFormulas
+from tmm_report.chapters.machine.flywheel.equations import sample, unevenness
+from tmm_report.chapters.machine.flywheel.methods import Written
 from tmm_report.chapters.machine.flywheel.solve import Found
 from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.drawing import Drawing
-from tmm_report.figures.lettering import symbol
 from tmm_report.problems import N_
+from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Formula, Var
+from tmm_report.quantity.model import Column
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.diagrams import CycleGraphs, scale_of
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Table, numeric, worded
@@ -43,42 +46,43 @@ def parts(found: Found, page: Page) -> Iterator[Part]:
     if found.methods:
         yield Part("machine/flywheel/methods", view, concludes=False)
     yield Part("machine/flywheel/motion", view, concludes=False)
-    if found.sizes is not None:
+    if "J_shaft" in found.s:
         yield Part("machine/flywheel/sizes", view, concludes=False)
 
 
 def picture(found: Found, page: Page) -> Drawing:
     """The wheel at a glance; where its shape is not known the energy–mass diagram, or the work over the cycle."""
     view = FlywheelView(found, page)
-    if found.sizes and found.sizes.outer:
+    if "D_out" in found.s:
         return view.sketch
     return view.energy_mass if found.diagram else draw.work_curve(found, view.figure)
 
 
-class FlywheelView(FlywheelFormulas):
+class FlywheelView(ChapterView):
     def __init__(self, found: Found, page: Page):
-        super().__init__(found)
-        self.page, self.t = page, page.t
-
-    def number(self, key: str, unit: str = "", **form: Any) -> Markup:
-        """A single number in running text."""
-        return self.page.shown(self.one(key), unit=unit, **form)
-
-    def sized(self, key: str, unit: str = "", digits: int | None = None) -> Markup:
-        """symbol = value unit."""
-        return self.page.value(self.one(key).var(unit), digits)
+        super().__init__(page, found.s, q.tables(found))
+        self.found = found
 
     # ------------------------------------------------------------ the task
 
+    def definition(self) -> Definition:
+        return unevenness(self.found.s)
+
     def given_values(self) -> Markup:
-        keys = [("omega_m", ""), *([] if self.found.given.wheel else [("delta", "")])]
-        if self.own():
-            keys += [(key, "") for key in ("J_0", "J_c") if self.one(key).value]
-        elif self.found.cycle.own:
-            keys.append(("J_own", ""))
-        if (motor := self.found.given.motor) is not None:
-            keys += [("P_nom", "kW"), ("omega_nom", ""), *([("J_r", "")] if motor.inertia else [])]
-        return self.page.listed(self.sized(key, unit) for key, unit in keys)
+        s, given = self.s, self.found.given
+        keys = ["omega_m", *([] if given.wheel else ["delta"])]
+        if s.has_formula("J_own"):
+            keys += [key for key in ("J_0", "J_c") if s.number(key)]
+        elif s.number("J_own"):
+            keys.append("J_own")
+        if given.motor is not None:
+            keys += ["P_nom", "omega_nom", *(["J_r"] if given.motor.inertia else [])]
+        return self.listed(keys)
+
+    def balance(self) -> list[Formula]:
+        """The constant moment that closes the cycle, its power, that of the motor."""
+        lossless = self.s.get("eta") == 1
+        return self.formulas("M_m", "P_m", *([] if lossless else ["P_need"]))
 
     def friction(self) -> Markup | None:
         """What is said of the friction of the pairs; None where none is stated."""
@@ -104,42 +108,49 @@ class FlywheelView(FlywheelFormulas):
     def within(self) -> bool:
         """Whether the unevenness is among those usual for the machine."""
         fine, coarse = self.found.usual or (0.0, 1.0)
-        return fine * (1 - 1e-9) <= self.found.delta <= coarse * (1 + 1e-9)
+        return fine * (1 - 1e-9) <= self.s.number("delta") <= coarse * (1 + 1e-9)
 
     @cached_property
     def position(self) -> int:
         """The position that is written out: where the excess moment is greatest."""
-        moments = np.abs(np.asarray(self.table["M_ex"].values, float)[:-1])
+        moments = np.abs(self.of("table", "M_ex").numbers()[:-1])
         return int(np.argmax(moments > 0.999 * moments.max()))
 
     @cached_property
     def samples(self) -> list[Formula]:
-        return list(self.sample(self.position))
+        return list(sample(self.found, self.table("table"), self.position))
 
     # ------------------------------------------------------------ tables
 
     def cycle(self, caption: Any) -> Table:
-        table = self.table
-        columns = [self.page.column(table, column.key) for column in table.columns[1:]]
-        return numeric(caption, self.page.positions(table), columns)
+        table = self.table("table")
+        return numeric(caption, self.page.positions(table), self.columns("table", leave=("position",)))
+
+    def by(self, method: str) -> Written:
+        """A method written out."""
+        return Written(self.found, method)
+
+    def place(self, method: str, end: str) -> Markup:
+        """The angle at which a method takes the speed to be greatest, "1", or least, "2"."""
+        return self.page.shown(self.table("methods"), f"phi_{end}", self.by(method).row)
 
     def comparison(self, caption: Any) -> Table:
-        table, page = self.methods, self.page
+        table, page = self.table("methods"), self.page
         keys = ("J_I", "J_fl", "deviation", "phi_1", "phi_2")
         heads = [page.head(table[key].symbol(), table[key].unit) for key in keys]
         rows = [
             [page.word(self.t(METHODS[name]), table, "method", k), *(self._cell(key, k) for key in keys)]
-            for k, name in ((self.row(name), name) for name in SHOWN)
+            for k, name in ((self.by(name).row, name) for name in SHOWN)
         ]
         return worded(caption, [self.t("Method"), *heads], rows, (7, 3, 3, 3, 3, 3))
 
     def _cell(self, key: str, row: int) -> Any:
         if key == "deviation":
-            return self.page.cell(self.methods, key, row, digits=3, scale=1e-6)
-        return self.page.cell(self.methods, key, row, digits=6 if key.startswith("J") else 5)
+            return self.page.cell(self.table("methods"), key, row, digits=3, scale=1e-6)
+        return self.page.cell(self.table("methods"), key, row, digits=6 if key.startswith("J") else 5)
 
     def proof(self, caption: Any) -> Table:
-        table, page = self.of.tables["flywheel_proof"], self.page
+        table, page = self.table("proof"), self.page
         keys = ("omega_max", "omega_min", "delta")
         heads = [page.head(table[key].symbol(), table[key].unit) for key in keys]
         rows = [
@@ -152,8 +163,7 @@ class FlywheelView(FlywheelFormulas):
         return worded(caption, [self.t("Way"), *heads], rows, (8, 3, 3, 3))
 
     def miss(self) -> Markup:
-        table = self.of.tables["flywheel_proof"]
-        return self.page.shown(table, "miss", 1, digits=2, scale=0.0)
+        return self.page.shown(self.table("proof"), "miss", 1, digits=2, scale=0.0)
 
     # ------------------------------------------------------------ diagrams
 
@@ -167,47 +177,45 @@ class FlywheelView(FlywheelFormulas):
         return CycleGraphs(self._x, len(self.found.sides.turned) - 1 if whole else 0, self.page.tr)
 
     @cached_property
-    def _numbers(self) -> dict[str, Any]:
+    def _drawn(self) -> dict[str, Column]:
         """The quantities of the cycle where curves are drawn."""
-        return {quantity.key: numbers for quantity, numbers in q.cycle(self.found, self._x)}
+        return {column.key: column for column in q.cycle(self.found, self._x)}
 
-    def _panels(self, rows: list[list[q.Quantity]]) -> Graph:
-        """A panel for each row of quantities, at round scales."""
-        named = self._numbers
+    def _panels(self, *rows: tuple[str, ...]) -> Graph:
+        """A panel for each row of quantities, of those that are known, at round scales."""
+        known = [[self._drawn[key] for key in row if key in self._drawn] for row in rows]
         curves, labels = [], []
-        for panel, row in enumerate(of for of in rows if of):
-            for quantity in row:
-                name = self._graphs.letter(quantity.sign) if len(row) > 1 else ""
+        for panel, row in enumerate(of for of in known if of):
+            for column in row:
+                name = self._graphs.letter(column.symbol()) if len(row) > 1 else ""
                 # values beside a curve that lies on another would cover it: they stand under it again
-                marks = () if quantity is q.AFTER else draw.extremes(self.found, quantity.key)
-                curves.append(Curve(named[quantity.key], name, panel, marks))
-            shown = Symbol(row[0].sign.base) if len(row) > 1 else row[0].sign
+                marks = () if column.key == "omega" else draw.extremes(self.found, column.key)
+                curves.append(Curve(column.values, name, panel, marks))
+            shown = Symbol(row[0].symbol().base) if len(row) > 1 else row[0].symbol()
             labels.append(self._graphs.letter(shown, row[0].unit))
         return self._graphs.graph(curves, labels)
 
-    def _known(self, *quantities: q.Quantity) -> list[q.Quantity]:
-        return [quantity for quantity in quantities if quantity.key in self._numbers]
-
     @cached_property
     def diagram(self) -> Graph:
-        moments = self._known(q.DRIVING, q.RESISTING) or [q.EXCESS]
-        return self._panels([moments, [q.WORK], self._known(q.VARYING), self._known(q.FIRST)])
+        moments = ("M_dr", "M_res") if "M_dr" in self._drawn else ("M_ex",)
+        return self._panels(moments, ("A",), ("J_II",), ("dT_I",))
 
     def scales(self) -> Markup:
         """What a millimetre along the axes stands for."""
-        rows = [("mu_M", "N·m/mm"), ("mu_A", "J/mm"), ("mu_J", "kg·m²/mm"), ("mu_T", "J/mm")]
-        drawn = self.diagram
-        return self.page.values(self._graphs.scales(drawn, rows[: len(drawn.panels)]))
+        of = [self._drawn[key].quantity for key in ("M_ex", "A", "J_II", "dT_I") if key in self._drawn]
+        rows = [(f"mu_{one.sign.base.removeprefix('Delta')}", f"{one.unit}/mm") for one in of]
+        return self.page.values(self._graphs.scales(self.diagram, rows))
 
     @cached_property
     def speed_diagram(self) -> Graph:
-        return self._panels([self._known(q.BEFORE, q.AFTER), [q.DEVIATION]])
+        return self._panels(("omega_0", "omega"), ("domega",))
 
     @cached_property
     def energy_mass(self) -> Drawing:
+        inertia, energy = self._drawn["J_II"], self._drawn["T_II"]
         labels = (
-            (symbol("J_II"), f", {self.page.unit(q.VARYING.unit)}"),
-            (symbol("T"), f", {self.page.unit('J')}"),
+            self._graphs.letter(inertia.symbol(), inertia.unit),
+            self._graphs.letter(Symbol(energy.symbol().base), energy.unit),
         )
         title = str(self.t("Energy–mass diagram with its tangents"))
         return draw.energy_mass(self.found, labels, self.figure, title)
@@ -216,7 +224,7 @@ class FlywheelView(FlywheelFormulas):
         return self.page.num(value, 4)
 
     def diagram_scales(self) -> Markup:
-        return self.page.values([self.var("mu_J"), self.var("mu_T")])
+        return self.listed(("mu_J", "mu_T"))
 
     # ------------------------------------------------------------ dimensions
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import cast
+
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Expr
 from tmm_report.quantity.ways import NAME, STATED, Known, Way
@@ -58,12 +60,9 @@ def _rubbed(q: Known) -> Expr:
     return q("P_fr_corrected_mean" if q.has("P_fr_corrected_mean") else "P_fr_mean")
 
 
-def _own(q: Known) -> Expr:
-    """The stated part, that of the links, and the motor's rotor by the square of its ratio."""
-    own = q("flywheel_J_0") + q("flywheel_J_c")
-    if not q.has("flywheel_J_r"):
-        return own
-    return own + q("flywheel_J_r") * (q("flywheel_omega_nom") / q("flywheel_omega_m")) ** 2
+def _assigned(q: Known) -> Expr:
+    """By its formula, which the note does not print."""
+    return cast(Expr, q.found.s.formula(q.own.removeprefix("flywheel_")).expression)
 
 
 WAYS = (
@@ -87,7 +86,7 @@ WAYS = (
     Way("flywheel_methods.*", METHOD, of="method J_fl"),
     Way("flywheel_proof.delta", by=lambda q: (q("omega_max") - q("omega_min")) / q("flywheel_omega_m")),
     Way("flywheel_proof.*", PROOF, of="way delta omega_max omega_min"),
-    Way("flywheel_C_E", by=lambda q: 100 * q("flywheel_A_ex") / abs(q("flywheel_W"))),
+    Way("flywheel_C_E flywheel_J_own flywheel_J_shaft flywheel_sigma flywheel_D_lim", by=_assigned),
     Way("flywheel_W", WORK, of="flywheel_M_m flywheel_Phi"),
     Way("flywheel_left", CLOSES, of="flywheel_M_m"),
     Way("flywheel_J_mean", MEAN, of="flywheel_Phi"),
@@ -96,7 +95,7 @@ WAYS = (
         N_("The constant moment of inertia that is needed less the machine's own."),
         of="flywheel_J_own flywheel_delta flywheel_A_ex",
     ),
-    Way("flywheel_J_own", by=_own),
+    Way("flywheel_J_own", by=lambda q: q("flywheel_J_0") + q("flywheel_J_c")),
     Way("flywheel_J_c", LINKS, of="omega"),
     Way("flywheel_delta_fine flywheel_delta_coarse", USUAL, of="flywheel_delta"),
     Way("flywheel_delta_0", BEFORE, of="flywheel_J_own flywheel_omega_m"),
@@ -108,9 +107,6 @@ WAYS = (
         of="flywheel_J_mean flywheel_A_ex",
     ),
     Way("flywheel_omega_s", SPEED, of="flywheel_omega_max flywheel_i"),
-    Way("flywheel_J_shaft", by=lambda q: q("flywheel_J_fl") / q("flywheel_i") ** 2),
-    Way("flywheel_sigma", by=lambda q: q("flywheel_rho") * q("flywheel_v") ** 2),
-    Way("flywheel_D_lim", by=lambda q: 2 * q("flywheel_v_lim") / q("flywheel_omega_s")),
     Way("flywheel_k_h", by=lambda q: q("flywheel_h") / q("flywheel_D")),
     Way(
         "flywheel_k_b flywheel_k_s flywheel_k_h flywheel_D_out", SIZES, of="flywheel_D flywheel_b flywheel_h"

@@ -2,12 +2,10 @@
 
 from tmm_report.chapters.machine.flywheel import given as stated_as
 from tmm_report.chapters.machine.flywheel.block.models import (
-    DiscModel,
     FlywheelModel,
     InertiaModel,
     MaterialModel,
     MomentModel,
-    WheelModel,
 )
 from tmm_report.chapters.machine.flywheel.given import MATERIALS
 from tmm_report.chapters.machine.flywheel.given import Given as Stated
@@ -18,15 +16,15 @@ def built(w: FlywheelModel) -> Stated:
     return Stated(
         delta=w.delta,
         speeds=w.speeds,
-        wheel=_wheel(w.wheel),
+        wheel=w.wheel,
         machine=w.machine or "",
         speed=w.speed,
-        motor=stated_as.Motor(**dict(w.motor)) if w.motor else None,
+        motor=w.motor,
         turns=w.turns or 1,
         driving=_law(w.driving),
         resisting=_law(w.resisting),
         areas=stated_as.Areas(tuple(x * w.areas.scale for x in w.areas.values)) if w.areas else None,
-        punch=stated_as.Punch(**dict(w.punch)) if w.punch else None,
+        punch=w.punch,
         inertia=_law(w.inertia) or Constant(0.0),
         own=w.own,
         shaft=w.shaft,
@@ -36,15 +34,6 @@ def built(w: FlywheelModel) -> Stated:
         positions=w.positions or 24,
         friction=w.friction is not False,
     )
-
-
-def _wheel(w: WheelModel | None) -> stated_as.Wheel | None:
-    if w is None:
-        return None
-    if w.inertia is not None:
-        return stated_as.Wheel(w.inertia)
-    assert w.mass is not None and w.radius_of_gyration is not None  # `_wheels` wants both
-    return stated_as.Wheel(w.mass * w.radius_of_gyration**2, w.mass, w.radius_of_gyration)
 
 
 def _law(w: MomentModel | InertiaModel | None) -> Law | None:
@@ -61,10 +50,7 @@ def _law(w: MomentModel | InertiaModel | None) -> Law | None:
 def _shape(w: FlywheelModel) -> stated_as.Shape:
     if w.radius_of_gyration is not None:
         return stated_as.Gyration(w.radius_of_gyration)
-    if w.rim is not None:
-        return stated_as.Rim(w.rim.height, w.rim.width, w.rim.diameter, w.rim.spokes)
-    disc = w.disc or DiscModel()
-    return stated_as.Disc(disc.width, disc.diameter)
+    return w.rim or w.disc or stated_as.Disc()
 
 
 def _material(w: str | MaterialModel) -> stated_as.Material:

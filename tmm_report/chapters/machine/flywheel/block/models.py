@@ -6,22 +6,19 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
-from tmm_report.chapters.machine.flywheel.given import USUAL
+from tmm_report.chapters.machine.flywheel.given import USUAL, Disc, Motor, Punch, Rim, Wheel
 from tmm_report.problems import N_, Message, shown
 from tmm_report.quantity import units
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.model import Model
+from tmm_report.variant.stated import Stated
 from tmm_report.variant.values import (
     Density,
     Flag,
-    Fraction,
     Inertia,
     MomentValue,
     Number,
-    Period,
     Positive,
-    PositiveInertia,
-    PositiveMass,
     Reads,
     Scale,
     Speed,
@@ -61,7 +58,6 @@ Turned = Annotated[float, quantity("angle", 0.0, 2 * math.pi * MOST_TURNS, "0 �
 Order = Annotated[float, quantity("number", 0.01, 24.0, "0.01 … 24")]
 SignedInertia = Annotated[float, quantity("inertia")]
 PositiveWork = Annotated[float, quantity("work", 1e-9)]
-PositivePower = Annotated[float, quantity("power", 1e-9)]
 
 
 class Wave(Model):
@@ -121,49 +117,6 @@ class AreasModel(Model):
     )
 
 
-class PunchModel(Model):
-    """Working strokes at equal times; the motor's power is constant."""
-
-    work: PositiveWork = Field(description="of a stroke", examples=["15 kJ"])
-    period: Period = Field(description="from stroke to stroke", examples=["5 s"])
-    time: Period = Field(description="that a stroke takes", examples=["2 s"])
-
-
-class MotorModel(Model):
-    """The driving motor."""
-
-    power: PositivePower = Field(description="nominal", examples=["5.5 kW"])
-    speed: Speed = Field(description="nominal", examples=["960 rpm"])
-    inertia: Inertia = Field(default=0.0, description="of the rotor on its own shaft")
-    efficiency: Fraction = Field(default=1.0, description="of the transmission to the main link")
-
-
-class WheelModel(Model):
-    """A flywheel that is there: its moment of inertia, or mass and radius of gyration."""
-
-    inertia: PositiveInertia | None = None
-    mass: PositiveMass | None = None
-    radius_of_gyration: Positive | None = None
-
-
-class DiscModel(Model):
-    """A solid disc."""
-
-    width: Scale = Field(default=0.2, description="b/D")
-    diameter: Positive | None = Field(default=None, description="stated, the width follows")
-
-
-class RimModel(Model):
-    """A rim of rectangular section on spokes."""
-
-    height: Fraction = Field(default=0.1, description="h/D, of the mean diameter")
-    width: Scale = Field(default=1.5, description="b/h")
-    diameter: Positive | None = Field(default=None, description="mean; stated, the height follows")
-    spokes: Annotated[float, quantity("number", 0.0, 0.9, "0 … 0.9")] = Field(
-        default=0.1, description="part of the moment of inertia that is in spokes and hub"
-    )
-
-
 class MaterialModel(Model):
     """Of the wheel, by its numbers."""
 
@@ -185,9 +138,11 @@ class FlywheelModel(Model):
         description="least and greatest speed, in place of delta",
         examples=["[200 rpm, 225 rpm]"],
     )
-    wheel: WheelModel | None = Field(default=None, description="in place of delta: what unevenness it leaves")
+    wheel: Stated[Wheel] | None = Field(
+        default=None, description="in place of delta: what unevenness it leaves"
+    )
     speed: Speed | None = Field(default=None, description="mean speed of the main link", examples=["200 rpm"])
-    motor: MotorModel | None = None
+    motor: Stated[Motor] | None = None
     turns: Turns | None = Field(default=None, description="turns of a cycle; left out, one")
     driving: MomentModel | None = Field(
         default=None, description="left out, the constant that closes the cycle"
@@ -196,7 +151,7 @@ class FlywheelModel(Model):
         default=None, description="left out, the constant that closes the cycle"
     )
     areas: AreasModel | None = Field(default=None, description="in place of the moments")
-    punch: PunchModel | None = Field(default=None, description="in place of the moments")
+    punch: Stated[Punch] | None = Field(default=None, description="in place of the moments")
     inertia: InertiaModel | None = Field(default=None, description="of the machine without the flywheel")
     own: Inertia = Field(
         default=0.0, description="of what turns with the main link and is not in the mechanism's masses"
@@ -205,8 +160,8 @@ class FlywheelModel(Model):
     ratio: Scale | None = Field(
         default=None, description="speed of the flywheel's shaft to that of the main link"
     )
-    disc: DiscModel | None = None
-    rim: RimModel | None = None
+    disc: Stated[Disc] | None = None
+    rim: Stated[Rim] | None = None
     radius_of_gyration: Positive | None = Field(
         default=None, description="in place of disc or rim: gives the mass"
     )
