@@ -15,7 +15,7 @@ from exhaustive import many
 
 sys.path.append(str(Path(__file__).parents[1]))
 
-from benchmarks.fuzz.generated import schema
+from benchmarks.fuzz.generated import after, numbers, rules, schema
 from benchmarks.fuzz.generated.whole import text, variant
 from benchmarks.fuzz.judge import Outcome, odd_words, tried, unbalanced
 
@@ -47,6 +47,24 @@ def test_a_key_that_is_added_to_the_schema_is_missed_where_nothing_draws_it(monk
     assert not any("brushes" in mark for mark in schema.used({"moment": 1}, "ShuntModel", part))
     drawn = set(schema.used({"brushes": "carbon"}, "ShuntModel", part))
     assert drawn == {("ShuntModel", "brushes"), ("ShuntModel.brushes", "=", "carbon")}
+
+
+def test_what_is_said_of_parts_names_parts_of_the_schema():
+    """A part that is renamed would be drawn without its rules, and nothing would tell."""
+    said = (
+        numbers.SIZES,
+        rules.ONE,
+        rules.SETS,
+        rules.APART,
+        rules.NEEDS,
+        rules.RARE,
+        rules.NAMED,
+        rules.SIZED,
+    )
+    every = [key for table in (*said, rules.RUBBING, after.AFTER) for key in table]
+    parts = {"Variant", *(schema.short(name) for name in schema.whole()["$defs"])}
+    assert len(every) > 300
+    assert not [key for key in every if key not in parts and key.rpartition(".")[0] not in parts]
 
 
 def test_a_seed_always_makes_the_same_variant():

@@ -329,7 +329,7 @@ def _eccentric(made: Made, walk: Any) -> Made:
 
 def _rotor(made: Made, walk: Any) -> Made:
     if not made.get("masses") and not made.get("bodies"):
-        made["masses"] = [walk.part("HeavyModel"), walk.part("HeavyModel")]
+        made["masses"] = [walk.part("Heavy"), walk.part("Heavy")]
     for k, one in enumerate([*made.get("masses", ()), *made.get("bodies", ())]):
         if "name" in one:
             one["name"] = f"m{k}"
@@ -405,7 +405,7 @@ AFTER: Mapping[str, Callable[[Made, Any], Made]] = {
     "MotorModel": _laws,
     "ResistanceModel": _laws,
     "DynamicsModel": _dynamics,
-    "dynamics.SpringModel": _spring,
+    "SpringModel": _spring,
     "ForceModel": _loading,
     "PistonModel": _loading,
     "kinetostatics.MomentModel": _loading,
@@ -415,19 +415,19 @@ AFTER: Mapping[str, Callable[[Made, Any], Made]] = {
     "Punch": _ordered("time", "period"),
     "CoastModel": _ordered("speed", "begin"),
     "FlywheelModel": _flywheel,
-    "EngineModel": _engine,
-    "GovernorModel": _governor,
+    "Engine": _engine,
+    "governor.Given": _governor,
     "EfficiencyModel": _efficiencies,
     "PlanetaryModel": _planetary,
     "Spur": _spur,
     "EccentricModel": _eccentric,
-    "RotorModel": _rotor,
+    "rotor.Given": _rotor,
     "WearModel": _wear,
     "Sides": _sides,
     "Halves": _sides,
-    "BalancingModel": _balancing,
+    "Balancing": _balancing,
     "TwoFaces": _sides,
-    "LinearModel": _swung,
-    "TurningModel": _swung,
+    "Linear": _swung,
+    "Turning": _swung,
     **dict.fromkeys(RUBBING, _friction),
 }

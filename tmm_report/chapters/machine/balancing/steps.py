@@ -15,6 +15,7 @@ from tmm_report.mechanics.masses.slider_harmonics import SliderCrank
 from tmm_report.quantity.formula import Var
 from tmm_report.quantity.model import variable
 from tmm_report.quantity.ref import Ref
+from tmm_report.quantity.sheet import Reached
 from tmm_report.quantity.symbols import Symbol
 
 if TYPE_CHECKING:

@@ -19,6 +19,7 @@ Array = Any
 PREFIX = "vibration"
 
 
+@tabulated
 def values(found: Found) -> Iterator[Value]:
     return found.s.values()
 
