@@ -6,11 +6,14 @@ from collections.abc import Iterator
 
 from tmm_report.chapters.machine.efficiency.solve import Found
 from tmm_report.quantity.model import Table, Value
+from tmm_report.quantity.tabulated import tabulated
 
 
+@tabulated
 def tables(found: Found) -> Iterator[Table]:
     yield found.table
 
 
+@tabulated
 def values(found: Found) -> Iterator[Value]:
     return found.s.values()

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 __all__ = ["tables", "values"]
 
 
+@tabulated
 def values(found: Found) -> Iterator[Value]:
     if found.direct is not None:
         yield from found.direct.s.values()
@@ -39,6 +40,7 @@ def values(found: Found) -> Iterator[Value]:
         yield from found.brake.s.values()
 
 
+@tabulated
 def tables(found: Found) -> Iterator[Table]:
     if found.direct is not None:
         yield from of_direct(found.direct)

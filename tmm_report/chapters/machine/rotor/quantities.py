@@ -23,6 +23,7 @@ Array = Any
 NONE = float("nan")
 
 
+@tabulated
 def values(found: Found) -> Iterator[Value]:
     return found.s.values()
 

@@ -44,6 +44,7 @@ def tables(found: Found) -> Iterator[Table]:
         yield from pivot_tables(pivot)
 
 
+@tabulated
 def values(found: Found) -> Iterator[Value]:
     for guide in found.guides:
         yield from guide.s.values()
