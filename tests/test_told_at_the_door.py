@@ -93,6 +93,7 @@ def test_a_ratio_without_a_sign_is_asked_about(ratio):
     [
         ("ratio: -3", -3),
         ("ratio: 3, mesh: external", -3),
+        ('ratio: "3", mesh: external', -3),
         ("ratio: -3, mesh: external", -3),
         ("ratio: 3, mesh: internal", 3),
     ],
