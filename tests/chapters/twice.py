@@ -14,10 +14,12 @@ from tmm_report.quantity.sheet import Sheet
 from tmm_report.quantity.units import factor
 
 
-def disagreements(s: Sheet, ways: Mapping[str, float | None], tolerance: float = 1e-9) -> list[str]:
+def disagreements(
+    s: Sheet, ways: Mapping[str, float | None], tolerance: float = 1e-9, formed: bool = False
+) -> list[str]:
     """Of the formulas that a sheet prints: those that no second way is named for, and those that it contradicts; of a
     formula with a number of its own, found more exactly, both are held. The second ways are in the units of the
-    results, angles in radians."""
+    results, or as `formed`, of the formulas; angles in radians."""
     told = []
     for key in (key for key in s.DECLARED if s.has_formula(key)):
         if ways.get(key) is None:
@@ -25,8 +27,8 @@ def disagreements(s: Sheet, ways: Mapping[str, float | None], tolerance: float =
             continue
         formula, size = s.formula(key), abs(ways[key]) or 1.0
         of = s.declared(key)
-        formed = factor(of.unit, of.formed) if of.formed not in ("", "deg") else 1.0
-        for number in (s.var(key).number / formed, float(formula.value) / formed):
+        share = factor(of.unit, of.formed) if of.formed not in ("", "deg") and not formed else 1.0
+        for number in (s.var(key).number / share, float(formula.value) / share):
             if not np.isclose(number, ways[key], rtol=tolerance, atol=tolerance * min(size, 1.0)):
                 told.append(f"{key}: {number!r}, by the second way {ways[key]!r}")
     return told

@@ -39,7 +39,7 @@ def test_the_text_is_the_approved_one(name, language):
 def test_numbers_are_called_as_they_were_approved(name):
     """Letter, unit and meaning of every number of results.json, of which the note prints a part."""
     approved = (GOLDEN / f"{name}.numbers").read_text("utf-8").splitlines()
-    found = changes(sorted(approved), sorted(TOOL["called"](results(name, "en"))))
+    found = changes(sorted(approved), sorted(TOOL["called"](results(name, TOOL["CALLED_IN"]))))
     assert not found, "\n".join(found[:SHOWN])
 
 

@@ -80,7 +80,7 @@ def test_part_of_the_reciprocating_mass_is_balanced():
         f"counterweights: {{share: {of['c']}, radius: {of['b_in'] * INCH} m}}}}"
     ).engine
     force, _ = found.primary
-    agrees("bevan-14-5-partial", B_lb=found.weight_mass, U_lb=pounds(force.along(1j)))
+    agrees("bevan-14-5-partial", B_lb=found.s.number("m_cw"), U_lb=pounds(force.along(1j)))
 
 
 # --- a locomotive
@@ -122,7 +122,7 @@ def test_a_star_of_three_cylinders():
     assert abs(second.forward) == 0.0  # it turns against the crankshaft
     agrees(
         "bevan-14-12-radial-3",
-        B_lb=3 * found.weight_mass,
+        B_lb=3 * found.s.number("m_cw"),
         F2_max=pounds(second.greatest),
         F2_min=pounds(second.least),
     )

@@ -57,9 +57,9 @@ def test_every_formula_of_a_ready_variant(name):
 
 def told(found):
     made = whole(found, "drive")
-    wrong = disagreements(made.s, _ways(found))
+    wrong = disagreements(made.s, _ways(found), formed=True)
     for name, row in made.members.items():
-        wrong += disagreements(row, {"omega": found.speed[name]})
+        wrong += disagreements(row, {"omega": found.speed[name]}, formed=True)
     return wrong
 
 

@@ -51,11 +51,13 @@ def test_every_formula_of_a_ready_variant(name):
 
 def told(found):
     made = stage(found, "stage1")
-    wrong = disagreements(made.s, _ways(found))
+    wrong = disagreements(made.s, _ways(found), formed=True)
     for wheel, row in zip(found.scheme.wheels, made.rows, strict=True):
-        wrong += disagreements(row, {key: 1e3 * found.sizes.diameters[key][wheel] for key in ("d_w", "d_a")})
+        wrong += disagreements(
+            row, {key: 1e3 * found.sizes.diameters[key][wheel] for key in ("d_w", "d_a")}, formed=True
+        )
     for row, mesh in enumerate(made.meshes):
-        wrong += disagreements(mesh, _of_mesh(found, row))
+        wrong += disagreements(mesh, _of_mesh(found, row), formed=True)
     return wrong
 
 

@@ -57,11 +57,11 @@ def test_every_formula_of_a_ready_variant(name):
 
 def told(found):
     made = stage(found, "stage1")
-    wrong = disagreements(made.s, _ways(found))
+    wrong = disagreements(made.s, _ways(found), formed=True)
     for i, wheel in enumerate(made.wheels):
-        wrong += disagreements(wheel, _of_wheel(found, i))
+        wrong += disagreements(wheel, _of_wheel(found, i), formed=True)
     for tool, cut in zip(made.tools, found.cutters, strict=True):
-        wrong += disagreements(tool, _of_tool(cut.by))
+        wrong += disagreements(tool, _of_tool(cut.by), formed=True)
     return wrong
 
 

@@ -50,6 +50,7 @@ SECTIONS = {
     "force_plans": _LEVER,
     "friction": N_("Friction losses and efficiency"),
     "reduction": N_("Reduction of masses and forces"),
+    "transmission": N_("Transmission angles"),
     "methods": N_("Choice of method"),
     "dynamics": N_("The machine in motion"),
     "flywheel": N_("The flywheel"),

@@ -181,7 +181,7 @@ COSINE = "lift: 9 mm, phases: [{rise: 90 deg, law: cosine}, {return: 90 deg, law
 
 def test_harmonics_are_those_of_the_follower_and_not_of_the_centre_of_curvature_that_jumps():
     found = tabled(COSINE, "harmonics: {highest: 4, points: [B], links: []}")
-    assert found.harmonics.tail < 1e-4
+    assert found.harmonics.s.number("tail") < 1e-4
 
 
 def test_balancing_needs_an_acceleration_that_does_not_jump():

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -189,8 +190,9 @@ def solve(given: Given, moving: Moving | None) -> Found:
         steps.excitation(s, given, shaken)
     stands = stood(given, body, omega) if given.foundation else None
     hung = absorbed(given, body, omega) if given.absorber else None
-    found = Found(given, s, body, order, omega, shaken.on(body) if shaken else None, stands, hung)
+    found = Found(given, s, body, order, omega, shaken, stands, hung)
     mistakes.check(found)
+    found = replace(found, shaking=shaken.on(body)) if shaken else found
     if not given.free:
         _forced(found)
     return found

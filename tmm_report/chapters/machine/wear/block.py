@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal, TypedDict
 from pydantic import Field, Tag
 
 from tmm_report.chapters.lever.structure.block import FRAME, names, stated, without
-from tmm_report.chapters.machine.wear.given import PARTS, POSITIONS, SECTORS, Coefficient, Faces
+from tmm_report.chapters.machine.wear.given import PARTS, POSITIONS, SECTORS, Coefficient, Faces, Given
 from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.variant import model
 from tmm_report.variant.errors import near
@@ -166,11 +166,11 @@ class Block(model.Block):
     wear: WearModel | None = Field(default=None, description="wear of the pairs")
 
 
-class Given(TypedDict):
-    wear: WearModel | None
+class Taken(TypedDict):
+    wear: Given | None
 
 
-def given(read: Read) -> Given:
+def given(read: Read) -> Taken:
     return {"wear": read.block(Block).wear}
 
 

@@ -3,13 +3,30 @@ coefficient is told by its shape, a number, a table or a mapping, which no plain
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Protocol
+
 import numpy as np
 
 from tmm_report.records import dataclass
 
+if TYPE_CHECKING:
+    from tmm_report.chapters.machine.wear.block import GuideModel, PivotModel
+
 POSITIONS = 360  # over the cycle
 PARTS = 100  # of a guide
 SECTORS = 72  # of a pivot
+
+
+class Given(Protocol):
+    """What the chapter asks of its block."""
+
+    @property
+    def positions(self) -> int: ...
+    @property
+    def guides(self) -> Sequence[GuideModel]: ...
+    @property
+    def pivots(self) -> Sequence[PivotModel]: ...
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Solved, at, stated
 from tmm_report.chapters.machine.wear import guide, pivot
+from tmm_report.chapters.machine.wear.given import Given
 from tmm_report.chapters.machine.wear.guide import GuideFound
 from tmm_report.chapters.machine.wear.pivot import PivotFound
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
@@ -17,7 +18,6 @@ from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
     from tmm_report.chapters.lever.moving import Moving
-    from tmm_report.chapters.machine.wear.block import WearModel as Given
 
 __all__ = ["Found", "Given", "solve"]
 
