@@ -176,8 +176,7 @@ FAULTS = (
     Fault("the scale of a diagram upside down", "tmm_report/report/diagrams.py",
           "scale_of(name, panel.y_scale, unit)", "scale_of(name, 1 / panel.y_scale, unit)"),
     Fault("the losses' diagram for the efficiency's", FRICTION + "view.py",
-          "Curve(losses.total, panel=0), Curve(losses.efficiency, panel=1)",
-          "Curve(losses.total, panel=1), Curve(losses.efficiency, panel=0)"),
+          '("P_fr", "eta"), numbered', '("P_drive", "eta"), numbered'),
     Fault("radii of a mesh lettered with diameters", SPUR + "draw/sheet.py", "float(diameters[i]) / 2 * 1e3",
           "float(diameters[i]) * 1e3", "hoist_drive"),
     Fault("curves of sliding swapped", SPUR + "draw/sliding.py", "return (found.first, found.second)[i]",
@@ -191,7 +190,7 @@ FAULTS = (
           "(_, peak), *_ = peaks(", "(peak, _), *_ = peaks(", "hay_press",
           ("tests/chapters/lever/test_transmission.py",)),
     Fault("a bad transmission angle called permitted", TRANSMISSION + "view.py",
-          "fails, shown = least.value < most.value", "fails, shown = least.value > most.value", "hay_press",
+          '_min").value < self.found', '_min").value > self.found', "hay_press",
           ("tests/chapters/lever/test_transmission.py",)),
     # --- reduction ---
     Fault("angular velocities not squared in the energy", "tmm_report/chapters/lever/moving.py",
@@ -215,8 +214,7 @@ FAULTS = (
           "for load, values in reduced.moments:",
           "for (load, _), (_, values) in zip(reduced.moments, reduced.moments[::-1]):", "piston_pump"),
     Fault("the reduced moment for the moment of inertia in their diagram", REDUCTION + "view.py",
-          "Curve(self.found.diagram.whole_moment, panel=1)", "Curve(-self.found.diagram.whole_moment, panel=1)",
-          "piston_pump"),
+          'self.of("reduced_moment_diagram", "M_red")', 'self.of(name, "I_red_slope")', "piston_pump"),
     # --- text and mathematics ---
     Fault("the minus sign lost", "tmm_report/quantity/text.py", "Parts(x < 0 and", "Parts(False and"),
     Fault("centimetres under millimetres", "tmm_report/quantity/units.py",
