@@ -57,6 +57,10 @@ class BookView:
         """symbol = value unit."""
         return self.page.value(self.var(key, unit))
 
+    def turned(self, key: str, places: int = 1) -> Markup:
+        """The angle turned from position 0 at which a single number is reached, in degrees."""
+        return self.page.said(self.page.turned(self.value(key), places))
+
     def listed(self, keys: Iterable[str]) -> Markup:
         """`sized` of those that this variant has."""
         return self.page.listed(self.sized(key) for key in keys if self.knows(key))
