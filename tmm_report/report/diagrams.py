@@ -50,9 +50,9 @@ class CycleGraphs:
             positions=self.positions, comma=self.tr.decimal == ",", join=join,
         )  # fmt: skip
 
-    def label(self, quantity: Quantity, unit: str = "") -> Parts:
+    def label(self, quantity: Quantity) -> Parts:
         """The letter of a quantity and its unit, for an axis: the figure's caption says of what."""
-        return self.letter(Symbol(quantity.sign.base), unit or quantity.printed)
+        return self.letter(Symbol(quantity.sign.base), quantity.printed)
 
     def axis(self, quantity: Quantity) -> Parts:
         """The symbol of a quantity and its unit of print."""

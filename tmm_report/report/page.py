@@ -259,6 +259,12 @@ class Page:
         cells = [Cell(text, table.ref(key, row, unit, size)) for row, text in enumerate(texts)]
         return layout.Column(self.head(column.symbol(), unit or column.unit), cells)
 
+    def singles(self, table: Table, key: str, rows: int | None = None, **form: Any) -> layout.Column:
+        """A column of the results whose numbers have each its own decimals; `rows`: only the first so many."""
+        column = table[key]
+        cells = [self.cell(table, key, row, **form) for row in range(len(table) if rows is None else rows)]
+        return layout.Column(self.head(column.symbol(), column.quantity.printed), cells)
+
     def cell(
         self,
         of: Value | Table,
