@@ -10,31 +10,35 @@ from typing import Any
 
 from markupsafe import Markup
 
+from tmm_report.figures.charts.graphs import Graph
 from tmm_report.quantity.formula import Formula, Var
 from tmm_report.quantity.model import Book, Column, Table, Value
 from tmm_report.quantity.sheet import Sheet
 from tmm_report.quantity.written import Equation
+from tmm_report.report.diagrams import Line, cycle_lines
 from tmm_report.report.page import Page
 from tmm_report.report.paper import layout
 from tmm_report.report.paper.layout import numeric
 
 
-class ChapterView:
-    """`s`: the single numbers of the chapter; `tables`: of the results, found here without `prefix`, with which their
-    names begin there. `own`: whether its letters are its own, to be explained again where another chapter has explained
-    them as something else."""
+class BookView:
+    """`book`: tables and single values of the chapter, found here without `prefix`, with which their names begin in the
+    results. `own`: whether its letters are its own, to be explained again where another chapter has explained them as
+    something else."""
 
     own = False
 
-    def __init__(self, page: Page, s: Sheet, tables: Iterable[Table] = (), prefix: str | None = None):
-        self.page, self.t, self.s = page, page.t, s
-        self.prefix = s.PREFIX if prefix is None else prefix
-        self._tables = Book.of(tables).tables
+    def __init__(self, page: Page, book: Book, prefix: str = ""):
+        self.page, self.t, self.book, self.prefix = page, page.t, book, prefix
 
     # --- single numbers
 
     def value(self, key: str) -> Value:
-        return self.s[key]
+        return self.book[f"{self.prefix}{key}"]
+
+    def knows(self, key: str) -> bool:
+        """Whether this variant has the single number."""
+        return f"{self.prefix}{key}" in self.book.values
 
     def number(self, key: str, unit: str = "", **form: Any) -> Markup:
         """A single number in running text, without its unit."""
@@ -53,18 +57,15 @@ class ChapterView:
         """symbol = value unit."""
         return self.page.value(self.var(key, unit))
 
+    def turned(self, key: str, places: int = 1) -> Markup:
+        """The angle turned from position 0 at which a single number is reached, in degrees."""
+        return self.page.said(self.page.turned(self.value(key), places))
+
     def listed(self, keys: Iterable[str]) -> Markup:
         """`sized` of those that this variant has."""
-        return self.page.listed(self.sized(key) for key in keys if key in self.s)
+        return self.page.listed(self.sized(key) for key in keys if self.knows(key))
 
     # --- formulas
-
-    def formula(self, key: str, **form: Any) -> Formula:
-        return self.s.formula(key, **form)
-
-    def formulas(self, *keys: str) -> list[Formula]:
-        """Those of the numbers that this variant computes by one."""
-        return [self.formula(key) for key in keys if self.s.has_formula(key)]
 
     def where(self, *formulas: Formula | Equation) -> list[dict[str, Any]]:
         """What a "where" list says of the quantities of the formulas."""
@@ -76,7 +77,7 @@ class ChapterView:
         return [
             self.page.explained(f"{self.prefix}{key}", self.value(key), self.value(key).quantity.printed)
             for key in keys
-            if key in self.s
+            if self.knows(key)
         ]
 
     def columns_explained(self, name: str, *keys: str) -> list[dict[str, Any]]:
@@ -90,10 +91,10 @@ class ChapterView:
 
     def table(self, name: str) -> Table:
         """A table of the results. Raises KeyError for one that this variant has not."""
-        return self._tables[f"{self.prefix}{name}"]
+        return self.book.tables[f"{self.prefix}{name}"]
 
     def has(self, name: str) -> bool:
-        return f"{self.prefix}{name}" in self._tables
+        return f"{self.prefix}{name}" in self.book.tables
 
     def column(self, name: str, key: str, unit: str = "", **form: Any) -> layout.Column:
         return self.page.column(self.table(name), key, unit, **form)
@@ -120,3 +121,45 @@ class ChapterView:
     def of(self, name: str, key: str) -> Column:
         """A column of the results."""
         return self.table(name)[key]
+
+    # --- over the cycle
+
+    def by_positions(self, caption: Any, name: str, keys: Iterable[str | layout.Column] = ()) -> layout.Table:
+        """A table by positions: their numbers, then its columns by their keys, or others that are ready; without `keys`
+        all of them but the angle turned."""
+        chosen = [*keys] or [
+            one.key for one in self.table(name).columns if one.key not in ("position", "phi")
+        ]
+        columns = [self.column(name, one) if isinstance(one, str) else one for one in chosen]
+        return numeric(caption, self.page.positions(self.table(name)), columns)
+
+    def over_cycle(self, name: str, of: Iterable[str | Line], positions: int = 0, join: bool = True) -> Graph:
+        """Columns of a table over the angle turned, each in a panel of its own, or lines in theirs; an axis has letter
+        and unit of the first in its panel. `positions`: how many are numbered."""
+        table = self.table(name)
+        lines = [
+            Line(table[one], panel=panel, extremes=None) if isinstance(one, str) else one
+            for panel, one in enumerate(of)
+        ]
+        return cycle_lines(lines, table["phi"], self.page.tr, positions, join)
+
+
+class ChapterView(BookView):
+    """`s`: the single numbers of the chapter, with the formulas that compute them; `tables`: of the results."""
+
+    def __init__(self, page: Page, s: Sheet, tables: Iterable[Table] = (), prefix: str | None = None):
+        super().__init__(page, Book.of(tables), s.PREFIX if prefix is None else prefix)
+        self.s = s
+
+    def value(self, key: str) -> Value:
+        return self.s[key]
+
+    def knows(self, key: str) -> bool:
+        return key in self.s
+
+    def formula(self, key: str, **form: Any) -> Formula:
+        return self.s.formula(key, **form)
+
+    def formulas(self, *keys: str) -> list[Formula]:
+        """Those of the numbers that this variant computes by one."""
+        return [self.formula(key) for key in keys if self.s.has_formula(key)]

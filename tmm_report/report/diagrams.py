@@ -50,9 +50,13 @@ class CycleGraphs:
             positions=self.positions, comma=self.tr.decimal == ",", join=join,
         )  # fmt: skip
 
-    def label(self, quantity: Quantity, unit: str = "") -> Parts:
+    def label(self, quantity: Quantity) -> Parts:
         """The letter of a quantity and its unit, for an axis: the figure's caption says of what."""
-        return self.letter(Symbol(quantity.sign.base), unit or quantity.unit)
+        return self.letter(Symbol(quantity.sign.base), quantity.printed)
+
+    def axis(self, quantity: Quantity) -> Parts:
+        """The symbol of a quantity and its unit of print."""
+        return self.letter(quantity.sign, quantity.printed)
 
     def letter(self, symbol: Symbol, unit: str = "") -> Parts:
         """A symbol as it is drawn, and its unit."""
@@ -102,10 +106,21 @@ def chart(lines: Iterable[Line], along: Column, of: Sequence[Quantity], tr: Tran
 
 def cycle_chart(table: Table, keys: Sequence[str], tr: Translator) -> Graph:
     """Columns over the angle turned, each in a panel of its own with its letter and unit."""
-    graphs = CycleGraphs(table["phi"].numbers("rad"), 0, tr)
-    of = [table[key] for key in keys]
-    drawn = [Curve(column.numbers(column.quantity.printed), panel=k) for k, column in enumerate(of)]
-    return graphs.graph(drawn, [graphs.letter(one.symbol(), one.quantity.printed) for one in of])
+    lines = [Line(table[key], panel=k, extremes=None) for k, key in enumerate(keys)]
+    return cycle_lines(lines, table["phi"], tr)
+
+
+def cycle_lines(
+    lines: Sequence[Line], turned: Column, tr: Translator, positions: int = 0, join: bool = True
+) -> Graph:
+    """Lines over the angle turned; each panel has letter and unit of the first in it. `positions`: how many are
+    numbered on the axis."""
+    graphs = CycleGraphs(turned.numbers("rad"), positions, tr)
+    of = {line.panel: line.column.quantity for line in reversed(lines)}
+    drawn = [
+        Curve(_below(line, of[line.panel].printed), line.name, line.panel, line.extremes) for line in lines
+    ]
+    return graphs.graph(drawn, [graphs.axis(of[panel]) for panel in sorted(of)], join)
 
 
 def _below(line: Line, unit: str) -> Array:

@@ -24,6 +24,7 @@ from tmm_report.i18n import Translator
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.formula import Formula, Inline, Var
 from tmm_report.quantity.model import Column, Table, Value
+from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol, math_symbol, xml_escape
 from tmm_report.quantity.text import column, number, short_and_full, unit_text
 from tmm_report.quantity.written import Equation, explained
@@ -258,6 +259,12 @@ class Page:
         cells = [Cell(text, table.ref(key, row, unit, size)) for row, text in enumerate(texts)]
         return layout.Column(self.head(column.symbol(), unit or column.unit), cells)
 
+    def singles(self, table: Table, key: str, rows: int | None = None, **form: Any) -> layout.Column:
+        """A column of the results whose numbers have each its own decimals; `rows`: only the first so many."""
+        column = table[key]
+        cells = [self.cell(table, key, row, **form) for row in range(len(table) if rows is None else rows)]
+        return layout.Column(self.head(column.symbol(), column.quantity.printed), cells)
+
     def cell(
         self,
         of: Value | Table,
@@ -294,6 +301,11 @@ class Page:
         """A single number in running text with its unit."""
         unit = self.unit(form.get("unit") or of.quantity.printed)
         return self.listed([self.shown(of, **form), unit], "" if unit in ("", "°") else " ")
+
+    def turned(self, of: Value, places: int = 1) -> Cell:
+        """The angle turned from position 0 at which a single number holds, in degrees; a dash where there is none."""
+        at = np.nan if of.at is None else np.degrees(of.at)
+        return Cell(self.num(at, places=places), Ref(of.key, by="at_deg"))
 
     def positions(self, table: Table, rows: int | None = None) -> layout.Column:
         """The numbers of the positions, the first column of a table by positions."""

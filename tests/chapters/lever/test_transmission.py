@@ -7,6 +7,7 @@ import pytest
 from conftest import read, solved, stating
 
 from tmm_report import course, note
+from tmm_report.chapters.lever.transmission import solve
 from tmm_report.i18n import Translator
 from tmm_report.problems import ProblemError
 
@@ -23,11 +24,10 @@ def acute(directions, others):
 
 def by_directions(of, motion):
     """Between the lines of both links as they stand, or between the link and the normal of the guide."""
-    dyad, outer = of.dyad, motion.place(of.dyad.outer_a.name)
-    joint = motion.place(dyad.inner.name)
-    if dyad.kind == 1:
-        return acute(joint - outer, joint - motion.place(dyad.outer_b.name))
-    guide = motion.turn(dyad.b) * dyad.outer_b.along[dyad.b]  # as the slider has it, not its carrier
+    joint, outer = motion.place(of.inner.name), motion.place(of.outer_a.name)
+    if of.kind == 1:
+        return acute(joint - outer, joint - motion.place(of.outer_b.name))
+    guide = motion.turn(of.b) * of.outer_b.along[of.b]  # as the slider has it, not its carrier
     return acute(joint - outer, 1j * guide)
 
 
@@ -38,24 +38,27 @@ def test_angles_are_those_between_the_links_and_the_least_is_the_least_of_a_thou
     found = transmitted(name)
     assert found.couplers
     for of in found.couplers:
-        for motion in (of.kinematics.table, of.kinematics.diagram):
-            assert of.angle(motion) == pytest.approx(by_directions(of, motion), abs=1e-9, nan_ok=True)
-        turned = np.linspace(0, of.kinematics.cycle.sweep, 4001)
-        dense = by_directions(of, of.kinematics.cycle.motion(turned))
-        least = of.least()
+        for motion in (found.kinematics.table, found.kinematics.diagram):
+            assert solve.angle(of, motion) == pytest.approx(by_directions(of, motion), abs=1e-9, nan_ok=True)
+        turned = np.linspace(0, found.kinematics.cycle.sweep, 4001)
+        dense = by_directions(of, found.kinematics.cycle.motion(turned))
+        least = solve.least(of, found.kinematics)
         assert (
             least.value == pytest.approx(np.nanmin(dense), abs=2e-6)
             and least.value <= np.nanmin(dense) + 1e-9
         )
-        (there,) = by_directions(of, of.kinematics.cycle.motion(np.array([least.turned])))
+        (there,) = by_directions(of, found.kinematics.cycle.motion(np.array([least.turned])))
         assert there == pytest.approx(least.value, abs=1e-7)
 
 
 def test_the_least_of_a_crank_rocker_stands_where_the_crank_lies_along_the_frame():
     frame = math.hypot(200, 20)
     cosines = [(180**2 + 120**2 - (frame + side * 60) ** 2) / (2 * 180 * 120) for side in (1, -1)]
-    (of,) = transmitted("crank_rocker").couplers
-    assert of.least().value == pytest.approx(min(math.acos(abs(one)) for one in cosines), rel=1e-12)
+    found = transmitted("crank_rocker")
+    (of,) = found.couplers
+    assert solve.least(of, found.kinematics).value == pytest.approx(
+        min(math.acos(abs(one)) for one in cosines), rel=1e-12
+    )
 
 
 @pytest.mark.parametrize(("permitted", "word"), [("50 deg", "not less"), ("60 deg", "less than")])

@@ -119,7 +119,7 @@ def test_an_extreme_force_is_told_where_it_is_reached_with_the_side_of_a_jump(fl
     jumps = "direction: left, by_angle: [[0, 10], [70 deg, 90], [70 deg, -60], [360 deg, -60]]"
     found = course.solve(loads(text.replace("direction: against motion, constant: 100 N", jumps))).lever
     view = GearView(found.kinetostatics, 0, Page(Html(), Translator("en"), Numbering()))
-    told = {end: unescape(re.sub("<[^>]*>", "", view.turned(end))) for end in ("min", "max")}
+    told = {end: unescape(re.sub("<[^>]*>", "", view.extreme_at(end))) for end in ("min", "max")}
     for end, text in told.items():
         assert float(text.split("°")[0]) == pytest.approx(np.degrees(view.book[f"F_bal_{end}"].at), abs=0.06)
     assert [text for text in told.values() if text.endswith("before the jump")] == ["70° before the jump"]

@@ -231,7 +231,7 @@ class DriveView(ChapterView):
         return numeric(self.t("Forces in the teeth of the drive"), Column(self.t("Mesh"), names), columns)
 
     @property
-    def turned(self) -> bool:
+    def turns_link(self) -> bool:
         """Whether the torques are found for the balancing moment of the link that the drive turns."""
         return self.found.moments is not None and self.found.given.torque is not None
 

@@ -55,12 +55,12 @@ def letter(found: CamFound) -> str:
     return "s" if found.slides else "beta"
 
 
-def of(found: CamFound, key: str, symbol: Symbol, unit_: str, text: str) -> Quantity:
+def of(found: CamFound, key: str, symbol: Symbol, unit_: str, text: str, shown: str = "") -> Quantity:
     """A quantity of one cam pair, with its name in key and index."""
     name = found.cam.name
     index = ",".join(filter(None, (symbol.sub, name)))
     meaning = Message(text, {"cam": found.cam.cam, "follower": found.cam.follower})
-    return Quantity(f"{key}_{name}", Symbol(symbol.base, index, symbol.sup), unit_, meaning)
+    return Quantity(f"{key}_{name}", Symbol(symbol.base, index, symbol.sup), unit_, meaning, shown)
 
 
 def displacement(found: CamFound) -> Quantity:
@@ -180,7 +180,9 @@ def base(found: CamFound) -> Quantity:
 
 def lift(found: CamFound) -> Quantity:
     text = N_("lift of follower %(follower)s") if found.slides else N_("swing of follower %(follower)s")
-    return of(found, "cam_lift", Symbol("h") if found.slides else Symbol("beta", MAX), unit(found), text)
+    if found.slides:
+        return of(found, "cam_lift", Symbol("h"), "m", text)
+    return of(found, "cam_lift", Symbol("beta", MAX), "rad", text, "deg")
 
 
 def _sizes(found: CamFound) -> Iterator[Value]:
@@ -189,9 +191,15 @@ def _sizes(found: CamFound) -> Iterator[Value]:
     yield lift(found).value(found.lift)
     if found.below:
         low, text = found.ends[0][0], N_("least displacement of follower %(follower)s")
-        yield of(found, "cam_least", Symbol(letter(found), MIN), unit(found), text).value(
-            low.value, low.turned
+        least = of(
+            found,
+            "cam_least",
+            Symbol(letter(found), MIN),
+            unit(found),
+            text,
+            "mm" if found.slides else "deg",
         )
+        yield least.value(low.value, low.turned)
     if cam.roller:
         yield of(
             found, "cam_roller", Symbol("r"), "m", N_("radius of the roller of follower %(follower)s")
@@ -240,4 +248,5 @@ def _limits(found: CamFound) -> Iterator[Value]:
         )
     if np.isfinite(found.least.value):
         text = N_("least radius of curvature of the profile of cam %(cam)s where it is convex")
-        yield of(found, "cam_rho", Symbol("rho", MIN), "m", text).value(found.least.value, found.least.turned)
+        radius = of(found, "cam_rho", Symbol("rho", MIN), "m", text, "mm")
+        yield radius.value(found.least.value, found.least.turned)

@@ -17,15 +17,17 @@ from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.drawing import Drawing
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula, Var
-from tmm_report.quantity.model import Book
-from tmm_report.quantity.ref import Ref
+from tmm_report.quantity.model import Book, Value
+from tmm_report.report.chapter_view import BookView
 from tmm_report.report.diagrams import CycleGraphs, points, scale_of
 from tmm_report.report.page import Page
-from tmm_report.report.paper.layout import Cell, Table, numeric, worded
+from tmm_report.report.paper.layout import Table, worded
 from tmm_report.report.part import Failed, Part
 
 if TYPE_CHECKING:
     from tmm_report.course import LeverFound
+
+SIZES = ("cam_base", "cam_roller", "cam_lift", "cam_offset", "cam_arm", "cam_apart")
 
 
 def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
@@ -44,11 +46,19 @@ class CamsView:
         return [text for cam in self.cams for text in cam.conclusions()]
 
 
-class CamView:
+class CamView(BookView):
+    """A key is followed by the name of the cam pair."""
+
     def __init__(self, found: CamFound, book: Book, position: int, page: Page):
-        self.found, self.book, self.page, self.t = found, book, page, page.t
-        self.position = position
+        super().__init__(page, book)
+        self.found, self.position = found, position
         self.cam, self.name = found.cam, found.cam.name
+
+    def value(self, key: str) -> Value:
+        return super().value(f"{key}_{self.name}")
+
+    def knows(self, key: str) -> bool:
+        return super().knows(f"{key}_{self.name}")
 
     def conclusions(self) -> list[Markup]:
         text = N_(
@@ -56,9 +66,7 @@ class CamView:
             "least radius of curvature of its profile is %(rho)s mm."
         )
         alpha, limit = self.number("cam_alpha_rise", places=1), self.number("cam_alpha_limit", places=1)
-        found = self.t(
-            text, cam=self.cam.cam, alpha=alpha, limit=limit, rho=self.number("cam_rho", unit="mm")
-        )
+        found = self.t(text, cam=self.cam.cam, alpha=alpha, limit=limit, rho=self.number("cam_rho"))
         return [*self._failures(), found]
 
     def _failures(self) -> Iterator[Markup]:
@@ -72,44 +80,16 @@ class CamView:
             )
             yield Failed(self.t(text, **names))
 
-    def number(self, key: str, **form: Any) -> Markup:
-        """A value of this cam in running text."""
-        return self.page.shown(self.book[f"{key}_{self.name}"], **form)
-
-    def least(self) -> Markup:
-        """The least displacement with its unit."""
-        shown = self.number("cam_least", unit="mm" if self.found.slides else "deg")
-        return self.page.listed(
-            [shown, self.page.unit("mm" if self.found.slides else "deg")], " " if self.found.slides else ""
-        )
-
-    def turned(self, key: str) -> Markup:
-        """The angle of turn at which a value is reached, degrees."""
-        value = self.book[f"{key}_{self.name}"]
-        assert value.at is not None
-        cell = Cell(self.page.num(np.degrees(value.at), places=1), Ref(value.key, by="at_deg"))
-        return self.page.said(cell)
-
     # ------------------------------------------------------------ sizes and law
 
-    def sizes(self) -> list[Var]:
+    def sizes(self) -> Markup:
         """What is stated of the pair."""
-        return [self._sized(key) for key in self._sizes]
+        return self.listed(SIZES)
 
-    @property
-    def _sizes(self) -> list[str]:
-        keys = ("cam_base", "cam_roller", "cam_lift", "cam_offset", "cam_arm", "cam_apart")
-        own = [f"{key}_{self.name}" for key in keys]
-        return [key for key in own if key in self.book.values]
-
-    def _sized(self, key: str) -> Var:
-        value = self.book[key]
-        return value.var("deg") if value.unit == "rad" else value.var()
-
-    def explained(self) -> list[dict[str, Any]]:
+    def sizes_explained(self) -> list[dict[str, Any]]:
         """The same in words."""
-        values = (self.book[key] for key in self._sizes)
-        return [self.page.explained(v.key, v, "deg" if v.unit == "rad" else v.unit) for v in values]
+        values = [self.value(key) for key in SIZES if self.knows(key)]
+        return [self.page.explained(one.key, one, one.quantity.printed) for one in values]
 
     def of_base(self) -> list[Formula]:
         """The pitch circle and the follower's lowest position."""
@@ -117,7 +97,7 @@ class CamView:
         return [one for one in found if one is not None]
 
     def phases(self, caption: Any) -> Table:
-        table, page = self.book.tables[f"cam_phases_{self.name}"], self.page
+        table, page = self.table(f"cam_phases_{self.name}"), self.page
         rows = [
             [
                 page.cell(table, "number", k), page.word(self.t(q.KINDS[phase.kind]), table, "phase", k),
@@ -127,8 +107,8 @@ class CamView:
             for k, phase in enumerate(self.found.phases)
         ]  # fmt: skip
         heads = [
-            self.t("No."), self.t("Phase"), self.t("Law of motion"), page.head(q.START.sign, "deg"),
-            page.head(q.ANGLE.sign, "deg"),
+            self.t("No."), self.t("Phase"), self.t("Law of motion"), page.head(q.START.sign, q.START.unit),
+            page.head(q.ANGLE.sign, q.ANGLE.unit),
         ]  # fmt: skip
         return worded(caption, heads, rows, (1, 3, 4, 2, 2))
 
@@ -139,14 +119,14 @@ class CamView:
         """What a law is written out of, for a sentence. `row`: its number among them."""
         phase = self.found.samples[row].phase
         return {
-            "k": self.page.shown(self.book.tables[f"cam_law_{self.name}"], "at", row),
+            "k": self.page.shown(self.table(f"cam_law_{self.name}"), "at", row),
             "phase": self.t(q.KINDS[phase.kind]),
             "law": self.t(q.LAWS[phase.law]),
         }
 
     def shocks(self, caption: Any) -> Table:
         """Where the law has shocks, and of which kind."""
-        table, page = self.book.tables[f"cam_shocks_{self.name}"], self.page
+        table, page = self.table(f"cam_shocks_{self.name}"), self.page
         rows = [
             [
                 page.cell(table, "phi", k, places=1), *(page.cell(table, key, k) for key in ("first", "second")),
@@ -163,23 +143,12 @@ class CamView:
         return any(shock.hard for shock in self.found.shocks)
 
     def motion(self, caption: Any) -> Table:
-        return self._table(caption, f"cam_motion_{self.name}_table")
+        return self.by_positions(caption, f"cam_motion_{self.name}_table")
 
     def profile_table(self, caption: Any) -> Table:
-        return self._table(caption, f"cam_profile_{self.name}")
-
-    def _table(self, caption: Any, name: str) -> Table:
-        table = self.book.tables[name]
-        columns = [self.page.column(table, column.key) for column in table.columns[2:]]
-        return numeric(caption, self.page.positions(table), columns)
+        return self.by_positions(caption, f"cam_profile_{self.name}")
 
     # ------------------------------------------------------------ diagrams
-
-    @cached_property
-    def _graphs(self) -> CycleGraphs:
-        kinematics = self.found.kinematics
-        closed = kinematics.positions.table if kinematics.cycle.closed else 0
-        return CycleGraphs(self.found.drawn.turned, closed, self.page.tr)
 
     @cached_property
     def diagram(self) -> Graph:
@@ -195,7 +164,8 @@ class CamView:
         curves.append(Curve(np.degrees(drawn.alpha), panel=3, extremes=self._greatest_angles))
         curves += [Curve(np.full_like(drawn.alpha, sign * limit), panel=3, extremes=()) for sign in (1, -1)]
         named = [make(self.found) for make in (q.displacement, q.first, q.second, q.pressure)]
-        return self._graphs.graph(curves, [self._graphs.letter(one.sign, one.unit) for one in named])
+        graphs = CycleGraphs(drawn.turned, self.found.kinematics.numbered, self.page.tr)
+        return graphs.graph(curves, [graphs.axis(one) for one in named])
 
     @property
     def _greatest_angles(self) -> list[tuple[float, float]]:

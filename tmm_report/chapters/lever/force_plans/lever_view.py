@@ -13,6 +13,7 @@ from tmm_report.chapters.lever.force_plans.lever_draw import lever_picture
 from tmm_report.figures.drawing import Drawing
 from tmm_report.problems import N_
 from tmm_report.quantity.model import Book
+from tmm_report.report.chapter_view import BookView
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import DASH, Table, worded
 from tmm_report.report.part import Part
@@ -28,9 +29,10 @@ def part(levers: tuple[Lever, ...], book: Book, page: Page) -> Part:
     return Part("lever/force_plans/lever", LeverView(levers, book, page), concludes=False)
 
 
-class LeverView:
+class LeverView(BookView):
     def __init__(self, levers: tuple[Lever, ...], book: Book, page: Page):
-        self.levers, self.book, self.page, self.t = levers, book, page, page.t
+        super().__init__(page, book)
+        self.levers = levers
         self.picture = cache(self._picture)
 
     def conclusions(self) -> Sequence[Markup]:
@@ -41,7 +43,7 @@ class LeverView:
 
     def arms(self, caption: Any, lever: Lever) -> Table:
         """One row a force that has an arm, the balancing one last."""
-        table = self.book.tables[f"lever_arms_{lever.position}"]
+        table = self.table(f"lever_arms_{lever.position}")
         rows = [
             [
                 self.page.sym(arm.quantity.sign), self.page.word(str(table["point"].values[row]), table, "point", row),
@@ -58,7 +60,7 @@ class LeverView:
         return worded(caption, heads, rows, (2, 2, 3, 3, 3))
 
     def compared(self, caption: Any, lever: Lever) -> Table:
-        table = self.book.tables[f"lever_compared_{lever.position}"]
+        table = self.table(f"lever_compared_{lever.position}")
         rows = [
             [
                 self.page.word(self._way(one.key), table, "way", row),

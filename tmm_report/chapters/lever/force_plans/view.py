@@ -19,6 +19,7 @@ from tmm_report.problems import N_
 from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Var
 from tmm_report.quantity.model import Book, Quantity
+from tmm_report.report.chapter_view import BookView
 from tmm_report.report.comparison import comparison_table
 from tmm_report.report.diagrams import scale_of
 from tmm_report.report.page import Page
@@ -39,14 +40,14 @@ def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
         yield lever_view.part(lever.force_plans.levers, view.book, page)
 
 
-class ForcePlansView:
+class ForcePlansView(BookView):
     reduced_arm = REDUCED_ARM
     label = staticmethod(group_label)
 
     def __init__(self, lever: LeverFound, found: ForcePlans, page: Page):
-        self.found, self.pairs, self.page, self.t = found, lever.structure.pairs, page, page.t
+        super().__init__(page, Book.of(q.tables(found), q.values(found)))
+        self.found, self.pairs = found, lever.structure.pairs
         self.kinematics, self.length_scale = lever.kinematics, lever.plans.length_scale
-        self.book = Book.of(q.tables(found), q.values(found))
         self.picture = cache(self._picture)
         forces = lever.kinetostatics
         self.couples = forces is not None and bool(forces.table.loading.couples)
@@ -56,8 +57,7 @@ class ForcePlansView:
             "The reactions and the balancing moment found by the force plans differ from the analytical ones by at "
             "most %(worst)s %%."
         )
-        worst = self.page.shown(self.book["delta_F_max"], digits=3)
-        return [self.t(text, worst=worst)] if self.found.drawn else []
+        return [self.t(text, worst=self.number("delta_F_max", digits=3))] if self.found.drawn else []
 
     @property
     def pivot(self) -> str:
@@ -100,7 +100,7 @@ class ForcePlansView:
         return any(plan.arms for plan in drawn.plans)
 
     def arms(self, caption: Any, drawn: ForceDrawn) -> Table:
-        table = self.book.tables[f"arms_{drawn.position}"]
+        table = self.table(f"arms_{drawn.position}")
         arms = [arm for plan in drawn.plans for arm in plan.arms]
         rows = [
             [
@@ -113,7 +113,7 @@ class ForcePlansView:
         return worded(caption, heads, rows, (2, 2, 3, 3))
 
     def reduced(self, caption: Any, drawn: ForceDrawn) -> Table:
-        table = self.book.tables[f"reduced_{drawn.position}"]
+        table = self.table(f"reduced_{drawn.position}")
         rows = [
             [
                 self.page.word(link, table, "link", row),
@@ -133,6 +133,6 @@ class ForcePlansView:
         return self.page.listed([x, y], "; ")
 
     def comparison(self, caption: Any, drawn: ForceDrawn) -> Table:
-        table = self.book.tables[f"force_comparison_{drawn.position}"]
+        table = self.table(f"force_comparison_{drawn.position}")
         named = {quantity.key: quantity for quantity in q.compared(drawn)}
         return comparison_table(self.page, caption, table, named, drawn.position)

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from tmm_report.chapters.lever.friction.corrected import Corrected, Correction, Loss
 from tmm_report.chapters.lever.friction.given import Rubbing
 from tmm_report.chapters.lever.kinematics.quantities import where
-from tmm_report.chapters.lever.kinetostatics.quantities.positions import both
+from tmm_report.chapters.lever.kinetostatics.quantities.positions import BALANCING_MOMENT, both
 from tmm_report.mechanics.lever.assur_groups import Pair
 from tmm_report.mechanics.pairs.materials import Range
 from tmm_report.problems import N_, Message
@@ -46,6 +47,9 @@ LOST = Quantity(
 EFFICIENCY = Quantity(
     "eta_corrected", Symbol("eta'"), "", Message(N_("instantaneous efficiency by the corrected reactions"))
 )
+# what the axes of the diagram show: the moment and the efficiency of each way
+ANY_MOMENT = replace(BALANCING_MOMENT, symbol=Symbol("M"))
+ANY_EFFICIENCY = replace(EFFICIENCY, symbol=Symbol("eta", FR))
 MISS = Quantity(
     "friction_disagreement",
     None,

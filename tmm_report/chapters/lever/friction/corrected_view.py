@@ -14,16 +14,17 @@ from tmm_report.chapters.lever.friction.corrected import STILL, Correction, Loss
 from tmm_report.chapters.lever.friction.solve import FrictionFound, PairLoss
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as forces
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
-from tmm_report.figures.charts.graphs import Curve, Graph
+from tmm_report.figures.charts.graphs import Graph
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Expr, Formula, Var
 from tmm_report.quantity.model import Book
 from tmm_report.quantity.model import Table as Numbers
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol
-from tmm_report.report.diagrams import CycleGraphs
+from tmm_report.report.chapter_view import BookView
+from tmm_report.report.diagrams import Line
 from tmm_report.report.page import Page
-from tmm_report.report.paper.layout import Table, numeric
+from tmm_report.report.paper.layout import Column, Table
 
 
 def tilting(losses: Iterable[PairLoss | Loss], table: Numbers, page: Page) -> Markup | None:
@@ -43,7 +44,7 @@ def tilted(loss: PairLoss | Loss) -> Any:
     return np.flatnonzero(more > STILL * np.nanmax(loss.pressing, initial=0.0))
 
 
-class CorrectedView:
+class CorrectedView(BookView):
     def __init__(
         self,
         found: FrictionFound,
@@ -52,11 +53,11 @@ class CorrectedView:
         position: int,
         page: Page,
     ):
+        super().__init__(page, Book.of(q.tables(found), q.values(found)))
         self.found, self.correction, self.position = found, correction, position
-        self.kinetostatics, self.page, self.t = kinetostatics, page, page.t
-        self.book = Book.of(q.tables(found), q.values(found))
-        self.moments = self.book.tables["friction_corrected_table"]
-        self.reactions = self.book.tables["friction_reactions_table"]
+        self.kinetostatics = kinetostatics
+        self.moments = self.table("friction_corrected_table")
+        self.reactions = self.table("friction_reactions_table")
         self.pairs = [loss.pair for loss in found.table.pairs]
 
     def conclusions(self) -> list[Markup]:
@@ -66,19 +67,17 @@ class CorrectedView:
             "With friction in the reactions the largest balancing moment is %(growth)s times that without friction, "
             "the mean efficiency is %(eta)s."
         )
-        return [self.t(text, growth=self.number("M_growth"), eta=self.number("eta_corrected_mean"))]
-
-    def number(self, key: str, digits: int = 4) -> Markup:
-        return self.page.shown(self.book[key], digits=digits)
+        growth, eta = (self.number(key, digits=4) for key in ("M_growth", "eta_corrected_mean"))
+        return [self.t(text, growth=growth, eta=eta)]
 
     @property
     def steps(self) -> Markup:
-        return self.page.shown(self.book["friction_steps"], places=0)
+        return self.number("friction_steps", places=0)
 
     @property
     def worst(self) -> Markup:
         """Of both ways to the moment: noise is told as nothing."""
-        return self.page.shown(self.book["friction_disagreement"], digits=2, scale=1e-30)
+        return self.number("friction_disagreement", digits=2, scale=1e-30)
 
     # ------------------------------------------------------------ the slider that tilts
 
@@ -99,7 +98,7 @@ class CorrectedView:
         presses: Expr = self.reactions.var(c.corrected_reaction(pair).key, k)
         if k in tilted(loss):
             couple = self.reactions.var(c.corrected_couple(pair).key, k)
-            presses = 2 * abs(couple) / self.book.tables["friction_given"].var("l", row)
+            presses = 2 * abs(couple) / self.table("friction_given").var("l", row)
         scale = float(np.nanmax(loss.pressing))
         return self.reactions.formula(c.corrected_pressing(pair).key, k, presses, scale=scale)
 
@@ -112,9 +111,9 @@ class CorrectedView:
         return [self._loss(row, loss) for row, loss in enumerate(self.correction.table.pairs)]
 
     def _loss(self, row: int, loss: Loss) -> Formula:
-        pair, k, stated = loss.pair, self.position, self.book.tables["friction_given"]
+        pair, k, stated = loss.pair, self.position, self.table("friction_given")
         diameter = self.found.table.pairs[row].rubbing.diameter
-        rate = self.book.tables["friction_table"].var(q.rate(pair).key, k)
+        rate = self.table("friction_table").var(q.rate(pair).key, k)
         friction: Expr = stated.var("f", row)
         if pair.kind == "R":
             arm = stated.var("d", row) if diameter else Var("d", 0.0, "m", ref=stated.ref("d", row))
@@ -141,7 +140,7 @@ class CorrectedView:
         return not np.isfinite(self.moments["eta_corrected"].values[self.position])
 
     def efficiency(self) -> Formula:
-        driving = self.book.tables["friction_table"].var("P_drive", self.position)
+        driving = self.table("friction_table").var("P_drive", self.position)
         lost = self.moments.var("P_fr_corrected", self.position)
         return self.moments.formula("eta_corrected", self.position, driving / (driving + lost), digits=4)
 
@@ -149,34 +148,29 @@ class CorrectedView:
 
     def compared(self, caption: Any) -> Table:
         """Balancing moment without friction, in first approximation and corrected; power lost, efficiency."""
-        page = self.page
-        balancing = page.once(forces.book, self.kinetostatics).tables["balancing_table"]
-        columns = [page.column(balancing, "M_bal")]
-        columns += [page.column(self.moments, key) for key in ("M_first", "M_bal_fr", "P_fr_corrected")]
-        columns.append(page.column(self.moments, "eta_corrected", digits=4))
-        return numeric(caption, page.positions(self.moments), columns)
+        balancing = self.page.once(forces.book, self.kinetostatics).tables["balancing_table"]
+        without, name = self.page.column(balancing, "M_bal"), self.moments.name
+        eta = self.column(name, "eta_corrected", digits=4)
+        return self.by_positions(caption, name, [without, "M_first", "M_bal_fr", "P_fr_corrected", eta])
 
     def pressed(self, caption: Any) -> Table:
         """Reactions without friction and with it, pair by pair."""
-        before, columns = self.book.tables["friction_table"], []
+        columns: list[str | Column] = []
         for pair, loss in zip(self.pairs, self.correction.table.pairs, strict=True):
-            columns.append(self.page.column(before, q.borne(pair).key))
-            columns.append(self.page.column(self.reactions, c.corrected_reaction(pair).key))
-            if loss.couple is not None:
-                columns.append(self.page.column(self.reactions, c.corrected_pressing(pair).key))
-        return numeric(caption, self.page.positions(self.reactions), columns)
+            columns += [self.column("friction_table", q.borne(pair).key), c.corrected_reaction(pair).key]
+            columns += [c.corrected_pressing(pair).key] if loss.couple is not None else []
+        return self.by_positions(caption, self.reactions.name, columns)
 
     def diagram(self) -> Graph:
-        kinematics, found = self.kinetostatics.kinematics, self.correction.diagram
-        closed = kinematics.positions.table if kinematics.cycle.closed else 0
-        graphs = CycleGraphs(kinematics.diagram_turned, closed, self.page.tr)
-        say = self.page.tr.gettext
-        curves = [
-            Curve(found.without, say(N_("without friction")), 0, extremes=()),
-            Curve(found.first, say(N_("first approximation")), 0, extremes=()),
-            Curve(found.moment, say(N_("corrected")), 0),
-            Curve(self.found.diagram.efficiency, say(N_("first approximation")), 1, extremes=()),
-            Curve(found.efficiency, say(N_("corrected")), 1),
+        say, name = self.page.tr.gettext, "friction_corrected_diagram"
+        without, first, corrected = map(
+            say, (N_("without friction"), N_("first approximation"), N_("corrected"))
+        )
+        lines = [
+            Line(c.ANY_MOMENT.column(self.correction.diagram.without), without),
+            Line(self.of(name, "M_first"), first),
+            Line(self.of(name, "M_bal_fr"), corrected, extremes=None),
+            Line(c.ANY_EFFICIENCY.column(self.found.diagram.efficiency), first, 1),
+            Line(self.of(name, "eta_corrected"), corrected, 1, extremes=None),
         ]
-        labels = [graphs.letter(Symbol("M"), "N·m"), graphs.letter(Symbol("eta", c.FR), "")]
-        return graphs.graph(curves, labels, join=False)
+        return self.over_cycle(name, lines, self.kinetostatics.kinematics.numbered, join=False)

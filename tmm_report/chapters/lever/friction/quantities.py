@@ -20,7 +20,7 @@ LOSSES = Message(N_("friction power and instantaneous efficiency"))
 
 COEFFICIENT = Quantity("f", Symbol("f"), "", Message(N_("coefficient of friction")))
 DIAMETER = Quantity("d", Symbol("d"), "m", Message(N_("diameter of the journal")))
-LENGTH = Quantity("l", Symbol("l"), "m", Message(N_("length of the slider")))
+LENGTH = Quantity("l", Symbol("l"), "m", Message(N_("length of the slider")), "mm")
 TOTAL = Quantity("P_fr", Symbol("P", "fr"), "W", Message(N_("power of friction in all the pairs")))
 DRIVING = Quantity("P_drive", Symbol("P", "1"), "W", Message(N_("power of the balancing moment")))
 REDUCED = Quantity(

@@ -13,7 +13,7 @@ from tmm_report.chapters.lever.friction.corrected_view import CorrectedView, til
 from tmm_report.chapters.lever.friction.solve import FrictionFound, PairLoss
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as forces
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
-from tmm_report.figures.charts.graphs import Curve, Graph
+from tmm_report.figures.charts.graphs import Graph
 from tmm_report.mechanics.lever.assur_groups import Pair
 from tmm_report.mechanics.pairs.materials import Range, Stock
 from tmm_report.problems import N_
@@ -21,9 +21,9 @@ from tmm_report.quantity.formula import Expr, Formula, Var
 from tmm_report.quantity.model import Book
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol
-from tmm_report.report.diagrams import CycleGraphs
+from tmm_report.report.chapter_view import BookView
 from tmm_report.report.page import Page
-from tmm_report.report.paper.layout import Cell, Table, numeric, worded
+from tmm_report.report.paper.layout import Cell, Table, worded
 from tmm_report.report.part import Part
 from tmm_report.report.words import PAIR_KINDS
 
@@ -53,12 +53,11 @@ def _view(lever: LeverFound, page: Page) -> FrictionView | None:
     return page.once(FrictionView, lever.friction, lever.kinetostatics, lever.sample, page)
 
 
-class FrictionView:
+class FrictionView(BookView):
     def __init__(self, found: FrictionFound, kinetostatics: Kinetostatics, position: int, page: Page):
-        self.found, self.position, self.page, self.t = found, position, page, page.t
-        self.kinetostatics = kinetostatics
-        self.book = Book.of(q.tables(found), q.values(found))
-        self.table = self.book.tables["friction_table"]
+        super().__init__(page, Book.of(q.tables(found), q.values(found)))
+        self.found, self.position, self.kinetostatics = found, position, kinetostatics
+        self.stated, self.lost = self.table("friction_given"), self.table("friction_table")
         self.pairs = [loss.pair for loss in found.table.pairs]
 
     def conclusions(self) -> list[Markup]:
@@ -73,19 +72,17 @@ class FrictionView:
         text = N_(
             "The mean power of friction over the cycle is %(power)s W, the mean efficiency of the mechanism is %(eta)s."
         )
-        power = self.page.shown(self.book["P_fr_mean"])
-        return self.t(text, power=power, eta=self.page.shown(self.book["eta_mean"], digits=4))
+        return self.t(text, power=self.number("P_fr_mean"), eta=self.number("eta_mean", digits=4))
 
-    def explained(self, key: str) -> dict[str, Any]:
+    def column_explained(self, key: str) -> dict[str, Any]:
         """An item of a "where" list."""
-        table = self.book.tables["friction_given"]
-        column = table[key] if key in table else self.table[key]
+        column = (self.stated if key in self.stated else self.lost)[key]
         return self.page.explained(key, column, column.unit)
 
     # ------------------------------------------------------------ tables
 
-    def stated(self, caption: Any) -> Table:
-        table = self.book.tables["friction_given"]
+    def given(self, caption: Any) -> Table:
+        table = self.stated
         journals = any(loss.rubbing.diameter for loss in self.found.table.pairs)
         rows = [
             [
@@ -103,22 +100,22 @@ class FrictionView:
 
     def lengths(self) -> Markup | None:
         """Of the sliders that have one stated, by their guides; None where there are none."""
-        table, losses = self.book.tables["friction_given"], self.found.table.pairs
-        lines = [self._length(table, row) for row, loss in enumerate(losses) if loss.rubbing.length]
+        losses = enumerate(self.found.table.pairs)
+        lines = [self._length(row, loss.pair.name) for row, loss in losses if loss.rubbing.length]
         return self.page.listed(lines) if lines else None
 
-    def _length(self, table: Any, row: int) -> Markup:
-        text, name = N_("%(length)s in guide %(name)s"), self.found.table.pairs[row].pair.name
-        return self.t(text, name=name, length=self.page.value(table.var("l", row, "mm")))
+    def _length(self, row: int, name: str) -> Markup:
+        length = self.page.value(self.stated.var("l", row, q.LENGTH.shown))
+        return self.t(N_("%(length)s in guide %(name)s"), name=name, length=length)
 
     def materials(self, caption: Any) -> Table | None:
         """Materials with the ranges of their coefficients; None where none are stated."""
-        table = self.book.tables.get("friction_materials")
-        if table is None:
+        if not self.has("friction_materials"):
             return None
+        table = self.table("friction_materials")
         stocks = [loss.rubbing.stock for loss in self.found.table.pairs if loss.rubbing.stock is not None]
         rows = [self._materials(table, row, stock) for row, stock in enumerate(stocks)]
-        phi = self.page.head(table["phi_fr"].symbol(), "deg")
+        phi = self.page.head(table["phi_fr"].symbol(), table["phi_fr"].unit)
         heads = [
             self.t("Point, guide"), self.t("Materials"), self.t("Friction"),
             self.t("Range of the coefficient"), self.t("At rest"), phi,
@@ -150,15 +147,10 @@ class FrictionView:
 
     def losses(self, caption: Any) -> Table:
         """Power lost in each pair, in all of them, and the efficiency."""
-        keys = [
-            *(q.lost(loss.pair, self.pairs).key for loss in self.found.table.pairs),
-            "P_fr",
-            "P_drive",
-            "T_fr",
-        ]
-        columns = [self.page.column(self.table, key) for key in keys]
-        columns.append(self.page.column(self.table, "eta", digits=4))
-        return numeric(caption, self.page.positions(self.table), columns)
+        keys = [*(q.lost(pair, self.pairs).key for pair in self.pairs), "P_fr", "P_drive", "T_fr"]
+        return self.by_positions(
+            caption, "friction_table", [*keys, self.column("friction_table", "eta", digits=4)]
+        )
 
     # ------------------------------------------------------------ the slider that tilts
 
@@ -173,7 +165,7 @@ class FrictionView:
         return any(self.position in tilted(loss) for _, loss in self.guides)
 
     def tilting(self) -> Markup | None:
-        return tilting(self.found.table.pairs, self.table, self.page)
+        return tilting(self.found.table.pairs, self.lost, self.page)
 
     # ------------------------------------------------------------ formulas of the sample position
 
@@ -185,16 +177,16 @@ class FrictionView:
     def _pressing(self, row: int, loss: PairLoss) -> Formula:
         """The reaction, or where the slider tilts the sum of the forces at its ends."""
         pair, k = loss.pair, self.position
-        presses: Expr = self.table.var(q.borne(pair).key, k)
+        presses: Expr = self.lost.var(q.borne(pair).key, k)
         if k in tilted(loss):
-            length = self.book.tables["friction_given"].var("l", row)
-            presses = 2 * abs(self.table.var(q.couple(pair).key, k)) / length
-        return self.table.formula(q.pressing(pair).key, k, presses, scale=float(np.nanmax(loss.pressing)))
+            length = self.stated.var("l", row)
+            presses = 2 * abs(self.lost.var(q.couple(pair).key, k)) / length
+        return self.lost.formula(q.pressing(pair).key, k, presses, scale=float(np.nanmax(loss.pressing)))
 
     def _loss(self, row: int, loss: PairLoss) -> Formula:
-        pair, k, stated = loss.pair, self.position, self.book.tables["friction_given"]
+        pair, k, stated = loss.pair, self.position, self.stated
         presses = q.borne if loss.couple is None else q.pressing
-        friction = stated.var("f", row) * self.table.var(presses(pair).key, k)
+        friction = stated.var("f", row) * self.lost.var(presses(pair).key, k)
         if pair.kind == "R":
             arm = (
                 stated.var("d", row)
@@ -202,15 +194,14 @@ class FrictionView:
                 else Var("d", 0.0, "m", ref=stated.ref("d", row))
             )
             friction = friction * (arm / 2)
-        rate = self.table.var(q.rate(pair).key, k)
-        return self.table.formula(q.lost(pair, self.pairs).key, k, friction * rate)
+        rate = self.lost.var(q.rate(pair).key, k)
+        return self.lost.formula(q.lost(pair, self.pairs).key, k, friction * rate)
 
     def driving_power(self) -> Formula:
         balancing = self.page.once(forces.book, self.kinetostatics).tables["balancing_table"]
         power = abs(balancing.var("M_bal", self.position)) * self._omega()
-        return self.table.formula(
-            "P_drive", self.position, power, scale=float(self.found.table.driving.max())
-        )
+        scale = float(self.found.table.driving.max())
+        return self.lost.formula("P_drive", self.position, power, scale=scale)
 
     @property
     def idle(self) -> bool:
@@ -218,21 +209,21 @@ class FrictionView:
         return not np.isfinite(self.found.table.efficiency[self.position])
 
     def efficiency(self) -> Formula:
-        driving = self.table.var("P_drive", self.position)
-        lost = self.table.var("P_fr", self.position)
-        return self.table.formula("eta", self.position, driving / (driving + lost), digits=4)
+        driving = self.lost.var("P_drive", self.position)
+        lost = self.lost.var("P_fr", self.position)
+        return self.lost.formula("eta", self.position, driving / (driving + lost), digits=4)
 
     def reduced(self) -> Formula:
         """The moment of friction reduced to the driving link."""
-        lost = self.table.var("P_fr", self.position)
-        return self.table.formula("T_fr", self.position, lost / self._omega())
+        lost = self.lost.var("P_fr", self.position)
+        return self.lost.formula("T_fr", self.position, lost / self._omega())
 
     def by_moments(self) -> Formula:
         """The efficiency once more, by moments."""
         balancing = self.page.once(forces.book, self.kinetostatics).tables["balancing_table"]
         useful = abs(balancing.var("M_bal", self.position))
-        reduced = self.table.var("T_fr", self.position)
-        return self.table.formula("eta", self.position, useful / (useful + reduced), digits=4)
+        reduced = self.lost.var("T_fr", self.position)
+        return self.lost.formula("eta", self.position, useful / (useful + reduced), digits=4)
 
     def _omega(self) -> Var:
         kinematics = self.kinetostatics.kinematics
@@ -242,9 +233,5 @@ class FrictionView:
     # ------------------------------------------------------------ diagram
 
     def diagram(self) -> Graph:
-        kinematics, losses = self.kinetostatics.kinematics, self.found.diagram
-        closed = kinematics.positions.table if kinematics.cycle.closed else 0
-        graphs = CycleGraphs(kinematics.diagram_turned, closed, self.page.tr)
-        curves = [Curve(losses.total, panel=0), Curve(losses.efficiency, panel=1)]
-        labels = [graphs.letter(Symbol("P", "fr"), "W"), graphs.letter(Symbol("eta"), "")]
-        return graphs.graph(curves, labels, join=False)
+        numbered = self.kinetostatics.kinematics.numbered
+        return self.over_cycle("friction_diagram", ("P_fr", "eta"), numbered, join=False)

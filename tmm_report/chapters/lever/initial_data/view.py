@@ -16,6 +16,7 @@ from tmm_report.mechanics.lever.mechanism import FRAME, Guide, Link, Mechanism, 
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import PI, Formula
 from tmm_report.quantity.model import Book, variable
+from tmm_report.report.chapter_view import BookView
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.part import Part
@@ -39,12 +40,10 @@ def picture(lever: LeverFound, page: Page) -> Drawing:
     return schemes_of(lever, page).one(lever.sample)
 
 
-class InitialData:
+class InitialData(BookView):
     def __init__(self, mechanism: Mechanism, schemes: Schemes, position: int, page: Page):
-        self.mechanism, self.schemes, self.page = mechanism, schemes, page
-        self.position = position
-        self.book = Book.of(q.given_tables(mechanism), q.given_values(mechanism, schemes.scale))
-        self.t = page.t
+        super().__init__(page, Book.of(q.given_tables(mechanism), q.given_values(mechanism, schemes.scale)))
+        self.mechanism, self.schemes, self.position = mechanism, schemes, position
 
     def conclusions(self) -> list[Markup]:
         return []
@@ -58,22 +57,21 @@ class InitialData:
 
     def turns(self) -> Markup:
         """In which sense the driving link turns."""
-        speed = self.book["omega"]
+        speed = self.value("omega")
         return self.page.said(Cell(str(sense(speed.value, self.page)), speed.ref()))
 
     def omega(self) -> Markup:
-        return self.page.value(self.book["omega"].var(size=True))
+        return self.page.value(self.value("omega").var(size=True))
 
     def from_period(self) -> Formula | None:
         """The angular velocity from the time of a turn; None where the speed itself is stated."""
-        if "T_turn" not in self.book.values:
+        if not self.knows("T_turn"):
             return None
-        return self.book["omega"].formula(2 * PI / self.book["T_turn"].var(), size=True)
+        return self.value("omega").formula(2 * PI / self.var("T_turn"), size=True)
 
     def speed(self) -> Formula:
         """Revolutions a minute from the angular velocity."""
-        omega = self.book["omega"].var(size=True)
-        return self.book["n_1"].formula(30 * omega / PI)
+        return self.value("n_1").formula(30 * self.value("omega").var(size=True) / PI)
 
     def zero(self) -> Markup:
         """Which position counts as position 0."""
@@ -96,8 +94,8 @@ class InitialData:
             "The cycle takes %(turns)s turns of the driving link, %(angle)s° in %(time)s s: the motion repeats with "
             "every turn, the loads with every cycle."
         )
-        turns, angle = (self.page.shown(self.book[key], places=0) for key in ("turns", "phi_cycle"))
-        return self.t(text, turns=turns, angle=angle, time=self.page.shown(self.book["T_cycle"]))
+        turns, angle = (self.number(key, places=0) for key in ("turns", "phi_cycle"))
+        return self.t(text, turns=turns, angle=angle, time=self.number("T_cycle"))
 
     def scheme(self) -> Drawing:
         return self.schemes.one(self.position)
@@ -113,7 +111,7 @@ class InitialData:
         return worded(caption, [self.t("Link"), self.t("Points"), self.t("Dimensions")], rows, (1, 2, 7))
 
     def _sizes(self, link: Link) -> Markup:
-        table = self.book.tables["dimensions"]
+        table = self.table("dimensions")
         told = [
             self.page.value(variable(quantity, size, ref=table.by_key(quantity.key, "length")))
             for quantity, size in q.sizes(link.points)
@@ -127,15 +125,9 @@ class InitialData:
         return len(self.mechanism.links[FRAME].points) > 1
 
     def fixed_points(self, caption: Any) -> Table:
-        table = self.book.tables["fixed_points"]
-        columns = [self._single(table, "x"), self._single(table, "y")]
+        table = self.table("fixed_points")
+        columns = [self.page.singles(table, key) for key in ("x", "y")]
         return numeric(caption, self._names(table, "point", self.t("Point")), columns)
-
-    def _single(self, table: Any, key: str) -> Column:
-        """A column of numbers that have each its own decimals."""
-        column = table[key]
-        cells = [self.page.cell(table, key, row) for row in range(len(table))]
-        return Column(self.page.head(column.symbol(), column.unit), cells)
 
     def _names(self, table: Any, key: str, head: Markup) -> Column:
         cells = [self.page.word(name, table, key, row) for row, name in enumerate(table[key].values)]
@@ -144,7 +136,7 @@ class InitialData:
     @property
     def heavy(self) -> bool:
         """Whether a link has a mass."""
-        return "masses" in self.book.tables
+        return self.has("masses")
 
     @property
     def inert(self) -> bool:
@@ -152,17 +144,13 @@ class InitialData:
         return any(link.inertia for link in q.heavy_links(self.mechanism))
 
     def masses(self, caption: Any) -> Table:
-        table = self.book.tables["masses"]
+        table = self.table("masses")
         centres = [
             self.page.word(name or "—", table, "mass_centre", row)
             for row, name in enumerate(table["mass_centre"].values)
         ]
-        inertias = [self.page.cell(table, "J", row) for row in range(len(table))]
-        columns = [
-            self._single(table, "m"),
-            Column(self.t("Mass centre"), centres),
-            Column(self.page.head("J", "kg·m²"), inertias),
-        ]
+        mass, inertia = (self.page.singles(table, key) for key in ("m", "J"))
+        columns = [mass, Column(self.t("Mass centre"), centres), inertia]
         return numeric(caption, self._names(table, "link", self.t("Link")), columns)
 
     def steiner(self) -> list[Formula]:
@@ -171,7 +159,7 @@ class InitialData:
         return [self._steiner(row) for row, link in enumerate(heavy) if link.stated]
 
     def _steiner(self, row: int) -> Formula:
-        table = self.book.tables["masses"]
+        table = self.table("masses")
         away = table.var("m", row) * table.var("l_about", row) ** 2
         return table.formula("J", row, table.var("J_about", row) - away)
 

@@ -96,14 +96,14 @@ def _method(choice: Choice) -> tuple[Column, ...]:
 # ---------------------------------------------------------------- outputs
 
 SLIDER = (
-    ("S", "S", "m", N_("displacement of slider %(name)s from position 0")),
-    ("V", "V", "m/s", N_("velocity of slider %(name)s")),
-    ("A", "a", "m/s²", N_("acceleration of slider %(name)s")),
+    ("S", "S", "m", "", N_("displacement of slider %(name)s from position 0")),
+    ("V", "V", "m/s", "", N_("velocity of slider %(name)s")),
+    ("A", "a", "m/s²", "", N_("acceleration of slider %(name)s")),
 )
 ROCKER = (
-    ("psi", "psi", "rad", N_("angle of link %(name)s from position 0")),
-    ("omega", "omega", "rad/s", N_("angular velocity of link %(name)s")),
-    ("epsilon", "epsilon", "rad/s²", N_("angular acceleration of link %(name)s")),
+    ("psi", "psi", "rad", "deg", N_("angle of link %(name)s from position 0")),
+    ("omega", "omega", "rad/s", "", N_("angular velocity of link %(name)s")),
+    ("epsilon", "epsilon", "rad/s²", "", N_("angular acceleration of link %(name)s")),
 )
 
 
@@ -115,8 +115,8 @@ def motion_of(output: Output) -> tuple[Quantity, Quantity, Quantity]:
 @kept
 def _motion_of(kind: str, name: str) -> tuple[Quantity, Quantity, Quantity]:
     displacement, velocity, acceleration = (
-        Quantity(f"{key}_{name}", Symbol(base, name), unit, Message(text, {"name": name}))
-        for key, base, unit, text in (SLIDER if kind == "slider" else ROCKER)
+        Quantity(f"{key}_{name}", Symbol(base, name), unit, Message(text, {"name": name}), shown)
+        for key, base, unit, shown, text in (SLIDER if kind == "slider" else ROCKER)
     )
     return displacement, velocity, acceleration
 
@@ -199,7 +199,8 @@ def stroke(travel: Travel) -> Value:
         N_("stroke of slider %(name)s") if slider else N_("swing of link %(name)s"), {"name": name}
     )
     symbol = Symbol("H" if slider else "psi", name)
-    return Quantity(f"H_{name}", symbol, "m" if slider else "rad", meaning).value(travel.stroke)
+    unit, shown = ("m", "") if slider else ("rad", "deg")
+    return Quantity(f"H_{name}", symbol, unit, meaning, shown).value(travel.stroke)
 
 
 def extremes(travel: Travel) -> Iterator[tuple[Value, Value]]:
@@ -215,4 +216,4 @@ def extremes(travel: Travel) -> Iterator[tuple[Value, Value]]:
 
 
 def _extreme(key: str, of: Quantity, meaning: Message, extreme: Extreme) -> Value:
-    return Quantity(key, of.symbol, of.unit, meaning).value(extreme.value, extreme.turned, extreme.side)
+    return replace(of, key=key, meaning=meaning).value(extreme.value, extreme.turned, extreme.side)

@@ -77,6 +77,7 @@ ADMITTED = Quantity(
     Symbol("epsilon", NP_("index", "adm")),
     "",
     Message(N_("relative error that is admitted of what is taken from a table")),
+    "%",
 )
 RECOMMENDED = Quantity(
     "counts_recommended", Symbol("N", NP_("index", "rec")), "", Message(N_("recommended number of positions"))

@@ -16,6 +16,7 @@ from tmm_report.mechanics.rivals.model import Method
 from tmm_report.problems import N_
 from tmm_report.quantity import model
 from tmm_report.quantity.model import Book
+from tmm_report.report.chapter_view import BookView
 from tmm_report.report.diagrams import letter
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import DASH, Cell, Table, worded
@@ -37,10 +38,10 @@ def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
             yield Part("lever/methods/counts", view)
 
 
-class MethodsView:
+class MethodsView(BookView):
     def __init__(self, found: Found, page: Page):
-        self.found, self.page, self.t = found, page, page.t
-        self.book = Book.of(q.tables(found), q.values(found))
+        super().__init__(page, Book.of(q.tables(found), q.values(found)))
+        self.found = found
 
     def conclusions(self) -> list[Markup]:
         text = N_(
@@ -53,11 +54,11 @@ class MethodsView:
 
     @property
     def accuracy(self) -> Markup:
-        return self.page.shown(self.book["methods_accuracy"], digits=2, scale=0)
+        return self.number("methods_accuracy", digits=2, scale=0)
 
     @property
     def floor(self) -> Markup:
-        return self.page.shown(self.book["methods_floor"], digits=1, scale=0)
+        return self.number("methods_floor", digits=1, scale=0)
 
     @property
     def stated(self) -> bool:
@@ -70,9 +71,9 @@ class MethodsView:
     def name(self, method: Method[Any, Any]) -> str:
         return method_name(method, self.page.tr)
 
-    def table(self, family: Family, caption: Any) -> Table:
+    def tried(self, family: Family, caption: Any) -> Table:
         """Every method at every number of positions."""
-        table, page = self.book.tables[f"methods_{family.key}"], self.page
+        table, page = self.table(f"methods_{family.key}"), self.page
         heads = [
             self.t("Method"),
             *(page.head(table[key].symbol()) for key in ("count", "cost", *family.kinds)),
@@ -94,7 +95,7 @@ class MethodsView:
         return worded(caption, heads, rows, (6, 1, 1, *(2 for _ in family.kinds), 4))
 
     def _remark(self, family: Family, row: int) -> Markup | str:
-        one, table = family.rows[row], self.book.tables[f"methods_{family.key}"]
+        one, table = family.rows[row], self.table(f"methods_{family.key}")
         if one.broken is not None:
             return self.t(BROKE)
         if any(error != error for error in one.errors.values()):
@@ -103,8 +104,8 @@ class MethodsView:
             return self.page.word(self.t("nothing is both cheaper and more accurate"), table, "front", row)
         return DASH
 
-    def where(self, family: Family) -> list[dict[str, Any]]:
-        table, page = self.book.tables[f"methods_{family.key}"], self.page
+    def where_tried(self, family: Family) -> list[dict[str, Any]]:
+        table, page = self.table(f"methods_{family.key}"), self.page
         return [page.explained(key, table[key]) for key in ("count", "cost", *family.kinds)]
 
     def refused(self, family: Family) -> list[Markup]:
@@ -129,15 +130,15 @@ class MethodsView:
 
     def taken(self, family: Family) -> Markup | Cell:
         """The cheapest that holds the accuracy, in words."""
-        table, row = self.book.tables["methods_chosen"], self._row(family)
+        table, row = self.table("methods_chosen"), self._row(family)
         assert family.best is not None
         return self.page.said(Cell(self.name(family.best.method), table.ref("method", row)))
 
     def chosen(self, family: Family, key: str, **form: Any) -> Markup:
-        return self.page.shown(self.book.tables["methods_chosen"], key, self._row(family), **form)
+        return self.page.shown(self.table("methods_chosen"), key, self._row(family), **form)
 
     def _row(self, family: Family) -> int:
-        return list(self.book.tables["methods_chosen"]["of"].values).index(family.key)
+        return list(self.table("methods_chosen")["of"].values).index(family.key)
 
     def together(self, family: Family) -> tuple[str, str]:
         """The positions asked in all, and what they are the sum of."""
@@ -147,11 +148,11 @@ class MethodsView:
 
     @property
     def admitted(self) -> Markup:
-        return self.page.shown(self.book["counts_accuracy"], unit="%", digits=2, scale=0)
+        return self.number("counts_accuracy", digits=2, scale=0)
 
     def counts(self, caption: Any) -> Table:
         """Errors by the number of positions."""
-        table, page = self.book.tables["methods_counts"], self.page
+        table, page = self.table("methods_counts"), self.page
         heads = [page.head(column.symbol()) for column in table.columns]
         rows = [
             [page.cell(table, column.key, row, digits=1, scale=0) if k else page.cell(table, "count", row)
@@ -161,7 +162,7 @@ class MethodsView:
         return worded(caption, heads, rows, (1, *(2 for _ in heads[1:])))
 
     def where_counts(self) -> list[dict[str, Any]]:
-        columns = self.book.tables["methods_counts"].columns[1:]
+        columns = self.table("methods_counts").columns[1:]
         return [self.page.explained(f"counts {column.key}", column) for column in columns]
 
     def counts_chart(self) -> Drawing:
@@ -177,7 +178,7 @@ class MethodsView:
 
     def enough(self) -> list[Markup]:
         """Of what is taken from the table, how many positions are enough."""
-        table = self.book.tables["methods_enough"]
+        table = self.table("methods_enough")
         return [self._enough(table, row, key) for row, key in enumerate(table["of"].values)]
 
     def _enough(self, table: model.Table, row: int, key: str) -> Markup:
@@ -190,5 +191,4 @@ class MethodsView:
     @property
     def recommended(self) -> Markup | None:
         """The number of positions from which on all errors are admitted; None where none of those tried is enough."""
-        value = self.book.values.get("counts_recommended")
-        return self.page.shown(value) if value is not None else None
+        return self.number("counts_recommended") if self.knows("counts_recommended") else None

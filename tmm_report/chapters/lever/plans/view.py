@@ -21,9 +21,10 @@ from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Formula, Number, Var
 from tmm_report.quantity.model import Book
 from tmm_report.quantity.symbols import segment
+from tmm_report.report.chapter_view import BookView
 from tmm_report.report.comparison import comparison_table
 from tmm_report.report.page import Page
-from tmm_report.report.paper.layout import Column, Table, numeric, worded
+from tmm_report.report.paper.layout import Table, worded
 from tmm_report.report.part import Part
 from tmm_report.report.words import group_name
 
@@ -40,14 +41,13 @@ def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
     yield Part("lever/plans", PlansView(lever.plans, page))
 
 
-class PlansView:
+class PlansView(BookView):
     difference = DIFFERENCE
     group = staticmethod(group_name)
 
     def __init__(self, found: Plans, page: Page):
-        self.found, self.page, self.t = found, page, page.t
-        self.named = found.named
-        self.book = Book.of(q.tables(found), q.values(found))
+        super().__init__(page, Book.of(q.tables(found), q.values(found)))
+        self.found, self.named = found, found.named
         self.picture = cache(self._picture)
 
     def conclusions(self) -> list[Markup]:
@@ -64,16 +64,12 @@ class PlansView:
         return [self.t(within if self.found.worst <= LIMIT else beyond, worst=self.worst())]
 
     def worst(self) -> Markup:
-        return self.page.shown(self.book["delta_max"], digits=3)
+        return self.number("delta_max", digits=3)
 
     def accuracy(self) -> Markup:
-        return self.page.shown(self.book["accuracy"])
+        return self.number("accuracy")
 
     # ------------------------------------------------------------ scales
-
-    def scale(self, key: str) -> Markup:
-        """ "mu_v" or "mu_a" with its value."""
-        return self.page.value(self.book[key].var())
 
     def chosen(self) -> list[Formula]:
         """The scales that follow from segments chosen."""
@@ -85,7 +81,7 @@ class PlansView:
         of = (
             MU_L.value(choice.scale)
             if kind == "length"
-            else self.book["mu_v" if kind == "velocity" else "mu_a"]
+            else self.value("mu_v" if kind == "velocity" else "mu_a")
         )
         return of.formula(value.var() / drawn.var())
 
@@ -122,19 +118,13 @@ class PlansView:
         return self._of_plans(caption, f"plan_values_{kind}", digits=5)
 
     def _of_plans(self, caption: Any, name: str, digits: int) -> Table:
-        table = self.book.tables[name]
-        columns = [
-            Column(
-                self.page.head(column.symbol(), column.unit),
-                [self.page.cell(table, column.key, row, digits=digits) for row in range(len(table))],
-            )
-            for column in table.columns[1:]
-        ]
-        return numeric(caption, self.page.positions(table), columns)
+        table = self.table(name)
+        columns = [self.page.singles(table, one.key, digits=digits) for one in table.columns[1:]]
+        return self.by_positions(caption, name, columns)
 
     def projections(self, caption: Any, plan: Plan, number: int) -> Table:
         """Coefficients of a group's unknown rates, right sides, and the solution in the last row."""
-        table = self.book.tables[q.equations_name(plan, number)]
+        table = self.table(q.equations_name(plan, number))
         unknown = table.columns[1:-1]
         last = len(table) - 1
         rows = [
@@ -151,7 +141,7 @@ class PlansView:
 
     def senses(self, caption: Any, plan: Plan) -> Table:
         """How the senses of a plan's angular velocities or accelerations are found, a row a link."""
-        table = self.book.tables[q.senses_name(plan)]
+        table = self.table(q.senses_name(plan))
         heads = [self.t("Link"), self.t("Vector"), self.t("Moved to the point"), self.t("Turns the link")]
         rows = [
             [
@@ -172,5 +162,5 @@ class PlansView:
         ]
 
     def comparison(self, caption: Any, drawn: Drawn) -> Table:
-        table = self.book.tables[f"comparison_{drawn.position}"]
+        table = self.table(f"comparison_{drawn.position}")
         return comparison_table(self.page, caption, table, self.named, drawn.position)

@@ -12,15 +12,16 @@ from tmm_report.chapters.lever.initial_data import quantities as initial
 from tmm_report.chapters.lever.kinematics import quantities as rates
 from tmm_report.chapters.lever.reduction import quantities as q
 from tmm_report.chapters.lever.reduction.solve import Reduction
-from tmm_report.figures.charts.graphs import Curve, Graph
+from tmm_report.figures.charts.graphs import Graph
 from tmm_report.mechanics.lever.vector_equations import moving_points, turning_links
 from tmm_report.problems import N_
 from tmm_report.quantity import model
 from tmm_report.quantity.formula import Expr, Formula
 from tmm_report.quantity.model import Book
-from tmm_report.report.diagrams import CycleGraphs, points
+from tmm_report.report.chapter_view import BookView
+from tmm_report.report.diagrams import Line, points
 from tmm_report.report.page import Page
-from tmm_report.report.paper.layout import Table, numeric
+from tmm_report.report.paper.layout import Table
 from tmm_report.report.part import Part
 
 if TYPE_CHECKING:
@@ -32,10 +33,10 @@ def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
         yield Part("lever/reduction", ReductionView(lever.reduction, lever.sample, page))
 
 
-class ReductionView:
+class ReductionView(BookView):
     def __init__(self, found: Reduction, position: int, page: Page):
-        self.found, self.position, self.page, self.t = found, position, page, page.t
-        self.book = Book.of(q.tables(found), q.values(found))
+        super().__init__(page, Book.of(q.tables(found), q.values(found)))
+        self.found, self.position = found, position
         self.mechanism = found.kinematics.linkage.mechanism
 
     def conclusions(self) -> list[Markup]:
@@ -48,8 +49,7 @@ class ReductionView:
                 "it are given."
             )
             return [self.t(text)]
-        low, high = (self.page.shown(self.book[f"I_red_{end}"]) for end in ("min", "max"))
-        return [self.t(text, low=low, high=high)]
+        return [self.t(text, low=self.number("I_red_min"), high=self.number("I_red_max"))]
 
     @property
     def driver(self) -> str:
@@ -62,8 +62,7 @@ class ReductionView:
         total, *others = self._terms()
         for term in others:
             total = total + term
-        table = self.book.tables["reduced_inertia_table"]
-        return table.formula("I_red", self.position, total)
+        return self.table("reduced_inertia_table").formula("I_red", self.position, total)
 
     def _terms(self) -> Iterator[Expr]:
         """m (v_S/ω₁)² and J (ω/ω₁)² of every link that moves so; of the driving link its J."""
@@ -95,35 +94,23 @@ class ReductionView:
     # ------------------------------------------------------------ tables and diagrams
 
     def inertias(self, caption: Any) -> Table:
-        return self._table(caption, "reduced_inertia_table")
+        return self.by_positions(caption, "reduced_inertia_table")
 
     def moments(self, caption: Any) -> Table:
-        return self._table(caption, "reduced_moment_table")
+        return self.by_positions(caption, "reduced_moment_table")
 
     def by_plans(self, caption: Any) -> Table:
-        return self._table(caption, "reduction_plans", 1)
-
-    def _table(self, caption: Any, name: str, first: int = 2) -> Table:
-        table = self.book.tables[name]
-        columns = [self.page.column(table, column.key) for column in table.columns[first:]]
-        return numeric(caption, self.page.positions(table), columns)
+        return self.by_positions(caption, "reduction_plans")
 
     @cached_property
     def diagram(self) -> Graph:
-        curves = [Curve(self.found.diagram.whole_inertia, panel=0, extremes=points(self.found.extremes))]
-        labels = [self._graphs.letter(q.I_RED, q.INERTIA.unit)]
+        name = "reduced_inertia_diagram"
+        lines = [Line(self.of(name, "I_red"), extremes=points(self.found.extremes))]
         if self.found.forces is not None:
-            curves.append(Curve(self.found.diagram.whole_moment, panel=1))
-            labels.append(self._graphs.letter(q.M_RED, q.MOMENT.unit))
-        return self._graphs.graph(curves, labels)
-
-    @cached_property
-    def _graphs(self) -> CycleGraphs:
-        kinematics = self.found.kinematics
-        closed = kinematics.positions.table if kinematics.cycle.closed else 0
-        return CycleGraphs(kinematics.diagram_turned, closed, self.page.tr)
+            lines.append(Line(self.of("reduced_moment_diagram", "M_red"), panel=1, extremes=None))
+        return self.over_cycle(name, lines, self.found.kinematics.numbered)
 
     # ------------------------------------------------------------ check
 
     def disagreement(self) -> Markup:
-        return self.page.shown(self.book["reduction_disagreement"], digits=2, scale=0)
+        return self.number("reduction_disagreement", digits=2, scale=0)

@@ -18,7 +18,8 @@ from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.mechanics.lever.motion import Motion
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula, Var
-from tmm_report.quantity.model import Book, Value
+from tmm_report.quantity.model import Book
+from tmm_report.report.chapter_view import BookView
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Table, worded
 from tmm_report.report.part import Part
@@ -44,11 +45,10 @@ def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
     yield Part("lever/structure", view)
 
 
-class StructureView:
+class StructureView(BookView):
     def __init__(self, found: Structure, motion: Motion, schemes: Schemes, position: int, page: Page):
-        self.found, self.motion, self.schemes, self.page = found, motion, schemes, page
-        self.position, self.t = position, page.t
-        self.book = Book.of(q.tables(found), q.values(found))
+        super().__init__(page, Book.of(q.tables(found), q.values(found)))
+        self.found, self.motion, self.schemes, self.position = found, motion, schemes, position
 
     def conclusions(self) -> list[Markup]:
         text = N_(
@@ -61,9 +61,6 @@ class StructureView:
     def driver(self) -> str:
         return self.found.linkage.mechanism.driver.link
 
-    def number(self, key: str) -> Markup:
-        return self.page.shown(self.book[key])
-
     @property
     def class_(self) -> str:
         return roman(self.found.mechanism_class)
@@ -72,8 +69,8 @@ class StructureView:
         return structural_formula(self.found.linkage.structure)
 
     def mobility(self) -> Formula:
-        n, p5, p4 = (self.book[key].var() for key in ("n", "p5", "p4"))
-        return self.book["W"].formula(3 * n - 2 * p5 - p4)
+        n, p5, p4 = map(self.var, ("n", "p5", "p4"))
+        return self.value("W").formula(3 * n - 2 * p5 - p4)
 
     # ------------------------------------------------------------ cam pairs
 
@@ -107,18 +104,14 @@ class StructureView:
 
     def replaced_mobility(self) -> Formula:
         """The replacing mechanism has the mobility of the real one."""
-        n, p5 = (self.book[key].var() for key in ("n_repl", "p5_repl"))
-        return self.book["W_repl"].formula(3 * n - 2 * p5)
+        n, p5 = map(self.var, ("n_repl", "p5_repl"))
+        return self.value("W_repl").formula(3 * n - 2 * p5)
 
     def of_replaced(self) -> list[dict[str, Any]]:
-        return [self._explained(self.book[key]) for key in ("n_repl", "p5_repl")]
+        return self.explained("n_repl", "p5_repl")
 
     def of_mobility(self) -> list[dict[str, Any]]:
-        return [self._explained(self.book[key]) for key in ("n", "p5", "p4")]
-
-    def _explained(self, value: Value) -> dict[str, Any]:
-        meaning = self.page.message(value.meaning)
-        return {"id": value.key, "symbol": value.symbol, "meaning": meaning, "unit": ""}
+        return self.explained("n", "p5", "p4")
 
     def groups_drawn(self) -> Drawing:
         return self.schemes.groups(self.found.linkage.structure.groups, self.position)
@@ -136,7 +129,7 @@ class StructureView:
         return worded(caption, [self.t("Link"), self.t("Name"), self.t("Motion")], rows, (1, 4, 4))
 
     def pairs(self, caption: Any) -> Table:
-        table = self.book.tables["pairs"]
+        table = self.table("pairs")
         rows = [
             [
                 self.page.cell(table, "number", k), self.page.word("–".join(pair.links), table, "links", k),
@@ -163,7 +156,7 @@ class StructureView:
 
     def groups(self, caption: Any) -> Table:
         """Groups in the order in which they are detached."""
-        table = self.book.tables["groups"]
+        table = self.table("groups")
         rows = [
             [
                 group_name(group), self.page.word(", ".join(group.links), table, "links", k),
@@ -180,7 +173,7 @@ class StructureView:
 
     def determinacy(self, caption: Any) -> Table:
         """That every group is statically determinate: its equations of equilibrium against its unknowns."""
-        table = self.book.tables["groups"]
+        table = self.table("groups")
         keys = ("links_count", "lower", "higher", "equations", "unknowns")
         rows = [
             [group_name(group), *(self.page.cell(table, key, k) for key in keys)]
@@ -191,7 +184,7 @@ class StructureView:
 
     def signs(self) -> dict[str, Markup]:
         """The letters of the formula of mobility, for a sentence."""
-        return {key: self.page.sym(self.book[key].symbol) for key in ("n", "p5", "p4")}
+        return {key: self.page.sym(self.value(key).symbol) for key in ("n", "p5", "p4")}
 
     def _kind(self, group: Group) -> str:
         """ "2nd kind (RRP)"; a dash for a group that is no dyad."""
@@ -201,7 +194,7 @@ class StructureView:
 
     def drivers(self, caption: Any) -> Table:
         """What the groups become when another link drives."""
-        table, rows = self.book.tables["drivers"], []
+        table, rows = self.table("drivers"), []
         for k, other in enumerate(self.found.alternatives):
             if other.structure is None:
                 rows.append([other.link, other.reason and self.page.sentence(other.reason), "—"])

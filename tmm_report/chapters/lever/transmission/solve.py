@@ -24,43 +24,38 @@ Array = Any
 
 
 @dataclass(frozen=True, eq=False)
-class Coupler:
-    """A dyad whose links meet in a joint."""
-
-    dyad: Dyad
-    kinematics: Kinematics
-
-    def angle(self, motion: Motion) -> Array:
-        """(P,), rad."""
-        return np.arcsin(np.minimum(motion.sines[self.dyad.group.label], 1.0))
-
-    def span(self, motion: Motion) -> Array:
-        """Of the outer joints, or of the outer joint from the guide through the inner one, (P,), m."""
-        of, outer = self.dyad, motion.place(self.dyad.outer_a.name)
-        if of.kind == 1:
-            return np.abs(motion.place(of.outer_b.name) - outer)
-        guide = motion.turn(of.carrier_b) * of.outer_b.along[of.carrier_b]
-        return np.abs(cross(guide, motion.place(of.inner.name) - outer))
-
-    def least(self) -> Extreme:
-        """Over the cycle; of one with gaps or limits among the positions of the diagram."""
-        found = self.kinematics
-        if not found.cycle.closed or found.limited:
-            return least_and_greatest(self.angle(found.diagram), found.diagram_turned)[0]
-        over = panels(found.cycle.sweep, found.cycle.corners)
-        cosine = np.cos(self.angle(found.cycle.motion(over.x.ravel()))).reshape(over.shape)
-        (_, peak), *_ = peaks(over, cosine[None] ** 2)  # smooth where the acute angle has a corner, at 90°
-        return Extreme(float(np.arccos(np.sqrt(peak.value))), peak.turned, peak.side)
-
-
-@dataclass(frozen=True, eq=False)
 class Found:
-    """`permitted`: the least angle, rad."""
+    """`permitted`: the least angle, rad; `couplers`: dyads whose links meet in a joint."""
 
     permitted: float
-    couplers: tuple[Coupler, ...]
+    kinematics: Kinematics
+    couplers: tuple[Dyad, ...]
 
 
 def solve(kinematics: Kinematics, permitted: float) -> Found:
     dyads = (one for one in kinematics.linkage.groups if isinstance(one, Dyad) and one.kind in (1, 2))
-    return Found(permitted, tuple(Coupler(one, kinematics) for one in dyads))
+    return Found(permitted, kinematics, tuple(dyads))
+
+
+def angle(of: Dyad, motion: Motion) -> Array:
+    """(P,), rad."""
+    return np.arcsin(np.minimum(motion.sines[of.group.label], 1.0))
+
+
+def span(of: Dyad, motion: Motion) -> Array:
+    """Of the outer joints, or of the outer joint from the guide through the inner one, (P,), m."""
+    outer = motion.place(of.outer_a.name)
+    if of.kind == 1:
+        return np.abs(motion.place(of.outer_b.name) - outer)
+    guide = motion.turn(of.carrier_b) * of.outer_b.along[of.carrier_b]
+    return np.abs(cross(guide, motion.place(of.inner.name) - outer))
+
+
+def least(of: Dyad, found: Kinematics) -> Extreme:
+    """Over the cycle; of one with gaps or limits among the positions of the diagram."""
+    if not found.cycle.closed or found.limited:
+        return least_and_greatest(angle(of, found.diagram), found.diagram_turned)[0]
+    over = panels(found.cycle.sweep, found.cycle.corners)
+    cosine = np.cos(angle(of, found.cycle.motion(over.x.ravel()))).reshape(over.shape)
+    (_, peak), *_ = peaks(over, cosine[None] ** 2)  # smooth where the acute angle has a corner, at 90°
+    return Extreme(float(np.arccos(np.sqrt(peak.value))), peak.turned, peak.side)

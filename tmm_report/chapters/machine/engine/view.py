@@ -59,7 +59,7 @@ class EngineView(ChapterView):
     def of_one(self) -> Definition:
         return equations.of_one(self.found)
 
-    def turned(self) -> Definition:
+    def angle_of_one(self) -> Definition:
         return equations.turned(self.found)
 
     def letters_explained(self) -> list[dict[str, Any]]:

@@ -57,6 +57,11 @@ class Kinematics:
     unclosed: tuple[Gap, ...] = ()  # positions that were solved, but whose joints do not close
     choice: Choice | None = None  # the method of the positions, where the variant states one
 
+    @property
+    def numbered(self) -> int:
+        """How many positions are numbered under a diagram over the cycle: none where it is not closed."""
+        return self.positions.table if self.cycle.closed else 0
+
     @cached_property
     def values(self) -> Mapping[str, Array]:
         """Key -> velocities, accelerations, angular rates at the table positions (see `relations`)."""

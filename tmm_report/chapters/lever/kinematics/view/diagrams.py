@@ -30,8 +30,7 @@ ANALOGUES = {
 class Diagrams:
     def __init__(self, found: Kinematics, tr: Translator):
         self.found = found
-        closed = found.positions.table if found.cycle.closed else 0
-        self.graphs = CycleGraphs(found.diagram_turned, closed, tr)
+        self.graphs = CycleGraphs(found.diagram_turned, found.numbered, tr)
         self._made: dict[str, Graph] = {}
 
     def travel(self, travel: Travel) -> Graph:
@@ -50,9 +49,7 @@ class Diagrams:
             Curve(x * factor, panel=k, extremes=points(ends, factor), scale=size * factor)
             for k, (x, factor, ends, size) in enumerate(zip(values, factors, peaks, sizes, strict=True))
         ]
-        units = ("deg" if rocker else "m", *(quantity.unit for quantity in motion_of(travel.output)[1:]))
-        named = zip(motion_of(travel.output), units, strict=True)
-        return self.graphs.graph(curves, [self.graphs.label(quantity, unit) for quantity, unit in named])
+        return self.graphs.graph(curves, [self.graphs.label(one) for one in motion_of(travel.output)])
 
     def analogues(self, travel: Travel) -> Graph:
         """Analogues of the velocity and of the acceleration of an output."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 from markupsafe import Markup
@@ -12,7 +12,7 @@ from tmm_report.chapters.lever.initial_data.quantities import speed
 from tmm_report.chapters.lever.kinematics import quantities as q
 from tmm_report.chapters.lever.kinematics.checks.open_cycle import Gap
 from tmm_report.chapters.lever.kinematics.solve.analogues import analogues_of
-from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics, Travel
+from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics, Output, Travel
 from tmm_report.chapters.lever.kinematics.solve.strokes import carried
 from tmm_report.chapters.lever.kinematics.solve.working_stroke import Working
 from tmm_report.chapters.lever.kinematics.view.diagrams import Diagrams
@@ -20,8 +20,8 @@ from tmm_report.mechanics.lever.cycle import larger
 from tmm_report.mechanics.lever.vector_equations import turning_links
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula
-from tmm_report.quantity.model import Value
-from tmm_report.quantity.ref import Ref
+from tmm_report.quantity.model import Quantity, Value
+from tmm_report.report.chapter_view import BookView
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import TEXT_WIDTH, Cell, Column, Table, part, worded
 from tmm_report.report.part import Failed
@@ -30,16 +30,15 @@ from tmm_report.report.words import force_direction
 SIDES = {-1: N_("before the jump"), 1: N_("after the jump")}
 
 
-class MotionView:
+class MotionView(BookView):
     """`position`: the one of which formulas are written out; `partial`: whether the mechanism closes over part of the
     cycle and is not meant so; `strokes`: working strokes by the names of the outputs."""
 
     def __init__(
         self, found: Kinematics, position: int, partial: bool, strokes: Mapping[str, Working], page: Page
     ):
+        super().__init__(page, page.once(q.book, found))
         self.found, self.position, self.partial, self.strokes = found, position, partial, strokes
-        self.page, self.t = page, page.t
-        self.book = page.once(q.book, found)
         self.diagrams = Diagrams(found, page.tr)
 
     # ------------------------------------------------------------ conclusions
@@ -72,7 +71,7 @@ class MotionView:
             yield self.t(text, link=name, stroke=self.stroke(travel))
         yield from self.working(travel)
         if travel.time_ratio is not None:
-            ratio = self.page.value(self.book[f"K_{name}"].var(digits=4))
+            ratio = self.page.value(self.value(f"K_{name}").var(digits=4))
             yield self.t("The ratio of the durations of its strokes is %(ratio)s.", ratio=ratio)
 
     def _greatest(self, travel: Travel) -> Iterator[Markup]:
@@ -84,9 +83,8 @@ class MotionView:
                 yield self.t(text)
                 continue
             end = "min" if larger(ends) is ends[0] else "max"
-            value, text = self.book[f"{'VA'[order - 1]}_{travel.output.name}_{end}"], GREATEST[kind]
-            at = self.page.said(self._at(value, 1))
-            yield self.t(text, x=self.page.shown(value, size=True), at=at)
+            key, text = f"{'VA'[order - 1]}_{travel.output.name}_{end}", GREATEST[kind]
+            yield self.t(text, x=self.number(key, size=True), at=self.turned(key))
 
     def unbounded(self, travel: Travel) -> list[Markup]:
         """Sentences on the rates that grow without bound."""
@@ -112,16 +110,21 @@ class MotionView:
 
     def travels(self, caption: Any) -> Table:
         """φ, t, and S, V, a of the outputs at the table positions."""
-        table = self.book.tables["outputs_table"]
-        times = [self.page.column(table, "phi"), self.page.column(table, "t")]
-        return packed(caption, self.page.positions(table), times, self._columns(table, self.found.travels))
+        return self._packed(caption, "outputs_table", q.motion_of, self.found.travels, ["phi", "t"])
 
-    def _columns(self, table: Any, travels: Sequence[Travel]) -> list[list[Column]]:
-        """Displacement, velocity and acceleration of each."""
-        return [
-            [self.page.column(table, of.key, _unit(of.unit)) for of in q.motion_of(travel.output)]
-            for travel in travels
-        ]
+    def _packed(
+        self,
+        caption: Any,
+        name: str,
+        of: Callable[[Output], Sequence[Quantity]],
+        travels: Sequence[Travel],
+        lead: Sequence[str] = (),
+    ) -> Table:
+        """A table by positions of what there is `of` every output, after the columns that `lead`."""
+        groups = [[self.column(name, one.key) for one in of(travel.output)] for travel in travels]
+        return packed(
+            caption, self.page.positions(self.table(name)), [self.column(name, key) for key in lead], groups
+        )
 
     def working(self, travel: Travel) -> Iterator[Markup]:
         """From which position to which the working stroke goes, and what says so; nothing without two strokes a
@@ -134,35 +137,28 @@ class MotionView:
             text = WORKING_OF_SEVERAL[stroke.by]
             yield self.t(text, **within)
             return
-        first, last = (self._at(self.book[f"S_{name}_{end}"], 1) for end in stroke.ends)
+        first, last = (self.turned(f"S_{name}_{end}") for end in stroke.ends)
         text = WORKING[stroke.by]
-        yield self.t(text, first=self.page.said(first), last=self.page.said(last), **within)
+        yield self.t(text, first=first, last=last, **within)
 
     def stroke(self, travel: Travel) -> Markup:
-        value = self.book[f"H_{travel.output.name}"]
-        return self.page.value(value.var(_unit(value.unit)))
+        return self.sized(f"H_{travel.output.name}")
 
     def extremes(self, caption: Any, travel: Travel) -> Table:
         rows = []
         for quantity, (low, high) in zip(q.motion_of(travel.output), q.extremes(travel), strict=True):
-            unit = _unit(quantity.unit)
             size = max(1.0, abs(low.value), abs(high.value))
-            ends = [(self.page.cell(end, unit=unit, scale=size), self._at_side(end)) for end in (low, high)]
-            rows.append([self.page.head(quantity.sign, unit or quantity.unit), *ends[0], *ends[1]])
+            ends = [(self.page.cell(end, scale=size), self._at_side(end)) for end in (low, high)]
+            rows.append([self.page.head(quantity.sign, quantity.printed), *ends[0], *ends[1]])
         heads = [
             self.t("Quantity"), self.t("Least value"), self.t("at the angle of turn,\N{NO-BREAK SPACE}°"),
             self.t("Greatest value"), self.t("at the angle of turn,\N{NO-BREAK SPACE}°"),
         ]  # fmt: skip
         return worded(caption, heads, rows, (2.2, 2, 2, 2, 2))
 
-    def _at(self, value: Value, places: int) -> Cell:
-        """The angle of turn at which a value holds, degrees."""
-        at = math.nan if value.at is None else math.degrees(value.at)
-        return Cell(self.page.num(at, places=places), Ref(value.key, by="at_deg"))
-
     def _at_side(self, value: Value) -> Cell | Markup:
-        """The same, and in a corner the side on which the value is reached."""
-        at = self._at(value, 2)
+        """The angle of turn at which a value holds, and in a corner the side on which it is reached."""
+        at = self.page.turned(value, 2)
         if not value.side:
             return at
         said = SIDES[value.side]
@@ -175,22 +171,17 @@ class MotionView:
         return (*self.found.travels, *self.found.links)
 
     def analogues(self, caption: Any) -> Table:
-        table = self.book.tables["analogues_table"]
-        columns = [
-            [self.page.column(table, quantity.key) for quantity in analogues_of(travel.output)]
-            for travel in self.moving
-        ]
-        return packed(caption, self.page.positions(table), [], columns)
+        return self._packed(caption, "analogues_table", analogues_of, self.moving)
 
     def from_analogues(self) -> list[Formula]:
         """V = S′ω₁ and a = S″ω₁² + S′ε₁ of the first output or link, at the position that is written out."""
         travel, k = self.moving[0], self.position
-        rates, tables = q.motion_of(travel.output)[1:], self.book.tables
-        first, second = (tables["analogues_table"].var(x.key, k) for x in analogues_of(travel.output))
+        rates, outputs = q.motion_of(travel.output)[1:], self.table("outputs_table")
+        first, second = (self.table("analogues_table").var(x.key, k) for x in analogues_of(travel.output))
         omega = speed(self.found.linkage.mechanism).var(size=True)
         return [
-            tables["outputs_table"].formula(rates[0].key, k, first * omega),
-            tables["outputs_table"].formula(rates[1].key, k, second * omega**2),
+            outputs.formula(rates[0].key, k, first * omega),
+            outputs.formula(rates[1].key, k, second * omega**2),
         ]
 
     # ------------------------------------------------------------ links
@@ -221,8 +212,7 @@ class MotionView:
 
     def angular(self, caption: Any) -> Table:
         """Angles, angular velocities and accelerations of the driven links at the table positions."""
-        table = self.book.tables["outputs_table"]
-        return packed(caption, self.page.positions(table), [], self._columns(table, self.links))
+        return self._packed(caption, "outputs_table", q.motion_of, self.links)
 
 
 def packed(caption: Any, first: Column, lead: list[Column], groups: Sequence[list[Column]]) -> Table:
@@ -236,11 +226,6 @@ def packed(caption: Any, first: Column, lead: list[Column], groups: Sequence[lis
         else:
             parts.append(list(group))
     return Table(caption, [part([first, *lead, *block]) for block in parts])
-
-
-def _unit(unit: str) -> str:
-    """The unit in which it is printed, where that is not its own."""
-    return "deg" if unit == "rad" else ""
 
 
 GREATEST = {

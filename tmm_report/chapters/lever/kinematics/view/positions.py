@@ -27,6 +27,7 @@ from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.model import Book, variable
 from tmm_report.quantity.symbols import segment
+from tmm_report.report.chapter_view import BookView
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Table, worded
 from tmm_report.report.part import Failed, Part
@@ -81,7 +82,7 @@ def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
     yield Part("lever/kinematics/motion", MotionView(found, k, lever.partial, working, page))
 
 
-class KinematicsView:
+class KinematicsView(BookView):
     def __init__(
         self,
         found: Kinematics,
@@ -91,9 +92,9 @@ class KinematicsView:
         working: Mapping[str, Working],
         page: Page,
     ):
-        self.found, self.schemes, self.position, self.page = found, schemes, position, page
-        self.partial, self.working, self.t = partial, working, page.t
-        self.book = page.once(q.book, found)
+        super().__init__(page, page.once(q.book, found))
+        self.found, self.schemes, self.position = found, schemes, position
+        self.partial, self.working = partial, working
 
     def conclusions(self) -> list[Markup]:
         """A method that misses its accuracy; near which singular positions few digits remain: first, if fewer than are
@@ -102,7 +103,7 @@ class KinematicsView:
         if self.found.missed is not None:
             from tmm_report.chapters.lever.kinematics.view.method import failed
 
-            missed = [failed(self.found, self.book.tables["method"], self.page)]
+            missed = [failed(self.found, self.table("method"), self.page)]
         return [*missed, *(self._near(near) for near in self.found.near)]
 
     def _near(self, near: Near) -> Markup:
@@ -172,7 +173,7 @@ class KinematicsView:
             return []
         from tmm_report.chapters.lever.kinematics.view.method import said
 
-        return said(self.found, self.book.tables["method"], self.page)
+        return said(self.found, self.table("method"), self.page)
 
     @property
     def has_assemblies(self) -> bool:
@@ -195,7 +196,7 @@ class KinematicsView:
 
     def closeness(self, caption: Any) -> Table:
         """Of every group the least closeness over the cycle, where it is reached and what it costs."""
-        table = self.book.tables["special"]
+        table = self.table("special")
         kinds = list(table["kind"].values)
         where = [row for row, kind in enumerate(kinds) if kind == "closest"]
         rows = [
@@ -222,7 +223,7 @@ class KinematicsView:
 
     def dead(self, caption: Any) -> Table:
         """Dead points of the output links."""
-        table = self.book.tables["special"]
+        table = self.table("special")
         where = iter([row for row, kind in enumerate(table["kind"].values) if kind == "dead"])
         rows = []
         for dead in self.found.dead:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-import numpy as np
 from markupsafe import Markup
 
 from tmm_report.chapters.lever.kinetostatics.quantities import cam_pressure as own
@@ -14,9 +13,9 @@ from tmm_report.chapters.lever.kinetostatics.quantities.cycle import ranges
 from tmm_report.chapters.lever.kinetostatics.solve.cam_pressure import Pressing
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
 from tmm_report.problems import N_
-from tmm_report.quantity.ref import Ref
+from tmm_report.report.chapter_view import BookView
 from tmm_report.report.page import Page
-from tmm_report.report.paper.layout import Cell, Table, numeric
+from tmm_report.report.paper.layout import Table
 from tmm_report.report.part import Failed, Part
 
 
@@ -25,11 +24,10 @@ def parts(found: Kinetostatics, page: Page) -> Iterator[Part]:
         yield Part("lever/kinetostatics/cams", PressingsView(found, page))
 
 
-class PressingsView:
+class PressingsView(BookView):
     def __init__(self, found: Kinetostatics, page: Page):
-        self.found, self.page, self.t = found, page, page.t
-        self.book = page.once(q.book, found)
-        self.cams = found.pressings
+        super().__init__(page, page.once(q.book, found))
+        self.found, self.cams = found, found.pressings
 
     def conclusions(self) -> Sequence[Markup]:
         """Of cams that their followers would leave."""
@@ -43,11 +41,9 @@ class PressingsView:
             if one.parts
         ]
 
-    def table(self, caption: Any) -> Table:
+    def along_normals(self, caption: Any) -> Table:
         """The reactions along the normals by positions."""
-        table = self.book.tables["cam_press_table"]
-        columns = [self.page.column(table, own.along(one).key) for one in self.cams]
-        return numeric(caption, self.page.positions(table), columns)
+        return self.by_positions(caption, "cam_press_table", [own.along(one).key for one in self.cams])
 
     def parting(self, one: Pressing) -> str:
         """Positions in which the follower would leave the cam: "1–4, 9"."""
@@ -55,7 +51,7 @@ class PressingsView:
 
     def zones(self, one: Pressing) -> Markup:
         """From and to which angles it would: "36.1–90°; 140–152.3"."""
-        table = self.book.tables[f"cam_parting_{one.cam.name}"]
+        table = self.table(f"cam_parting_{one.cam.name}")
         ends = [
             [self.page.said(self.page.cell(table, key, row, places=1)) for key in ("from", "to")]
             for row in range(len(one.zones))
@@ -63,16 +59,12 @@ class PressingsView:
         return self.page.listed([self.page.listed(two, "–") for two in ends], "°; ")
 
     def closure(self, one: Pressing) -> Markup:
-        return self.page.shown(self.book[f"cam_closure_{one.cam.name}"])
+        return self.number(f"cam_closure_{one.cam.name}")
 
     def extreme(self, one: Pressing, end: str) -> Markup:
         """ "min" or "max"."""
-        return self.page.shown(self.book[f"cam_press_{end}_{one.cam.name}"])
+        return self.number(f"cam_press_{end}_{one.cam.name}")
 
-    def turned(self, one: Pressing, end: str) -> Markup:
+    def extreme_at(self, one: Pressing, end: str) -> Markup:
         """The angle of turn of an extreme, degrees."""
-        value = self.book[f"cam_press_{end}_{one.cam.name}"]
-        assert value.at is not None
-        return self.page.said(
-            Cell(self.page.num(np.degrees(value.at), places=1), Ref(value.key, by="at_deg"))
-        )
+        return self.turned(f"cam_press_{end}_{one.cam.name}")

@@ -13,6 +13,7 @@ from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Formula, Var
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.report.chapter_view import BookView
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Table, worded
 from tmm_report.report.part import Part
@@ -24,19 +25,19 @@ def part(found: Kinetostatics, position: int, page: Page) -> Part:
     return Part("lever/kinetostatics/lever", LeverView(found, position, page), concludes=False)
 
 
-class LeverView:
+class LeverView(BookView):
     power_balance = POWER_BALANCE
 
     def __init__(self, found: Kinetostatics, position: int, page: Page):
-        self.found, self.position, self.page, self.t = found, position, page, page.t
-        self.book = page.once(q.book, found)
+        super().__init__(page, page.once(q.book, found))
+        self.found, self.position = found, position
 
     def conclusions(self) -> Sequence[Markup]:
         return []
 
     def powers(self, caption: Any) -> Table:
         """Powers of all loads at the sample position, and their sum."""
-        table, k = self.book.tables["powers_table"], self.position
+        table, k = self.table("powers_table"), self.position
         rows = []
         for loads in q.loads_of_powers(self.found):
             key = q.power(loads).key
@@ -49,12 +50,12 @@ class LeverView:
 
     def lever_formula(self) -> Formula:
         """The balancing moment from the sum of powers, at the sample position."""
-        total = self.book.tables["powers_table"].var("N_sum", self.position)
+        total = self.table("powers_table").var("N_sum", self.position)
         omega = self.found.kinematics.omega
         link = self.found.kinematics.linkage.mechanism.driver.link
         speed = Var(Symbol("omega", link), omega, "rad/s", ref=Ref("omega"))
-        return self.book.tables["balancing_table"].formula("M_lever", self.position, -total / speed)
+        return self.table("balancing_table").formula("M_lever", self.position, -total / speed)
 
     def disagreement(self, of: str) -> Markup:
         """The worst of the "lever" or of the "power" balance."""
-        return self.page.shown(self.book[f"{of}_disagreement"], digits=2, scale=0)
+        return self.number(f"{of}_disagreement", digits=2, scale=0)

@@ -13,7 +13,7 @@ from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatic
 from tmm_report.mechanics.lever.cycle import larger
 from tmm_report.problems import N_
 from tmm_report.quantity.model import Table as Numbers
-from tmm_report.quantity.ref import Ref
+from tmm_report.report.chapter_view import BookView
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Cell, Table, worded
 
@@ -22,10 +22,10 @@ ENDS = {"least": "M_bal_min", "greatest": "M_bal_max"}
 NOISE = 1e-9  # of the largest work, beside which another is nothing
 
 
-class CycleView:
+class CycleView(BookView):
     def __init__(self, found: Kinetostatics, page: Page):
-        self.found, self.page, self.t = found, page, page.t
-        self.book = page.once(q.book, found)
+        super().__init__(page, page.once(q.book, found))
+        self.found = found
 
     def conclusions(self) -> Sequence[Markup]:
         """The largest reaction of a pivot or a guide, with its pair and angle; the mean power."""
@@ -45,22 +45,19 @@ class CycleView:
 
     @property
     def _extremes(self) -> Numbers:
-        return self.book.tables["force_extremes"]
+        return self.table("force_extremes")
 
     def _row(self, key: str) -> int:
         return list(self._extremes["key"].values).index(key)
 
     def moment(self, which: str) -> Markup:
         """ "least" or "greatest" balancing moment, N m."""
-        return self.page.shown(self.book[ENDS[which]])
+        return self.number(ENDS[which])
 
     def moment_at(self, which: str) -> Markup:
         if self.exact:
             return self._at(which, self._row(q.BALANCING_MOMENT.key), "°")
-        value = self.book[ENDS[which]]
-        assert value.at is not None
-        angle = Cell(self.page.num(np.degrees(value.at), places=1), Ref(value.key, by="at_deg"))
-        return self.page.listed([self.page.said(angle), "°"], "")
+        return self.page.listed([self.turned(ENDS[which]), "°"], "")
 
     def _at(self, which: str, row: int, unit: str = "") -> Markup:
         """The angle at which an extreme is reached, and the side of a jump."""
@@ -127,7 +124,7 @@ class CycleView:
 
     @property
     def _zones(self) -> Numbers:
-        return self.book.tables["moment_senses"]
+        return self.table("moment_senses")
 
     @property
     def changes(self) -> bool:
@@ -185,7 +182,7 @@ class CycleView:
 
     @property
     def _works(self) -> Numbers:
-        return self.book.tables["works"]
+        return self.table("works")
 
     @property
     def weights(self) -> bool:
@@ -213,11 +210,11 @@ class CycleView:
 
     @property
     def sum(self) -> Markup:
-        return self.page.shown(self.book["works_sum"], digits=2, scale=1e-30)
+        return self.number("works_sum", digits=2, scale=1e-30)
 
     @property
     def power(self) -> Markup:
-        return self.page.shown(self.book["P_bal_mean"])
+        return self.number("P_bal_mean")
 
     def _power(self) -> list[Markup]:
         if not self.told:

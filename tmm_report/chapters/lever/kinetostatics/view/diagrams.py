@@ -19,15 +19,14 @@ NOTHING = 1e-9  # of the largest reaction: a projection of less is none
 
 
 def graphs_of(found: Kinetostatics, at: Sampled, tr: Translator) -> CycleGraphs:
-    kinematics = found.kinematics
-    return CycleGraphs(at.turned, kinematics.positions.table if kinematics.cycle.closed else 0, tr)
+    return CycleGraphs(at.turned, found.kinematics.numbered, tr)
 
 
 def balancing_diagram(found: Kinetostatics, at: Sampled, graphs: CycleGraphs) -> Graph:
     size = float(np.nanmax(found.diagram.scale, initial=0.0))
     values = at.of(found.over.balancing if found.over else None, found.diagram.balancing)
     curve = Curve(values, extremes=points(found.extremes), scale=size)
-    return graphs.graph([curve], [graphs.letter(q.M_BAL, q.BY_GROUPS.unit)])
+    return graphs.graph([curve], [graphs.axis(q.BALANCING_MOMENT)])
 
 
 def load_diagrams(found: Kinetostatics, at: Sampled, graphs: CycleGraphs) -> list[Graph]:
@@ -35,8 +34,7 @@ def load_diagrams(found: Kinetostatics, at: Sampled, graphs: CycleGraphs) -> lis
     named = [*q.forces(found.given.forces), *q.moments(found.given.moments)]
     over = found.over.loading.stated if found.over else [None] * len(named)
     panels = [
-        ([at.of(over[k], found.diagram.loading.stated[k])], graphs.letter(named[k].sign, named[k].unit))
-        for k in found.followed
+        ([at.of(over[k], found.diagram.loading.stated[k])], graphs.axis(named[k])) for k in found.followed
     ]
     sheets = [panels[start : start + PANELS] for start in range(0, len(panels), PANELS)]
     return [
@@ -56,8 +54,7 @@ def reaction_diagrams(found: Kinetostatics, at: Sampled, graphs: CycleGraphs) ->
 
 
 def _label(found: Kinetostatics, key: str, graphs: CycleGraphs) -> Parts:
-    of = q.reaction(*found.diagram.statics.reactions[key].pair.links)
-    return graphs.letter(of.sign, of.unit)
+    return graphs.axis(q.reaction(*found.diagram.statics.reactions[key].pair.links))
 
 
 def reaction(found: Kinetostatics, at: Sampled, key: str) -> Array:

@@ -14,8 +14,9 @@ from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatic
 from tmm_report.chapters.lever.kinetostatics.solve.whole_cycle import ROUNDING
 from tmm_report.chapters.lever.kinetostatics.view.cycle import CycleView
 from tmm_report.quantity.formula import Expr, Formula, cos
+from tmm_report.report.chapter_view import BookView
 from tmm_report.report.page import Page
-from tmm_report.report.paper.layout import Table, numeric
+from tmm_report.report.paper.layout import Table
 from tmm_report.report.part import Part
 
 
@@ -24,10 +25,10 @@ def parts(found: Kinetostatics, position: int, page: Page) -> Iterator[Part]:
         yield Part("lever/kinetostatics/gear", GearView(found, position, page), concludes=False)
 
 
-class GearView:
+class GearView(BookView):
     def __init__(self, found: Kinetostatics, position: int, page: Page):
-        self.found, self.position, self.page, self.t = found, position, page, page.t
-        self.book = page.once(q.book, found)
+        super().__init__(page, page.once(q.book, found))
+        self.found, self.position = found, position
 
     def conclusions(self) -> Sequence[Markup]:
         return []
@@ -40,36 +41,34 @@ class GearView:
     @property
     def parting(self) -> list[int]:
         """Positions at which the wheel would have to pull."""
-        forces = np.asarray(self.book.tables["gear_table"]["F_bal"].values)[: self.found.positions]
-        rounding = ROUNDING * np.nanmax(self.found.table.scale) / self.book["r_b_gear"].value
+        forces = np.asarray(self.of("gear_table", "F_bal").values)[: self.found.positions]
+        rounding = ROUNDING * np.nanmax(self.found.table.scale) / self.value("r_b_gear").value
         return [int(k) for k in np.flatnonzero(forces < -rounding) if self.one_flank]
 
     def base(self) -> Formula:
-        radius, angle = self.book["r_w_gear"].var(), self.book["alpha_w_gear"].var()
-        return self.book["r_b_gear"].formula(radius * cos(angle))
+        radius, angle = self.value("r_w_gear").var(), self.value("alpha_w_gear").var()
+        return self.value("r_b_gear").formula(radius * cos(angle))
 
     def force(self) -> Formula:
         """At the sample position."""
-        moment: Expr = self.book.tables["balancing_table"].var("M_bal", self.position)
+        moment: Expr = self.table("balancing_table").var("M_bal", self.position)
         if self.one_flank and float(self.found.kinematics.omega) < 0:
             moment = -moment
-        arm = self.book["r_b_gear"].var()
-        return self.book.tables["gear_table"].formula("F_bal", self.position, moment / arm)
+        arm = self.value("r_b_gear").var()
+        return self.table("gear_table").formula("F_bal", self.position, moment / arm)
 
     def forces(self, caption: Any) -> Table:
         """The force, its direction and the reaction of the frame."""
-        table, reactions = self.book.tables["gear_table"], self.book.tables["reactions_table"]
         pair = self.found.kinematics.linkage.structure.driver_pair
-        keys = [q.reaction(*pair.links).key, q.reaction_angle(*pair.links).key]
-        columns = [self.page.column(table, key) for key in ("F_bal", "alpha_F_bal")]
-        columns += [self.page.column(reactions, key) for key in keys]
-        return numeric(caption, self.page.positions(table), columns)
+        keys = (q.reaction(*pair.links).key, q.reaction_angle(*pair.links).key)
+        reactions = self.columns("reactions_table", keys)
+        return self.by_positions(caption, "gear_table", ["F_bal", "alpha_F_bal", *reactions])
 
     def extreme(self, end: str) -> Markup:
         """ "min" or "max"."""
-        return self.page.shown(self.book[f"F_bal_{end}"])
+        return self.number(f"F_bal_{end}")
 
-    def turned(self, end: str) -> Markup:
+    def extreme_at(self, end: str) -> Markup:
         """The angle of turn of an extreme, and the side of a jump: those of the moment's extreme."""
         backwards = self.one_flank and float(self.found.kinematics.omega) < 0
         return CycleView(self.found, self.page).moment_at(

@@ -84,7 +84,7 @@ def _hodograph(
 ) -> Hodograph:
     force, of = reaction(found, at, key), q.reaction(*one.pair.links)
     frame = _frame([force, _around(force)], FIELD, equal=True)
-    x, y = (graphs.letter(part.sign, of.unit) for part in of.components)
+    x, y = (graphs.axis(part) for part in of.components)
     tags = _numbers(found, frame, np.broadcast_to(one.force, found.diagram.motion.shape), key)
     return Hodograph(of, one.pair.name, frame.x_scale, plane(frame, [Trace(force)], x, y, num, tags=tags))
 
@@ -144,6 +144,4 @@ def indicated(
             frame = _frame([*curves, np.array([0j, 1 + 0j])], INDICATED, equal=False)
             traces = [Trace(z, (name,)) for name, z in zip(named, curves, strict=True)]
             x: Parts = graphs.letter(Symbol("x"))
-            yield Indicated(
-                of, force.name, frame.y_scale, plane(frame, traces, x, graphs.letter(of.sign, of.unit), num)
-            )
+            yield Indicated(of, force.name, frame.y_scale, plane(frame, traces, x, graphs.axis(of), num))

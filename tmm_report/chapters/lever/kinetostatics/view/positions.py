@@ -22,6 +22,7 @@ from tmm_report.chapters.lever.plans.solve import Plans
 from tmm_report.problems import N_
 from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Var
+from tmm_report.report.chapter_view import BookView
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.part import NEXT_CHAPTER, Part
@@ -69,12 +70,12 @@ def _view(found: Kinetostatics, lever: LeverFound, page: Page) -> KinetostaticsV
     return page.once(KinetostaticsView, found, lever.plans, lever.sample, page)
 
 
-class KinetostaticsView:
+class KinetostaticsView(BookView):
     weight = WEIGHT
 
     def __init__(self, found: Kinetostatics, plans: Plans, position: int, page: Page):
-        self.found, self.plans, self.position, self.page, self.t = found, plans, position, page, page.t
-        self.book = page.once(q.book, found)
+        super().__init__(page, page.once(q.book, found))
+        self.found, self.plans, self.position = found, plans, position
         self.cycle, self.curves = CycleView(found, page), CurvesView(found, page)
         at = page.once(sampled, found)
         self.graphs = graphs_of(found, at, page.tr)
@@ -95,11 +96,11 @@ class KinetostaticsView:
                 "%(low)s N·m at the angle of turn %(lowat)s to %(high)s N·m at %(highat)s."
             )
         worse = "lever" if found.worst_lever >= found.worst_power else "power"
-        worst = self.page.shown(self.book[f"{worse}_disagreement"], digits=2, scale=0)
+        worst = self.number(f"{worse}_disagreement", digits=2, scale=0)
         if not found.bounded:
             text = UNBOUNDED if found.agrees else DISAGREE
             return [self.t(text, worst=worst), *self.cycle.conclusions()]
-        low, high = (self.page.shown(self.book[key]) for key in ("M_bal_min", "M_bal_max"))
+        low, high = self.number("M_bal_min"), self.number("M_bal_max")
         lowat, highat = (self.cycle.moment_at(which) for which in ("least", "greatest"))
         return [
             self.t(text, low=low, high=high, lowat=lowat, highat=highat, worst=worst),
@@ -110,7 +111,7 @@ class KinetostaticsView:
 
     def stated(self, caption: Any) -> Table:
         """The stated loads: symbol, name, what they act on, direction."""
-        given, table = self.found.given, self.book.tables["loads_given"]
+        given, table = self.found.given, self.table("loads_given")
         names = enumerate(table["link"].values)
         takes = [self.page.said(Cell(str(name), table.ref("link", row))) for row, name in names]
         on = [
@@ -133,19 +134,13 @@ class KinetostaticsView:
 
     def magnitudes(self, caption: Any) -> Table:
         """The stated loads along their directions at the table positions, those that repeat none before them."""
-        table, count = self.book.tables["stated_table"], self.found.positions
-        columns = [
-            Column(
-                self.page.head(column.symbol(), column.unit),
-                [self.page.cell(table, column.key, row) for row in range(count)],
-            )
-            for column in table.columns[2:]
-        ]
+        table, count = self.table("stated_table"), self.found.positions
+        columns = [self.page.singles(table, column.key, count) for column in table.columns[2:]]
         return numeric(caption, self.page.positions(table, count), columns)
 
     def strokes(self, caption: Any) -> Table:
         """When the strokes of the indicator diagrams begin and end."""
-        table = self.book.tables["strokes"]
+        table = self.table("strokes")
         signs = {quantity.key: quantity.sign for quantity in q.forces(self.found.given.forces)}
         rows = [
             [
@@ -170,7 +165,7 @@ class KinetostaticsView:
     # ------------------------------------------------------------ loads
 
     def weights(self, caption: Any) -> Table:
-        table = self.book.tables["loads_table"]
+        table = self.table("loads_table")
         columns = []
         for link in self.found.table.loading.gravity:
             of = q.weight(link)
@@ -180,10 +175,10 @@ class KinetostaticsView:
 
     def inertia(self, caption: Any) -> Table:
         """Inertia forces, magnitudes, and couples at the table positions."""
-        table, loading = self.book.tables["loads_table"], self.found.table.loading
+        loading = self.found.table.loading
         keys = [q.inertia_force(link).key for link in loading.inertia]
         keys += [q.inertia_couple(link).key for link in loading.couples]
-        return numeric(caption, self.page.positions(table), [self.page.column(table, key) for key in keys])
+        return self.by_positions(caption, "loads_table", keys)
 
     # ------------------------------------------------------------ reactions
 
@@ -199,9 +194,9 @@ class KinetostaticsView:
 
     def _of_pairs(self, caption: Any, keys: list[str]) -> Table:
         """What has no number at any position has no column."""
-        table = self.book.tables["reactions_table"]
-        some = [key for key in keys if np.isfinite(np.asarray(table[key].values, float)).any()]
-        return numeric(caption, self.page.positions(table), [self.page.column(table, key) for key in some])
+        name = "reactions_table"
+        some = [key for key in keys if np.isfinite(self.of(name, key).numbers()).any()]
+        return self.by_positions(caption, name, some)
 
     @property
     def in_guides(self) -> list[tuple[str, str]]:
@@ -213,7 +208,7 @@ class KinetostaticsView:
     def central(self) -> bool:
         """Whether the reactions of all guides pass through the points of their sliders."""
         largest = float(np.nanmax(self.found.table.scale))
-        table = self.book.tables["reactions_table"]
+        table = self.table("reactions_table")
         moments = [np.asarray(table[q.guide_moment(*pair).key].values) for pair in self.in_guides]
         return all(np.nanmax(np.abs(moment)) <= 1e-9 * largest for moment in moments)
 
@@ -230,7 +225,7 @@ class KinetostaticsView:
 
     def balancing(self, caption: Any) -> Table:
         """The balancing moment by groups, by the lever and by power."""
-        table = self.book.tables["balancing_table"]
+        name = "balancing_table"
         heads = [
             self.t("from the force analysis"),
             self.t("from the lever"),
@@ -238,9 +233,9 @@ class KinetostaticsView:
         ]
         columns = []
         for key, head in zip(("M_bal", "M_lever", "M_power"), heads, strict=True):
-            column = self.page.column(table, key)
+            column = self.column(name, key)
             columns.append(column._replace(head=self.page.listed([column.head, head])))
-        return numeric(caption, self.page.positions(table), columns)
+        return self.by_positions(caption, name, columns)
 
     def scales(self) -> list[Var]:
         return self.graphs.scales(self.diagram, [("mu_M", "N·m/mm")])
