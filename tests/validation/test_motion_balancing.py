@@ -94,7 +94,7 @@ def test_a_locomotive_as_a_lying_engine_of_two_cylinders():
         f"inline: {{cranks: [0, 90 deg], spacing: {of['a']} m, bank: 90 deg}}}}"
     ).engine
     force, couple = found.primary
-    agrees("sarkar-12-3-locomotive", T_N=force.along(1.0), S_Nm=couple.along(1.0), c=found.share)
+    agrees("sarkar-12-3-locomotive", T_N=force.along(1.0), S_Nm=couple.along(1.0), c=found.s.number("share"))
     assert force.along(1j) == pytest.approx(of["c"] * found.unit * np.sqrt(2))  # up and down, of both sides
 
 
