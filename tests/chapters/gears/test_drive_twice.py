@@ -50,6 +50,15 @@ def test_every_formula_of_a_drive_that_turns_the_link():
     assert whole(found, "drive").s.has_formula("T_mean") and told(found) == []
 
 
+def test_a_stated_torque_is_not_called_that_of_the_mean_moment():
+    """The drive that turns the link and has its own torque: the note would set one beside the formula of the other."""
+    found = course.solve(course.loads(LINKED.replace("drive:\n", "drive:\n  torque: 50 N*m\n"))).drive
+    s = whole(found, "drive").s
+    assert found.given.torque == 50 and not found.asked and told(found) == []
+    assert "T_mean" not in s and s.number("M_mean") == pytest.approx(31.830988618379067)
+    assert found.loads.torque[found.input] == pytest.approx(50)
+
+
 @pytest.mark.parametrize("name", ["compressor", "drum_motor", "hoist_drive"])
 def test_every_formula_of_a_ready_variant(name):
     assert told(course.solve(course.load(VARIANTS / f"{name}.yaml")).drive) == []

@@ -45,7 +45,7 @@ def tables(found: Found, prefix: str = "drive") -> Iterator[Table]:
     yield Table(f"{prefix}_comparison", COMPARISON, _comparison(found))
     yield Table(f"{prefix}_loads", LOADS, _loads(found))
     yield Table(f"{prefix}_meshes", MESHES, _meshes(found))
-    if found.moments is not None and found.given.torque is not None:
+    if found.asked:
         yield Table(f"{prefix}_teeth", TEETH, tuple(teeth_columns(found)))
     for number, stage in enumerate(found.stages, 1):
         yield from stage_tables(stage, f"stage{number}")

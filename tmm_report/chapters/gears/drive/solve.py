@@ -49,7 +49,7 @@ class Given:
 class Found:
     """A solved drive. `speed`: of every member, rad/s; `loads`: torques and powers of the members that are loaded from
     outside; `plans`: the diagrams of linear and angular velocities; `moments`: of the driving link that the drive
-    turns, whose mean it is then loaded by."""
+    turns; `asked`: whether the torque at the input is that which their mean asks for, and not a stated one."""
 
     given: Given
     stages: tuple[Stage, ...]
@@ -58,6 +58,7 @@ class Found:
     loads: Loads
     plans: Plans
     moments: Moments | None = None
+    asked: bool = False
 
     @property
     def input(self) -> str:
@@ -219,10 +220,12 @@ def solve(given: Given, moving: Moving | None = None) -> Found:
     )
     load = _loads(given, stages, train, speed)
     found = moments(moving, given.friction) if given.crank is not None and given.crank.linked else None
-    if found is not None and given.torque is None and (torque := _for_mean(found, stages, load)):
+    torque = _for_mean(found, stages, load) if found is not None and given.torque is None else None
+    if torque:
         given = replace(given, torque=torque)
         load = _loads(given, stages, train, speed)
-    return Found(given, stages, train, speed, load, _plans(given, stages, train, speed), found)
+    plans = _plans(given, stages, train, speed)
+    return Found(given, stages, train, speed, load, plans, found, bool(torque))
 
 
 def _for_mean(found: Moments, stages: Sequence[Stage], load: Loads) -> float | None:

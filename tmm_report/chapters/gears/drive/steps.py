@@ -167,13 +167,13 @@ class Whole:
 
     def _crank(self) -> None:
         """The moments of the link that the drive turns, and the torques at the input that overcome them."""
-        s, moments, torque = self.s, self.found.moments, self.found.given.torque
+        s, moments = self.s, self.found.moments
         if moments is None:
             return
         if moments.friction is not None and not math.isnan(moments.friction):
             s.M_fr = moments.friction
         s.M_mean, s.M_greatest, s.M_angle = moments.mean, moments.greatest, math.degrees(moments.angle)
-        if torque is not None:
+        if self.found.asked:
             over = abs(s["u_teeth"].var(digits=5)) * s["eta"].var(digits=5)
-            s.T_mean = Computed(s.M_mean / over, torque)
+            s.T_mean = Computed(s.M_mean / over, self.found.given.torque)
             s.peak = Computed(s.M_greatest / s.M_mean, moments.peak)

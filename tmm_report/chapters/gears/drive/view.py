@@ -233,7 +233,7 @@ class DriveView(ChapterView):
     @property
     def turns_link(self) -> bool:
         """Whether the torques are found for the balancing moment of the link that the drive turns."""
-        return self.found.moments is not None and self.found.given.torque is not None
+        return self.found.asked
 
     def friction(self) -> Markup | str:
         """What is said of the friction of the pairs beside the moments of the driving link."""
