@@ -1,7 +1,7 @@
 """Wrong words to be planted beside right numbers, in every chapter by the same kinds, found in its texts as they are.
 
 Captions exchanged, another source, a word turned into its opposite, in the text or in its translation alone; nouns,
-letters and units of declared numbers exchanged. Each is looked for in an approved note that says
+letters and units of declared numbers exchanged; definitions and axes. Each is looked for in an approved note that says
 it (tests/golden); a text that none says, or that stands twice, is passed over.
 """
 
@@ -39,11 +39,55 @@ NOUN = re.compile(r'N_\("([a-z][^"%\\]+)"\)')
 LETTER = re.compile(r'(?:Q\(|Symbol\()"(\w+)"')
 UNIT = re.compile(r'"(' + "|".join(re.escape(unit) for unit in UNITS) + r')"')
 
+CHAPTERS = "tmm_report/chapters/"
+STATED = [  # definitions and axes, by their own texts: what, file, old, new, variant
+    ("work taken from the energy at the start", "machine/dynamics/equations.py", 'Definition("T", start + self',
+     'Definition("T", start - self', "tram_start"),
+    ("unevenness by the sum of the speeds", "machine/flywheel/equations.py", "(s.omega_max - s.omega_min)",
+     "(s.omega_max + s.omega_min)", "compressor"),
+    ("one point of the guide less", "machine/wear/equations.py", "s.slider / s.step + 1", "s.slider / s.step - 1",
+     "forging_machine_wear"),
+    ("half the pressure of the couple", "machine/wear/equations.py", '2 * Var("F_M", found.couple, "N") / area',
+     'Var("F_M", found.couple, "N") / area', "forging_machine_wear"),
+    ("inertia force by the speed", "machine/engine/equations.py", "s.m * s.r * s.omega**2 * series",
+     "s.m * s.r * s.omega * series", "engine_balance"),
+    ("lag ahead of the force", "machine/vibration/equations.py", "sin(_turned(found) - s.lag)",
+     "sin(_turned(found) + s.lag)", "locomotive_diesel"),
+    ("free motion that grows", "machine/vibration/equations.py", "exp(-(s.decay * t))", "exp(s.decay * t)",
+     "locomotive_diesel"),
+    ("sum of both in place of their difference", "lever/plans/view.py", "(_GRAPH - _ANALYTIC) /",
+     "(_GRAPH + _ANALYTIC) /", "compressor"),
+    ("power added to the energy's growth", "lever/kinetostatics/view/checks.py", 'Var("dt", 0.0) - Var("N", 0.0)',
+     'Var("dt", 0.0) + Var("N", 0.0)', "compressor"),
+    ("weight without its g", "lever/kinetostatics/view/positions.py", 'Definition("G", Var("m", 0.0) * Var("g", 0.0))',
+     'Definition("G", Var("m", 0.0))', "compressor"),
+    ("arm as the force by the moment", "lever/force_plans/view.py", 'Var("M_I", 0.0) / Var("F_I", 0.0)',
+     'Var("F_I", 0.0) / Var("M_I", 0.0)', "compressor"),
+    ("axis of the motion from the start", "machine/vibration/view.py", 'self.of("motion", "t")',
+     'self.of("motion", "x_steady")', "locomotive_diesel"),
+    ("axis of the absorbers", "machine/vibration/view.py", '[self.s.quantity("beta")]', '[self.s.quantity("zeta")]',
+     "locomotive_diesel"),
+    ("axis of the governor's response", "machine/governor/view/in_loop.py", 'self.of("response", "t")',
+     'self.of("response", "z")', "governor_servo"),
+    ("axis of the brake's start", "machine/governor/view/brake.py", 'self.of("start", "t")',
+     'self.of("start", "omega")', "governor_servo"),
+    ("axis of the moments over the speed", "machine/dynamics/draw.py", "[Motion.M.quantity]", "[Motion.J.quantity]",
+     "tram_start"),
+    ("axes of the speed and the moment", "machine/dynamics/draw.py", '[table["omega"].quantity, Motion.M.quantity]',
+     '[Motion.M.quantity, table["omega"].quantity]', "tram_start"),
+    ("axis of the balancing moment", "lever/kinetostatics/view/diagrams.py", "[graphs.axis(q.BALANCING_MOMENT)]",
+     '[graphs.axis(q.weight("1"))]', "compressor"),
+    ("panels of the losses", "lever/friction/view.py", '("P_fr", "eta"), numbered', '("eta", "P_fr"), numbered',
+     "compressor"),
+]  # fmt: skip
+
 Edit = tuple[str, str, str]  # old, new, by which words an approved text is known that says it
 Found = Iterator[Edit]
 
 
 def faults(root: Path) -> Iterator[Fault]:
+    for what, file, old, new, variant in STATED:
+        yield Fault(f"words: {what}", CHAPTERS + file, old, new, variant, words=True)
     texts = {kind: dict(_approved(root, kind)) for kind in (".en.txt", ".ru.txt", ".numbers")}
     for file, kind, where, edits in _of_all(root):
         said = ((old, new, _saying(texts[where], words)) for old, new, words in edits)
