@@ -91,6 +91,7 @@ def _lever(data: dict[str, Any], walk: Walk) -> None:
         "method",
         "accuracy",
         "methods",
+        "transmission",
         "readings",
         "allow_partial",
     ):

@@ -32,7 +32,7 @@ def by_directions(of, motion):
 
 
 @pytest.mark.parametrize(
-    "name", ["compressor", "crank_rocker", "piston_pump", "shaper", "jaw_crusher", "slotter"]
+    "name", ["compressor", "crank_rocker", "shaper", "jaw_crusher", "slotter"]
 )
 def test_angles_are_those_between_the_links_and_the_least_is_the_least_of_a_thousand(name):
     found = transmitted(name)
@@ -70,6 +70,12 @@ def test_the_conclusion_says_whether_it_is_permitted(permitted, word):
     assert (
         "The least transmission angle is" in html and word in html.split("The least transmission angle is")[1]
     )
+
+
+def test_a_mechanism_of_blocks_alone_is_told_to_have_none():
+    results = course.solve(stating(read("piston_pump"), transmission=0.7, readings={}))
+    assert not results.lever.transmission.couplers
+    assert "there is no transmission angle to judge" in str(note.render(results, "html", Translator("en")))
 
 
 def test_without_a_mechanism_it_is_told():

@@ -367,6 +367,17 @@ def test_chosen_stiffness_gives_the_wanted_force_ratio():
     )
 
 
+@pytest.mark.parametrize(
+    "shaken", ["mass: 3\n  force: 9 N", "mass: 3\n  base: 1 mm", "inertia: 3\n  moment: 9", "inertia: 3\n  base: 1 deg"]
+)
+def test_chosen_stiffness_without_damping_gives_the_wanted_ratio(shaken):
+    found = vibration(f"  {shaken}\n  speed: 90 rad/s\n  transmissibility: 0.2\n")
+    s = found.s
+    assert s.number("ratio_z" if "base" in s else "ratio") == pytest.approx(0.2, rel=1e-12)
+    assert s.number("eta") == pytest.approx(math.sqrt(6), rel=1e-12)  # 1/(η² - 1) = 0.2
+    assert s.get("zeta") == s.get("damping") == 0.0 and "most_damping" not in s
+
+
 def test_a_disc_on_a_shaft_is_the_same_arithmetic_in_other_units():
     text = "  inertia: 400 kg*m^2\n  stiffness: 250e3 N*m/rad\n  moment: 600 N*m\n  speed: 90 rad/s\n"
     disc, machine = vibration(text), vibration(MACHINE)

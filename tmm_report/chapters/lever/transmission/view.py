@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
-    if lever.transmission is not None and lever.transmission.couplers:
+    if lever.transmission is not None:
         yield Part("lever/transmission", TransmissionView(lever.transmission, lever.sample, page))
 
 
@@ -53,7 +53,8 @@ class TransmissionView(BookView):
         bad = N_(
             "The least transmission angle is %(least)s at joint %(joint)s, less than the permitted %(most)s."
         )
-        joints = [one.inner.name for one in self.found.couplers]
+        if not (joints := [one.inner.name for one in self.found.couplers]):
+            return []
         worst = min(joints, key=lambda joint: self.value(f"mu_{joint}_min").value)
         fails = self.value(f"mu_{worst}_min").value < self.found.permitted
         least, most = self.measured(f"mu_{worst}_min", digits=4), self.measured("transmission")

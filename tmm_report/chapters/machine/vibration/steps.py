@@ -41,6 +41,8 @@ def isolators(given: Given, omega: float, shaken: bool) -> Values:
         s.stiffness_each = given.stiffness
         s.stiffness = s.isolators * s.stiffness_each
     else:
+        if given.damping_ratio is None:
+            s.zeta = 0.0  # nothing damps: a damping in N·s/m is refused where the stiffness is chosen
         _chosen(s)
         s.stiffness_each = s.needed_stiffness / s.isolators
         s.stiffness = s.number("needed_stiffness")
@@ -71,7 +73,8 @@ def _damping(s: Values, given: Given) -> None:
         s.damping_each = given.damping or 0.0
         s.damping = s.isolators * s.damping_each
         s.decay = s.damping / (2 * s.inertia)
-        s.zeta = s.decay / s.natural
+        if "zeta" not in s:
+            s.zeta = s.decay / s.natural
     kind = vib.kind(s.number("zeta"))
     if kind == "under":
         s.damped = sqrt(s.natural**2 - s.decay**2)
@@ -176,7 +179,7 @@ def wanted(s: Values) -> None:
     if "needed" not in s:
         _chosen(s)
     eta, most = s.number("eta"), float(vib.zeta_for(s.number("wanted"), s.number("eta")))
-    if eta > 1 and np.isfinite(most):
+    if eta > 1 and most > 1e-7:  # the root of a rounding where the ratio is just reached without damping; nan
         above = s.wanted**2 * (1 - s.eta**2) ** 2 - 1
         s.most_damping = sqrt(above / (1 - s.wanted**2)) / (2 * s.eta)
 
