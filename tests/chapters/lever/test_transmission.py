@@ -31,9 +31,7 @@ def by_directions(of, motion):
     return acute(joint - outer, 1j * guide)
 
 
-@pytest.mark.parametrize(
-    "name", ["compressor", "crank_rocker", "shaper", "jaw_crusher", "slotter"]
-)
+@pytest.mark.parametrize("name", ["compressor", "crank_rocker", "shaper", "jaw_crusher", "slotter"])
 def test_angles_are_those_between_the_links_and_the_least_is_the_least_of_a_thousand(name):
     found = transmitted(name)
     assert found.couplers

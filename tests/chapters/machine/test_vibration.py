@@ -368,7 +368,13 @@ def test_chosen_stiffness_gives_the_wanted_force_ratio():
 
 
 @pytest.mark.parametrize(
-    "shaken", ["mass: 3\n  force: 9 N", "mass: 3\n  base: 1 mm", "inertia: 3\n  moment: 9", "inertia: 3\n  base: 1 deg"]
+    "shaken",
+    [
+        "mass: 3\n  force: 9 N",
+        "mass: 3\n  base: 1 mm",
+        "inertia: 3\n  moment: 9",
+        "inertia: 3\n  base: 1 deg",
+    ],
 )
 def test_chosen_stiffness_without_damping_gives_the_wanted_ratio(shaken):
     found = vibration(f"  {shaken}\n  speed: 90 rad/s\n  transmissibility: 0.2\n")

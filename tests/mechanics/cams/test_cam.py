@@ -6,6 +6,8 @@ from exhaustive import many
 
 from tmm_report import course
 from tmm_report.mechanics.calculus.vectors import cross, dot
+from tmm_report.mechanics.cams.cam import Sliding
+from tmm_report.mechanics.cams.stated_profile import ByProfile, Circle
 from tmm_report.mechanics.lever import motion
 from tmm_report.mechanics.lever.assembly.stated import assemble
 from tmm_report.mechanics.lever.cams.replacing_dyad import in_position
@@ -206,3 +208,16 @@ def test_two_ways_to_the_pressure_angle_of_a_roller():
 
 def test_a_flat_face_across_the_motion_has_no_pressure_angle():
     assert np.allclose(linkage_of("flat on a circle").mechanism.cams[0].pressure(PHI), 0, atol=1e-12)
+
+
+@pytest.mark.parametrize("turned", range(0, 360, 15))
+def test_a_contact_at_a_point_laid_on_the_cam_is_found_on_both_sides_of_it(turned):
+    """Seen at 90° of a circle: the parameter there is a whole turn, worked out at both ends with unlike roundings; what
+    was taken then was the contact on the other side of the cam."""
+    a, whole, side = 0.012274, 0.059999, 0.49 * np.pi / 180
+    cam = ByProfile(Circle(complex(a), whole - 0.01), Sliding(1j, 0j, 1.0), 0.01)
+    phi = np.radians(turned) + np.arange(-40, 41) * np.spacing(np.radians(turned))
+    phi = np.concatenate((phi, [np.radians(turned) - side, np.radians(turned) + side]))
+    assert cam.of(phi).z == pytest.approx(
+        a * np.sin(phi) + np.sqrt(whole**2 - (a * np.cos(phi)) ** 2), rel=1e-12
+    )

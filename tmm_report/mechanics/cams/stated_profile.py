@@ -118,12 +118,13 @@ class ByProfile:
 
     def _met(self, phi: Array) -> Array:
         """The parameter at which the pitch curve meets the follower's path, the farthest lifted of all."""
-        laid = np.arange(LAID + 1) * FULL_TURN / LAID
+        laid = np.arange(LAID) * FULL_TURN / LAID
         turned = np.exp(1j * phi)[..., None]
         b = self._pitch(laid)[0] * turned
         gap = self._gap(b)
-        crossed = (gap[..., :-1] <= 0) != (gap[..., 1:] <= 0)
-        lifted = self._coordinate(b[..., :-1]) * (1 if isinstance(self.motion, Sliding) else self.motion.side)
+        # the last is followed by the first itself: one worked out again at a whole turn may round to the other side
+        crossed = (gap <= 0) != (np.roll(gap, -1, axis=-1) <= 0)
+        lifted = self._coordinate(b) * (1 if isinstance(self.motion, Sliding) else self.motion.side)
         found = np.where(crossed, lifted, -np.inf)
         at = np.argmax(found, axis=-1)
         first = np.take_along_axis(gap, at[..., None], axis=-1)[..., 0]
