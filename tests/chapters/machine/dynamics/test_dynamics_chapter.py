@@ -316,3 +316,9 @@ def test_motions_that_do_not_exist_are_explained(text, words):
 def test_what_is_stated_wrong_is_told_with_what_would_be_right(text, words):
     said = refused(text)
     assert any(words in one for one in said), said
+
+
+def test_a_rounding_of_the_kinetic_energy_is_no_lack_where_nothing_works():
+    found = alone("  start: {begin: 4.7 rad/s, time: 1.5 s}\n  parts: [{name: wheel, inertia: 3}]\n")
+    assert found.s.number("omega_start") == pytest.approx(4.7, rel=1e-14)
+    assert found.s.number("balance_error") < 1e-8

@@ -97,9 +97,10 @@ class Run:
 
     @property
     def error(self) -> float:
-        """What the balance of energy lacks, relative to the largest of the works and of the change."""
-        lacks = sum(self.works.values()) - self.gained
-        return abs(lacks) / (max(map(abs, (*self.works.values(), self.gained))) or 1.0)
+        """What the balance of energy lacks, relative to the largest of the works and of the change; where nothing works
+        and nothing changes the kinetic energy, relative to a millionth of that: its rounding is no lack."""
+        works, energy = self.works.values(), float(np.max(self.inertia * self.omega**2)) / 2
+        return abs(sum(works) - self.gained) / (max(map(abs, (*works, self.gained, 1e-6 * energy))) or 1.0)
 
     @cached_property
     def residual(self) -> float:
