@@ -33,7 +33,7 @@ MECHANICS = "tmm_report/mechanics/"
 PAGE = "tmm_report/report/page.py"
 MODEL = "tmm_report/quantity/model.py"
 SCHEME = ("tests/figures/test_scheme.py",)
-MESH = ("tests/figures/test_gearing.py",)
+MESH = ("tests/figures/gears/test_gearing.py",)
 
 FAULTS = (
     # --- kinetostatics ---

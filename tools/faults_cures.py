@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from faults import STATICS, Fault
 
-CURES = ("tests/test_cures_of_slips.py",)
-UNUSUAL = ("tests/test_unusual_but_right.py",)
+CURES = ("tests/variant/test_cures_of_slips.py",)
+UNUSUAL = ("tests/variant/test_unusual_but_right.py",)
 FOLLOWED = ("tests/mechanics/lever/high_class/test_branch.py",)
 
 FAULTS = (
@@ -78,77 +78,77 @@ FAULTS = (
         "tmm_report/yamlread/commas.py",
         "_REST.fullmatch(text) and _WHOLE.fullmatch(before[1])",
         "_REST.fullmatch(text) and not _WHOLE.fullmatch(before[1])",
-        tests=("tests/test_slips_of_yaml.py",),
+        tests=("tests/variant/test_slips_of_yaml.py",),
     ),
     Fault(
         "an unclosed bracket told where the parser stopped",
         "tmm_report/yamlread/slips.py",
         'yield Slip(begun, Message(text, {**told, "next": broken.place[0]}), right)',
         'yield Slip(broken.place, Message(text, {**told, "next": broken.place[0]}), right)',
-        tests=("tests/test_slips_of_yaml.py",),
+        tests=("tests/variant/test_slips_of_yaml.py",),
     ),
     Fault(
         "names that look alike kept apart without a word",
-        "tmm_report/variant/lookalike.py",
+        "tmm_report/variant/slips/lookalike.py",
         "found[latin(word)].setdefault(word, [])",
         "found[word].setdefault(word, [])",
-        tests=("tests/test_lookalikes.py",),
+        tests=("tests/variant/test_lookalikes.py",),
     ),
     Fault(
         "the rarer spelling taken for the meant one",
-        "tmm_report/variant/lookalike.py",
+        "tmm_report/variant/slips/lookalike.py",
         "return max(words, key=lambda",
         "return min(words, key=lambda",
-        tests=("tests/test_lookalikes.py",),
+        tests=("tests/variant/test_lookalikes.py",),
     ),
     Fault(
         "a word suggested in place of itself",
         "tmm_report/variant/errors.py",
         "others = [one for one in known if one != word]",
         "others = list(known)",
-        tests=("tests/test_lookalikes.py",),
+        tests=("tests/variant/test_lookalikes.py",),
     ),
     Fault(
         "bare metres of a whole mechanism pass",
-        "tmm_report/variant/odd.py",
+        "tmm_report/variant/slips/odd.py",
         "LARGE, SMALL = 20.0, 5e-4",
         "LARGE, SMALL = 2000.0, 5e-4",
-        tests=("tests/test_odd_numbers.py",),
+        tests=("tests/variant/test_odd_numbers.py",),
     ),
     Fault(
         "a length a thousand times too small passes",
-        "tmm_report/variant/odd.py",
+        "tmm_report/variant/slips/odd.py",
         "return alike and back and ratio < 1 / 50",
         "return alike and back and ratio < 1 / 50000",
-        tests=("tests/test_odd_numbers.py",),
+        tests=("tests/variant/test_odd_numbers.py",),
     ),
     Fault(
         "moments of inertia held against no radius",
         "tmm_report/chapters/lever/structure/block/odd.py",
         "radius = math.sqrt(inertia.size / mass.size)",
         "radius = 0.3 * longest",
-        tests=("tests/test_odd_numbers.py",),
+        tests=("tests/variant/test_odd_numbers.py",),
     ),
     Fault(
         "mistakes of a file told in the system's language",
         "tmm_report/course.py",
         "raise ProblemError(error.problems, stated_in(text)) from None",
         "raise ProblemError(error.problems) from None",
-        tests=("tests/test_layers_of_mistakes.py",),
+        tests=("tests/variant/test_layers_of_mistakes.py",),
     ),
     Fault(
         "gears that cannot be hidden behind a mechanism that cannot be",
         "tmm_report/course.py",
         "    yield from _of_gears(Variant(**_given(gears, read)))",
         "    yield from ()",
-        tests=("tests/test_layers_of_mistakes.py",),
+        tests=("tests/variant/test_layers_of_mistakes.py",),
     ),
     Fault(
         "doubts never printed",
         "tmm_report/commands/solve.py",
         "    for problem in doubts(results):",
         "    for problem in ():",
-        tests=("tests/test_odd_numbers.py",),
+        tests=("tests/variant/test_odd_numbers.py",),
     ),
     # --- bounds and files ---
     Fault(
@@ -156,35 +156,35 @@ FAULTS = (
         "tmm_report/commands/whole.py",
         "    if begun.entries:\n",
         "    if False:\n",
-        tests=("tests/test_whole_folder.py",),
+        tests=("tests/commands/test_whole_folder.py",),
     ),
     Fault(
         "an edited note is lost",
         "tmm_report/commands/whole.py",
         'found[name] = _free(folder, f"{name}.bak")',
         "pass",
-        tests=("tests/test_whole_folder.py",),
+        tests=("tests/commands/test_whole_folder.py",),
     ),
     Fault(
         "a figure of the last note stays",
         "tmm_report/commands/whole.py",
         "goes = [name for name in stays if _same_kind(name, new)]",
         "goes: list[str] = []",
-        tests=("tests/test_whole_folder.py",),
+        tests=("tests/commands/test_whole_folder.py",),
     ),
     Fault(
         "gear conditions do not count",
         "tmm_report/commands/solve.py",
         "return good and sound(results)",
         "return good",
-        tests=("tests/test_exit_codes.py",),
+        tests=("tests/commands/test_exit_codes.py",),
     ),
     Fault(
         "points are not counted",
         "tmm_report/variant/sizes.py",
         "> POINTS:",
         "> 10 * POINTS:",
-        tests=("tests/test_sizes.py",),
+        tests=("tests/variant/test_sizes.py",),
     ),
     Fault(
         "a leader goes through a box",
@@ -198,7 +198,7 @@ FAULTS = (
         "tmm_report/quantity/paper.py",
         "low <= largest / scale <= high",
         "low <= largest / scale",
-        tests=("tests/test_sizes.py",),
+        tests=("tests/variant/test_sizes.py",),
     ),
     # --- foreign folders, long motions ---
     Fault(
@@ -206,35 +206,35 @@ FAULTS = (
         "tmm_report/commands/whole.py",
         "return not staged.is_symlink() and not any(",
         "return not any(",
-        tests=("tests/test_foreign_folders.py",),
+        tests=("tests/commands/test_foreign_folders.py",),
     ),
     Fault(
         "links within the staged set",
         "tmm_report/commands/whole.py",
         ' and not any(path.is_symlink() for path in staged.rglob("*"))',
         "",
-        tests=("tests/test_foreign_folders.py",),
+        tests=("tests/commands/test_foreign_folders.py",),
     ),
     Fault(
         "figures that are a link",
         "tmm_report/commands/whole.py",
         "(parent.is_symlink() or not parent.is_dir())",
         "not parent.is_dir()",
-        tests=("tests/test_foreign_folders.py",),
+        tests=("tests/commands/test_foreign_folders.py",),
     ),
     Fault(
         "a run that goes on is not waited for",
         "tmm_report/commands/whole.py",
         "                if not left:\n                    raise\n",
         "                if not left:\n                    break\n",
-        tests=("tests/test_foreign_folders.py",),
+        tests=("tests/commands/test_foreign_folders.py",),
     ),
     Fault(
         "a motion is followed without end",
         "tmm_report/mechanics/machine/run/by_time.py",
         "range(min(TURNS, FOLLOWED // plant.panels.x.size))",
         "range(TURNS)",
-        tests=("tests/test_sizes.py",),
+        tests=("tests/variant/test_sizes.py",),
     ),
     # --- cures ---
     Fault(
@@ -253,14 +253,14 @@ FAULTS = (
     ),
     Fault(
         "low pressures warned about",
-        "tmm_report/variant/odd.py",
+        "tmm_report/variant/slips/odd.py",
         "Limit(50.0, 5e8",
         "Limit(1e3, 5e8",
         tests=UNUSUAL,
     ),
     Fault(
         "points that 0 and O tell apart read as two",
-        "tmm_report/variant/lookalike.py",
+        "tmm_report/variant/slips/lookalike.py",
         "keys |= dict.fromkeys(places, meant)",
         "pass",
         tests=CURES,

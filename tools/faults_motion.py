@@ -12,7 +12,7 @@ MOTION = (
 TABLES = ("tests/chapters/machine/dynamics/test_dynamics_tables.py",)
 LAWS = (
     "tests/mechanics/machine/test_characteristics.py",
-    "tests/validation/test_motion_inertia_and_start.py",
+    "tests/validation/motion/test_motion_inertia_and_start.py",
 )
 FLYWHEEL = "tmm_report/chapters/machine/flywheel/"
 FLYWHEEL_TESTS = ("tests/chapters/machine/flywheel/test_flywheel.py",)
@@ -92,17 +92,17 @@ FAULTS = (
     Fault("friction of the pairs drives", "tmm_report/chapters/lever/moving.py",
           "np.zeros(self.panels.shape) if kept is None else -kept",
           "np.zeros(self.panels.shape) if kept is None else kept", "piston_pump",
-          ("tests/chapters/machine/test_friction_in_motion.py",)),
+          ("tests/chapters/machine/pairs/test_friction_in_motion.py",)),
     Fault("friction of the pairs is left out of the flywheel", "tmm_report/chapters/machine/flywheel/loads.py",
           "machine(moving, given.friction), moving", "machine(moving), moving", "compressor",
-          ("tests/chapters/machine/test_friction_in_motion.py",)),
+          ("tests/chapters/machine/pairs/test_friction_in_motion.py",)),
     Fault("the share of friction is by what the loads take", "tmm_report/chapters/lever/moving.py",
           "driving = max(loads, lost, lost - loads)", "driving = max(loads, lost, -loads)", "compressor",
-          ("tests/chapters/machine/test_friction_in_motion.py",)),
+          ("tests/chapters/machine/pairs/test_friction_in_motion.py",)),
     Fault("a run-down without loads has their friction", DYNAMICS + "plant.py",
           "if one.key == PAIRS and self.unloaded is not None:",
           "if one.key != PAIRS and self.unloaded is not None:", "piston_pump",
-          ("tests/chapters/machine/test_friction_in_motion.py",)),
+          ("tests/chapters/machine/pairs/test_friction_in_motion.py",)),
     Fault("friction of the pairs does not load the drive", "tmm_report/chapters/gears/drive/crank.py",
           "mean, ends = mean + float(lost or 0.0),", "mean, ends = mean,", "hoist_drive",
           ("tests/chapters/machine/test_drive_turns_the_link.py",)),

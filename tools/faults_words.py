@@ -37,7 +37,13 @@ CAPTION = re.compile(r'm\.(?:table|figure)\(.*?t\("([^"%\\]+)"')
 SOURCE = re.compile(r'm\.by\("(\w+)"[^)]*\)')
 NOUN = re.compile(r'N_\("([a-z][^"%\\]+)"\)')
 LETTER = re.compile(r'(?:Q\(|Symbol\()"(\w+)"')
+KEY = re.compile(r'Quantity\("(\w+)"|^\s*(\w+?)_? = Q\(')
 UNIT = re.compile(r'"(' + "|".join(re.escape(unit) for unit in UNITS) + r')"')
+
+KEYS = {"friction", "reduction", "transmission", "balancing", "harmonics", "dynamics", "flywheel", "governor", "rotor",
+        "engine", "vibration", "contacts", "efficiency", "wear", "drive", "spur", "planetary", "eccentric",
+        "readings", "methods"}  # fmt: skip
+"""Chapters that a variant's file asks for by name."""
 
 CHAPTERS = "tmm_report/chapters/"
 STATED = [  # definitions and axes, by their own texts: what, file, old, new, variant
@@ -81,7 +87,7 @@ STATED = [  # definitions and axes, by their own texts: what, file, old, new, va
      "compressor"),
 ]  # fmt: skip
 
-Edit = tuple[str, str, str]  # old, new, by which words an approved text is known that says it
+Edit = tuple[str, str, str | re.Pattern[str]]  # old, new, by what an approved text is known that says it
 Found = Iterator[Edit]
 
 
@@ -90,7 +96,8 @@ def faults(root: Path) -> Iterator[Fault]:
         yield Fault(f"words: {what}", CHAPTERS + file, old, new, variant, words=True)
     texts = {kind: dict(_approved(root, kind)) for kind in (".en.txt", ".ru.txt", ".numbers")}
     for file, kind, where, edits in _of_all(root):
-        said = ((old, new, _saying(texts[where], words)) for old, new, words in edits)
+        own = [name for name in texts[where] if _has(root, name, file)]
+        said = ((old, new, _saying(texts[where], own, words)) for old, new, words in edits)
         for number, (old, new, variant) in enumerate(islice((one for one in said if one[2]), EACH), 1):
             name = f"words: {kind} {number} in {file.relative_to(root).as_posix()}"
             yield Fault(name, file.relative_to(root).as_posix(), old, new, variant, words=True)
@@ -101,10 +108,19 @@ def _approved(root: Path, kind: str) -> Iterator[tuple[str, str]]:
         yield path.name.removesuffix(kind), path.read_text("utf-8")
 
 
-def _saying(texts: Mapping[str, str], words: str) -> str:
-    """The variant with the shortest approved text that says this."""
-    own = words.split("%(")[0].strip()
-    saying = [name for name in texts if own and own in texts[name]]
+def _has(root: Path, variant: str, file: Path) -> bool:
+    """Whether a variant states what a chapter's file is for; one without a key of its own goes with any mechanism."""
+    keys = {part.removesuffix(".j2") for part in file.parts} & KEYS
+    keys = {"drive" if key in ("spur", "planetary") else key for key in keys}
+    text = (root / "variants" / f"{variant}.yaml").read_text("utf-8")
+    return all(f"\n{key}:" in text for key in keys or {"mechanism"})
+
+
+def _saying(texts: Mapping[str, str], own: list[str], words: str | re.Pattern[str]) -> str:
+    """Of its own variants the one with the shortest approved text that says this, by the longest piece of it."""
+    piece = max(re.split(r"%\(\w+\)s", words), key=len).strip() if isinstance(words, str) else words
+    said = re.compile(re.escape(piece)) if isinstance(piece, str) else piece
+    saying = [name for name in own if piece and said.search(texts[name])]
     return min(saying, key=lambda name: len(texts[name]), default="")
 
 
@@ -119,9 +135,11 @@ def _of_all(root: Path) -> Iterator[tuple[Path, str, str, Found]]:
         kind = f"the opposite in the translation of {page.stem}, {page.parent.name}"
         yield catalogue, kind, ".ru.txt", _translated(text, catalogue)
     for file in sorted((root / "tmm_report" / "chapters").rglob("*.py")):
+        if file.name == "ways.py":
+            continue  # what it declares only `explain` says
         code = file.read_text("utf-8")
         declared = [line for line in code.splitlines() if re.search(r"\b(?:Q|Quantity)\(.*N_\(", line)]
-        yield file, "another noun", ".numbers", _exchanged(code, NOUN)
+        yield file, "another noun", ".numbers", _lines(code, declared, NOUN, _rotated(declared, NOUN))
         yield file, "another letter", ".numbers", _lines(code, declared, LETTER, _rotated(declared, LETTER))
         yield file, "another unit", ".numbers", _lines(code, declared, UNIT, UNITS.__getitem__)
 
@@ -171,9 +189,10 @@ def _rotated(lines: list[str], pattern: re.Pattern[str]) -> Callable[[str], str]
 
 
 def _lines(text: str, lines: list[str], pattern: re.Pattern[str], other: Callable[[str], str]) -> Found:
-    """The first that a line says, by another: the whole line is the text, its noun says where it is read."""
+    """The first that a line says, by another: the whole line is the text, its key and noun say where it is read."""
     for line in lines:
-        found, noun = pattern.search(line), NOUN.search(line)
-        if found is not None and noun is not None:
+        found, noun, key = pattern.search(line), NOUN.search(line), KEY.search(line)
+        if found is not None and noun is not None and key is not None:
             start, end = found.span(1)
-            yield from _once(text, [(line, line[:start] + other(found[1]) + line[end:], noun[1])])
+            called = re.compile(rf"^(?:\S*[._])?{key[1] or key[2]} \|.*\| {re.escape(noun[1])}$", re.M)
+            yield from _once(text, [(line, line[:start] + other(found[1]) + line[end:], called)])

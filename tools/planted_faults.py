@@ -47,7 +47,8 @@ FAULTS = (
 )
 
 COPIED = ("tmm_report", "templates", "variants", "tests", "tools", "pyproject.toml", "README.md", "docs")
-TEXTS, GEARS_BESIDE, LEVERS_BESIDE = "test_golden_text.py", "test_other_gears.py", "test_other_levers.py"
+TEXTS = "test_golden_text.py"
+GEARS_BESIDE, LEVERS_BESIDE = "tables/test_other_gears.py", "tables/test_other_levers.py"
 GEARS = ("hoist_drive", "eccentric")  # variants whose faults gears of no variant may notice: they cost time
 FAILED = re.compile(r"^(?:FAILED|ERROR) (\S+)", re.M)
 

@@ -21,7 +21,7 @@ from zlib import crc32
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 ROOT = Path(__file__).parents[2]
-sys.path[:0] = [str(ROOT / "tests")]
+sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "tests" / "variant")]
 
 from benchmarks.fuzz import data, texts  # noqa: E402
 from benchmarks.fuzz.generated import whole  # noqa: E402

@@ -141,7 +141,7 @@ def block_of_another(data: Data, random: Random, others: Sequence[Data]) -> Data
 
 
 def meant(data: Data, random: Random, others: Sequence[Data]) -> Data:
-    """A mistake that a person makes in the description of a mechanism (`tests/mutations.py`)."""
+    """A mistake that a person makes in the description of a mechanism (`tests/variant/mutations.py`)."""
     try:
         changes = [changes for _, changes in random.choice(KINDS)(data)]
         return changed(data, random.choice(changes)) if changes else data

@@ -10,7 +10,7 @@ from html.parser import HTMLParser
 import numpy as np
 import pytest
 from conftest import read, unread
-from test_attacks import PAYLOADS
+from payloads import PAYLOADS
 
 from tmm_report.commands.grade.feedback import SECTIONS, feedback
 from tmm_report.commands.grade.legend import MARKS

@@ -8,7 +8,7 @@ import json
 from dataclasses import replace
 
 import pytest
-from test_attacks import PAYLOADS
+from payloads import PAYLOADS
 
 from tmm_report.grading.model import KINDS, Digest, Rule
 from tmm_report.grading.year.gradebook import gradebook, gradescope, line

@@ -13,7 +13,7 @@ import pytest
 from conftest import examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from test_attacks import PAYLOADS
+from payloads import PAYLOADS
 
 from tmm_report.commands.grade.statistics_page import statistics_files
 from tmm_report.grading.model import Digest, Rule

@@ -10,7 +10,7 @@ from contextlib import suppress
 from typing import NamedTuple
 
 from tmm_report.problems import N_, Message, shown
-from tmm_report.quantity import alike
+from tmm_report.quantity.typed import alike
 
 Exponents = tuple[int, int, int, int]  # of metre, kilogram, second, radian
 
@@ -145,7 +145,7 @@ def parse(value: object, dimension: str) -> float:
 
 def _cure(text: str, dimension: str) -> Message | None:
     """What to write in place of a text whose unit is unknown."""
-    from tmm_report.quantity import mistyped  # only a mistake needs it
+    from tmm_report.quantity.typed import mistyped  # only a mistake needs it
 
     if sign := mistyped.sign(text):
         return sign

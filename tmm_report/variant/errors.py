@@ -10,11 +10,11 @@ from typing import Any
 from pydantic import BaseModel, ValidationError
 
 from tmm_report.problems import N_, Message, Problem, mistake, shown
-from tmm_report.quantity.alike import difference, skeleton
+from tmm_report.quantity.typed.alike import difference, skeleton
 from tmm_report.quantity.units import WrongValue
-from tmm_report.variant import elsewhere
 from tmm_report.variant.forms import fields_at, forms_at
 from tmm_report.variant.leaves import leaves
+from tmm_report.variant.slips import elsewhere
 from tmm_report.yamlread import Path
 
 _TEXTS = {

@@ -13,9 +13,10 @@ from pydantic import ValidationError
 
 from tmm_report import yamlread
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake, shown
-from tmm_report.variant import errors, lookalike, odd, sizes
+from tmm_report.variant import errors, sizes
 from tmm_report.variant.leaves import leaves
 from tmm_report.variant.model import Block, Read, Room, Rooms
+from tmm_report.variant.slips import lookalike, odd
 from tmm_report.yamlread import Document, Path, located
 
 Further = Callable[[Read], Iterable[Problem]]

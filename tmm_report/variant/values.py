@@ -16,7 +16,7 @@ from pydantic_core import core_schema
 
 from tmm_report.problems import N_, Message, shown
 from tmm_report.quantity import units
-from tmm_report.quantity.alike import difference, readings
+from tmm_report.quantity.typed.alike import difference, readings
 from tmm_report.quantity.units import DIMENSIONS, WrongValue
 from tmm_report.records import dataclass
 

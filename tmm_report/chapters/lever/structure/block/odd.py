@@ -19,7 +19,7 @@ from tmm_report.problems import N_, Message, Problem, doubt
 from tmm_report.records import dataclass
 from tmm_report.variant.measures import Measure, measures
 from tmm_report.variant.model import Read
-from tmm_report.variant.odd import MEANT, lengths, said
+from tmm_report.variant.slips.odd import MEANT, lengths, said
 
 STEEL = 7850.0  # kg/m³
 BULK = 5.0

@@ -1,0 +1,1 @@
+"""Letters and numbers as people type them: what looks alike, and slips of the pen."""
