@@ -84,6 +84,7 @@ def verdict(path: Path, *choice: int) -> str:
 # --- what is drawn
 
 
+@pytest.mark.exhaustive
 def test_every_file_handed_out_is_solved_and_meets_what_is_asked(tmp_path):
     assign(EXAMPLE, tmp_path / "a.csv", 6, folder=tmp_path / "variants")
     files = sorted((tmp_path / "variants").iterdir())
@@ -236,6 +237,7 @@ def test_a_mistake_of_the_variant_rejects_it_and_is_told(tmp_path):
     assert "-2 kg is negative" in verdict(ranges(tmp_path, parameters(mass)), 1)
 
 
+@pytest.mark.exhaustive
 def test_gears_that_change_are_solved_every_time(tmp_path):
     """The teeth that are stated do not give the other ratio; a pair's contact ratio is held as any result is."""
     ratio = "u: {key: drive.stages.0.ratio, choose: [6.56, 9]}"

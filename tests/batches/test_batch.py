@@ -65,6 +65,7 @@ def test_nothing_but_folders_and_summaries_is_left(source, tmp_path):
     assert left == {"anna", "boris", "d_gap", "vera", "summary.csv", "index.html", "journal.jsonl"}
 
 
+@pytest.mark.exhaustive
 def test_the_same_input_gives_the_same_bytes_whatever_the_processes(source, tmp_path):
     batch([source], tmp_path / "one", jobs=1)
     batch([source], tmp_path / "three", jobs=3)
@@ -253,6 +254,7 @@ def test_what_tex_and_systems_leave_beside_a_note_stops_nothing(tmp_path):
     assert list(tree(tmp_path / "out" / "anna")) == ["results.json"]
 
 
+@pytest.mark.exhaustive
 def test_variants_that_kill_hang_and_raise_are_lost_alone(tmp_path, monkeypatch):
     monkeypatch.setattr(command, "work", batch_chores.work)
     names = ("anna", "hangs", "kills", "raises", "vera")
@@ -267,6 +269,7 @@ def test_variants_that_kill_hang_and_raise_are_lost_alone(tmp_path, monkeypatch)
     assert "Traceback" in kept["raises"]["trace"]
 
 
+@pytest.mark.exhaustive
 def test_what_was_lost_is_tried_again_on_resuming(tmp_path, monkeypatch):
     monkeypatch.setattr(command, "work", batch_chores.work)
     source = write(tmp_path / "in", anna=student("Anna"), kills=student("Boris"))
@@ -291,6 +294,7 @@ PROBLEMS = st.builds(
 )
 
 
+@pytest.mark.exhaustive
 @given(st.lists(PROBLEMS, max_size=3))
 def test_a_mistake_is_told_alike_before_and_after_the_journal(given_problems):
     task = Task(0, "a", "a.yaml", b"", "k")

@@ -179,6 +179,7 @@ def rockers(count: int) -> str:
     return f"mechanism: {{{body}}}"
 
 
+@pytest.mark.exhaustive
 def test_more_ways_than_are_shown(tmp_path):
     (tmp_path / "many.yaml").write_text(rockers(8), encoding="utf-8")
     done = run(tmp_path / "many.yaml", "-o", tmp_path, "--lang", "en")

@@ -56,6 +56,7 @@ def edited(folder, change, name="eccentric"):
 # ---------------------------------------------------------------- the project's own samples
 
 
+@pytest.mark.exhaustive
 def test_the_projects_own_samples_are_as_they_were():
     same, lines = check(SAMPLES)
     assert same, "\n".join(lines)
@@ -233,6 +234,7 @@ def test_the_structure_of_a_page_is_its_headings_captions_heads_and_labels():
 # ---------------------------------------------------------------- storing
 
 
+@pytest.mark.exhaustive
 def test_a_variant_without_a_stored_file_differs_until_it_is_stored(folder):
     path = folder / f"eccentric{stored.SUFFIX}"
     before = path.read_bytes()
@@ -243,6 +245,7 @@ def test_a_variant_without_a_stored_file_differs_until_it_is_stored(folder):
     assert check(folder)[0]
 
 
+@pytest.mark.exhaustive
 def test_update_says_what_changed_and_writes_only_that(good, tmp_path):
     shutil.copytree(good, tmp_path, dirs_exist_ok=True)
     before = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
@@ -272,6 +275,7 @@ def test_nothing_is_stored_where_one_sample_cannot_be_solved(folder):
     assert b"<error" in (folder / "out.xml").read_bytes()
 
 
+@pytest.mark.exhaustive
 def test_a_stored_file_without_its_variant_is_a_difference_and_is_kept(folder):
     shutil.move(folder / "eccentric.yaml", folder / "other.yaml")
     same, lines = check(folder)

@@ -55,6 +55,7 @@ def test_the_folder_is_named_after_the_variant(tmp_path, monkeypatch):
     assert (tmp_path / "compressor-note" / "results.json").is_file()
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", many(["crank_rocker", "compressor"]))
 def test_same_variant_same_bytes(name, tmp_path):
     """Rendered here and by the command in another process, which hashes texts in its own way."""
@@ -224,6 +225,7 @@ def test_messages_in_the_users_language(tmp_path):
     assert not re.search(r": [a-z]+ [a-z]+ [a-z]+", russian.output), russian.output
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("names", many([FEW, NAMES]))
 def test_schema_accepts_the_variants_and_refuses_unknown_keys(names):
     done = run("schema")
@@ -256,6 +258,7 @@ def test_every_command_and_option_has_help():
             assert re.search(rf"{option}\b.*\s{{2,}}\S+", text), (command, option)
 
 
+@pytest.mark.exhaustive
 def test_pdf_without_tex_says_what_to_install(tmp_path, monkeypatch):
     monkeypatch.setenv("PATH", str(tmp_path))
     done = run("solve", VARIANTS / "crank_rocker.yaml", "-o", tmp_path / "out", "--format", "html", "--pdf")
@@ -263,6 +266,7 @@ def test_pdf_without_tex_says_what_to_install(tmp_path, monkeypatch):
     assert (tmp_path / "out" / "note.html").is_file()
 
 
+@pytest.mark.exhaustive
 def test_open_shows_the_note(tmp_path, monkeypatch):
     shown = []
     monkeypatch.setattr("webbrowser.open", shown.append)

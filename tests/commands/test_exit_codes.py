@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 from batching import GAP
+from exhaustive import many
 from notes import VARIANTS
 from typer.testing import CliRunner
 
@@ -222,7 +223,7 @@ SHELL = [
 
 
 @POSIX
-@pytest.mark.parametrize("line, code, said", SHELL)
+@pytest.mark.parametrize("line, code, said", many(SHELL, 2))
 def test_closed_and_full_streams(tmp_path, line, code, said):
     if "/dev/full" in line and not Path("/dev/full").exists():
         pytest.skip("no /dev/full")

@@ -263,5 +263,6 @@ def test_the_same_question_has_the_same_answer():
     assert told.__wrapped__("crank_rocker", "R_12", 7) == told("crank_rocker", "R_12", 7)
 
 
+@pytest.mark.exhaustive
 def test_the_reaction_turned_round_is_explained_as_the_reaction_that_it_is():
     assert told("compressor", "R_54", 2) == told("compressor", "R_45", 2)

@@ -110,7 +110,7 @@ class Some(Target):
 # ---------------------------------------------------------------- none is left
 
 
-@pytest.mark.parametrize("file", [*ALL_FILES, *CASES], ids=lambda file: file.stem)
+@pytest.mark.parametrize("file", [*ALL_FILES, *many(CASES, 3)], ids=lambda file: file.stem)
 def test_every_number_is_explained_rightly(file):
     """Nothing is left unexplained; a formula of a way gives the number; what is said to be given stands in the file or
     is a usual value."""

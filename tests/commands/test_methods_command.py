@@ -45,6 +45,7 @@ def errors(made, method: str, family: str = "motion") -> dict[int, dict[str, flo
     return {row["count"]: row["errors"] for row in rows if (row["family"], row["method"]) == (family, method)}
 
 
+@pytest.mark.exhaustive
 def test_every_method_is_either_run_or_refused(made):
     found = data(made[0]["methods.json"])
     ran = {row["method"] for row in found["trials"] if row["family"] == "motion"}

@@ -122,6 +122,7 @@ def test_without_names_the_involute_is_verified_too(monkeypatch):
     assert right and "right: 22 numbers in 0 variants" in lines
 
 
+@pytest.mark.exhaustive
 def test_a_satellite_that_lies_on_the_wrong_side_turns_it_red(monkeypatch):
     of = eccentric.centres
     monkeypatch.setattr(eccentric, "centres", lambda *given: of(*given).conj())

@@ -22,6 +22,7 @@ def cases() -> Cases:
     return Cases(1)
 
 
+@pytest.mark.exhaustive
 def test_a_seed_always_makes_the_same_cases(cases):
     again = Cases(1)
     made = [cases.text(k) for k in range(40)]
@@ -30,6 +31,7 @@ def test_a_seed_always_makes_the_same_cases(cases):
     assert made != [Cases(2).text(k) for k in range(40)]
 
 
+@pytest.mark.exhaustive
 def test_a_few_cases_solve_or_are_refused_in_words(cases):
     kinds = []
     for k in range(24):

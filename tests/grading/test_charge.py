@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from conftest import examples, read, solved, stating
+from exhaustive import many
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -136,7 +137,7 @@ MOVED = [
 
 
 @pytest.mark.parametrize("name", MOVED)
-@pytest.mark.parametrize("by", [30 / np.pi, 1 / (2 * np.pi), 1.25])
+@pytest.mark.parametrize("by", many([30 / np.pi, 1 / (2 * np.pi), 1.25]))
 def test_a_wrong_speed_carried_through_the_whole_work_is_charged_where_it_first_shows(name, by):
     """The crank's pin: its velocity. Everything else in the work follows from that."""
     driver = read(name).lever.mechanism.driver.link

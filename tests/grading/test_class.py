@@ -6,6 +6,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from exhaustive import many
 
 from tmm_report import course
 from tmm_report.grading import rubric as rubrics
@@ -33,7 +34,7 @@ FAIR = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("id", FAIR)
+@pytest.mark.parametrize("id", many(FAIR, 5))
 def test_points_are_those_of_a_fair_teacher(id):
     assert marked(id).points == pytest.approx(FAIR[id], abs=0.5)
 
@@ -57,7 +58,7 @@ NAMED = {  # what was planted -> how it is named
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("id", NAMED)
+@pytest.mark.parametrize("id", many(NAMED, 6))
 def test_what_was_planted_is_named_and_nothing_else(id):
     assert sorted((cause.kind, cause.detail) for cause in marked(id).causes) == sorted(NAMED[id])
 

@@ -252,6 +252,7 @@ def test_the_angle_of_the_driving_link_leads_to_all_places(name, shift):
         assert (np.isfinite(follows[key][0].values) == np.isfinite(values)).all(), key
 
 
+@pytest.mark.exhaustive
 @few
 @given(name=levers, factor=st.floats(0.3, 3))
 def test_loads_of_heavier_links_lead_to_their_reactions(name, factor):
@@ -269,6 +270,7 @@ def couples(other):
     return {key: values for key, values in other.items() if key.startswith("M_I")}
 
 
+@pytest.mark.exhaustive
 @few
 @given(name=levers, factor=st.floats(0.3, 3))
 def test_reactions_of_the_last_group_lead_to_those_before_it(name, factor):

@@ -196,7 +196,7 @@ CANNOT = {
 }
 
 
-@pytest.mark.parametrize("name", CANNOT)
+@pytest.mark.parametrize("name", many(CANNOT, 4))
 def test_what_cannot_be_read_gets_its_reason_and_no_mark_anywhere(year, name):
     file, content, reason = CANNOT[name]
     lay("s1.csv")
@@ -233,7 +233,7 @@ ABSENT = {
 }
 
 
-@pytest.mark.parametrize("name", ABSENT)
+@pytest.mark.parametrize("name", many(ABSENT, 2))
 def test_what_is_not_handed_in_is_not_nought(year, name):
     for id in NAMES:
         if id != "s2":
@@ -342,6 +342,7 @@ def test_of_several_attempts_the_last_counts_or_the_best(year, name, rule):
 # ---------------------------------------------------------------- marks set by hand
 
 
+@pytest.mark.exhaustive
 def test_a_mark_set_by_hand_stands_at_the_next_run(year):
     lay("s1.csv", HALF)
     lay("s3.csv")

@@ -189,6 +189,7 @@ def test_weights_are_not_read_off_a_plan_however_coarse_its_scale(asked):
     assert set(found.columns[name].rules) == {Rule.OFF}
 
 
+@pytest.mark.exhaustive
 def test_numbers_of_another_variant_do_not_follow_from_each_other(asked):
     """They are consistent, as they would be with a datum read wrongly; but they are somebody's."""
     text = (VARIANTS / "compressor.yaml").read_text("utf-8").replace("A: 100 mm", "A: 112 mm")

@@ -22,6 +22,7 @@ def test_a_department_of_three_thousand_is_read(tmp_path, suffix):
     assert found["s2999"] == {"name": "Студент 2999", "email": "s2999@x.org", "moodle_id": "2999"}
 
 
+@pytest.mark.exhaustive
 def test_a_list_without_end_is_refused(tmp_path):
     (tmp_path / "list.csv").write_text("id\n" + "s\n" * (ROWS + 1))
     with pytest.raises(ProblemError, match="more than 100000 rows"):

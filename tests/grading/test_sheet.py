@@ -8,6 +8,7 @@ import io
 import openpyxl
 import pytest
 from conftest import solved
+from exhaustive import many
 from notes import VARIANTS
 from told import Told
 
@@ -56,7 +57,7 @@ def filled(name: str, content: bytes, asked) -> bytes:
 
 @pytest.mark.parametrize("language", LANGUAGES)
 @pytest.mark.parametrize("name", ["compressor", "hoist_drive", "eccentric", "scotch_yoke"])
-@pytest.mark.parametrize("rubric", [lambda asked: Rubric(), every], ids=["usual", "everything"])
+@pytest.mark.parametrize("rubric", many([lambda asked: Rubric(), every]), ids=["usual", "everything"])
 def test_files_of_a_template_filled_in_are_full_marks(name, rubric, language):
     results = solved(name)
     asked = expected(results)

@@ -100,6 +100,7 @@ def test_a_mass_from_the_neighbours_row_is_named_though_no_load_is_on_the_sheet(
     assert len(charged(found)) == 1
 
 
+@pytest.mark.exhaustive
 def test_a_slip_beside_the_wrong_datum_is_charged_besides():
     name = ("rates_table", "v_B")
     datum = next(one for one in data(bare(solved("shaper"))) if one.key == "mechanism.links.1.points.A")
@@ -134,6 +135,7 @@ def test_right_works_rounded_and_read_within_the_limit_lose_nothing_and_are_not_
     assert not found.causes and not charged(found)
 
 
+@pytest.mark.exhaustive
 @settings(max_examples=examples(8))
 @example(name="jaw_crusher", seed=0)  # psi_3 goes back nearly as it came
 @given(name=st.sampled_from(NAMES), seed=st.integers(0, 2**32))

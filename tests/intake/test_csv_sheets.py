@@ -175,6 +175,7 @@ except ProblemError as error:
 """
 
 
+@pytest.mark.exhaustive
 def test_hostile_tables_cost_neither_memory_nor_time():
     lines = confined(HOSTILE, memory=350 * 2**20).splitlines()
     assert len(lines) == 10

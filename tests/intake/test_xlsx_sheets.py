@@ -278,6 +278,7 @@ BOMBS = {
 }  # fmt: skip
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", many(BOMBS))
 def test_bombs_cost_neither_memory_nor_time(name, tmp_path):
     make, said = BOMBS[name]

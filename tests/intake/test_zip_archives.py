@@ -204,6 +204,7 @@ attempt(one[:begin] + one[begin:end] * count + one[end:end + 12] + struct.pack("
 """
 
 
+@pytest.mark.exhaustive
 def test_bombs_cost_neither_memory_nor_time():
     assert confined(BOMBS).splitlines() == [
         "a.zip:a.yaml: the file is larger than 5120 kB",

@@ -61,6 +61,7 @@ def test_page_does_not_scroll_sideways(seen):
 quick_or_all = pytest.mark.parametrize("quick", many([True, False]), ids=["two", "others"])
 
 
+@pytest.mark.exhaustive
 @quick_or_all
 def test_nothing_printed_is_wider_than_the_text(quick):
     """What is wider makes the browser shrink the whole note, its drawings with it."""

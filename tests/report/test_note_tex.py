@@ -83,6 +83,7 @@ def test_every_sign_can_be_set(name):
         assert [file for file, text in files.items() if file.endswith(".tex") and b"?" in text] == []
 
 
+@pytest.mark.exhaustive
 def test_letters_of_every_language_of_the_users_are_set(tmp_path):
     """Of Kazakh and Ukrainian names no letter is lost, in text, bold, and as the name of a point."""
     letters = "ӘәҒғҚқҢңӨөҰұҮүҺһЇїЄєҐґ"  # і shares its glyph with the Latin one

@@ -129,6 +129,7 @@ def printed(files: dict[str, bytes], folder) -> list[tuple[float, float, list[st
     return found
 
 
+@pytest.mark.exhaustive
 def test_a_sheet_of_latex_follows_the_page_that_comes_to_it_and_pages_are_numbered_through(tmp_path):
     pages = printed(note((100, 20), (250, 20), (200, 50), (400, 100), (100, 20), (300, 300)), tmp_path)
     assert [page[:2] for page in pages] == [

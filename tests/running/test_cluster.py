@@ -88,6 +88,7 @@ def test_what_hangs_is_lost_and_the_rest_goes_on(scheduler):
     assert found == {1: 2, 2: 4, "hang": Lost("time")}
 
 
+@pytest.mark.exhaustive
 def test_a_cluster_of_our_own_is_started_and_ended():
     found = dict(cluster.over(chores.double, chunked(range(9), 3), address="local", jobs=1, seconds=60))
     assert found == {k: 2 * k for k in range(9)}
@@ -146,6 +147,7 @@ def test_what_never_begins_is_told_as_a_machine_too_busy():
         cluster.started(start)
 
 
+@pytest.mark.exhaustive
 def test_without_dask_its_installation_is_told(monkeypatch):
     monkeypatch.setattr(cluster, "find_spec", lambda name: None)
     with pytest.raises(ProblemError, match="Dask is not installed; pip install"):

@@ -99,6 +99,7 @@ def test_what_dies_once_is_done_at_the_second_try(tmp_path):
     }
 
 
+@pytest.mark.exhaustive
 @settings(max_examples=5, deadline=None)
 @given(st.lists(st.sampled_from(["die", "raise", "fine"]), min_size=1, max_size=9), st.integers(1, 5))
 def test_as_many_are_lost_as_are_bad(kinds, size):

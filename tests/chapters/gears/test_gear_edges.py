@@ -187,6 +187,7 @@ def test_stated_shifts_are_not_changed_without_a_word():
 @settings(max_examples=examples(40))
 @given(st.integers(6, 150), st.integers(6, 150), st.floats(-1.5, 2.5), st.floats(-1.5, 2.5), st.booleans(),
        st.floats(0, 30), st.sampled_from(["", ", cutter: {z0: 20, x0: 0.1}", ", cutter: {z0: 9, x0: -1}"]))  # fmt: skip
+@pytest.mark.exhaustive
 def test_any_pair_is_solved_or_refused_without_a_warning_of_numpy(z1, z2, x1, x2, internal, helix, cutter):
     stage = (
         f"ratio: {z2 / z1 if internal else -z2 / z1:.6f}, module: 2 mm, teeth: [{z1}, {z2}], "

@@ -42,6 +42,7 @@ def section(heading: str, note: str) -> str:
     return re.split(r"<h\d", note.split(f"{heading}</h", 1)[1], maxsplit=1)[0]
 
 
+@pytest.mark.exhaustive
 def test_the_conditions_that_are_not_met_come_first_in_the_conclusions():
     said = plain(html(FAILED).rpartition("Conclusions</h")[2])
     places = [said.index(f"Not all conditions of the gear pair {name}") for name in ("1-2", "3-4")]

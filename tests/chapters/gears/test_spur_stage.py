@@ -117,6 +117,7 @@ def test_points_of_the_line_of_action():
     assert at["B"] - at["C"] == pytest.approx(found.pair.p_b) == pytest.approx(at["D"] - at["A"])
 
 
+@pytest.mark.exhaustive
 def test_margins_change_sign_at_their_limits():
     """The undercut and the pointing fail just beyond the shift at which their margin is zero."""
     z = 20

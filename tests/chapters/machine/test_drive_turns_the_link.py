@@ -51,6 +51,7 @@ def test_the_link_takes_the_speed_and_the_sense_of_the_output():
 FRICTION = "friction: {pivots: {coefficient: 0.1, diameter: 60 mm}, guides: {coefficient: 0.15}}\n"
 
 
+@pytest.mark.exhaustive
 def test_friction_of_the_pairs_loads_the_drive():
     """By its dense mean and, of the greatest moment, by a fine table; `friction: false` leaves it out."""
     said = "language: en\n" + text("speed: drive", extra=FRICTION)

@@ -203,6 +203,7 @@ FIXED = Drawing(
 )
 
 
+@pytest.mark.exhaustive
 def test_same_drawing_same_bytes_whatever_settings_a_machine_has(tmp_path):
     own = tmp_path / "matplotlibrc"
     own.write_text(

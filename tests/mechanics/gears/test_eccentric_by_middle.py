@@ -76,6 +76,7 @@ def test_sets_of_the_ratios_53_27_and_39_21_assemble(teeth, e):
     assert all(s.residue == 0 for s in found.satellites)
 
 
+@pytest.mark.exhaustive
 def test_middle_satellites_asked_for_alone_are_judged_over_one_another():
     """z1 + z3 = 160 leaves 0 and E = 6 leaves 2 when divided by 4: over the largest satellite half a pitch is left."""
     alone = eccentric.solve(

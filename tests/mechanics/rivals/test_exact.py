@@ -78,6 +78,7 @@ def test_where_the_mechanism_does_not_close_there_is_nothing() -> None:
     assert np.isfinite(place[0]) and np.isnan(place[1])
 
 
+@pytest.mark.exhaustive
 def test_in_a_change_point_the_rates_are_the_limit_from_both_sides() -> None:
     links = {
         "0": Link("0", {"O": 0j, "C": 2 + 0j}),

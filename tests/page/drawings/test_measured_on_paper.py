@@ -152,6 +152,7 @@ def unprinted(pdf: bytes, name: str) -> list[str]:
     return [f"{anchor}: {key}, {number:.2f} mm, is not on the paper" for anchor, key, _, number in missing]
 
 
+@pytest.mark.exhaustive
 @pytest.mark.skipif("compressor" not in CHOSEN, reason="looks at another variant")
 def test_the_browser_prints_them_at_their_length():
     wrong(unprinted(seen("compressor-ru").pdf, "compressor"))

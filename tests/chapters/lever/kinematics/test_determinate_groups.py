@@ -1,12 +1,14 @@
 """Every group has as many equations of equilibrium as unknown reactions: 3n = 2p5 + p4."""
 
 import numpy as np
+import pytest
 from conftest import LEVERS, solved
 
 from tmm_report.chapters.lever.structure import quantities as q
 from tmm_report.chapters.lever.structure.view import KNOWN
 
 
+@pytest.mark.exhaustive
 def test_equations_of_every_group_are_as_many_as_its_unknowns():
     for path in LEVERS:
         found = solved(path.stem).lever.structure

@@ -238,6 +238,7 @@ def test_a_group_above_class_two_has_costs_of_its_own():
     assert followed["fourier"].of(5, 36) < followed["groups"].of(5, 36) < followed["newton"].of(5, 36)
 
 
+@pytest.mark.exhaustive
 def test_the_same_variant_gives_the_same_bytes():
     variant = small("method: auto", "accuracy: 1e-4", "methods: true")
     one, other = (render(solve(variant), fmt) for fmt in ("json", "json"))

@@ -74,6 +74,7 @@ def test_what_is_neither_a_moment_nor_a_moment_about_a_point_is_refused(inertia)
     assert len(mistakes(inertia)) == 1
 
 
+@pytest.mark.exhaustive
 def test_the_note_writes_steiner_out_in_numbers():
     """J1 = J1,O − m1 l²: the press states it about its pivot."""
     note = note_of("press", "html", "en")["note.html"].decode()

@@ -55,6 +55,7 @@ def searched_near(family):
 # ---------------------------------------------------------------- the search
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("family", many(["III-RRR", "III-S2-L", "IV-S"]))
 def test_the_branch_is_one_of_all_assemblies_at_every_angle_and_its_limit_takes_two_away(family):
     batch, right = searched(family)
@@ -93,6 +94,7 @@ def test_it_jams_where_the_rods_of_the_four_bar_lie_in_one_line():
         assert min(abs(reach - coupler - rocker), abs(reach - abs(coupler - rocker))) < 1e-12
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("family", many(sorted(NEAR)))
 def test_gaps_as_narrow_as_a_thousandth_of_a_degree_are_found(family):
     _, right = searched_near(family)
