@@ -76,7 +76,7 @@ STATED = [  # definitions and axes, by their own texts: what, file, old, new, va
     ("axis of the governor's response", "machine/governor/view/in_loop.py", 'self.of("response", "t")',
      'self.of("response", "z")', "governor_servo"),
     ("axis of the brake's start", "machine/governor/view/brake.py", 'self.of("start", "t")',
-     'self.of("start", "omega")', "governor_servo"),
+     'self.of("start", "omega")', "governor_porter"),
     ("axis of the moments over the speed", "machine/dynamics/draw.py", "[Motion.M.quantity]", "[Motion.J.quantity]",
      "tram_start"),
     ("axes of the speed and the moment", "machine/dynamics/draw.py", '[table["omega"].quantity, Motion.M.quantity]',
@@ -117,10 +117,11 @@ def _has(root: Path, variant: str, file: Path) -> bool:
 
 
 def _saying(texts: Mapping[str, str], own: list[str], words: str | re.Pattern[str]) -> str:
-    """Of its own variants the one with the shortest approved text that says this, by the longest piece of it."""
-    piece = max(re.split(r"%\(\w+\)s", words), key=len).strip() if isinstance(words, str) else words
-    said = re.compile(re.escape(piece)) if isinstance(piece, str) else piece
-    saying = [name for name in own if piece and said.search(texts[name])]
+    """Of its own variants the one with the shortest approved text that says this, with any numbers in it."""
+    if isinstance(words, str):
+        pieces = (re.escape(piece.strip()) for piece in re.split(r"%\(\w+\)s", words))
+        words = re.compile(".*?".join(pieces))
+    saying = [name for name in own if words.pattern and words.search(texts[name])]
     return min(saying, key=lambda name: len(texts[name]), default="")
 
 
