@@ -92,8 +92,8 @@ Found = Iterator[Edit]
 
 
 def faults(root: Path) -> Iterator[Fault]:
-    for what, file, old, new, variant in STATED:
-        yield Fault(f"words: {what}", CHAPTERS + file, old, new, variant, words=True)
+    for what, own_file, old, new, variant in STATED:
+        yield Fault(f"words: {what}", CHAPTERS + own_file, old, new, variant, words=True)
     texts = {kind: dict(_approved(root, kind)) for kind in (".en.txt", ".ru.txt", ".numbers")}
     for file, kind, where, edits in _of_all(root):
         own = [name for name in texts[where] if _has(root, name, file)]

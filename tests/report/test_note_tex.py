@@ -19,7 +19,7 @@ from tmm_report.commands.pdf import compile_pdf
 from tmm_report.course import loads
 from tmm_report.languages import LANGUAGES
 
-NOTES = many(["eccentric-en", "compressor-ru", "compressor-en", "shaper-ru", "tangent-en", "hoist_drive-ru"])
+NOTES = many(["eccentric-en", "compressor-ru", "shaper-ru", "hoist_drive-ru"])
 
 
 def texts(name: str, language: str) -> dict[str, bytes]:
@@ -64,8 +64,8 @@ def test_nothing_of_a_wide_note_is_wider_than_the_text():
 
 @pytest.mark.exhaustive
 def test_pdf_is_the_same_twice():
-    _, pdf = typeset("tangent", "en")
-    assert compile_pdf(note("tangent", "tex", "en")) == pdf
+    _, pdf = typeset("eccentric", "en")
+    assert compile_pdf(note("eccentric", "tex", "en")) == pdf
 
 
 @pytest.mark.parametrize("name", NAMES)
