@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import gettext
 import re
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import islice
 from pathlib import Path
@@ -128,11 +129,15 @@ def _saying(texts: Mapping[str, str], own: list[str], words: str | re.Pattern[st
 def _of_all(root: Path) -> Iterator[tuple[Path, str, str, Found]]:
     """File, kind of the fault, kind of the text in which it is looked for, the edits."""
     catalogue = root / CATALOGUE
-    for page in sorted((root / "templates" / "chapters").rglob("*.j2")):
-        text = page.read_text("utf-8")
-        yield page, "another caption", ".en.txt", _exchanged(text, CAPTION)
-        yield page, "another source", ".en.txt", _sources(text)
-        yield page, "the opposite", ".en.txt", _opposite(text)
+    pages = {
+        page: page.read_text("utf-8") for page in sorted((root / "templates" / "chapters").rglob("*.j2"))
+    }
+    said = Counter(words for text in pages.values() for words in {m[1] for m in TEXT.finditer(text)})
+    for page, text in pages.items():
+        own = {words for words, times in said.items() if times == 1}  # what two pages say tells neither
+        yield page, "another caption", ".en.txt", (one for one in _exchanged(text, CAPTION) if one[2] in own)
+        yield page, "another source", ".en.txt", (one for one in _sources(text) if one[2] in own)
+        yield page, "the opposite", ".en.txt", (one for one in _opposite(text) if one[2] in own)
         kind = f"the opposite in the translation of {page.stem}, {page.parent.name}"
         yield catalogue, kind, ".ru.txt", _translated(text, catalogue)
     for file in sorted((root / "tmm_report" / "chapters").rglob("*.py")):
@@ -158,11 +163,12 @@ def _exchanged(text: str, pattern: re.Pattern[str]) -> Found:
 
 
 def _sources(text: str) -> Found:
-    """By another author; the note is known by the longest text of the page."""
-    longest = max((m[1].split("%(")[0] for m in TEXT.finditer(text)), key=len, default="")
+    """By another author; the note is known by the text before it."""
     for match in SOURCE.finditer(text):
         other = "frolov" if match[1] != "frolov" else "levitsky"
-        yield from _once(text, [(match[0], match[0].replace(f'"{match[1]}"', f'"{other}"'), longest)])
+        before = TEXT.findall(text[: match.start()])
+        if before:
+            yield from _once(text, [(match[0], match[0].replace(f'"{match[1]}"', f'"{other}"'), before[-1])])
 
 
 def _opposite(text: str) -> Found:
