@@ -201,5 +201,8 @@ def _lines(text: str, lines: list[str], pattern: re.Pattern[str], other: Callabl
         found, noun, key = pattern.search(line), NOUN.search(line), KEY.search(line)
         if found is not None and noun is not None and key is not None:
             start, end = found.span(1)
-            called = re.compile(rf"^(?:\S*[._])?{key[1] or key[2]} \|.*\| {re.escape(noun[1])}$", re.M)
-            yield from _once(text, [(line, line[:start] + other(found[1]) + line[end:], called)])
+            letter = found[1] if pattern is LETTER else ".*"  # one that a variant letters anew is not read
+            called = rf"^(?:\S*[._])?{key[1] or key[2]} \| {letter} \|.*\| {re.escape(noun[1])}$"
+            yield from _once(
+                text, [(line, line[:start] + other(found[1]) + line[end:], re.compile(called, re.M))]
+            )
