@@ -63,6 +63,8 @@ STATED = [  # definitions and axes, by their own texts: what, file, old, new, va
      'Definition("G", Var("m", 0.0))', "compressor"),
     ("arm as the force by the moment", "lever/force_plans/view.py", 'Var("M_I", 0.0) / Var("F_I", 0.0)',
      'Var("F_I", 0.0) / Var("M_I", 0.0)', "compressor"),
+    ("smallest satellite larger than the largest", "gears/eccentric/equations.py", "of.set.z2 - of.s.E",
+     "of.set.z2 + of.s.E", "eccentric"),
     ("axis of the motion from the start", "machine/vibration/view.py", 'self.of("motion", "t")',
      'self.of("motion", "x_steady")', "locomotive_diesel"),
     ("axis of the absorbers", "machine/vibration/view.py", '[self.s.quantity("beta")]', '[self.s.quantity("zeta")]',

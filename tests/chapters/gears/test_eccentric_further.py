@@ -8,10 +8,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tmm_report import course
+from tmm_report import course, render
 from tmm_report.chapters.gears.eccentric.paths import Point, traced
 from tmm_report.chapters.gears.eccentric.solve import mechanism as eccentric
 from tmm_report.chapters.gears.eccentric.solve import near_ratio as near
+from tmm_report.chapters.gears.eccentric.steps import steps
 from tmm_report.mechanics.gears.pair_sizes import least_teeth
 from tmm_report.mechanics.gears.trains import Member, Mesh, Train, speeds
 from tmm_report.problems import ProblemError
@@ -149,6 +150,16 @@ def test_the_smallest_satellite_saves_its_share_of_the_largest(found):
 def test_a_middle_satellite_of_half_a_tooth_has_no_mass():
     found = eccentric.solve(stated(eccentricity=0.017, width=0.03, density=7800.0))
     assert np.isnan(found.masses.each[:, 1]).all() and np.isfinite(found.masses.held).all()
+
+
+def test_satellites_of_half_a_tooth_save_nothing():
+    """The set holds the middle ones alone: nothing is said of the masses of the largest and the smallest."""
+    text = "language: en\neccentric: {ratio: 53/27, eccentricity: 3 mm, module: 2 mm, satellites: [middle], "
+    results = course.solve(course.loads(text + "width: 20 mm, density: 7800 kg/m^3}"))
+    made = steps(results.eccentric)
+    assert made.masses.computed() == ["m4"] and "saved_share" not in made.s
+    page = render(results, "html")["note.html"].decode()
+    assert "hold" in page and "saves" not in page
 
 
 # --- what is refused

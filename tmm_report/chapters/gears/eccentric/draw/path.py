@@ -11,8 +11,6 @@ from tmm_report.chapters.gears.eccentric.solve.paper import path_scale
 from tmm_report.figures.drawing import AXIS, THIN, Circle, Drawing, Item, Pen, Tag, dot, line, polyline
 from tmm_report.figures.lettering import Symbol
 
-__all__ = ["path_drawing", "path_scale"]
-
 PATH = Pen(0.6, "blue")
 START = Pen(0.25, "black", (2.0, 1.0))
 
