@@ -260,10 +260,10 @@ class Mechanism:
         return PI * d**2 * self.s.b * self.s.density / 4
 
     def _path(self, path: Traced) -> Path:
-        table, point = f"eccentric_path_{path.point.name}", path.point
+        table, point = f"eccentric_path_{path.name}", path.point
         s, place = OfPath(of_path(path), prefix=table), Place(table, WRITTEN, other=of_place(path))
         s.radius, s.angle, s.turns = point.radius, math.degrees(point.angle), path.turns
-        of_ring = point.wheel == RING
+        of_ring = point.of_ring
         s.rate = 1 + (self.s.z1 / self.s.z3 if of_ring else self.s.z3 / self.s.z1)
         _scaled(s, "", paper.path_scale(path))
         place.theta = math.degrees(path.theta[WRITTEN])

@@ -219,8 +219,7 @@ class Place(Row):
 
 def of_path(path: Traced) -> dict[str, Q]:
     """What the single numbers of a path are called."""
-    name, wheel = path.point.name, path.point.wheel
-    held = SUN if wheel == RING else RING
+    name, (wheel, held) = path.name, path.point.members
     called = {"radius": Symbol("rho", name), "angle": Symbol("alpha", name), "turns": None,
               "rate": Symbol("u", wheel + CARRIER, held)}  # fmt: skip
     return {key: OfPath.DECLARED[key].called(symbol, name=name) for key, symbol in called.items()}
@@ -228,5 +227,5 @@ def of_path(path: Traced) -> dict[str, Q]:
 
 def of_place(path: Traced) -> dict[str, Q]:
     """What its coordinates are called."""
-    name = path.point.name
+    name = path.name
     return {axis: Place.DECLARED[axis].called(Symbol(axis, name), axis=axis, name=name) for axis in "xy"}

@@ -21,10 +21,10 @@ def path_drawing(found: Found, path: Traced, title: str = "") -> Drawing:
     mm = 1e3 * path_scale(path)
     half = found.given.module / 2 * mm
     teeth = {SUN: found.sun, RING: found.ring}
-    still = SUN if path.point.wheel == RING else RING
+    moving, still = path.point.members
     axis, start = complex(path.arm * mm), complex(path.at(np.array(0.0)) * mm)
     reach = abs(axis) + path.point.radius * mm
-    wheels = [(0j, half * teeth[still]), (axis, half * teeth[path.point.wheel])]
+    wheels = [(0j, half * teeth[still]), (axis, half * teeth[moving])]
     items: list[Item] = [
         *(Circle(centre, radius, AXIS) for centre, radius in wheels if abs(centre) + radius <= reach),
         Circle(0j, abs(axis), CENTRES),
@@ -36,8 +36,8 @@ def path_drawing(found: Found, path: Traced, title: str = "") -> Drawing:
     items += [dot(z, 0.7) for z in places]
     tags = [
         Tag((Symbol("O", still),), (0j,), prefer=-1 - 1j),
-        Tag((Symbol("O", path.point.wheel),), (axis,), prefer=1 + 1j),
-        Tag((Symbol(path.point.name, "0"),), (start,), prefer=_outwards(start)),
+        Tag((Symbol("O", moving),), (axis,), prefer=1 + 1j),
+        Tag((Symbol(path.name, "0"),), (start,), prefer=_outwards(start)),
     ]
     tags += [Tag((str(k),), (z,), prefer=_outwards(z), size=2.8) for k, z in enumerate(places)][1:]
     return Drawing(tuple(items), title).labelled(tags)

@@ -20,8 +20,8 @@ def further_tables(found: Found) -> Iterator[Table]:
     if found.masses is not None:
         yield Table("eccentric_masses", Message(N_("Masses of the satellites")), tuple(_masses(found)))
     for path in found.paths:
-        meaning = Message(N_("Path of point %(name)s"), {"name": path.point.name})
-        yield Table(f"eccentric_path_{path.point.name}", meaning, tuple(_path(path)))
+        meaning = Message(N_("Path of point %(name)s"), {"name": path.name})
+        yield Table(f"eccentric_path_{path.name}", meaning, tuple(_path(path)))
 
 
 def _near(found: Found) -> Iterator[Column]:

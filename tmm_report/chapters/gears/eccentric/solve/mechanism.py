@@ -231,7 +231,7 @@ def solve(given: Given) -> Found:
         motions(sun, ring, placed, given.module, given.speed or 1.0),
         toothed.proof(_assembled(given, sun, ring, e, placed)),
         None if given.tolerance is None else near_sets(given, given.ratio or u, E, given.tolerance),
-        tuple(traced(point, sun, ring, e) for point in given.points),
+        tuple(traced(name, point, sun, ring, e) for name, point in given.points.items()),
         _masses(given, judged),
     )
 

@@ -10,7 +10,7 @@ from markupsafe import Markup
 from tmm_report.chapters.gears.eccentric import equations
 from tmm_report.chapters.gears.eccentric.draw.path import path_drawing
 from tmm_report.chapters.gears.eccentric.quantities import tables
-from tmm_report.chapters.gears.eccentric.solve.mechanism import RING, Found
+from tmm_report.chapters.gears.eccentric.solve.mechanism import Found
 from tmm_report.chapters.gears.eccentric.steps import Path, steps
 from tmm_report.figures.drawing import Drawing
 from tmm_report.quantity.definition import Definition
@@ -82,7 +82,7 @@ class FurtherView(ChapterView):
         return self.made.paths
 
     def of_ring(self, path: Path) -> bool:
-        return path.traced.point.wheel == RING
+        return path.traced.point.of_ring
 
     def path_values(self, path: Path) -> Markup:
         """Where the point lies on its wheel."""
@@ -96,10 +96,10 @@ class FurtherView(ChapterView):
         return self.page.value(path.place.theta)
 
     def places(self, path: Path, caption: Any) -> Table:
-        return self.by_positions(caption, f"path_{path.traced.point.name}")
+        return self.by_positions(caption, f"path_{path.traced.name}")
 
     def drawing(self, path: Path) -> Drawing:
-        title = self.t("Path of point %(name)s", name=path.traced.point.name)
+        title = self.t("Path of point %(name)s", name=path.traced.name)
         return path_drawing(self.found, path.traced, str(title))
 
     def scale(self, path: Path) -> Markup:

@@ -37,7 +37,7 @@ class EccentricView(EccentricTables):
     # ------------------------------------------------------------ words
 
     @property
-    def name(self) -> str:
+    def name(self) -> str | None:
         return self.found.given.name
 
     def given_values(self) -> Markup:
