@@ -178,4 +178,5 @@ def _lines(text: str, lines: list[str], pattern: re.Pattern[str], other: Callabl
         found, noun = pattern.search(line), NOUN.search(line)
         if found is not None and noun is not None:
             start, end = found.span(1)
-            yield from _once(text, [(line, line[:start] + other(found[1]) + line[end:], noun[1])])
+            said = f"| {noun[1]}"  # as a noun begins, not within another
+            yield from _once(text, [(line, line[:start] + other(found[1]) + line[end:], said)])
