@@ -200,7 +200,7 @@ FAULTS = (
           "largest = (ring - sun + E) // 2", "largest = (ring - sun - E) // 2", "eccentric",
           ("tests/chapters/gears/test_eccentric_further.py",)),
     Fault("wheel of a path turned the other way", ECCENTRIC + "paths.py",
-          "Traced(point, theta, theta, 1 + other / own", "Traced(point, theta, theta, 1 - other / own",
+          "Traced(name, point, theta, theta, 1 + other / own", "Traced(name, point, theta, theta, 1 - other / own",
           "eccentric"),
     Fault("mass of a satellite by half its diameter", ECCENTRIC + "solve/masses.py", "width * density / 4",
           "width * density / 16", "eccentric"),

@@ -270,7 +270,6 @@ def couples(other):
     return {key: values for key, values in other.items() if key.startswith("M_I")}
 
 
-@pytest.mark.exhaustive
 @few
 @given(name=levers, factor=st.floats(0.3, 3))
 def test_reactions_of_the_last_group_lead_to_those_before_it(name, factor):

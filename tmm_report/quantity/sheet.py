@@ -54,7 +54,8 @@ class Q:
     """A declared number. `symbol`: as keys are written, "omega_d", or None of what is never written as one; `unit`: of
     the results; `meaning`: a literal for translation; `shown`: unit of print, where it is another; `formed`: unit in
     formulas, where it is another: angles that are printed in degrees are so in formulas, too; `key`: where it can be no
-    attribute's name, "lambda"."""
+    attribute's name, "lambda"; `digits`: significant ones in formulas, where they are not as many as of others: whole
+    numbers have them all."""
 
     def __init__(
         self,
@@ -64,8 +65,9 @@ class Q:
         shown: str = "",
         formed: str | None = None,
         key: str = "",
+        digits: int | None = None,
     ):
-        self.key = key
+        self.key, self.digits = key, digits
         self.symbol = math_symbol(symbol) if isinstance(symbol, str) else symbol
         self.unit, self.shown = unit, shown
         self.formed = ("deg" if shown == "deg" else "") if formed is None else formed
@@ -99,11 +101,9 @@ class Q:
     def called(self, symbol: Symbol | None, key: str = "", **values: object) -> Q:
         """As one variant calls it; `values`: of the meaning's %(name)s."""
         meaning = Message(self.meaning.text, values) if values else self.meaning
-        made = Q(symbol, self.unit, meaning, self.shown, self.formed)
-        made.key = key or self.key
-        return made
+        return Q(symbol, self.unit, meaning, self.shown, self.formed, key or self.key, self.digits)
 
-    def of(self, name: str, **values: object) -> Q:
+    def of(self, name: str, /, **values: object) -> Q:
         """That of one of several things: rho_4, by the same name in the key and in the index of the letter."""
         return self.called(_indexed(self.symbol, name), f"{self.key}_{name}", **values)
 
@@ -200,7 +200,8 @@ class Sheet:
 
     def var(self, key: str) -> Var:
         """The number for an expression."""
-        return self[key].var(self.declared(key).formed)
+        declared = self.declared(key)
+        return self[key].var(declared.formed, digits=declared.digits)
 
     def has_formula(self, key: str) -> bool:
         return key in self._kept and self._kept[key].expression is not None
@@ -214,8 +215,10 @@ class Sheet:
         kept = self._kept[key]
         if kept.expression is None:
             raise KeyError(f"{self.PREFIX}{key} has no formula")
+        declared = self.declared(key)
         form = form if kept.scale is None else {"scale": kept.scale, **form}
-        return kept.value.formula(kept.expression, self.declared(key).formed, **form)
+        form = form if declared.digits is None else {"digits": declared.digits, **form}
+        return kept.value.formula(kept.expression, declared.formed, **form)
 
     def values(self) -> Iterator[Value]:
         """All numbers, in the order of their declarations; behind them those that this variant alone declares."""

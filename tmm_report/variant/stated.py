@@ -83,7 +83,11 @@ def _kind(hint: Any) -> bool:
 
 def _default(field: Any) -> Any:
     if field.default_factory is not dataclasses.MISSING:
-        return Field(default=field.default_factory())
+        made = (
+            field.default_factory()
+        )  # a record's fields are not what the file calls them: no editor is told
+        own = dataclasses.is_dataclass(made)
+        return Field(default_factory=field.default_factory) if own else Field(default=made)
     return ... if field.default is dataclasses.MISSING else field.default
 
 

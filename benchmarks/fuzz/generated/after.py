@@ -420,7 +420,7 @@ AFTER: Mapping[str, Callable[[Made, Any], Made]] = {
     "EfficiencyModel": _efficiencies,
     "PlanetaryModel": _planetary,
     "Spur": _spur,
-    "EccentricModel": _eccentric,
+    "Eccentric": _eccentric,
     "rotor.Given": _rotor,
     "WearModel": _wear,
     "Sides": _sides,

@@ -87,7 +87,7 @@ SETS: Mapping[str, Sequence[Keys]] = {
     "BeltDrive": [("driving", "driven"), ("driving", "driven_speed"), ("driven", "driven_speed")],
     "Disc": [("width",), ("diameter",), ()],
     "Rim": [("height", "width"), ("diameter", "width"), ()],
-    "EccentricModel": [("ratio", "eccentricity"), ("ratio", "eccentricity", "t"), ("teeth",)],
+    "Eccentric": [("ratio", "eccentricity"), ("ratio", "eccentricity", "t"), ("teeth",)],
     "Spur": [("teeth",), ("centre_distance",), ("teeth", "centre_distance")],
     "PhaseModel": [("rise", "law"), ("rise",), ("dwell",), ("return", "law")],
     "Start": [("displacement",), ("velocity",), ("displacement", "velocity")],
@@ -153,7 +153,7 @@ RARE: Mapping[str, float] = {
 NAMED: Mapping[str, Sequence[Any]] = {
     **{f"{name}.materials": PAIRS for name in RUBBING},
     "FlywheelModel.delta": ("1/30", 0.05, "1/80", 0.1, "4 %"),
-    "EccentricModel.ratio": (3, 4, "5/2", 2.5, "7/2"),
+    "Eccentric.ratio": (3, 4, "5/2", 2.5, "7/2"),
     "Heavy.unbalance": ("12 g*mm", "0.02 kg*m", "300 g*mm"),
     "ForceModel.direction": (
         "right",

@@ -8,10 +8,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tmm_report import course
-from tmm_report.chapters.gears.eccentric.paths import Point, traced
+from tmm_report import course, render
+from tmm_report.chapters.gears.eccentric.given import Point
+from tmm_report.chapters.gears.eccentric.paths import traced
 from tmm_report.chapters.gears.eccentric.solve import mechanism as eccentric
 from tmm_report.chapters.gears.eccentric.solve import near_ratio as near
+from tmm_report.chapters.gears.eccentric.steps import steps
 from tmm_report.mechanics.gears.pair_sizes import least_teeth
 from tmm_report.mechanics.gears.trains import Member, Mesh, Train, speeds
 from tmm_report.problems import ProblemError
@@ -75,7 +77,7 @@ def test_the_sets_of_the_family_are_judged_alike_in_both_lists(found):
 
 
 def test_a_wide_search_is_bounded_to_the_smallest_rings():
-    found = near.near_sets(stated(most_ring=2000), Fraction(6, 5), 18, 0.1)
+    found = near.near_sets(stated(ring_up_to=2000), Fraction(6, 5), 18, 0.1)
     assert len(found.ratio) == near.MOST and found.ring < 2000
 
 
@@ -98,16 +100,16 @@ def by_willis(wheel, theta, sun=34, ring=136, e=0.018):
         Member("5", "satellite", 42, 0.042, carried_by="H"), Member("H", "carrier"),
     )  # fmt: skip
     train = Train(members, (Mesh("1", "5", "H"), Mesh("5", "3", "H", internal=True)))
-    still = "1" if wheel == "3" else "3"
+    own, still = ("3", "1") if wheel == "ring" else ("1", "3")
     speed = speeds(train, {still: 0.0, "H": 1.0})
-    axis = e if wheel == "3" else -e
-    return axis * np.exp(1j * theta), float(speed[wheel]) * theta
+    axis = e if wheel == "ring" else -e
+    return axis * np.exp(1j * theta), float(speed[own]) * theta
 
 
 @settings(max_examples=20, deadline=None)
-@given(st.sampled_from("13"), st.floats(0.001, 0.2), st.floats(-7, 7), st.floats(0, 6.3))
+@given(st.sampled_from(["sun", "ring"]), st.floats(0.001, 0.2), st.floats(-7, 7), st.floats(0, 6.3))
 def test_a_path_is_that_of_a_wheel_turned_by_willis(wheel, radius, angle, theta):
-    path = traced(Point("A", wheel, radius, angle), 34, 136, 0.018)
+    path = traced("A", Point(radius, angle, wheel=wheel), 34, 136, 0.018)
     axis, turn = by_willis(wheel, theta)
     assert path.at(np.array(theta)) == pytest.approx(axis + radius * np.exp(1j * (turn + angle)), abs=1e-12)
 
@@ -117,16 +119,16 @@ def test_a_path_is_rolled_by_the_satellite_that_both_wheels_share():
     sun, ring, e, z, m = 34, 136, 0.018, 60, 0.002
     h = 1e-6
     contact = e + m * ring / 2  # of the ring and the largest satellite, from O1
-    path = traced(Point("A", "3", contact - e, 0.0), sun, ring, e)
+    path = traced("A", Point(contact - e), sun, ring, e)
     of_ring = (path.at(np.array(h)) - path.at(np.array(-h))) / (2 * h)
     centre, spin = m * (sun + z) / 2, 1 + sun / z  # the satellite rolls round the sun, which stands still
     of_satellite = 1j * centre + spin * 1j * (contact - centre)
     assert of_ring == pytest.approx(of_satellite, abs=1e-9)
 
 
-@pytest.mark.parametrize("wheel, turns", [("3", 4), ("1", 1)])
+@pytest.mark.parametrize("wheel, turns", [("ring", 4), ("sun", 1)])
 def test_a_path_closes_after_whole_turns_and_not_before(wheel, turns):
-    path = traced(Point("A", wheel, 0.05, 1.0), 34, 136, 0.018)
+    path = traced("A", Point(0.05, 1.0, wheel=wheel), 34, 136, 0.018)
     start = complex(path.at(np.array(0.0)))
     ends = [abs(complex(path.at(np.array(2 * math.pi * n))) - start) for n in range(1, turns + 1)]
     assert path.turns == turns and ends[-1] < 1e-12 and all(gap > 1e-4 for gap in ends[:-1])
@@ -149,6 +151,16 @@ def test_the_smallest_satellite_saves_its_share_of_the_largest(found):
 def test_a_middle_satellite_of_half_a_tooth_has_no_mass():
     found = eccentric.solve(stated(eccentricity=0.017, width=0.03, density=7800.0))
     assert np.isnan(found.masses.each[:, 1]).all() and np.isfinite(found.masses.held).all()
+
+
+def test_satellites_of_half_a_tooth_save_nothing():
+    """The set holds the middle ones alone: nothing is said of the masses of the largest and the smallest."""
+    text = "language: en\neccentric: {ratio: 53/27, eccentricity: 3 mm, module: 2 mm, satellites: [middle], "
+    results = course.solve(course.loads(text + "width: 20 mm, density: 7800 kg/m^3}"))
+    made = steps(results.eccentric)
+    assert made.masses.computed() == ["m4"] and "saved_share" not in made.s
+    page = render(results, "html")["note.html"].decode()
+    assert "hold" in page and "saves" not in page
 
 
 # --- what is refused

@@ -434,7 +434,6 @@ def english(name: str) -> str:
     return note_of(name, "html", "en")["note.html"].decode()
 
 
-@pytest.mark.exhaustive
 def test_the_note_says_how_the_cycle_goes():
     text = re.sub(r"<[^>]*>", "", english("engine_four_stroke"))
     for words in (

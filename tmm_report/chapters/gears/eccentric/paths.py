@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.chapters.gears.eccentric.given import Point
 from tmm_report.records import dataclass
 
 Array = Any
@@ -20,23 +21,13 @@ POSITIONS = 12
 CURVE = 360  # points of a drawn path
 
 
-@dataclass(frozen=True)
-class Point:
-    """A named point of the sun ("1") or of the ring ("3"): `radius` from its axis, m, `angle` from the line O1O3 at
-    θ = 0, rad."""
-
-    name: str
-    wheel: str
-    radius: float
-    angle: float
-
-
 @dataclass(frozen=True, eq=False)
 class Traced:
-    """A point's path from the axis of the wheel that stands still: `theta` of H, rad, `places`, m, (13,) each; `rate`:
-    turns of its wheel for one of H; `arm`: of the wheel's axis from the axis that stands still, m, signed; `turns`: of
+    """A named point's path from the axis of the wheel that stands still: `theta` of H, rad, `places`, m, (13,) each;
+    `rate`: turns of its wheel for one of H; `arm`: of its axis from the one that stands still, m, signed; `turns`: of
     H until the path closes."""
 
+    name: str
     point: Point
     theta: Array
     places: Array
@@ -53,11 +44,10 @@ class Traced:
         return self.arm * np.exp(1j * theta) + self.point.radius * np.exp(1j * turned)
 
 
-def traced(point: Point, sun: int, ring: int, e: float) -> Traced:
+def traced(name: str, point: Point, sun: int, ring: int, e: float) -> Traced:
     """`sun`, `ring`: teeth."""
-    of_ring = point.wheel == "3"
-    own, other = (ring, sun) if of_ring else (sun, ring)
+    own, other = (ring, sun) if point.of_ring else (sun, ring)
     theta = np.linspace(0, 2 * np.pi, POSITIONS + 1)
     turns = own // math.gcd(own, other)
-    empty = Traced(point, theta, theta, 1 + other / own, e if of_ring else -e, turns)
-    return Traced(point, theta, empty.at(theta), empty.rate, empty.arm, turns)
+    empty = Traced(name, point, theta, theta, 1 + other / own, e if point.of_ring else -e, turns)
+    return Traced(name, point, theta, empty.at(theta), empty.rate, empty.arm, turns)

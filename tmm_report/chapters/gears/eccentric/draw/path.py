@@ -11,8 +11,6 @@ from tmm_report.chapters.gears.eccentric.solve.paper import path_scale
 from tmm_report.figures.drawing import AXIS, THIN, Circle, Drawing, Item, Pen, Tag, dot, line, polyline
 from tmm_report.figures.lettering import Symbol
 
-__all__ = ["path_drawing", "path_scale"]
-
 PATH = Pen(0.6, "blue")
 START = Pen(0.25, "black", (2.0, 1.0))
 
@@ -23,10 +21,10 @@ def path_drawing(found: Found, path: Traced, title: str = "") -> Drawing:
     mm = 1e3 * path_scale(path)
     half = found.given.module / 2 * mm
     teeth = {SUN: found.sun, RING: found.ring}
-    still = SUN if path.point.wheel == RING else RING
+    moving, still = path.point.members
     axis, start = complex(path.arm * mm), complex(path.at(np.array(0.0)) * mm)
     reach = abs(axis) + path.point.radius * mm
-    wheels = [(0j, half * teeth[still]), (axis, half * teeth[path.point.wheel])]
+    wheels = [(0j, half * teeth[still]), (axis, half * teeth[moving])]
     items: list[Item] = [
         *(Circle(centre, radius, AXIS) for centre, radius in wheels if abs(centre) + radius <= reach),
         Circle(0j, abs(axis), CENTRES),
@@ -38,8 +36,8 @@ def path_drawing(found: Found, path: Traced, title: str = "") -> Drawing:
     items += [dot(z, 0.7) for z in places]
     tags = [
         Tag((Symbol("O", still),), (0j,), prefer=-1 - 1j),
-        Tag((Symbol("O", path.point.wheel),), (axis,), prefer=1 + 1j),
-        Tag((Symbol(path.point.name, "0"),), (start,), prefer=_outwards(start)),
+        Tag((Symbol("O", moving),), (axis,), prefer=1 + 1j),
+        Tag((Symbol(path.name, "0"),), (start,), prefer=_outwards(start)),
     ]
     tags += [Tag((str(k),), (z,), prefer=_outwards(z), size=2.8) for k, z in enumerate(places)][1:]
     return Drawing(tuple(items), title).labelled(tags)

@@ -1,6 +1,5 @@
 """Every number of the chapter; results, grading and checks ask for `tables` and `values`."""
 
-from tmm_report.chapters.gears.eccentric.quantities.mechanism import tables
-from tmm_report.chapters.gears.eccentric.quantities.numbers import values
+from tmm_report.chapters.gears.eccentric.quantities.mechanism import tables, values
 
 __all__ = ["tables", "values"]

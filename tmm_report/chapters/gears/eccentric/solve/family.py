@@ -99,7 +99,7 @@ def halved(given: Given, u: Fraction, E: int) -> bool:
 
 def impossible(given: Given, u: Fraction, E: int) -> bool:
     """Whether no set has a whole largest satellite, and the middle ones alone are not asked for."""
-    return given.teeth is None and given.satellites != ("middle",) and halved(given, u, E)
+    return given.teeth is None and set(given.satellites or ()) != {"middle"} and halved(given, u, E)
 
 
 def teeth_equation(given: Given, u: Fraction, E: int) -> tuple[ecc.Equation, ecc.Solution]:
@@ -122,7 +122,7 @@ def members(given: Given, solution: ecc.Solution, u: Fraction, E: int, most: int
 
 def most_ring(given: Given, u: Fraction) -> int:
     """The largest ring looked at."""
-    return given.most_ring or max(COMMON_RING, math.ceil(2 * least_teeth(given.rack) * u))
+    return given.ring_up_to or max(COMMON_RING, math.ceil(2 * least_teeth(given.rack) * u))
 
 
 def judge(given: Given, u: Fraction, E: int, family: ecc.Family) -> Judged:

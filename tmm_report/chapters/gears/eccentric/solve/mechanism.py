@@ -6,7 +6,6 @@ Sun 1 and ring 3 turn about parallel axes at the distance e; the satellites betw
 
 from __future__ import annotations
 
-import math
 from fractions import Fraction
 
 import numpy as np
@@ -40,7 +39,6 @@ from tmm_report.chapters.gears.eccentric.solve.satellites import (
 from tmm_report.mechanics.gears.eccentric import mechanism as ecc
 from tmm_report.mechanics.gears.eccentric import teeth as toothed
 from tmm_report.mechanics.gears.limits.condition import Condition
-from tmm_report.mechanics.gears.pair_sizes import least_teeth
 from tmm_report.problems import N_, Message
 from tmm_report.records import dataclass
 
@@ -107,11 +105,6 @@ class Found:
         """Whether the satellites are assembled with the middle ones, the largest and the smallest left out."""
         return not {"largest", "smallest"} & {s.kind for s in self.satellites} and self.middle_whole
 
-    @property
-    def ratio(self) -> float:
-        """ω1/ω3 with the axes stopped: the wheels turn in opposite senses."""
-        return -float(self.ratio_of_teeth)
-
     # --- satellites
 
     @property
@@ -127,14 +120,9 @@ class Found:
     # --- the middle satellites of the chosen set
 
     @property
-    def middle_gap(self) -> float:
-        """Free between the largest and a middle satellite, m."""
-        return float(self.judged.closed[self.row])
-
-    @property
     def crowded(self) -> bool:
         """Whether the largest satellite collides with the middle ones."""
-        return self.middle_gap <= self.given.clearance
+        return bool(self.judged.closed[self.row] <= self.given.clearance)
 
     @property
     def middle_whole(self) -> bool:
@@ -152,33 +140,7 @@ class Found:
         kinds = {s.kind for s in self.satellites}
         return self.crowded and "largest" not in kinds and {"middle", "smallest"} <= kinds
 
-    @property
-    def remainder(self) -> tuple[int, int]:
-        """z1 + z3 and 2e/m modulo 4: equal where the middle satellites assemble."""
-        return (self.sun + self.ring) % 4, self.E % 4
-
     # --- teeth
-
-    @property
-    def least_teeth(self) -> float:
-        """2 ha*/sin² α: fewer the rack undercuts; the course rounds it."""
-        return 2 * self.given.rack.ha / math.sin(self.given.rack.alpha) ** 2
-
-    @property
-    def rounded_least(self) -> int:
-        return least_teeth(self.given.rack)
-
-    @property
-    def tips_apart(self) -> float:
-        """Between the tips of sun and ring where they are nearest, m."""
-        given = self.given
-        return float(ecc.tips_apart(self.sun, self.ring, self.e, given.module, given.rack.ha))
-
-    @property
-    def tip_angle(self) -> float:
-        """Profile angle at the tips of the ring of full height, rad."""
-        rack = self.given.rack
-        return math.acos(self.ring * math.cos(rack.alpha) / (self.ring - 2 * rack.ha))
 
     @property
     def cut(self) -> float:
@@ -188,11 +150,6 @@ class Found:
     @property
     def failed(self) -> tuple[Condition, ...]:
         return tuple(condition for condition in self.conditions if not condition.met)
-
-    @property
-    def sound(self) -> bool:
-        """Whether every condition is met and no teeth overlap."""
-        return not self.failed and self.touching
 
     @property
     def overlap(self) -> float:
@@ -274,7 +231,7 @@ def solve(given: Given) -> Found:
         motions(sun, ring, placed, given.module, given.speed or 1.0),
         toothed.proof(_assembled(given, sun, ring, e, placed)),
         None if given.tolerance is None else near_sets(given, given.ratio or u, E, given.tolerance),
-        tuple(traced(point, sun, ring, e) for point in given.points),
+        tuple(traced(name, point, sun, ring, e) for name, point in given.points.items()),
         _masses(given, judged),
     )
 

@@ -85,7 +85,7 @@ def _cut(given: Given) -> Iterator[Problem]:
 
 
 def _teeth(given: Given) -> Iterator[Problem]:
-    sun, *largest, ring = given.teeth or ()
+    sun, *largest, ring = given.teeth or []
     if ring <= sun:
         right = Message(N_("sun, largest satellite, ring, for example [34, 60, 136]"))
         wrong = N_("the ring of %(ring)s teeth cannot go round the sun of %(sun)s")

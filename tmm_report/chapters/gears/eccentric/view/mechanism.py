@@ -4,25 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from functools import cached_property
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 from markupsafe import Markup
 
+from tmm_report.chapters.gears.eccentric import equations
 from tmm_report.chapters.gears.eccentric.draw import assembled, close
 from tmm_report.chapters.gears.eccentric.solve.mechanism import Found
 from tmm_report.chapters.gears.eccentric.solve.satellites import Satellite
 from tmm_report.chapters.gears.eccentric.view.further import FurtherView
 from tmm_report.chapters.gears.eccentric.view.tables import CONDITIONS, EccentricTables
 from tmm_report.figures.drawing import Drawing
-from tmm_report.mechanics.gears.pair_sizes import ring_rule
 from tmm_report.problems import N_
+from tmm_report.quantity.definition import Definition
+from tmm_report.quantity.formula import Formula
+from tmm_report.quantity.written import Equation
 from tmm_report.report.page import Page
 from tmm_report.report.part import Failed, Part
 
 
 def parts(found: Found, page: Page) -> Iterator[Part]:
-    yield Part("gears/eccentric", EccentricView(found, page, "eccentric"))
+    yield Part("gears/eccentric", EccentricView(found, page))
 
 
 def picture(found: Found, page: Page) -> Drawing:
@@ -34,52 +37,65 @@ class EccentricView(EccentricTables):
     # ------------------------------------------------------------ words
 
     @property
-    def name(self) -> str:
+    def name(self) -> str | None:
         return self.found.given.name
 
     def given_values(self) -> Markup:
-        units = {
-            "u_teeth": "",
-            "e": "mm",
-            "m": "mm",
-            "alpha": "",
-            "ha": "",
-            "c": "",
-            "delta": "mm",
-            "j_n": "mm",
-        }
-        return self.page.listed(self.page.value(self.of[key].var(unit)) for key, unit in units.items())
-
-    @property
-    def slanting(self) -> tuple[Satellite, ...]:
-        """Those of the upper satellites that are off the axis: their angles must be computed."""
-        return tuple(s for s in self.found.upper if s.kind not in ("largest", "smallest"))
+        return self.listed(("u_teeth", "e", "m", "alpha", "ha", "c", "delta", "j_n"))
 
     def wheels(self, satellites: tuple[Satellite, ...]) -> Markup:
         return self.page.listed(s.wheel for s in satellites)
 
-    def number(self, key: str, unit: str = "", **form: Any) -> Markup:
-        """A single number in running text."""
-        return self.page.shown(self.of[key], unit=unit, **form)
-
-    @property
-    def ring_rule(self) -> Markup | None:
-        """Least teeth of a ring without shift by the rule of the course; None for racks that it does not know."""
-        return self.number("ring_rule") if ring_rule(self.found.given.rack) else None
-
     @property
     def rule_met(self) -> bool:
-        return self.found.ring >= self.of["ring_rule"].value
+        return self.found.ring >= self.s.number("ring_rule")
 
     @property
     def limited(self) -> bool:
         """Whether some number of teeth of the ring suits every satellite."""
-        return bool(np.isfinite(self.satellites_of["z3_least"].numbers()).all())
+        return bool(np.isfinite(self.of("satellites", "z3_least").numbers()).all())
 
-    def sized(self, key: str) -> Markup:
-        """symbol = value, of a length in mm or a pure number."""
-        of = self.of[key]
-        return self.page.value(of.var("mm" if of.unit == "m" else ""))
+    # ------------------------------------------------------------ formulas
+
+    def general(self) -> Equation:
+        return equations.general(self.made)
+
+    def with_numbers(self) -> Equation:
+        return equations.with_numbers(self.made)
+
+    def solutions(self) -> list[Definition]:
+        return equations.solutions(self.made)
+
+    def teeth(self, wheel: Literal["ring", "middle", "smallest"]) -> Definition:
+        """By those of the others, in every set."""
+        of = {
+            "ring": equations.ring_teeth,
+            "middle": equations.middle_teeth,
+            "smallest": equations.smallest_teeth,
+        }
+        return of[wheel](self.made)
+
+    def chosen(self) -> list[Formula]:
+        """Teeth of the chosen set from its t."""
+        return [self.made.set.formula(key) for key in self.made.set.computed()]
+
+    def of_satellites(self, *keys: str) -> list[Formula]:
+        """Of each that mirrors no other; angles of those alone that are off the axis."""
+        rows = [self.made.row(s) for s in self.found.upper]
+        return [row.formula(key) for row in rows for key in keys if row.has_formula(key)]
+
+    def ring_limit(self) -> Formula:
+        """Least teeth of the ring beside the satellite that asks for most of them."""
+        return self.made.row(self.hardest).formula("z3_least")
+
+    def beside(self) -> list[Formula]:
+        """Distance and gap of neighbours."""
+        return [pair.formula(key) for pair in self.made.pairs for key in ("l", "gap")]
+
+    @property
+    def hardest(self) -> Satellite:
+        """The satellite beside which the ring must have most teeth."""
+        return max(self.found.upper, key=lambda s: self.made.row(s).number("z3_least"))
 
     # ------------------------------------------------------------ the sets
 
@@ -88,13 +104,13 @@ class EccentricView(EccentricTables):
         must replace the largest ("replaced"); None where there are none."""
         judged, given = self.found.judged, self.found.given
         rows = judged.loose(given.slack) if kind == "residue" else judged.replaced(given.clearance)
-        numbers = self.page.listed(self.page.shown(self.family_of, "t", int(row)) for row in rows)
+        numbers = self.page.listed(self.page.shown(self.table("family"), "t", int(row)) for row in rows)
         return self.page.listed([self.page.sym("t"), numbers], " = ") if len(rows) else None
 
     @property
     def residue(self) -> Markup:
         """Of the middle satellite of the chosen set, its size."""
-        return self.page.shown(self.family_of, "residue_4", self.found.row, size=True, digits=4)
+        return self.page.shown(self.table("family"), "residue_4", self.found.row, size=True, digits=4)
 
     @property
     def full_set(self) -> Markup | None:
@@ -103,14 +119,15 @@ class EccentricView(EccentricTables):
         if row is None:
             return None
         text = N_("%(t)s (teeth %(teeth)s), where %(gap)s mm are left between satellites 2 and 4")
-        teeth = [self.page.shown(self.family_of, key, row) for key in ("z1", "z2", "z3", "z4")]
-        gap = self.page.shown(self.family_of, "closed_2_4", row, "mm", places=3)
-        t = self.page.value(self.family_of.var("t", row))
+        family = self.table("family")
+        teeth = [self.page.shown(family, key, row) for key in ("z1", "z2", "z3", "z4")]
+        gap = self.page.shown(family, "closed_2_4", row, places=3)
+        t = self.page.value(family.var("t", row))
         return self.t(text, t=t, teeth=self.page.listed(teeth), gap=gap)
 
     @cached_property
     def further(self) -> FurtherView:
-        return FurtherView(self.found, self.page, self.of)
+        return FurtherView(self.found, self.page)
 
     # ------------------------------------------------------------ pictures
 
@@ -123,11 +140,11 @@ class EccentricView(EccentricTables):
 
     @cached_property
     def close(self) -> Drawing:
-        title = N_("Meshes and neighbours enlarged") if self.beside else N_("Meshes enlarged")
+        title = N_("Meshes and neighbours enlarged") if self.close_shows_neighbours else N_("Meshes enlarged")
         return close.close(self.found, self._text, str(self.t(title)))
 
     @property
-    def beside(self) -> bool:
+    def close_shows_neighbours(self) -> bool:
         """Whether the close view shows neighbours besides the meshes."""
         return self.found.narrowest is not None
 
@@ -158,20 +175,22 @@ class EccentricView(EccentricTables):
         if self.found.neighbours:
             nearest = min(self.found.near, key=lambda pair: pair.gap)
             row = self.found.near.index(nearest)
-            gap = self.page.shown(self.neighbours_of, "gap", row, "mm", digits=4)
+            gap = self.page.shown(self.table("neighbours"), "gap", row, digits=4)
             yield self.t("Its neighbouring satellites are %(gap)s mm apart at the narrowest place.", gap=gap)
         if self.found.nearby:
             text = N_("Within %(tolerance)s %% of the ratio there are %(count)s sets of teeth.")
             yield self.t(text, tolerance=self.number("tolerance", digits=3), count=self.number("near_sets"))
-        if self.found.masses:
+        if self.knows("saved_share"):
             text = N_(
                 "The smallest satellite in place of the largest saves %(saving)s, %(share)s %% of its mass."
             )
-            yield self.t(text, saving=self.further.saving(), share=self.number("saved_share", digits=3))
+            yield self.t(
+                text, saving=self.further.mass_of("saving"), share=self.number("saved_share", digits=3)
+            )
 
     def failed(self) -> list[Markup]:
         return [self.t(CONDITIONS[c.key], wheel=c.wheel) for c in self.found.failed]
 
     def _all_teeth(self) -> Iterable[Markup]:
-        named = [self.z1, *(self.z(s) for s in self.found.upper), self.z3]
+        named = [self.s.z1, *(self.made.row(s).z for s in self.found.upper), self.s.z3]
         return (self.page.value(z, digits=9) for z in named)

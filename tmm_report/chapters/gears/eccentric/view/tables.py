@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmm_report.chapters.gears.eccentric.formulas import EccentricFormulas
+from tmm_report.chapters.gears.eccentric.quantities import tables
 from tmm_report.chapters.gears.eccentric.solve.mechanism import CARRIER, RING, SUN, Found
+from tmm_report.chapters.gears.eccentric.steps import steps
+from tmm_report.chapters.gears.eccentric.values import Values
 from tmm_report.mechanics.gears.limits.condition import Condition
 from tmm_report.problems import N_
 from tmm_report.quantity import model as quantity
+from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Cell, Column, Table, numeric, worded
 
@@ -22,27 +25,26 @@ CONDITIONS = {
 }
 
 
-class EccentricTables(EccentricFormulas):
-    """`label` begins the labels of the chapter's sections and its names in the results."""
+class EccentricTables(ChapterView):
+    s: Values
 
-    def __init__(self, found: Found, page: Page, label: str):
-        super().__init__(found, label)
-        self.page, self.label = page, label
-        self.t = page.t
+    def __init__(self, found: Found, page: Page):
+        self.found, self.made = found, steps(found)
+        super().__init__(page, self.made.s, tables(found))
 
     # ------------------------------------------------------------ tables
 
     def family(self) -> Table:
         """Nothing is said of middle satellites of half a tooth."""
-        table, page = self.family_of, self.page
-        heads = [page.head(table[key].symbol()) for key in ("t", "z1", "z2", "z3", "z4", "z5", "residue_4")]
-        heads += [page.head(table[key].symbol(), "mm") for key in ("closed_2_4", "gap_4_5")]
+        table, page = self.table("family"), self.page
+        keys = ("t", "z1", "z2", "z3", "z4", "z5", "residue_4", "closed_2_4", "gap_4_5")
+        heads = [page.head(table[key].symbol(), table[key].quantity.printed) for key in keys]
         rows = [self._set(row) for row in range(len(table))]
         shares = (2, 2, 2, 2, 2, 2, 3, 4, 4, 5)
         return worded(self.t("Sets of teeth of the family"), [*heads, self.t("Satellites")], rows, shares)
 
     def _set(self, row: int) -> list[str]:
-        table, page = self.family_of, self.page
+        table, page = self.table("family"), self.page
         whole = float(table["z4"].values[row]).is_integer()
         held = table["satellites"].values[row]
         middle: list[str] = ["—"] * 4
@@ -52,7 +54,7 @@ class EccentricTables(EccentricFormulas):
             middle = [
                 page.cell(table, "z4", row),
                 page.cell(table, "residue_4", row, size=True, places=3),
-                *(page.cell(table, key, row, "mm", places=3, scale=1e3) if beside else "—" for key in gaps),
+                *(page.cell(table, key, row, places=3, scale=1e3) if beside else "—" for key in gaps),
             ]
         return [
             Cell(str(int(table["t"].values[row])), table.ref("t", row)),
@@ -65,44 +67,35 @@ class EccentricTables(EccentricFormulas):
 
     def _teeth(self, key: str, row: int) -> str:
         """A dash for half a tooth."""
-        whole = float(self.family_of[key].values[row]).is_integer()
-        return self.page.cell(self.family_of, key, row) if whole else "—"
+        table = self.table("family")
+        whole = float(table[key].values[row]).is_integer()
+        return self.page.cell(table, key, row) if whole else "—"
 
     def _words(self, title: str, table: quantity.Table, key: str) -> Column:
         """A first column of names."""
         names = [self.page.word(text, table, key, row) for row, text in enumerate(table[key].values)]
         return Column(self.t(title), names)
 
-    def _cells(self, head: Any, table: quantity.Table, key: str, unit: str = "", **form: Any) -> Column:
-        """A column with decimals of its own in each cell."""
-        return Column(head, [self.page.cell(table, key, row, unit, **form) for row in range(len(table))])
-
     def _whole(self, table: quantity.Table, key: str) -> Column:
         """Whole numbers with all their digits."""
         texts = [Cell(str(int(z)), table.ref(key, row)) for row, z in enumerate(table[key].values)]
         return Column(self.page.head(table[key].symbol()), texts)
 
-    def _mm(self, table: quantity.Table, key: str) -> Column:
-        return self._cells(self.page.head(table[key].symbol(), "mm"), table, key, "mm", places=3)
-
     def sizes(self) -> Table:
         """Teeth and diameters of all the wheels, mm."""
-        table = self.of.table("wheels")
-        columns = [self._whole(table, "z"), *(self._mm(table, key) for key in ("d", "d_b", "d_a", "d_f"))]
+        table = self.table("wheels")
+        lengths = (self.page.singles(table, key, places=3) for key in ("d", "d_b", "d_a", "d_f"))
+        columns = [self._whole(table, "z"), *lengths]
         return numeric(self.t("Dimensions of the wheels"), self._words(N_("Wheel"), table, "wheel"), columns)
 
     def places(self) -> Table:
         """Angles, centres and assembly of the satellites."""
-        table, page = self.satellites_of, self.page
+        table, singles = self.table("satellites"), self.page.singles
         columns = [
             self._whole(table, "z"),
-            *(
-                self._cells(page.listed([page.sym(table[key].symbol()), "°"]), table, key, places=3)
-                for key in ("phi1", "phi3")
-            ),
-            *(self._mm(table, key) for key in ("x", "y")),
-            self._cells(page.head(table["L"].symbol()), table, "L", places=4),
-            self._cells(page.head(table["residue"].symbol()), table, "residue", size=True, places=4),
+            *(singles(table, key, places=3) for key in ("phi1", "phi3", "x", "y")),
+            singles(table, "L", places=4),
+            singles(table, "residue", size=True, places=4),
         ]
         first = self._words(N_("Satellite"), table, "wheel")
         return numeric(self.t("Positions of the satellites"), first, columns)
@@ -122,7 +115,7 @@ class EccentricTables(EccentricFormulas):
         return set(c.wheel.split("–")) in pairs if c.key == "neighbourhood" else not c.wheel.endswith("'")
 
     def _condition(self, c: Condition, row: int) -> list[Any]:
-        table, page = self.of.table("conditions"), self.page
+        table, page = self.table("conditions"), self.page
         text = self.t(CONDITIONS[c.key], wheel=c.wheel)
         limit = page.shown(table, "limit", row, c.unit, digits=4)
         return [
@@ -134,23 +127,20 @@ class EccentricTables(EccentricFormulas):
         ]
 
     def proof(self) -> Table:
-        table, unit = self.of.table("teeth"), self.page.unit
+        table, page = self.table("teeth"), self.page
+        overlap = self.t("Overlap, %(unit)s", unit=page.unit("mm²"))
+        clearance = self.t("Least clearance, %(unit)s", unit=page.unit("mm"))
+        rows = range(len(table))
         columns = [
-            self._cells(
-                self.t("Overlap, %(unit)s", unit=unit("mm²")), table, "overlap", "mm²", digits=3, scale=1e3
-            ),
-            self._cells(
-                self.t("Least clearance, %(unit)s", unit=unit("mm")), table, "clearance", "mm",
-                places=5, scale=1e-3,
-            ),
-        ]  # fmt: skip
+            Column(overlap, [page.cell(table, "overlap", row, digits=3, scale=1e3) for row in rows]),
+            Column(clearance, [page.cell(table, "clearance", row, places=5, scale=1e-3) for row in rows]),
+        ]
         first = self._words(N_("Wheels"), table, "wheels")
         return numeric(self.t("Overlap and clearance of the teeth over a full pitch"), first, columns)
 
     def speeds(self) -> Table:
         """Speeds of all the members with one of them stopped, rad/s."""
-        table = self.of.table("speeds")
         names = [SUN, *(s.wheel for s in self.found.upper), RING, CARRIER]
-        columns = [self.page.column(table, f"omega_{name}") for name in names]
-        first = self._words(N_("Stopped"), table, "stopped")
+        columns = self.columns("speeds", [f"omega_{name}" for name in names])
+        first = self._words(N_("Stopped"), self.table("speeds"), "stopped")
         return numeric(self.t("Angular velocities of the members"), first, columns)
