@@ -247,12 +247,11 @@ def _series(law: Series) -> Callable[[Number], Number]:
 
 def _flywheel(given: Any) -> Named:
     """Works of a resisting moment by straight lines over the cycle, against the constant moment that closes it."""
-    table = given.resisting
-    if table is None or not hasattr(table, "angles") or given.driving is not None:
+    if given.resisting is None or given.resisting.table is None or given.driving is not None:
         return
     own = context()
-    x, y = [number(a) for a in table.angles], [number(v) for v in table.values]
-    cycle = 2 * own.pi * given.turns
+    x, y = ([number(one) for one in row] for row in zip(*given.resisting.table, strict=True))
+    cycle = 2 * own.pi * (given.turns or 1)
     area = own.fsum((b - a) * (u + v) / 2 for a, b, u, v in zip(x, x[1:], y, y[1:], strict=False))
     mean = area / cycle
     done, works = own.mpf(0), [own.mpf(0)]

@@ -399,8 +399,8 @@ def _swung(made: Made, walk: Any) -> Made:
 
 
 AFTER: Mapping[str, Callable[[Made, Any], Made]] = {
-    "flywheel.MomentModel": _harmonics,
-    "flywheel.InertiaModel": _harmonics,
+    "Moment": _harmonics,
+    "Inertia": _harmonics,
     "PartModel": _part,
     "MotorModel": _laws,
     "ResistanceModel": _laws,
@@ -408,13 +408,13 @@ AFTER: Mapping[str, Callable[[Made, Any], Made]] = {
     "SpringModel": _spring,
     "ForceModel": _loading,
     "PistonModel": _loading,
-    "kinetostatics.MomentModel": _loading,
+    "MomentModel": _loading,
     "StrokesDiagram": _strokes,
     "PressureStrokesDiagram": _strokes,
     "FrictionModel": _joints,
     "Punch": _ordered("time", "period"),
     "CoastModel": _ordered("speed", "begin"),
-    "FlywheelModel": _flywheel,
+    "Flywheel": _flywheel,
     "Engine": _engine,
     "governor.Given": _governor,
     "EfficiencyModel": _efficiencies,

@@ -28,7 +28,7 @@ RUBBING = (
 ONE: Mapping[str, Sequence[Keys]] = {
     "ForceModel": [("constant", "by_position", "by_angle", "by_displacement")],
     "PistonModel": [("constant", "by_position", "by_angle", "by_displacement")],
-    "kinetostatics.MomentModel": [("constant", "by_position", "by_angle")],
+    "MomentModel": [("constant", "by_position", "by_angle")],
     "MotorModel": [("constant", "shunt", "series", "induction", "by_speed", "by_angle", "by_time")],
     "ResistanceModel": [("friction", "viscous", "fan", "by_speed", "by_angle", "by_time")],
     "Engine": [("cylinders", "inline", "vee", "opposed", "radial")],
@@ -73,10 +73,10 @@ SETS: Mapping[str, Sequence[Keys]] = {
         ("inertia", "mass", "radius"),
         ("mass", "velocity"),
     ],
-    "flywheel.MomentModel": [("constant",), ("table",), ("mean", "harmonics"), ("harmonics",)],
-    "flywheel.InertiaModel": [("constant",), ("table",), ("mean", "harmonics")],
+    "Moment": [("constant",), ("table",), ("mean", "harmonics"), ("harmonics",)],
+    "Inertia": [("constant",), ("table",), ("mean", "harmonics")],
     "flywheel.Wheel": [("inertia",), ("mass", "radius_of_gyration")],
-    "FlywheelModel": [
+    "Flywheel": [
         (*unevenness, *load, *shape)
         for unevenness in (("delta", "speed"), ("speeds",), ("wheel", "speed"))
         for load in (("resisting",), ("driving",), ("driving", "resisting"), ("areas",), ("punch", "motor"))
@@ -101,7 +101,7 @@ SETS: Mapping[str, Sequence[Keys]] = {
 
 # where the first is there, the others are not, or are there too
 APART: Mapping[str, Sequence[tuple[str, Keys]]] = {
-    "FlywheelModel": [
+    "Flywheel": [
         ("areas", ("inertia", "turns")),
         ("punch", ("turns", "inertia")),
         ("shaft", ("ratio",)),
@@ -152,7 +152,7 @@ RARE: Mapping[str, float] = {
 
 NAMED: Mapping[str, Sequence[Any]] = {
     **{f"{name}.materials": PAIRS for name in RUBBING},
-    "FlywheelModel.delta": ("1/30", 0.05, "1/80", 0.1, "4 %"),
+    "Flywheel.delta": ("1/30", 0.05, "1/80", 0.1, "4 %"),
     "EccentricModel.ratio": (3, 4, "5/2", 2.5, "7/2"),
     "Heavy.unbalance": ("12 g*mm", "0.02 kg*m", "300 g*mm"),
     "ForceModel.direction": (
@@ -187,6 +187,6 @@ SIZED: Mapping[str, tuple[int, int]] = {
     "Vee.cranks": (1, 4),
     "Opposed.cranks": (1, 6),
     "DriveModel.stages": (1, 3),
-    "AreasModel.values": (2, 6),
+    "Areas.values": (2, 6),
     "Balancing.methods": (1, 4),
 }
