@@ -399,16 +399,16 @@ def _swung(made: Made, walk: Any) -> Made:
 
 
 AFTER: Mapping[str, Callable[[Made, Any], Made]] = {
-    "Moment": _harmonics,
+    "flywheel.Moment": _harmonics,
     "Inertia": _harmonics,
     "PartModel": _part,
     "MotorModel": _laws,
     "ResistanceModel": _laws,
     "DynamicsModel": _dynamics,
     "SpringModel": _spring,
-    "ForceModel": _loading,
-    "PistonModel": _loading,
-    "MomentModel": _loading,
+    "Force": _loading,
+    "Piston": _loading,
+    "kinetostatics.Moment": _loading,
     "StrokesDiagram": _strokes,
     "PressureStrokesDiagram": _strokes,
     "FrictionModel": _joints,

@@ -26,9 +26,9 @@ RUBBING = (
 
 # exactly one key of each of these sets
 ONE: Mapping[str, Sequence[Keys]] = {
-    "ForceModel": [("constant", "by_position", "by_angle", "by_displacement")],
-    "PistonModel": [("constant", "by_position", "by_angle", "by_displacement")],
-    "MomentModel": [("constant", "by_position", "by_angle")],
+    "Force": [("constant", "by_position", "by_angle", "by_displacement")],
+    "Piston": [("constant", "by_position", "by_angle", "by_displacement")],
+    "kinetostatics.Moment": [("constant", "by_position", "by_angle")],
     "MotorModel": [("constant", "shunt", "series", "induction", "by_speed", "by_angle", "by_time")],
     "ResistanceModel": [("friction", "viscous", "fan", "by_speed", "by_angle", "by_time")],
     "Engine": [("cylinders", "inline", "vee", "opposed", "radial")],
@@ -73,7 +73,7 @@ SETS: Mapping[str, Sequence[Keys]] = {
         ("inertia", "mass", "radius"),
         ("mass", "velocity"),
     ],
-    "Moment": [("constant",), ("table",), ("mean", "harmonics"), ("harmonics",)],
+    "flywheel.Moment": [("constant",), ("table",), ("mean", "harmonics"), ("harmonics",)],
     "Inertia": [("constant",), ("table",), ("mean", "harmonics")],
     "flywheel.Wheel": [("inertia",), ("mass", "radius_of_gyration")],
     "Flywheel": [
@@ -155,7 +155,7 @@ NAMED: Mapping[str, Sequence[Any]] = {
     "Flywheel.delta": ("1/30", 0.05, "1/80", 0.1, "4 %"),
     "EccentricModel.ratio": (3, 4, "5/2", 2.5, "7/2"),
     "Heavy.unbalance": ("12 g*mm", "0.02 kg*m", "300 g*mm"),
-    "ForceModel.direction": (
+    "Force.direction": (
         "right",
         "left",
         "up",
@@ -165,7 +165,7 @@ NAMED: Mapping[str, Sequence[Any]] = {
         "against motion",
         "-120 deg",
     ),
-    "PistonModel.direction": ("right", "left", "up", "down", "against motion"),
+    "Piston.direction": ("right", "left", "up", "down", "against motion"),
     "GravityModel.direction": ("down", "up", "right", "-60 deg"),
     "Linear.mechanism": ("right", "up", "30 deg"),
     "RollerModel.at": ("B",),
