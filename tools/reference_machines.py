@@ -213,7 +213,7 @@ def _dynamics(given: Any) -> Named:
     arrived = steady * (1 - number(given.start.within))
     yield "dynamics_omega_start", arrived
     yield from _run("start", lambda w: (drives(w) - resists(w)) / J, own.mpf(0), arrived)
-    brake = number(given.coast.brake)
+    brake = number(given.coast.brake or 0)
     yield from _run("coast", lambda w: -(resists(w) + brake) / J, steady, number(given.coast.speed))
 
 
