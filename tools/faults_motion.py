@@ -94,7 +94,7 @@ FAULTS = (
           "np.zeros(self.panels.shape) if kept is None else kept", "piston_pump",
           ("tests/chapters/machine/pairs/test_friction_in_motion.py",)),
     Fault("friction of the pairs is left out of the flywheel", "tmm_report/chapters/machine/flywheel/loads.py",
-          "machine(moving, given.friction), moving", "machine(moving), moving", "compressor",
+          "machine(moving, given.friction is not False), moving", "machine(moving), moving", "compressor",
           ("tests/chapters/machine/pairs/test_friction_in_motion.py",)),
     Fault("the share of friction is by what the loads take", "tmm_report/chapters/lever/moving.py",
           "driving = max(loads, lost, lost - loads)", "driving = max(loads, lost, -loads)", "compressor",

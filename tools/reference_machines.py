@@ -213,7 +213,7 @@ def _dynamics(given: Any) -> Named:
     arrived = steady * (1 - number(given.start.within))
     yield "dynamics_omega_start", arrived
     yield from _run("start", lambda w: (drives(w) - resists(w)) / J, own.mpf(0), arrived)
-    brake = number(given.coast.brake)
+    brake = number(given.coast.brake or 0)
     yield from _run("coast", lambda w: -(resists(w) + brake) / J, steady, number(given.coast.speed))
 
 
@@ -247,12 +247,11 @@ def _series(law: Series) -> Callable[[Number], Number]:
 
 def _flywheel(given: Any) -> Named:
     """Works of a resisting moment by straight lines over the cycle, against the constant moment that closes it."""
-    table = given.resisting
-    if table is None or not hasattr(table, "angles") or given.driving is not None:
+    if given.resisting is None or given.resisting.table is None or given.driving is not None:
         return
     own = context()
-    x, y = [number(a) for a in table.angles], [number(v) for v in table.values]
-    cycle = 2 * own.pi * given.turns
+    x, y = ([number(one) for one in row] for row in zip(*given.resisting.table, strict=True))
+    cycle = 2 * own.pi * (given.turns or 1)
     area = own.fsum((b - a) * (u + v) / 2 for a, b, u, v in zip(x, x[1:], y, y[1:], strict=False))
     mean = area / cycle
     done, works = own.mpf(0), [own.mpf(0)]

@@ -11,9 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tmm_report import course, render, stack
-from tmm_report.chapters.lever.kinetostatics.given import Force, Loads
+from tmm_report.chapters.lever.kinetostatics.given import Diagram, Force, Loads
 from tmm_report.i18n import Translator
-from tmm_report.mechanics.calculus.laws import ByDisplacement
 from tmm_report.mechanics.calculus.variants import Each, Unlike, one, together
 from tmm_report.problems import ProblemError
 from tmm_report.results import as_json
@@ -129,13 +128,14 @@ def test_a_variant_that_does_not_close_leaves_the_others():
 
 def test_a_load_that_cannot_be_read_leaves_the_others():
     variants = [varied("compressor", k) for k in range(4)]
-    across = Force("gas", "B", 1 + 0j, ByDisplacement(1j, ((0.0, 1.0), (1.0, 1.0)), ((0.0, 1.0), (1.0, 1.0))))
+    gas = Diagram(zero=1j, forward=[(0.0, 1.0), (1.0, 1.0)], back=[(0.0, 1.0), (1.0, 1.0)])
+    across = Force(name="gas", at="B", direction=1 + 0j, by_displacement=gas)
     first = [
         replace(v, lever=replace(v.lever, loads=Loads(forces=(across,)), friction=None)) for v in variants[:1]
     ]
     good = [
         replace(
-            v, lever=replace(v.lever, loads=Loads(forces=(replace(across, direction=-1, law=force.law),)))
+            v, lever=replace(v.lever, loads=Loads(forces=(replace(force, name="gas", at="B", direction=-1),)))
         )
         for v in variants[1:]
         for force in v.lever.loads.forces[:1]

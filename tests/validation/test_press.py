@@ -148,7 +148,7 @@ def test_greatest_moment_is_just_after_the_jump_of_the_load(values, greatest):
     """Under the thesis's law, and under 50 kN throughout: the diagram positions miss it by a fifth."""
     variant = read("press")
     angles = np.radians([0, 145, 145, 180, 180][: len(values)])
-    force = replace(variant.lever.loads.forces[0], law=ByAngle(tuple(angles), values))
+    force = replace(variant.lever.loads.forces[0], by_angle=list(zip(angles, values, strict=True)))
     found = course.solve(stating(variant, loads=replace(variant.lever.loads, forces=(force,)), friction=None))
     _, high = found.lever.kinetostatics.extremes
     assert high.value == pytest.approx(greatest, abs=0.05)

@@ -175,14 +175,14 @@ loads:
     first, second, third, fourth = loads.forces
     area = math.pi / 4 * 0.01
     assert loads.gravity == -10
-    assert (first.name, first.direction, first.law) == ("F1", 1j, Constant(2000))
+    assert (first.name, first.direction, first.law) == (None, 1j, Constant(2000))
     assert (second.direction, second.law) == ("along", ByAngle((0, math.pi, 2 * math.pi), (1, 5, 1)))
     assert third.name == "газ"
     assert third.law == ByDisplacement(1, ((0, 1e6 * area), (1, 0)), ((0, 0.2e6 * area),))
     assert (fourth.direction, fourth.law) == ("against", ByDisplacement(1j, ((0.5, 7),), ((0, 8),)))
     assert [(one.name, one.on, one.direction) for one in loads.moments] == [
-        ("M1", "2", -1),
-        ("M2", "1", "against"),
+        (None, "2", -1),
+        (None, "1", "against"),
     ]
     assert part("loads: {gravity: 0}").lever.loads.gravity == 0
 

@@ -57,7 +57,13 @@ def stated(record: type) -> Any:
 @cache
 def model_of(record: type) -> type[Model]:
     """The model that reads a record's mapping."""
-    names = {**vars(values), "Field": Field, "Tag": Tag, **vars(sys.modules[record.__module__])}
+    names = {
+        **vars(values),
+        "values": values,
+        "Field": Field,
+        "Tag": Tag,
+        **vars(sys.modules[record.__module__]),
+    }
     hints = get_type_hints(record, names, include_extras=True)
     not_stated = getattr(record, "NOT_STATED", ())
     fields: Any = {

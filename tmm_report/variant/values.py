@@ -114,6 +114,17 @@ class Reads:
         return dict(self.schema)
 
 
+@dataclass(frozen=True, eq=False)
+class Words:
+    """The metadata of a field's type: the words of which one may stand there, and what each of them becomes."""
+
+    become: Mapping[str, Any]
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> core_schema.CoreSchema:
+        one_of = core_schema.literal_schema([*self.become])
+        return core_schema.no_info_after_validator_function(self.become.__getitem__, one_of)
+
+
 def quantity(dimension: str, low: float = -math.inf, high: float = math.inf, limits: str = "") -> Reads:
     """A number with a unit: SI after validation; `limits` is the range as text, for messages."""
     about = DIMENSIONS[dimension]
@@ -267,6 +278,7 @@ Speed = Annotated[float, quantity("speed", 1e-12)]
 Period = Annotated[float, quantity("time", 1e-12)]
 Angle = Annotated[float, quantity("angle")]
 TurnAngle = Annotated[float, quantity("angle", 0.0, 8 * math.pi, "0 … 1440 deg")]
+Turned = Annotated[float, quantity("angle", 0.0, 48 * math.pi, "0 … 360 deg of every turn")]
 Range = Annotated[float, quantity("angle", 1e-6, 2 * math.pi, "0 … 360 deg")]
 Number = Annotated[float, quantity("number")]
 Coefficient = Annotated[float, quantity("number", 0.0, 1.0, "0 … 1")]
@@ -301,14 +313,19 @@ StrokePressures = Annotated[list[tuple[Coefficient, Pressure]], *_CURVE]
 
 _TO = "right, left, up, down or an angle"
 Direction = Annotated[
-    Any, Reads(_direction, {**_WORDS, "description": f"{_TO}; along motion or against motion"})
+    complex | Literal["along", "against"],
+    Reads(_direction, {**_WORDS, "description": f"{_TO}; along motion or against motion"}),
 ]
 FixedDirection = Annotated[complex, Reads(_fixed_direction, {**_WORDS, "description": _TO})]
 Choice = Annotated[
     Any,
     Reads(_choice, {"type": ["string", "integer"], "examples": ["right", "left of A-C", "+"]}, names=True),
 ]
-Side = Literal["right", "left", "up", "down"]
+Side = Annotated[complex, Words({side: SIDES[side] for side in ("right", "left", "up", "down")})]
+Turning = Annotated[
+    int | Literal["along", "against"],
+    Words({"clockwise": -1, "counter-clockwise": 1, "along motion": "along", "against motion": "against"}),
+]
 Turn = Literal["clockwise", "counter-clockwise"]
 
 # --- of gears

@@ -26,9 +26,9 @@ RUBBING = (
 
 # exactly one key of each of these sets
 ONE: Mapping[str, Sequence[Keys]] = {
-    "ForceModel": [("constant", "by_position", "by_angle", "by_displacement")],
-    "PistonModel": [("constant", "by_position", "by_angle", "by_displacement")],
-    "kinetostatics.MomentModel": [("constant", "by_position", "by_angle")],
+    "Force": [("constant", "by_position", "by_angle", "by_displacement")],
+    "Piston": [("constant", "by_position", "by_angle", "by_displacement")],
+    "kinetostatics.Moment": [("constant", "by_position", "by_angle")],
     "MotorModel": [("constant", "shunt", "series", "induction", "by_speed", "by_angle", "by_time")],
     "ResistanceModel": [("friction", "viscous", "fan", "by_speed", "by_angle", "by_time")],
     "Engine": [("cylinders", "inline", "vee", "opposed", "radial")],
@@ -63,7 +63,7 @@ SETS: Mapping[str, Sequence[Keys]] = {
         ("moment", "synchronous", "speed", "overload"),
         ("power", "synchronous", "speed", "overload"),
     ],
-    "StartModel": [("speed",), ("time",), ("angle",), ("within",), ()],
+    "dynamics.Start": [("speed",), ("time",), ("angle",), ("within",), ()],
     "PartModel": [
         ("inertia",),
         ("inertia", "moment"),
@@ -73,10 +73,10 @@ SETS: Mapping[str, Sequence[Keys]] = {
         ("inertia", "mass", "radius"),
         ("mass", "velocity"),
     ],
-    "flywheel.MomentModel": [("constant",), ("table",), ("mean", "harmonics"), ("harmonics",)],
-    "flywheel.InertiaModel": [("constant",), ("table",), ("mean", "harmonics")],
+    "flywheel.Moment": [("constant",), ("table",), ("mean", "harmonics"), ("harmonics",)],
+    "Inertia": [("constant",), ("table",), ("mean", "harmonics")],
     "flywheel.Wheel": [("inertia",), ("mass", "radius_of_gyration")],
-    "FlywheelModel": [
+    "Flywheel": [
         (*unevenness, *load, *shape)
         for unevenness in (("delta", "speed"), ("speeds",), ("wheel", "speed"))
         for load in (("resisting",), ("driving",), ("driving", "resisting"), ("areas",), ("punch", "motor"))
@@ -90,7 +90,7 @@ SETS: Mapping[str, Sequence[Keys]] = {
     "Eccentric": [("ratio", "eccentricity"), ("ratio", "eccentricity", "t"), ("teeth",)],
     "Spur": [("teeth",), ("centre_distance",), ("teeth", "centre_distance")],
     "PhaseModel": [("rise", "law"), ("rise",), ("dwell",), ("return", "law")],
-    "Start": [("displacement",), ("velocity",), ("displacement", "velocity")],
+    "vibration.Start": [("displacement",), ("velocity",), ("displacement", "velocity")],
     "ProfileModel": [("circle",), ("points",), ("polar",)],
     "Radius": [("highest",), ()],
     "ModuleModel": [()],
@@ -101,7 +101,7 @@ SETS: Mapping[str, Sequence[Keys]] = {
 
 # where the first is there, the others are not, or are there too
 APART: Mapping[str, Sequence[tuple[str, Keys]]] = {
-    "FlywheelModel": [
+    "Flywheel": [
         ("areas", ("inertia", "turns")),
         ("punch", ("turns", "inertia")),
         ("shaft", ("ratio",)),
@@ -143,7 +143,7 @@ RARE: Mapping[str, float] = {
     "DriverModel.gear": 0.3,
     "DriverModel.turns": 0.4,
     "PlanetaryModel.centre_distance": 0.1,
-    "StartModel.motor": 0.2,
+    "dynamics.Start.motor": 0.2,
     "Linear.mechanism": 1.5,
     "WearModel.guides": 3.0,
     "governor.Given.brake": 0.3,
@@ -152,10 +152,10 @@ RARE: Mapping[str, float] = {
 
 NAMED: Mapping[str, Sequence[Any]] = {
     **{f"{name}.materials": PAIRS for name in RUBBING},
-    "FlywheelModel.delta": ("1/30", 0.05, "1/80", 0.1, "4 %"),
+    "Flywheel.delta": ("1/30", 0.05, "1/80", 0.1, "4 %"),
     "Eccentric.ratio": (3, 4, "5/2", 2.5, "7/2"),
     "Heavy.unbalance": ("12 g*mm", "0.02 kg*m", "300 g*mm"),
-    "ForceModel.direction": (
+    "Force.direction": (
         "right",
         "left",
         "up",
@@ -165,7 +165,7 @@ NAMED: Mapping[str, Sequence[Any]] = {
         "against motion",
         "-120 deg",
     ),
-    "PistonModel.direction": ("right", "left", "up", "down", "against motion"),
+    "Piston.direction": ("right", "left", "up", "down", "against motion"),
     "GravityModel.direction": ("down", "up", "right", "-60 deg"),
     "Linear.mechanism": ("right", "up", "30 deg"),
     "RollerModel.at": ("B",),
@@ -187,6 +187,6 @@ SIZED: Mapping[str, tuple[int, int]] = {
     "Vee.cranks": (1, 4),
     "Opposed.cranks": (1, 6),
     "DriveModel.stages": (1, 3),
-    "AreasModel.values": (2, 6),
+    "Areas.values": (2, 6),
     "Balancing.methods": (1, 4),
 }

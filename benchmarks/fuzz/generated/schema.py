@@ -20,7 +20,7 @@ def whole() -> Schema:
 
 
 def part(name: str) -> Schema:
-    """A part by its short name: ShuntModel, dynamics.SpringModel; `TOP`: the whole."""
+    """A part by its short name: ShuntModel, dynamics.Spring; `TOP`: the whole."""
     return whole() if name == TOP else whole()["$defs"][_long()[name]]
 
 

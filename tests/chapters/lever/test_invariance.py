@@ -14,7 +14,6 @@ from tmm_report.chapters.lever.friction.given import Friction
 from tmm_report.chapters.lever.kinetostatics.given import Loads
 from tmm_report.chapters.lever.plans.given import Drawing
 from tmm_report.course import Results, Variant
-from tmm_report.mechanics.calculus.laws import ByDisplacement, ByStrokes
 from tmm_report.mechanics.lever.mechanism import FRAME, Assembly, ZeroAngle
 
 few = settings(
@@ -135,8 +134,8 @@ def moved(v: Variant, angle: float, shift: complex) -> Variant:
     )
     forces = []
     for f in v.lever.loads.forces:
-        law = replace(f.law, zero=f.law.zero * u) if isinstance(f.law, ByDisplacement | ByStrokes) else f.law
-        forces.append(replace(f, direction=turned(f.direction), law=law))
+        diagram = f.by_displacement and replace(f.by_displacement, zero=f.by_displacement.zero * u)
+        forces.append(replace(f, direction=turned(f.direction), by_displacement=diagram))
     loads = Loads(v.lever.loads.gravity * u, tuple(forces), v.lever.loads.moments)
     return stating(v, mechanism=mechanism, loads=loads, readings={})
 

@@ -9,9 +9,8 @@ import pytest
 from conftest import read, solved, stating
 
 from tmm_report import course
-from tmm_report.chapters.lever.kinetostatics.given import Force, Loads
+from tmm_report.chapters.lever.kinetostatics.given import Diagram, Force, Loads
 from tmm_report.chapters.lever.moving import Moving, machine
-from tmm_report.mechanics.calculus.laws import ByAngle, ByDisplacement, Constant
 from tmm_report.problems import ProblemError
 
 
@@ -60,8 +59,10 @@ def test_work_of_an_indicator_diagram_is_its_area():
         t for t in solved("slider_crank_offset").lever.kinematics.travels if t.output.kind == "slider"
     ]
     zero = travel.output.direction
-    law = ByDisplacement(zero, ((0.0, 900.0), (0.3, 100.0), (1.0, 100.0)), ((0.0, 40.0), (1.0, 40.0)))
-    force = Force("p", travel.output.name, -zero, law)
+    gas = Diagram(
+        zero=zero, forward=[(0.0, 900.0), (0.3, 100.0), (1.0, 100.0)], back=[(0.0, 40.0), (1.0, 40.0)]
+    )
+    force = Force(at=travel.output.name, direction=-zero, by_displacement=gas)
     variant = stating(read("slider_crank_offset"), loads=Loads(0j, forces=(force,)), readings={})
     of = machine_of(course.solve(variant))
     area = 0.3 * 500 + 0.7 * 100 - 40
@@ -69,14 +70,14 @@ def test_work_of_an_indicator_diagram_is_its_area():
 
 
 def test_breaks_of_loads_by_angle_are_edges():
-    law = ByAngle((0.0, 1.0, 2.0), (0.0, 100.0, 0.0))
-    variant = stating(read("crank_rocker"), loads=Loads(forces=(Force("F", "B", -1 + 0j, law),)), readings={})
+    force = Force(at="B", direction=-1 + 0j, by_angle=[(0.0, 0.0), (1.0, 100.0), (2.0, 0.0)])
+    variant = stating(read("crank_rocker"), loads=Loads(forces=(force,)), readings={})
     of = machine_of(course.solve(variant))
     assert {1.0, 2.0} <= set(of.panels.edges)
 
 
 def test_a_force_against_the_motion_breaks_where_its_point_turns_back():
-    force = Force("F", "B", "against", Constant(50.0))
+    force = Force(at="B", direction="against", constant=50.0)
     variant = stating(read("crank_rocker"), loads=Loads(0j, forces=(force,)), readings={})
     results = course.solve(variant)
     of = machine_of(results)

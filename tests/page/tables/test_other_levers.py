@@ -15,7 +15,6 @@ from test_against_results import unmarked, wrong_cells, wrong_formulas, wrong_sp
 from tmm_report import render
 from tmm_report.chapters.lever.kinetostatics.given import Moment
 from tmm_report.course import LeverGiven, solve
-from tmm_report.mechanics.calculus.laws import Constant
 
 NAMES = ["crank_rocker", "quick_return", "tangent"]
 
@@ -27,7 +26,8 @@ def without_loads(given: LeverGiven) -> LeverGiven:
 def with_two_moments(given: LeverGiven) -> LeverGiven:
     """On one link, one of them less than nothing."""
     link = given.mechanism.moving[1]
-    two = (Moment("first", link, 1, Constant(10.0)), Moment("second", link, -1, Constant(-4.0)))
+    first = Moment(name="first", on=link, direction=1, constant=10.0)
+    two = (first, Moment(name="second", on=link, direction=-1, constant=-4.0))
     return replace(given, loads=replace(given.loads, moments=(*given.loads.moments, *two)))
 
 

@@ -15,7 +15,6 @@ from tmm_report.chapters.lever.kinetostatics.quantities.cycle import ranges
 from tmm_report.chapters.lever.kinetostatics.solve.drawn_cycle import sampled
 from tmm_report.chapters.lever.kinetostatics.solve.indicator_strokes import reach
 from tmm_report.chapters.lever.kinetostatics.solve.positions import at, stated
-from tmm_report.mechanics.calculus.laws import ByAngle, Constant
 
 NAMES = (
     "compressor",
@@ -115,7 +114,7 @@ def test_a_constant_force_against_the_motion_does_force_times_way():
     """Both strokes resist: W = −2 F H, and the engine gives it back."""
     variant = read("crank_rocker")
     point = "B"
-    force = Force("F", point, "against", Constant(7.0))
+    force = Force(at=point, direction="against", constant=7.0)
     found = under(variant, Loads(forces=(force,)))
     (work,) = found.works.stated
     motion = found.kinematics.cycle.motion(np.linspace(0, 2 * math.pi, 20001))
@@ -128,7 +127,7 @@ def test_a_constant_force_against_the_motion_does_force_times_way():
 def test_a_fixed_force_on_a_slider_does_nothing_over_a_cycle():
     """It drives one way and resists the other, F H each, by the exact stroke."""
     variant = read("compressor")
-    force = Force("F", "B", -1j, Constant(100.0))
+    force = Force(at="B", direction=-1j, constant=100.0)
     found = under(variant, Loads(gravity=0j, forces=(force,)))
     (work,) = found.works.stated
     _, (low, high) = reach(found.kinematics.cycle, "B", 1j)
@@ -141,7 +140,7 @@ def test_a_fixed_force_on_a_slider_does_nothing_over_a_cycle():
 def test_a_moment_along_the_rotation_drives_all_round():
     variant = read("crank_rocker")
     driver = variant.lever.mechanism.driver.link
-    moment = Moment("M", driver, "along", Constant(3.0))
+    moment = Moment(on=driver, direction="along", constant=3.0)
     found = under(variant, Loads(gravity=0j, moments=(moment,)))
     (work,) = found.works.stated
     assert (work.driving, work.resisting) == (pytest.approx(6 * math.pi), 0.0)
@@ -169,7 +168,7 @@ def test_curves_show_both_sides_of_a_jump_and_the_positions_as_they_are():
 def test_the_end_of_a_law_that_jumps_there_is_drawn_too():
     """A load that grows over the whole turn and falls back at its end."""
     variant = read("compressor")
-    force = Force("F", "B", 1j, ByAngle((0.0, 2 * math.pi), (0.0, 1000.0)))
+    force = Force(at="B", direction=1j, by_angle=[(0.0, 0.0), (2 * math.pi, 1000.0)])
     found = under(variant, Loads(forces=(force,)))
     drawn = sampled(found)
     values = drawn.of(found.over.loading.stated[0], found.diagram.loading.stated[0])

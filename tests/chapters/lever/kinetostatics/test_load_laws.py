@@ -101,8 +101,14 @@ def test_along_and_against_the_motion(results):
     link = kinematics.linkage.groups[0].links[0]
     given = Loads(
         0j,
-        (Force("", point, "along", Constant(2.0)), Force("", point, "against", Constant(5.0))),
-        (Moment("", link, "along", Constant(2.0)), Moment("", link, "against", Constant(3.0))),
+        (
+            Force(at=point, direction="along", constant=2.0),
+            Force(at=point, direction="against", constant=5.0),
+        ),
+        (
+            Moment(on=link, direction="along", constant=2.0),
+            Moment(on=link, direction="against", constant=3.0),
+        ),
     )
     load = kinetostatics.loading(given, kinematics, kinematics.table, kinematics.turned)
     v, w = kinematics.table.velocity(point), kinematics.table.angular_velocity(link)
@@ -114,7 +120,7 @@ def test_along_and_against_the_motion(results):
 
 def test_what_stands_still_has_no_direction_of_motion(compressor):
     kinematics = compressor.lever.kinematics
-    given = Loads(0j, (Force("", "B", "against", Constant(2.0)),))
+    given = Loads(0j, (Force(at="B", direction="against", constant=2.0),))
     load = kinetostatics.loading(given, kinematics, kinematics.table, kinematics.turned)
     expected = [0, 2, 2, 2, 2, 2, 0, 2, 2, 2, 2, 2, 0]
     assert np.abs(load.forces[0]) == pytest.approx(expected)
@@ -122,5 +128,6 @@ def test_what_stands_still_has_no_direction_of_motion(compressor):
 
 def test_a_load_at_a_shared_point_acts_on_the_slider(compressor):
     motion = compressor.lever.kinematics.table
-    taken = {p: kinetostatics.loaded_link(motion, Force("", p, 1j, Constant(1.0))) for p in ("B", "A", "S2")}
+    forces = [Force(at=point, direction=1j, constant=1.0) for point in ("B", "A", "S2")]
+    taken = {force.at: kinetostatics.loaded_link(motion, force) for force in forces}
     assert taken == {"B": "3", "A": "1", "S2": "2"}

@@ -240,7 +240,7 @@ def test_a_table_is_linear_between_its_points_and_jumps_where_two_stand_together
     found = alone(
         resisting="{table: [[45 deg, 10], [180 deg, 40], [180 deg, 0], [270 deg, 0]]}", speed=10, delta=0.1
     )
-    law = found.given.resisting
+    law = found.given.resisting.law
     at = law.repeating(TURN).value(np.radians([63, 112.5, 179.99, 180.01, 225, 303.75, 0]))
     np.testing.assert_allclose(at, [14, 25, 40, 0, 0, 2.5, 20 / 3], atol=0.01)
 

@@ -123,7 +123,7 @@ def _sizes(found):
     inertia = s.number("J_fl") / turns**2
     if isinstance(shape, Gyration):
         return {"J_shaft": inertia, "m": inertia / shape.radius**2}
-    rho = given.material.density
+    rho = given.metal.density
     if isinstance(shape, Disc):
         D = shape.diameter or mechanics.disc(inertia, shape.width, rho)
         h, b = 0.0, mechanics.disc_width(inertia, D, rho)
@@ -139,5 +139,5 @@ def _sizes(found):
     return {
         "J_shaft": inertia, "D": D, "h": h, "b": b, "m": rho * volume, "D_out": D + h, "k_b": b / D, "k_h": h / D,
         "omega_s": fastest, "v": v, "sigma": mechanics.hoop_stress(rho, v),
-        "D_lim": (D + h) * given.material.limit / v,
+        "D_lim": (D + h) * given.metal.speed / v,
     }  # fmt: skip

@@ -13,7 +13,7 @@ from pydantic import Discriminator, Field, Tag
 from tmm_report.chapters.gears.drive import solve as drive
 from tmm_report.chapters.gears.drive.crank import SPEED as CRANK_SPEED
 from tmm_report.chapters.gears.drive.crank import Crank
-from tmm_report.chapters.gears.drive.plans import Scales
+from tmm_report.chapters.gears.drive.plans import DriveScales
 from tmm_report.chapters.gears.planetary import block as planetary
 from tmm_report.chapters.gears.planetary.block import PlanetaryModel
 from tmm_report.chapters.gears.planetary.solve import stage as solve_planetary
@@ -26,7 +26,7 @@ from tmm_report.quantity.paper import ACCURACY
 from tmm_report.variant import model
 from tmm_report.variant.model import Model, Read
 from tmm_report.variant.stated import Stated
-from tmm_report.variant.values import Flag, Scale, Speed, quantity
+from tmm_report.variant.values import Flag, Speed, quantity
 
 Tolerance = Annotated[float, quantity("number", 0.0, 0.2, "0 … 20 %")]
 Torque = Annotated[float, quantity("moment", 1e-12)]  # the input drives: else there is no efficiency
@@ -48,14 +48,6 @@ StageModel = Annotated[
 ]
 
 
-class DriveScalesModel(Model):
-    """Scales of the drive's diagrams, SI units per mm of paper; what is left out is chosen."""
-
-    length: Scale | None = Field(default=None, description="m/mm, of the kinematic scheme")
-    velocity: Scale | None = Field(default=None, description="(m/s)/mm, of the diagram of linear velocities")
-    angular: Scale | None = Field(default=None, description="(rad/s)/mm, of the plan of angular velocities")
-
-
 class DriveModel(Model):
     """A gear drive: stages in series in the order of the power."""
 
@@ -65,7 +57,7 @@ class DriveModel(Model):
         default=None, description="on the input shaft; left out, torques are found for 1 N·m"
     )
     stages: list[StageModel] = Field(min_length=1, max_length=8, description="in the order of the power")
-    scales: DriveScalesModel = Field(default_factory=DriveScalesModel)
+    scales: Stated[DriveScales] = Field(default_factory=DriveScales)
     output: Literal["crank", "other"] = Field(
         default="crank", description="what the output shaft turns: the driving link, or something else"
     )
@@ -190,8 +182,14 @@ def build(model: DriveModel, accuracy: float = ACCURACY) -> drive.Given:
     stages = tuple(
         _stage(stage, wheels, accuracy, allowed) for stage, wheels in zip(model.stages, names, strict=True)
     )
-    scales = Scales(model.scales.length, model.scales.velocity, model.scales.angular)
-    return drive.Given(model.speed, stages, allowed, model.torque, accuracy, scales)
+    return drive.Given(
+        speed=model.speed,
+        stages=stages,
+        tolerance=allowed,
+        torque=model.torque,
+        accuracy=accuracy,
+        scales=model.scales,
+    )
 
 
 def tolerance(model: DriveModel) -> float:

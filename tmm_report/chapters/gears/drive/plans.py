@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING, Annotated
 
 from tmm_report.chapters.gears.drive.places import Spot, height, placed, spots_of, velocity_of
 from tmm_report.chapters.gears.drive.sheet import Line, Sheet
@@ -25,18 +26,27 @@ from tmm_report.mechanics.gears.trains import Train
 from tmm_report.quantity.paper import Pen, round_scale, rounded
 from tmm_report.records import dataclass
 
+if TYPE_CHECKING:
+    from pydantic import Field
+
+    from tmm_report.variant.values import Scale
+
 # mm: the scheme's height, the largest velocity, the plan of angular velocities
 TALL, WIDE, LONG = 150.0, 90.0, 155.0
 POLE = 60.0  # mm: the largest pole distance
 
 
 @dataclass(frozen=True)
-class Scales:
-    """Of paper: `length` m/mm, `velocity` (m/s)/mm, `angular` (rad/s)/mm; None: round, to fit the paper."""
+class DriveScales:
+    """Scales of the drive's diagrams, SI units per mm of paper; what is left out is chosen."""
 
-    length: float | None = None
-    velocity: float | None = None
-    angular: float | None = None
+    length: Annotated[Scale | None, Field(description="m/mm, of the kinematic scheme")] = None
+    velocity: Annotated[Scale | None, Field(description="(m/s)/mm, of the diagram of linear velocities")] = (
+        None
+    )
+    angular: Annotated[Scale | None, Field(description="(rad/s)/mm, of the plan of angular velocities")] = (
+        None
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,7 +87,7 @@ def draw(
     train: Train,
     known: Mapping[str, float],
     speed: Mapping[str, float],
-    scales: Scales,
+    scales: DriveScales,
     accuracy: float,
 ) -> Plans:
     """Construct and read the diagrams from the speeds `known` alone, rad/s; `speed`, of all the members, serves to
@@ -109,7 +119,7 @@ def draw(
 
 
 def _chosen(
-    scales: Scales, tall: float, velocities: Iterable[float], speeds: Iterable[float]
+    scales: DriveScales, tall: float, velocities: Iterable[float], speeds: Iterable[float]
 ) -> dict[str, float]:
     """The stated scales, or round ones that fit the paper, the pole distance too."""
     length = scales.length or round_scale(tall, TALL)

@@ -15,7 +15,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from tmm_report.chapters.gears.drive.crank import Crank, Moments, doubts, moments
-from tmm_report.chapters.gears.drive.plans import Plans, Scales, draw
+from tmm_report.chapters.gears.drive.plans import DriveScales, Plans, draw
 from tmm_report.chapters.gears.drive.stages import Given as StageGiven
 from tmm_report.chapters.gears.drive.stages import Stage, doubts_of, solve_all
 from tmm_report.chapters.gears.spur.solve import pair as spur
@@ -40,7 +40,7 @@ class Given:
     tolerance: float = 0.04
     torque: float | None = None
     accuracy: float = ACCURACY
-    scales: Scales = field(default_factory=Scales)
+    scales: DriveScales = field(default_factory=DriveScales)
     crank: Crank | None = None
     friction: bool = True
 

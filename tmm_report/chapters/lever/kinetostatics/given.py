@@ -1,39 +1,202 @@
-"""Loads on the mechanism as the variant states them: forces on points, moments on links, each by its law."""
+"""Loads on the mechanism as the variant states them: forces on points, moments on links, each by its law; SI."""
 
 from __future__ import annotations
 
-from typing import Literal
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import KW_ONLY
+from functools import cached_property
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
-from tmm_report.mechanics.calculus.laws import Law
+from tmm_report.mechanics.calculus.laws import ByAngle, ByDisplacement, ByPosition, ByStrokes, Constant, Law
+from tmm_report.problems import N_, Message
+from tmm_report.quantity.units import WrongValue
 from tmm_report.records import dataclass
 
-Motion = Literal["along", "against"]
+if TYPE_CHECKING:
+    from pydantic import Discriminator, Field, Tag
+
+    from tmm_report.variant.values import (
+        AngleForces,
+        AngleMoments,
+        AnglePressures,
+        Direction,
+        ForceValue,
+        Label,
+        MomentValue,
+        Name,
+        Positive,
+        Pressure,
+        Side,
+        StrokeForces,
+        StrokePressures,
+        Turning,
+    )
+
+_ZERO = "the extreme of the point that the stroke is counted from"
+_STROKES = (
+    "name of the stroke: [[x, value], ...], one for each stroke of the point in the cycle, in the order in which they "
+    "follow: the first away from the zero, the next back to it; intake, compression, power, exhaust are translated"
+)
+_ON = (
+    "the link that takes the force, where several share the point; left out, a slider, else the first of them"
+)
+_BY_POSITION = (
+    "one value for each position of the table; of a cycle of full turns without the last position, which is the first "
+    "again"
+)
+_FIRST = (
+    "the stroke that is under way at position 0, or begins there; left out, the first of the strokes or, where the "
+    "point goes to the zero there, the last"
+)
 
 
 @dataclass(frozen=True)
-class Force:
-    """A force on a named point. `direction`: unit complex, fixed, or along / against the point's motion. N.
+class Diagram:
+    """An indicator diagram: force against the fraction of the stroke."""
 
-    `on`: the link that takes it, where several share the point; None: see `acting.loaded_link`.
-    """
+    zero: Annotated[Side, Field(description=_ZERO)]
+    forward: Annotated[StrokeForces, Field(description="[[x, force], ...] on the way from the zero")]
+    back: Annotated[StrokeForces, Field(description="[[x, force], ...] on the way back")]
 
-    name: str
-    at: str
-    direction: complex | Motion
-    law: Law
-    on: str | None = None
+    @property
+    def law(self) -> Law:
+        return ByDisplacement(self.zero, tuple(self.forward), tuple(self.back))
 
 
 @dataclass(frozen=True)
-class Moment:
-    """A moment on a link. `direction`: +1 counter-clockwise, -1 clockwise, or along / against its rotation. N m.
+class PressureDiagram(Diagram):
+    """An indicator diagram of pressure against the fraction of the stroke."""
 
-    Its law is none of a displacement: a link has none."""
+    forward: Annotated[StrokePressures, Field(description="[[x, pressure], ...] on the way from the zero")]
+    back: Annotated[StrokePressures, Field(description="[[x, pressure], ...] on the way back")]
 
-    name: str
-    on: str
-    direction: int | Motion
-    law: Law
+
+@dataclass(frozen=True)
+class StrokesDiagram:
+    """An indicator diagram of a cycle of several turns: force against the fraction of the stroke, stroke by stroke."""
+
+    zero: Annotated[Side, Field(description=_ZERO)]
+    strokes: Annotated[
+        dict[Label, StrokeForces],
+        Field(
+            description=_STROKES,
+            examples=["{intake: [[0, 5 N], [1, 5 N]], compression: [[0, 9 kN], [1, 5 N]], …}"],
+        ),
+    ]
+    first: Annotated[Label | None, Field(description=_FIRST)] = None
+
+    @property
+    def law(self) -> Law:
+        names, curves = tuple(self.strokes), tuple(map(tuple, self.strokes.values()))
+        return ByStrokes(self.zero, names, curves, None if self.first is None else names.index(self.first))
+
+
+@dataclass(frozen=True)
+class PressureStrokesDiagram(StrokesDiagram):
+    """An indicator diagram of a cycle of several turns: pressure against the fraction of the stroke, by strokes."""
+
+    strokes: Annotated[
+        dict[Label, StrokePressures],
+        Field(
+            description=_STROKES,
+            examples=["{intake: [[0, 0], [1, 0]], compression: [[0, 3 MPa], [1, 0]], …}"],
+        ),
+    ]
+
+
+def _by_strokes(value: Any) -> str:
+    return "<strokes>" if isinstance(value, dict) and {"strokes", "first"} & value.keys() else "<ways>"
+
+
+LAWS: Mapping[str, Callable[[Any], Law]] = {
+    "constant": Constant,
+    "by_position": lambda values: ByPosition(tuple(values)),
+    "by_angle": ByAngle.through,
+    "by_displacement": lambda diagram: diagram.law,
+}
+"""The keys of which a load has one, and what is stated there as a law."""
+
+
+class ByOneLaw:
+    """What states its magnitude by one of the laws."""
+
+    def __post_init__(self) -> None:
+        keys = [key for key in LAWS if hasattr(self, key)]
+        if sum(getattr(self, key) is not None for key in keys) != 1:
+            wrong = Message(N_("the load's magnitude must be stated by one law"))
+            raise WrongValue(wrong, Message(N_("exactly one of: %(words)s"), {"words": ", ".join(keys)}))
+
+    @cached_property
+    def law(self) -> Law:
+        stated = ((made, getattr(self, key, None)) for key, made in LAWS.items())
+        return next(made(value) for made, value in stated if value is not None)
+
+
+@dataclass(frozen=True)
+class Force(ByOneLaw):
+    """A force on a named point."""
+
+    LETTER: ClassVar = "F"  # of those without a name
+
+    _: KW_ONLY
+    name: Annotated[Label | None, Field(description="for the tables; left out, F1, F2, …")] = None
+    at: Annotated[Name, Field(description="the point", examples=["B"])]
+    on: Annotated[Name | None, Field(description=_ON, examples=["5"])] = None
+    direction: Direction
+    constant: ForceValue | None = None
+    by_position: Annotated[list[ForceValue] | None, Field(description=_BY_POSITION)] = None
+    by_angle: Annotated[
+        AngleForces | None, Field(description="[[angle of turn, force], ...] over the whole cycle")
+    ] = None
+    by_displacement: (
+        Annotated[
+            Annotated[Diagram, Tag("<ways>")] | Annotated[StrokesDiagram, Tag("<strokes>")],
+            Discriminator(_by_strokes),
+        ]
+        | None
+    ) = None
+
+
+@dataclass(frozen=True)
+class Piston(Force):
+    """A pressure on a piston at a named point."""
+
+    _: KW_ONLY
+    piston_diameter: Annotated[Positive, Field(description="the values of the law are then pressures")]
+    constant: Pressure | None = None
+    by_position: Annotated[list[Pressure] | None, Field(description=_BY_POSITION)] = None
+    by_angle: Annotated[
+        AnglePressures | None, Field(description="[[angle of turn, pressure], ...] over the whole cycle")
+    ] = None
+    by_displacement: (
+        Annotated[
+            Annotated[PressureDiagram, Tag("<ways>")] | Annotated[PressureStrokesDiagram, Tag("<strokes>")],
+            Discriminator(_by_strokes),
+        ]
+        | None
+    ) = None
+
+    @cached_property
+    def law(self) -> Law:
+        return super().law.scaled(math.pi / 4 * self.piston_diameter**2)
+
+
+@dataclass(frozen=True)
+class Moment(ByOneLaw):
+    """A moment on a link."""
+
+    LETTER: ClassVar = "M"
+
+    _: KW_ONLY
+    name: Annotated[Label | None, Field(description="for the tables; left out, M1, M2, …")] = None
+    on: Annotated[Name, Field(description="the link", examples=["3"])]
+    direction: Turning
+    constant: MomentValue | None = None
+    by_position: Annotated[list[MomentValue] | None, Field(description=_BY_POSITION)] = None
+    by_angle: Annotated[
+        AngleMoments | None, Field(description="[[angle of turn, moment], ...] over the whole cycle")
+    ] = None
 
 
 @dataclass(frozen=True)

@@ -4,11 +4,26 @@ from __future__ import annotations
 
 import math
 from dataclasses import field
-from typing import Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from tmm_report.mechanics.calculus.laws import ByAngle
 from tmm_report.mechanics.machine.characteristics import Characteristic
 from tmm_report.records import dataclass
+
+if TYPE_CHECKING:
+    from pydantic import Field
+
+    from tmm_report.variant.values import (
+        Angle,
+        Distance,
+        Flag,
+        Name,
+        Point,
+        Positive,
+        Speed,
+        Stiffness,
+        quantity,
+    )
 
 Supply = Literal["on", "off", "reversed"]
 G = 9.81  # m/s²
@@ -41,16 +56,17 @@ class Part:
 
 @dataclass(frozen=True)
 class Spring:
-    """Between a fixed point `to` and the point `at` of the mechanism, else a pin of the main shaft at the distance
-    `radius`, at `angle` from the line to the fixed point, at the distance `apart`. `length` when it is free."""
+    """A spring from a fixed point to a point of the mechanism, or to a pin on the main shaft."""
 
-    stiffness: float
-    length: float
-    at: str = ""
-    to: complex = 0j
-    radius: float = 0.0
-    angle: float = 0.0
-    apart: float = 0.0
+    stiffness: Stiffness
+    length: Annotated[Distance, Field(description="free")]
+    at: Annotated[Name | None, Field(description="the point of the mechanism")] = None
+    to: Annotated[Point | None, Field(description="the fixed end, [x, y]")] = None
+    radius: Annotated[Positive | None, Field(description="of the pin; without a mechanism")] = None
+    angle: Annotated[Angle, Field(description="of the pin at the start, from the line to the fixed end")] = (
+        0.0
+    )
+    apart: Annotated[Positive | None, Field(description="of the fixed end from the axis of the shaft")] = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,28 +96,35 @@ class Resistance:
 
 @dataclass(frozen=True)
 class Start:
-    """From the speed `begin`, at the angle `phi` turned; to a speed, for a time, by an angle; else until the speed is
-    `within` this part of that of steady motion."""
+    """The start-up. It ends at a speed, after a time or an angle, else near the steady motion."""
 
-    begin: float = 0.0
-    speed: float | None = None
-    time: float | None = None
-    angle: float | None = None
-    within: float = 0.02
-    supply: Supply = "on"
-    phi: float = 0.0
+    begin: Annotated[float, quantity("speed", 0.0), Field(description="speed at the beginning")] = 0.0
+    speed: Annotated[Speed | None, Field(description="to be reached")] = None
+    time: Annotated[float, quantity("time", 1e-9)] | None = None
+    angle: Annotated[Annotated[float, quantity("angle", 1e-9)] | None, Field(description="to be turned")] = (
+        None
+    )
+    within: Annotated[
+        float,
+        quantity("number", 1e-9, 0.99, "0 … 0.99"),
+        Field(description="part of the steady speed that may be lacking"),
+    ] = 0.02
+    motor: Supply = "on"
+    at: Annotated[Angle, Field(description="angle turned from position 0 at the beginning")] = 0.0
 
 
 @dataclass(frozen=True)
 class Coast:
-    """From the speed `begin` (None: that of steady motion) to `speed`, with the motor off or reversed and a `brake`;
-    `load`: whether the working resistances act on."""
+    """Run-down or braking."""
 
-    begin: float | None = None
-    speed: float = 0.0
-    supply: Supply = "off"
-    brake: float = 0.0
-    load: bool = True
+    begin: Annotated[Speed | None, Field(description="left out, the steady speed")] = None
+    speed: Annotated[float, quantity("speed", 0.0), Field(description="to which; 0: to a stop")] = 0.0
+    motor: Supply = "off"
+    brake: Annotated[
+        Annotated[float, quantity("moment", 1e-12)] | None,
+        Field(description="moment of a brake on the main shaft"),
+    ] = None
+    load: Annotated[Flag, Field(description="whether the resistances act on")] = True
 
 
 @dataclass(frozen=True, eq=False)

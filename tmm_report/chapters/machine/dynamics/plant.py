@@ -239,11 +239,11 @@ def _springs(given: Given, of: Machine | None, over: Panels) -> Iterator[tuple[s
 
 def _stretch(spring: Spring, of: Machine | None, over: Panels) -> tuple[Array, Array]:
     """Length of a spring, m, and its derivative by the angle turned."""
-    if not spring.at or of is None:
-        lean = over.x + spring.angle
-        length = np.sqrt(spring.radius**2 + spring.apart**2 - 2 * spring.radius * spring.apart * np.cos(lean))
-        return length, spring.radius * spring.apart * np.sin(lean) / length
-    away = of.motion.place(spring.at) - spring.to
+    if spring.at is None or spring.to is None or of is None:
+        lean, r, a = over.x + spring.angle, spring.radius or 0.0, spring.apart or 0.0
+        length = np.sqrt(r**2 + a**2 - 2 * r * a * np.cos(lean))
+        return length, r * a * np.sin(lean) / length
+    away = of.motion.place(spring.at) - complex(*spring.to)
     rate = dot(away, of.motion.velocity(spring.at)) / np.abs(away) / of.omega
     length = np.abs(away).reshape(of.panels.shape)
     return _moved(of, over, length), _moved(of, over, rate.reshape(of.panels.shape))

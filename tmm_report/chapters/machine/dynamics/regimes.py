@@ -25,7 +25,7 @@ def starts(plant: Plant, start: Start) -> None:
     """Raises ProblemError where what drives at rest does not overcome what resists."""
     when = _strongest(plant)
     moments = [
-        float(plant.panels.at(one.values, np.array([start.phi]))[0]) for one in plant.acting if one.by_angle
+        float(plant.panels.at(one.values, np.array([start.at]))[0]) for one in plant.acting if one.by_angle
     ]
     moments += [float(one.at(0.0, when)) for one in plant.laws]
     drive, load = sum(m for m in moments if m > 0), -sum(m for m in moments if m < 0)
@@ -44,7 +44,7 @@ def start_up(plant: Plant, start: Start, steady: Steady | None) -> Run:
     goal = _goal(plant, start, steady)
     _goes_on(plant, start, goal, steady)
     try:
-        return run(plant, start.begin, goal, start.phi)
+        return run(plant, start.begin, goal, start.at)
     except NeverReached as never:
         raise refusals.never("start", never, goal.speed) from None
 
@@ -52,7 +52,7 @@ def start_up(plant: Plant, start: Start, steady: Steady | None) -> Run:
 def _goes_on(plant: Plant, start: Start, goal: Goal, steady: Steady | None) -> None:
     """Raises ProblemError where the speed at the end is that at the beginning, or is passed there."""
     if goal.near is not None:
-        to = float(plant.panels.at(goal.near, np.array([start.phi]))[0])
+        to = float(plant.panels.at(goal.near, np.array([start.at]))[0])
     elif goal.speed is not None:
         to = goal.speed
     else:
@@ -182,7 +182,7 @@ def _closed(given: Given, machine: Whole, plant: Plant) -> Steady | None:
 def run_down(machine: Whole, coast: Coast, steady: Steady | None) -> Run:
     if coast.begin is None and steady is None:
         raise refusals.coast_from()
-    plant = machine.plant(coast.supply, coast.brake, coast.load)
+    plant = machine.plant(coast.motor, coast.brake or 0.0, coast.load)
     begin = coast.begin
     if begin is None and steady is not None:
         begin = float(machine.panels.at(steady.omega, np.zeros(1))[0])

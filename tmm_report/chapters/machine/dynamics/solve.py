@@ -104,7 +104,7 @@ class Found:
     @cached_property
     def supplied(self) -> Plant:
         """The machine with its motor, as in the start-up."""
-        return self.whole.plant(self.given.start.supply if self.given.start else "on")
+        return self.whole.plant(self.given.start.motor if self.given.start else "on")
 
     @property
     def by_speed(self) -> bool:
@@ -226,7 +226,7 @@ def solve(given: Given, moving: Moving | None) -> Found:
 def _moved(given: Given, moving: Moving | None, bends: Sequence[float]) -> tuple[Whole, Plant, Steady | None]:
     """The machine as it starts, and its steady motion; `bends`: of that motion. Raises ProblemError."""
     start, machine = given.start, whole(given, moving, bends)
-    plant = machine.plant(start.supply if start else "on")
+    plant = machine.plant(start.motor if start else "on")
     if start is not None and start.begin == 0:
         starts(plant, start)
     return machine, plant, steady_motion(given, machine, plant, start)

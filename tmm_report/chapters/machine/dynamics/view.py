@@ -103,9 +103,9 @@ class DynamicsView(ChapterView):
         """How the machine comes to rest."""
         coast = self.found.given.coast
         assert coast is not None  # asked for only where there is one
-        if coast.supply == "reversed":
+        if coast.motor == "reversed":
             return self.t("The supply of the motor is reversed, so that it brakes the machine.")
-        if coast.supply == "on":
+        if coast.motor == "on":
             return self.t("The motor stays on.")
         if coast.brake:
             return self.t("The motor is switched off and the brake of the main shaft applied.")

@@ -1,37 +1,154 @@
-"""What is given of the flywheel: the loads of a machine that stands alone, the wanted unevenness, the wheel's shape."""
+"""What is given of the flywheel, as the block states it, SI: the loads of a machine that stands alone, the wanted
+unevenness, the wheel's shape."""
 
 from __future__ import annotations
 
-from dataclasses import field
-from typing import TYPE_CHECKING, Annotated, Literal
+import re
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
-from tmm_report.mechanics.calculus.laws import Constant, Law
-from tmm_report.problems import N_
+from tmm_report.mechanics.calculus import laws
+from tmm_report.mechanics.calculus.laws import ByAngle, Constant, Harmonics, Law
+from tmm_report.problems import N_, Message, shown
+from tmm_report.quantity import units
+from tmm_report.quantity.units import WrongValue
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
     from pydantic import Field
 
+    from tmm_report.variant import values
     from tmm_report.variant.values import (
+        Density,
+        Flag,
         Fraction,
-        Inertia,
+        MomentValue,
+        Number,
         Period,
         Positive,
         PositiveInertia,
         PositiveMass,
+        Reads,
         Scale,
         Speed,
+        Turned,
         quantity,
+        whole,
     )
 
-Shaft = Literal["main", "motor"]
+
+def _delta(value: Any) -> float:
+    """1/30 or 0.0333: a number between nothing and one."""
+    match = (
+        re.fullmatch(r"\s*(-?[0-9]{1,4})\s*/\s*([0-9]{1,6})\s*", value) if isinstance(value, str) else None
+    )
+    if match and not int(match[2]):
+        text = N_("%(value)s: nothing can be divided by zero")
+        raise WrongValue(Message(text, {"value": shown(value)}), Message(N_("for example, 1/30")))
+    found = int(match[1]) / int(match[2]) if match else units.parse(value, "number")
+    if found < 0:
+        text = N_("%(value)s: the greatest speed is never below the least")
+        raise WrongValue(Message(text, {"value": shown(value)}), Message(N_("for example, 1/30")))
+    if found == 0:
+        text = N_("%(value)s: without any unevenness the flywheel would be infinitely heavy")
+        raise WrongValue(Message(text, {"value": shown(value)}), Message(N_("for example, 1/30")))
+    if found >= 1:
+        text = N_("%(value)s is no unevenness of a steady motion: the speed would vary by as much as it is")
+        raise WrongValue(Message(text, {"value": shown(value)}), Message(N_("for example, 1/30")))
+    return found
+
+
+_FRACTION = {"type": ["number", "string"], "description": "a number or a fraction", "examples": ["1/30"]}
+
+
+@dataclass(frozen=True)
+class Wave(laws.Wave):
+    """A harmonic of the angle turned: cos·cos(order φ) + sin·sin(order φ)."""
+
+    order: Annotated[
+        float,
+        quantity("number", 0.01, 24.0, "0.01 … 24"),
+        Field(description="1: one wave in a turn", examples=[2]),
+    ]
+
+
+@dataclass(frozen=True)
+class Harmonic(Wave):
+    """A harmonic of a moment: cos·cos(order φ) + sin·sin(order φ)."""
+
+    cos: MomentValue = 0.0
+    sin: MomentValue = 0.0
+
+
+@dataclass(frozen=True)
+class InertiaHarmonic(Wave):
+    """A harmonic of a moment of inertia: cos·cos(order φ) + sin·sin(order φ)."""
+
+    cos: Annotated[float, quantity("inertia")] = 0.0
+    sin: Annotated[float, quantity("inertia")] = 0.0
+
+
+@dataclass(frozen=True)
+class Moment:
+    """A moment on the main link over the cycle, by one law."""
+
+    constant: MomentValue | None = None
+    table: Annotated[
+        list[tuple[Turned, MomentValue]] | None,
+        Field(min_length=2, max_length=1000, description="[[angle turned, moment], ...], linear between"),
+    ] = None
+    mean: Annotated[MomentValue | None, Field(description="with harmonics: the mean moment")] = None
+    harmonics: Annotated[list[Harmonic] | None, Field(min_length=1, max_length=50)] = None
+
+    @property
+    def law(self) -> Law:
+        return _law(self)
+
+
+@dataclass(frozen=True)
+class Inertia:
+    """Reduced moment of inertia of the machine without the flywheel, by one law."""
+
+    constant: values.Inertia | None = None
+    table: Annotated[
+        list[tuple[Turned, values.Inertia]] | None,
+        Field(
+            min_length=2,
+            max_length=1000,
+            description="[[angle turned, inertia], ...], linear between; of one turn, it repeats in every turn",
+        ),
+    ] = None
+    mean: Annotated[values.Inertia | None, Field(description="with harmonics: the mean inertia")] = None
+    harmonics: Annotated[list[InertiaHarmonic] | None, Field(min_length=1, max_length=50)] = None
+
+    @property
+    def law(self) -> Law:
+        return _law(self)
+
+
+def _law(stated: Moment | Inertia) -> Law:
+    mean = stated.mean or 0.0
+    if stated.table is not None:
+        return ByAngle.through(stated.table)
+    if stated.harmonics is not None:
+        return Harmonics(mean, tuple(stated.harmonics))
+    return Constant(mean if stated.constant is None else stated.constant)
 
 
 @dataclass(frozen=True)
 class Areas:
-    """Works of the excess moment between its passages through zero, J, in their order over the cycle."""
+    """Areas of a turning-moment diagram above (+) and below (−) the mean moment, in their order."""
 
-    works: tuple[float, ...]
+    values: Annotated[list[Number], Field(min_length=2, max_length=100)]
+    scale: Annotated[
+        float,
+        quantity("work", 1e-9),
+        Field(description="work that a unit of area stands for", examples=["3141.6 J"]),
+    ] = 1.0
+
+    @property
+    def works(self) -> list[float]:
+        """Of the excess moment between its passages through zero, J."""
+        return [area * self.scale for area in self.values]
 
 
 @dataclass(frozen=True)
@@ -49,7 +166,7 @@ class Motor:
 
     power: Annotated[float, quantity("power", 1e-9), Field(description="nominal", examples=["5.5 kW"])]
     speed: Annotated[Speed, Field(description="nominal", examples=["960 rpm"])]
-    inertia: Annotated[Inertia, Field(description="of the rotor on its own shaft")] = 0.0
+    inertia: Annotated[values.Inertia, Field(description="of the rotor on its own shaft")] = 0.0
     efficiency: Annotated[Fraction, Field(description="of the transmission to the main link")] = 1.0
 
 
@@ -96,16 +213,20 @@ Shape = Disc | Rim | Gyration
 
 @dataclass(frozen=True)
 class Material:
-    """Density, kg/m³, and the speed of the rim that is commonly allowed, m/s."""
+    """Of the wheel, by its numbers."""
 
-    name: str
-    density: float
-    limit: float
+    NOT_STATED: ClassVar = ("name",)
+
+    density: Density
+    speed: Annotated[
+        float, quantity("velocity", 1e-3), Field(description="allowed at the rim", examples=["35 m/s"])
+    ]
+    name: str = ""
 
 
-CAST_IRON = Material(N_("cast iron"), 7200.0, 35.0)
-STEEL = Material(N_("steel"), 7850.0, 70.0)
-MATERIALS = {one.name: one for one in (CAST_IRON, STEEL)}
+MATERIALS = {
+    one.name: one for one in (Material(7200.0, 35.0, N_("cast iron")), Material(7850.0, 70.0, N_("steel")))
+}
 
 USUAL: dict[str, tuple[float, float]] = {  # kind of machine -> usual δ, from fine to coarse
     N_("AC generator"): (1 / 300, 1 / 200),
@@ -119,28 +240,86 @@ USUAL: dict[str, tuple[float, float]] = {  # kind of machine -> usual δ, from f
 
 
 @dataclass(frozen=True)
-class Given:
-    """SI. Of `delta`, `speeds` (least, greatest) and `wheel` one is stated. Beside a lever mechanism there are neither
-    loads, nor `inertia`, nor `speed`: they are the mechanism's. `own`: constant moment of inertia of the machine that
-    turns with the main link besides; `ratio`: speed of the flywheel's shaft to that of the main link; `friction`:
-    whether that of the mechanism's pairs, where it is stated, is among the resistances."""
+class Flywheel:
+    """A flywheel for a wanted unevenness. Beside a lever mechanism loads, inertia and speed are the mechanism's."""
 
-    delta: float | None = None
-    speeds: tuple[float, float] | None = None
-    wheel: Wheel | None = None
-    machine: str = ""
-    speed: float | None = None
+    machine: Annotated[
+        Literal[tuple(USUAL)] | None,  # type: ignore[valid-type]
+        Field(description="kind of machine, whose usual unevenness is told"),
+    ] = None
+    delta: Annotated[
+        Annotated[float, Reads(_delta, _FRACTION)] | None,
+        Field(description="coefficient of non-uniformity", examples=["1/30"]),
+    ] = None
+    speeds: Annotated[
+        tuple[Speed, Speed] | None,
+        Field(description="least and greatest speed, in place of delta", examples=["[200 rpm, 225 rpm]"]),
+    ] = None
+    wheel: Annotated[Wheel | None, Field(description="in place of delta: what unevenness it leaves")] = None
+    speed: Annotated[Speed | None, Field(description="mean speed of the main link", examples=["200 rpm"])] = (
+        None
+    )
     motor: Motor | None = None
-    turns: float = 1.0
-    driving: Law | None = None
-    resisting: Law | None = None
-    areas: Areas | None = None
-    punch: Punch | None = None
-    inertia: Law = field(default_factory=lambda: Constant(0.0))
-    own: float = 0.0
-    shaft: Shaft = "main"
-    ratio: float | None = None
-    shape: Shape = field(default_factory=Disc)
-    material: Material = STEEL
-    positions: int = 24
-    friction: bool = True
+    turns: Annotated[
+        Annotated[int, whole(1, 24)] | None, Field(description="turns of a cycle; left out, one")
+    ] = None
+    driving: Annotated[Moment | None, Field(description="left out, the constant that closes the cycle")] = (
+        None
+    )
+    resisting: Annotated[Moment | None, Field(description="left out, the constant that closes the cycle")] = (
+        None
+    )
+    areas: Annotated[Areas | None, Field(description="in place of the moments")] = None
+    punch: Annotated[Punch | None, Field(description="in place of the moments")] = None
+    inertia: Annotated[Inertia | None, Field(description="of the machine without the flywheel")] = None
+    own: Annotated[
+        values.Inertia,
+        Field(description="of what turns with the main link and is not in the mechanism's masses"),
+    ] = 0.0
+    shaft: Annotated[Literal["main", "motor"], Field(description="that carries the flywheel")] = "main"
+    ratio: Annotated[
+        Scale | None, Field(description="speed of the flywheel's shaft to that of the main link")
+    ] = None
+    disc: Disc | None = None
+    rim: Rim | None = None
+    radius_of_gyration: Annotated[
+        Positive | None, Field(description="in place of disc or rim: gives the mass")
+    ] = None
+    material: Literal["cast iron", "steel"] | Material = "steel"
+    positions: Annotated[
+        Annotated[int, whole(8, 72)] | None,
+        Field(description="of the table over the cycle; left out, 24"),
+    ] = None
+    friction: Annotated[
+        Flag | None,
+        Field(description="false: the friction of the mechanism's pairs is left out of the resistances"),
+    ] = None
+
+    @property
+    def usual(self) -> tuple[float, float] | None:
+        """The unevenness usual for machines of the kind."""
+        return USUAL.get(self.machine) if self.machine else None
+
+    @property
+    def varying(self) -> Law:
+        """The machine's moment of inertia over the cycle as it is stated, kg m²."""
+        return self.inertia.law if self.inertia else Constant(0.0)
+
+    @property
+    def fixed(self) -> float:
+        """The constant moment of inertia that is stated of what turns with the main link, kg m²."""
+        return self.own + (self.varying.amount if isinstance(self.varying, Constant) else 0.0)
+
+    @property
+    def shape(self) -> Shape:
+        if self.radius_of_gyration is not None:
+            return Gyration(self.radius_of_gyration)
+        return self.rim or self.disc or Disc()
+
+    @property
+    def metal(self) -> Material:
+        """What the wheel is made of."""
+        return self.material if isinstance(self.material, Material) else MATERIALS[self.material]
+
+
+Given = Flywheel

@@ -21,7 +21,7 @@ Array = Any
 CLOSED = 0.01  # of the work of a cycle: by so much the works of both sides may differ
 EVEN = 1e-12  # of the inertia: what varies less is a constant part
 FULL_TURN = 2 * math.pi
-DRAWN = 72  # positions of the diagrams over a stated cycle
+POSITIONS, DRAWN = 24, 72  # of the table and of the diagrams over a stated cycle
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,7 +58,7 @@ def sides(given: Given, moving: Moving | None, omega: float) -> Sides:
 def _of_mechanism(given: Given, moving: Moving) -> Sides:
     """All its loads are one side: they resist where with the friction of the pairs they take work over the cycle, and
     drive where they give it; the friction resists."""
-    found, kinematics = machine(moving, given.friction), moving.kinematics
+    found, kinematics = machine(moving, given.friction is not False), moving.kinematics
     parts = found.inertia
     even = tuple(link for link, part in parts.items() if np.ptp(part) <= EVEN * np.max(part))
     links = sum(float(np.mean(parts[link])) for link in even)
@@ -95,7 +95,7 @@ def _mean(over: Panels, moment: Array, key: str) -> float:
 
 def period(given: Given, omega: float) -> float:
     """The angle of a cycle, rad."""
-    return omega * given.punch.period if given.punch else FULL_TURN * given.turns
+    return omega * given.punch.period if given.punch else FULL_TURN * (given.turns or 1)
 
 
 def _stated(given: Given, omega: float) -> Sides:
@@ -113,7 +113,7 @@ def _stated(given: Given, omega: float) -> Sides:
         driving, resisting, balancing, spread = _both(over, driving, resisting)
         excess = driving + resisting - spread
     cycle = Cycle(over, excess, _inertia(of_inertia, over), _constant(given, omega))
-    count = given.positions
+    count = given.positions or POSITIONS
     turned, drawn = (_on_edges(over, n) for n in (count, count * max(1, DRAWN // count)))
     return Sides(cycle, driving, resisting, balancing, spread, turned, drawn)
 
@@ -128,8 +128,11 @@ def _on_edges(over: Panels, count: int) -> Array:
 def _laws(given: Given, omega: float) -> tuple[Law | None, Law | None]:
     """Of the driving and of the resisting side, each as it is stated, over the whole cycle."""
     whole = period(given, omega)
-    resisting = _stroke(given.punch, omega) if given.punch else given.resisting
-    return given.driving and given.driving.repeating(whole), resisting and resisting.repeating(whole)
+    driving = given.driving.law if given.driving else None
+    resisting = given.resisting.law if given.resisting else None
+    if given.punch:
+        resisting = _stroke(given.punch, omega)
+    return driving and driving.repeating(whole), resisting and resisting.repeating(whole)
 
 
 def _stroke(punch: Punch, omega: float) -> ByAngle:
@@ -147,8 +150,8 @@ def _panels(whole: float, laws: list[Law]) -> Panels:
 
 def _repeated_inertia(given: Given, whole: float) -> Law:
     """The moment of inertia over the whole cycle: what is stated of one turn repeats in every turn."""
-    of = given.inertia
-    one_turn = given.turns != 1 and all(one.at <= FULL_TURN * (1 + 1e-12) for one in of.breaks())
+    of = given.varying
+    one_turn = given.turns not in (None, 1) and all(one.at <= FULL_TURN * (1 + 1e-12) for one in of.breaks())
     return of.repeating(FULL_TURN if one_turn else whole)
 
 
@@ -189,8 +192,7 @@ def _without_jumps(over: Panels, inertia: Array) -> None:
 def _constant(given: Given, omega: float) -> float:
     """What turns with the main link besides the flywheel, the motor's rotor reduced to it, kg m²."""
     rotor = given.motor.inertia * (given.motor.speed / omega) ** 2 if given.motor else 0.0
-    fixed = given.inertia.amount if isinstance(given.inertia, Constant) else 0.0
-    return given.own + fixed + rotor
+    return given.fixed + rotor
 
 
 def mean_speed(given: Given) -> float:

@@ -49,7 +49,7 @@ def dimensions(s: Values, given: Given) -> None:
         s.k = shape.radius
         s.m = s.J_shaft / s.k**2
         return
-    s.rho, s.v_lim = given.material.density, given.material.limit
+    s.rho, s.v_lim = given.metal.density, given.metal.speed
     if isinstance(shape, Disc):
         _disc(s, shape)
     else:

@@ -17,7 +17,7 @@ import numpy as np
 
 from tmm_report.chapters.lever.moving import Moving, friction_doubts
 from tmm_report.chapters.machine.flywheel import sizes, steps
-from tmm_report.chapters.machine.flywheel.given import USUAL, Given
+from tmm_report.chapters.machine.flywheel.given import Given
 from tmm_report.chapters.machine.flywheel.loads import Sides, mean_speed, sides
 from tmm_report.chapters.machine.flywheel.methods import compared
 from tmm_report.chapters.machine.flywheel.values import Values
@@ -88,11 +88,6 @@ class Found:
         return self.s.number("D_out") > self.s.number("D_lim") * (1 + 1e-9)
 
     @property
-    def usual(self) -> tuple[float, float] | None:
-        """The unevenness usual for machines of the kind."""
-        return USUAL.get(self.given.machine)
-
-    @property
     def doubts(self) -> Iterator[Problem]:
         return friction_doubts(self.sides.machine, "flywheel")
 
@@ -144,13 +139,9 @@ def solve(given: Given, moving: Moving | None) -> Found:
 
 def _wanted(s: Values, given: Given, cycle: Cycle) -> dict[str, Method]:
     """The methods for the wanted unevenness; the flywheel is that of the exact one."""
-    delta = given.delta
-    if given.speeds:
-        least, greatest = given.speeds
-        delta = 2 * (greatest - least) / (greatest + least)
-    assert delta is not None  # the block asks for one of the three
-    steps.unevenness(s, delta)
-    found = {one.key: one for one in (method(cycle, delta, s.number("omega_m")) for method in METHODS)}
+    steps.wanted(s, given)
+    delta, omega = s.number("delta"), s.number("omega_m")
+    found = {one.key: one for one in (method(cycle, delta, omega) for method in METHODS)}
     s.J_fl = max(found["exact"].inertia - cycle.own, 0.0)
     return found
 

@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tmm_report.chapters.lever.moving import put_friction
-from tmm_report.chapters.machine.flywheel.given import USUAL, Given, Rim
+from tmm_report.chapters.machine.flywheel.given import Given, Rim
 from tmm_report.chapters.machine.flywheel.loads import Sides
 from tmm_report.chapters.machine.flywheel.values import Values, sheet
-from tmm_report.mechanics.calculus.laws import Constant
 from tmm_report.mechanics.machine.flywheel.inertia import Method
 from tmm_report.quantity.formula import Expr
 from tmm_report.quantity.paper import round_scale
@@ -28,10 +27,9 @@ SHEET = 110.0  # mm: the energy–mass diagram is drawn at round scales within i
 def machine(given: Given, sides: Sides, omega: float) -> Values:
     """What is given: speed, motor, the constant part of the machine's own moment of inertia."""
     s = sheet(isinstance(given.shape, Rim) and not given.wheel, sides.balancing)
-    s.delta_fine, s.delta_coarse = USUAL.get(given.machine, (None, None))
+    s.delta_fine, s.delta_coarse = given.usual or (None, None)
     s.omega_m, s.Phi = omega, sides.cycle.panels.period
-    fixed = given.inertia.amount if isinstance(given.inertia, Constant) else 0.0
-    s.J_0, s.J_c = given.own + fixed, sides.links
+    s.J_0, s.J_c = given.fixed, sides.links
     if given.motor:
         s.P_nom, s.omega_nom = given.motor.power, given.motor.speed
         s.eta, s.J_r = given.motor.efficiency, given.motor.inertia
@@ -68,7 +66,16 @@ def works(s: Values, given: Given, sides: Sides) -> None:
         s.P_need = s.P_m / s.eta
 
 
-def unevenness(s: Values, delta: float) -> None:
+def wanted(s: Values, given: Given) -> None:
+    """The unevenness as it is stated, or between the stated speeds."""
+    if given.speeds:
+        least, greatest = given.speeds
+        unevenness(s, 2 * (greatest - least) / (greatest + least))
+    else:
+        unevenness(s, given.delta)
+
+
+def unevenness(s: Values, delta: float | None) -> None:
     s.delta = delta
     s.omega_max = s.omega_m * (1 + s.delta / 2)
     s.omega_min = s.omega_m * (1 - s.delta / 2)

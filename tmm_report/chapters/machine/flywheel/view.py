@@ -102,12 +102,12 @@ class FlywheelView(ChapterView):
 
     @property
     def machine(self) -> Markup:
-        return self.t(self.found.given.machine)
+        return self.t(self.found.given.machine or "")
 
     @property
     def within(self) -> bool:
         """Whether the unevenness is among those usual for the machine."""
-        fine, coarse = self.found.usual or (0.0, 1.0)
+        fine, coarse = self.found.given.usual or (0.0, 1.0)
         return fine * (1 - 1e-9) <= self.s.number("delta") <= coarse * (1 + 1e-9)
 
     @cached_property
@@ -244,11 +244,7 @@ class FlywheelView(ChapterView):
 
     @property
     def material(self) -> Markup:
-        return (
-            self.t(self.found.given.material.name)
-            if self.found.given.material.name
-            else self.t("stated material")
-        )
+        return self.t(self.found.given.metal.name or N_("stated material"))
 
     # ------------------------------------------------------------ conclusions
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TypedDict
 
-from tmm_report.chapters.lever.kinetostatics.block import build
 from tmm_report.chapters.lever.kinetostatics.block.checks import check
 from tmm_report.chapters.lever.kinetostatics.block.doubts import doubts as odd
 from tmm_report.chapters.lever.kinetostatics.block.models import LoadsModel
@@ -31,7 +30,10 @@ class Given(TypedDict):
 
 def given(read: Read) -> Given:
     written = read.block(Block).loads
-    return {"loads": build.loads(written) if written else None}
+    if written is None:
+        return {"loads": None}
+    forces, moments = filter(None, written.forces), filter(None, written.moments)
+    return {"loads": Loads(written.pull, tuple(forces), tuple(moments))}
 
 
 def mistakes(read: Read) -> Iterator[Problem]:

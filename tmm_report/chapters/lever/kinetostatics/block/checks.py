@@ -7,7 +7,8 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from tmm_report.chapters.lever.kinematics.block import table_of, turns_of
-from tmm_report.chapters.lever.kinetostatics.block import models as m
+from tmm_report.chapters.lever.kinetostatics.block.models import LoadsModel
+from tmm_report.chapters.lever.kinetostatics.given import Force, Moment, StrokesDiagram
 from tmm_report.chapters.lever.structure import block as structure
 from tmm_report.chapters.lever.structure.block import FRAME, Names, names, no_link, no_point
 from tmm_report.problems import N_, Message, Problem, mistake, shown
@@ -18,10 +19,9 @@ from tmm_report.variant.model import Read
 from tmm_report.yamlread import Path
 
 TURN = 2 * math.pi
-AnyLoad = m.ForceModel | m.PistonModel | m.MomentModel
 
 
-def check(written: m.LoadsModel, read: Read) -> Iterator[Problem]:
+def check(written: LoadsModel, read: Read) -> Iterator[Problem]:
     known = names(read.data)
     for index, force in enumerate(written.forces):
         if force:
@@ -46,7 +46,7 @@ def _loaded(name: str, path: Path, known: Names) -> Iterator[Problem]:
         yield mistake(text, path, near(name, moving), name=name)
 
 
-def _taken(force: m.ForceModel | m.PistonModel, path: Path, known: Names) -> Iterator[Problem]:
+def _taken(force: Force, path: Path, known: Names) -> Iterator[Problem]:
     """The link that takes a force moves and has its point."""
     if force.on is None:
         return
@@ -69,7 +69,7 @@ def _turned(link: str, path: Path, known: Names) -> Iterator[Problem]:
         yield mistake(text, path, near(link, moving))
 
 
-def _one_each(load: AnyLoad, path: Path, read: Read) -> Iterator[Problem]:
+def _one_each(load: Force | Moment, path: Path, read: Read) -> Iterator[Problem]:
     """A value for each position of the table that has loads of its own, where they are stated by position."""
     steps, closed = table_of(read), _full_turns(read)
     if load.by_position is None or steps is None or closed is None:
@@ -106,7 +106,7 @@ def _driver(read: Read) -> Mapping[str, Any]:
     return written if isinstance(written, Mapping) else {}
 
 
-def _over_the_cycle(load: AnyLoad, path: Path, read: Read) -> Iterator[Problem]:
+def _over_the_cycle(load: Force | Moment, path: Path, read: Read) -> Iterator[Problem]:
     """Angles of turn within the cycle, and not those of its first turn alone."""
     values, turns = load.by_angle, turns_of(read)
     for index, (turned, _) in enumerate(values or ()):
@@ -127,14 +127,14 @@ def _over_the_cycle(load: AnyLoad, path: Path, read: Read) -> Iterator[Problem]:
         yield from not_to_the_end(values, (*path, "by_angle"), driver.range, math.radians(1))
 
 
-def _whole_strokes(load: m.ForceModel | m.PistonModel, path: Path) -> Iterator[Problem]:
+def _whole_strokes(load: Force, path: Path) -> Iterator[Problem]:
     """Each curve of an indicator diagram says what acts over the whole stroke."""
     diagram = load.by_displacement
     if diagram is None:
         return
     path = (*path, "by_displacement")
     curves: dict[Path, list[tuple[float, float]]]
-    if isinstance(diagram, m.StrokesDiagram | m.PressureStrokesDiagram):
+    if isinstance(diagram, StrokesDiagram):
         curves = {("strokes", name): curve for name, curve in diagram.strokes.items()}
     else:
         curves = {("forward",): list(diagram.forward), ("back",): list(diagram.back)}
@@ -150,10 +150,10 @@ def _written(read: Read, path: Path) -> Any:
     return found
 
 
-def _strokes(load: m.ForceModel | m.PistonModel, path: Path, read: Read) -> Iterator[Problem]:
+def _strokes(load: Force, path: Path, read: Read) -> Iterator[Problem]:
     """A curve for each stroke of the cycle: a point makes an even number of them in a turn."""
     diagram = load.by_displacement
-    if not isinstance(diagram, m.StrokesDiagram | m.PressureStrokesDiagram):
+    if not isinstance(diagram, StrokesDiagram):
         return
     path, turns = (*path, "by_displacement"), turns_of(read)
     # by what is written: a curve with a mistake is still a stroke, and a cycle that is wrong in itself has no number

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from tmm_report.chapters.lever.kinetostatics.block import models as m
+from tmm_report.chapters.lever.kinetostatics.block.models import LoadsModel
 from tmm_report.chapters.lever.structure import block as structure
 from tmm_report.chapters.lever.structure.block import ASKED
 from tmm_report.problems import N_, Message, Problem, doubt
@@ -16,7 +16,7 @@ TURN = 2 * math.pi
 WEIGHED = ("balancing", "dynamics", "flywheel")  # chapters that use the masses of the links without any loads
 
 
-def doubts(written: m.LoadsModel | None, read: Read) -> Iterator[Problem]:
+def doubts(written: LoadsModel | None, read: Read) -> Iterator[Problem]:
     heavy = _heavy(read)
     if written is None:
         if heavy and not _weighed(read):
@@ -44,7 +44,7 @@ def _heavy(read: Read) -> tuple[str, str] | None:
     return None
 
 
-def _never_met(written: m.LoadsModel, read: Read) -> Iterator[Problem]:
+def _never_met(written: LoadsModel, read: Read) -> Iterator[Problem]:
     """Angles of a law beyond those by which the driving link turns."""
     driver = read.block(structure.Block).mechanism.driver
     if driver is None or driver.range >= TURN - 1e-12:

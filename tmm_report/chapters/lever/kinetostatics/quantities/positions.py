@@ -74,10 +74,15 @@ def inertia_couple(link: str) -> Quantity:
     return Quantity(f"M_I{link}", Symbol("M", f"I{link}"), "N·m", meaning)
 
 
+def names(given: Sequence[Force | Moment]) -> list[str]:
+    """As they are stated; of a load without a name F1, F2, … or M1, M2, … by its order."""
+    return [load.name or f"{load.LETTER}{k}" for k, load in enumerate(given, 1)]
+
+
 def forces(given: Sequence[Force]) -> list[Quantity]:
     """The stated forces in their order: P_B; several at one point are numbered, P_B,1, P_B,2."""
     at = [force.at for force in given]
-    return [_force(force.at, force.name, _numbered(at, k)) for k, force in enumerate(given)]
+    return [_force(at[k], name, _numbered(at, k)) for k, name in enumerate(names(given))]
 
 
 @kept
@@ -90,8 +95,8 @@ def moments(given: Sequence[Moment]) -> list[Quantity]:
     """The stated moments in their order: M_3; several on one link are numbered in the symbol, M_3,1, M_3,2."""
     on = [moment.on for moment in given]
     return [
-        _moment(moment.on, moment.name, k, moment.on if on.count(moment.on) == 1 else f"{moment.on},{k}")
-        for k, moment in enumerate(given, 1)
+        _moment(link, name, k, link if on.count(link) == 1 else f"{link},{k}")
+        for k, (link, name) in enumerate(zip(on, names(given), strict=True), 1)
     ]
 
 
@@ -194,11 +199,11 @@ def tables(found: Kinetostatics) -> Iterator[Table]:
 
 def _stated(found: Kinetostatics) -> Table:
     """One row a load: forces, then moments."""
-    stated = [*zip(forces(found.given.forces), found.given.forces, strict=True)]
-    turning = [*zip(moments(found.given.moments), found.given.moments, strict=True)]
-    motion = found.table.motion
-    rows = [(q.key, f.name, f.at, loaded_link(motion, f), _way(f.direction)) for q, f in stated]
-    rows += [(q.key, m.name, m.on, m.on, _way(m.direction)) for q, m in turning]
+    given, motion = found.given, found.table.motion
+    stated = zip(forces(given.forces), names(given.forces), given.forces, strict=True)
+    turning = zip(moments(given.moments), names(given.moments), given.moments, strict=True)
+    rows = [(q.key, name, f.at, loaded_link(motion, f), _way(f.direction)) for q, name, f in stated]
+    rows += [(q.key, name, m.on, m.on, _way(m.direction)) for q, name, m in turning]
     texts = (
         ("key", N_("load")),
         ("name", N_("its name")),

@@ -137,11 +137,12 @@ def indicated(
 ) -> Iterator[Indicated]:
     """Of every force that is stated by displacement: force against the part of the stroke travelled. `word`: the
     strokes in the language of the note."""
-    for of, force in zip(q.forces(found.given.forces), found.given.forces, strict=True):
+    forces = found.given.forces
+    for of, called, force in zip(q.forces(forces), q.names(forces), forces, strict=True):
         if isinstance(force.law, Diagram):
             named = [word(name) for name, _ in force.law.named()]
             curves = [np.array([complex(x, y) for x, y in curve]) for _, curve in force.law.named()]
             frame = _frame([*curves, np.array([0j, 1 + 0j])], INDICATED, equal=False)
             traces = [Trace(z, (name,)) for name, z in zip(named, curves, strict=True)]
             x: Parts = graphs.letter(Symbol("x"))
-            yield Indicated(of, force.name, frame.y_scale, plane(frame, traces, x, graphs.axis(of), num))
+            yield Indicated(of, called, frame.y_scale, plane(frame, traces, x, graphs.axis(of), num))

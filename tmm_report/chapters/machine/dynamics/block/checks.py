@@ -6,8 +6,9 @@ from itertools import pairwise
 
 from tmm_report.chapters.lever.kinematics.block import turns_of
 from tmm_report.chapters.lever.structure.block import names, no_point, of_friction, stated
-from tmm_report.chapters.machine.dynamics.block.models import DynamicsModel, PartModel, SpringModel
+from tmm_report.chapters.machine.dynamics.block.models import DynamicsModel, PartModel
 from tmm_report.chapters.machine.dynamics.block.motors import MotorModel, ResistanceModel
+from tmm_report.chapters.machine.dynamics.given import Spring
 from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.quantity.text import number
 from tmm_report.variant.gaps import not_all_round
@@ -72,7 +73,7 @@ def _of_part(part: PartModel, path: Path, written: DynamicsModel) -> Iterator[Pr
         yield mistake(N_("a shaft that stands still has no part in the motion"), (*path, "ratio"))
 
 
-def _of_spring(spring: SpringModel, path: Path, read: Read, alone: bool) -> Iterator[Problem]:
+def _of_spring(spring: Spring, path: Path, read: Read, alone: bool) -> Iterator[Problem]:
     pin, point = (
         spring.radius is not None and spring.apart is not None,
         spring.at is not None and spring.to is not None,

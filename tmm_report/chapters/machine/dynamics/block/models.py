@@ -5,13 +5,10 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from tmm_report.chapters.machine.dynamics.block.motors import (
-    FromRest,
-    MotorModel,
-    PositiveMoment,
-    ResistanceModel,
-)
+from tmm_report.chapters.machine.dynamics.block.motors import MotorModel, ResistanceModel
+from tmm_report.chapters.machine.dynamics.given import Coast, Spring, Start
 from tmm_report.variant.model import Model
+from tmm_report.variant.stated import Stated
 from tmm_report.variant.values import (
     Acceleration,
     Angle,
@@ -23,23 +20,17 @@ from tmm_report.variant.values import (
     Label,
     Mass,
     MomentValue,
-    Name,
     Number,
-    Point,
     Positive,
     PositiveInertia,
     Speed,
-    Stiffness,
     TurnAngle,
     Velocity,
     quantity,
 )
 
 MOVES = {"up": 1, "down": -1, "level": 0}
-Supply = Literal["on", "off", "reversed"]
 PeriodAngle = Annotated[float, quantity("angle", 1e-6, 40 * math.pi, "0 … 7200 deg")]
-Lacking = Annotated[float, quantity("number", 1e-9, 0.99, "0 … 0.99")]
-AnglePositive = Annotated[float, quantity("angle", 1e-9)]
 Varying = Annotated[list[tuple[TurnAngle, PositiveInertia]], Field(min_length=2, max_length=1000)]
 
 
@@ -64,40 +55,6 @@ class PartModel(Model):
     efficiency: Fraction = Field(default=1.0, description="from the main shaft to here")
 
 
-class SpringModel(Model):
-    """A spring from a fixed point to a point of the mechanism, or to a pin on the main shaft."""
-
-    stiffness: Stiffness
-    length: Distance = Field(description="free")
-    at: Name | None = Field(default=None, description="the point of the mechanism")
-    to: Point | None = Field(default=None, description="the fixed end, [x, y]")
-    radius: Positive | None = Field(default=None, description="of the pin; without a mechanism")
-    angle: Angle = Field(default=0.0, description="of the pin at the start, from the line to the fixed end")
-    apart: Positive | None = Field(default=None, description="of the fixed end from the axis of the shaft")
-
-
-class StartModel(Model):
-    """The start-up. It ends at a speed, after a time or an angle, else near the steady motion."""
-
-    begin: FromRest = Field(default=0.0, description="speed at the beginning")
-    speed: Speed | None = Field(default=None, description="to be reached")
-    time: Annotated[float, quantity("time", 1e-9)] | None = None
-    angle: AnglePositive | None = Field(default=None, description="to be turned")
-    within: Lacking = Field(default=0.02, description="part of the steady speed that may be lacking")
-    motor: Supply = "on"
-    at: Angle = Field(default=0.0, description="angle turned from position 0 at the beginning")
-
-
-class CoastModel(Model):
-    """Run-down or braking."""
-
-    begin: Speed | None = Field(default=None, description="left out, the steady speed")
-    speed: FromRest = Field(default=0.0, description="to which; 0: to a stop")
-    motor: Supply = "off"
-    brake: PositiveMoment | None = Field(default=None, description="moment of a brake on the main shaft")
-    load: Flag = Field(default=True, description="whether the resistances act on")
-
-
 class DynamicsModel(Model):
     """The machine in motion, reduced to one shaft: the driving link of the mechanism, else the shaft of the motor."""
 
@@ -105,7 +62,7 @@ class DynamicsModel(Model):
     parts: list[PartModel] = Field(default=[], max_length=20)
     motor: MotorModel | None = Field(default=None, description="left out, a moment that closes the cycle")
     resistance: list[ResistanceModel] = Field(default=[], max_length=10)
-    springs: list[SpringModel] = Field(default=[], max_length=5)
+    springs: list[Stated[Spring]] = Field(default=[], max_length=5)
     speed: Speed | None = Field(default=None, description="of the main shaft, to which velocities are stated")
     period: PeriodAngle | None = Field(default=None, description="angle of a cycle; left out, one turn")
     varying_inertia: Varying | None = Field(
@@ -119,6 +76,6 @@ class DynamicsModel(Model):
     friction: Flag | None = Field(
         default=None, description="false: the friction of the mechanism's pairs is left out"
     )
-    start: StartModel | None = None
+    start: Stated[Start] | None = None
     steady: Flag | None = Field(default=None, description="left out, where the motion can become steady")
-    coast: CoastModel | None = None
+    coast: Stated[Coast] | None = None

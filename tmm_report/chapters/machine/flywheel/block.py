@@ -1,22 +1,46 @@
-"""The mistakes of a flywheel's block: what its parts say wrong of one another and of the mechanism."""
+"""The block `flywheel` of a variant: what its parts say wrong of one another and of the mechanism."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
+from typing import TypedDict
+
+from pydantic import Field
 
 from tmm_report.chapters.lever.structure.block import of_friction
-from tmm_report.chapters.machine.flywheel.block.models import FlywheelModel, InertiaModel, MomentModel, Wave
+from tmm_report.chapters.lever.structure.block import stated as has_mechanism
+from tmm_report.chapters.machine.flywheel.given import Flywheel, Inertia, Moment, Wave
 from tmm_report.problems import N_, Message, Problem, mistake
+from tmm_report.variant import model
 from tmm_report.variant.gaps import not_all_round
 from tmm_report.variant.model import Read
+from tmm_report.variant.stated import Stated
 from tmm_report.yamlread import Path
 
 HERE: Path = ("flywheel",)
 MECHANISM = ("speed", "turns", "driving", "resisting", "areas", "punch", "inertia", "positions")
 
 
-def check(written: FlywheelModel, mechanism: bool, read: Read) -> Iterator[Problem]:
-    """`mechanism`: whether the variant has one."""
+class Block(model.Block):
+    """The flywheel."""
+
+    ALONE = True
+
+    flywheel: Stated[Flywheel] | None = Field(default=None, description="the flywheel of the machine")
+
+
+class Given(TypedDict):
+    flywheel: Flywheel | None
+
+
+def given(read: Read) -> Given:
+    return {"flywheel": read.block(Block).flywheel}
+
+
+def mistakes(read: Read) -> Iterator[Problem]:
+    written, mechanism = read.block(Block).flywheel, has_mechanism(read)
+    if written is None:
+        return
     yield from _one_of(read, ("delta", "speeds", "wheel"))
     shapes = [key for key in ("disc", "rim", "radius_of_gyration") if getattr(written, key) is not None]
     if len(shapes) > 1:
@@ -46,7 +70,7 @@ def _one_of(read: Read, keys: tuple[str, ...]) -> Iterator[Problem]:
         yield mistake(text, HERE, right, count=len(found))
 
 
-def _shafts(written: FlywheelModel) -> Iterator[Problem]:
+def _shafts(written: Flywheel) -> Iterator[Problem]:
     if written.shaft == "motor" and written.motor is None:
         text = N_("the flywheel stands on the motor's shaft, but there is no motor")
         yield mistake(text, (*HERE, "shaft"), Message(N_("state motor: {power: 5.5 kW, speed: 960 rpm}")))
@@ -55,7 +79,7 @@ def _shafts(written: FlywheelModel) -> Iterator[Problem]:
         yield mistake(text, (*HERE, "ratio"), Message(N_("leave ratio or shaft out")))
 
 
-def _wheels(written: FlywheelModel) -> Iterator[Problem]:
+def _wheels(written: Flywheel) -> Iterator[Problem]:
     if (w := written.wheel) is None:
         return
     whole, parts = w.inertia is not None, [w.mass is not None, w.radius_of_gyration is not None]
@@ -64,7 +88,7 @@ def _wheels(written: FlywheelModel) -> Iterator[Problem]:
         yield mistake(text, (*HERE, "wheel"), Message(N_("for example, wheel: {inertia: 12 kg*m^2}")))
 
 
-def _speeds(written: FlywheelModel) -> Iterator[Problem]:
+def _speeds(written: Flywheel) -> Iterator[Problem]:
     if written.speeds and not written.speeds[0] < written.speeds[1]:
         text = N_("the first speed must be less than the second: the least and the greatest")
         yield mistake(text, (*HERE, "speeds"))
@@ -73,7 +97,7 @@ def _speeds(written: FlywheelModel) -> Iterator[Problem]:
         yield mistake(text, (*HERE, "speed"), Message(N_("leave speed or speeds out")))
 
 
-def _beside_a_mechanism(written: FlywheelModel, read: Read) -> Iterator[Problem]:
+def _beside_a_mechanism(written: Flywheel, read: Read) -> Iterator[Problem]:
     for key in MECHANISM:
         if getattr(written, key) is not None:
             text = N_("%(key)s follows from the mechanism of this variant")
@@ -86,7 +110,7 @@ def _beside_a_mechanism(written: FlywheelModel, read: Read) -> Iterator[Problem]
         yield mistake(text, HERE, Message(N_("state loads")))
 
 
-def _alone(written: FlywheelModel, read: Read) -> Iterator[Problem]:
+def _alone(written: Flywheel, read: Read) -> Iterator[Problem]:
     if not any(_says(read, key) for key in ("speed", "speeds", "motor")):
         text = N_("the mean speed of the machine is not stated")
         yield mistake(text, HERE, Message(N_("state speed: 200 rpm")))
@@ -114,11 +138,11 @@ def _alone(written: FlywheelModel, read: Read) -> Iterator[Problem]:
             yield from _one_law(law, (*HERE, key), written, read)
 
 
-def _varies(inertia: InertiaModel | None) -> bool:
+def _varies(inertia: Inertia | None) -> bool:
     return inertia is not None and bool(inertia.table or inertia.harmonics)
 
 
-def _strokes(written: FlywheelModel) -> Iterator[Problem]:
+def _strokes(written: Flywheel) -> Iterator[Problem]:
     if (punch := written.punch) is None:
         return
     if punch.time >= punch.period:
@@ -129,9 +153,7 @@ def _strokes(written: FlywheelModel) -> Iterator[Problem]:
         yield mistake(text, (*HERE, "turns"), Message(N_("take the key out")))
 
 
-def _one_law(
-    law: MomentModel | InertiaModel, path: Path, written: FlywheelModel, read: Read
-) -> Iterator[Problem]:
+def _one_law(law: Moment | Inertia, path: Path, written: Flywheel, read: Read) -> Iterator[Problem]:
     laws = [
         law.constant is not None,
         law.table is not None,
@@ -154,7 +176,7 @@ def _one_law(
             yield mistake(text, (*path, "harmonics", index, "order"), right, **values)
 
 
-def _ascending(table: list[tuple[float, float]], path: Path, written: FlywheelModel) -> Iterator[Problem]:
+def _ascending(table: list[tuple[float, float]], path: Path, written: Flywheel) -> Iterator[Problem]:
     angles = [x for x, _ in table]
     most = 2 * math.pi * (written.turns or 1)
     jumps = all(a < c for a, c in zip(angles, angles[2:], strict=False))
