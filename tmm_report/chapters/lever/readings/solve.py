@@ -115,7 +115,7 @@ def _meant(readings: Readings, asked: Mapping[Name, Asked]) -> Meant:
     by_key: dict[str, Asked] = {}
     for one in asked.values():
         by_key.setdefault(one.key, one)
-    quantities = [one.quantity for one in by_key.values()]
+    quantities = {key: one.quantity for key, one in by_key.items()}
     found: Meant = []
     problems: list[Problem] = []
     for position, numbers in readings.items():
