@@ -60,8 +60,19 @@ class _Once(CodeGenerator):
         self.write(")")
 
 
+class _Context(Context):
+    """What a template calls is called as it is: jinja2 would look for marks of its own at each call, and no function of
+    a page has them; a macro knows by itself that it escapes."""
+
+    def call(self, called: Callable[..., Any], *args: Any, **named: Any) -> Any:  # type: ignore[override]
+        named.pop("_loop_vars", None)
+        named.pop("_block_vars", None)
+        return called(*args, **named)
+
+
 class _Environment(Environment):
     code_generator_class = _Once
+    context_class = _Context
 
 
 TRIMMED = True  # blocks take their line's blanks and end with them
