@@ -302,7 +302,9 @@ def _forces(given: Loads | None, motion: kinematics.Kinematics) -> kinetostatics
 
 def _readings(found: LeverFound) -> readings.ReadingsFound:
     """A student may have read any number of the chapters before."""
-    before = ((name, getattr(found, name)) for name in LEVER)
+    before = (
+        (name, getattr(found, name)) for name in LEVER if name != "structure"
+    )  # no table by positions there
     tables = (
         (name, table)
         for name, chapter in before

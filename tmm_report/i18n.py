@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import gettext
 from functools import cache
+from typing import NamedTuple
 
 from tmm_report.languages import FALLBACK, SIGNS, DecimalSign, language
-from tmm_report.records import dataclass
 from tmm_report.resources import data_root
 
 DOMAIN = "tmm_report"
@@ -17,8 +17,7 @@ def NP_(context: str, text: str) -> str:
     return text
 
 
-@dataclass(frozen=True)
-class Translator:
+class Translator(NamedTuple):
     """`language`: a code of `languages`; `decimal_sign`: left out, it follows the language.
 
     Hashable, so that printed symbols and units can be cached by it. Raises ProblemError, on the first use, for a

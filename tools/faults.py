@@ -124,8 +124,8 @@ FAULTS = (
           '1j: N_("upwards"), -1j: N_("downwards")', '-1j: N_("upwards"), 1j: N_("downwards")'),
     # --- friction ---
     Fault("driving power divided by the speed", FRICTION + "solve.py",
-          "np.broadcast_to(statics.balancing, motion.shape) * omega)",
-          "np.broadcast_to(statics.balancing, motion.shape) / omega)"),
+          "_wide(statics.balancing, motion.shape) * omega)",
+          "_wide(statics.balancing, motion.shape) / omega)"),
     Fault("one pair left out of the losses", FRICTION + "solve.py",
           "[loss.power for loss in self.pairs]", "[loss.power for loss in self.pairs[1:]]"),
     Fault("losses in place of the efficiency", FRICTION + "solve.py",

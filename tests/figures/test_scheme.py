@@ -46,7 +46,7 @@ def test_every_mechanism_is_drawn_inside_the_page(name):
     for position in (0, 7):
         one = scheme(mechanism, places, turns, None, position)
         every = positions_scheme(mechanism, places, turns, None, position, paths=CASES[name](36)[1])
-        apart = groups_apart(mechanism, places, turns, GROUPS, position)
+        apart = groups_apart(mechanism, places, turns, GROUPS, position).drawing
         for drawing in (one, every, apart):
             ET.fromstring(svg(drawing))
             assert "nan" not in tikz(drawing)
@@ -223,7 +223,7 @@ def test_injected_names_are_escaped():
 
 def test_outer_joints_of_a_group_are_halves():
     mechanism, places, turns = compressor()
-    apart = groups_apart(mechanism, places, turns, [*GROUPS, ("II (4,5)", ("4", "5"))], 1)
+    apart = groups_apart(mechanism, places, turns, [*GROUPS, ("II (4,5)", ("4", "5"))], 1).drawing
     assert sum(type(item).__name__ == "Arc" and item.pen.width == 0.5 for item in apart.items) == 3  # A, A, C
 
 

@@ -20,14 +20,15 @@ def asides(segments: Sequence[Segment], rooms: Sequence[float] = ()) -> list[flo
 
 def lie_upon(one: Segment, other: Segment) -> bool:
     """Whether two segments share a part of their length, seen across no gap."""
-    long, short = sorted((one, other), key=lambda s: -abs(s[1] - s[0]))
-    unit = (long[1] - long[0]) / abs(long[1] - long[0])
-    ends = [(z - long[0]) / unit for z in short]
-    low, high = max(0.0, min(z.real for z in ends)), min(abs(long[1] - long[0]), max(z.real for z in ends))
+    long, short = (one, other) if abs(one[1] - one[0]) >= abs(other[1] - other[0]) else (other, one)
+    start, length = long[0], abs(long[1] - long[0])
+    unit = (long[1] - start) / length
+    first, last = (short[0] - start) / unit, (short[1] - start) / unit
+    low, high = max(0.0, min(first.real, last.real)), min(length, max(first.real, last.real))
     if high - low < OVERLAP:
         return False
-    slope = (ends[1].imag - ends[0].imag) / (ends[1].real - ends[0].real)
-    gaps = [abs(ends[0].imag + slope * (x - ends[0].real)) for x in (low, high)]
+    slope = (last.imag - first.imag) / (last.real - first.real)
+    gaps = [abs(first.imag + slope * (x - first.real)) for x in (low, high)]
     return max(gaps) <= NEAR
 
 

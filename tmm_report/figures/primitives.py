@@ -125,12 +125,16 @@ class Arc:
         return self.centre + cmath.rect(self.radius, angle)
 
     def outline(self) -> list[tuple[complex, ...]]:
+        return [self._points]
+
+    @cached_property
+    def _points(self) -> tuple[complex, ...]:
         count = 2 + int(abs(self.end - self.start) / 0.1)
         step = (self.end - self.start) / (count - 1)
-        return [tuple(self.at(self.start + step * i) for i in range(count))]
+        return tuple(self.at(self.start + step * i) for i in range(count))
 
     def corners(self) -> Iterable[complex]:
-        return self.outline()[0]
+        return self._points
 
     def moved(self, by: complex) -> Arc:
         return replace(self, centre=self.centre + by)
@@ -210,7 +214,7 @@ class Text:
     def baseline(self) -> complex:
         return self.at - 0.35j * self.size
 
-    @property
+    @cached_property
     def box(self) -> Box:
         wide = width(self.parts, self.size)
         left = self.at.real - wide * (1 + self.align) / 2
@@ -278,9 +282,11 @@ def hatching(start: complex, end: complex, side: complex, pen: Pen = THIN, step:
 
 def heights(parts: Parts) -> tuple[float, float]:
     """Depth below and height above the baseline, in sizes of the text."""
-    symbols = [part for part in parts if not isinstance(part, str)]
-    low = 0.38 if any(s.sub for s in symbols) else 0.22
-    high = 0.92 if any(s.sup or s.bar for s in symbols) else 0.76
+    low, high = 0.22, 0.76
+    for part in parts:
+        if not isinstance(part, str):
+            low = 0.38 if part.sub else low
+            high = 0.92 if part.sup or part.bar else high
     return low, high
 
 

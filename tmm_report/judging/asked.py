@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 
 import numpy as np
@@ -11,30 +12,21 @@ from tmm_report.quantity.model import Column, Table, Value
 
 POSITION = "position"
 ANGLES = ("deg", "rad")
-_OF_CHECKS = ("_disagreement", "digits", "sin_", "closeness")
+_OF_CHECKS = re.compile("_disagreement|digits|sin_|closeness")
 """Parts of the keys of what the program says of its own exactness: nobody is asked for it."""
-_ANOTHERS = (
-    "comparison",
-    "readings",
-    "special",
-    "segments",
-    "plan_values",
-    "senses",
-    "rejected",
-    "solutions",
-)
+_ANOTHERS = re.compile("comparison|readings|special|segments|plan_values|senses|rejected|solutions")
 """Parts of the names of tables that hold what another hand has drawn, or lists of what was found on the way."""
 
 
 def of_table(table: Table, chapter: str) -> Iterator[Asked]:
     """The columns of numbers of a table; none of one at the positions of the diagrams, which are those of the tables
     at more positions, and of one whose rows measure different things."""
-    if table.name.endswith("_diagram") or "unit" in table or any(part in table.name for part in _ANOTHERS):
+    if table.name.endswith("_diagram") or "unit" in table or _ANOTHERS.search(table.name):
         return
     by_position = POSITION in table
     rows = tuple(map(str, table[POSITION].values)) if by_position else _labels(table)
     for column in table.columns:
-        if _is_number(column) and column.asked and not any(part in column.key for part in _OF_CHECKS):
+        if _is_number(column) and column.asked and not _OF_CHECKS.search(column.key):
             yield Asked(
                 table.name,
                 column.quantity,
@@ -50,7 +42,7 @@ def of_table(table: Table, chapter: str) -> Iterator[Asked]:
 
 def of_value(value: Value, chapter: str) -> Iterator[Asked]:
     """A single number as a column of one row."""
-    if not any(part in value.key for part in _OF_CHECKS):
+    if not _OF_CHECKS.search(value.key):
         number, whole = np.array([value.value], dtype=float), isinstance(value.value, int)
         yield Asked("", value.quantity, number, ("",), chapter, angle=value.unit in ANGLES, whole=whole)
 

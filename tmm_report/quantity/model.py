@@ -175,6 +175,16 @@ class Table:
         at = int(self["position"].values[row]) if "position" in self else row
         return Ref(key, at, self.name, unit="" if unit == own else unit, size=size)
 
+    def refs(self, key: str, unit: str = "", size: bool = False) -> list[Ref]:
+        """`ref` of every row of a column."""
+        column = self[key]
+        places = self["position"].values if "position" in self else range(len(self))
+        units = column.units or [column.unit] * len(self)
+        return [
+            Ref(key, int(at), self.name, unit="" if unit == own else unit, size=size)
+            for at, own in zip(places, units, strict=True)
+        ]
+
     def by_key(self, key: str, column: str, position: int | None = None) -> Ref:
         """Where a number stands in a table of which each row is a quantity with its key."""
         return Ref(key, position, self.name, by=column)

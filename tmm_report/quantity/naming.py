@@ -12,7 +12,7 @@ from __future__ import annotations
 import difflib
 import re
 import unicodedata
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache, lru_cache
 
 from tmm_report.i18n import Translator
@@ -20,6 +20,9 @@ from tmm_report.languages import LANGUAGES
 from tmm_report.problems import N_, Message, Problem, ProblemError, shown
 from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.symbols import GREEK, INDEX_WORDS, Symbol
+
+Quantities = Iterable[Quantity] | Mapping[str, Quantity]
+"""What a name may mean; by their keys where many names are asked for."""
 
 LONGEST = 60  # characters: a longer text is no name of a quantity
 NEAREST = 6  # names that a message offers
@@ -33,7 +36,7 @@ _LETTERS = str.maketrans(_SIGNS | {letter: name for name, letter in GREEK.items(
 _IGNORED = str.maketrans("", "", "_^{}\\,; \t\N{NO-BREAK SPACE}")
 
 
-def resolve(text: str, quantities: Iterable[Quantity]) -> list[Quantity]:
+def resolve(text: str, quantities: Quantities) -> list[Quantity]:
     """The quantities that a text names, each key once; none where it names nothing, several where it may mean several.
 
     The first of these that finds any decides: the key itself; the key written loosely; the symbol; the key and then
@@ -57,16 +60,16 @@ def resolve(text: str, quantities: Iterable[Quantity]) -> list[Quantity]:
     return next((found for found in levels if found), []) if loose else []
 
 
-def one(text: str, quantities: Iterable[Quantity], path: tuple[str | int, ...] = ()) -> Quantity:
+def one(text: str, quantities: Quantities, path: tuple[str | int, ...] = ()) -> Quantity:
     """The quantity that a text names. Raises ProblemError with the nearest names where it is none or not one."""
-    quantities = list(quantities)
-    found = resolve(text, quantities)
+    known = _by_key(quantities)
+    found = resolve(text, known)
     if len(found) == 1:
         return found[0]
-    raise ProblemError([ambiguous(text, found, path) if found else unknown(text, quantities, path)])
+    raise ProblemError([ambiguous(text, found, path) if found else unknown(text, known, path)])
 
 
-def unknown(text: str, quantities: Iterable[Quantity], path: tuple[str | int, ...] = ()) -> Problem:
+def unknown(text: str, quantities: Quantities, path: tuple[str | int, ...] = ()) -> Problem:
     """No quantity is called so: the nearest ones, and where the list of all is."""
     wrong = Message(N_("no quantity is called %(name)s"), {"name": shown(text)})
     near = nearest(text, quantities)
@@ -87,7 +90,7 @@ LIST = Message(
 )
 
 
-def nearest(text: str, quantities: Iterable[Quantity]) -> list[str]:
+def nearest(text: str, quantities: Quantities) -> list[str]:
     """Keys that a text is most like, the likest first."""
     known, spelled = _by_key(quantities), dict[str, list[str]]()
     for part in (0, 1):  # what is like a key goes before what is like a symbol
@@ -105,8 +108,10 @@ def fold(text: str) -> str:
     return unicodedata.normalize("NFC", plain.translate(_LETTERS).translate(_IGNORED))
 
 
-def _by_key(quantities: Iterable[Quantity]) -> dict[str, Quantity]:
+def _by_key(quantities: Quantities) -> Mapping[str, Quantity]:
     """Each key once: the same quantity stands in several tables."""
+    if isinstance(quantities, Mapping):
+        return quantities
     known: dict[str, Quantity] = {}
     for quantity in quantities:
         known.setdefault(quantity.key, quantity)

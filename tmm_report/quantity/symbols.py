@@ -109,7 +109,7 @@ class Symbol:
         return notation("latex", tr).symbol(self)
 
     def mathml(self, tr: Translator) -> str:
-        return notation("mathml", tr).formula([notation("mathml", tr).symbol(self)])
+        return _alone(self, notation("mathml", tr))
 
 
 @lru_cache(maxsize=4096)
@@ -356,6 +356,11 @@ def _symbol(symbol: Symbol, notation: Latex | MathML) -> str:
     return notation.indexed(
         notation.bar(base) if symbol.bar else base, notation.text(symbol.sub), notation.text(symbol.sup)
     )
+
+
+@lru_cache(maxsize=8192)
+def _alone(symbol: Symbol, notation: Latex | MathML) -> str:
+    return notation.formula([notation.symbol(symbol)])
 
 
 def _segment(ends: str, notation: Latex | MathML) -> str:

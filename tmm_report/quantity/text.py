@@ -86,7 +86,8 @@ def short_and_full(
 ) -> tuple[str, str]:
     """`number` without and with the zeros at its end."""
     full = split(x, digits, places, scale, keep_zeros=True)
-    return _running(full._replace(digits=_bare(full.digits)), decimal), _running(full, decimal)
+    whole, bare = _running(full, decimal), _bare(full.digits)
+    return whole if bare == full.digits else _running(Parts(full.negative, bare, full.power), decimal), whole
 
 
 def _running(parts: Parts, decimal: str) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import fields, replace
+from dataclasses import replace
 
 from tmm_report.i18n import Translator
 from tmm_report.problems import N_, Message
@@ -144,7 +144,6 @@ def variables(node: Expr) -> Iterator[Var]:
     if isinstance(node, Var):
         yield node
         return
-    for item in fields(node):
-        child = getattr(node, item.name)
+    for child in vars(node).values():  # a node has no other attributes than its fields, in their order
         if isinstance(child, Expr):
             yield from variables(child)

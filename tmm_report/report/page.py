@@ -60,8 +60,24 @@ class _Once(CodeGenerator):
         self.write(")")
 
 
+class _Context(Context):
+    """What a template calls is called as it is: jinja2 would look for marks of its own at each call, and no function of
+    a page has them; a macro knows by itself that it escapes."""
+
+    def call(  # type: ignore[override]
+        self,
+        called: Callable[..., Any],
+        *args: Any,
+        _loop_vars: Any = None,
+        _block_vars: Any = None,
+        **named: Any,
+    ) -> Any:
+        return called(*args, **named)
+
+
 class _Environment(Environment):
     code_generator_class = _Once
+    context_class = _Context
 
 
 TRIMMED = True  # blocks take their line's blanks and end with them
@@ -132,16 +148,13 @@ class Page:
 
     def explained(self, name: str, of: Value | Column, unit: str = "") -> dict[str, Any]:
         """What a "where" list says of a quantity; `name`: by which it knows what was explained before."""
-        quantity = of.quantity
-        said = self.message(quantity.meaning)
-        return {
-            "id": name, "symbol": quantity.symbol, "meaning": said, "unit": unit, "message": quantity.meaning,
-        }  # fmt: skip
+        return {"id": name, "symbol": of.quantity.symbol, "unit": unit, "message": of.quantity.meaning}
 
     def _filled(self, text: str, values: dict[str, Any]) -> Markup:
-        pieces = [
-            self.text(values[piece] if named else piece) for piece, named in _pieces(text) if named or piece
-        ]
+        parts = _pieces(text)
+        if len(parts) == 1:
+            return self.text(parts[0][0])
+        pieces = [self.text(values[piece] if named else piece) for piece, named in parts if named or piece]
         return Markup("".join(pieces))
 
     def message(self, message: Message) -> Markup:
@@ -168,17 +181,20 @@ class Page:
         items = []
         for sign, meaning, unit in explained(*formulas):
             key = "segment" if sign.kind == "segment" else sign
-            said = self.message(meaning)
-            items.append({"symbol": sign, "id": key, "meaning": said, "unit": unit, "message": meaning})
+            items.append({"symbol": sign, "id": key, "unit": unit, "message": meaning})
         return items
 
     def fresh(self, items: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
-        """Those of a "where" list that have not been explained before; all of them go into the list of symbols."""
+        """Those of a "where" list that have not been explained before, with their meanings in words; all of them go
+        into the list of symbols."""
         for item in items:
             sign = math_symbol(item["symbol"]) if isinstance(item["symbol"], str) else item["symbol"]
             if isinstance(sign, Symbol):
-                self.symbols.add(sign, item.get("message", item["meaning"]), item.get("unit", ""))
-        return self.numbering.fresh(items)
+                self.symbols.add(sign, item.get("message") or item["meaning"], item.get("unit", ""))
+        return [
+            {"meaning": self.message(item["message"]), **item} if "message" in item else item
+            for item in self.numbering.fresh(items)
+        ]
 
     def contents(self) -> list[Markup]:
         """The numbered chapters written so far, by their titles."""
@@ -256,7 +272,7 @@ class Page:
         self.symbols.add(column.symbol(), column.meaning, unit or column.unit)
         numbers = column.numbers(unit)[:rows]
         texts = self.col(np.abs(numbers) if size else numbers, digits)
-        cells = [Cell(text, table.ref(key, row, unit, size)) for row, text in enumerate(texts)]
+        cells = list(map(Cell, texts, table.refs(key, unit, size)))
         return layout.Column(self.head(column.symbol(), unit or column.unit), cells)
 
     def singles(self, table: Table, key: str, rows: int | None = None, **form: Any) -> layout.Column:
@@ -318,4 +334,4 @@ class Page:
         return unit_text(unit, self.tr.language)
 
     def listed(self, items: Iterable[Any], between: str = ", ") -> Markup:
-        return self.text(between).join(self.text(item) for item in items)
+        return Markup(str.join(self.text(between), map(self.text, items)))

@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from tmm_report.figures.drawing import Drawing
-from tmm_report.figures.schemes.scheme import Arrays, apart_scale, groups_apart, positions_scheme, scheme
+from tmm_report.figures.schemes.scheme import Arrays, Drawn, groups_apart, positions_scheme, scheme
 from tmm_report.figures.schemes.strokes import Stroke
 from tmm_report.mechanics.lever.assur_groups import Group
 from tmm_report.mechanics.lever.cams.replacing_dyad import standing
@@ -46,22 +46,14 @@ class Schemes:
             strokes,
         )
 
-    def groups(self, groups: Sequence[Group], position: int) -> Drawing:
+    def groups(self, groups: Sequence[Group], position: int) -> Drawn:
+        """The groups apart at the scale of the schemes, or at a coarser one where they do not fit a page at it."""
         mechanism, places, turns, k = self._replaced(position)
-        return groups_apart(mechanism, places, turns, self._named(groups), k, self._apart(groups, position))
+        return groups_apart(mechanism, places, turns, self._named(groups), k, self.scale)
 
     def scale_var(self) -> Var:
         """mu_l with the scale at which the schemes are drawn."""
         return scale_of("mu_l", self.scale, "m/mm")
-
-    def groups_var(self, groups: Sequence[Group], position: int) -> Var:
-        """mu_l with the scale at which the groups are drawn apart."""
-        return scale_of("mu_l", self._apart(groups, position), "m/mm")
-
-    def _apart(self, groups: Sequence[Group], position: int) -> float:
-        """m/mm: the scale of the schemes, or a coarser one where the groups do not fit a page at it."""
-        mechanism, places, turns, k = self._replaced(position)
-        return apart_scale(mechanism, places, turns, self._named(groups), k, self.scale)
 
     def _replaced(self, position: int) -> tuple[Mechanism, Arrays, Arrays, int]:
         """The mechanism, its places and turns, and the position in them: where there are cam pairs, of the mechanism in

@@ -13,6 +13,7 @@ from typer.testing import CliRunner
 
 from tmm_report import course, render
 from tmm_report.cli import app
+from tmm_report.judging.asked import POSITION
 from tmm_report.problems import ProblemError
 from tmm_report.results import tables as results_tables
 
@@ -37,6 +38,12 @@ def test_the_guides_numbers_are_right():
     found = course.solve(read("compressor")).lever.readings
     assert sum(map(len, found.rows.values())) == 44 and not found.wrong and not found.causes
     assert found.worst < 0.02
+
+
+@pytest.mark.parametrize("name", ["compressor", "cam_press", "jaw_crusher"])
+def test_the_structure_which_is_not_asked_has_nothing_by_positions(name):
+    tables = course.room("structure", "quantities").tables(course.solve(read(name)).lever.structure)
+    assert not any(POSITION in table for table in tables)
 
 
 def test_any_quantity_by_positions_may_be_read_in_any_unit():

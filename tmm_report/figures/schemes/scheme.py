@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from itertools import product
+from typing import NamedTuple
 
 import numpy as np
 
@@ -24,6 +25,13 @@ PAGE = (165.0, 228.0)  # what a drawing may fill of a sheet, mm
 GROUPS_PAGE = (165.0, 130.0)  # what the groups taken apart may fill
 
 Group = tuple[str, Sequence[str]]  # its name as it is printed, its links ("0" with the driving link)
+
+
+class Drawn(NamedTuple):
+    """A drawing and its scale, m of the mechanism per mm of paper."""
+
+    mu: float
+    drawing: Drawing
 
 
 def scheme(
@@ -95,31 +103,18 @@ def groups_apart(
     turns: Arrays,
     groups: Sequence[Group],
     position: int = 0,
-    mu_l: float | None = None,
-    title: str = "",
-) -> Drawing:
-    """The driving link and the Assur groups side by side, each over its name, outer joints as free halves."""
-
-    mu = mu_l or apart_scale(mechanism, places, turns, groups, position)
-    return Drawing(_apart(view_of(mechanism, places, turns, mu, position), groups), title)
-
-
-def apart_scale(
-    mechanism: Mechanism,
-    places: Arrays,
-    turns: Arrays,
-    groups: Sequence[Group],
-    position: int = 0,
     least: float = 0.0,
-) -> float:
-    """`least`, m/mm, where the groups taken apart fit a page at it; else the finest standard scale at which they fit
-    the part of a page that is theirs."""
+) -> Drawn:
+    """The driving link and the Assur groups side by side, each over its name, outer joints as free halves: at `least`,
+    m/mm, where they fit a page at it; else at the finest standard scale at which they fit the part of a page that is
+    theirs."""
 
     def draw(mu: float) -> Drawing:
         return Drawing(_apart(view_of(mechanism, places, turns, mu, position), groups))
 
-    if least and all(size <= room for size, room in zip(draw(least).size, PAGE, strict=True)):
-        return least
+    drawn = draw(least) if least else None
+    if drawn is not None and _fits(drawn, PAGE):
+        return Drawn(least, drawn)
     return _fitting(max(least, _span(places) / PAGE[0]), draw, GROUPS_PAGE)
 
 
@@ -138,17 +133,22 @@ def standard_scale(mechanism: Mechanism, places: Arrays, turns: Arrays) -> float
         view = view_of(mechanism, places, turns, mu, 0)
         return Drawing(tuple(superposed(view, places, ())))
 
-    return _fitting(_span(places) / PAGE[1], draw, page)
+    return _fitting(_span(places) / PAGE[1], draw, page).mu
 
 
-def _fitting(least: float, draw: Callable[[float], Drawing], page: tuple[float, float]) -> float:
-    """The least standard scale, m/mm, not under `least`, whose drawing fits the page."""
+def _fitting(least: float, draw: Callable[[float], Drawing], page: tuple[float, float]) -> Drawn:
+    """The least standard scale, m/mm, not under `least`, whose drawing fits the page, else the greatest."""
     power = math.floor(math.log10(least)) if least > 0 else -3
-    scales = [digit * 10.0 ** (power + more) for more, digit in product(range(4), (1, 2, 2.5, 4, 5))]
-    for mu in scales:
-        if mu >= least and all(size <= room for size, room in zip(draw(mu).size, page, strict=True)):
-            return float(f"{mu:.3g}")
-    return float(f"{scales[-1]:.3g}")
+    digits = product(range(4), (1, 2, 2.5, 4, 5))
+    scales = [float(f"{digit * 10.0 ** (power + more):.3g}") for more, digit in digits]
+    tried = (Drawn(mu, draw(mu)) for mu in scales if mu >= least)
+    return next((one for one in tried if _fits(one.drawing, page)), None) or Drawn(
+        scales[-1], draw(scales[-1])
+    )
+
+
+def _fits(drawing: Drawing, page: tuple[float, float]) -> bool:
+    return all(size <= room for size, room in zip(drawing.size, page, strict=True))
 
 
 def _span(places: Arrays) -> float:

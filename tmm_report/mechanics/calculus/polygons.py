@@ -16,6 +16,7 @@ import numpy as np
 Array = Any
 Boxes = list[Array]  # left, bottom, right, top, (P, blocks) each
 Pairs = tuple[Array, Array, Array]  # place, side of the one, side of the other, (K,) each, by places
+Sides = tuple[Array, Array]  # starts and ends of sides, (K,) each
 BLOCK = 8  # sides in a box
 AT_ONCE = 500_000  # pairs of boxes that are compared at a time
 SLACK = 0.01  # of the width of a polygon: how near what it may meet is looked for at first
@@ -49,10 +50,11 @@ def overlaps_and_clearances(one: Array, other: Array, opening: bool = False) -> 
     bound = _between_vertices(mine.places, theirs.places)
     if bound.max() > reach:
         mine, theirs = _chain(one, around[1], bound.max()), _chain(other, around[0], bound.max())
-    pairs = _near(mine.places, theirs.places, bound)
-    shared, apart = _nested(one, other, opening), _distances(mine.places, theirs.places, pairs, bound)
+    p, i, j = _near(mine.places, theirs.places, bound)
+    own, its = ((chain.places[p, k], chain.places[p, k + 1]) for chain, k in ((mine, i), (theirs, j)))
+    shared, apart = _nested(one, other, opening), _distances(p, own, its, bound)
     apart[shared > 0] *= -1
-    for k, crossed in _crossings(mine, theirs, pairs):
+    for k, crossed in _crossings(p, own, its, (mine.number[i], theirs.number[j])):
         shared[k] = _overlap(one[k], other[k], crossed, opening)
         apart[k] = 0.0 - _sunk(one[k], other[k], crossed, opening)
     return shared, apart
@@ -97,17 +99,18 @@ def _sunk(one: Array, other: Array, crossed: tuple[Array, Array], opening: bool)
     return max((_depth(points, sides) for points, sides in sunk if len(points)), default=0.0)
 
 
-def _crossings(one: Chain, other: Chain, pairs: Pairs) -> Iterator[tuple[int, tuple[Array, Array]]]:
+def _crossings(
+    p: Array, one: Sides, other: Sides, numbers: tuple[Array, Array]
+) -> Iterator[tuple[int, tuple[Array, Array]]]:
     """Places where the boundaries cross, and where on each of them: index of the side and the part of it passed, (K,),
-    ascending."""
-    p, i, j = pairs
-    start, there = one.places[p, i], other.places[p, j]
-    along, across, gap = one.places[p, i + 1] - start, other.places[p, j + 1] - there, there - start
+    ascending. Of near sides (S,) in places p, with their `numbers`."""
+    start, there = one[0], other[0]
+    along, across, gap = one[1] - start, other[1] - there, there - start
     turn = _cross(along, across)
     with np.errstate(divide="ignore", invalid="ignore"):
         s, t = _cross(gap, across) / turn, _cross(gap, along) / turn
     hit = (s >= 0) & (s < 1) & (t >= 0) & (t < 1)
-    p, mine, theirs = p[hit], one.number[i[hit]] + s[hit], other.number[j[hit]] + t[hit]
+    p, mine, theirs = p[hit], numbers[0][hit] + s[hit], numbers[1][hit] + t[hit]
     for k in np.unique(p):
         yield int(k), (np.sort(mine[p == k]), np.sort(theirs[p == k]))
 
@@ -160,14 +163,12 @@ def _fan(chain: Array) -> float:
     return float(_cross(chain[:-1], chain[1:]).sum() / 2)
 
 
-def _distances(one: Array, other: Array, pairs: Pairs, bound: Array) -> Array:
-    """Least distances of the sides of chains, (P,), not above the bounds."""
-    p, i, j = pairs
-    mine, theirs = (one[p, i], one[p, i + 1]), (other[p, j], other[p, j + 1])
-    least = bound.copy()
-    for point, side in ((mine[0], theirs), (theirs[0], mine)):
+def _distances(p: Array, one: Sides, other: Sides, bound: Array) -> Array:
+    """Least distances of near sides (S,) in places p, (P,), not above the bounds."""
+    least = bound**2
+    for point, side in ((one[0], other), (other[0], one)):
         np.minimum.at(least, p, _to_side(point, *side))
-    return least
+    return np.sqrt(least)
 
 
 def _between_vertices(one: Array, other: Array) -> Array:
@@ -186,13 +187,15 @@ def _between_vertices(one: Array, other: Array) -> Array:
 
 def _depth(points: Array, polygon: Array) -> float:
     """How far from the boundary the deepest of the points is."""
-    return float(max(_to_side(point, polygon, np.roll(polygon, -1)).min() for point in points))
+    deepest = max(_to_side(point, polygon, np.roll(polygon, -1)).min() for point in points)
+    return float(np.sqrt(deepest))
 
 
 def _to_side(point: Array, start: Array, end: Array) -> Array:
-    along = end - start
-    part = ((point - start) * along.conj()).real / np.maximum(_square(along), 1e-300)
-    return np.abs(point - start - np.clip(part, 0, 1) * along)
+    """Squares of the distances."""
+    along, to = end - start, point - start
+    part = (to.real * along.real + to.imag * along.imag) / np.maximum(_square(along), 1e-300)
+    return _square(to - np.clip(part, 0, 1) * along)
 
 
 def _square(vectors: Array) -> Array:
@@ -248,9 +251,10 @@ def _meeting(boxes: Boxes, box: Boxes, reach: Array) -> Array:
 
 
 def _meet(one: Boxes, other: Boxes, reach: Array | float) -> Array:
+    """Whether boxes come within `reach` of others, which are the fewer."""
     x0, y0, x1, y1 = one
     u0, v0, u1, v1 = other
-    return (x0 - reach <= u1) & (u0 <= x1 + reach) & (y0 - reach <= v1) & (v0 <= y1 + reach)
+    return (x0 <= u1 + reach) & (x1 >= u0 - reach) & (y0 <= v1 + reach) & (y1 >= v0 - reach)
 
 
 def _cross(a: Array, b: Array) -> Array:

@@ -57,7 +57,11 @@ class Wheel:
 
     def placed(self, centre: Array, turn: Array) -> Array:
         """The outline moved to `centre`, m, and turned by `turn`, rad; (..., N)."""
-        return np.asarray(centre)[..., None] + self.outline * np.exp(1j * np.asarray(turn))[..., None]
+        turned = self.outline * np.exp(1j * np.asarray(turn))[..., None]
+        if np.ndim(centre):
+            return centre[..., None] + turned
+        turned += centre  # a large array is not copied
+        return turned
 
     @property
     def pitch_angle(self) -> float:
@@ -361,7 +365,7 @@ def _met(flank: Array, turns: Array, centre: float, base: float, alpha: float) -
     turn, aside, middle = np.exp(1j * (turns + alpha)), centre * np.exp(1j * alpha), flank.mean()
     near = np.nonzero(np.abs((aside + turn * middle).real - base) <= np.abs(flank - middle).max())[0]
     turn = turn[near]  # of a million vertices a third, and of those only the x
-    x = np.multiply.outer(turn.real, flank.real) - np.multiply.outer(turn.imag, flank.imag)
+    x = np.stack([turn.real, -turn.imag], axis=1) @ np.stack([flank.real, flank.imag])
     behind = x < base - aside.real
     crosses = behind[:, :-1] != behind[:, 1:]
     met, side = np.nonzero(crosses.any(axis=1))[0], np.argmax(crosses, axis=1)

@@ -152,10 +152,11 @@ def _to(cell: Cell, places: int) -> Cell:
 
 
 _DECIMAL = re.compile(r"[−-]?\d+[.,]\d+")
+_PLACES = re.compile(r"[.,](\d+)$")
 
 
 def _decimals(text: str) -> int:
-    match = re.search(r"[.,](\d+)$", text)
+    match = _PLACES.search(text)
     return len(match[1]) if match else 0
 
 

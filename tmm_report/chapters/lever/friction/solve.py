@@ -235,14 +235,19 @@ def _losses(given: Friction, motion: Motion, statics: Statics) -> Losses:
     for reaction in statics.reactions.values():
         rubbing = rubbing_of(given, reaction.pair)
         if rubbing is not None:
-            size = np.abs(np.broadcast_to(reaction.force, motion.shape))
-            presses = np.broadcast_to(pressing(reaction, rubbing.half), motion.shape)
+            size = np.abs(_wide(reaction.force, motion.shape))
+            presses = _wide(pressing(reaction, rubbing.half), motion.shape)
             rate = np.abs(relative_rate(motion, reaction.pair))
             arm = (rubbing.diameter or 0.0) / 2 if reaction.pair.kind == "R" else 1.0
             power = rubbing.coefficient * presses * arm * rate
-            couple = np.abs(np.broadcast_to(reaction.moment, motion.shape)) if rubbing.half else None
+            couple = np.abs(_wide(reaction.moment, motion.shape)) if rubbing.half else None
             losses.append(PairLoss(reaction.pair, rubbing, size, rate, power, presses, couple))
     order = [pair.key for pair in motion.linkage.structure.pairs]
     losses.sort(key=lambda loss: order.index(loss.pair.key))
     omega = float(motion.omega)
-    return Losses(tuple(losses), np.abs(np.broadcast_to(statics.balancing, motion.shape) * omega), omega)
+    return Losses(tuple(losses), np.abs(_wide(statics.balancing, motion.shape) * omega), omega)
+
+
+def _wide(x: Array, shape: tuple[int, ...]) -> Array:
+    """What is the same at all positions at each of them."""
+    return x if np.shape(x) == shape else np.broadcast_to(x, shape)

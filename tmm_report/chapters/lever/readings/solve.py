@@ -9,7 +9,7 @@ import numpy as np
 
 from tmm_report.chapters.lever.plans.solve import LIMIT, Plans
 from tmm_report.chapters.lever.readings.given import Readings, Written
-from tmm_report.judging.asked import of_motion, of_table
+from tmm_report.judging.asked import POSITION, of_motion, of_table
 from tmm_report.judging.judge import default_floor, judge, takes_magnitudes
 from tmm_report.judging.model import RIGHT, Answered, Answers, Asked, Cause, Judged, Name, Rule
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
@@ -84,7 +84,7 @@ def solve(readings: Readings, plans: Plans, tables: Iterable[tuple[str, Table]])
     when they are reached: those behind the last quantity that is read only to look for the causes of what is wrong.
 
     Raises ProblemError for quantities and units that there are not."""
-    every = (one for chapter, table in tables for one in of_table(table, chapter) if one.by_position)
+    every = (one for chapter, table in tables if POSITION in table for one in of_table(table, chapter))
     asked = _until(every, {name for numbers in readings.values() for name in numbers})
     meant = _meant(readings, asked)
     columns = {one.name: _answered(one, meant) for one in {id(one): one for one, *_ in meant}.values()}
@@ -115,7 +115,7 @@ def _meant(readings: Readings, asked: Mapping[Name, Asked]) -> Meant:
     by_key: dict[str, Asked] = {}
     for one in asked.values():
         by_key.setdefault(one.key, one)
-    quantities = [one.quantity for one in by_key.values()]
+    quantities = {key: one.quantity for key, one in by_key.items()}
     found: Meant = []
     problems: list[Problem] = []
     for position, numbers in readings.items():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
@@ -11,7 +12,7 @@ from tmm_report.chapters.lever.schemes import schemes_of
 from tmm_report.chapters.lever.structure import quantities as q
 from tmm_report.chapters.lever.structure.naming import link_name
 from tmm_report.chapters.lever.structure.solve import Structure
-from tmm_report.figures.drawing import Drawing
+from tmm_report.figures.schemes.scheme import Drawn
 from tmm_report.mechanics.cams.cam import Cam
 from tmm_report.mechanics.lever.assur_groups import Group, Pair
 from tmm_report.mechanics.lever.mechanism import FRAME
@@ -20,6 +21,7 @@ from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula, Var
 from tmm_report.quantity.model import Book
 from tmm_report.report.chapter_view import BookView
+from tmm_report.report.diagrams import scale_of
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Table, worded
 from tmm_report.report.part import Part
@@ -113,11 +115,13 @@ class StructureView(BookView):
     def of_mobility(self) -> list[dict[str, Any]]:
         return self.explained("n", "p5", "p4")
 
-    def groups_drawn(self) -> Drawing:
+    @cached_property
+    def groups_drawn(self) -> Drawn:
         return self.schemes.groups(self.found.linkage.structure.groups, self.position)
 
     def groups_scale(self) -> Var:
-        return self.schemes.groups_var(self.found.linkage.structure.groups, self.position)
+        """mu_l with the scale at which the groups are drawn apart."""
+        return scale_of("mu_l", self.groups_drawn.mu, "m/mm")
 
     # ------------------------------------------------------------ tables
 

@@ -79,11 +79,10 @@ def seen(found: Found, labels: Labels, num: Num) -> Drawing:
 LARGEST = 4.0  # mm: radius of the heaviest counterweight
 
 
-def fitted(found: Found, case: Case, position: int) -> Drawing:
-    """The mechanism at a position with the counterweights of a way, their discs as large as their masses."""
+def fitted(found: Found, case: Case, position: int, mu: float) -> Drawing:
+    """The mechanism at a position, `mu` m/mm, with a way's counterweights, their discs as large as their masses."""
     mechanism = found.kinematics.linkage.mechanism
     places, turns = _seen(found)
-    mu = scale(found)
     view = view_of(mechanism, places, turns, mu, position)
     heaviest = max(one.mass for one in case.placed)
     items: list[Item] = [*view.plates(), *view.frame()]

@@ -213,4 +213,4 @@ class RotorView(ChapterView):
 
 
 def _by_meaning(items: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
-    return [item | {"id": f"rotor:{item['meaning']}"} for item in items]
+    return [item | {"id": f"rotor:{item['message']}"} for item in items]

@@ -123,10 +123,12 @@ class Ground:
         """The mechanism with counterweights and rotors, which stand at the point of the moments."""
         weights = [one.weight for one in placed]
         shaken = []
-        for motion, turned, before in zip(self.motions, self.turned, self._before, strict=True):
+        for motion, turned, before, arm in zip(
+            self.motions, self.turned, self._before, self.arms, strict=True
+        ):
             force, moment = added(motion, weights, self.about)
             force = force + rotating(rotors, turned, self.cycle.sense, self.omega)
-            shaken.append(Shaken(before.force + force, settled(motion, before.moment + moment, self)))
+            shaken.append(Shaken(before.force + force, self.settled(before.moment + moment, arm)))
         table, diagram, fine = shaken
         found = Case(name, placed, rotors, table, diagram, fine)
         return found if rotors else replace(found, check=self.checked(weights, shaken[0]))
@@ -136,23 +138,36 @@ class Ground:
         return self.original.table, self.original.diagram, self.original.cycle
 
     def checked(self, weights: list[Weight], shaken: Shaken) -> float:
-        """The mechanism solved again with the counterweights as parts of its links, its frame reactions added up."""
-        again = Cycle(weighted(self.linkage, weights), self.cycle.zero, self.cycle.critical)
-        return disagreement(again.motion(self.turned[0]), shaken, self.about, self.size)
+        """The forces found again with the counterweights as parts of the links, which move as before: the reactions of
+        the frame added up."""
+        motion = self.motions[0]
+        again = Motion(weighted(self.linkage, weights), motion.phi, motion.omega, motion.state, motion.shape)
+        return disagreement(again, shaken, self.about, self.size)
+
+    @cached_property
+    def arms(self) -> tuple[float, float, float]:
+        """Of each of the motions how far from the point of the moments the farthest point of a link comes, m."""
+        table, diagram, fine = (reach(motion, self.about) for motion in self.motions)
+        return table, diagram, fine
+
+    def settled(self, moment: Array, arm: float) -> Array:
+        """Nothing where a moment is the rounding of its terms, by the greatest force at an arm."""
+        return np.where(np.nanmax(np.abs(moment)) <= NOISE * self.size * arm, 0.0, moment)
 
 
-def settled(motion: Motion, moment: Array, ground: Ground) -> Array:
-    """Nothing where a moment is the rounding of its terms, by the greatest force at the arm of the farthest point."""
-    arm = np.nanmax(np.abs(motion.places - ground.about))
-    return np.where(np.nanmax(np.abs(moment)) <= NOISE * ground.size * arm, 0.0, moment)
+def reach(motion: Motion, about: complex) -> float:
+    """How far from a point the farthest point of a link comes, m."""
+    return float(np.nanmax(np.abs(motion.places - about)))
 
 
 def disagreement(motion: Motion, shaken: Shaken, about: complex, size: float) -> float:
     """Worst difference of the shaking from the reactions of the frame, by the greatest force, and by that at the arm of
     the farthest point."""
     force, moment = on_frame(motion, about)
-    arm = np.nanmax(np.abs(motion.places - about))
-    misses = np.abs(force - shaken.force) / size, np.abs(moment - shaken.moment) / (size * arm)
+    misses = (
+        np.abs(force - shaken.force) / size,
+        np.abs(moment - shaken.moment) / (size * reach(motion, about)),
+    )
     return float(np.nanmax(misses, initial=0.0))
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -31,7 +31,7 @@ from tmm_report.chapters.machine.balancing.solve.substituted_masses import (
 from tmm_report.mechanics.calculus import harmonics as fourier
 from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.mechanics.lever.motion import Linkage
-from tmm_report.mechanics.masses.counterweights import against, pivoted, smallest_circle
+from tmm_report.mechanics.masses.counterweights import against, pivoted
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 
 Array = Any
@@ -84,9 +84,12 @@ class Fitting:
 # ---------------------------------------------------------------- the methods
 
 
-def cases(ground: Ground, given: Given, substituted: Substituted, whole: bool) -> Iterator[Case]:
-    """Each asked method in the course's order. `whole`: whether every link hangs on the frame by pivots. Raises
-    ProblemError for counterweights of which nothing is stated."""
+def cases(
+    ground: Ground, given: Given, substituted: Substituted, whole: bool, targets: Mapping[str, complex]
+) -> Iterator[Case]:
+    """Each asked method in the course's order. `whole`: whether every link hangs on the frame by pivots; `targets`: by
+    the kind of optimum, what of `turned_back` is shifted into the origin. Raises ProblemError for counterweights of
+    which nothing is stated."""
     fitting = Fitting(given)
     found: list[tuple[str, tuple[Placed | None, ...], tuple[Rotor, ...]]] = []
     if given.stated:
@@ -99,7 +102,7 @@ def cases(ground: Ground, given: Given, substituted: Substituted, whole: bool) -
         found.append((SUBSTITUTED, tuple(by_masses(ground, fitting, substituted)), ()))
     if OPTIMUM in given.ways:
         for kind in (RMS, MAX):
-            found.append((f"{OPTIMUM}_{kind}", (single(ground, fitting, kind),), ()))
+            found.append((f"{OPTIMUM}_{kind}", (single(ground, fitting, kind, targets[kind]),), ()))
     if ROTORS in given.ways and given.radii:
         rotors = tuple(four_rotors(ground, given.radii))
         found += [(f"{ROTORS}_1", (), rotors[:2]), (f"{ROTORS}_2", (), rotors)]
@@ -194,12 +197,10 @@ def turned_back(ground: Ground) -> Array:
     return ground.original.cycle.force / (motion.turn(driver) * line) / ground.omega**2
 
 
-def single(ground: Ground, fitting: Fitting, kind: str) -> Placed | None:
+def single(ground: Ground, fitting: Fitting, kind: str, target: complex) -> Placed | None:
     """One counterweight on the driving link: by the mean of the force in its axes (least mean square), or by the centre
-    of the smallest circle round it (least maximum)."""
+    of the smallest circle round it (least maximum), the `target` that is shifted into the origin."""
     driver = ground.linkage.mechanism.driver.link
-    seen = fourier.fine(turned_back(ground))
-    target = complex(seen.mean()) if kind == RMS else smallest_circle(seen)[0]
     about = pivoted(ground.linkage.structure.pairs)[driver]
     line = line_of(ground.linkage.mechanism, driver, about)
     return next(_by_moment(ground, fitting, f"{OPTIMUM}_{kind}", driver, about, -target * line), None)

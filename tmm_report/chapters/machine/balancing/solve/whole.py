@@ -13,13 +13,14 @@ from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
 from tmm_report.chapters.machine.balancing import steps
 from tmm_report.chapters.machine.balancing.given import FULL, Given
 from tmm_report.chapters.machine.balancing.solve.cases import (
+    MAX,
     ORIGINAL,
+    RMS,
     Case,
     Ground,
     Rotor,
     Shaken,
     disagreement,
-    settled,
 )
 from tmm_report.chapters.machine.balancing.solve.counterweights import (
     cases,
@@ -116,9 +117,11 @@ def solve(given: Given, moving: Moving | None) -> Found:
     at_table, at_steps = (
         tuple(remaining(crank, ground.motions[k], ground.turned[k]) for crank in cranks) for k in (0, 2)
     )
-    every = tuple(cases(ground, given, substituted, not missing))
     seen = turned_back(ground)
-    circle = smallest_circle(fourier.fine(seen))[:2]
+    between = fourier.fine(seen)
+    circle = smallest_circle(between)[:2]
+    targets = {RMS: complex(between.mean()), MAX: circle[0]}
+    every = tuple(cases(ground, given, substituted, not missing, targets))
     s = steps.whole(given, (ground.original, *every), tail, seen, circle)
     return Found(
         given,
@@ -172,8 +175,8 @@ def _checked(ground: Ground) -> Ground:
     of = ground.original
     check = disagreement(ground.motions[0], of.table, ground.about, ground.size)
     table, diagram, fine = (
-        Shaken(shaken.force, settled(motion, shaken.moment, ground))
-        for shaken, motion in zip((of.table, of.diagram, of.cycle), ground.motions, strict=True)
+        Shaken(shaken.force, ground.settled(shaken.moment, arm))
+        for shaken, arm in zip((of.table, of.diagram, of.cycle), ground.arms, strict=True)
     )
     return replace(ground, original=Case(ORIGINAL, (), (), table, diagram, fine, check))
 

@@ -89,14 +89,21 @@ class BalancingView(BalancingSheet):
         """The first way with counterweights: the one that is drawn."""
         return next((case for case in self.found.cases if case.placed), None)
 
-    def fitted(self, case: Case) -> Drawing:
-        return fitted(self.found, case, self.position)
+    @cached_property
+    def scale(self) -> float:
+        """m/mm: of the drawing with the counterweights."""
+        return scale(self.found)
 
-    def fitted_scale(self, case: Case) -> Markup | None:
+    @cached_property
+    def fitted(self) -> Drawing | None:
+        """The way that is drawn."""
+        return fitted(self.found, self.shown_case, self.position, self.scale) if self.shown_case else None
+
+    def fitted_scale(self) -> Markup | None:
         """Of that drawing; None where it is made smaller to fit the page."""
-        if self.page.percent(self.fitted(case)) != 100:
+        if self.fitted is None or self.page.percent(self.fitted) != 100:
             return None
-        return self.page.value(scale_of("mu_l", scale(self.found), "m/mm"))
+        return self.page.value(scale_of("mu_l", self.scale, "m/mm"))
 
     @cached_property
     def hodographs(self) -> Drawing:
