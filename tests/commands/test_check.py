@@ -288,7 +288,9 @@ def test_a_stored_file_without_its_variant_is_a_difference_and_is_kept(folder):
 
 def test_what_is_said_of_a_broken_stored_file_mends_it(folder):
     path = folder / f"eccentric{stored.SUFFIX}"
-    before = path.read_bytes()
+    path.unlink()
+    check(folder, update=True)
+    before = path.read_bytes()  # as this machine rounds
     path.write_bytes(before[:-9])
     with pytest.raises(ProblemError, match="remove it, then store anew: tmm-report check --update"):
         check(folder, update=True)
