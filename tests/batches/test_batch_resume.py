@@ -115,6 +115,9 @@ def test_folders_of_variants_that_are_gone_stay_but_are_not_listed(source, tmp_p
     assert "anna" not in statuses(tmp_path / "out")
 
 
+PATHS = os.pathsep.join(
+    str(Path(__file__).parents[k]) for k in range(3)
+)  # of this room, the tests, the program
 BATCH = """
 import sys
 from pathlib import Path
@@ -128,10 +131,9 @@ if __name__ == "__main__":
 def started(tmp_path: Path, source: Path, output: Path) -> subprocess.Popen:
     script = tmp_path / "batch.py"
     script.write_text(BATCH)
-    paths = os.pathsep.join([str(Path(__file__).parent), str(Path(__file__).parents[2])])
     return subprocess.Popen(
         [sys.executable, str(script), str(source), str(output)],
-        env={**os.environ, "PYTHONPATH": paths},
+        env={**os.environ, "PYTHONPATH": PATHS},
         stderr=subprocess.PIPE,
         start_new_session=True,
     )
@@ -214,12 +216,11 @@ if __name__ == "__main__":
 def test_memory_is_flat_however_many_variants(tmp_path):
     """300 MB of variants pass through a process that grows by a tenth of that at most."""
     (tmp_path / "memory.py").write_text(MEMORY)
-    paths = os.pathsep.join([str(Path(__file__).parent), str(Path(__file__).parents[2])])
 
     def peak(count: int) -> int:
         done = subprocess.run(
             [sys.executable, str(tmp_path / "memory.py"), str(count), str(tmp_path / f"out{count}")],
-            env={**os.environ, "PYTHONPATH": paths},
+            env={**os.environ, "PYTHONPATH": PATHS},
             capture_output=True,
             text=True,
             check=True,
