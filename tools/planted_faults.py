@@ -17,7 +17,6 @@ import sys
 import tempfile
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from functools import cache
 from pathlib import Path
 from queue import SimpleQueue
 
@@ -68,9 +67,13 @@ def copy(folder: Path) -> Path:
     return folder
 
 
-def failing(folder: Path, fault: Fault, golden: bool, one: bool = False) -> frozenset[str]:
-    """The tests that fail in a copy, those that cannot even be collected among them, or `one` of them; of a fault of
-    words only the approved texts are asked."""
+def failing(
+    folder: Path, fault: Fault, golden: bool, one: bool = False, only: frozenset[str] | None = None
+) -> frozenset[str]:
+    """The tests that fail in a copy, those that cannot even be collected among them, or `one` of them, or of those that
+    are named; of a fault of words only the approved texts are asked."""
+    if only is not None and not only:
+        return only
     variants = fault.variants
     command = [
         sys.executable,
@@ -86,8 +89,8 @@ def failing(folder: Path, fault: Fault, golden: bool, one: bool = False) -> froz
         *(["-x"] if one else []),
     ]
     others = [LEVERS_BESIDE, *([] if variants in GEARS else [GEARS_BESIDE]), *([] if golden else [TEXTS])]
-    all_else = ["tests/page", *fault.tests, *(f"--ignore=tests/page/{other}" for other in others)]
-    command += [f"tests/page/{TEXTS}"] if fault.words else all_else
+    all_else = [*fault.tests, "tests/page", *(f"--ignore=tests/page/{other}" for other in others)]
+    command += sorted(only) if only else [f"tests/page/{TEXTS}"] if fault.words else all_else
     added = {"PYTHONPATH": str(folder), "PAGE_VARIANTS": variants}
     done = subprocess.run(command, cwd=folder, env=os.environ | added, capture_output=True, text=True)
     if done.returncode not in (0, 1, 2) and not FAILED.search(done.stdout):
@@ -111,50 +114,45 @@ def placed(fault: Fault) -> bool:
     return path.exists() and path.read_bytes().count(fault.old.encode()) == 1
 
 
-def alike(fault: Fault) -> Fault:
-    """What the tests that look at a fault depend on."""
-    return Fault("", "", "", "", fault.variants, fault.tests, fault.words)
-
-
 class Planter:
-    """Copies of the program, one for each worker, and what fails in them before anything is planted."""
+    """Copies of the program, one for each worker."""
 
     def __init__(self, folders: list[Path], golden: bool):
         self.golden = golden
         self.free: SimpleQueue[Path] = SimpleQueue()
         for folder in folders:
             self.free.put(folder)
-        self.before = cache(self._before)
-
-    def _before(self, alike: Fault) -> frozenset[str]:
-        folder = self.free.get()
-        try:
-            return failing(folder, alike, self.golden)
-        finally:
-            self.free.put(folder)
 
     def told(self, fault: Fault) -> tuple[Fault, list[str], str]:
-        """A fault, the tests that notice it, and what is wrong with the edit."""
-        before = self.before(alike(fault))
+        """A fault, the tests that notice it, and what is wrong with the edit.
+
+        The first test that fails is asked again without the fault: it notices only what it does not say anyway. All
+        tests are asked both ways where it fails there too.
+        """
         folder = self.free.get()
         try:
-            text = planted(folder, fault)
-            try:
-                return fault, sorted(failing(folder, fault, self.golden, one=not before) - before), ""
-            finally:
-                (folder / fault.file).write_bytes(text)
+            first = self.failing_with(fault, folder, one=True)
+            anyway = failing(folder, fault, self.golden, only=first)
+            if anyway:
+                first = self.failing_with(fault, folder) - failing(folder, fault, self.golden)
+            return fault, sorted(first), ""
         except Misplaced as misplaced:
             return fault, [], str(misplaced)
         finally:
             self.free.put(folder)
 
+    def failing_with(self, fault: Fault, folder: Path, one: bool = False) -> frozenset[str]:
+        text = planted(folder, fault)
+        try:
+            return failing(folder, fault, self.golden, one=one)
+        finally:
+            (folder / fault.file).write_bytes(text)
+
 
 def run(faults: list[Fault], jobs: int, golden: bool) -> Iterator[tuple[Fault, list[str], str]]:
     with tempfile.TemporaryDirectory() as temporary, ThreadPoolExecutor(jobs) as pool:
         folders = [copy(Path(temporary) / f"copy{k}") for k in range(jobs)]
-        planter = Planter(folders, golden)
-        list(pool.map(planter.before, dict.fromkeys(map(alike, faults))))
-        yield from pool.map(planter.told, faults)
+        yield from pool.map(Planter(folders, golden).told, faults)
 
 
 def main(arguments: list[str]) -> int:

@@ -60,24 +60,8 @@ class _Once(CodeGenerator):
         self.write(")")
 
 
-class _Context(Context):
-    """What a template calls is called as it is: jinja2 would look for marks of its own at each call, and no function of
-    a page has them; a macro knows by itself that it escapes."""
-
-    def call(  # type: ignore[override]
-        self,
-        called: Callable[..., Any],
-        *args: Any,
-        _loop_vars: Any = None,
-        _block_vars: Any = None,
-        **named: Any,
-    ) -> Any:
-        return called(*args, **named)
-
-
 class _Environment(Environment):
     code_generator_class = _Once
-    context_class = _Context
 
 
 TRIMMED = True  # blocks take their line's blanks and end with them

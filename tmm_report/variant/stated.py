@@ -88,13 +88,17 @@ def _kind(hint: Any) -> bool:
 
 
 def _default(field: Any) -> Any:
+    """What a field of the model is when the file leaves it out. Of a record no editor is told: the file calls its
+    fields by other names."""
     if field.default_factory is not dataclasses.MISSING:
-        made = (
-            field.default_factory()
-        )  # a record's fields are not what the file calls them: no editor is told
-        own = dataclasses.is_dataclass(made)
-        return Field(default_factory=field.default_factory) if own else Field(default=made)
-    return ... if field.default is dataclasses.MISSING else field.default
+        made = field.default_factory()
+    elif field.default is not dataclasses.MISSING:
+        made = field.default
+    else:
+        return ...
+    if dataclasses.is_dataclass(made):
+        return Field(default_factory=lambda: made)
+    return Field(default=made)
 
 
 def _read(annotation: Any) -> Any:

@@ -102,7 +102,8 @@ class FlywheelView(ChapterView):
 
     @property
     def machine(self) -> Markup:
-        return self.t(self.found.given.machine or "")
+        machine = self.found.given.machine
+        return self.t(machine) if machine else Markup()
 
     @property
     def within(self) -> bool:
