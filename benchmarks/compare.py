@@ -1,7 +1,7 @@
 """The quick benchmarks one after another, each figure beside the last stored run. Nothing fails on what they say.
 
-    python benchmarks/compare.py            # a minute; what CI prints at its end
-    python benchmarks/compare.py --store    # keep the figures as benchmarks/results/NAME.json
+    python -m benchmarks.compare            # a minute; what CI prints at its end
+    python -m benchmarks.compare --store    # keep the figures as benchmarks/results/NAME.json
 
 A benchmark that breaks is told and passed over.
 """
@@ -13,10 +13,10 @@ import subprocess
 import sys
 from pathlib import Path
 
-import stored
+from benchmarks.measuring import stored
 
-HERE = Path(__file__).parent
-QUICK = (("compressor_36.py",), ("higher.py",), ("cold_start.py", "--rounds", "3"))
+ROOT = Path(__file__).parents[1]
+QUICK = (("compressor_36",), ("higher",), ("cold_start", "--rounds", "3"))
 SECONDS = 120  # of one of them, at most
 
 
@@ -28,7 +28,8 @@ def main() -> None:
         print(f"\n# {name}", flush=True)
         try:
             subprocess.run(
-                [sys.executable, str(HERE / name), *([] if options else few), *options],
+                [sys.executable, "-m", f"benchmarks.speed.{name}", *([] if options else few), *options],
+                cwd=ROOT,
                 timeout=SECONDS,
                 check=True,
             )

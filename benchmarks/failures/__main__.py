@@ -12,10 +12,10 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from benchmarks import stored
 from benchmarks.failures import columns, others, page
 from benchmarks.failures.judge import REFUSED, RIGHT, WRONG, Cell
 from benchmarks.failures.scenes import SCENES
+from benchmarks.measuring import stored
 
 MOTION = {
     columns.OURS: "the program", "groups": "groups alone", "newton": "Newton, guarded", "plain_newton": "Newton, plain",

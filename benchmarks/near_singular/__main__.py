@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-from benchmarks import stored
+from benchmarks.measuring import stored
 from benchmarks.near_singular import chart
 from benchmarks.near_singular.runs import KINDS, OWN, Run, methods, run
 from benchmarks.near_singular.scenes import SCENES

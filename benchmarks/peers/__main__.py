@@ -14,7 +14,7 @@ from pathlib import Path
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
-from benchmarks import stored
+from benchmarks.measuring import stored
 from benchmarks.peers import chart, cold, judge, page, scenes, table
 from benchmarks.peers.gears import run as gears
 from benchmarks.peers.gears.scene import POINTS

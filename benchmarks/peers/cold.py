@@ -40,7 +40,7 @@ def main(key: str, without: str = "") -> None:
 
     from benchmarks.peers.scene import angles, compressor
 
-    room = "ours" if key == "ours" else f"by_{key}"
+    room = "ours" if key == "ours" else f"programs.by_{key}"
     peer: Peer = import_module(f"benchmarks.peers.{room}").PEER
     scene = compressor()
     setting = {"fast": False} if without else next(iter(peer.settings.values()))

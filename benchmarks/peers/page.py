@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from benchmarks import stored
+from benchmarks.measuring import stored
 
 TEXT = """# Other programs, side by side
 

@@ -15,16 +15,16 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from benchmarks.peers import (
+from benchmarks.peers import ours
+from benchmarks.peers.peer import Array, Found, Peer, Refused
+from benchmarks.peers.programs import (
     by_exudyn,
     by_kinepy,
     by_mechanism,
     by_mujoco,
     by_pinocchio,
     by_pylinkage,
-    ours,
 )
-from benchmarks.peers.peer import Array, Found, Peer, Refused
 from benchmarks.peers.scene import Scene
 
 PEERS: dict[str, Peer] = {

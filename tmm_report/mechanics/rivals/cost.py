@@ -1,7 +1,7 @@
 """What a method costs, by a table: the same on every machine, so that a choice by it is the same everywhere.
 
-Measured once by `python benchmarks/costs.py`, which makes the table anew; the microseconds are those of one machine,
-only their ratios count. The table is also the list of the methods' names, known without loading them.
+Measured once by `python -m benchmarks.speed.costs`, which makes the table anew; the microseconds are those of one
+machine, only their ratios count. The table is also the list of the methods' names, known without loading them.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Marks of a thousand students on two processes: `tmm-report grade` against a plain loop that only solves the variants.
 
-    python benchmarks/marks.py [N]
+    python -m benchmarks.speed.marks [N]
 
 Every student has a variant of the compressor and hands in 29 columns at 12 positions, as CSV; every tenth has
 made a mistake in one of them, every fiftieth has solved the variant of his neighbour. Printed, never asserted.
@@ -16,8 +16,8 @@ from pathlib import Path
 from time import perf_counter
 
 import numpy as np
-from thousand import JOBS, variants
 
+from benchmarks.speed.thousand import JOBS, variants
 from tmm_report import load, solve
 from tmm_report.grading.expected import expected
 from tmm_report.intake.writing import csv_bytes

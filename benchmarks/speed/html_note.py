@@ -1,7 +1,7 @@
 """Warm time of the compressor's HTML note without its gear drive, against its graphs on matplotlib's own axes.
 
-    python benchmarks/html_note.py              # this checkout
-    python benchmarks/html_note.py CHECKOUT     # and another one, say of the commit before, taking turns with it
+    python -m benchmarks.speed.html_note    # this checkout
+    python -m benchmarks.speed.html_note CHECKOUT     # and another one, say of the commit before, taking turns with it
 
 A process of its own for each turn of a checkout: it renders once to warm up, then ten times, and its median counts.
 Printed, never asserted.
@@ -15,15 +15,14 @@ import sys
 from pathlib import Path
 from statistics import median
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 TURNS = 5
 CHILD = """
-import io, sys, tempfile
+import io, tempfile
 from pathlib import Path
 import yaml
 from matplotlib.figure import Figure
-sys.path.insert(0, "benchmarks")
-from timing import interleaved
+from benchmarks.measuring.timing import interleaved
 from tmm_report import load, render, solve
 
 data = yaml.safe_load(Path("variants/compressor.yaml").read_text("utf-8"))
@@ -51,7 +50,7 @@ def turn(checkout: Path) -> tuple[float, float]:
     done = subprocess.run(
         [sys.executable, "-c", CHILD],
         cwd=checkout,
-        env={**os.environ, "PYTHONPATH": str(checkout)},
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(map(str, (checkout, ROOT)))},
         check=True,
         capture_output=True,
         text=True,

@@ -1,6 +1,6 @@
 """What each chapter of the machine in motion adds to a warm `solve`, against a solve of the compressor.
 
-    python benchmarks/machine.py
+    python -m benchmarks.speed.machine
 
 Each chapter on every ready variant that has it; medians of rounds taking turns in one process. Printed, never asserted.
 """
@@ -11,12 +11,11 @@ from dataclasses import fields, replace
 from functools import partial
 from pathlib import Path
 
-from timing import interleaved
-
 import tmm_report
+from benchmarks.measuring.timing import interleaved
 from tmm_report.course import Variant
 
-VARIANTS = Path(__file__).parents[1] / "variants"
+VARIANTS = Path(__file__).parents[2] / "variants"
 BEFORE = ("lever", "drive", "eccentric", "title", "language", "decimal_sign", "places", "file")
 ROUNDS = 9
 

@@ -1,6 +1,6 @@
 """Groups of class III and IV: following a group over the turn, then 36 positions; a mechanism of dyads beside.
 
-    python benchmarks/higher.py [--store]
+    python -m benchmarks.speed.higher [--store]
 
 Printed, never asserted. "first" assembles the mechanism, follows its groups from the sketch all round and solves 36
 positions; "again" solves 36 further positions from the nodes kept. Ratios are to the compressor, dyads alone, in the
@@ -10,7 +10,6 @@ same run. "random" are mechanisms of `random_groups`, "chain" groups of class II
 from __future__ import annotations
 
 import argparse
-import sys
 import tracemalloc
 from collections.abc import Iterator
 from functools import partial
@@ -19,10 +18,8 @@ from time import perf_counter
 
 import numpy as np
 
-sys.path.append(str(Path(__file__).parents[1]))
-import stored
-from timing import interleaved
-
+from benchmarks.measuring import stored
+from benchmarks.measuring.timing import interleaved
 from benchmarks.random_groups.draw import FAMILIES
 from benchmarks.random_groups.families import drawn
 from tmm_report.course import load, loads
@@ -31,7 +28,7 @@ from tmm_report.mechanics.lever.assembly.stated import assemble
 from tmm_report.mechanics.lever.mechanism import Driver, Link, Mechanism
 from tmm_report.problems import ProblemError
 
-VARIANTS = Path(__file__).parents[1] / "variants"
+VARIANTS = Path(__file__).parents[2] / "variants"
 NAMES = ("compressor", "quick_return", "press")  # dyads alone, class III, class IV
 FEW = np.arange(36) * (2 * np.pi / 36)
 EACH = 16  # mechanisms of a family

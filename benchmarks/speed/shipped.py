@@ -1,7 +1,7 @@
 """CPU time of what is shipped, as it is shipped, in yardsticks (see yardstick.py).
 
-    python benchmarks/shipped.py [--rounds N] [--store]
-    PYTHONPATH=CHECKOUT python benchmarks/shipped.py     # of another checkout, say of the commit before
+    python -m benchmarks.speed.shipped [--rounds N] [--store]
+    PYTHONPATH=CHECKOUT:. python benchmarks/speed/shipped.py     # of another checkout, say of the commit before
 
 Warm, in one process, things and yardsticks taking turns: `variants/compressor.yaml` with nothing taken out, its solve
 alone, with results.json and with the HTML note; the HTML note of crank_rocker; and a variant of a batch through the
@@ -15,13 +15,12 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-import stored
-from yardstick import Taken, in_yardsticks
-
+from benchmarks.measuring import stored
+from benchmarks.measuring.yardstick import Taken, in_yardsticks
 from tmm_report import course, load, render, solve
 from tmm_report.stack import solve_many
 
-VARIANTS = Path(__file__).parents[1] / "variants"
+VARIANTS = Path(__file__).parents[2] / "variants"
 COMPRESSOR, ROCKER = VARIANTS / "compressor.yaml", VARIANTS / "crank_rocker.yaml"
 BATCH = 8
 AIMS = {"solve": 12, "solve, results.json": 20, "solve, HTML": 130}

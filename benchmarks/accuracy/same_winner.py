@@ -1,6 +1,6 @@
 """Whether `tmm-report methods` names the same method at every run on a machine that does other things too.
 
-    python benchmarks/same_winner.py            # ten scenes, four runs each, beside two busy processes
+    python -m benchmarks.accuracy.same_winner    # ten scenes, four runs each, beside two busy processes
 
 Prints, for each thing that methods are compared for, what was named and how often, and how many of the winners changed.
 """
@@ -18,7 +18,7 @@ from tmm_report import load, solve
 from tmm_report.commands.methods.measured import measured
 from tmm_report.mechanics.rivals.choice import ACCURACY
 
-VARIANTS = Path(__file__).resolve().parent.parent / "variants"
+VARIANTS = Path(__file__).resolve().parents[2] / "variants"
 SCENES = (
     "compressor", "crank_rocker", "grain_screen", "hay_press", "hoist_drive", "piston_pump", "quick_return", "shaper",
     "slotter", "tram_start",

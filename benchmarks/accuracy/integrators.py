@@ -1,6 +1,6 @@
 """Ways to integrate the equation of motion of a machine: time and error of each, on machines of four kinds.
 
-    python benchmarks/integrators.py [-o docs/charts/integrators.svg] [--store]
+    python -m benchmarks.accuracy.integrators [-o docs/charts/integrators.svg] [--store]
 
 All ways are those of `tmm_report.mechanics.rivals.run_up`. The start of a pump driven through its cycle by an
 induction motor; that of a shaft whose load comes by time, carried by a stiff motor; the same so light that its time
@@ -15,16 +15,15 @@ import math
 from collections.abc import Iterator
 from pathlib import Path
 
-import stored
-from lines import Line, Panel, draw
-from timing import interleaved
-
+from benchmarks.measuring import stored
+from benchmarks.measuring.lines import Line, Panel, draw
+from benchmarks.measuring.timing import interleaved
 from tmm_report import course
 from tmm_report.mechanics.machine.run.law import run
 from tmm_report.mechanics.machine.run.motion_law import Goal
 from tmm_report.mechanics.rivals.run_up import RUN_UPS, STEPS, RunUpMethod, StartUp, errors, reference
 
-VARIANTS = Path(__file__).parents[1] / "variants"
+VARIANTS = Path(__file__).parents[2] / "variants"
 TURNS = 5  # of the pump
 ROUNDS = 5
 FIXED = ("runge_kutta", "adams")

@@ -1,6 +1,6 @@
 """A thousand compressor variants on two processes: results.json through the stack against a plain loop over `solve`.
 
-    python benchmarks/thousand.py [N]
+    python -m benchmarks.speed.thousand [N]
 
 Lengths, masses and the speed are drawn by a seed. Every variant is read from its text, solved with all numbers at 12
 table and 36 diagram positions, and its results.json (of N/20 variants also its note, HTML) is written to a folder.
@@ -25,7 +25,7 @@ from tmm_report.problems import ProblemError
 from tmm_report.running.pool import chunked, over
 from tmm_report.stack import solve_each
 
-COMPRESSOR = Path(__file__).parents[1] / "variants" / "compressor.yaml"
+COMPRESSOR = Path(__file__).parents[2] / "variants" / "compressor.yaml"
 JOBS, CHUNK, ROUNDS = 2, 32, 2
 SPREAD = 0.1  # of every number about its own
 

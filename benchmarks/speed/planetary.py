@@ -1,6 +1,6 @@
 """Planetary stage: time to judge a million candidates, against sorting as many numbers.
 
-    python benchmarks/planetary.py
+    python -m benchmarks.speed.planetary
 
 Printed, never asserted. The candidates are all combinations of teeth of a scheme, as `search` meets them.
 """
@@ -10,8 +10,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from timing import interleaved
 
+from benchmarks.measuring.timing import interleaved
 from tmm_report.mechanics.gears.planetary.search import Task, candidates, search
 from tmm_report.mechanics.gears.planetary.stage import SCHEMES
 

@@ -1,6 +1,6 @@
 """How many positions a course needs: what is taken from tables of 12 … 400 positions, against the exact.
 
-    python benchmarks/positions.py [-o docs/charts] [--store]     positions.svg, integrals.svg
+    python -m benchmarks.accuracy.positions [-o docs/charts] [--store]     positions.svg, integrals.svg
 
 Every lever mechanism of `variants/` by `chapters/lever/methods/counting`; and the rules for integrals of a smooth
 function
@@ -14,9 +14,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
-import stored
-from lines import Line, Panel, draw
 
+from benchmarks.measuring import stored
+from benchmarks.measuring.lines import Line, Panel, draw
 from tmm_report import course
 from tmm_report.chapters.lever.kinetostatics.solve.positions import breaks, loading
 from tmm_report.chapters.lever.methods.counting import MEANINGS, counting, wanted
@@ -24,7 +24,7 @@ from tmm_report.chapters.lever.moving import Moving, inertia_parts, powers
 from tmm_report.mechanics.rivals.counts import COUNTS, USUAL, counted
 from tmm_report.mechanics.rivals.integrals import INTEGRALS, Sampled, exact
 
-VARIANTS = Path(__file__).parents[1] / "variants"
+VARIANTS = Path(__file__).parents[2] / "variants"
 SHOWN = ("compressor", "crank_rocker", "shaper")
 MORE = (*COUNTS, 200, 400)
 RULES = {"smooth: reduced moment of inertia": 0, "with kinks: reduced moment of the loads": 1}

@@ -1,6 +1,6 @@
 """Planted mistakes and how many are named rightly: 2000 students' works, of every kind alike and of none.
 
-    python benchmarks/diagnosis.py [HOW_MANY]
+    python -m benchmarks.accuracy.diagnosis [HOW_MANY]
 
 Printed, never asserted. A mistake is named rightly when it is the only one named, with what belongs to it (steps,
 factor, whose variant), on more than half of the columns that it made wrong and on none that it was not made in. "two"
@@ -17,10 +17,10 @@ from time import perf_counter
 
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "judging"))
-from planted import LIMIT, Plant, Work, World, planted
+sys.path.insert(0, str(Path(__file__).parents[2] / "tests" / "judging"))
+from planted import LIMIT, MAKERS, Plant, Work, World, planted
 
-from tmm_report.grading.model import KINDS, Cause
+from tmm_report.grading.model import Cause
 from tmm_report.judging.diagnose import diagnose, prepared
 
 TWO = (("mm for m", "swapped"), ("sign", "rpm for rad/s"), ("scale", "power of ten"), ("component", "sign"))
@@ -29,7 +29,7 @@ TWO = (("mm for m", "swapped"), ("sign", "rpm for rad/s"), ("scale", "power of t
 def main(count: int) -> None:
     world, rng = World.made(), np.random.default_rng(2026)
     everyone = prepared({id: one for family in world.variants.values() for id, one in family.items()})
-    tries: list[tuple[str, ...]] = [(), *((kind,) for kind in KINDS), *TWO]
+    tries: list[tuple[str, ...]] = [(), *((kind,) for kind in MAKERS), *TWO]
     tried, right, seconds, cells, off = Counter(), Counter(), [], 0, 0
     missed: Counter[str] = Counter()
     for k in range(count):

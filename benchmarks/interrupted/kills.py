@@ -1,7 +1,7 @@
 """A batch that is killed again and again, with all its processes, and the same batch undisturbed: the same bytes?
 
-    python benchmarks/kills.py              # 50 kills at random moments
-    python benchmarks/kills.py 200 7        # as many, by another seed
+    python -m benchmarks.interrupted.kills    # 50 kills at random moments
+    python -m benchmarks.interrupted.kills 200 7        # as many, by another seed
 
 After each kill the batch is taken up again. When it ends by itself a new one begins, until all kills are spent; each
 finished tree of files is compared byte by byte with that of a run that nobody disturbed.
@@ -20,7 +20,7 @@ import tempfile
 import time
 from pathlib import Path
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 VARIANTS = 40
 CHILD = """
 import sys

@@ -1,7 +1,7 @@
 """Wall time of a cold `solve` against a bare interpreter that imports the libraries it stands on.
 
-    python benchmarks/cold_start.py [--store]   # this checkout
-    python benchmarks/cold_start.py CHECKOUT    # and another one, say of the commit before, taking turns with it
+    python -m benchmarks.speed.cold_start [--store]   # this checkout
+    python -m benchmarks.speed.cold_start CHECKOUT    # and another one, say of the commit before, taking turns with it
 
 Fresh processes taking turns; medians. Bytecode is cached in a folder of the run's own, filled by the round that
 warms up, as pip does for an installed package. "names": `import numpy, pydantic, yaml, typer`, which puts
@@ -18,10 +18,10 @@ import tempfile
 from functools import partial
 from pathlib import Path
 
-import stored
-from timing import interleaved
+from benchmarks.measuring import stored
+from benchmarks.measuring.timing import interleaved
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 ROUNDS = 15
 NAMES = "import numpy, pydantic, yaml, typer"
 BARE = """

@@ -1,6 +1,6 @@
 """Kinematics and forces of the compressor: the general solver against numpy written by hand for it alone.
 
-    python benchmarks/compressor_36.py [--store]
+    python -m benchmarks.speed.compressor_36 [--store]
 
 The general solver is run as it is, as straight lines of numpy compiled once from it, and by these lines in blocks.
 
@@ -17,9 +17,9 @@ from dataclasses import dataclass, fields, replace
 from typing import Any
 
 import numpy as np
-import stored
-from timing import interleaved
 
+from benchmarks.measuring import stored
+from benchmarks.measuring.timing import interleaved
 from tmm_report.mechanics.lever import assur_groups, motion
 from tmm_report.mechanics.lever.forces import reactions as statics
 from tmm_report.mechanics.lever.many.blocks import BLOCK, blocks

@@ -1,6 +1,6 @@
 """A warm `solve` of the compressor, part by part, against one motion of 36 positions: how many motions a solve costs.
 
-    python benchmarks/solve.py
+    python -m benchmarks.speed.solve
 
 Medians of rounds taking turns in one process. Printed, never asserted.
 """
@@ -10,16 +10,16 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-from timing import interleaved
 
 import tmm_report
+from benchmarks.measuring.timing import interleaved
 from tmm_report.chapters.gears.drive import solve as drive
 from tmm_report.chapters.lever.force_plans import solve as force_plans
 from tmm_report.chapters.lever.kinematics.solve import positions as kinematics
 from tmm_report.chapters.lever.kinetostatics.solve import positions as kinetostatics
 from tmm_report.chapters.lever.plans import solve as plans
 
-COMPRESSOR = Path(__file__).parents[1] / "variants" / "compressor.yaml"
+COMPRESSOR = Path(__file__).parents[2] / "variants" / "compressor.yaml"
 ROUNDS = 30
 
 

@@ -1,6 +1,6 @@
 """Cost as work grows: positions of one compressor, variants of a stack, kinematics and forces of all.
 
-    python benchmarks/growth.py [--store] [-o docs/charts]
+    python -m benchmarks.speed.growth [--store] [-o docs/charts]
 
 One variant at 12 … 100 000 positions, and 1 … 100 000 variants at 36: nanoseconds a position by the general solver as
 a whole, by straight lines in blocks and by numpy written by hand, and the memory that each took at its greatest. Kept
@@ -19,10 +19,10 @@ from pathlib import Path
 from statistics import median
 from time import process_time
 
-import compressor_36
 import numpy as np
-import stored
 
+from benchmarks.measuring import stored
+from benchmarks.speed import compressor_36
 from tmm_report.mechanics.lever import motion
 from tmm_report.mechanics.lever.forces import reactions as statics
 from tmm_report.mechanics.lever.many.blocks import blocks
@@ -94,7 +94,7 @@ def measured(way: str, axis: str, count: int) -> tuple[float, float]:
 
 
 def in_process(way: str, axis: str, count: int) -> tuple[float, float]:
-    call = [sys.executable, __file__, "--one", way, axis, str(count)]
+    call = [sys.executable, "-m", "benchmarks.speed.growth", "--one", way, axis, str(count)]
     return tuple(json.loads(subprocess.run(call, check=True, capture_output=True, text=True).stdout))
 
 

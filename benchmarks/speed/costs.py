@@ -1,7 +1,7 @@
 """What methods cost: the table by which `method: auto` and the note's chapter count, measured anew.
 
-    python benchmarks/costs.py            prints the tables beside those that are shipped
-    python benchmarks/costs.py --write    puts them into tmm_report/mechanics/rivals/cost.py
+    python -m benchmarks.speed.costs            prints the tables beside those that are shipped
+    python -m benchmarks.speed.costs --write    puts them into tmm_report/mechanics/rivals/cost.py
 
 CPU time of warm runs over mechanisms of 1 to 11 moving links at 12, 36 and 100 steps; by least squares, relative, so
 much for a call, a link, a link at a position, none of them below zero.
@@ -24,7 +24,7 @@ from tmm_report.mechanics.rivals import cost
 from tmm_report.mechanics.rivals.forces import FORCES
 from tmm_report.mechanics.rivals.motion.every import MOTIONS
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 VARIANTS = (
     "crank_rocker",
     "shaper",

@@ -1,6 +1,6 @@
 """Speed against accuracy: every method on mechanisms of classes II to IV, as `tmm-report methods` compares them.
 
-    python benchmarks/methods.py [VARIANT ...] [-o docs/charts/methods.svg] [--quick] [--store]
+    python -m benchmarks.accuracy.methods [VARIANT ...] [-o docs/charts/methods.svg] [--quick] [--store]
 
 Times are by that of the closed form at as many positions; errors are against 40 digits, the worst of places,
 velocities and accelerations of all points, or of reactions and the balancing moment. One mark a count: 12, 36, 100
@@ -14,15 +14,14 @@ import math
 from collections.abc import Iterator
 from pathlib import Path
 
-import stored
-from lines import Line, Panel, draw
-
+from benchmarks.measuring import stored
+from benchmarks.measuring.lines import Line, Panel, draw
 from tmm_report import course
 from tmm_report.commands.methods.measured import Measured, measured
 from tmm_report.mechanics.rivals.model import Trial
 from tmm_report.mechanics.rivals.trials import worst
 
-VARIANTS = Path(__file__).parents[1] / "variants"
+VARIANTS = Path(__file__).parents[2] / "variants"
 SHOWN = ("compressor", "quick_return", "crank_rocker", "press")
 DRAWN = 2  # of them
 KEPT = 36  # positions a turn whose figures are stored

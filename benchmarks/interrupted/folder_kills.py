@@ -1,7 +1,7 @@
 """`tmm-report solve` killed again and again while it writes into one folder: is the folder ever of two minds?
 
-    python benchmarks/folder_kills.py              # 100 kills
-    python benchmarks/folder_kills.py 300 7        # as many, by another seed
+    python -m benchmarks.interrupted.folder_kills    # 100 kills
+    python -m benchmarks.interrupted.folder_kills 300 7        # as many, by another seed
 
 Two variants take turns in one folder. Half of the kills fall anywhere in the run, half while the folder is changed,
 which a run shows by its `.tmm-report.part`. After each, the folder as it stands, and as the next run finds it, is held
@@ -22,7 +22,7 @@ from pathlib import Path
 
 from tmm_report.commands.whole import LIST, NEW, PART, finish
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 NAMES = ("crank_rocker", "whitworth")
 
 

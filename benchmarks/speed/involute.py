@@ -1,6 +1,6 @@
 """Inverse involute: every method's error from 0 to 90°, its time, and ours against numpy's tangent of as many numbers.
 
-    python benchmarks/involute.py [-o docs/charts/involute.svg] [--store]
+    python -m benchmarks.speed.involute [-o docs/charts/involute.svg] [--store]
 
 The methods are those of `tmm_report.mechanics.rivals.involutes`; the reference is mpmath's root in 40 digits. Printed,
 never asserted. Times are of angles spread evenly over 1e-6 rad … 89.99°, so most need the iteration.
@@ -12,10 +12,10 @@ import argparse
 from pathlib import Path
 
 import numpy as np
-import stored
-from lines import Line, Panel, draw
-from timing import interleaved
 
+from benchmarks.measuring import stored
+from benchmarks.measuring.lines import Line, Panel, draw
+from benchmarks.measuring.timing import interleaved
 from tmm_report.mechanics.gears.involute import inv, inverse
 from tmm_report.mechanics.rivals.involutes import INVOLUTES
 
