@@ -75,19 +75,9 @@ def failing(
     if only is not None and not only:
         return only
     variants = fault.variants
-    command = [
-        sys.executable,
-        "-m",
-        "pytest",
-        "-q",
-        "-m",
-        "",  # the exhaustive ones too: the variants are chosen here
-        "-p",
-        "no:cacheprovider",
-        "--tb=no",
-        "-rfE",
-        *(["-x"] if one else []),
-    ]
+    # the exhaustive ones too: the variants are chosen here; who noticed the last fault is asked first
+    command = [sys.executable, "-m", "pytest", "-q", "-m", "", "--tb=no", "-rfE"]
+    command += ["-x", "--failed-first"] if one else ["-p", "no:cacheprovider"]
     others = [LEVERS_BESIDE, *([] if variants in GEARS else [GEARS_BESIDE]), *([] if golden else [TEXTS])]
     all_else = [*fault.tests, "tests/page", *(f"--ignore=tests/page/{other}" for other in others)]
     command += sorted(only) if only else [f"tests/page/{TEXTS}"] if fault.words else all_else
