@@ -168,6 +168,7 @@ def test_a_row_does_not_depend_on_how_many_follow(seed, count, more):
     assert taken(of, count + more, seed)[:count] == taken(of, count, seed)
 
 
+@pytest.mark.exhaustive
 @given(st.integers(0, 2**60), st.lists(st.integers(1, 4), min_size=1, max_size=4), st.data())
 def test_small_ranges_are_used_up_to_the_last_variant_and_no_further(seed, counts, data):
     of = grid(*counts)
@@ -190,6 +191,7 @@ def test_the_draw_of_a_seed_is_what_it_was():
     assert taken(grid(9, 9, 3), 3, 2026) == [(3, 8, 1), (1, 5, 0), (7, 5, 2)]
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("suffix", many(["csv", "xlsx"]))
 def test_the_same_seed_gives_the_same_bytes(tmp_path, suffix):
     outputs = [tmp_path / f"{n}.{suffix}" for n in range(3)]
@@ -202,6 +204,7 @@ def test_the_same_seed_gives_the_same_bytes(tmp_path, suffix):
 # --- what is rejected
 
 
+@pytest.mark.exhaustive
 def test_what_cannot_be_assembled_all_over_the_cycle_is_rejected(tmp_path):
     long = "OA: {key: mechanism.links.1.points.A, choose: [100 mm, 320 mm]}"
     path = ranges(tmp_path, parameters(long))
@@ -209,6 +212,7 @@ def test_what_cannot_be_assembled_all_over_the_cycle_is_rejected(tmp_path):
     assert "assembled all over the cycle" in verdict(path, 1)
 
 
+@pytest.mark.exhaustive
 def test_what_comes_near_a_singular_position_is_rejected_as_far_as_is_stated(tmp_path):
     long = "OA: {key: mechanism.links.1.points.A, choose: [100 mm, 299 mm]}"
     assert "singular position" in verdict(ranges(tmp_path, parameters(long)), 1)
@@ -248,6 +252,7 @@ def test_gears_that_change_are_solved_every_time(tmp_path):
     assert verdict(path, 0) == "" and "stage2_eps" in verdict(path, 1)
 
 
+@pytest.mark.exhaustive
 def test_conditions_are_between_values_not_their_numbers(tmp_path):
     others = "AB: {key: mechanism.links.2.points.B, choose: [0.3 m, 0.31 m]}"
     path = ranges(tmp_path, parameters(OA, others) + 'conditions: ["3.1*OA<AB", "AB <= 30 cm"]\n')
@@ -255,6 +260,7 @@ def test_conditions_are_between_values_not_their_numbers(tmp_path):
     assert "3.1*OA<AB" in verdict(path, 4, 0) and "AB <= 30 cm" in verdict(path, 0, 1)
 
 
+@pytest.mark.exhaustive
 def test_it_is_told_what_rejected_how_many(tmp_path):
     two = "OA: {key: mechanism.links.1.points.A, choose: [100 mm, 101 mm, 320 mm, 330 mm]}"
     path = ranges(tmp_path, parameters(two) + "require: {H_B: [0, 201 mm]}\n")
@@ -272,6 +278,7 @@ def test_more_variants_than_the_ranges_hold_are_refused_before_any_is_solved(tmp
         assign(ranges(tmp_path, parameters(OA)), tmp_path / "a.csv", 10)
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("file", ALL_FILES, ids=lambda file: file.stem)
 def test_every_ready_variant_can_be_a_template(tmp_path, file):
     path = ranges(
@@ -405,6 +412,7 @@ def test_a_list_without_a_column_of_students_is_refused(tmp_path):
         students(tmp_path / "a.txt")
 
 
+@pytest.mark.exhaustive
 def test_students_stand_on_their_title_pages_and_the_rest_is_in_reserve(tmp_path):
     (tmp_path / "a.csv").write_text("student;group\nИванов И. И.;М-22\n", encoding="utf-8")
     path = ranges(tmp_path, parameters(OA))
@@ -444,6 +452,7 @@ def test_the_example_of_the_page_is_the_file_beside_it():
     assert blocks()[1] == EXAMPLE.read_text("utf-8")
 
 
+@pytest.mark.exhaustive
 def test_the_example_of_the_page_draws_what_the_page_shows(tmp_path):
     command = shlex.split(blocks()[0].splitlines()[0])
     seed = int(command[command.index("--seed") + 1])

@@ -35,6 +35,7 @@ def source(tmp_path) -> Path:
 # ---------------------------------------------------------------- what comes out
 
 
+@pytest.mark.exhaustive
 def test_bad_variants_among_good_ones(source, tmp_path):
     talk = Heard()
     assert not batch([source], tmp_path / "out", talk=talk)
@@ -59,6 +60,7 @@ def test_outputs_are_those_of_solve(source, tmp_path):
     assert tree(tmp_path / "out" / "boris") == expected
 
 
+@pytest.mark.exhaustive
 def test_nothing_but_folders_and_summaries_is_left(source, tmp_path):
     batch([source], tmp_path / "out")
     left = {file.name for file in (tmp_path / "out").iterdir()}
@@ -72,6 +74,7 @@ def test_the_same_input_gives_the_same_bytes_whatever_the_processes(source, tmp_
     assert tree(tmp_path / "one") == tree(tmp_path / "three")
 
 
+@pytest.mark.exhaustive
 def test_the_summary_has_a_line_a_variant_with_its_main_numbers(source, tmp_path):
     batch([source, VARIANTS / "compressor.yaml"], tmp_path / "out")
     found = {row["id"]: row for row in rows(tmp_path / "out")}
@@ -85,6 +88,7 @@ def test_the_summary_has_a_line_a_variant_with_its_main_numbers(source, tmp_path
     assert "b_no_link.yaml" in found["b_no_link"]["messages"]
 
 
+@pytest.mark.exhaustive
 def test_the_page_links_to_what_is_there(source, tmp_path):
     write(source, **{"ö#1 %41&": student("<script>alert(1)</script>")})
     batch([source], tmp_path / "out", "json")
@@ -188,6 +192,7 @@ def test_a_table_gives_a_variant_a_row(tmp_path):
 # ---------------------------------------------------------------- accidents
 
 
+@pytest.mark.exhaustive
 def test_a_row_that_turned_wrong_has_no_old_note(tmp_path):
     talk, head = Heard(), "id;mechanism.driver.speed\n"
     table = tmp_path / "rows.csv"
@@ -224,6 +229,7 @@ def test_rows_never_share_a_folder(tmp_path_factory, names):
 # ---------------------------------------------------------------- what stands in the output folder already
 
 
+@pytest.mark.exhaustive
 def test_variants_and_notes_in_one_folder_lose_no_variant(source, tmp_path):
     (source / "petrov").mkdir()
     (source / "petrov" / "work.yaml").write_text(TEXT, "utf-8")

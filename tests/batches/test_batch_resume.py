@@ -38,6 +38,7 @@ def counted(monkeypatch) -> list[str]:
     return done
 
 
+@pytest.mark.exhaustive
 def test_a_folder_with_a_run_is_not_written_over(source, tmp_path):
     batch([source], tmp_path / "out")
     before = tree(tmp_path / "out")
@@ -53,6 +54,7 @@ def test_a_second_run_in_the_same_folder_is_told_to_wait(source, tmp_path):
         batch([source], tmp_path / "out", resume=True)
 
 
+@pytest.mark.exhaustive
 def test_resuming_a_finished_run_does_nothing_again(source, tmp_path, monkeypatch):
     batch([source], tmp_path / "out")
     before, done = tree(tmp_path / "out"), counted(monkeypatch)
@@ -60,6 +62,7 @@ def test_resuming_a_finished_run_does_nothing_again(source, tmp_path, monkeypatc
     assert done == [] and tree(tmp_path / "out") == before
 
 
+@pytest.mark.exhaustive
 def test_only_what_is_new_or_changed_is_done(source, tmp_path, monkeypatch):
     batch([source], tmp_path / "out")
     write(source, aaa=student("New"), boris=student("Changed"))
@@ -70,6 +73,7 @@ def test_only_what_is_new_or_changed_is_done(source, tmp_path, monkeypatch):
     assert tree(tmp_path / "out") == tree(tmp_path / "other")
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("changed", many([{"formats": "json,csv"}, {"version": "9"}, {"language": "ru"}], 2))
 def test_other_options_or_another_program_do_it_anew(source, tmp_path, monkeypatch, changed):
     batch([source], tmp_path / "out")
@@ -80,6 +84,7 @@ def test_other_options_or_another_program_do_it_anew(source, tmp_path, monkeypat
     assert len(done) == 6
 
 
+@pytest.mark.exhaustive
 def test_a_lost_folder_or_a_cut_file_is_made_anew(source, tmp_path, monkeypatch):
     batch([source], tmp_path / "out")
     before = tree(tmp_path / "out")
@@ -90,6 +95,7 @@ def test_a_lost_folder_or_a_cut_file_is_made_anew(source, tmp_path, monkeypatch)
     assert sorted(done) == ["anna", "vera"] and tree(tmp_path / "out") == before
 
 
+@pytest.mark.exhaustive
 def test_a_torn_journal_loses_one_variant(source, tmp_path, monkeypatch):
     batch([source], tmp_path / "out")
     before, journal = tree(tmp_path / "out"), tmp_path / "out" / "journal.jsonl"
@@ -99,6 +105,7 @@ def test_a_torn_journal_loses_one_variant(source, tmp_path, monkeypatch):
     assert done == ["vera"] and tree(tmp_path / "out") == before
 
 
+@pytest.mark.exhaustive
 def test_a_variant_that_turned_wrong_has_no_old_note(source, tmp_path):
     batch([source], tmp_path / "out")
     write(source, anna="nonsense: 1")
@@ -107,6 +114,7 @@ def test_a_variant_that_turned_wrong_has_no_old_note(source, tmp_path):
     assert statuses(tmp_path / "out")["anna"] == "wrong"
 
 
+@pytest.mark.exhaustive
 def test_folders_of_variants_that_are_gone_stay_but_are_not_listed(source, tmp_path):
     batch([source], tmp_path / "out")
     (source / "anna.yaml").unlink()

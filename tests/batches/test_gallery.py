@@ -127,6 +127,7 @@ def test_pictures_stand_on_white_and_fetch_nothing(folder, tmp_path):
     assert "href" not in ElementTree.tostring(root, encoding="unicode")
 
 
+@pytest.mark.exhaustive
 def test_same_folder_same_bytes(folder, tmp_path):
     for out in ("one", "two"):
         run(folder, "-o", tmp_path / out)

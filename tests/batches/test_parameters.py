@@ -103,6 +103,7 @@ trees = st.recursive(
 )
 
 
+@pytest.mark.exhaustive
 @settings(max_examples=examples(500))
 @given(trees)
 def test_data_is_read_as_it_was_written(data):
@@ -139,6 +140,7 @@ def test_a_single_value_stays_itself_in_braces_and_brackets_too(text):
 # --- tables made by assign
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize(("name", "language"), [("a.csv", "ru"), ("a.csv", "en"), ("a.xlsx", "ru")])
 def test_the_table_gives_the_very_variants_that_were_proven(tmp_path, name, language):
     assign(EXAMPLE, tmp_path / name, 5, folder=tmp_path / "v", language=language)
@@ -296,6 +298,7 @@ STRUCTURE += [
 ]
 
 
+@pytest.mark.exhaustive
 @settings(max_examples=examples(60))
 @given(st.sampled_from(STRUCTURE) | texts.filter(str.strip))
 def test_a_name_is_never_structure(tmp_path_factory, name):
@@ -329,6 +332,7 @@ def test_a_word_from_the_table_is_text_and_no_other_value(tmp_path):
 # --- long tables
 
 
+@pytest.mark.exhaustive
 def test_a_long_table_is_never_held_as_variants(tmp_path):
     rows = 3000
     path = table(tmp_path, ["id", LENGTH], *([f"s{n}", 80 + n % 40] for n in range(rows)))

@@ -66,6 +66,7 @@ def many(rows: list[tuple[str, int]]) -> list[bytes | str]:
     return [written(found) for found in stack.solve_many([varied(*row) for row in rows])]
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", [path.stem for path in FILES])
 def test_a_variant_finds_in_a_stack_what_it_finds_alone(name):
     rows = [(name, seed) for seed in range(stack.LEAST)]
@@ -94,12 +95,14 @@ def test_topologies_may_come_in_any_order(rows):
     assert many(rows) == [alone(*row) for row in rows]
 
 
+@pytest.mark.exhaustive
 def test_more_variants_than_a_stack_holds(monkeypatch):
     monkeypatch.setattr(stack, "LARGEST", 3)
     rows = [("crank_rocker", k) for k in range(8)]
     assert many(rows) == [alone(*row) for row in rows]
 
 
+@pytest.mark.exhaustive
 def test_many_positions_make_small_stacks(monkeypatch):
     monkeypatch.setattr(stack, "PLACES", 4 * read("crank_rocker").lever.positions.diagram)
     counts, solved = [], stack._moved
@@ -115,6 +118,7 @@ def test_nothing_makes_nothing():
 # ---------------------------------------------------------------- mistakes
 
 
+@pytest.mark.exhaustive
 def test_a_variant_that_does_not_close_leaves_the_others():
     variants = [varied("compressor", k) for k in range(4)]
     guide = replace(variants[1].lever.mechanism.guides["x"], through=1j)
@@ -126,6 +130,7 @@ def test_a_variant_that_does_not_close_leaves_the_others():
     assert found == [alone("compressor", 0), str(mistake.value), *(alone("compressor", k) for k in (2, 3))]
 
 
+@pytest.mark.exhaustive
 def test_a_load_that_cannot_be_read_leaves_the_others():
     variants = [varied("compressor", k) for k in range(4)]
     gas = Diagram(zero=1j, forward=[(0.0, 1.0), (1.0, 1.0)], back=[(0.0, 1.0), (1.0, 1.0)])

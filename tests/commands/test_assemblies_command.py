@@ -98,6 +98,7 @@ def test_the_press_has_four_ways_and_its_own_sketch_chooses_one(tmp_path):
     assert broken_lengths(found) == [] and min(gaps(found)) > 0.1
 
 
+@pytest.mark.exhaustive
 def test_six_ways_of_a_class_three_group(tmp_path):
     (tmp_path / "six.yaml").write_text(SIX, encoding="utf-8")
     done = run(tmp_path / "six.yaml", "-o", tmp_path / "out")
@@ -211,6 +212,7 @@ def test_mistakes_are_told_as_for_solve(tmp_path):
         assert re.search(said, done.output), (arguments, done.output)
 
 
+@pytest.mark.exhaustive
 def test_names_that_yaml_might_take_for_something_else():
     names = {"A": "null", "B": "1e3", "C": "O'’", "D": "да", "P": "0x1F", "Q": "yes"}
     text = re.sub(r"\b[ABCDPQ]\b", lambda match: names[match[0]], SIX)
@@ -266,6 +268,7 @@ def test_the_page_is_in_the_users_language_and_the_same_every_time(tmp_path):
     )
 
 
+@pytest.mark.exhaustive
 def test_a_browser_opens_and_prints_it_without_a_network(tmp_path):
     run(VARIANTS / "press.yaml", "-o", tmp_path, "--lang", "en")
     file, pdf = tmp_path / "assemblies.html", tmp_path / "page.pdf"

@@ -87,6 +87,7 @@ def test_what_is_written_is_read_back_without_a_difference(name, tmp_path):
 # ---------------------------------------------------------------- what is planted is found
 
 
+@pytest.mark.exhaustive
 def test_one_number_changed_is_the_one_difference(folder):
     def change(document):
         document["tables"]["eccentric_wheels"]["d"][1] *= 1.001
@@ -102,6 +103,7 @@ def test_one_number_changed_is_the_one_difference(folder):
     assert lines[2:] == ["samples: 1; different: 1 (numbers: 1, lines of notes: 0)"]
 
 
+@pytest.mark.exhaustive
 def test_one_heading_changed_is_the_one_difference(folder):
     def change(document):
         at = next(i for i, line in enumerate(document["structure"]) if line.startswith("## 1.3"))
@@ -115,6 +117,7 @@ def test_one_heading_changed_is_the_one_difference(folder):
     assert lines[-1] == "samples: 1; different: 1 (numbers: 0, lines of notes: 2)"
 
 
+@pytest.mark.exhaustive
 def test_null_against_a_number_is_a_difference(folder):
     def change(document):
         document["values"]["eccentric_e"] = None
@@ -123,6 +126,7 @@ def test_null_against_a_number_is_a_difference(folder):
     assert "  chapter eccentric, value eccentric_e: was null, is 0.018" in check(folder)[1]
 
 
+@pytest.mark.exhaustive
 def test_what_came_and_what_went_is_a_difference(folder):
     def change(document):
         document["values"]["of_old"] = 7
@@ -137,6 +141,7 @@ def test_what_came_and_what_went_is_a_difference(folder):
     assert "  chapter eccentric, table eccentric_wheels, column z: was [6], is [5]" in lines
 
 
+@pytest.mark.exhaustive
 def test_a_tolerance_of_the_stored_file_lets_a_number_pass(folder):
     def change(document):
         document["tables"]["eccentric_wheels"]["d"][1] *= 1.001
@@ -146,6 +151,7 @@ def test_a_tolerance_of_the_stored_file_lets_a_number_pass(folder):
     assert check(folder)[0]
 
 
+@pytest.mark.exhaustive
 def test_another_teachers_variant_is_seen_in_numbers_and_structure(folder):
     text = (folder / "eccentric.yaml").read_text("utf-8")
     (folder / "eccentric.yaml").write_text(
@@ -264,6 +270,7 @@ def test_update_says_what_changed_and_writes_only_that(good, tmp_path):
     assert check(tmp_path, update=True)[1] == ["nothing to store: no sample differs"]
 
 
+@pytest.mark.exhaustive
 def test_nothing_is_stored_where_one_sample_cannot_be_solved(folder):
     (folder / f"eccentric{stored.SUFFIX}").unlink()
     (folder / "broken.yaml").write_text("mechanism: 7\n", "utf-8")
@@ -286,6 +293,7 @@ def test_a_stored_file_without_its_variant_is_a_difference_and_is_kept(folder):
     assert "nothing to store: no sample differs" not in check(folder, update=True)[1]
 
 
+@pytest.mark.exhaustive
 def test_what_is_said_of_a_broken_stored_file_mends_it(folder):
     path = folder / f"eccentric{stored.SUFFIX}"
     path.unlink()

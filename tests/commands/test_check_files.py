@@ -90,6 +90,7 @@ def test_a_link_in_place_of_a_stored_file_is_not_followed(folder):
         check(folder)
 
 
+@pytest.mark.exhaustive
 @given(
     st.recursive(
         st.none() | st.booleans() | st.floats() | st.integers() | st.text(),
@@ -109,6 +110,7 @@ def test_any_json_is_read_or_refused(tmp_path_factory, value):
 # ---------------------------------------------------------------- CI services
 
 
+@pytest.mark.exhaustive
 def test_the_outcome_for_a_service_has_a_case_a_sample_and_kind(folder, tmp_path):
     (folder / f"eccentric{stored.SUFFIX}").unlink()
     first, second = tmp_path / "out" / "one.xml", tmp_path / "out" / "two.xml"

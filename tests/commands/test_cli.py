@@ -49,6 +49,7 @@ def test_solve_writes_the_note_and_sums_up(tmp_path):
     assert str(tmp_path / "out" / "note.html") in done.output
 
 
+@pytest.mark.exhaustive
 def test_the_folder_is_named_after_the_variant(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert run("solve", COMPRESSOR, "--format", "json").exit_code == 0
@@ -76,6 +77,7 @@ def test_same_variant_same_bytes(name, tmp_path):
     assert [file for file in one if one[file] != two[file].read_bytes()] == []
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", NAMES)
 def test_results_are_strict_json_with_units_and_meanings(name, tmp_path):
     command = ["solve", VARIANTS / f"{name}.yaml", "-o", tmp_path, "--format", "json", "--lang", "en"]
@@ -94,6 +96,7 @@ def test_results_are_strict_json_with_units_and_meanings(name, tmp_path):
         assert len({c["key"] for c in table["columns"]}) == len(table["columns"])
 
 
+@pytest.mark.exhaustive
 def test_csv_repeats_json(tmp_path):
     run("solve", COMPRESSOR, "-o", tmp_path, "--format", "json,csv")
     document = json.loads((tmp_path / "results.json").read_text(encoding="utf-8"))
@@ -202,6 +205,7 @@ def test_missing_file_and_bad_options(tmp_path):
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.exhaustive
 def test_output_that_cannot_be_written(tmp_path):
     (tmp_path / "file").write_text("mine")
     done = run("solve", COMPRESSOR, "-o", tmp_path / "file", "--format", "json")
@@ -209,6 +213,7 @@ def test_output_that_cannot_be_written(tmp_path):
     assert "Traceback" not in done.output
 
 
+@pytest.mark.exhaustive
 def test_what_is_in_the_folder_stays(tmp_path):
     (tmp_path / "mine.txt").write_text("mine")
     run("solve", COMPRESSOR, "-o", tmp_path, "--format", "json")
@@ -238,6 +243,7 @@ def test_schema_accepts_the_variants_and_refuses_unknown_keys(names):
         assert list(validator.iter_errors({**data, "surplus": 1}))
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_new_variant_solves(tmp_path, language):
     path = tmp_path / "my.yaml"
@@ -248,6 +254,7 @@ def test_new_variant_solves(tmp_path, language):
     assert f'lang="{language}"' in (tmp_path / "out" / "note.html").read_text(encoding="utf-8")
 
 
+@pytest.mark.exhaustive
 def test_every_command_and_option_has_help():
     assert run("--version").output.strip() == f"tmm-report {__version__}"
     top = run("--help").output
@@ -302,6 +309,7 @@ class Heard:
         self.warned.append(str(line))
 
 
+@pytest.mark.exhaustive
 def test_a_command_talks_and_prints_nothing(tmp_path, capsys):
     from tmm_report.commands import solve
 
@@ -322,6 +330,7 @@ def test_every_command_has_a_room():
     assert commands.__doc__
 
 
+@pytest.mark.exhaustive
 def test_only_the_command_line_prints_and_exits():
     spoken = re.compile(r"\bprint\(|typer|\bsys\.(exit|stdout|stderr)|SystemExit")
     found = {
@@ -346,6 +355,7 @@ def test_the_command_line_alone_loads_nothing_heavy():
     assert done.stdout.split() == rooms
 
 
+@pytest.mark.exhaustive
 def test_a_file_loads_only_the_gear_rooms_that_it_has(tmp_path):
     program = (
         "import sys; from tmm_report.cli import main\n"

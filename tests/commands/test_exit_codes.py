@@ -90,6 +90,7 @@ def test_1_a_wrong_reading(tmp_path):
     assert done.exit_code == 1 and "v_A" in done.output
 
 
+@pytest.mark.exhaustive
 def test_1_no_pdf(tmp_path, monkeypatch):
     def none(name: str) -> None:
         return None
@@ -99,6 +100,7 @@ def test_1_no_pdf(tmp_path, monkeypatch):
     assert done.exit_code == 1 and "no PDF" in done.output and (tmp_path / "results.json").is_file()
 
 
+@pytest.mark.exhaustive
 def test_1_no_place_for_temporary_files_costs_the_pdf_alone(tmp_path, monkeypatch):
     def full(files):
         raise FileNotFoundError(errno.ENOENT, "No usable temporary directory found")
@@ -109,6 +111,7 @@ def test_1_no_place_for_temporary_files_costs_the_pdf_alone(tmp_path, monkeypatc
     assert (tmp_path / "results.json").is_file()
 
 
+@pytest.mark.exhaustive
 def test_1_a_batch_with_a_variant_to_be_looked_at(tmp_path):
     (tmp_path / "in").mkdir()
     variant(tmp_path / "in", GEARS.format(10))
@@ -151,6 +154,7 @@ def test_2_a_variant_beyond_a_limit(tmp_path):
     assert done.exit_code == 2 and "53 entries are too many here: at most 40" in done.output
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("command", ["solve", "assemblies"])
 def test_2_a_place_that_cannot_be_written_to(tmp_path, command):
     (tmp_path / "file").write_text("mine")
@@ -176,6 +180,7 @@ def test_2_what_does_not_fit_into_the_machine(tmp_path, monkeypatch, error, line
     assert done.exit_code == 2 and line in done.output and done.output.count("\n") == 1
 
 
+@pytest.mark.exhaustive
 def test_2_a_full_disk_keeps_the_old_note(tmp_path, monkeypatch):
     run("solve", ROCKER, "-o", tmp_path, *LIGHT)
     before = (tmp_path / "results.json").read_bytes()
@@ -189,6 +194,7 @@ def test_2_a_full_disk_keeps_the_old_note(tmp_path, monkeypatch):
     assert (tmp_path / "results.json").read_bytes() == before
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("command", ["assemblies", "solve"])
 def test_2_or_0_a_variant_without_a_lever(tmp_path, command):
     done = run(command, MOTOR, "-o", tmp_path / "out", "--lang", "en")
@@ -222,6 +228,7 @@ SHELL = [
 ]
 
 
+@pytest.mark.exhaustive
 @POSIX
 @pytest.mark.parametrize("line, code, said", many(SHELL, 2))
 def test_closed_and_full_streams(tmp_path, line, code, said):

@@ -95,6 +95,7 @@ def explained(name, quantity, position, language):
 IN_BOTH = ("compressor", "whitworth")
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize(
     ("name", "language"),
     [(file.stem, "ru") for file in FILES] + many([(name, "en") for name in IN_BOTH]),
@@ -113,6 +114,7 @@ def test_every_velocity_reaction_and_moment_ends_in_its_number(name, language):
             assert not any(MARKUP.search(line) for line in said)
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", [file.stem for file in ALL_FILES])
 def test_every_single_number_is_explained(name):
     results, _ = heard(name, 2, "ru")
@@ -123,6 +125,7 @@ def test_every_single_number_is_explained(name):
         assert number_of(told[at + 1]) == pytest.approx(target.value, rel=6e-5, nan_ok=True), value.key
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", [file.stem for file in ALL_FILES])
 def test_every_formula_of_a_note_is_plain_text_that_ends_in_its_value(name):
     _, walk = heard(name, 2, "ru")
@@ -173,6 +176,7 @@ def test_an_acceleration_stands_upon_its_normal_part_and_that_upon_the_velocity(
     assert places == sorted(places)
 
 
+@pytest.mark.exhaustive
 def test_the_moment_stands_upon_the_reactions_turned_round_and_the_inertia_forces():
     said = "\n".join(told("compressor", "M_ур", 7))
     for formula in ("F_I2 = m_2·a_S2", "R_24 = ", "R_12 = ", "M_bal = −R_21·h_R21", "m_2 = 1.5 kg"):
@@ -180,11 +184,13 @@ def test_the_moment_stands_upon_the_reactions_turned_round_and_the_inertia_force
     assert "R_03 = L_R03" not in said
 
 
+@pytest.mark.exhaustive
 def test_the_equations_of_a_class_iv_group_are_told_together():
     said = "\n".join(told("press", "R35", 5))
     assert "R_23 + G_3 + F_I3 − R_35 = 0" in said and "R_35 = L_R35·μ_F" in said
 
 
+@pytest.mark.exhaustive
 def test_a_position_that_the_note_does_not_write_out_is_written_out():
     said = told("compressor", "v_B", 3)
     assert any(line.startswith("The note of the variant writes other positions out") for line in said)
@@ -192,18 +198,21 @@ def test_a_position_that_the_note_does_not_write_out_is_written_out():
     assert not any(line.startswith("  (") for line in said)
 
 
+@pytest.mark.exhaustive
 def test_a_component_is_explained_by_its_vector_and_an_output_by_its_point():
     assert any("v_B = pb·μ_v" in line for line in told("compressor", "v_B_x", 7))
     assert any("v_B = pb·μ_v" in line for line in told("compressor", "V_B", 7))
     assert "  V_B = −4.4437 m/s" in told("compressor", "V_B", 7)
 
 
+@pytest.mark.exhaustive
 def test_the_diameters_of_a_stage_are_told_wheel_by_wheel():
     said = told("hoist_drive", "stage1_wheels.d_w")
     assert "  1: d_w1 = 0.070988 m" in said and "  2: d_w2 = 0.17901 m" in said
     assert any("d_w1 = d_b1/cos(α_w)" in line for line in said)
 
 
+@pytest.mark.exhaustive
 def test_what_the_note_only_approaches_by_plans_is_said_to_be_found_analytically():
     assert any(line.startswith("Found analytically") for line in told("compressor", "v_B", 7))
     assert not any(line.startswith("Found ") for line in told("compressor", "eta", 7))
@@ -215,6 +224,7 @@ def test_what_is_read_in_the_note_is_found_there():
     assert line.endswith("in results.json: tables.rates_table.v_B.") and re.search(r"tables \d+", line)
 
 
+@pytest.mark.exhaustive
 def test_the_language_and_its_decimal_sign_are_those_asked_for():
     assert any("4,444 м/с" in line for line in told("compressor", "v_B", 7, "ru"))
     assert any("M_ур = " in line for line in told("compressor", "M_bal", 7, "ru"))
@@ -238,11 +248,13 @@ def test_what_cannot_be_explained_is_said_so(quantity, position, said):
     assert said in caught.value.problems[0].text()
 
 
+@pytest.mark.exhaustive
 def test_a_position_without_gears_positions_is_refused():
     with pytest.raises(ProblemError, match="leave the position out"):
         find(solved("eccentric"), "eccentric_e", 1)
 
 
+@pytest.mark.exhaustive
 def test_at_a_position_without_a_number_it_is_said_so():
     name, table, key, row = next(missing())
     talk = Told()
@@ -259,6 +271,7 @@ def missing():
                     yield file.stem, table.name, column.key, int(row)
 
 
+@pytest.mark.exhaustive
 def test_the_same_question_has_the_same_answer():
     assert told.__wrapped__("crank_rocker", "R_12", 7) == told("crank_rocker", "R_12", 7)
 

@@ -172,6 +172,7 @@ def systems(explained):
                 yield column.key, told.worked
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize(
     "name", ["compressor", "press", "shaper", "quick_return", "cam_press", "elliptic_trammel"]
 )
@@ -217,6 +218,7 @@ def evaluated(node, numbers):
     return replace(node, **{k: Number(evaluated(v, numbers)) for k, v in children.items()}).evaluate()
 
 
+@pytest.mark.exhaustive
 def test_a_turned_sign_of_a_reaction_would_show_in_the_residual():
     _, lines = next(systems(Explained(read("compressor"))))
     equations = [line.expression for line in lines if isinstance(line, Equation) and line.numbers]
@@ -230,6 +232,7 @@ def test_a_turned_sign_of_a_reaction_would_show_in_the_residual():
 # ---------------------------------------------------------------- the count can fail
 
 
+@pytest.mark.exhaustive
 def test_a_planted_quantity_without_a_way_is_counted():
     planted = Target(Quantity("H_nowhere", Symbol("H"), "m", Message("planted")), value=1.0)
     explained = Explained(read("press"))
@@ -237,6 +240,7 @@ def test_a_planted_quantity_without_a_way_is_counted():
     assert explained.unexplained([planted]) == ["values.H_nowhere"]
 
 
+@pytest.mark.exhaustive
 def test_a_sentence_without_a_number_is_counted(monkeypatch):
     explained = Explained(read("press"))
     target = find(explained.results, "K_F", None)
@@ -273,6 +277,7 @@ def named(results):
 # ---------------------------------------------------------------- as it is told
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize(
     ("name", "quantity", "said"),
     many(
@@ -306,6 +311,7 @@ def test_the_start_up_is_checked_by_its_samples():
     assert again == pytest.approx(own, rel=1e-3)
 
 
+@pytest.mark.exhaustive
 def test_texts_and_tables_of_quantities_are_explained_by_their_full_names():
     talk = Told()
     assert run(FILES["crank_rocker"], "force_extremes.key", None, "ru", talk)

@@ -56,12 +56,14 @@ def test_every_method_is_either_run_or_refused(made):
     )
 
 
+@pytest.mark.exhaustive
 def test_the_closed_form_is_right_to_rounding_against_forty_digits(made):
     for count, own in errors(made, "groups").items():
         assert max(own.values()) < 1e-14, count
     assert max(errors(made, "groups", "forces")[36].values()) < 1e-13
 
 
+@pytest.mark.exhaustive
 def test_differences_err_as_their_order_says(made):
     """Three times as many positions: a ninth of the error."""
     by_count = errors(made, "differences")
@@ -70,6 +72,7 @@ def test_differences_err_as_their_order_says(made):
     assert by_count[12]["place"] < 1e-14
 
 
+@pytest.mark.exhaustive
 def test_the_cheapest_holds_the_accuracy_that_was_asked(made):
     found = data(made[0]["methods.json"])
     assert found["accuracy"] == 1e-4
@@ -81,6 +84,7 @@ def test_the_cheapest_holds_the_accuracy_that_was_asked(made):
     assert "method: auto takes" in made[1]
 
 
+@pytest.mark.exhaustive
 def test_the_page_has_a_chart_for_each_quantity_and_nothing_from_elsewhere(made):
     page = made[0]["methods.html"]
     assert page.count("<svg") == 3 + 2 + 1 + 1  # motion, forces, work, numbers of positions
@@ -88,6 +92,7 @@ def test_the_page_has_a_chart_for_each_quantity_and_nothing_from_elsewhere(made)
     assert "<script" not in page
 
 
+@pytest.mark.exhaustive
 def test_the_table_has_a_row_for_each_error(made):
     rows = list(csv.DictReader(io.StringIO(made[0]["methods.csv"])))
     trials = data(made[0]["methods.json"])["trials"]
@@ -97,6 +102,7 @@ def test_the_table_has_a_row_for_each_error(made):
     }  # fmt: skip
 
 
+@pytest.mark.exhaustive
 def test_the_numbers_of_positions_are_recommended_by_the_accuracy(made):
     positions = data(made[0]["methods.json"])["positions"]
     assert positions["accuracy"] == 1e-4 and positions["counts"] == [12, 24, 36, 72, 100]

@@ -32,6 +32,7 @@ def told(*names: str) -> tuple[bool, str]:
     return right, "\n".join(talk.lines)
 
 
+@pytest.mark.exhaustive
 def test_a_slider_crank_a_quick_return_and_gears_are_right_on_this_machine():
     right, lines = told("slider_crank_offset", "whitworth", "hoist_drive")
     assert right
@@ -182,6 +183,7 @@ def test_a_reference_of_another_mechanism_is_told_wrong():
     assert run.verified(results, moved).wrong
 
 
+@pytest.mark.exhaustive
 def test_it_needs_no_library_of_many_digits():
     code = (
         "import sys; sys.modules['mpmath'] = None\n"

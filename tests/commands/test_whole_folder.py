@@ -176,6 +176,7 @@ while True:
 """
 
 
+@pytest.mark.exhaustive
 @pytest.mark.skipif(sys.platform == "win32", reason="signals")
 def test_killed_at_random_moments_the_folder_is_of_one_piece(tmp_path):
     moments = random.Random(12)

@@ -88,6 +88,7 @@ def mistakes(kind: int, name: str) -> list[tuple[str, Data]]:
     return [(f"{name}: {where}", changed(data, changes))]
 
 
+@pytest.mark.exhaustive
 @every_kind
 def test_one_mistake_in_every_variant(kind):
     wrong, outcomes = [], []
@@ -121,6 +122,7 @@ def piles(draw: st.DrawFn) -> Data:
     return data
 
 
+@pytest.mark.exhaustive
 @settings(
     max_examples=examples(150), suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large]
 )
@@ -140,6 +142,7 @@ def test_what_still_solves_has_a_note(kind):
         assert b"</html>" in render(results, "html")["note.html"]
 
 
+@pytest.mark.exhaustive
 def test_an_unchanged_description_solves():
     found = outcome(description("compressor"))
     assert isinstance(found, Results) and found.lever.structure.formula == "I(0,1) → II2(2,3) → II2(4,5)"

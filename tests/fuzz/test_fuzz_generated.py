@@ -38,6 +38,7 @@ def test_every_key_alternative_and_enum_value_of_the_schema_is_drawn():
     assert not left, f"never drawn: {sorted(left)}"
 
 
+@pytest.mark.exhaustive
 def test_a_key_that_is_added_to_the_schema_is_missed_where_nothing_draws_it(monkeypatch):
     """The check above sees a key that is not drawn."""
     part = schema.part("ShuntModel")
@@ -72,6 +73,7 @@ def test_a_seed_always_makes_the_same_variant():
     assert len({text(f"3 {k}") for k in range(40)}) > 35
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("k", many(range(TRIED), 4))
 def test_a_generated_variant_has_its_note_or_is_refused_in_words(k):
     found = outcome(k)

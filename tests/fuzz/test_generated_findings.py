@@ -92,6 +92,7 @@ TEXTS = {
 }
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("language", many(("ru", "en")))
 @pytest.mark.parametrize("name", TEXTS)
 def test_it_has_a_note(name, language):

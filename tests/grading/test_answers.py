@@ -120,6 +120,7 @@ def test_a_file_that_cannot_be_read_is_noted_and_the_others_count(asked):
     assert {note.file for note in found.notes} == {"a.yaml", "c.yaml"}
 
 
+@pytest.mark.exhaustive
 def test_thousands_of_wrong_lines_are_counted_not_told(asked):
     rows = [["key", "value"], *([f"nothing{k}", k] for k in range(500))]
     found = answers(csv_bytes(rows, "."), asked, "ivanov.csv")

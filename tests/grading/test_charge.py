@@ -136,6 +136,7 @@ MOVED = [
 ]
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", MOVED)
 @pytest.mark.parametrize("by", many([30 / np.pi, 1 / (2 * np.pi), 1.25]))
 def test_a_wrong_speed_carried_through_the_whole_work_is_charged_where_it_first_shows(name, by):
@@ -146,6 +147,7 @@ def test_a_wrong_speed_carried_through_the_whole_work_is_charged_where_it_first_
     assert len(wrong) == 1 and {key for _, key in wrong} <= pins | {f"w_{driver}"}, wrong
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", MOVED)
 def test_velocities_along_the_axis_follow_from_those_of_the_plan(name):
     """Outputs stand in a table before the rates, but V_D is found from v_D."""

@@ -39,6 +39,7 @@ def test_points_are_those_of_a_fair_teacher(id):
     assert marked(id).points == pytest.approx(FAIR[id], abs=0.5)
 
 
+@pytest.mark.exhaustive
 def test_every_rate_as_for_rpm_taken_for_rad_per_second_costs_the_first_column_alone():
     found = marked("k1", CLASS / "compressor")
     assert found.points == pytest.approx(96.67, abs=0.01)
@@ -63,6 +64,7 @@ def test_what_was_planted_is_named_and_nothing_else(id):
     assert sorted((cause.kind, cause.detail) for cause in marked(id).causes) == sorted(NAMED[id])
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("id", ["st18", "st19"])
 def test_another_assembly_or_rotation_costs_the_first_column_alone(id):
     found = marked(id)

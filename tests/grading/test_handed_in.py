@@ -157,6 +157,7 @@ def test_without_a_list_the_variants_say_the_names(year):
     assert marks() == {**dict.fromkeys(NAMES, 100.0), "s2": None}
 
 
+@pytest.mark.exhaustive
 def test_namesakes_are_told_and_neither_gets_the_others_mark(year):
     for number in ("7", "8"):
         lay(f"Иванов Иван_{number}_assignsubmission_file_/sheet.csv")
@@ -196,6 +197,7 @@ CANNOT = {
 }
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", many(CANNOT, 4))
 def test_what_cannot_be_read_gets_its_reason_and_no_mark_anywhere(year, name):
     file, content, reason = CANNOT[name]
@@ -266,6 +268,7 @@ def test_a_place_without_answers_gives_nobody_a_mark(year, place, content, state
     assert all(place in reason for reason in column(of="likely causes").values()) and place in " ".join(told)
 
 
+@pytest.mark.exhaustive
 def test_a_report_beside_the_sheet_is_passed_over_and_a_broken_sheet_told(year):
     for id in NAMES:
         lay(f"{id}/sheet.csv")
@@ -423,6 +426,7 @@ def tree() -> dict[str, bytes]:
     return {str(path): path.read_bytes() for path in Path("marks").rglob("*") if path.is_file()}
 
 
+@pytest.mark.exhaustive
 @pytest.mark.skipif(os.name == "nt", reason="limits of a POSIX system")
 @pytest.mark.parametrize("late", [False, True], ids=["at a page", "when all pages are made"])
 def test_a_full_disk_leaves_all_as_it_was(year, late, monkeypatch):

@@ -91,6 +91,7 @@ def test_teeth_are_right_or_wrong(asked):
     assert found.columns[name].rules == (Rule.EXACT, Rule.OFF)
 
 
+@pytest.mark.exhaustive
 def test_a_students_own_scale_says_what_can_be_read_and_a_hostile_one_says_nothing(asked):
     name = ("rates_table", "v_BA")
     values = asked[name].values.copy()
@@ -108,6 +109,7 @@ def without_components(name) -> bool:
     return not name[1].endswith(("_x", "_y"))
 
 
+@pytest.mark.exhaustive
 def test_what_follows_from_a_wrong_velocity_is_carried_and_the_velocity_is_not(asked):
     """A student who has v_BA a fifth too great, and from it the normal acceleration (v²/l) and ω, right as it goes."""
     changes = {
@@ -130,6 +132,7 @@ def test_two_wrong_values_do_not_excuse_each_other(asked):
     assert rules.count(Rule.OFF) == 1
 
 
+@pytest.mark.exhaustive
 def test_a_named_mistake_may_keep_a_share_of_its_points(asked):
     name = ("outputs_table", "S_B")
     changes = {name: asked[name].values * 1000}
@@ -155,6 +158,7 @@ def everything(asked, value) -> dict:
     return {name: np.full(len(one.rows), value) for name, one in asked.items() if one.by_position}
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", ["compressor", "press", "forging", "crank_rocker"])
 @pytest.mark.parametrize("value", many([0.0, 1.0, 1234.5, 1e300]))
 def test_one_number_in_every_cell_earns_next_to_nothing(name, value):
@@ -215,6 +219,7 @@ def test_who_numbers_the_positions_from_1_to_12_has_position_0_in_the_last_row(a
     assert grade(solved("compressor"), answers, Rubric(), asked).points == 100
 
 
+@pytest.mark.exhaustive
 def test_millimetres_in_all_columns_are_named_though_velocities_follow_from_places():
     own = expected(solved("quick_return"))
     names = [name for name, one in own.items() if one.by_position and one.unit in ("m", "m/s", "m/s²")]

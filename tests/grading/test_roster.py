@@ -12,6 +12,7 @@ from tmm_report.problems import ProblemError
 HEAD = ["id", "student", "email", "moodle_id"]
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("suffix", ["csv", "xlsx"])
 def test_a_department_of_three_thousand_is_read(tmp_path, suffix):
     rows = [HEAD, *([f"s{n}", f"Студент {n}", f"s{n}@x.org", f"{n}"] for n in range(3000))]

@@ -62,6 +62,7 @@ def test_single_numbers_are_asked_by_name(asked):
     )
 
 
+@pytest.mark.exhaustive
 @given(points=st.floats(1, 1000), weights=st.lists(st.floats(0.1, 10), min_size=3, max_size=3))
 def test_all_cells_together_are_worth_the_points(points, weights):
     asked = expected(solved("compressor"))

@@ -50,6 +50,7 @@ def charged(found):
     return [name for name, column in found.columns.items() if {Rule.OFF, Rule.SIGN} & set(column.rules)]
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", NAMES)
 def test_the_driving_link_turned_the_other_way_is_one_mistake(name):
     variant = stating(read(name), friction=None, reduction=False, readings={})
@@ -80,6 +81,7 @@ DATA = [
 ]
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize(("name", "key", "by"), many(DATA))
 def test_a_length_from_the_neighbours_row_is_one_mistake_and_named(name, key, by):
     keys = {datum.key: datum for datum in data(bare(solved(name)))}
@@ -91,6 +93,7 @@ def test_a_length_from_the_neighbours_row_is_one_mistake_and_named(name, key, by
     assert len(charged(found)) <= 1
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", ["shaper"])
 def test_a_mass_from_the_neighbours_row_is_named_though_no_load_is_on_the_sheet(name):
     masses = [datum for datum in data(bare(solved(name))) if datum.key.endswith(".mass")]
@@ -115,6 +118,7 @@ def test_a_slip_beside_the_wrong_datum_is_charged_besides():
 # ---------------------------------------------------------------- nobody is accused who is right
 
 
+@pytest.mark.exhaustive
 @few
 @given(
     name=st.sampled_from([*NAMES, "compressor", "piston_pump", "hay_press", "loom"]),

@@ -43,6 +43,7 @@ def test_every_number_is_read_back_with_all_its_digits(value, sign):
     assert number(repr(value).replace(".", sign)) == value
 
 
+@pytest.mark.exhaustive
 @given(st.text(max_size=60))
 def test_any_text_is_a_finite_number_or_none(text):
     assert not math.isinf(number(text))

@@ -182,6 +182,7 @@ def test_hostile_tables_cost_neither_memory_nor_time():
     assert lines[-1] == "a.csv: the file is larger than 1024 kB"
 
 
+@pytest.mark.exhaustive
 @pytest.mark.skipif(os.name == "nt", reason="measures with resource")
 def test_a_long_table_is_not_held():
     program = """

@@ -219,6 +219,7 @@ def test_one_students_archive_of_moodle_keeps_its_name(here):
     assert {group for _, group in found("one.zip", suffixes=TABLES).values()} == {"Иванов_1"}
 
 
+@pytest.mark.exhaustive
 def test_hostile_archives_are_told_and_the_rest_goes_on(here):
     lay("good.yaml")
     Path("broken.zip").write_bytes(b"PK\3\4 no")
@@ -245,6 +246,7 @@ def test_members_whose_paths_are_one_on_a_disk_are_two_in_an_archive(here):
     assert sorted(group for _, group in made.values()) == ["ivanov"] * 3 + ["petrov"]
 
 
+@pytest.mark.exhaustive
 def test_names_of_endless_marks_are_not_put_in_order(here):
     """Sixty names of thirty thousand marks each: in order they would take a minute."""
     marks = "\u0301\u0316" * 15_000
@@ -255,6 +257,7 @@ def test_names_of_endless_marks_are_not_put_in_order(here):
     assert said == "60\n"
 
 
+@pytest.mark.exhaustive
 def test_a_large_file_is_not_read_whole(here):
     program = """
 import os

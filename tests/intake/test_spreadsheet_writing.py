@@ -80,6 +80,7 @@ def test_numbers_in_xlsx_are_read_back(rows):
     ]
 
 
+@pytest.mark.exhaustive
 @settings(deadline=None, max_examples=30)
 @given(st.lists(WORDS, min_size=1, max_size=4), st.sampled_from(",."))
 @example(["_x0041_", "=1", "'=1"], ",")

@@ -315,6 +315,7 @@ def test_a_sheet_of_a_gigabyte_is_refused_by_what_it_says_of_itself(tmp_path):
     assert said == "a.xlsx:xl/worksheets/sheet1.xml: the file is larger than 20480 kB\n"
 
 
+@pytest.mark.exhaustive
 @settings(max_examples=150, deadline=None)
 @given(st.data())
 def test_a_damaged_workbook_is_a_problem_and_never_a_trace(data):

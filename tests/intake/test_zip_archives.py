@@ -153,6 +153,7 @@ def test_an_empty_archive_has_no_files():
     assert listed(packed({})) == ([], [])
 
 
+@pytest.mark.exhaustive
 def test_a_size_that_is_a_lie_ends_the_reading():
     """A member that says 10 bytes and holds 100 MB: never more is unpacked than was said."""
     content = packed({"a.yaml": bytes(100 * 2**20)})
@@ -214,6 +215,7 @@ def test_bombs_cost_neither_memory_nor_time():
     ]
 
 
+@pytest.mark.exhaustive
 @settings(max_examples=200, deadline=None)
 @given(st.data())
 def test_a_damaged_archive_is_a_problem_and_never_a_trace(data):

@@ -72,6 +72,7 @@ def is_named(work: Work, found: list[Cause]) -> bool:
 # ---------------------------------------------------------------- many works
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("kind", many(MAKERS, 3))
 def test_nearly_every_planted_mistake_is_named(kind):
     rng = np.random.default_rng(list(MAKERS).index(kind))
@@ -79,6 +80,7 @@ def test_nearly_every_planted_mistake_is_named(kind):
     assert sum(is_named(work, cause_of(work)) for work in works) >= 9
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize(
     "kinds", [("mm for m", "swapped"), ("sign", "rpm for rad/s"), ("scale", "power of ten")]
 )
@@ -88,6 +90,7 @@ def test_two_mistakes_in_different_columns_are_both_named(kinds):
     assert sum(is_named(work, cause_of(work)) for work in works) >= 7
 
 
+@pytest.mark.exhaustive
 def test_honest_works_are_right_and_nobody_is_accused():
     rng = np.random.default_rng(4)
     for work in [planted(world(), rng) for _ in range(20)]:
@@ -95,6 +98,7 @@ def test_honest_works_are_right_and_nobody_is_accused():
         assert cause_of(work) == []
 
 
+@pytest.mark.exhaustive
 def test_numbers_without_sense_get_no_explanation():
     rng = np.random.default_rng(5)
     accused = 0
@@ -107,6 +111,7 @@ def test_numbers_without_sense_get_no_explanation():
     assert accused <= 1
 
 
+@pytest.mark.exhaustive
 def test_undoing_a_named_mistake_gives_the_marks_he_would_have_had():
     rng = np.random.default_rng(6)
     for kind in MAKERS:
@@ -129,6 +134,7 @@ def test_a_sign_and_a_power_of_ten_in_one_column_are_two_causes():
     assert {(cause.kind, cause.names) for cause in found} == {("sign", (name,)), ("power of ten", (name,))}
 
 
+@pytest.mark.exhaustive
 def test_numbers_that_scatter_show_no_scale():
     rng = np.random.default_rng(8)
     for _ in range(20):

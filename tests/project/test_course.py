@@ -42,6 +42,7 @@ def test_every_field_of_what_is_given_comes_from_one_block():
     assert sorted(names) == sorted(fields_)
 
 
+@pytest.mark.exhaustive
 def test_every_key_of_the_file_belongs_to_one_block():
     blocks = [course.room(chapter, "block").Block for chapter in RECORDS]
     keys = [key for block in blocks for key in block.model_fields]

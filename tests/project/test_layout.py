@@ -66,12 +66,14 @@ def inside(module: str) -> list[str]:
 # --- floors and circles
 
 
+@pytest.mark.exhaustive
 def test_a_chapter_imports_what_chapters_before_it_found_and_nothing_of_later_ones():
     seen = list(between_chapters())
     wrong = [(start, end) for start, end in seen if ORDER.index(end[0]) > ORDER.index(start[0])]
     assert len(seen) > 20 and not wrong
 
 
+@pytest.mark.exhaustive
 def test_of_another_chapter_only_the_open_rooms_are_entered():
     """Blocks read blocks before them: a mistake of the loads is told by the links of the structure. The ways of a drive
     are those of its stages, too."""

@@ -166,6 +166,7 @@ def test_the_page_names_the_command_the_machine_and_the_versions_that_were_there
     assert "**kinepy**" in said and "**mujoco**" not in said
 
 
+@pytest.mark.exhaustive
 def test_the_chart_is_small_and_the_same_every_time(tmp_path: Path) -> None:
     for name in ("one.svg", "two.svg"):
         chart.draw(ROWS, tmp_path / name)

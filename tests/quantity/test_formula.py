@@ -74,6 +74,7 @@ def trees(draw, depth=3):
     }[kind]
 
 
+@pytest.mark.exhaustive
 @given(trees(), st.integers(0, POSITIONS - 1), st.sampled_from([RU, EN]), st.booleans())
 def test_any_tree_evaluates_as_numpy_and_prints_well_formed(tree, index, tr, hand):
     expression, expected = tree

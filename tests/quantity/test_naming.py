@@ -88,6 +88,7 @@ def test_every_key_names_itself_and_nothing_else(name):
         assert [quantity.key for quantity in resolve(key, known)] == [key]
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("language", ["ru", "en"])
 def test_a_symbol_finds_quantities_that_are_written_so_or_keyed_so(language):
     word = Translator(language).pgettext("index", "bal")

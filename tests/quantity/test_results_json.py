@@ -47,6 +47,7 @@ def test_texts_and_whole_numbers_stay_what_they_are():
     assert again(['ω₁ "2"', 3, -0.0, np.float64(0.5), np.int64(4)]) == ['ω₁ "2"', 3, 0.0, 0.5, 4.0]
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", ["compressor", "drum_motor"])
 def test_a_file_is_strict_and_the_same_each_time(name):
     one, other = (render(course.solve(read(name)), "json")["results.json"] for _ in range(2))

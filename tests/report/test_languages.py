@@ -94,6 +94,7 @@ def of_glossary(row: Language, tool: dict) -> Iterator[str]:
     yield from (f"glossary.yaml: {text}" for text in tool["misnamed"](tool["merged"](row.code), terms))
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("row", LANGUAGES.values(), ids=LANGUAGES)
 def test_a_language_has_all_its_pieces(row, tool):
     assert lacking(row, tool) == []
@@ -238,6 +239,7 @@ def test_the_library_refuses_as_the_command_does(compressor):
             refused()
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("code", LANGUAGES)
 def test_the_key_and_lang_give_the_same_note(tmp_path, code):
     text = (VARIANTS / "crank_rocker.yaml").read_text("utf-8")
@@ -274,6 +276,7 @@ def test_the_language_of_a_system(name, code):
     assert of_locale(name) == code
 
 
+@pytest.mark.exhaustive
 def test_help_and_schema_list_the_languages():
     assert schema()["properties"]["language"]["enum"] == [*LANGUAGES]
     for command in ("solve", "new", "gallery", "assemblies"):

@@ -17,7 +17,7 @@ from tmm_report.report.paper import measure
 MM = 96 / 25.4  # CSS pixels
 
 
-@pytest.fixture(params=many(["compressor-ru", "compressor-en", "shaper-ru", "hoist_drive-ru"]))
+@pytest.fixture(params=many(["compressor-ru", "compressor-en", "shaper-ru", "hoist_drive-ru"], quick=0))
 def seen(request) -> Seen:
     """A note opened in the browser at A4's text width."""
     return browser.seen(request.param)
@@ -71,6 +71,7 @@ def test_nothing_printed_is_wider_than_the_text(quick):
     assert {round(page["text"]) for page in pages.values()} == {browser.TEXT}
 
 
+@pytest.mark.exhaustive
 @quick_or_all
 def test_formulas_are_as_wide_as_they_are_reckoned(quick):
     """The metrics by which lines are broken against the browser's own layout."""
@@ -84,6 +85,7 @@ def test_formulas_are_as_wide_as_they_are_reckoned(quick):
     assert sum(wide > 20 for _, wide in maths) > (2 if quick else 20)
 
 
+@pytest.mark.exhaustive
 def test_a_long_formula_breaks_at_a_sign_that_is_repeated():
     text = browser.PAGES["wide-ru"]().decode()
     ends = re.findall(
@@ -101,6 +103,7 @@ def test_tables_and_figures_fit_a_printed_page(seen):
     assert all(width <= 185 * MM and height <= 250 * MM for width, height in page["inText"])
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("language", many(LANGUAGES))
 def test_prints_to_a4(language, tmp_path):
     pdf = tmp_path / "note.pdf"

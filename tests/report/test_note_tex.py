@@ -19,7 +19,7 @@ from tmm_report.commands.pdf import compile_pdf
 from tmm_report.course import loads
 from tmm_report.languages import LANGUAGES
 
-NOTES = many(["eccentric-en", "compressor-ru", "shaper-ru", "hoist_drive-ru"])
+NOTES = many(["eccentric-en", "compressor-ru", "shaper-ru", "hoist_drive-ru"], quick=0)
 
 
 def texts(name: str, language: str) -> dict[str, bytes]:
@@ -68,6 +68,7 @@ def test_pdf_is_the_same_twice():
     assert compile_pdf(note("eccentric", "tex", "en")) == pdf
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", NAMES)
 def test_every_figure_is_written_and_used(name):
     files = note(name, "tex")
@@ -75,6 +76,7 @@ def test_every_figure_is_written_and_used(name):
     assert used == {file for file in files if file.startswith("figures/")}
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", NAMES)
 def test_every_sign_can_be_set(name):
     """A letter that pdflatex has no glyph for is printed as a question mark; the notes ask no questions."""

@@ -23,6 +23,7 @@ def size(picture: bytes) -> tuple[int, int]:
     return struct.unpack(">II", picture[16:24])
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", ["compressor", "hoist_drive", "eccentric", "governor_servo"])
 def test_every_figure_of_the_note_is_a_picture_of_its_size(name, monkeypatch):
     monkeypatch.setattr(raster, "DOTS", COARSE)
@@ -36,6 +37,7 @@ def test_every_figure_of_the_note_is_a_picture_of_its_size(name, monkeypatch):
         assert len(picture) > 300  # an empty sheet is smaller
 
 
+@pytest.mark.exhaustive
 def test_the_command_writes_them_into_figures_and_nothing_else(tmp_path):
     arguments = ["solve", read("eccentric").file, "-o", str(tmp_path), "--format", "png", "--lang", "en"]
     done = CliRunner().invoke(app, arguments)

@@ -59,12 +59,14 @@ def hostile(fmt: str) -> str:
     ].decode()
 
 
+@pytest.mark.exhaustive
 def test_user_text_stays_text_in_html():
     text = hostile("html")
     assert "<script" not in text and "&lt;script&gt;" in text
     assert "{{ 7*7 }}" in text and "\\input{/etc/passwd}" in text
 
 
+@pytest.mark.exhaustive
 def test_user_text_stays_text_in_latex():
     text = hostile("tex")
     escaped = r"\textbackslash{}input\{/etc/passwd\} \{\{ 7*7 \}\} \{\% raw \%\} 100\% \& "
@@ -175,6 +177,7 @@ def test_figures_and_tables_are_numbered_without_gaps(name, kind):
     assert len(numbers) > (7 if results(name).lever else 0)
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", NAMES)
 def test_every_reference_leads_somewhere(name):
     text = html(name)
@@ -191,6 +194,7 @@ def test_every_reference_leads_somewhere(name):
     assert set(re.findall(r"\\hyperlink\{((?:section|formula|table|figure)[\d.-][^}]*)\}", text)) <= known
 
 
+@pytest.mark.exhaustive
 def test_both_formats_have_the_same_numbers():
     for kind in (
         r"Рисунок (\d+)",
@@ -280,6 +284,7 @@ LESS = {
 }
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("fmt", ["html", "tex"])
 @pytest.mark.parametrize("less", many(LESS, 2))
 def test_what_was_not_solved_is_left_out(less, fmt):
@@ -291,6 +296,7 @@ def test_what_was_not_solved_is_left_out(less, fmt):
     assert "Заключение" in text and len(re.findall(r"Таблица \d+ ", text)) < whole
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("fmt", ["html", "tex"])
 def test_same_results_give_the_same_bytes(fmt):
     assert render(results("shaper"), fmt, Translator("ru")) == note("shaper", fmt, "ru")

@@ -43,6 +43,7 @@ def until(condition, seconds=20.0) -> None:
         time.sleep(0.02)
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("jobs", [1, 3])
 def test_every_task_has_its_result(jobs):
     assert done(chores.double, range(50), jobs=jobs) == {k: 2 * k for k in range(50)}
@@ -56,6 +57,7 @@ def test_nothing_to_do_starts_no_process():
     assert done(chores.double, []) == {}
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("how", ["die", "crash"])
 def test_what_kills_its_process_is_lost_and_the_rest_goes_on(how):
     found = done(chores.obey, [1, 2, how, 3, 4, 5, 6, 7, 8])
@@ -63,6 +65,7 @@ def test_what_kills_its_process_is_lost_and_the_rest_goes_on(how):
     assert found == {k: 2 * k for k in range(1, 9)}
 
 
+@pytest.mark.exhaustive
 def test_what_hangs_is_lost_and_the_rest_goes_on():
     found = done(chores.obey, [1, "hang", 2, 3, 4], seconds=0.7)
     assert found == {1: 2, 2: 4, 3: 6, 4: 8, "hang": Lost("time")}
@@ -81,12 +84,14 @@ def test_what_gives_no_result_is_lost():
     assert found == {1: 2, 2: 4}
 
 
+@pytest.mark.exhaustive
 @POSIX
 def test_what_asks_for_too_much_memory_is_lost():
     found = done(chores.obey, [1, "gorge", 2], memory=2 << 30)
     assert found == {1: 2, 2: 4, "gorge": Lost("memory")}
 
 
+@pytest.mark.exhaustive
 def test_a_chunk_that_dies_before_its_first_result_is_done_task_by_task():
     assert done(chores.all_or_nothing, range(20), size=20) == {k: 2 * k for k in range(20)}
 
@@ -124,6 +129,7 @@ def test_chunks_are_taken_as_they_are_needed():
     assert len(taken) <= 10 + 4
 
 
+@pytest.mark.exhaustive
 def test_work_is_shared_between_processes():
     found = done(chores.process, range(100), size=1)
     assert len(set(found.values())) == 2 and os.getpid() not in found.values()
@@ -138,6 +144,7 @@ def test_linear_algebra_is_told_to_use_one_thread_and_the_parent_is_not():
     assert dict(os.environ) == before
 
 
+@pytest.mark.exhaustive
 def test_processes_that_never_start_are_told(monkeypatch):
     monkeypatch.setenv("CHORES_ARE_STILLBORN", "1")
     with pytest.raises(NotStarting):

@@ -31,11 +31,13 @@ def found():
     return solved(t=10)
 
 
+@pytest.mark.exhaustive
 def test_equation(found):
     """-3*z1 + 2*z2 - 18 = 0"""
     assert found.equation == (-3, 2, -18, 1)
 
 
+@pytest.mark.exhaustive
 def test_table(found):
     """The guide lists the sets whose middle satellite assembles, up to rings of 200 teeth."""
     family, judged = found.judged.family, found.judged
@@ -78,6 +80,7 @@ def test_claim_for_t_16():
     assert found.proof.overlap.max() == 0
 
 
+@pytest.mark.exhaustive
 def test_t_16_with_the_largest_overlaps():
     found = solved(t=16, satellites=("largest", "middle"))
     assert {(c.key, c.wheel) for c in found.failed} == {("neighbourhood", "2–4"), ("neighbourhood", "4'–2")}
@@ -86,6 +89,7 @@ def test_t_16_with_the_largest_overlaps():
     assert max(worst.values()) == 0  # all the meshes themselves are right
 
 
+@pytest.mark.exhaustive
 def test_most_compact_set_with_all_satellites():
     """(26, 48, 104, 39) with 0.482 mm; it is what the program takes of itself."""
     found = solved()
@@ -96,6 +100,7 @@ def test_most_compact_set_with_all_satellites():
     assert found.proof.overlap.max() == 0 and found.proof.clearance.min() >= 0
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize(("t", "middle"), [(10, 51), (16, 33)])
 def test_erratum(t, middle):
     found = solved(t=t)

@@ -157,6 +157,7 @@ def test_greatest_moment_is_just_after_the_jump_of_the_load(values, greatest):
     assert np.nanmax(forces.diagram.balancing) < 0.9 * high.value
 
 
+@pytest.mark.exhaustive
 def test_crank_as_long_as_the_rods_passes_its_double_change_points():
     """Two changes fall together at 0 and 180°, where the singular value only touches zero: no endless small steps."""
     mechanism = read("press").lever.mechanism

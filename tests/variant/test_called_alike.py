@@ -61,6 +61,7 @@ def test_a_point_may_not_be_called_as_a_link_is(point, link):
     assert f"a link is also called {link}" in told
 
 
+@pytest.mark.exhaustive
 def test_a_name_that_nothing_else_has_may_be_a_number():
     text = TWO_OUTPUTS.replace("E:", "7:").replace("[E]", "[7]")
     assert b"</html>" in render(course.solve(course.loads(text)), "html")["note.html"]

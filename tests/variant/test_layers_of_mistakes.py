@@ -57,6 +57,7 @@ def test_a_key_of_another_form_is_told_with_what_excludes_it():
     assert line.endswith("unknown key satellites; satellites does not go together with kind: spur")
 
 
+@pytest.mark.exhaustive
 def test_a_file_full_of_mistakes_is_cut_short():
     strange = "".join(f"z{n}aaaa: 1\n" for n in range(700))
     found = said(("loads:", strange + "loads:"))

@@ -68,6 +68,7 @@ def test_a_lonely_drive_is_judged_by_what_a_person_builds():
     assert lines(text=text)[0].endswith("did you mean 1500 rpm?")
 
 
+@pytest.mark.exhaustive
 def test_the_warning_is_printed_and_the_note_says_it_and_the_exit_code_stays(tmp_path):
     (tmp_path / "v.yaml").write_text(typed(("mass: 2.8 кг", "mass: 2800")), "utf-8")
     asked = ["solve", str(tmp_path / "v.yaml"), "-o", str(tmp_path), "--format", "html", "--lang", "en"]

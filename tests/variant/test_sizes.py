@@ -111,6 +111,7 @@ DATA = st.recursive(
 )
 
 
+@pytest.mark.exhaustive
 @given(DATA)
 def test_data_of_any_shape_is_counted_without_an_error(data):
     assert sizes.beyond(data if isinstance(data, dict) else {}) == []
@@ -181,6 +182,7 @@ dynamics:
 """
 
 
+@pytest.mark.exhaustive
 def test_a_motion_of_many_cycles_is_bounded_by_the_values_that_it_takes(monkeypatch):
     found = solve(loads(tram(8))).dynamics.start
     turns = found.phi[-1] / 6.2831853

@@ -64,6 +64,7 @@ loads: {{gravity: 0}}
     assert lines(text=text.replace(str(rod * times), str(rod * 2))) == []
 
 
+@pytest.mark.exhaustive
 def test_a_note_without_moments_of_inertia_speaks_of_none():
     text = typed((", inertia: 0.0533", ""))
     while ", inertia: " in text:

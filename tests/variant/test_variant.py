@@ -428,6 +428,7 @@ def test_the_schema_rejects_what_the_reader_rejects():
     assert check.is_valid(yamlread.loads(SMALL).data)
 
 
+@pytest.mark.exhaustive
 def test_the_schema_explains_every_key():
     for name, model in course.schema()["$defs"].items():
         assert model["description"], name
@@ -435,6 +436,7 @@ def test_the_schema_explains_every_key():
             assert {"title", "description", "enum", "$ref"} & about.keys(), (name, key)
 
 
+@pytest.mark.exhaustive
 def test_reading_imports_nothing_heavy():
     program = f"""
 import sys

@@ -2,6 +2,7 @@
 
 import copy
 
+import pytest
 import yaml
 from conftest import ALL_FILES, examples
 from hypothesis import given, settings
@@ -73,6 +74,7 @@ edits = st.tuples(
 )
 
 
+@pytest.mark.exhaustive
 @settings(max_examples=examples(300))
 @given(st.lists(edits, min_size=1, max_size=5))
 def test_any_edit_is_a_variant_or_problems(changes):

@@ -133,6 +133,7 @@ HOSTILE = {
 }  # fmt: skip
 
 
+@pytest.mark.exhaustive
 def test_hostile_texts_neither_kill_nor_hang_the_process():
     lines = [f"attempt({text}, {name!r})" for name, text in HOSTILE.items()]
     program = """

@@ -168,6 +168,7 @@ def test_the_torque_of_the_input_scales_all():
         assert many.torque[name] == pytest.approx(25 * float(torque), rel=1e-12)
 
 
+@pytest.mark.exhaustive
 @settings(max_examples=examples(30))
 @given(st.floats(-3000, 3000).filter(lambda n: abs(n) > 1))
 def test_a_second_input_adds_its_share(rpm):

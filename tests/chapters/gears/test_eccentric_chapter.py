@@ -27,15 +27,18 @@ def solved(**changes):
     return eccentric.solve(eccentric.Given(**{**BASE, **changes}))
 
 
+@pytest.mark.exhaustive
 def test_eccentricity_from_teeth():
     found = solved(ratio=None, eccentricity=None, teeth=(34, 60, 136))
     assert found.e == pytest.approx(0.018) and found.t == 10 and found.ratio_of_teeth == 4
 
 
+@pytest.mark.exhaustive
 def test_teeth_of_sun_and_ring_with_the_eccentricity():
     assert solved(ratio=None, teeth=(26, 104)).largest == 48
 
 
+@pytest.mark.exhaustive
 def test_teeth_beyond_the_family_are_taken():
     """A ring of 216 teeth and a sun of 14, undercut: both are what the teacher chose."""
     assert solved(ratio=None, eccentricity=None, teeth=(54, 90, 216)).t == 0
@@ -43,11 +46,13 @@ def test_teeth_beyond_the_family_are_taken():
     assert ("undercut", "1") in {(c.key, c.wheel) for c in small.failed}
 
 
+@pytest.mark.exhaustive
 def test_a_wider_clearance_takes_a_larger_set():
     assert solved(clearance=0.001).t == 12
     assert solved(clearance=0.003).t == 10
 
 
+@pytest.mark.exhaustive
 def test_fractional_ratio():
     found = solved(ratio=Fraction(7, 2))
     assert found.ring / found.sun == 3.5
@@ -60,6 +65,7 @@ def test_odd_eccentricity_leaves_no_middle_satellite():
     assert not found.failed
 
 
+@pytest.mark.exhaustive
 def test_nothing_is_said_of_middle_satellites_of_half_a_tooth():
     """Neither that they do not assemble nor how far they are from their neighbours."""
     odd, even = (solved(eccentricity=e) for e in (0.017, 0.018))
@@ -70,6 +76,7 @@ def test_nothing_is_said_of_middle_satellites_of_half_a_tooth():
         assert ("in closed form" in _chapter(found)) == whole
 
 
+@pytest.mark.exhaustive
 def test_the_close_view_promises_neighbours_only_where_it_shows_them():
     for e, shown in ((0.017, False), (0.018, True)):
         found = solved(eccentricity=e)
@@ -83,6 +90,7 @@ def test_a_ratio_is_one_of_whole_numbers_of_teeth(ratio):
         model_of(Eccentric).model_validate({"ratio": ratio, "eccentricity": "18 mm", "module": "2 mm"})
 
 
+@pytest.mark.exhaustive
 def test_a_coefficient_of_one_is_not_written():
     """(1 − 3/2)·2 = −1: −z1 + 4 z2 − 36 = 0, not −1z1."""
     view = _view(solved(ratio=Fraction(3, 2)))
@@ -99,6 +107,7 @@ def _chapter(found):
     return render(results, "html", Translator("en"))["note.html"].decode()
 
 
+@pytest.mark.exhaustive
 def test_backlash_lets_other_satellites_in():
     """With 0.4 mm of backlash a residue of 0.068 of a pitch is taken up; without it only exact ones stand."""
     exact, loose = solved(t=13), solved(t=13, backlash=4e-4)
@@ -108,6 +117,7 @@ def test_backlash_lets_other_satellites_in():
     assert all(s.wheel[0] == "6" or s.kind for s in loose.satellites)
 
 
+@pytest.mark.exhaustive
 def test_speeds_satisfy_willis():
     found = solved(t=10, speed=60.0)
     assert [(of.stopped, of.driven) for of in found.motions] == [("H", "1"), ("3", "1"), ("1", "3")]
@@ -120,6 +130,7 @@ def test_speeds_satisfy_willis():
             assert (speed[s.wheel] - carrier) * s.teeth == pytest.approx(-(speed["1"] - carrier) * found.sun)
 
 
+@pytest.mark.exhaustive
 def test_condition_margins_are_those_of_the_places():
     found = solved(t=10, clearance=0.001)
     margin = {c.wheel: c.margin for c in found.conditions if c.key == "neighbourhood"}
@@ -174,6 +185,7 @@ def test_mistakes_say_what_would_work(changes, wrong, right):
     assert problem.path[0] == "eccentric" and len(problem.path) == 2
 
 
+@pytest.mark.exhaustive
 def test_what_would_work_works():
     """The eccentricities proposed for a ratio without whole teeth have solutions."""
     for e in (0.016, 0.018):
@@ -181,6 +193,7 @@ def test_what_would_work_works():
     assert len(solved(clearance=0.0959).satellites) == 2
 
 
+@pytest.mark.exhaustive
 def test_proposed_eccentricity_and_ring_work():
     with pytest.raises(ProblemError) as caught:
         solved(eccentricity=0.4)
@@ -191,6 +204,7 @@ def test_proposed_eccentricity_and_ring_work():
         solved(eccentricity=0.4, ring_up_to=proposed["ring"] - 1)
 
 
+@pytest.mark.exhaustive
 def test_arrays_are_judged_as_singles():
     """A row of the family judged alone is the same row."""
     found = solved()

@@ -64,6 +64,7 @@ def found():
     return eccentric.solve(stated(tolerance=0.01, width=0.03, density=7800.0))
 
 
+@pytest.mark.exhaustive
 def test_the_sets_of_the_family_are_judged_alike_in_both_lists(found):
     listed = {
         int(sun): held
@@ -81,6 +82,7 @@ def test_a_wide_search_is_bounded_to_the_smallest_rings():
     assert len(found.ratio) == near.MOST and found.ring < 2000
 
 
+@pytest.mark.exhaustive
 def test_teeth_within_the_tolerance_of_the_stated_ratio_are_taken():
     """27, 49 and 107 teeth: 3.963 in the place of 4."""
     near_by = {"t": None, "eccentricity": None, "teeth": (27, 49, 107)}
@@ -137,6 +139,7 @@ def test_a_path_closes_after_whole_turns_and_not_before(wheel, turns):
 # --- masses
 
 
+@pytest.mark.exhaustive
 def test_the_smallest_satellite_saves_its_share_of_the_largest(found):
     """A disc of 120 mm, 30 mm wide, of steel: 2.646 kg; of 84 mm: 0.49 of it."""
     largest, middle, smallest, _ = found.masses.each[found.row]

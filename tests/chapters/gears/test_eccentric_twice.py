@@ -43,6 +43,7 @@ def found(request):
     return solved(request.param)
 
 
+@pytest.mark.exhaustive
 def test_every_formula_agrees_with_the_second_way(found):
     made, family = steps(found), found.judged.family
     wrong = disagreements(made.s, _ways(found), formed=True)
@@ -151,6 +152,7 @@ def test_definitions_of_sets_near_the_ratio(found):
     assert largest == pytest.approx(found.judged.family.satellites[found.row, 0])
 
 
+@pytest.mark.exhaustive
 def test_columns_have_their_letters():
     rows = {table.name: table for table in tables(solved("four satellites"))}
     satellites = rows["eccentric_satellites"]

@@ -47,6 +47,7 @@ def told(stage):
     return [str(line) for line in summary(solved(stage))]
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("stage, true, formula", [(UNDERCUT, 0.816, 1.369), (UNDERCUT_WHEEL, 1.121, 1.539)])
 def test_the_true_contact_ratio_is_the_result_and_the_formulas_stands_beside_it(stage, true, formula):
     found = pair_of(stage)
@@ -91,6 +92,7 @@ def test_what_cannot_be_cut_is_refused_and_outside_the_contour():
     assert kinds == {("space", 2)}
 
 
+@pytest.mark.exhaustive
 def test_radial_assembly_is_shown_and_no_condition_that_fails():
     (room,) = [c for c in pair_of(INTERNAL).conditions if c.key == "radial"]
     assert room.met and room.value == pytest.approx(math.radians(0.5122), abs=1e-5)
@@ -100,6 +102,7 @@ def test_radial_assembly_is_shown_and_no_condition_that_fails():
     assert "only axially" in note(NARROW) and "which needs no other numbers" in note(NARROW)
 
 
+@pytest.mark.exhaustive
 def test_a_stated_cutter_gives_the_ring_its_root():
     """By GOST 19274: d_f2 = 2 a_w0 + d_a0, with the operating angle of ring and cutter."""
     plain, cut = pair_of(INTERNAL), pair_of(INTERNAL + ", cutter: {z0: 20, x0: 0.1}")
@@ -125,6 +128,7 @@ def test_the_tips_of_a_ring_are_whole_above_the_end_of_the_line_of_action_in_cut
     assert pair.cut_ring(1).trimming == pytest.approx(tips - base * math.tan(pair.cuts[1].alpha), rel=1e-9)
 
 
+@pytest.mark.exhaustive
 def test_where_none_is_stated_a_usual_cutter_is_named():
     (cut,) = pair_of(INTERNAL).cutters
     assert (cut.by.tool.z, cut.by.tool.x) == (33, 0.0)  # 100 mm by 3 mm
@@ -151,6 +155,7 @@ def test_a_wheel_that_a_rack_could_not_cut_is_refused_though_a_cutter_is_stated(
             solve(loads(variant(stage + cutter)))
 
 
+@pytest.mark.exhaustive
 def test_the_cut_down_tips_of_a_ring_are_worked_out_from_the_fillets_of_the_pinion():
     """ρ_l1 = d1/2 sin α − (ha* − x1) m/sin α is written out, and every symbol of the cutting is explained."""
     told = note(INTERNAL + ", cutter: {z0: 20, x0: 0.1}")
@@ -165,6 +170,7 @@ def test_a_cutter_that_does_not_fit_is_refused_by_its_key():
     assert problem.path == ("drive", "stages", 0, "cutter", "z0") and "fewer than 75 teeth" in problem.text()
 
 
+@pytest.mark.exhaustive
 def test_the_tips_of_a_ring_are_cut_down_unless_that_is_forbidden():
     full = pair_of(INTERNAL + ", tip_shortening: false")
     cut = pair_of(INTERNAL)
@@ -175,6 +181,7 @@ def test_the_tips_of_a_ring_are_cut_down_unless_that_is_forbidden():
     assert cut.failed == ()
 
 
+@pytest.mark.exhaustive
 def test_stated_shifts_are_not_changed_without_a_word():
     found = pair_of(ROUNDED)
     (doubt,) = doubts(solved(ROUNDED))

@@ -49,6 +49,7 @@ def test_the_conditions_that_are_not_met_come_first_in_the_conclusions():
     assert max(places) < said.index("The ratio of the gear drive is")
 
 
+@pytest.mark.exhaustive
 def test_the_contact_of_an_undercut_pair_ends_where_its_involutes_do():
     """By the tip circles it would pass the end of the line of action, where the sliding has no bound."""
     note = plain(html(FAILED))
@@ -57,6 +58,7 @@ def test_the_contact_of_an_undercut_pair_ends_where_its_involutes_do():
     assert re.search(r"the involute of wheel 3 begins at the radius of curvature 5\.058 mm", note)
 
 
+@pytest.mark.exhaustive
 def test_what_a_point_outside_the_contour_lacks_is_in_modules():
     """The letter of the module is a symbol: an upright m would be metres."""
     note = section("Blocking contour", html(FAILED))
@@ -68,6 +70,7 @@ def test_what_a_point_outside_the_contour_lacks_is_in_modules():
     assert float(number) == pytest.approx((start - (head - tip)) / 2, abs=6e-5)
 
 
+@pytest.mark.exhaustive
 def test_readings_have_as_many_decimals_as_their_differences_need():
     """At 10:1 a place is read to 0.001 mm of the wheels: both lengths are printed one digit finer."""
     note = html(FAILED)

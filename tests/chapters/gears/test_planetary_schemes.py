@@ -25,6 +25,7 @@ def slow():
     return choose(any_stage(6.0))
 
 
+@pytest.mark.exhaustive
 def test_every_scheme_is_judged_as_it_would_be_alone(slow):
     for one in slow.judged:
         given = replace(any_stage(6.0), any_scheme=False, names=one.given.names)

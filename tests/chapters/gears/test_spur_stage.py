@@ -206,6 +206,7 @@ def test_a_sum_of_shifts_that_is_rounding_is_written_as_zero():
     assert "x1 + x2 = 0, or" in caught.value.problems[0].text()
 
 
+@pytest.mark.exhaustive
 def test_what_the_messages_offer_works():
     for changes in (
         {"teeth": (14, 28), "centre_distance": 0.135},

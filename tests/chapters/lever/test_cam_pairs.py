@@ -79,6 +79,7 @@ def test_the_balancing_moment_is_that_of_the_powers_at_every_position(lever):
             assert np.max(np.abs(part.statics.balancing - other) / part.scale) < 1e-9
 
 
+@pytest.mark.exhaustive
 def test_plans_drawn_exactly_agree_with_the_law():
     for case in CASES[:6]:
         variant = course.loads(text(*case) + "drawing: {accuracy: 0.001 mm}\n")

@@ -94,6 +94,7 @@ def test_plans_agree_with_the_analytical_values(variant, accuracy):
     assert not wrong
 
 
+@pytest.mark.exhaustive
 def test_a_coarser_pencil_draws_worse(variant):
     """Errors grow with the accuracy: at 0.5 mm this is a drawing, not the analytical values printed again."""
 

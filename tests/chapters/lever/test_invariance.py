@@ -5,6 +5,7 @@ from dataclasses import replace
 from functools import cache
 
 import numpy as np
+import pytest
 from conftest import examples, read, stating, unread
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
@@ -179,6 +180,7 @@ def test_a_point_may_be_called_as_the_end_of_a_bend_is():
     assert drawn(after) == drawn(unread(variant))
 
 
+@pytest.mark.exhaustive
 @few
 @given(angle=st.floats(-3, 3), x=st.floats(-0.3, 0.3), y=st.floats(-0.3, 0.3))
 def test_place_of_the_drawing_changes_no_result(variant, angle, x, y):

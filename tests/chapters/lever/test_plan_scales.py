@@ -91,6 +91,7 @@ def test_a_segment_of_another_point_is_that_long_where_it_is_longest():
     assert [max(both) for both in zip(*lengths, strict=True)] == pytest.approx([90, 75], abs=0.02)
 
 
+@pytest.mark.exhaustive
 def test_the_note_works_the_scales_out():
     note = render(drawn({"OA": "50 mm", "pa": "100 mm"}), "html", "en")["note.html"].decode()
     for key in ("chosen_OA", "chosen_pa", "largest_v_A"):

@@ -105,6 +105,7 @@ def test_the_terminal_names_each_with_its_line_and_ends_with_1(tmp_path):
     assert "millimetres given for metres" in done.output and "readings.7.v_B" not in done.output
 
 
+@pytest.mark.exhaustive
 def test_the_note_names_them_too():
     results = own({7: {"v_B": 4444, "v_D": 6.818}})
     for language, said in (("en", "millimetres given for metres"), ("ru", "миллиметр")):
@@ -136,6 +137,7 @@ def test_each_row_has_the_number_of_its_own_position_and_their_difference():
     assert seen >= 34
 
 
+@pytest.mark.exhaustive
 def test_what_the_plans_are_compared_in_is_not_printed_again():
     """Values of the plans in the order of their comparison, without the analytical ones; others with them."""
     results = own({7: {"w_2": 36.79, "M_bal": 164.3, "v_B": 4.444}, 3: {"v_B": 12.566}})
@@ -151,6 +153,7 @@ def test_what_the_plans_are_compared_in_is_not_printed_again():
     ]  # fmt: skip
 
 
+@pytest.mark.exhaustive
 def test_each_row_is_said_right_or_wrong_by_its_own_number():
     results = own({7: {"w_2": 36.79, "v_B": 5.0, "v_A": 12.566}})
     note = render(results, "html", "en")["note.html"].decode()

@@ -87,6 +87,7 @@ def test_plans_of_velocities_give_the_same_inertia_to_their_accuracy():
         assert one.delta == pytest.approx(100 * (one.graph / one.exact - 1), rel=1e-2)
 
 
+@pytest.mark.exhaustive
 def test_the_speed_for_which_a_plan_is_drawn_does_not_matter():
     """Ten times the speed at ten times the scale: the same lengths, the same ratios."""
     variant = read("piston_pump")

@@ -27,6 +27,7 @@ HEAVY = PUMP + "friction: {pivots: {coefficient: 0.1, diameter: 20 mm}}\n"
 VAIN = "it needs the reactions, and there is no block loads"
 
 
+@pytest.mark.exhaustive
 def test_masses_and_friction_without_loads_are_told_how_to_be_asked_for():
     said = doubted(HEAVY)
     assert "no force analysis is made; loads: {gravity: 9.81 m/s^2}" in said["mechanism.links.2.mass"]
@@ -75,6 +76,7 @@ def test_a_line_to_an_angle_beyond_the_range_has_an_effect():
     assert doubted(stated + at("T", "by_angle: [[0, 1 N], [70 deg, 2 N]]")) == {}
 
 
+@pytest.mark.exhaustive
 def test_where_nothing_acts_the_note_says_so_and_prints_no_quotient_of_nothing():
     text = PUMP.replace(", mass: 4 kg, mass_centre: S2, inertia: 0.0533 kg*m^2", "").replace(
         ", mass: 12 kg", ""

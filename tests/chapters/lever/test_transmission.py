@@ -59,6 +59,7 @@ def test_the_least_of_a_crank_rocker_stands_where_the_crank_lies_along_the_frame
     )
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize(("permitted", "word"), [("50 deg", "not less"), ("60 deg", "less than")])
 def test_the_conclusion_says_whether_it_is_permitted(permitted, word):
     text = solved("crank_rocker").variant
@@ -70,6 +71,7 @@ def test_the_conclusion_says_whether_it_is_permitted(permitted, word):
     )
 
 
+@pytest.mark.exhaustive
 def test_a_mechanism_of_blocks_alone_is_told_to_have_none():
     results = course.solve(stating(read("piston_pump"), transmission=0.7, readings={}))
     assert not results.lever.transmission.couplers

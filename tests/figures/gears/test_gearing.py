@@ -129,6 +129,7 @@ def test_zones_add_up_to_the_active_part(mesh):
     ET.fromstring(svg(drawing))
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("distance, letters", [(0.1303, "ACPDB"), (0.136, "APB"), (0.14, "AB")])
 def test_zones_letter_what_lies_on_the_active_part(distance, letters):
     """Shifted far apart the wheels have a contact ratio under 1, and then no pitch point on AB."""
@@ -156,6 +157,7 @@ def test_pairs_in_mesh_are_the_contact_ratio_on_the_average(ratio):
     assert pairs_at(at, pitch).mean() == pytest.approx(ratio, abs=1e-3)
 
 
+@pytest.mark.exhaustive
 def test_the_contour_is_drawn_where_it_is(found):
     seen = found.contour
     plane = Plane(seen.window)

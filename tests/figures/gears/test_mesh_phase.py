@@ -91,6 +91,7 @@ def test_each_arc_of_the_rule_is_about_its_own_axis_and_ends_in_t(found):
     assert all(arc.at(arc.end) == pytest.approx(t, abs=1e-6) for arc in arcs)
 
 
+@pytest.mark.exhaustive
 def test_one_pair_in_mesh_has_no_second_point():
     assert spur.solve(spur.Given(-2, 0.006, 0.1365, (14, 28))).phase is None
 

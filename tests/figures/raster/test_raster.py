@@ -105,6 +105,7 @@ def test_fewer_dots_show_the_same_drawing_of_the_same_size(monkeypatch):
 spots = st.builds(complex, st.integers(5, 55), st.integers(5, 35))
 
 
+@pytest.mark.exhaustive
 @settings(max_examples=examples(30))
 @given(start=spots, end=spots, wide=st.sampled_from([0.18, 0.35, 0.6]))
 def test_a_line_is_dark_where_it_is_and_nowhere_else(start, end, wide):
@@ -189,6 +190,7 @@ def test_a_hole_of_a_letter_stays_open():
 # --- whole pictures
 
 
+@pytest.mark.exhaustive
 def test_a_graph_is_drawn_with_all_its_curves():
     x = np.linspace(0, 360, 73)
     curves = [Curve(np.sin(np.radians(x) + k), str(k)) for k in range(3)]

@@ -36,6 +36,7 @@ def test_a_square_that_leaves_an_opening_meets_the_metal_round_it():
     assert overlap(SQUARE + 0.25 + 0.5j, SQUARE, opening=True) == pytest.approx(1 - 0.375)
 
 
+@pytest.mark.exhaustive
 @settings(max_examples=examples(40))
 @given(st.floats(0.1, 1.9), st.floats(0, 6.28), st.integers(3, 400), st.integers(3, 400))
 def test_area_by_a_raster(distance, turn, one, other):

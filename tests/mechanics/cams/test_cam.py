@@ -108,6 +108,7 @@ def test_a_roller_touches_the_profile_and_nowhere_goes_into_it(name):
         assert np.min(np.abs(profile - b)) == pytest.approx(cam.roller, abs=1e-6 if cam.roller else 2e-5)
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", [name for name in PAIRS if "flat" in name])
 def test_a_flat_face_is_tangent_and_the_cam_lies_on_one_side(name):
     cam = linkage_of(name).mechanism.cams[0]
@@ -153,6 +154,7 @@ def test_a_circular_cam_under_a_flat_face_is_a_scotch_yoke():
     assert np.allclose(found.acceleration("B").imag, -100 * eccentric.imag, atol=1e-9)
 
 
+@pytest.mark.exhaustive
 def test_a_circular_cam_under_a_lever_is_a_four_bar_linkage():
     cam = "{follower: 2, roller: {at: B, radius: 8 mm}, side: left, profile: {circle: {radius: 40 mm, at: [12 mm, 0]}}}"
     found = motion.solve(assemble(course.loads(text(SWINGING, cam)).lever.mechanism), PHI)
@@ -169,6 +171,7 @@ mechanism:
     assert np.allclose(found.angular_acceleration("2"), same.angular_acceleration("2"), rtol=1e-9, atol=1e-9)
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", ["roller", "edge"])
 def test_a_profile_by_points_gives_back_the_law_that_it_was_made_by(name):
     made = linkage_of(name).mechanism.cams[0]

@@ -99,6 +99,7 @@ def test_the_nearest_point_may_be_a_corner():
     assert CASES[1].nearest_at_distance(0j) is None
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("x", [0.9 - 0.5j, -0.4 + 1.2j, 1.3 + 1.3j, 0.2 - 0.9j])
 def test_no_feasible_point_is_nearer(x):
     found = REFERENCE.nearest(x)

@@ -220,6 +220,7 @@ def test_a_residue_beyond_the_backlash_shows():
     assert found.overlap[2:].min() > 1e-6
 
 
+@pytest.mark.exhaustive
 def test_a_small_residue_is_taken_up_by_backlash():
     """49 teeth at t = 10 miss 0.096 of a pitch: 0.60 mm on the pitch circle, 0.57 mm along the normal."""
     part = abs(ecc.candidates(34, 136, 18).residue[11])

@@ -156,6 +156,7 @@ def seats(scheme, z, k):
     return True
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", many(TASKS, 3))
 def test_search_equals_brute_force(name):
     task = TASKS[name]
@@ -326,6 +327,7 @@ def test_speeds_satisfy_willis_and_agree_with_the_general_train(scheme, teeth, w
     assert satellite == pytest.approx(float(theirs["2"]), rel=1e-9, abs=1e-9)
 
 
+@pytest.mark.exhaustive
 @given(
     scheme=st.sampled_from(list(p.SCHEMES)),
     teeth=TEETH,

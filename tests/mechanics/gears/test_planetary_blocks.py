@@ -26,6 +26,7 @@ def solutions(task):
     ], found.counts
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("task", TASKS)
 def test_blocks_of_another_size_find_the_same(task, monkeypatch):
     """Solutions in their order, and how many fail each condition."""

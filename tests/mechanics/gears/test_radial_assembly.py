@@ -30,6 +30,7 @@ def most_overlap(pair):
     return found
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("z1, z2, x1, x2, rack", [
     (25, 34, 0.0, 0.0, STUB), (25, 32, 0.3, 0.3, STUB), (40, 50, 0.0, 0.0, FULL), (30, 41, 0.5, 0.5, FULL),
 ])  # fmt: skip

@@ -200,6 +200,7 @@ def test_least_shift_against_the_cut_tooth(z, beta):
     assert below.junction > below.base * (1 + 1e-9)
 
 
+@pytest.mark.exhaustive
 @given(pairs(internal=False))
 def test_equal_sliding(pair):
     x1 = shift_sharing.equal_sliding(pair)

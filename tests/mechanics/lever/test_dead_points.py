@@ -86,6 +86,7 @@ def test_both_sides_of_a_corner_count_among_the_extremes(sign, end):
 LENGTHS = st.floats(0.3, 3.0)
 
 
+@pytest.mark.exhaustive
 @settings(max_examples=60, deadline=None)
 @given(
     LENGTHS,

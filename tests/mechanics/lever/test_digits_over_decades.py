@@ -33,6 +33,7 @@ def solved(name: str, distance: float, jitter: int = 1):
         return found, values, ours.misses(values, ours.found(scene, found))
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", many(sorted(SCENES, key=lambda name: name not in QUICK), len(QUICK)))
 def test_places_rates_and_forces_are_within_ten_bounds(name):
     for distance in DISTANCES if name != "stretched triad" else DISTANCES[2:4]:
@@ -45,6 +46,7 @@ def test_places_rates_and_forces_are_within_ten_bounds(name):
                 assert miss.times <= FACTOR, (distance, kind, miss)
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize(
     "name", many(["rod = crank", "links in line", "tangent slot", "flat yoke", "parallel guides"], 2)
 )

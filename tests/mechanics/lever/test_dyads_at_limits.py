@@ -25,6 +25,7 @@ def limits(of: Cycle) -> np.ndarray:
     return np.array([limit for critical in of.critical for limit in critical.limits])
 
 
+@pytest.mark.exhaustive
 @settings(max_examples=60)
 @given(LENGTHS, LENGTHS, LENGTHS, LENGTHS, BESIDE, st.sampled_from([1, -1]))
 def test_rod_and_rocker(a, b, c, d, off, side):
@@ -51,6 +52,7 @@ def test_rod_and_rocker(a, b, c, d, off, side):
     assert np.abs(B - d)[there] == pytest.approx(c, rel=1e-9)
 
 
+@pytest.mark.exhaustive
 @settings(max_examples=40)
 @given(LENGTHS, LENGTHS, st.floats(-1, 1), BESIDE, st.sampled_from([1, -1]))
 def test_rod_and_guide(r, l, e, off, side):

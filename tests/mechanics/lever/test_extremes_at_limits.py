@@ -29,6 +29,7 @@ def coarse(monkeypatch):
     monkeypatch.setattr(truth_of, "GRID", GRID)
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("family", many(sorted(FAMILIES, key=lambda family: family not in QUICK), len(QUICK)))
 def test_extremes_are_right_on_both_sides_of_every_corner(family):
     verdicts = [judged(draw(family, number, SEED)) for number in range(EACH)]
@@ -45,6 +46,7 @@ def test_a_thousandth_of_a_millimetre_beside_the_limit_they_are_right_to_the_dig
     assert not judged(draw(family, 0, SEED, Fraction(1, 1000))).wrong
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("family", ["four-bar", "kite, crank = frame", "offset = rod − crank"])
 def test_the_side_that_is_told_is_the_side_that_has_the_value(family):
     """Before the corner and after it the rates differ; what is told of one side is the limit from there."""
@@ -67,6 +69,7 @@ def test_the_side_that_is_told_is_the_side_that_has_the_value(family):
     assert met
 
 
+@pytest.mark.exhaustive
 def test_a_wrong_extreme_is_noticed(monkeypatch):
     """The judge can say no: one value off by a millionth, one jump that is not told."""
     scene = draw("four-bar", 0, SEED)

@@ -53,6 +53,7 @@ def test_a_constant_is_extreme_at_position_0():
     ] * 2
 
 
+@pytest.mark.exhaustive
 def test_the_size_of_a_vector_is_exact_where_it_vanishes():
     """An ellipse through the origin: between 0 and its long axis, both within it where no point of the grid lies."""
     over = panels(TURN)

@@ -77,6 +77,7 @@ def test_what_is_read_off_is_the_analytical_value(legs, seed):
             assert number == pytest.approx(exact, abs=allowed), (key, plan.kind)
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("legs", ["turning", "guide on the basis"])
 def test_most_mechanisms_can_be_drawn_so(legs):
     found = [one for one in (plans(seed, LEGS[legs]) for seed in range(8)) if one is not None]
@@ -86,6 +87,7 @@ def test_most_mechanisms_can_be_drawn_so(legs):
         assert all((step.special is None) != (step.projections is None) for step in plan.steps)
 
 
+@pytest.mark.exhaustive
 @settings(max_examples=examples(10))
 @given(seed=seeds)
 def test_the_special_point_is_where_the_lines_of_two_legs_cross(seed):

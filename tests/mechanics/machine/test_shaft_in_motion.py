@@ -126,6 +126,7 @@ def test_by_angle_and_by_time_are_one_motion():
     )
 
 
+@pytest.mark.exhaustive
 def test_whole_cycles_by_collocation_are_those_by_small_steps():
     """A start-up of some turns; the same with a load stated by time, which is stepped through from end to end."""
     machine = plant(MOTOR, WAVY, **UNEVEN)
@@ -139,6 +140,7 @@ def test_whole_cycles_by_collocation_are_those_by_small_steps():
     assert one.error < 1e-8 and one.residual < 1e-6
 
 
+@pytest.mark.exhaustive
 def test_a_start_from_rest_keeps_its_energy_and_meets_the_equation():
     machine = plant(MOTOR, WAVY, **UNEVEN)
     steady = periodic(machine, level(machine.net, 0.0))
@@ -149,6 +151,7 @@ def test_a_start_from_rest_keeps_its_energy_and_meets_the_equation():
     assert (found.omega[:-1] < 0.98 * TURN.at(steady.omega, found.phi[:-1])).all()
 
 
+@pytest.mark.exhaustive
 def test_no_step_leaps_over_a_load():
     """Neither one that acts over a part of the turn nor one that acts for a short time."""
     bump = moment(lambda x: np.where(x < 4, -12.0, 0.0))

@@ -56,6 +56,7 @@ def test_the_coordinate_has_its_own_differences_as_derivatives(name: str) -> Non
         assert abs((after.d - before.d) / (2 * h) - here.dd) < 1e-35
 
 
+@pytest.mark.exhaustive
 def test_a_roller_on_a_circle_keeps_its_distance_from_the_circles_centre() -> None:
     built = linkage("circle")
     cycle, cam = cycle_of(built), built.mechanism.cams[0]

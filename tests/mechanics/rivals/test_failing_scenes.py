@@ -73,12 +73,14 @@ def test_the_judge_sees_a_wrong_number():
     assert judged(columns.exact("harmless"), found, KINDS).verdict == WRONG
 
 
+@pytest.mark.exhaustive
 def test_the_judge_sees_another_assembly():
     """The parallelogram 10 pm off goes on as an antiparallelogram; what goes straight on is wrong."""
     straight = columns.of_motion(columns.solved("parallelogram").kinematics.table)
     assert judged(columns.exact("10 pm"), straight, KINDS).verdict == WRONG
 
 
+@pytest.mark.exhaustive
 def test_the_judge_sees_a_position_that_is_none_and_a_gap_not_told():
     found = columns.of_motion(columns.solved("harmless").kinematics.table)
     assert judged(columns.exact("short rod"), found, ("velocity",)).verdict == WRONG

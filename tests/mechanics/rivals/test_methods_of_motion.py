@@ -73,6 +73,7 @@ def run(key: str, of: Cycle, count: int = COUNT):
     return (PLAIN_NEWTON if key == PLAIN_NEWTON.key else motion_method(key)).run(of, count)
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", VARIANTS)
 def test_every_method_finds_the_motion_of_the_groups(name):
     of = cycle(name)
@@ -224,6 +225,7 @@ def test_a_position_0_that_is_singular_or_none_at_all_breaks_the_method():
             run(key, slider_crank(2.0, zero=np.pi / 2))
 
 
+@pytest.mark.exhaustive
 def test_a_library_that_finds_no_step_short_enough_breaks_down_in_words():
     with pytest.raises(ArithmeticError, match="assembly ends"):
         run("constraints_dop853", slider_crank(0.9, 0.15))

@@ -59,6 +59,7 @@ def test_a_shunt_motor_comes_to_its_speed_exponentially():
     assert "angle" in str(KEYS["energy"].refuses(SHUNT))
 
 
+@pytest.mark.exhaustive
 def test_what_is_driven_by_angle_keeps_its_balance_of_energy():
     for key in accepted(SWINGING):
         found = KEYS[key].run(SWINGING, 400)

@@ -38,6 +38,7 @@ def at_positions(curve, table) -> np.ndarray:
     return curve.values[near]
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", CAMS)
 def test_curves_of_the_law_are_those_of_the_results(name):
     for one in pairs(name):
@@ -50,6 +51,7 @@ def test_curves_of_the_law_are_those_of_the_results(name):
             assert np.max(np.abs(at_positions(curve, table) - values)) < CLOSE * 5 * np.max(np.abs(values))
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", CAMS)
 def test_the_pressure_angle_stands_between_its_limits(name):
     for one in pairs(name):
@@ -64,6 +66,7 @@ def test_the_pressure_angle_stands_between_its_limits(name):
         assert np.max(np.abs(at_positions(found[2], table) - np.degrees(table[f"cam_alpha_{own}"]))) < 0.05
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", CAMS)
 def test_the_extremes_marked_are_those_of_the_text(name):
     """The figures beside the extremes of the drawn curves: exact ones, not those of the diagram positions."""
@@ -77,6 +80,7 @@ def test_the_extremes_marked_are_those_of_the_text(name):
             assert f"{value:.4g}" in words, value
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", CAMS)
 def test_the_profile_is_drawn_at_the_scale_of_its_caption(name):
     """Every contact of the table lies on the outline drawn, turned as the cam stands in position 0."""

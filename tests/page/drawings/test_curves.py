@@ -154,6 +154,7 @@ def rockers(document: dict[str, Any]) -> list[str]:
     return [key for key in table_of(document, "outputs_table") if key.startswith("psi_")]
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize(("name", "language"), in_both(LEVERS))
 def test_printed_scales_are_those_of_the_axes(name, language):
     """What 1 mm of a diagram stands for, each letter's in the order of the diagrams."""

@@ -54,6 +54,7 @@ def wrong_curve(key: str, curve: Curve, table: dict[str, np.ndarray]) -> Iterato
             yield f"{key} at {phi:.5g}°: {value:.5g} is drawn as {beside[1]:.5g}"
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", WITH)
 def test_diagrams_of_the_flywheel(name):
     document, found, seen = results(name), [], set()
@@ -67,6 +68,7 @@ def test_diagrams_of_the_flywheel(name):
     wrong([*found, *(f"{key} is not drawn" for key in wanted - seen)])
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", WITH)
 def test_the_scales_in_the_caption_are_those_of_the_axes(name):
     note = html(name)

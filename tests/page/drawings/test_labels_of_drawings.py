@@ -86,6 +86,7 @@ def of_all(name: str, found) -> list[str]:
     return [f"{anchor}: {fault}" for anchor, drawing in drawings(name).items() for fault in found(drawing)]
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", CHOSEN)
 def test_no_label_lies_on_another(name):
     wrong(of_all(name, overlapping))

@@ -179,6 +179,7 @@ def bar_of_a_hundred(pdf: bytes) -> list[float]:
     ]
 
 
+@pytest.mark.exhaustive
 @pytest.mark.skipif("compressor" not in CHOSEN, reason="looks at another variant")
 @pytest.mark.parametrize(
     "printed",

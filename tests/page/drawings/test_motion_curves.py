@@ -40,6 +40,7 @@ def wrong_figure(name: str, caption: str, drawn: list[Curve]) -> Iterator[str]:
             yield f"{caption}: {key} is drawn {off:.3g} off"
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", MOVING)
 def test_diagrams_of_the_machine_in_motion(name):
     found = [(caption, drawn) for caption, drawn in graphs(html(name, "en"))]

@@ -35,6 +35,7 @@ def by_a_segment(given: LeverGiven) -> LeverGiven:
     )
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("changed", [by_hand, on_one_flank, by_a_segment])
 @pytest.mark.parametrize("name", many(["shaper", "compressor", "quick_return"]))
 def test_every_number_is_marked_and_right(name, changed):

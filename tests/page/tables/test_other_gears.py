@@ -77,6 +77,7 @@ def made(name: str):
     )
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", CASES)
 def test_marked_numbers_are_those_of_the_results(name):
     note, document = made(name)
@@ -84,6 +85,7 @@ def test_marked_numbers_are_those_of_the_results(name):
     wrong([*wrong_cells(note, document), *wrong_formulas(note, document), *wrong_spans(note, document)])
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", CASES)
 def test_every_printed_number_is_marked(name):
     wrong(list(unmarked(made(name)[0])))

@@ -31,6 +31,7 @@ def with_two_moments(given: LeverGiven) -> LeverGiven:
     return replace(given, loads=replace(given.loads, moments=(*given.loads.moments, *two)))
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("changed", [without_loads, with_two_moments])
 @pytest.mark.parametrize("name", many(NAMES))
 def test_every_number_is_marked_and_right(name, changed):
@@ -43,6 +44,7 @@ def test_every_number_is_marked_and_right(name, changed):
     wrong([*(one for some in found for one in some), *unmarked(note)])
 
 
+@pytest.mark.exhaustive
 def test_two_moments_on_one_link_are_told_apart():
     """Their symbols are as many as they are, in the table of the loads and wherever they act."""
     ready = variant_of("crank_rocker")

@@ -257,6 +257,7 @@ def shown(curve: Curve, phi: np.ndarray) -> np.ndarray:
     return of.factor * np.interp(phi, curve.turned[order], curve.values[order])
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", BALANCED)
 def test_diagrams_show_columns_of_the_results(name):
     """Each curve of F and M is one of the shaking, before or after; the first of both is that of before."""

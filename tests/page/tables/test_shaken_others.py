@@ -45,6 +45,7 @@ def made(state: str):
     return note, json.loads(render(found, "json", "en")["results.json"])
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("state", many(STATES, 2))
 def test_every_number_is_marked_and_right(state):
     note, document = made(state)
@@ -52,6 +53,7 @@ def test_every_number_is_marked_and_right(state):
     wrong([*found, *unmarked(note), *wrong_results(note)])
 
 
+@pytest.mark.exhaustive
 def test_that_guides_forbid_full_balance_is_said():
     note, document = made("guides alone on the way to the frame")
     said = "".join(note.root.itertext())

@@ -102,6 +102,7 @@ def test_an_offset_slider_with_a_load_far_from_its_guide(name):
         np.testing.assert_allclose(first, solved_table.balancing + lost / solved_table.motion.omega)
 
 
+@pytest.mark.exhaustive
 def test_means_over_the_cycle_of_sliders_that_tilt():
     """With the kinks where a slider begins to tilt and where it is pressed on its other face: some 1e-7 of a sum over
     36 000 positions is its own."""

@@ -47,6 +47,7 @@ def shifted(given, x):
     return replace(given, shift=(float(x.real), float(x.imag)))
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("given", many(PAIRS.values()), ids=PAIRS)
 def test_the_contour_is_bounded_by_every_limit_that_solve_knows(given):
     pair = choose_shifts(given, choose_teeth(given))

@@ -41,6 +41,7 @@ def test_the_swing_of_the_excess_work_is_what_mertsalov_sizes_a_flywheel_by():
     assert one.error(720) < 1e-3
 
 
+@pytest.mark.exhaustive
 def test_the_friction_that_a_flywheel_leaves_out_is_left_out_of_the_counting():
     text = next(path for path in ALL_FILES if path.stem == "compressor").read_text("utf-8")
     assert text.count("\nflywheel:") == 1 and "\nmethods:" not in text

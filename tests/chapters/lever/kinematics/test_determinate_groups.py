@@ -24,6 +24,7 @@ def test_equations_of_every_group_are_as_many_as_its_unknowns():
         assert p5.sum() + 1 == found.lower_pairs and p4.sum() == found.higher_pairs
 
 
+@pytest.mark.exhaustive
 def test_every_kind_of_pair_is_told():
     for path in LEVERS:
         assert {pair.kind for pair in solved(path.stem).lever.structure.pairs} <= KNOWN.keys()

@@ -117,6 +117,7 @@ def test_where_fewer_digits_remain_than_are_printed_the_solution_fails(tmp_path)
     assert "6 digits remain" in runs[1].output and "no more than rounding does" in runs[1].output
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("beside, first", [(1e-9, False), (1e-11, True)])
 def test_the_note_says_it_in_its_conclusions(beside, first):
     html = render(solve(loads(stated(beside))), "html", Translator("en"))["note.html"].decode()

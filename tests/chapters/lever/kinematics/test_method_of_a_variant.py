@@ -125,6 +125,7 @@ def test_exact_methods_find_what_the_closed_form_finds(method):
     assert off(by(method), by("groups")) < 1e-8
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", ["shaper", "quick_return"])
 def test_the_chapters_after_it_take_another_motion_as_their_own(name):
     """Guides that move, a group of class III, friction corrected: all of the note goes on from there."""
@@ -169,6 +170,7 @@ def test_the_closed_form_never_misses(method):
     assert by(method, 1e-15).kinematics.missed is None
 
 
+@pytest.mark.exhaustive
 def test_what_is_missed_ends_with_exit_code_1_and_stands_first_in_the_note(tmp_path):
     file = tmp_path / "small.yaml"
     file.write_text(SMALL + "method: differences\naccuracy: 1e-3\n", "utf-8")
@@ -181,6 +183,7 @@ def test_what_is_missed_ends_with_exit_code_1_and_stands_first_in_the_note(tmp_p
     assert "errs by" in note.split("The explanatory note has these sections")[0]
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize(("line", "told"), [("method: spline", True), ("method: closed form", False)])
 def test_explain_tells_that_the_results_come_from_another_method(line, told, tmp_path):
     file = tmp_path / "small.yaml"
@@ -254,6 +257,7 @@ def compared():
     return solve_lever(replace(small().lever, methods=Comparison(1e-3))).methods
 
 
+@pytest.mark.exhaustive
 def test_every_family_names_the_cheapest_that_holds_the_accuracy(compared):
     assert set(compared.families) == {"motion", "forces"}
     for family in compared.families.values():
@@ -281,6 +285,7 @@ def test_the_recommended_number_of_positions_is_the_first_that_is_good_throughou
     assert k == 0 or any(row[k - 1] > 1e-3 for row in counted.errors.values())
 
 
+@pytest.mark.exhaustive
 def test_the_note_says_by_which_method_and_compares():
     variant = small("method: spline", "accuracy: 0.2", "methods: true")
     note = render(solve(variant), "html")["note.html"].decode()
@@ -300,6 +305,7 @@ def test_every_row_of_the_table_prints_its_own_numbers(compared):
             assert {cell.ref.row for cell in row if isinstance(cell, Cell)} == {k}
 
 
+@pytest.mark.exhaustive
 def test_without_loads_there_are_no_methods_of_forces():
     lever = replace(small("methods: true").lever, loads=None)
     found = solve_lever(lever).methods

@@ -85,6 +85,7 @@ def half_lost(found) -> list[tuple[str, str]]:
     return wrong
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", CASES)
 def test_a_vector_is_lost_in_all_its_components(name):
     found = solve(loads(CASES[name]))
@@ -104,6 +105,7 @@ def test_a_vector_is_lost_in_all_its_components(name):
         ), key
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", ["parallelogram_drive", "loom", "slotter"])
 def test_ready_variants_lose_whole_vectors(name):
     assert half_lost(solve(load(Path("variants") / f"{name}.yaml"))) == []
@@ -115,6 +117,7 @@ def note(text: str) -> str:
     return re.sub(r"<[^>]+>", "", re.sub(r"<(svg|style)\b.*?</\1>", "", html, flags=re.S))
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", ["four-bar that jams", "rod shorter than the crank"])
 def test_the_failure_is_said_first(name):
     text = note(CASES[name])
@@ -129,6 +132,7 @@ def test_the_failure_is_said_first(name):
         assert first.startswith(told), first[:200]
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", ["four-bar that jams", "rod shorter than the crank"])
 def test_what_grows_without_bound_has_no_extremes(name):
     found = solve(loads(CASES[name]))
@@ -143,6 +147,7 @@ def test_what_grows_without_bound_has_no_extremes(name):
     assert "varies over the cycle" not in conclusion and "nan" not in conclusion.replace("inance", "")
 
 
+@pytest.mark.exhaustive
 def test_nothing_is_averaged_over_a_cycle_that_is_none():
     found = solve(loads(CASES["rod shorter than the crank"]))
     assert np.isnan(found.lever.friction.mean_power) and np.isnan(found.lever.friction.mean_efficiency)
@@ -163,6 +168,7 @@ def test_a_position_that_is_a_limit_has_a_place_but_no_rates():
     assert np.isfinite(beside.values["v_B"][1])  # 0.01° before it: real, however fast
 
 
+@pytest.mark.exhaustive
 @settings(max_examples=12)
 @given(st.floats(0.05, 0.2), st.floats(0.03, 0.2), st.floats(-0.1, 0.1), st.booleans(), st.floats(0, 360))
 def test_a_jam_is_told_whatever_the_spacing_of_the_table(crank, rod, offset, forward, start):

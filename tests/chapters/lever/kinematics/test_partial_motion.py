@@ -84,6 +84,7 @@ def test_what_lies_behind_a_gap_is_reached_over_position_0(rod, rocker, sense):
     assert travel.S[10] == pytest.approx(np.interp(-np.pi / 3, phi, psi) - np.interp(0, phi, psi), abs=1e-6)
 
 
+@pytest.mark.exhaustive
 def test_no_limit_is_counted_from_the_sketch():
     """Position 0 lies in the gap: there is no turning from it, and angles are of it alone."""
     (gap,) = solve(loads(TRIAD.replace("ZERO", "-160"))).lever.kinematics.gaps

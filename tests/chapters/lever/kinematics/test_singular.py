@@ -35,6 +35,7 @@ def parallelogram():
     return solve(loads(PARALLELOGRAM))
 
 
+@pytest.mark.exhaustive
 def test_the_parallelogram_stays_one_through_its_change_points(parallelogram):
     """Velocities in the change points are the limits; only plans and reactions do not exist there."""
     k = parallelogram.lever.kinematics
@@ -153,6 +154,7 @@ loads: {}
 """
 
 
+@pytest.mark.exhaustive
 def test_class_three_group_is_followed_to_its_limits():
     """With a longer crank the group reaches its limit: found exactly, and the positions that exist are solved."""
     whole = solve(loads(TRIAD.replace("CRANK", "50 mm")))
@@ -167,6 +169,7 @@ def test_class_three_group_is_followed_to_its_limits():
         assert sorted(beside.closes) == [False, True]
 
 
+@pytest.mark.exhaustive
 def test_no_huge_number_anywhere(parallelogram):
     assert parallelogram.lever.kinetostatics.agrees
     document = json.loads(render(parallelogram, "json")["results.json"])
@@ -182,6 +185,7 @@ def test_no_huge_number_anywhere(parallelogram):
     assert balancing[2]["key"] == "M_bal" and abs(balancing[2]["values"][6] + 6.962) < 1e-9
 
 
+@pytest.mark.exhaustive
 def test_the_note_says_so(parallelogram):
     text = render(parallelogram, "html")["note.html"].decode()
     assert "passes a change point: its two assemblies meet and two continuations exist" in text
@@ -232,6 +236,7 @@ mechanism:
     assert k.closest[0].parallel == pytest.approx((np.pi / 3,), abs=1e-9)
 
 
+@pytest.mark.exhaustive
 def test_a_lone_change_point_exists_but_has_no_velocities():
     """rod = crank + offset: at 270° the rod is just long enough, and the slider turns back with a jump of velocity."""
     text = (
@@ -247,6 +252,7 @@ def test_a_lone_change_point_exists_but_has_no_velocities():
     assert "is kept in the stated one" in note and "passes a change point" not in note
 
 
+@pytest.mark.exhaustive
 def test_a_slider_at_rest_has_no_dead_points():
     """Rod equal to crank from 90° on: the slider stays in the crank's pivot all round."""
     text = slider(0.1, 0.1).replace("counter-clockwise}", "counter-clockwise, zero: {angle: 90 deg}}")

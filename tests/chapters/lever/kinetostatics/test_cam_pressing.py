@@ -72,6 +72,7 @@ def test_a_spring_that_is_strong_enough_closes_the_pair():
     assert one.least.value > 0
 
 
+@pytest.mark.exhaustive
 def test_the_least_and_the_greatest_bound_all_positions():
     for law in ("parabolic", "sine", "polynomial"):
         (one,) = valve(law).kinetostatics.pressings

@@ -93,6 +93,7 @@ def press() -> str:
     return note_of("press")
 
 
+@pytest.mark.exhaustive
 def test_the_note_says_where_the_engine_drives(press):
     found = forces("press")
     told = plain(press)
@@ -104,6 +105,7 @@ def test_the_note_says_where_the_engine_drives(press):
     assert positions(gives) == set(np.flatnonzero(moment < -nothing))
 
 
+@pytest.mark.exhaustive
 def test_the_table_of_senses_goes_from_zero_to_a_whole_turn(press):
     caption = press.index("Senses of the balancing moment over the cycle")
     (body,) = re.findall(r"<tbody>.*?</tbody>", press[caption : press.index("</table>", caption)])
@@ -116,6 +118,7 @@ def test_the_table_of_senses_goes_from_zero_to_a_whole_turn(press):
         assert words.startswith("along" if drives else "opposite")
 
 
+@pytest.mark.exhaustive
 def test_the_side_of_a_jump_is_said(press):
     """The press is loaded at once at 145°: its greatest moment is that just after the jump."""
     assert "145° after the jump" in plain(press)
@@ -137,6 +140,7 @@ positions: {plans: [2], force_plan: 2}
 """
 
 
+@pytest.mark.exhaustive
 def test_a_moment_that_is_nothing_has_no_sense_and_no_jumps():
     """A crank whose counterweight holds the rod: what is left of the moment is rounding."""
     results = course.solve(course.loads(COUNTERWEIGHT.replace("MASS", "2 kg")))

@@ -72,6 +72,7 @@ def column(text: str, key: str, table: str = "reactions_table"):
     return next(c["values"] for c in written["tables"][table]["columns"] if c["key"] == key)
 
 
+@pytest.mark.exhaustive
 def test_the_force_at_a_pivot_goes_to_the_stated_link():
     """The pivot's reaction differs by the force, and nothing else does."""
     rod, slider = PUMP + at("D", "constant: 700 N", ", on: 4"), PUMP + at("D", "constant: 700 N", ", on: 5")
@@ -84,6 +85,7 @@ def test_the_force_at_a_pivot_goes_to_the_stated_link():
     assert found(rod).lever.kinetostatics.agrees
 
 
+@pytest.mark.exhaustive
 def test_the_note_and_the_results_say_which_link_takes_it():
     for text, link in (
         (PUMP + at("D", "constant: 700 N"), "5"),
@@ -112,6 +114,7 @@ def test_the_link_that_takes_a_force_has_its_point_and_moves():
 # ---------------------------------------------------------------- points at one place
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("point", many(("A: 100 mm", "O: 0", "S1: 50 mm")))
 def test_a_point_may_stand_at_the_place_of_another(point):
     """Loads and masses at it do what they do at the other; the lengths are as without it."""
@@ -129,6 +132,7 @@ def test_a_point_may_stand_at_the_place_of_another(point):
     assert same == pytest.approx(0 if name == "O" else found(there).lever.kinematics.values[f"v_{name}"])
 
 
+@pytest.mark.exhaustive
 def test_a_point_at_the_place_of_the_first_leaves_its_axis_to_the_next():
     text = PUMP.replace("{O: 0, A: 100 mm,", "{O: 0, P0: 0, A: 100 mm,")
     assert found(text).lever.kinematics.table.place("D") == pytest.approx(

@@ -105,6 +105,7 @@ def test_full_balance_alone_where_guides_forbid_it_is_explained():
     assert key == "balancing.methods" and "no path of pivots joins links 5" in text
 
 
+@pytest.mark.exhaustive
 def test_without_a_mechanism_the_block_is_out_of_place():
     with pytest.raises(ProblemError) as error:
         course.loads("eccentric: {module: 2 mm, teeth: [34, 60, 136]}\nbalancing: {part: 0.4}\n")

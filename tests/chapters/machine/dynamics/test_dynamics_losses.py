@@ -143,6 +143,7 @@ def test_in_steady_motion_a_part_drives_and_is_driven_by_turns():
     assert len(of.bends) >= 2 and of.residual < 1e-6
 
 
+@pytest.mark.exhaustive
 def test_a_motor_without_a_speed_gives_what_the_gears_lose_too():
     """Moments of the angle alone: the constant moment by which the cycle closes, by a shooting of its own."""
     text = SWINGING + "  motor: {constant: %r}\n  speed: 25\n  steady: %s\n"

@@ -76,6 +76,7 @@ def test_the_rod_is_replaced_with_its_mass_and_its_centre():
 LAYOUT = st.lists(st.tuples(st.floats(-3, 3), st.floats(0, 6), st.floats(-0.5, 0.5)), min_size=1, max_size=8)
 
 
+@pytest.mark.exhaustive
 @settings(max_examples=examples(60))
 @given(LAYOUT, st.floats(0.05, 0.4))
 def test_the_orders_add_up_to_the_exact_forces_of_any_layout(layout, lam):
@@ -374,6 +375,7 @@ def test_what_is_left_of_rounding_needs_no_weight():
     assert [one.forward for one in found.remedies if one.kind == "none"] == [0, 0, 0]
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize(
     "layout", ["vee: {angle: 45 deg, cranks: [%s], spacing: 0.1}", "radial: {cylinders: 24}"]
 )

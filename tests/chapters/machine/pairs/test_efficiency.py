@@ -97,6 +97,7 @@ def test_equal_parts_side_by_side_are_as_good_as_one():
 # ---------------------------------------------------------------- two ways
 
 
+@pytest.mark.exhaustive
 @settings(max_examples=30)
 @given(TREES)
 def test_what_the_modules_lose_is_what_the_whole_loses(tree):

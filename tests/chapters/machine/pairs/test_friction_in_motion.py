@@ -49,6 +49,7 @@ def told(results) -> str:
 # ---------------------------------------------------------------- the flywheel and its motor
 
 
+@pytest.mark.exhaustive
 def test_the_work_of_friction_is_that_of_its_power_over_the_cycle():
     found = press()
     wheel, lost = found.flywheel, mean_lost(found)
@@ -58,6 +59,7 @@ def test_the_work_of_friction_is_that_of_its_power_over_the_cycle():
     np.testing.assert_allclose(-table["M_fr"].numbers(), found.lever.friction.table.reduced, rtol=1e-6)
 
 
+@pytest.mark.exhaustive
 def test_the_power_balance_closes_with_friction_in_it():
     """What the motor gives is what the loads take and what the pairs lose; without friction it is 375 W."""
     without, found = press(more="friction: false").flywheel, press()
@@ -102,6 +104,7 @@ def test_friction_alone_is_a_load():
     assert found.flywheel.sides.machine.friction_share == pytest.approx(100)
 
 
+@pytest.mark.exhaustive
 def test_corrected_reactions_give_the_friction_of_the_motion():
     corrected = FRICTION[:-1] + ", corrected: true}"
     found = press(friction=corrected)
@@ -129,6 +132,7 @@ def test_friction_slows_the_machine_and_stops_it_sooner():
         assert sum(run.works.values()) == pytest.approx(run.gained, abs=1e-5) and run.error < 1e-6
 
 
+@pytest.mark.exhaustive
 def test_work_of_friction_in_steady_motion_is_by_its_power_at_the_stated_speed():
     results = solved("piston_pump")
     work, omega = results.dynamics.steady.works["pairs"], abs(results.lever.kinematics.omega)
@@ -137,6 +141,7 @@ def test_work_of_friction_in_steady_motion_is_by_its_power_at_the_stated_speed()
     assert values["dynamics_P_fr"] == pytest.approx(results.lever.friction.mean_power)
 
 
+@pytest.mark.exhaustive
 def test_friction_alone_stops_a_machine():
     """No resistance, no load: the kinetic energy goes through the pairs, J ω²/2 = ∫ M dφ, by small steps."""
     text = """
@@ -171,6 +176,7 @@ def test_a_machine_that_starts_from_a_place_with_little_load_comes_to_its_steady
 # ---------------------------------------------------------------- who leaves it out
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("block", ["flywheel", "dynamics"])
 def test_what_is_left_out_is_told(block):
     rest = "\ndynamics: {parts: [{name: wheel, inertia: 2}]%s}\n"
@@ -189,6 +195,7 @@ def test_what_is_left_out_is_told(block):
         assert book[f"{block}_P_fr_share"].value == pytest.approx(share, rel=1e-6)
 
 
+@pytest.mark.exhaustive
 def test_reactions_without_bound_leave_friction_out_and_are_told():
     """A parallelogram stretches out twice a turn, where its links hold any load across them."""
     text = """
@@ -234,6 +241,7 @@ def test_a_machine_alone_has_no_pairs(text, wrong):
         course.loads(text)
 
 
+@pytest.mark.exhaustive
 def test_friction_that_is_not_stated_cannot_be_asked_for():
     with pytest.raises(ProblemError, match="no friction of the pairs is stated"):
         press(friction="", more="friction: true")

@@ -438,6 +438,7 @@ def test_the_number_of_parts_that_a_refusal_asks_for_is_enough():
     assert cut.covered >= 3
 
 
+@pytest.mark.exhaustive
 def test_a_guide_that_does_not_wear_has_a_note_all_the_same():
     text = PUMP.split("\nbalancing:")[0] + "\n" + OWN.replace("1e-15", "{slider: 1e-15, guide: 0}")
     made = note.render(course.solve(course.loads(text)), "html", Translator("en"))["note.html"].decode()

@@ -117,6 +117,7 @@ def test_the_largest_allowed_damping_gives_the_wanted_force_ratio(wanted, eta):
 # --- dry friction
 
 
+@pytest.mark.exhaustive
 def test_dry_friction_by_the_closed_form_is_what_the_integrated_motion_settles_to():
     body, omega, force, friction = Body(400.0, 250e3), 40.0, 600.0, 120.0
     sought = vib.dry_exact(body, omega, force, friction)

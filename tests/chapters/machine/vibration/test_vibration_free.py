@@ -120,6 +120,7 @@ def test_an_absorber_stills_a_machine_that_alone_is_in_resonance(mass, speed):
         assert "without bound" in str(note.render(found, fmt, Translator("en")))
 
 
+@pytest.mark.exhaustive
 def test_the_amplitude_alone_grows_as_the_motion_from_rest_does():
     of = solved(f"{{{MAIN}, absorber: {{mass: 20}}}}").vibration
     own = solve_ivp(lambda t, y: [y[1], (500 * math.sin(of.omega * t) - 1e5 * y[0]) / 100], (0, 4), [0.0, 0.0],

@@ -83,6 +83,7 @@ def test_a_harmonic_of_rounding_does_not_ring_and_a_high_one_does():
     assert "harmonic 10" in said
 
 
+@pytest.mark.exhaustive
 def test_the_narrow_peak_of_a_tuned_absorber_is_found_at_its_top():
     """Little damped: half as high a thousandth of the frequency away."""
     body = Body(400.0, 250e3, 2 * 0.001 * math.sqrt(400.0 * 250e3))

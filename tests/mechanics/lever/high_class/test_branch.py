@@ -45,6 +45,7 @@ def near_miss(factor: float) -> Mechanism:
     return longer(made, "3", "P4", 1.009175747207921 + factor)
 
 
+@pytest.mark.exhaustive
 def test_gaps_shrink_with_the_square_root_and_are_never_jumped_over():
     """From one degree down to a ten-thousandth; past the tangency there is none, however near it is."""
     widths = []
@@ -208,6 +209,7 @@ def test_a_sketch_at_a_limit_is_refused(off):
     assert "two assemblies" in problem.text() and problem.path == ("mechanism", "sketch")
 
 
+@pytest.mark.exhaustive
 def test_positions_do_not_jump_at_random():
     """Class III and IV with long cranks, most of which jam: joints meet and nothing jumps, both ways round."""
     jammed = 0

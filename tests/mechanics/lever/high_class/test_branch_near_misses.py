@@ -59,6 +59,7 @@ def ways(cycle, turned):
     return len(assemblies(group.loops, group.known[0](phi)))
 
 
+@pytest.mark.exhaustive
 def test_a_gap_of_five_thousandths_of_a_degree_is_not_taken_for_a_crossing():
     cycle, (first, last) = solved(NEAR_CROSSING)
     assert np.degrees([first, last]) == pytest.approx([195.721697, 195.726923], abs=1e-6)

@@ -73,6 +73,7 @@ def before(lane):
     return KnownPart(group.loops, group.known[0])
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("lane", [10, 4, 18])
 def test_between_its_angles_the_known_part_is_what_is_solved_there(lane):
     known = before(lane)

@@ -52,6 +52,7 @@ def test_two_equations_in_the_plane_are_a_quadratic():
     np.testing.assert_allclose(np.sort_complex(roots[:, 1] / roots[:, 0]), expected, rtol=1e-11)
 
 
+@pytest.mark.exhaustive
 @settings(max_examples=examples(25))
 @given(
     name=st.sampled_from(("III3", "IV2")),

@@ -41,6 +41,7 @@ schemes = st.builds(
 )
 
 
+@pytest.mark.exhaustive
 @settings(max_examples=examples(15))
 @given(schemes)
 def test_joints_meet_all_round(scheme):
@@ -62,6 +63,7 @@ def test_joints_meet_all_round(scheme):
         assert np.abs(t - s.u[slide.link] * slide.direction).max() < 1e-13
 
 
+@pytest.mark.exhaustive
 @settings(max_examples=examples(8))
 @given(schemes)
 def test_velocities_and_accelerations_are_derivatives(scheme):
@@ -79,6 +81,7 @@ def test_velocities_and_accelerations_are_derivatives(scheme):
             assert error < 1e-8 * max(np.abs(exact).max(), omega**2)
 
 
+@pytest.mark.exhaustive
 @settings(max_examples=examples(10))
 @given(schemes, st.integers(0, 1000))
 def test_reactions_agree_with_one_system_for_all_links(scheme, seed):
@@ -103,6 +106,7 @@ def test_reactions_agree_with_one_system_for_all_links(scheme, seed):
                 assert abs(abs(force) - abs(first)) < 1e-9 * size and abs(moment - second) < 1e-9 * size
 
 
+@pytest.mark.exhaustive
 @settings(max_examples=examples(10))
 @given(schemes, st.floats(-3, 3), st.sampled_from([1e-6, 1e-3, 1.0, 1e3]))
 def test_turn_scale_and_names_change_nothing(scheme, angle, scale):

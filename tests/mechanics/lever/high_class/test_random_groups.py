@@ -79,6 +79,7 @@ def test_a_parallelogram_of_rods_keeps_its_link_parallel_and_jams_where_a_four_b
     assert np.nanmax(np.abs(turned)) < 1e-9
 
 
+@pytest.mark.exhaustive
 def test_it_jams_where_the_rods_of_the_four_bar_lie_in_one_line():
     batch, right = searched("III-P")
     v = batch.numbers
@@ -122,6 +123,7 @@ def test_the_sample_has_every_kind_of_run():
     assert kinds == {"full turn", "no return", "gap", "no way back"}
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("family", many(sorted(NEAR)))
 def test_the_program_agrees_with_the_search_beside_a_tangency(family):
     batch, right = searched_near(family)
