@@ -109,6 +109,7 @@ class Planter:
 
     def __init__(self, folders: list[Path], golden: bool):
         self.golden = golden
+        self.passes: set[tuple[str, str]] = set()  # tests that pass without a fault, each with its variants
         self.free: SimpleQueue[Path] = SimpleQueue()
         for folder in folders:
             self.free.put(folder)
@@ -116,15 +117,17 @@ class Planter:
     def told(self, fault: Fault) -> tuple[Fault, list[str], str]:
         """A fault, the tests that notice it, and what is wrong with the edit.
 
-        The first test that fails is asked again without the fault: it notices only what it does not say anyway. All
-        tests are asked both ways where it fails there too.
+        The first test that fails is asked once without a fault: it notices only what it does not say anyway. All tests
+        are asked both ways where it fails there too.
         """
         folder = self.free.get()
         try:
             first = self.failing_with(fault, folder, one=True)
-            anyway = failing(folder, fault, self.golden, only=first)
-            if anyway:
+            asked = {(test, fault.variants) for test in first}
+            if not asked <= self.passes and failing(folder, fault, self.golden, only=first):
                 first = self.failing_with(fault, folder) - failing(folder, fault, self.golden)
+            else:
+                self.passes |= asked
             return fault, sorted(first), ""
         except Misplaced as misplaced:
             return fault, [], str(misplaced)
