@@ -19,10 +19,20 @@ from tmm_report.records import dataclass
 if TYPE_CHECKING:
     from tmm_report.mechanics.cams.cam import Cam
     from tmm_report.mechanics.lever.forces.force_on_crank_gear import GearDrive
+    from tmm_report.mechanics.lever.stated_masses import Statement
 
 FRAME = "0"
 
 Scalar = Any  # a number, or an array (V, 1) of numbers, one a variant
+
+
+@dataclass(frozen=True)
+class Said:
+    """How the assignment states what a link weighs, where it is by lengths and other masses: None of plain numbers."""
+
+    mass: Statement | None = None
+    inertia: Statement | None = None
+    middle: tuple[str, str] | None = None  # the joints midway between which the mass centre is taken
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,9 +44,9 @@ class Link:
     mass: Scalar = 0.0
     mass_centre: str | None = None  # the name of one of `points`
     inertia: Scalar = 0.0  # about the mass centre, kg m²
-    stated: tuple[str, float] | None = (
-        None  # a point and the moment of inertia about it, where that is stated
-    )
+    # a point and the moment of inertia about it, where that is stated
+    stated: tuple[str, float] | None = None
+    said: Said | None = None
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,14 +4,25 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from tmm_report.i18n import NP_
 from tmm_report.mechanics.lever.mechanism import FRAME, Link, Mechanism
+from tmm_report.mechanics.lever.stated_masses import (
+    Letter,
+    MassOf,
+    PerLength,
+    Segment,
+    Statement,
+    letters,
+    worked,
+)
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
+from tmm_report.quantity.formula import Expr, expr
+from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column, variable
 from tmm_report.quantity.symbols import Symbol, segment
 from tmm_report.quantity.tabulated import tabulated
 from tmm_report.quantity.written import SEGMENT
@@ -33,6 +44,7 @@ INERTIA = Quantity(
     "J", Symbol("J"), "kg·m²", Message(N_("moment of inertia of the link about its mass centre"))
 )
 AWAY = Quantity("l_about", Symbol("l"), "m", Message(N_("distance of that point from the mass centre")))
+PER_LENGTH = Quantity("q", Symbol("q"), "kg/m", Message(N_("mass of a metre of the link's length")))
 STATED_INERTIA = Quantity(
     "J_about", Symbol("J"), "kg·m²", Message(N_("moment of inertia of the link about that point"))
 )
@@ -111,6 +123,15 @@ def heavy_links(mechanism: Mechanism) -> list[Link]:
 def _dimensions(mechanism: Mechanism) -> Table:
     """One row a segment; its name finds it."""
     rows = [(link.name, *size) for link in sized_links(mechanism) for size in sizes(link.points)]
+    known = {quantity.key for _, quantity, _ in rows}
+    for one in dict.fromkeys(
+        _segments_said(mechanism)
+    ):  # those along a link of several points, or of the frame
+        ends = length(one.first + one.second)
+        if not known & {ends.key, length(one.second + one.first).key}:
+            points = mechanism.links[one.link].points
+            rows.append((one.link, ends, abs(points[one.second] - points[one.first])))
+            known.add(ends.key)
     return Table(
         "dimensions",
         DIMENSIONS,
@@ -146,6 +167,53 @@ def _stated(links: list[Link]) -> Iterator[Column]:
     yield Column(STATED_INERTIA, stated, [stated_inertia(link).sign for link in links])
 
 
+def _statements(link: Link) -> list[tuple[str, Statement]]:
+    """Columns of the masses in which the assignment states the link's by lengths and other masses, and how."""
+    if link.said is None:
+        return []
+    found = [("m", link.said.mass), ("J_about" if link.stated else "J", link.said.inertia)]
+    return [(key, one) for key, one in found if one is not None]
+
+
+def _segments_said(mechanism: Mechanism) -> Iterator[Segment]:
+    """Segments in statements of masses and moments of inertia."""
+    for link in heavy_links(mechanism):
+        for _, one in _statements(link):
+            yield from (letter for letter in letters(one) if isinstance(letter, Segment))
+
+
+def said(mechanism: Mechanism, masses: Table, dimensions: Table) -> Iterator[tuple[str, int, Expr]]:
+    """Key, row and expression of every mass and moment of inertia that is stated by lengths and other masses."""
+    links = heavy_links(mechanism)
+    rows = {link.name: row for row, link in enumerate(links)}
+    segments = {key: row for row, key in enumerate(dimensions["key"].values)}
+
+    def variable_of(letter: Letter, own: int) -> Expr:
+        if isinstance(letter, Segment):
+            either = (length(letter.first + letter.second), length(letter.second + letter.first))
+            segment = next(one for one in either if one.key in segments)
+            ref = dimensions.by_key(segment.key, "length")
+            return variable(segment, dimensions["length"].number(segments[segment.key], ""), ref=ref)
+        return masses.var("m", rows[letter.link]) if isinstance(letter, MassOf) else masses.var("q", own)
+
+    for own, link in enumerate(links):
+        for key, one in _statements(link):
+            yield key, own, expr(worked(one, partial(variable_of, own=own)))
+
+
+def _per_length(links: list[Link]) -> Iterator[Column]:
+    """Of links whose mass is stated by a metre of their length."""
+    found = [
+        next(
+            (one.value for _, s in _statements(link) for one in letters(s) if isinstance(one, PerLength)),
+            math.nan,
+        )
+        for link in links
+    ]
+    if not all(map(math.isnan, found)):
+        yield Column(PER_LENGTH, found, [Symbol("q", link.name) for link in links])
+
+
 def _masses(links: list[Link]) -> Table:
     return Table(
         "masses",
@@ -162,6 +230,7 @@ def _masses(links: list[Link]) -> Table:
                 [Symbol("J", link.name) for link in links],
             ),
             *_stated(links),
+            *_per_length(links),
         ),
     )
 

@@ -153,6 +153,24 @@ class InitialData(BookView):
         columns = [mass, Column(self.t("Mass centre"), centres), inertia]
         return numeric(caption, self._names(table, "link", self.t("Link")), columns)
 
+    def said(self) -> list[Formula]:
+        """Masses and moments of inertia that the assignment states by lengths and other masses."""
+        if not self.has("masses"):
+            return []
+        masses, dimensions = self.table("masses"), self.table("dimensions")
+        found = q.said(self.mechanism.real, masses, dimensions)
+        return [masses.formula(key, row, expression) for key, row, expression in found]
+
+    def middles(self) -> Markup:
+        """The mass centres that are taken in the middle, each with the joints it lies between."""
+        text = N_("%(centre)s between %(first)s and %(second)s")
+        told = []
+        for link in q.heavy_links(self.mechanism):
+            if link.said is not None and link.said.middle is not None:
+                first, second = link.said.middle
+                told.append(self.t(text, centre=link.mass_centre, first=first, second=second))
+        return self.page.listed(told)
+
     def steiner(self) -> list[Formula]:
         """J_S = J − m l² of every link whose moment of inertia is stated about another point."""
         heavy = q.heavy_links(self.mechanism)

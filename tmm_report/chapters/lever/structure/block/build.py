@@ -5,10 +5,12 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 
 from tmm_report.chapters.lever.structure.block import models as m
 from tmm_report.chapters.lever.structure.block.cam_build import cam
 from tmm_report.chapters.lever.structure.block.cams import CamModel
+from tmm_report.chapters.lever.structure.block.weights import Weights, in_the_middle, inertia_of
 from tmm_report.mechanics.cams.cam import Cam
 from tmm_report.mechanics.lever.cams.replacing_dyad import replaced
 from tmm_report.mechanics.lever.forces.force_on_crank_gear import GearDrive
@@ -19,6 +21,7 @@ from tmm_report.mechanics.lever.mechanism import (
     Guide,
     Link,
     Mechanism,
+    Said,
     Slide,
     ZeroAngle,
     ZeroExtreme,
@@ -50,8 +53,10 @@ def centre_place(built: Mechanism) -> complex:
 
 def without_cams(model: m.MechanismModel) -> Mechanism:
     """The mechanism as it is written, without what replaces its cam pairs."""
-    frame = Link(FRAME, {name: complex(*place) for name, place in model.frame.items()})
-    links = {FRAME: frame, **{name: link(name, part) for name, part in model.links.items()}}
+    frame = {name: complex(*place) for name, place in model.frame.items()}
+    places = {FRAME: frame, **{name: link_places(part) for name, part in model.links.items()}}
+    weights = Weights(model.links, places)
+    links = {FRAME: Link(FRAME, frame), **{name: link(name, weights) for name in model.links}}
     return Mechanism(
         links=links,
         driver=driver(model.driver),  # type: ignore[arg-type]  # checks: there is one
@@ -64,14 +69,21 @@ def without_cams(model: m.MechanismModel) -> Mechanism:
     )
 
 
-def link(name: str, model: m.LinkModel) -> Link:
-    places = link_places(model)
+def link(name: str, weights: Weights) -> Link:
+    model, places = weights.links[name], dict(weights.places[name])
     centre = model.mass_centre or (next(iter(places)) if model.mass and len(places) == 1 else None)
+    said = Said(weights.told(model.mass, name), weights.told(inertia_of(model), name))
+    if middle := in_the_middle(name, bool(model.mass), centre, weights.places):
+        first, second = places
+        centre, said = middle, replace(said, middle=(first, second))
+        places[middle] = (places[first] + places[second]) / 2
+    stated = None if said == Said() else said
+    mass, inertia = weights.mass(name), weights.inertia(name)
     if not isinstance(model.inertia, m.InertiaModel):
-        return Link(name, places, mass=model.mass, mass_centre=centre, inertia=model.inertia)
+        return Link(name, places, mass, centre, inertia, said=stated)
     about = model.inertia.about
-    central = central_inertia(model.inertia.value, model.mass, places[about] - places[str(centre)])
-    return Link(name, places, model.mass, centre, max(central, 0.0), (about, model.inertia.value))
+    central = central_inertia(inertia, mass, places[about] - places[str(centre)])
+    return Link(name, places, mass, centre, max(central, 0.0), (about, inertia), stated)
 
 
 def central_inertia(stated: float, mass: float, away: complex) -> float:

@@ -7,6 +7,7 @@ from typing import Any
 
 from tmm_report.chapters.lever.structure.block import build, cam_checks
 from tmm_report.chapters.lever.structure.block import models as m
+from tmm_report.chapters.lever.structure.block.weights import Circular, Elsewhere, Weights, in_the_middle
 from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.quantity.units import WrongValue
@@ -45,7 +46,12 @@ def names(data: Mapping[str, Any]) -> Names:
     points = {
         name: _names(_mapping(link).get("points")) for name, link in _mapping(parts.get("links")).items()
     }
-    return Names({FRAME: _names(parts.get("frame")), **points}, list(_mapping(parts.get("guides"))))
+    points = {FRAME: _names(parts.get("frame")), **points}
+    for name, link in _mapping(parts.get("links")).items():
+        link = _mapping(link)
+        if middle := in_the_middle(name, bool(link.get("mass")), link.get("mass_centre"), points):
+            points[name] = [*points[name], middle]
+    return Names(points, list(_mapping(parts.get("guides"))))
 
 
 def _mapping(value: Any) -> dict[str, Any]:
@@ -144,24 +150,55 @@ def _not_on(name: str, link: str, path: Path, known: Names) -> Found:
 
 
 def _links(mechanism: m.MechanismModel, known: Names) -> Found:
+    weights = Weights(mechanism.links, _places(mechanism))
     for name, link in mechanism.links.items():
         path = (*_MECHANISM, "links", name)
         yield from _geometry(link, path, known)
+        yield from _weight(name, weights, path)
         if link.mass_centre is not None:
             yield from _not_on(link.mass_centre, name, (*path, "mass_centre"), known)
-        elif link.mass and len(known.points[name]) > 1:
+        elif link.mass and len(link.points) > 1 and len(known.points[name]) == len(link.points):
             right = Message(
                 N_("mass_centre: one of the points %(words)s"), {"words": ", ".join(known.points[name])}
             )
             yield mistake(N_("the link has a mass and no mass centre"), (*path, "mass"), right)
         if isinstance(link.inertia, m.InertiaModel):
-            yield from _inertia(name, link, link.inertia, (*path, "inertia"), known)
+            yield from _inertia(name, weights, link.inertia, (*path, "inertia"), known)
 
 
-def _inertia(name: str, link: m.LinkModel, stated: m.InertiaModel, path: Path, known: Names) -> Found:
+def _places(mechanism: m.MechanismModel) -> dict[str, dict[str, complex]]:
+    """Of every link, the frame among them, its points; of one whose geometry fails none: `_geometry` tells that."""
+    found = {FRAME: {name: complex(*place) for name, place in mechanism.frame.items()}}
+    for name, link in mechanism.links.items():
+        try:
+            found[name] = build.link_places(link)
+        except WrongValue:
+            found[name] = {}
+    return found
+
+
+def _weight(name: str, weights: Weights, path: Path) -> Found:
+    """Masses and moments of inertia that cannot be worked out as they are stated; each is told where it stands."""
+    if not all(weights.places[link] for link in weights.links):
+        return  # a length that cannot be told
+    for key, work_out in (("mass", weights.mass), ("inertia", weights.inertia)):
+        try:
+            work_out(name)
+        except Elsewhere:
+            continue
+        except Circular as error:
+            first = next(link for link in weights.links if link in error.links)
+            if key == "mass" and name == first:
+                yield Problem(error.wrong, error.right, (*path, key))
+        except WrongValue as error:
+            yield Problem(error.wrong, error.right, (*path, key))
+
+
+def _inertia(name: str, weights: Weights, stated: m.InertiaModel, path: Path, known: Names) -> Found:
     """About a point of the link, no less than its mass makes of the distance of that point."""
-    about, points = stated.about, known.points[name]
-    centre = link.mass_centre or (points[0] if len(points) == 1 else None)
+    link, about, points = weights.links[name], stated.about, known.points[name]
+    middle = next((point for point in points if point not in link.points), None)
+    centre = link.mass_centre or (points[0] if len(points) == 1 else middle)
     yield from _not_on(about, name, (*path, "about"), known)
     if centre is None:
         right = Message(N_("mass_centre: one of the points %(words)s"), {"words": ", ".join(points)})
@@ -171,20 +208,19 @@ def _inertia(name: str, link: m.LinkModel, stated: m.InertiaModel, path: Path, k
         yield mistake(text, (*path, "about"), right, name=about)
         return
     try:
-        places = build.link_places(link)
-    except WrongValue:  # told by `_geometry`
+        built = build.link(name, weights)
+        mass, value = weights.mass(name), weights.inertia(name)
+    except (WrongValue, KeyError):  # told by `_geometry`, `_weight`, `_not_on`
         return
-    if about not in places or centre not in places:
-        return
-    away = abs(places[about] - places[centre])
-    if build.central_inertia(stated.value, link.mass, away) < -1e-12 * stated.value:
-        least = link.mass * away**2
+    away = abs(built.points[about] - built.points[centre])
+    if build.central_inertia(value, mass, away) < -1e-12 * value:
+        least = mass * away**2
         text = N_(
             "%(value)s kg·m² about point %(about)s would make the moment of inertia about the mass centre negative: "
             "the mass %(mass)s kg at %(away)s m alone has %(least)s kg·m²"
         )
         right = Message(N_("a larger moment of inertia, or that about the mass centre without about"))
-        told = {"value": stated.value, "mass": link.mass, "away": away, "least": least}
+        told = {"value": value, "mass": mass, "away": away, "least": least}
         yield mistake(text, (*path, "value"), right, about=about, **{k: f"{x:.4g}" for k, x in told.items()})
 
 

@@ -1,14 +1,16 @@
 """The block `mechanism` as pydantic models."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import BeforeValidator, ConfigDict, Field, Tag, model_validator
 
 from tmm_report.chapters.lever.structure.block.cams import CamModel
+from tmm_report.mechanics.lever.stated_masses import Statement
 from tmm_report.problems import N_, Message, shown
 from tmm_report.quantity.units import WrongValue
+from tmm_report.variant import closed
 from tmm_report.variant.model import Model
 from tmm_report.variant.values import (
     LIST,
@@ -19,10 +21,8 @@ from tmm_report.variant.values import (
     Choice,
     Distance,
     GroupName,
-    Inertia,
     KeyName,
     Length,
-    Mass,
     Name,
     Period,
     Point,
@@ -105,15 +105,43 @@ Through = Annotated[
 ]
 
 
+def _stated(dimension: str, read: Callable[[str], Statement], examples: Sequence[str]) -> Reads:
+    """A number with a unit, or how it follows from lengths and the masses of links."""
+    plain = quantity(dimension, 0.0)
+
+    def value(written: object) -> float | Statement:
+        try:
+            return plain.value(written)
+        except WrongValue:
+            if isinstance(written, str) and closed.looks_closed(written):
+                return read(written)
+            raise
+
+    # what is no number with a unit is read as a statement, whatever its letters
+    texts = {"type": "string", "pattern": r"^[^;:#{}]*$", "maxLength": closed.LONGEST}
+    schema = {
+        **plain.schema,
+        "anyOf": [{"type": "number"}, texts],
+        "examples": [*plain.schema["examples"], *examples],
+    }
+    return Reads(value, schema, dimension)
+
+
+AnyMass = Annotated[float | Statement, _stated("mass", closed.mass, ["30 kg/m", "0.3*m2"])]
+StatedInertia = Annotated[
+    float | Statement, _stated("inertia", closed.inertia, ["m*l^2/12", "0.17*m*l_AB^2"])
+]
+
+
 class InertiaModel(Model):
     """A moment of inertia about any point of the link; that about the mass centre follows by Steiner."""
 
-    value: Inertia = Field(examples=["0.01 kg*m^2"])
+    value: StatedInertia = Field(examples=["0.01 kg*m^2", "m*l^2/3"])
     about: Name = Field(description="a point of the link", examples=["O"])
 
 
 AnyInertia = Annotated[
-    Annotated[Inertia, Tag(SCALAR)] | Annotated[InertiaModel, Tag(MAP)],
+    Annotated[StatedInertia, Tag(SCALAR)] | Annotated[InertiaModel, Tag(MAP)],
     by_shape(N_("0.01 kg*m^2, or {value: 0.01 kg*m^2, about: O}")),
 ]
 
@@ -122,10 +150,16 @@ class LinkModel(Model):
     """A moving rigid link. Links that have a point of the same name are joined there by a pivot."""
 
     points: Points = Field(description="its points, in its own axes", examples=["{A: 0, B: 300 mm}"])
-    mass: Mass = 0.0
-    mass_centre: Name | None = Field(default=None, description="the point that is the mass centre")
+    mass: AnyMass = Field(
+        default=0.0, description="or of a metre of its length (30 kg/m), or of another link's (0.3*m2)"
+    )
+    mass_centre: Name | None = Field(
+        default=None,
+        description="the point that is the mass centre; left out, the middle of a link of two joints",
+    )
     inertia: AnyInertia = Field(
-        default=0.0, description="about the mass centre, or {value, about} a point of the link"
+        default=0.0,
+        description="about the mass centre, or {value, about} a point of the link; by lengths: m*l^2/12",
     )
     slides: Slides | None = Field(default=None, description="the guide or guides the link slides along")
 
