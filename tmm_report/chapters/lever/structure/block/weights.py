@@ -39,6 +39,9 @@ class Circular(WrongValue):
     def __init__(self, links: tuple[str, ...]):
         wrong = N_("the masses of links %(names)s are stated by one another")
         right = Message(N_("state one of them as a number"))
+        if len(links) == 1:
+            wrong = N_("the mass of link %(names)s is stated by itself")
+            right = Message(N_("a mass, 30 kg/m of its length, or the mass of another link: 0.3*m2"))
         super().__init__(Message(wrong, {"names": ", ".join(links)}), right)
         self.links = links
 

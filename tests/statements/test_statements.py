@@ -1,0 +1,52 @@
+"""Assignments typed as their collections print them: the answers come out to the digits of independent solvers."""
+
+import json
+from functools import cache
+from pathlib import Path
+
+import pytest
+import yaml
+
+from tmm_report import course, render
+
+HERE = Path(__file__).parent
+NAMES = sorted(path.name.removesuffix(".answers.yaml") for path in HERE.glob("*.answers.yaml"))
+DIGITS = 1e-9
+TABLES = ("outputs_table", "rates_table", "balancing_table")
+
+
+@cache
+def found(name: str) -> dict:
+    variant = course.load(HERE / f"{name}.yaml")
+    return json.loads(render(course.solve(variant), "json")["results.json"])
+
+
+def answers(name: str) -> dict:
+    return yaml.safe_load((HERE / f"{name}.answers.yaml").read_text("utf-8"))
+
+
+def columns(document: dict, table: str) -> dict[str, list]:
+    return {column["key"]: column["values"] for column in document["tables"][table]["columns"]}
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_single_numbers(name):
+    values = {one["key"]: one["value"] for one in found(name)["values"]}
+    asked = answers(name)["values"]
+    assert {key: values[key] for key in asked} == pytest.approx(asked, rel=DIGITS)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_masses(name):
+    table = columns(found(name), "masses")
+    for key, asked in answers(name)["masses"].items():
+        of = dict(zip(table["link"], table[key], strict=True))
+        assert {link: of[str(link)] for link in asked} == pytest.approx(asked, rel=DIGITS)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_positions(name):
+    document = found(name)
+    table = {key: column for one in TABLES for key, column in columns(document, one).items()}
+    for position, asked in answers(name)["positions"].items():
+        assert {key: table[key][position] for key in asked} == pytest.approx(asked, rel=DIGITS)
