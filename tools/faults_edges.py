@@ -14,6 +14,9 @@ PARTIAL = ("tests/chapters/lever/kinematics/test_partial_mechanisms.py",)
 DEAD = ("tests/mechanics/lever/test_dead_points.py",)
 DIGITS = ("tests/chapters/lever/kinematics/test_digits_near_singular.py",)
 
+MASSES = ("tests/chapters/lever/test_stated_masses.py",)
+WEIGHTS = "tmm_report/chapters/lever/structure/block/weights.py"
+
 FAULTS = (
     # --- groups above class II ---
     Fault(
@@ -394,5 +397,62 @@ FAULTS = (
         "/ 2 * sin(self.alpha_t) + lost",
         "hoist_drive",
         ("tests/chapters/gears/test_spur_twice.py",),
+    ),
+    # --- masses stated by lengths and other masses ---
+    Fault(
+        "a mass by the metre of another segment",
+        WEIGHTS,
+        "abs(points[letter.second] - points[letter.first])",
+        "abs(points[letter.second])",
+        "crank_rocker",
+        (*MASSES, "tests/statements/test_statements.py"),
+    ),
+    Fault(
+        "the mass of the link itself for that of another",
+        WEIGHTS,
+        "link = letter.link or own",
+        "link = own",
+        "crank_rocker",
+        MASSES,
+    ),
+    Fault(
+        "a quotient of a statement turned round",
+        MECHANICS + "lever/stated_masses.py",
+        '"/": lambda a, b: a / b',
+        '"/": lambda a, b: b / a',
+        "crank_rocker",
+        MASSES,
+    ),
+    Fault(
+        "the square of a statement taken of its product",
+        "tmm_report/variant/closed.py",
+        "return Power(base, int(text))",
+        "return Power(base, int(text) - 1)",
+        "crank_rocker",
+        MASSES,
+    ),
+    Fault(
+        "the middle of a link at its end",
+        "tmm_report/chapters/lever/structure/block/build.py",
+        "(places[first] + places[second]) / 2",
+        "places[second]",
+        "crank_rocker",
+        (*MASSES, "tests/statements/test_statements.py"),
+    ),
+    Fault(
+        "the mass of a metre of another link beside the formula",
+        "tmm_report/chapters/lever/initial_data/quantities.py",
+        'one, key, row = per_length(links[own].name), "q", own',
+        'one, key, row = per_length(links[own].name), "m", own',
+        "crank_rocker",
+        MASSES,
+    ),
+    Fault(
+        "joints of a middle exchanged with another link's",
+        "tmm_report/chapters/lever/initial_data/view.py",
+        "first, second = link.said.middle",
+        "second, first = (*link.said.middle[:1], link.mass_centre)",
+        "crank_rocker",
+        MASSES,
     ),
 )

@@ -242,7 +242,7 @@ MISTAKES = [
      "too few values: 2 expected, 1 found"),
     (("300 mm", "300 mm, C: {from: {A: 1, B: 1}, side: up}"), 7, 59, "mechanism.links.2.points.C.side", "up is not a word known here"),
     (("300 mm", "300 mm, B_2: 5 mm"), 7, 35, "mechanism.links.2.points.B_2", "B_2 is not a name: «_» may not stand in one"),
-    (("300 mm}", "300 mm}, mass: 2 kg"), 7, 36, "mechanism.links.2.mass", "the link has a mass and no mass centre"),
+    (("300 mm}", "300 mm, C: 50 mm}, mass: 2 kg"), 7, 46, "mechanism.links.2.mass", "the link has a mass and no mass centre"),
     (("300 mm}", "300 mm}, mass: -2 kg"), 7, 36, "mechanism.links.2.mass", "-2 kg is negative: a mass cannot be"),
     (("300 mm}", "300 mm}, inertia: -2"), 7, 36, "mechanism.links.2.inertia", "-2 is negative: a moment of inertia cannot be"),
     (("300 mm}", "300 mm}, mass_centre: O"), 7, 36, "mechanism.links.2.mass_centre", "the point O is not on link 2"),

@@ -74,6 +74,27 @@ def test_about_another_point_it_is_brought_to_the_mass_centre():
     assert masses["J"][2] == pytest.approx(ROCKER * 0.12**2 / 12, rel=1e-13)
 
 
+@pytest.mark.parametrize(
+    ("length", "metres"),
+    [
+        ("l_BD", math.hypot(0.08, 0.02)),
+        ("l_DB", math.hypot(0.08, 0.02)),
+        ("l_OC", math.hypot(0.2, 0.02)),
+        ("l3", 0.12),
+    ],
+)
+def test_any_segment_of_a_link_or_of_the_frame_may_be_named(length, metres):
+    variant = text(rod=f"12 kg/m * {length}")
+    masses = tables(variant)["masses"]
+    assert masses["m"][1] == pytest.approx(12 * metres, rel=1e-14)
+    found = solve(loads(variant))
+    note = read(render(found, "html")["note.html"].decode())
+    document = json.loads(render(found, "json")["results.json"])
+    wrong(
+        [*wrong_cells(note, document), *wrong_formulas(note, document), *wrong_results(note), *unmarked(note)]
+    )
+
+
 @pytest.mark.parametrize("language", ["en", "ru"])
 def test_the_note_works_them_out(language):
     variant = text(language, of_rocker="{value: m*l^2/3, about: C}")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 LENGTH = N_("length of segment %(of)s")
 CYCLE = NP_("index", "cyc")  # of a cycle
 DIMENSIONS = Message(N_("dimensions of the links"))
+STATED_LENGTHS = Message(N_("other lengths by which masses are stated"))
 FIXED = Message(N_("coordinates of the fixed points"))
 MASSES = Message(N_("masses of the links, their mass centres and moments of inertia"))
 LINK = Message(N_("link"))
@@ -59,6 +60,11 @@ def mass(link: str) -> Quantity:
     return Quantity(f"m_{link}", Symbol("m", link), "kg", Message(N_("mass of link %(of)s"), {"of": link}))
 
 
+def per_length(link: str) -> Quantity:
+    text = N_("mass of a metre of the length of link %(of)s")
+    return Quantity(f"q_{link}", Symbol("q", link), "kg/m", Message(text, {"of": link}))
+
+
 def inertia(link: str) -> Quantity:
     text = N_("moment of inertia of link %(of)s about its mass centre")
     return Quantity(f"J_{link}", Symbol("J", link), "kg·m²", Message(text, {"of": link}))
@@ -76,7 +82,9 @@ def values(lever: LeverFound) -> Iterator[Value]:
 
 def given_tables(mechanism: Mechanism) -> Iterator[Table]:
     mechanism = mechanism.real  # links that replace cam pairs have no length of their own
-    yield _dimensions(mechanism)
+    sized = _dimensions(mechanism)
+    yield sized
+    yield from _stated_lengths(mechanism, [str(key) for key in sized["key"].values])
     fixed = mechanism.links[FRAME].points
     places = np.array(list(fixed.values()), dtype=complex)
     point = text_column("point", Message(N_("point")), list(fixed))
@@ -123,18 +131,25 @@ def heavy_links(mechanism: Mechanism) -> list[Link]:
 def _dimensions(mechanism: Mechanism) -> Table:
     """One row a segment; its name finds it."""
     rows = [(link.name, *size) for link in sized_links(mechanism) for size in sizes(link.points)]
-    known = {quantity.key for _, quantity, _ in rows}
-    for one in dict.fromkeys(
-        _segments_said(mechanism)
-    ):  # those along a link of several points, or of the frame
-        ends = length(one.first + one.second)
-        if not known & {ends.key, length(one.second + one.first).key}:
+    return _lengths("dimensions", DIMENSIONS, rows)
+
+
+def _stated_lengths(mechanism: Mechanism, known: Sequence[str]) -> Iterator[Table]:
+    """Segments by which masses are stated and that are no dimensions of one link: along it, or of the frame."""
+    rows: dict[str, tuple[str, Quantity, float]] = {}
+    for one in _segments_said(mechanism):
+        either = (length(one.first + one.second), length(one.second + one.first))
+        if not {ends.key for ends in either} & {*known, *rows}:
             points = mechanism.links[one.link].points
-            rows.append((one.link, ends, abs(points[one.second] - points[one.first])))
-            known.add(ends.key)
+            rows[either[0].key] = (one.link, either[0], abs(points[one.second] - points[one.first]))
+    if rows:
+        yield _lengths("stated_lengths", STATED_LENGTHS, [*rows.values()])
+
+
+def _lengths(name: str, meaning: Message, rows: Sequence[tuple[str, Quantity, float]]) -> Table:
     return Table(
-        "dimensions",
-        DIMENSIONS,
+        name,
+        meaning,
         (
             text_column("key", Message(N_("segment")), [quantity.key for _, quantity, _ in rows]),
             text_column("link", LINK, [link for link, _, _ in rows]),
@@ -182,23 +197,29 @@ def _segments_said(mechanism: Mechanism) -> Iterator[Segment]:
             yield from (letter for letter in letters(one) if isinstance(letter, Segment))
 
 
-def said(mechanism: Mechanism, masses: Table, dimensions: Table) -> Iterator[tuple[str, int, Expr]]:
-    """Key, row and expression of every mass and moment of inertia that is stated by lengths and other masses."""
+def said(
+    mechanism: Mechanism, masses: Table, lengths: Sequence[Table]
+) -> Iterator[tuple[str, int, Quantity, Expr]]:
+    """Key, row, quantity and expression of what is stated by lengths and other masses: masses, moments of inertia."""
     links = heavy_links(mechanism)
     rows = {link.name: row for row, link in enumerate(links)}
-    segments = {key: row for row, key in enumerate(dimensions["key"].values)}
+    segments = {key: (table, row) for table in lengths for row, key in enumerate(table["key"].values)}
 
     def variable_of(letter: Letter, own: int) -> Expr:
         if isinstance(letter, Segment):
             either = (length(letter.first + letter.second), length(letter.second + letter.first))
             segment = next(one for one in either if one.key in segments)
-            ref = dimensions.by_key(segment.key, "length")
-            return variable(segment, dimensions["length"].number(segments[segment.key], ""), ref=ref)
-        return masses.var("m", rows[letter.link]) if isinstance(letter, MassOf) else masses.var("q", own)
+            table, row = segments[segment.key]
+            return variable(segment, table["length"].number(row, ""), ref=table.by_key(segment.key, "length"))
+        one, key, row = per_length(links[own].name), "q", own
+        if isinstance(letter, MassOf):
+            one, key, row = mass(letter.link), "m", rows[letter.link]
+        return variable(one, masses[key].number(row, ""), ref=masses.ref(key, row))
 
     for own, link in enumerate(links):
         for key, one in _statements(link):
-            yield key, own, expr(worked(one, partial(variable_of, own=own)))
+            of = {"m": mass(link.name), "J": inertia(link.name), "J_about": stated_inertia(link)}[key]
+            yield key, own, of, expr(worked(one, partial(variable_of, own=own)))
 
 
 def _per_length(links: list[Link]) -> Iterator[Column]:

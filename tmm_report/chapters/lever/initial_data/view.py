@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -157,9 +158,13 @@ class InitialData(BookView):
         """Masses and moments of inertia that the assignment states by lengths and other masses."""
         if not self.has("masses"):
             return []
-        masses, dimensions = self.table("masses"), self.table("dimensions")
-        found = q.said(self.mechanism.real, masses, dimensions)
-        return [masses.formula(key, row, expression) for key, row, expression in found]
+        masses = self.table("masses")
+        lengths = [self.table(name) for name in ("dimensions", "stated_lengths") if self.has(name)]
+        found = q.said(self.mechanism.real, masses, lengths)
+        return [
+            replace(masses.formula(key, row, expression), meaning=of.meaning)
+            for key, row, of, expression in found
+        ]
 
     def middles(self) -> Markup:
         """The mass centres that are taken in the middle, each with the joints it lies between."""
