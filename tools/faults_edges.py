@@ -16,6 +16,8 @@ DIGITS = ("tests/chapters/lever/kinematics/test_digits_near_singular.py",)
 
 MASSES = ("tests/chapters/lever/test_stated_masses.py",)
 WEIGHTS = "tmm_report/chapters/lever/structure/block/weights.py"
+GEOMETRY = "tmm_report/chapters/lever/structure/block/geometry.py"
+LENGTHS = ("tests/chapters/lever/test_stated_lengths.py",)
 
 FAULTS = (
     # --- groups above class II ---
@@ -454,5 +456,29 @@ FAULTS = (
         "second, first = (*link.said.middle[:1], link.mass_centre)",
         "crank_rocker",
         MASSES,
+    ),
+    Fault(
+        "a length that follows from the whole place of a point",
+        GEOMETRY,
+        "return abs(points[found.second] - points[found.first])",
+        "return abs(points[found.second])",
+        "crank_rocker",
+        LENGTHS,
+    ),
+    Fault(
+        "the corner of a stated triangle on the other side",
+        GEOMETRY,
+        '(1 if side == "left" else -1)',
+        '(-1 if side == "left" else 1)',
+        "crank_rocker",
+        LENGTHS,
+    ),
+    Fault(
+        "a stated length beside another segment's letter",
+        "tmm_report/chapters/lever/initial_data/quantities.py",
+        "size = _of_segment(Segment(link.name, origin, point), lengths)",
+        "size = _of_segment(Segment(link.name, origin, next(p for p in link.points if p != origin)), lengths)",
+        "crank_rocker",
+        LENGTHS,
     ),
 )

@@ -35,6 +35,7 @@ _TOKEN = re.compile(
     )""",
     re.VERBOSE,
 )
+_MEANT = re.compile("l|[mм](_|[0-9])")
 _PLAIN = str.maketrans(
     {
         **dict(zip("−·⋅∙•×₀₁₂₃₄₅₆₇₈₉", "-*****0123456789", strict=True)),
@@ -45,7 +46,7 @@ _PLAIN = str.maketrans(
 )
 _SIZES = {"kg": 1.0, "кг": 1.0, "g": 1e-3, "г": 1e-3, "t": 1e3, "т": 1e3}
 _METRES = {"m": 1.0, "м": 1.0, "cm": 1e-2, "см": 1e-2, "mm": 1e-3, "мм": 1e-3}
-MASS, INERTIA = (1, 0), (1, 2)
+MASS, INERTIA, LENGTH = (1, 0), (1, 2), (0, 1)
 
 
 class Unread(ValueError):
@@ -53,10 +54,12 @@ class Unread(ValueError):
 
 
 def looks_closed(text: str) -> bool:
-    """Whether a text is meant to be of this grammar: all of it is known, and one letter is more than `m`, a metre."""
+    """Whether a text is meant to be of this grammar: all of it is known, and a letter of it is none of a unit, as the
+    m of 5 m and the мм of 1 400 мм are."""
     try:
         return any(
-            kind in ("per", "own") or (kind == "letter" and text not in "mм") for kind, text in _tokens(text)
+            kind in ("per", "own") or (kind == "letter" and _MEANT.match(text))
+            for kind, text in _tokens(text)
         )
     except Unread:
         return False
@@ -90,6 +93,15 @@ def inertia(text: str) -> Statement:
     return _measuring(found, INERTIA, text)
 
 
+def length(text: str) -> Statement:
+    """A length that follows from others. Raises WrongValue."""
+    found = _read(text)
+    if all(isinstance(letter, LengthOf) for letter in letters(found)):
+        return _measuring(found, LENGTH, text)
+    wrong = Message(N_("%(text)s: a length follows from lengths alone"), {"text": shown(text)})
+    raise WrongValue(wrong, Message(N_("a number of other lengths, such as 0.4*l_AB")))
+
+
 def _measuring(found: Statement, wanted: tuple[int, int], text: str) -> Statement:
     if dimension(found) == wanted:
         return found
@@ -98,6 +110,9 @@ def _measuring(found: Statement, wanted: tuple[int, int], text: str) -> Statemen
     if wanted == INERTIA:
         wrong = N_("%(text)s is no moment of inertia: its letters multiply to something else")
         right = N_("a mass times a length squared, such as m*l^2/12 or 0.17*m*l_AB^2")
+    elif wanted == LENGTH:
+        wrong = N_("%(text)s is no length: its letters multiply to something else")
+        right = N_("a number of other lengths, such as 0.4*l_AB")
     raise WrongValue(Message(wrong, {"text": shown(text)}), Message(right))
 
 
@@ -157,7 +172,7 @@ class _Reader:
             if sign := self.next("*/"):
                 found = Combined(sign, found, self.power())
             elif self.at < len(self.tokens) and (
-                self.tokens[self.at][0] != "sign" or self.tokens[self.at][1] == "("
+                self.tokens[self.at][0] in ("letter", "own", "per") or self.tokens[self.at][1] == "("
             ):
                 found = Combined("*", found, self.power())  # m l², with its sign left out
             else:

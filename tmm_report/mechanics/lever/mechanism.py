@@ -28,11 +28,14 @@ Scalar = Any  # a number, or an array (V, 1) of numbers, one a variant
 
 @dataclass(frozen=True)
 class Said:
-    """How the assignment states what a link weighs, where it is by lengths and other masses: None of plain numbers."""
+    """How the assignment states what a link weighs and measures, where it is by lengths and other masses: None of plain
+    numbers."""
 
     mass: Statement | None = None
     inertia: Statement | None = None
     middle: tuple[str, str] | None = None  # the joints midway between which the mass centre is taken
+    # of points whose places on the link's axis are stated by other lengths
+    places: Mapping[str, Statement] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, eq=False)

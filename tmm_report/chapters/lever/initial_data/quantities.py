@@ -21,7 +21,7 @@ from tmm_report.mechanics.lever.stated_masses import (
     worked,
 )
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.formula import Expr, expr
+from tmm_report.quantity.formula import Expr, Formula, Var, expr
 from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column, variable
 from tmm_report.quantity.symbols import Symbol, segment
 from tmm_report.quantity.tabulated import tabulated
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 LENGTH = N_("length of segment %(of)s")
 CYCLE = NP_("index", "cyc")  # of a cycle
 DIMENSIONS = Message(N_("dimensions of the links"))
-STATED_LENGTHS = Message(N_("other lengths by which masses are stated"))
+STATED_LENGTHS = Message(N_("other lengths by which lengths and masses are stated"))
 FIXED = Message(N_("coordinates of the fixed points"))
 MASSES = Message(N_("masses of the links, their mass centres and moments of inertia"))
 LINK = Message(N_("link"))
@@ -135,7 +135,7 @@ def _dimensions(mechanism: Mechanism) -> Table:
 
 
 def _stated_lengths(mechanism: Mechanism, known: Sequence[str]) -> Iterator[Table]:
-    """Segments by which masses are stated and that are no dimensions of one link: along it, or of the frame."""
+    """Segments by which something is stated and that are no dimensions of one link: along it, or of the frame."""
     rows: dict[str, tuple[str, Quantity, float]] = {}
     for one in _segments_said(mechanism):
         either = (length(one.first + one.second), length(one.second + one.first))
@@ -191,10 +191,33 @@ def _statements(link: Link) -> list[tuple[str, Statement]]:
 
 
 def _segments_said(mechanism: Mechanism) -> Iterator[Segment]:
-    """Segments in statements of masses and moments of inertia."""
-    for link in heavy_links(mechanism):
-        for _, one in _statements(link):
+    """Segments in statements of masses, moments of inertia and lengths."""
+    for link in mechanism.links.values():
+        stated = [one for _, one in _statements(link)] + [*(link.said.places.values() if link.said else ())]
+        for one in stated:
             yield from (letter for letter in letters(one) if isinstance(letter, Segment))
+
+
+def _of_segment(one: Segment, lengths: Sequence[Table]) -> Var:
+    """The length of a segment, found in the tables of lengths."""
+    for table in lengths:
+        rows = list(table["key"].values)
+        for ends in (length(one.first + one.second), length(one.second + one.first)):
+            if ends.key in rows:
+                size = table["length"].number(rows.index(ends.key), "")
+                return variable(ends, size, ref=table.by_key(ends.key, "length"))
+    raise KeyError(one)
+
+
+def lengths_said(mechanism: Mechanism, lengths: Sequence[Table]) -> Iterator[Formula]:
+    """Lengths that the assignment states by others, of points on the axes of their links."""
+    for link in sized_links(mechanism):
+        origin, place = next(iter(link.points.items()))
+        for point, one in (link.said.places if link.said and place == 0 else {}).items():
+            if point != origin and link.points[point]:
+                size = _of_segment(Segment(link.name, origin, point), lengths)
+                expression = expr(worked(one, partial(_of_segment, lengths=lengths)))
+                yield Formula(size.sign, expression, "m", ref=size.ref, meaning=size.meaning)
 
 
 def said(
@@ -203,14 +226,10 @@ def said(
     """Key, row, quantity and expression of what is stated by lengths and other masses: masses, moments of inertia."""
     links = heavy_links(mechanism)
     rows = {link.name: row for row, link in enumerate(links)}
-    segments = {key: (table, row) for table in lengths for row, key in enumerate(table["key"].values)}
 
     def variable_of(letter: Letter, own: int) -> Expr:
         if isinstance(letter, Segment):
-            either = (length(letter.first + letter.second), length(letter.second + letter.first))
-            segment = next(one for one in either if one.key in segments)
-            table, row = segments[segment.key]
-            return variable(segment, table["length"].number(row, ""), ref=table.by_key(segment.key, "length"))
+            return _of_segment(letter, lengths)
         one, key, row = per_length(links[own].name), "q", own
         if isinstance(letter, MassOf):
             one, key, row = mass(letter.link), "m", rows[letter.link]

@@ -159,12 +159,18 @@ class InitialData(BookView):
         if not self.has("masses"):
             return []
         masses = self.table("masses")
-        lengths = [self.table(name) for name in ("dimensions", "stated_lengths") if self.has(name)]
-        found = q.said(self.mechanism.real, masses, lengths)
+        found = q.said(self.mechanism.real, masses, self._lengths())
         return [
             replace(masses.formula(key, row, expression), meaning=of.meaning)
             for key, row, of, expression in found
         ]
+
+    def _lengths(self) -> list[Any]:
+        return [self.table(name) for name in ("dimensions", "stated_lengths") if self.has(name)]
+
+    def lengths_said(self) -> list[Formula]:
+        """Lengths that the assignment states by other lengths."""
+        return [*q.lengths_said(self.mechanism.real, self._lengths())]
 
     def middles(self) -> Markup:
         """The mass centres that are taken in the middle, each with the joints it lies between."""

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Mapping
 from dataclasses import replace
 
 from tmm_report.chapters.lever.structure.block import models as m
 from tmm_report.chapters.lever.structure.block.cam_build import cam
 from tmm_report.chapters.lever.structure.block.cams import CamModel
+from tmm_report.chapters.lever.structure.block.geometry import Geometry
 from tmm_report.chapters.lever.structure.block.weights import Weights, in_the_middle, inertia_of
 from tmm_report.mechanics.cams.cam import Cam
 from tmm_report.mechanics.lever.cams.replacing_dyad import replaced
@@ -26,8 +26,6 @@ from tmm_report.mechanics.lever.mechanism import (
     ZeroAngle,
     ZeroExtreme,
 )
-from tmm_report.problems import N_, Message
-from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.values import SENSES, SIDES, unit_vector
 
 
@@ -53,10 +51,10 @@ def centre_place(built: Mechanism) -> complex:
 
 def without_cams(model: m.MechanismModel) -> Mechanism:
     """The mechanism as it is written, without what replaces its cam pairs."""
-    frame = {name: complex(*place) for name, place in model.frame.items()}
-    places = {FRAME: frame, **{name: link_places(part) for name, part in model.links.items()}}
-    weights = Weights(model.links, places)
-    links = {FRAME: Link(FRAME, frame), **{name: link(name, weights) for name in model.links}}
+    geometry = Geometry(model.links, frame(model))
+    weights = Weights(geometry)
+    links = {name: link(name, weights) for name in model.links}
+    links = {FRAME: Link(FRAME, geometry.frame), **links}
     return Mechanism(
         links=links,
         driver=driver(model.driver),  # type: ignore[arg-type]  # checks: there is one
@@ -69,11 +67,21 @@ def without_cams(model: m.MechanismModel) -> Mechanism:
     )
 
 
+def frame(model: m.MechanismModel) -> dict[str, complex]:
+    """The fixed points, m."""
+    return {name: complex(*place) for name, place in model.frame.items()}
+
+
 def link(name: str, weights: Weights) -> Link:
-    model, places = weights.links[name], dict(weights.places[name])
+    model, all_places = weights.links[name], weights.geometry.places()
+    places = dict(all_places[name])
     centre = model.mass_centre or (next(iter(places)) if model.mass and len(places) == 1 else None)
-    said = Said(weights.told(model.mass, name), weights.told(inertia_of(model), name))
-    if middle := in_the_middle(name, bool(model.mass), centre, weights.places):
+    said = Said(
+        weights.told(model.mass, name),
+        weights.told(inertia_of(model), name),
+        places=weights.geometry.stated(name),
+    )
+    if middle := in_the_middle(name, bool(model.mass), centre, all_places):
         first, second = places
         centre, said = middle, replace(said, middle=(first, second))
         places[middle] = (places[first] + places[second]) / 2
@@ -89,45 +97,6 @@ def link(name: str, weights: Weights) -> Link:
 def central_inertia(stated: float, mass: float, away: complex) -> float:
     """J_S = J − m l², kg m², by Steiner: about the mass centre of a link from that about a point `away` from it, m."""
     return stated - mass * abs(away) ** 2
-
-
-def link_places(model: m.LinkModel) -> dict[str, complex]:
-    """The link's points in its axes, m. Raises WrongValue where a triangle does not close."""
-    if isinstance(model.points, list):
-        return {model.points[0]: 0j}
-    placed: dict[str, complex] = {}
-    for name, written in model.points.items():
-        placed[name] = place(written, placed)
-    return placed
-
-
-def place(written: float | tuple[float, float] | m.Triangle, placed: Mapping[str, complex]) -> complex:
-    """A point's place in the link's axes, m; `placed`: the link's points before it."""
-    if isinstance(written, m.Triangle):
-        return triangle(written, placed)
-    return complex(*written) if isinstance(written, tuple) else complex(written)
-
-
-def triangle(model: m.Triangle, placed: Mapping[str, complex]) -> complex:
-    """The third corner: `along` the side from the first point and `off` it, left of it positive.
-
-    Raises WrongValue for a corner that is not placed yet and for lengths that make no triangle.
-    """
-    (first, from_first), (second, from_second) = model.from_.items()
-    for name in (first, second):
-        if name not in placed:
-            wrong = N_("the point %(name)s is not placed on this link before")
-            raise WrongValue(Message(wrong, {"name": name}), Message(N_("give its place above")))
-    side = placed[second] - placed[first]
-    along = (from_first**2 - from_second**2 + abs(side) ** 2) / (2 * abs(side)) if side else math.inf
-    square = from_first**2 - along**2
-    if not square >= -1e-9 * abs(side) ** 2:
-        values = {"a": first, "b": second, "length": f"{abs(side):.6g}"}
-        wrong = N_("the triangle does not close: %(a)s and %(b)s are %(length)s m apart")
-        right = Message(N_("the longest side must be shorter than the other two together"))
-        raise WrongValue(Message(wrong, values), right)
-    off = math.sqrt(max(square, 0.0)) * (1 if model.side == "left" else -1)
-    return placed[first] + side / abs(side) * complex(along, off)
 
 
 def guide(name: str, model: m.GuideModel, carrier: Link) -> Guide:

@@ -7,7 +7,8 @@ from typing import Any
 
 from tmm_report.chapters.lever.structure.block import build, cam_checks
 from tmm_report.chapters.lever.structure.block import models as m
-from tmm_report.chapters.lever.structure.block.weights import Circular, Elsewhere, Weights, in_the_middle
+from tmm_report.chapters.lever.structure.block.geometry import Circular, Elsewhere, Geometry, mentioned
+from tmm_report.chapters.lever.structure.block.weights import Weights, in_the_middle
 from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.quantity.units import WrongValue
@@ -150,10 +151,11 @@ def _not_on(name: str, link: str, path: Path, known: Names) -> Found:
 
 
 def _links(mechanism: m.MechanismModel, known: Names) -> Found:
-    weights = Weights(mechanism.links, _places(mechanism))
+    geometry = Geometry(mechanism.links, build.frame(mechanism))
+    weights = Weights(geometry)
     for name, link in mechanism.links.items():
         path = (*_MECHANISM, "links", name)
-        yield from _geometry(link, path, known)
+        yield from _geometry(name, geometry, path, known)
         yield from _weight(name, weights, path)
         if link.mass_centre is not None:
             yield from _not_on(link.mass_centre, name, (*path, "mass_centre"), known)
@@ -166,21 +168,12 @@ def _links(mechanism: m.MechanismModel, known: Names) -> Found:
             yield from _inertia(name, weights, link.inertia, (*path, "inertia"), known)
 
 
-def _places(mechanism: m.MechanismModel) -> dict[str, dict[str, complex]]:
-    """Of every link, the frame among them, its points; of one whose geometry fails none: `_geometry` tells that."""
-    found = {FRAME: {name: complex(*place) for name, place in mechanism.frame.items()}}
-    for name, link in mechanism.links.items():
-        try:
-            found[name] = build.link_places(link)
-        except WrongValue:
-            found[name] = {}
-    return found
-
-
 def _weight(name: str, weights: Weights, path: Path) -> Found:
     """Masses and moments of inertia that cannot be worked out as they are stated; each is told where it stands."""
-    if not all(weights.places[link] for link in weights.links):
-        return  # a length that cannot be told
+    try:
+        weights.geometry.places()
+    except WrongValue:  # told by `_geometry`
+        return
     for key, work_out in (("mass", weights.mass), ("inertia", weights.inertia)):
         try:
             work_out(name)
@@ -224,8 +217,9 @@ def _inertia(name: str, weights: Weights, stated: m.InertiaModel, path: Path, kn
         yield mistake(text, (*path, "value"), right, about=about, **{k: f"{x:.4g}" for k, x in told.items()})
 
 
-def _geometry(link: m.LinkModel, path: Path, known: Names) -> Found:
+def _geometry(name: str, geometry: Geometry, path: Path, known: Names) -> Found:
     """Every pivot of the link has its own place; other points may stand where another is."""
+    link = geometry.links[name]
     if isinstance(link.points, list):
         return
     *first, second = list(link.points.items())[:2]
@@ -236,20 +230,30 @@ def _geometry(link: m.LinkModel, path: Path, known: Names) -> Found:
             Message(N_("a length is positive; a point behind the first one is given as [x, y]")),
         )
     placed: dict[str, complex] = {}
-    for name, place in link.points.items():
-        here = (*path, "points", name)
+    # of points that cannot be read themselves their own line tells
+    broken = {
+        one for key, own in geometry.links.items() for one in known.points[key] if one not in own.points
+    }
+    for point, written in link.points.items():
+        here = (*path, "points", point)
         try:
-            placed[name] = build.place(place, placed)
+            placed[point] = geometry.place(name, point, placed)
         except WrongValue as error:
-            yield Problem(error.wrong, error.right, here)
+            told = isinstance(error, Elsewhere) or broken & mentioned(written)
+            broken.add(point)
+            if told:
+                continue
+            links = getattr(error, "links", (name,))
+            if name == next(link for link in geometry.links if link in links):
+                yield Problem(error.wrong, error.right, here)
             continue
-        if not known.pivot(name):
+        if not known.pivot(point):
             continue
         for other in placed:
-            if other != name and known.pivot(other) and abs(placed[other] - placed[name]) < 1e-9:
+            if other != point and known.pivot(other) and abs(placed[other] - placed[point]) < 1e-9:
                 text = N_("zero length: %(name)s is at the place of %(other)s")
                 right = Message(N_("one name for both: links that share a point are joined there"))
-                yield mistake(text, here, right, name=name, other=other)
+                yield mistake(text, here, right, name=point, other=other)
 
 
 def _guides(mechanism: m.MechanismModel, known: Names) -> Found:

@@ -19,10 +19,8 @@ from tmm_report.variant.values import (
     SIDES,
     Angle,
     Choice,
-    Distance,
     GroupName,
     KeyName,
-    Length,
     Name,
     Period,
     Point,
@@ -38,10 +36,36 @@ from tmm_report.variant.values import (
 Turns = Annotated[int, whole(1, 4)]
 
 
+def _stated(dimension: str, low: float, read: Callable[[str], Statement], examples: Sequence[str]) -> Reads:
+    """A number with a unit, or how it follows from lengths and the masses of links."""
+    plain = quantity(dimension, low)
+
+    def value(written: object) -> float | Statement:
+        try:
+            return plain.value(written)
+        except WrongValue:
+            if isinstance(written, str) and closed.looks_closed(written):
+                return read(written)
+            raise
+
+    # what is no number with a unit is read as a statement, whatever its letters
+    texts = {"type": "string", "pattern": r"^[^;:#{}]*$", "maxLength": closed.LONGEST}
+    shown = {"anyOf": [{"type": "number"}, texts], "examples": [*plain.schema["examples"], *examples]}
+    return Reads(value, {**plain.schema, **shown}, dimension)
+
+
+AnyLength = Annotated[float | Statement, _stated("length", -math.inf, closed.length, ["0.4*l_AB"])]
+AnyDistance = Annotated[float | Statement, _stated("length", 0.0, closed.length, ["0.4*l_AB"])]
+AnyMass = Annotated[float | Statement, _stated("mass", 0.0, closed.mass, ["30 kg/m", "0.3*m2"])]
+StatedInertia = Annotated[
+    float | Statement, _stated("inertia", 0.0, closed.inertia, ["m*l^2/12", "0.17*m*l_AB^2"])
+]
+
+
 class Triangle(Model):
     """A point of a link found by its distances from two points of the same link placed before it."""
 
-    from_: dict[KeyName, Distance] = Field(
+    from_: dict[KeyName, AnyDistance] = Field(
         alias="from",
         min_length=2,
         max_length=2,
@@ -54,7 +78,7 @@ class Triangle(Model):
 
 
 Place = Annotated[
-    Annotated[Length, Tag(SCALAR)] | Annotated[Point, Tag(LIST)] | Annotated[Triangle, Tag(MAP)],
+    Annotated[AnyLength, Tag(SCALAR)] | Annotated[Point, Tag(LIST)] | Annotated[Triangle, Tag(MAP)],
     by_shape(N_("75 mm, [75 mm, 10 mm] or {from: {A: 75 mm, B: 100 mm}, side: left}")),
 ]
 
@@ -102,34 +126,6 @@ Points = Annotated[
 Through = Annotated[
     Annotated[Name, Tag(SCALAR)] | Annotated[list[Name], Field(min_length=2, max_length=2), Tag(LIST)],
     by_shape(N_("a point, or two: [P, Q]")),
-]
-
-
-def _stated(dimension: str, read: Callable[[str], Statement], examples: Sequence[str]) -> Reads:
-    """A number with a unit, or how it follows from lengths and the masses of links."""
-    plain = quantity(dimension, 0.0)
-
-    def value(written: object) -> float | Statement:
-        try:
-            return plain.value(written)
-        except WrongValue:
-            if isinstance(written, str) and closed.looks_closed(written):
-                return read(written)
-            raise
-
-    # what is no number with a unit is read as a statement, whatever its letters
-    texts = {"type": "string", "pattern": r"^[^;:#{}]*$", "maxLength": closed.LONGEST}
-    schema = {
-        **plain.schema,
-        "anyOf": [{"type": "number"}, texts],
-        "examples": [*plain.schema["examples"], *examples],
-    }
-    return Reads(value, schema, dimension)
-
-
-AnyMass = Annotated[float | Statement, _stated("mass", closed.mass, ["30 kg/m", "0.3*m2"])]
-StatedInertia = Annotated[
-    float | Statement, _stated("inertia", closed.inertia, ["m*l^2/12", "0.17*m*l_AB^2"])
 ]
 
 
