@@ -96,9 +96,29 @@ def _asked(fault: Fault, golden: bool) -> list[list[str]]:
     """The tests that look at a fault, cheap ones apart from those that set a note in LaTeX and print it."""
     if fault.words:
         return [[f"tests/page/{TEXTS}"]]
+    twice = [one for one in _second_ways(fault.file) if one not in fault.tests]
     left = [LEVERS_BESIDE, *([] if fault.variants in GEARS else [GEARS_BESIDE]), *([] if golden else [TEXTS])]
-    cheap = [*fault.tests, "tests/page", *(f"--ignore=tests/page/{other}" for other in [*left, PAPER])]
+    cheap = [
+        *fault.tests,
+        *twice,
+        "tests/page",
+        *(f"--ignore=tests/page/{other}" for other in [*left, PAPER]),
+    ]
     return [cheap, [f"tests/page/{PAPER}"]]
+
+
+def _second_ways(file: str) -> list[str]:
+    """The tests of second ways of the chapter that a file is of, or of the chapters of its wing of mechanics: a formula is
+    evaluated where it is printed, so the page alone does not know a wrong one."""
+    at = Path(file).parts
+    chapter, wing = (
+        (at[3], at[2]) if at[1:2] == ("chapters",) else ("*", at[2] if at[1:2] == ("mechanics",) else "")
+    )
+    if chapter != "*":
+        return [str(one.relative_to(ROOT)) for one in ROOT.glob(f"tests/chapters/**/test_{chapter}_twice.py")]
+    rooms = {"gears": "gears", "machine": "machine", "masses": "machine", "pairs": "machine/pairs"}
+    found = ROOT.glob(f"tests/chapters/{rooms[wing]}/**/test_*_twice.py") if wing in rooms else ()
+    return sorted(str(one.relative_to(ROOT)) for one in found)
 
 
 def planted(folder: Path, fault: Fault) -> bytes:

@@ -40,7 +40,7 @@ SCALES = {
 
 
 OWN = (
-    "Кинематический анализ", "Силовой", "Потери на трение", "Приведение масс",
+    "Исходные данные", "Initial data", "Кинематический анализ", "Силовой", "Потери на трение", "Приведение масс",
     "Kinematic analysis", "Kinetostatic analysis", "Friction losses", "Reduction of masses",
 )  # fmt: skip
 """How the sections of the lever's chapters begin: diagrams of the others have tests of their own."""
