@@ -45,6 +45,20 @@ def powers(document: dict[str, Any], name: str) -> Iterator[tuple[str, np.ndarra
             yield key, loads[key] * rates[f"w_{of}"]
 
 
+def wrong_plans(document: dict[str, Any], driver: str) -> Iterator[str]:
+    """The reduced moment of inertia by the ratios that were read off the plans, beside the one of the table."""
+    if "reduction_plans" not in document["tables"]:
+        return
+    plans, exact = table_of(document, "reduction_plans"), table_of(document, "reduced_inertia_table")["I_red"]
+    columns = {c["key"]: c["values"] for c in document["tables"]["masses"]["columns"]}
+    read = np.zeros(len(plans["position"]))
+    for link, m, centre, J in zip(*(columns[key] for key in ("link", "m", "mass_centre", "J")), strict=True):
+        turning = 1.0 if link == driver else plans.get(f"u_{link}_{driver}", np.zeros(1))
+        read = read + (m or 0) * plans.get(f"vq_{centre}", np.zeros(1)) ** 2 + (J or 0) * turning**2
+    yield from differ("I_red_graph", plans["I_red_graph"], read)
+    yield from differ("I_red", plans["I_red"], exact[plans["position"].astype(int)])
+
+
 def wrong_reduction(document: dict[str, Any], name: str) -> Iterator[str]:
     inertia = table_of(document, "reduced_inertia_table")
     omega = table_of(document, "rates_table")[f"w_{scheme(name).driver}"][0]
@@ -52,6 +66,7 @@ def wrong_reduction(document: dict[str, Any], name: str) -> Iterator[str]:
     for link, part in parts.items():
         yield from differ(f"I_{link}", inertia[f"I_{link}"], part)
     yield from differ("I_red", inertia["I_red"], sum(parts.values()))  # type: ignore[arg-type]
+    yield from wrong_plans(document, scheme(name).driver)
     if "reduced_moment_table" in document["tables"]:
         moment, work = table_of(document, "reduced_moment_table"), dict(powers(document, name))
         for key, power in work.items():
