@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     from tmm_report.chapters.lever.readings import solve as readings
     from tmm_report.chapters.lever.reduction import solve as reduction
     from tmm_report.chapters.lever.structure import solve as structure
+    from tmm_report.chapters.lever.synthesis import solve as synthesis
     from tmm_report.chapters.lever.transmission import solve as transmission
     from tmm_report.chapters.machine.balancing.solve import whole as balancing
     from tmm_report.chapters.machine.contacts import solve as contacts
@@ -67,6 +68,7 @@ class Late:
 
 
 if not TYPE_CHECKING:
+    synthesis = Late("lever.synthesis.solve")
     structure = Late("lever.structure.solve")
     kinematics = Late("lever.kinematics.solve.positions")
     cam = Late("lever.cam.solve")
@@ -116,6 +118,7 @@ class Variant:
     """Everything a variant states, checked, in SI: a lever mechanism, gears, or several of them."""
 
     lever: LeverGiven | None = None
+    synthesis: synthesis.Given | None = None
     dynamics: dynamics.Given | None = None
     flywheel: flywheel.Given | None = None
     governor: governor.Given | None = None
@@ -179,6 +182,7 @@ class Results:
 
     variant: Variant
     lever: LeverFound | None = None
+    synthesis: synthesis.Found | None = None
     dynamics: dynamics.Found | None = None
     flywheel: flywheel.Found | None = None
     governor: governor.Found | None = None
@@ -244,6 +248,7 @@ def _solved(variant: Variant, moved: Moved | None) -> Results:
     return Results(
         variant,
         lever=lever,
+        synthesis=synthesis.solve(variant.synthesis, lever) if variant.synthesis else None,
         dynamics=dynamics.solve(variant.dynamics, moving) if variant.dynamics and whole else None,
         flywheel=flywheel.solve(variant.flywheel, moving) if variant.flywheel and whole else None,
         governor=governor.solve(variant.governor, moving) if variant.governor else None,
@@ -320,12 +325,14 @@ INITIAL_DATA = "initial_data"  # what a lever mechanism is given, at the head of
 LEVER = tuple(record.name for record in fields(LeverFound) if record.name != "given")
 OTHERS = tuple(record.name for record in fields(Results) if record.name not in ("variant", "lever"))
 """The chapters beside the lever's: the key of such a chapter's block is its name."""
+BEFORE = ("synthesis",)  # what stands in the note before the lever mechanism, of the others
 GEARS = ("spur", "planetary", "drive", "eccentric")  # the first two are stages of a drive
 
 
 def chapters(results: Results) -> Iterator[tuple[str, Any]]:
     """Name and Found of every chapter that was solved, in the order of the note."""
-    for names, record in ((LEVER, results.lever), (OTHERS, results)):
+    after = tuple(name for name in OTHERS if name not in BEFORE)
+    for names, record in ((BEFORE, results), (LEVER, results.lever), (after, results)):
         found = ((name, getattr(record, name)) for name in names if record is not None)
         yield from ((name, one) for name, one in found if one is not None)
 
@@ -361,7 +368,7 @@ def room(chapter: str, name: str) -> Any:
 
 def wing(chapter: str) -> str:
     """Which wing a chapter stands in, "lever." and so on: none for the title page."""
-    if chapter in (INITIAL_DATA, *LEVER):
+    if chapter in (INITIAL_DATA, *BEFORE, *LEVER):
         return "lever."
     return "gears." if chapter in GEARS else "machine." if chapter in OTHERS else ""
 
@@ -427,7 +434,7 @@ def _further(read: Read) -> Iterator[Problem]:
     """What cannot be solved of the parts of a file with mistakes that have none themselves."""
     from tmm_report.chapters.lever.structure.block import stated
 
-    if stated(read) and not any(map(read.is_broken, ("mechanism", "positions", "drawing"))):
+    if stated(read) and not any(map(read.is_broken, ("mechanism", "positions", "drawing", "synthesis"))):
         lever = LeverGiven(**_given(("structure", "kinematics"), read))
         yield from _unsolvable(
             lambda: kinematics.solve(lever.positions, structure.solve(lever.mechanism)),

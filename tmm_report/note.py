@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from types import ModuleType
 from typing import Any
 
-from tmm_report.course import INITIAL_DATA, LEVER, Results, chapters, doubts, left_out, room
+from tmm_report.course import BEFORE, INITIAL_DATA, LEVER, Results, chapters, doubts, left_out, room
 from tmm_report.figures.drawing import Drawing
 from tmm_report.i18n import Translator
 from tmm_report.problems import N_, Message
@@ -53,14 +53,20 @@ def parts(results: Results, page: Page) -> Iterator[Part]:
 
 def picture(results: Results, page: Page) -> Drawing:
     """What shows the whole at a glance: the picture of the first chapter that has one."""
-    views = ((room(name, "view"), found) for name, found in _solved(results))
+    solved = sorted(_solved(results), key=lambda one: one[0] in BEFORE)
+    views = ((room(name, "view"), found) for name, found in solved)
     return next(view.picture(found, page) for view, found in views if hasattr(view, "picture"))
 
 
 def _solved(results: Results) -> Iterator[tuple[str, Found]]:
+    found_first = dict(chapters(results))
+    before = [name for name in BEFORE if name in found_first]
+    yield from ((name, found_first[name]) for name in before)
     if results.lever is not None:
         yield INITIAL_DATA, results.lever
-    for name, found in chapters(results):
+    for name, found in found_first.items():
+        if name in before:
+            continue
         yield name, results.lever if name in LEVER else found
 
 

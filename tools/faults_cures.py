@@ -20,8 +20,8 @@ FAULTS = (
     Fault(
         "results name the point in place of the link that takes a force",
         STATICS + "quantities/positions.py",
-        "f.at, loaded_link(motion, f), _way(f.direction)",
-        "f.at, f.at, _way(f.direction)",
+        "f.at, loaded_link(motion, f), _way(f.way)",
+        "f.at, f.at, _way(f.way)",
     ),
     Fault(
         "with a range the last value by position holds on",

@@ -48,6 +48,7 @@ FAULTS = (
 COPIED = ("tmm_report", "templates", "variants", "tests", "tools", "pyproject.toml", "README.md", "docs")
 TEXTS = "test_golden_text.py"
 GEARS_BESIDE, LEVERS_BESIDE = "tables/test_other_gears.py", "tables/test_other_levers.py"
+WINGS = {"gears": "gears", "machine": "machine", "masses": "machine", "pairs": "machine/pairs"}
 PAPER = "drawings/test_measured_on_paper.py"
 GEARS = ("hoist_drive", "eccentric")  # variants whose faults gears of no variant may notice: they cost time
 FAILED = re.compile(r"^(?:FAILED|ERROR) (\S+)", re.M)
@@ -108,17 +109,16 @@ def _asked(fault: Fault, golden: bool) -> list[list[str]]:
 
 
 def _second_ways(file: str) -> list[str]:
-    """The tests of second ways of the chapter that a file is of, or of the chapters of its wing of mechanics: a formula is
-    evaluated where it is printed, so the page alone does not know a wrong one."""
+    """The tests of second ways of the chapter that a file is of, or of the chapters of its wing of mechanics: a formula
+    is evaluated where it is printed, so that the page alone does not know a wrong one."""
     at = Path(file).parts
-    chapter, wing = (
-        (at[3], at[2]) if at[1:2] == ("chapters",) else ("*", at[2] if at[1:2] == ("mechanics",) else "")
-    )
-    if chapter != "*":
-        return [str(one.relative_to(ROOT)) for one in ROOT.glob(f"tests/chapters/**/test_{chapter}_twice.py")]
-    rooms = {"gears": "gears", "machine": "machine", "masses": "machine", "pairs": "machine/pairs"}
-    found = ROOT.glob(f"tests/chapters/{rooms[wing]}/**/test_*_twice.py") if wing in rooms else ()
-    return sorted(str(one.relative_to(ROOT)) for one in found)
+    if at[1] == "chapters":
+        asked = f"tests/chapters/**/test_{at[3]}_twice.py"
+    elif at[1] == "mechanics" and at[2] in WINGS:
+        asked = f"tests/chapters/{WINGS[at[2]]}/**/test_*_twice.py"
+    else:
+        return []
+    return sorted(str(one.relative_to(ROOT)) for one in ROOT.glob(asked))
 
 
 def planted(folder: Path, fault: Fault) -> bytes:

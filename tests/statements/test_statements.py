@@ -12,7 +12,14 @@ from tmm_report import course, render
 HERE = Path(__file__).parent
 NAMES = sorted(path.name.removesuffix(".answers.yaml") for path in HERE.glob("*.answers.yaml"))
 DIGITS = 1e-9
-TABLES = ("outputs_table", "rates_table", "balancing_table")
+TABLES = (
+    "positions_table",
+    "outputs_table",
+    "rates_table",
+    "loads_table",
+    "reactions_table",
+    "balancing_table",
+)
 
 
 @cache
@@ -38,8 +45,8 @@ def test_single_numbers(name):
 
 @pytest.mark.parametrize("name", NAMES)
 def test_masses(name):
-    table = columns(found(name), "masses")
-    for key, asked in answers(name)["masses"].items():
+    table = columns(found(name), "masses") if "masses" in answers(name) else {}
+    for key, asked in answers(name).get("masses", {}).items():
         of = dict(zip(table["link"], table[key], strict=True))
         assert {link: of[str(link)] for link in asked} == pytest.approx(asked, rel=DIGITS)
 
@@ -47,6 +54,7 @@ def test_masses(name):
 @pytest.mark.parametrize("name", NAMES)
 def test_positions(name):
     document = found(name)
-    table = {key: column for one in TABLES for key, column in columns(document, one).items()}
-    for position, asked in answers(name)["positions"].items():
+    there = (one for one in TABLES if one in document["tables"])
+    table = {key: column for one in there for key, column in columns(document, one).items()}
+    for position, asked in answers(name).get("positions", {}).items():
         assert {key: table[key][position] for key in asked} == pytest.approx(asked, rel=DIGITS)

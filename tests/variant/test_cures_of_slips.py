@@ -17,7 +17,8 @@ MACHINE = "flywheel, a block of its own at the top of the file: flywheel: {delta
         ("loads:\n", "coefficient: 1\nloads:\n", "coefficient", "friction.pivots, friction.guides"),
         ("loads:\n", "table: 12\nloads:\n", "table", "positions: {table: 12}"),
         ("mechanism:\n", "Mechanism:\n", "Mechanism", "did you mean mechanism?"),
-        ("mechanism:\n", "механизм:\n", "механизм", "known: accuracy, allow_partial"),
+        ("mechanism:\n", "механизм:\n", "механизм", "keys are English words: mechanism"),
+        ("mechanism:\n", "меканізм:\n", "меканізм", "known: accuracy, allow_partial"),
     ],
 )
 def test_a_key_in_a_wrong_place_is_one_mistake_with_the_right_place(right, wrong, key, cure):

@@ -178,8 +178,13 @@ def test_too_many_values_are_not_told_of_a_decimal_comma():
 
 
 def test_keys_in_another_language_are_told_once():
-    (line, *_) = lines(text="заголовок: {тема: Т}\nмеханизм: {стойка: 1}\nнагрузки: []\n")
-    assert "keys are English words, and these are not: заголовок, механизм, нагрузки" in line
+    (line, *_) = lines(text="тақырып: {тема: Т}\nтетік: {стойка: 1}\nжүктемелер: []\n")
+    assert "keys are English words, and these are not: тақырып, тетік, жүктемелер" in line
+
+
+def test_keys_in_russian_are_told_with_the_english_ones():
+    found = lines(text="заголовок: {тема: Т}\nмеханизм: {стойка: 1}\nнагрузки: []\n")
+    assert [line.rsplit(": ", 1)[1] for line in found[:3]] == ["title", "mechanism", "loads"]
 
 
 def test_all_lengths_in_bare_millimetres_are_told_beside_a_mistake():

@@ -142,7 +142,7 @@ def data(variant: Variant) -> Iterator[Datum]:
     if isinstance(zero, ZeroAngle):
         yield _of_driver(variant, mechanism, zero)
     if lever.loads is not None:
-        fixed = [(k, one) for k, one in enumerate(lever.loads.forces) if not isinstance(one.direction, str)]
+        fixed = [(k, one) for k, one in enumerate(lever.loads.forces) if isinstance(one.direction, complex)]
         for k, force in fixed:
             yield Datum(f"loads.forces.{k}", 1.0, "×", _force(variant, k, force))
 

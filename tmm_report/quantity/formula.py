@@ -260,13 +260,13 @@ class Quotient(Expr):
 @dataclass(frozen=True, eq=False)
 class Power(Expr):
     base: Expr
-    exponent: int
+    exponent: float
 
     def evaluate(self, digits: int | None = None) -> Value:
         return self.base.evaluate(digits) ** float(self.exponent)
 
     def piece(self, page: Page) -> Piece:
-        if isinstance(self.base, Var) and not page.numbers:
+        if isinstance(self.base, Var) and not page.numbers and isinstance(self.exponent, int):
             raised = with_power(self.base.sign, str(self.exponent))
             if raised is not None:
                 return Piece(page.notation.symbol(raised), POWER)

@@ -12,6 +12,9 @@ SOURCES = {
         "Frolov K. V. (ed.), Popov S. A., Musatov A. K. et al. Theory of Mechanisms and Machines. Moscow: "
         "Vysshaya Shkola, 1987. 496 p. (in Russian)"
     ),
+    "freudenstein": N_(
+        "Freudenstein F. Approximate Synthesis of Four-Bar Linkages. Transactions of the ASME 77 (1955), pp. 853–861"
+    ),
     "levitsky": N_(
         "Levitsky N. I. Theory of Mechanisms and Machines. Moscow: Nauka, 1990. 592 p. (in Russian)"
     ),

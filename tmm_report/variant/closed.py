@@ -1,6 +1,7 @@
 """The small closed grammar of masses and moments of inertia: `30 kg/m`, `0.3*m2`, `m*l^2/12`, `0,17 m l_AB²`.
 
-Numbers, `m` and `l` of the link itself, `m2` (or m_2) of another link, `l2` of its length, `l_AB` of a segment; sums,
+Numbers, `m` and `l` of the link itself, `m2` (or m_2) of another link, `l2` of its length, `l_AB` of a segment,
+`synthesis.crank` of what the synthesis finds; sums,
 products, quotients, whole powers, brackets; a product's sign may be left out. Nothing else is read, nothing is run.
 """
 
@@ -16,6 +17,7 @@ from tmm_report.mechanics.lever.stated_masses import (
     PerLength,
     Power,
     Statement,
+    Synthesised,
     dimension,
     letters,
 )
@@ -27,7 +29,8 @@ MOST = 6  # exponent
 _NAME = r"[0-9A-Za-z\u0400-\u0481\u048a-\u052f'’]"
 _TOKEN = re.compile(
     rf"""\s*(?:
-    (?P<per>[0-9]+(?:[.,][0-9]+)?\s*(?:kg|кг|g|г|t|т)\s*/\s*(?:mm|мм|cm|см|m|м)(?!{_NAME}|[_^]))
+    synthesis\.(?P<found>[a-z_]+)
+    |(?P<per>[0-9]+(?:[.,][0-9]+)?\s*(?:kg|кг|g|г|t|т)\s*/\s*(?:mm|мм|cm|см|m|м)(?!{_NAME}|[_^]))
     |(?P<number>[0-9]+(?:[.,][0-9]+)?(?:[eE][-+]?[0-9]+)?)
     |(?P<own>ml(?!{_NAME}|_))
     |(?P<letter>[mlмl](?:_?{_NAME}+)?)
@@ -58,7 +61,7 @@ def looks_closed(text: str) -> bool:
     m of 5 m and the мм of 1 400 мм are."""
     try:
         return any(
-            kind in ("per", "own") or (kind == "letter" and _MEANT.match(text))
+            kind in ("per", "own", "found") or (kind == "letter" and _MEANT.match(text))
             for kind, text in _tokens(text)
         )
     except Unread:
@@ -96,7 +99,7 @@ def inertia(text: str) -> Statement:
 def length(text: str) -> Statement:
     """A length that follows from others. Raises WrongValue."""
     found = _read(text)
-    if all(isinstance(letter, LengthOf) for letter in letters(found)):
+    if all(isinstance(letter, LengthOf | Synthesised) for letter in letters(found)):
         return _measuring(found, LENGTH, text)
     wrong = Message(N_("%(text)s: a length follows from lengths alone"), {"text": shown(text)})
     raise WrongValue(wrong, Message(N_("a number of other lengths, such as 0.4*l_AB")))
@@ -172,7 +175,7 @@ class _Reader:
             if sign := self.next("*/"):
                 found = Combined(sign, found, self.power())
             elif self.at < len(self.tokens) and (
-                self.tokens[self.at][0] in ("letter", "own", "per") or self.tokens[self.at][1] == "("
+                self.tokens[self.at][0] in ("letter", "own", "per", "found") or self.tokens[self.at][1] == "("
             ):
                 found = Combined("*", found, self.power())  # m l², with its sign left out
             else:
@@ -199,6 +202,8 @@ class _Reader:
             return Number(_number(text))
         if kind == "per":
             return _per_length(text)
+        if kind == "found":
+            return Synthesised(text)
         if kind == "own":
             # ml², as it is printed: the square is that of the length alone
             self.at -= 1

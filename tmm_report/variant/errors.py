@@ -14,6 +14,7 @@ from tmm_report.quantity.typed.alike import difference, skeleton
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.forms import fields_at, forms_at
 from tmm_report.variant.leaves import leaves
+from tmm_report.variant.russian import english_key
 from tmm_report.variant.slips import elsewhere
 from tmm_report.yamlread import Path
 
@@ -166,6 +167,8 @@ def unknown(
         return refused
     if own is None:
         return near(key, sorted(fields_at(path[:-1], roots())))
+    if (meant := english_key(key, own)) is not None:
+        return Message(N_("keys are English words: %(key)s"), {"key": meant})
     alike = any(skeleton(one) == skeleton(key) for one in own)
     return (None if alike else elsewhere.right(path, data, own, roots(), stated)) or near(key, sorted(own))
 
@@ -179,6 +182,9 @@ def _not_offered(key: str, path: Path, roots: Roots) -> Message | None:
 
 def unknown_block(key: str, data: Any, known: Sequence[str], roots: Roots) -> Message | None:
     """What would be right where a key at the top of the file is unknown."""
+    everywhere = {name for block in roots() for name in block.model_fields}
+    if (meant := english_key(key, everywhere)) is not None:
+        return Message(N_("keys are English words: %(key)s"), {"key": meant})
     close = difflib.get_close_matches(key, known, 1, CLOSE) or any(
         skeleton(one) == skeleton(key) for one in known
     )

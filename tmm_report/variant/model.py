@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any, ClassVar, Protocol, TypeVar
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from functools import cache
+from typing import Any, ClassVar, Literal, Protocol, TypeVar, get_args, get_origin
 
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel, ConfigDict, model_validator
 
 from tmm_report.problems import Problem
 from tmm_report.records import dataclass
+from tmm_report.variant.russian import english
+from tmm_report.variant.russian import words as russian_words
 from tmm_report.yamlread import Path
 
 
@@ -21,6 +24,56 @@ class Model(BaseModel):
 
     NOT_OFFERED: ClassVar[Mapping[str, str]] = {}
     """Keys that one may look for here, with what to say of each: what they ask for is not offered."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def words_in_russian(cls, data: Any) -> Any:
+        """Value words may be written in Russian."""
+        if not isinstance(data, dict) or all(_plain(value) for value in data.values()):
+            return data
+        words = _words_of(cls)
+        return {key: _in_english(value, words.get(key, frozenset())) for key, value in data.items()}
+
+
+def _plain(value: object) -> bool:
+    """Whether there is no Russian word in a value, in a list of them, or in what says the kind of a mapping."""
+    if isinstance(value, list):
+        return all(_plain(one) for one in value)
+    if isinstance(value, dict):
+        return _plain(value.get("kind"))
+    return not isinstance(value, str) or value.isascii()
+
+
+def _in_english(value: Any, words: Collection[str]) -> Any:
+    """A value word, or the kind of a mapping: by that its form is chosen, before it is read."""
+    if isinstance(value, list):
+        return [_in_english(one, words) for one in value]
+    if isinstance(value, dict) and not _plain(value):
+        return {**value, "kind": english(value["kind"], russian_words())}
+    return english(value, words)
+
+
+@cache
+def _words_of(model: type[Model]) -> Mapping[str, frozenset[str]]:
+    """By the keys of a mapping the words that may stand there."""
+    found = {}
+    for name, field in model.model_fields.items():
+        words = frozenset(_words(field.annotation)) | frozenset(
+            one for part in field.metadata for one in _words(part)
+        )
+        if words:
+            found[field.alias or name] = words
+    return found
+
+
+def _words(of: Any) -> Iterator[str]:
+    if get_origin(of) is Literal:
+        yield from (word for word in get_args(of) if isinstance(word, str))
+    elif words := getattr(of, "become", None):  # values.Words
+        yield from words
+    else:
+        for part in (*get_args(of), *getattr(of, "__metadata__", ())):
+            yield from _words(part)
 
 
 class Block(Model):

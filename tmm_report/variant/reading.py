@@ -16,6 +16,7 @@ from tmm_report.problems import N_, Message, Problem, ProblemError, mistake, sho
 from tmm_report.variant import errors, sizes
 from tmm_report.variant.leaves import leaves
 from tmm_report.variant.model import Block, Read, Room, Rooms
+from tmm_report.variant.russian import meant
 from tmm_report.variant.slips import lookalike, odd
 from tmm_report.yamlread import Document, Path, located
 
@@ -160,7 +161,9 @@ def _blocks(
 def _foreign(strange: list[str]) -> tuple[list[Problem], list[str]]:
     """One mistake for all keys that are written in letters of no known key; the other unknown keys."""
     foreign = [
-        key for key in strange if any(char.isalpha() for char in key) and not re.search("[A-Za-z]", key)
+        key
+        for key in strange
+        if any(char.isalpha() for char in key) and not re.search("[A-Za-z]", key) and not meant(key)
     ]
     if len(foreign) < 2:
         return [], strange

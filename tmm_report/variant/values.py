@@ -14,11 +14,13 @@ from typing import Annotated, Any, Literal
 from pydantic import AfterValidator, BaseModel, Discriminator, Field
 from pydantic_core import core_schema
 
+from tmm_report.mechanics.lever.synthesis import Wanted
 from tmm_report.problems import N_, Message, shown
 from tmm_report.quantity import units
 from tmm_report.quantity.typed.alike import difference, readings
 from tmm_report.quantity.units import DIMENSIONS, WrongValue
 from tmm_report.records import dataclass
+from tmm_report.variant.russian import english
 
 NAME = r"[0-9A-Za-z\u0400-\u0481\u048a-\u052f][0-9A-Za-z\u0400-\u0481\u048a-\u052f'’]{0,11}"
 _NAMING = r"[0-9A-Za-z\u0400-\u0481\u048a-\u052f'’]"  # what it is made of
@@ -193,7 +195,12 @@ def _free_text(value: object) -> str:
     return text
 
 
+_WAYS = (*SIDES, "along motion", "against motion")
+_SIDE_OF = re.compile(r"(слева|справа) от\b")
+
+
 def _direction(value: object) -> complex | str:
+    value = english(value, _WAYS)
     if isinstance(value, str) and value.strip() in SIDES:
         return SIDES[value.strip()]
     if value in ("along motion", "against motion"):
@@ -217,7 +224,8 @@ def _fixed_direction(value: object) -> complex:
 
 def _choice(value: object) -> int | complex | tuple[str, str, str]:
     """What `mechanism.Assembly.choice` may be."""
-    text = str(value).strip()
+    text = str(english(value, SIDES)).strip()
+    text = _SIDE_OF.sub(lambda found: f"{english(found[1], SIDES)} of", text)
     if text in ("+", "+1", "1", "-", "-1"):
         return -1 if text.startswith("-") else 1
     if text in SIDES:
@@ -253,6 +261,39 @@ def _ascending(pairs: Any) -> Any:
 _NAME = {"type": ["string", "integer"], "pattern": f"^{NAME}$", "examples": ["A"]}
 _WORDS = {"type": ["string", "number"]}
 _CURVE = (Field(min_length=1, max_length=1000), AfterValidator(_ascending))
+
+_CALLED = re.compile(r"(log10|lg|ln|exp|sqrt|sin|cos|tan|tg)\s*(?:x|\(\s*x\s*\))")
+_OTHERWISE = {"lg": "log10", "tg": "tan"}
+_POWER = re.compile(r"x\s*(?:\^|\*\*)\s*\(?\s*([-+]?[0-9]+(?:[.,][0-9]+)?)\s*\)?")
+_SHORT = {"x": 1.0, "x²": 2.0, "x³": 3.0, "1/x": -1.0, "1/x²": -2.0}
+
+
+def _function(value: object) -> Wanted:
+    """log10 x, x^1.5, 1/x: a small closed list, nothing is run."""
+    text = " ".join(str(value).replace("−", "-").split())
+    if match := _CALLED.fullmatch(text):
+        return Wanted(_OTHERWISE.get(match[1], match[1]))
+    if (short := _SHORT.get(text.replace(" ", ""))) is not None:
+        return Wanted(power=short)
+    if (match := _POWER.fullmatch(text)) and abs(power := float(match[1].replace(",", "."))) <= 20:
+        return Wanted(power=power)
+    wrong = Message(N_("%(value)s is not a function that is known here"), {"value": _quoted(value)})
+    right = N_("log10 x, ln x, exp x, sqrt x, sin x, cos x, tan x, 1/x or a power such as x^1.5")
+    raise WrongValue(wrong, Message(right))
+
+
+def _plain_or_angle(value: object) -> float:
+    try:
+        return units.parse(value, "number")
+    except WrongValue:
+        return units.parse(value, "angle")
+
+
+FunctionOfX = Annotated[
+    Wanted, Reads(_function, {"type": "string", "maxLength": 40, "examples": ["log10 x"]})
+]
+_END = Reads(_plain_or_angle, {"anyOf": [{"type": "number"}, {"type": "string"}], "examples": [1]})
+Within = tuple[Annotated[float, _END], Annotated[float, _END]]
 
 Name = Annotated[str, Reads(_name, _NAME, names=True)]
 KeyName = Annotated[str, Reads(_name, {"type": "string", "pattern": f"^{NAME}$"}, names=True)]
@@ -296,6 +337,7 @@ TorsionalDamping = Annotated[float, quantity("torsional damping", 0.0)]
 Density = Annotated[float, quantity("density", 1e-9)]
 WearCoefficient = Annotated[float, quantity("wear", 0.0)]
 Time = Annotated[float, quantity("time", 0.0)]
+Part = Annotated[float, quantity("number", 0.0, 0.49, "0 … 0.49")]
 Fraction = Annotated[float, quantity("number", 1e-12, 1.0, "0 … 1")]
 PositiveMass = Annotated[float, quantity("mass", 1e-12)]
 PositiveInertia = Annotated[float, quantity("inertia", 1e-12)]
@@ -304,11 +346,17 @@ Position = Annotated[int, whole(0, 360)]
 TableCount = Annotated[int, whole(4, 360)]
 DiagramCount = Annotated[int, whole(4, 720)]
 
+TimeRatio = Annotated[float, quantity("number", 1.0, 10.0, "1 … 10")]
+Swing = Annotated[float, quantity("angle", 1e-3, 2.9671, "0 … 170 deg")]
+PressureAngle = Annotated[float, quantity("angle", 1e-3, 1.5621, "0 … 89.5 deg")]
+TransmissionAngle = Annotated[float, quantity("angle", 1e-3, 1.5708, "0 … 90 deg")]
+
 Point = tuple[Length, Length]
 AngleForces = Annotated[list[tuple[TurnAngle, ForceValue]], *_CURVE]
 AngleMoments = Annotated[list[tuple[TurnAngle, MomentValue]], *_CURVE]
 AnglePressures = Annotated[list[tuple[TurnAngle, Pressure]], *_CURVE]
 StrokeForces = Annotated[list[tuple[Coefficient, ForceValue]], *_CURVE]
+StrokeMoments = Annotated[list[tuple[Coefficient, MomentValue]], *_CURVE]
 StrokePressures = Annotated[list[tuple[Coefficient, Pressure]], *_CURVE]
 
 _TO = "right, left, up, down or an angle"
@@ -326,6 +374,7 @@ Turning = Annotated[
     int | Literal["along", "against"],
     Words({"clockwise": -1, "counter-clockwise": 1, "along motion": "along", "against motion": "against"}),
 ]
+Sense = Annotated[int, Words(SENSES)]
 Turn = Literal["clockwise", "counter-clockwise"]
 
 # --- of gears

@@ -6,6 +6,7 @@ stands for its letters: numbers for the solution, variables of a formula for the
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 from typing import Any, Union
 
@@ -39,6 +40,16 @@ class LengthOf:
 
 
 @dataclass(frozen=True)
+class Synthesised:
+    """A length that the synthesis found, by its key; `number`: as the mechanism takes it, m; `row`: of the table of
+    rounded lengths, where they are rounded."""
+
+    key: str
+    number: float = math.nan
+    row: int | None = None
+
+
+@dataclass(frozen=True)
 class Segment:
     """The length between two points of a link: what a `LengthOf` turns out to be."""
 
@@ -60,7 +71,7 @@ class Power:
     exponent: int
 
 
-Letter = Union[PerLength, MassOf, LengthOf, Segment]  # noqa: UP007
+Letter = Union[PerLength, MassOf, LengthOf, Segment, Synthesised]  # noqa: UP007
 Statement = Union[Number, Letter, Combined, Power]  # noqa: UP007
 
 _SIGNS: dict[str, Callable[[Any, Any], Any]] = {
@@ -120,7 +131,7 @@ def dimension(statement: Statement) -> tuple[int, int] | None:
             return 1, -1
         case MassOf():
             return 1, 0
-        case LengthOf() | Segment():
+        case LengthOf() | Segment() | Synthesised():
             return 0, 1
         case Power(base, exponent):
             found = dimension(base)

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-
-from tmm_report.i18n import NP_
 from tmm_report.mechanics.gears.involute import inv
 from tmm_report.quantity.formula import Expr, Function
 from tmm_report.quantity.symbols import Symbol
@@ -14,7 +11,3 @@ HA, C = Symbol("h", "a", "*"), Symbol("c", "", "*")  # of the rack: height of th
 
 def involute(angle: Expr) -> Expr:
     return Function("inv", angle, inv)
-
-
-def arctan(x: Expr) -> Expr:
-    return Function(NP_("function", "arctan"), x, np.arctan)

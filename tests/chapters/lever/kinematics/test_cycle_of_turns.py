@@ -12,6 +12,7 @@ import pytest
 from conftest import examples, read, solved, stating
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from loaded import loaded
 from notes import note as note_of
 
 from tmm_report import course, render, stack
@@ -251,8 +252,8 @@ def test_the_loads_are_smooth_between_their_breaks(at):
     edges = np.append(edges, 2 * TURN)
     inside = edges[:-1, None] + np.diff(edges)[:, None] * np.array([0.2, 0.5, 0.8])
     x = cycle.motion(inside.ravel()).place(at).imag.reshape(inside.shape)
-    force_of = reading(force.law, lever.kinematics, cycle.motion(inside.ravel()), inside.ravel(), at).value
-    y = force_of.reshape(inside.shape)
+    force_of = reading(force, lever.kinematics, cycle.motion(inside.ravel()), inside.ravel())
+    y = force_of.value.reshape(inside.shape)
     middle = y[:, 0] + (y[:, 2] - y[:, 0]) * (x[:, 1] - x[:, 0]) / (x[:, 2] - x[:, 0])
     assert y[:, 1] == pytest.approx(middle, abs=1e-9 * np.abs(y).max())
     assert 4 + 8 < len(edges) < 4 + 20  # ends of strokes and each point of each curve once, and no more
@@ -293,7 +294,7 @@ def test_ways_that_repeat_are_strokes_that_repeat(forward, back, zero, turns, at
     motion = kinematics.cycle.motion(turned)
     ways = ByDisplacement(1j, forward, back)
     strokes = ByStrokes(1j, ("a", "b") * turns, (forward, back) * turns)
-    expected, got = (reading(law, kinematics, motion, turned, "B").value for law in (ways, strokes))
+    expected, got = (reading(loaded(law), kinematics, motion, turned).value for law in (ways, strokes))
     assert got == pytest.approx(expected, abs=1e-9)
 
 
@@ -328,7 +329,7 @@ def test_the_first_stroke_is_the_one_under_way_at_position_0(zero, at, first, or
     300° up for 150°."""
     kinematics, turned = of_zero(math.radians(zero), 2), np.radians(at)
     law = ByStrokes(1j, FOUR, NUMBERS, FOUR.index(first) if first else None)
-    got = reading(law, kinematics, kinematics.cycle.motion(turned), turned, "B").value
+    got = reading(loaded(law), kinematics, kinematics.cycle.motion(turned), turned).value
     assert [FOUR[int(k)] for k in got] == order.split()
 
 
@@ -338,7 +339,7 @@ def test_the_stroke_that_begins_at_a_dead_centre_holds_there():
     ends = np.arange(4) * math.pi
     for off, expected in ((0.0, [2, 3, 0, 1]), (1e-6, [2, 3, 0, 1]), (-1e-6, [1, 2, 3, 0])):
         turned = np.mod(ends + off, 2 * TURN)
-        got = reading(law, kinematics, kinematics.cycle.motion(turned), turned, "B").value
+        got = reading(loaded(law), kinematics, kinematics.cycle.motion(turned), turned).value
         assert got.tolist() == expected
 
 
@@ -496,5 +497,4 @@ def test_strokes_have_their_words_in_the_note():
 def test_a_name_of_a_stroke_that_is_not_known_is_printed_as_it_is():
     text = engine(B=by_strokes("power")).replace("power", "working").replace("working: ", "'рабочий ход': ")
     text = text.replace("first: working", "first: рабочий ход")
-    results = course.solve(course.loads(text))
-    assert "рабочий ход" in render(results, "html", "en")["note.html"].decode()
+    assert "рабочий ход" in render(course.solve(course.loads(text)), "html", "en")["note.html"].decode()

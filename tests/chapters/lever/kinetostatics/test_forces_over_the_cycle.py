@@ -12,6 +12,7 @@ from conftest import read, solved
 from tmm_report import course
 from tmm_report.chapters.lever.kinetostatics.given import Force, Loads, Moment
 from tmm_report.chapters.lever.kinetostatics.quantities.cycle import ranges
+from tmm_report.chapters.lever.kinetostatics.solve.coordinates import Coordinate
 from tmm_report.chapters.lever.kinetostatics.solve.drawn_cycle import sampled
 from tmm_report.chapters.lever.kinetostatics.solve.indicator_strokes import reach
 from tmm_report.chapters.lever.kinetostatics.solve.positions import at, stated
@@ -130,7 +131,7 @@ def test_a_fixed_force_on_a_slider_does_nothing_over_a_cycle():
     force = Force(at="B", direction=-1j, constant=100.0)
     found = under(variant, Loads(gravity=0j, forces=(force,)))
     (work,) = found.works.stated
-    _, (low, high) = reach(found.kinematics.cycle, "B", 1j)
+    _, (low, high) = reach(found.kinematics.cycle, Coordinate("B", 1j))
     assert (work.driving, work.resisting) == pytest.approx(
         [100 * (high.value - low.value), -100 * (high.value - low.value)]
     )

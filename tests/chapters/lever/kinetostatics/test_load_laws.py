@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from loaded import loaded
 
 from tmm_report.chapters.lever.kinetostatics.given import Force, Loads, Moment
 from tmm_report.chapters.lever.kinetostatics.solve import positions as kinetostatics
@@ -21,7 +22,7 @@ def at(compressor):
     def magnitude(law, *degrees):
         turned = np.radians(degrees)
         motion = kinematics.cycle.motion(turned)
-        return reading(law, kinematics, motion, turned, "B").value
+        return reading(loaded(law), kinematics, motion, turned).value
 
     return magnitude
 
@@ -55,12 +56,12 @@ def test_ranges_are_not_periodic(results):
         return
     law = ByAngle((0.0, cycle.sweep), (1.0, 3.0))
     turned = np.array([0.0, cycle.sweep / 2, cycle.sweep])
-    found = reading(law, results.lever.kinematics, cycle.motion(turned), turned, None).value
+    found = reading(loaded(law, None), results.lever.kinematics, cycle.motion(turned), turned).value
     assert found == pytest.approx([1, 2, 3])
     by_position = ByPosition((0.0, 1.0, 2.0))  # two table steps, then the last one holds
     step = cycle.sweep / 12
     turned = np.array([0.5, 1, 2, 12]) * step
-    found = reading(by_position, results.lever.kinematics, cycle.motion(turned), turned, None).value
+    found = reading(loaded(by_position, None), results.lever.kinematics, cycle.motion(turned), turned).value
     assert found == pytest.approx([0.5, 1, 2, 2])
 
 
@@ -91,7 +92,7 @@ def test_at_the_ends_of_the_stroke_the_stroke_that_begins_holds(results):
             turned = np.array([0.3, far, near, 1.0])
             motion = results.lever.kinematics.cycle.motion(turned)
             aimed = replace(law, zero=direction)
-            found = reading(aimed, results.lever.kinematics, motion, turned, name).value
+            found = reading(loaded(aimed, name), results.lever.kinematics, motion, turned).value
             assert found[1:3] == pytest.approx([1.0, 4.0])
 
 

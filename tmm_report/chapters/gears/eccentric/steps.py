@@ -27,28 +27,13 @@ from tmm_report.chapters.gears.eccentric.values import (
     of_satellite,
 )
 from tmm_report.mechanics.gears.pair_sizes import least_ring, least_teeth, ring_rule
-from tmm_report.quantity.formula import PI, Expr, Number, Page, Piece, Var, arccos, cos, sin, sqrt, tan
+from tmm_report.quantity.formula import PI, Expr, Number, Var, arccos, cos, sin, sqrt, tan
+from tmm_report.quantity.functions import FULL, HALF
 from tmm_report.quantity.sheet import Computed, Sheet
 from tmm_report.quantity.tabulated import tabulated
 from tmm_report.records import dataclass
 
 WRITTEN = 1  # the position of a path that is written out in full
-
-
-@dataclass(frozen=True, eq=False)
-class Degrees(Expr):
-    """An exact angle of the formula itself, as the 360° of φ/360°."""
-
-    degrees: int
-
-    def evaluate(self, digits: int | None = None) -> float:
-        return math.radians(self.degrees)
-
-    def piece(self, page: Page) -> Piece:
-        return page.number(math.radians(self.degrees), 10, degrees=True)
-
-
-FULL, HALF = Degrees(360), Degrees(180)
 
 
 @dataclass(frozen=True, eq=False)

@@ -17,10 +17,11 @@ from tmm_report.chapters.gears.planetary.values import TRANSVERSE, Mesh, Values,
 from tmm_report.mechanics.gears.pair_sizes import least_teeth, ring_rule
 from tmm_report.mechanics.gears.planetary.stage import EXTERNAL, INTERNAL, ROWS, Member
 from tmm_report.quantity.formula import Expr, Number, Var, arccos, cos, sin, sqrt, tan
+from tmm_report.quantity.functions import arctan
 from tmm_report.quantity.sheet import Computed, Q
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.tabulated import tabulated
-from tmm_report.quantity.terms.gear_terms import arctan, involute
+from tmm_report.quantity.terms.gear_terms import involute
 from tmm_report.quantity.terms.wheel_words import DIAMETERS
 
 

@@ -16,9 +16,10 @@ from tmm_report.chapters.gears.spur.solve.pair import EQUAL, Found
 from tmm_report.chapters.gears.spur.values import Drawn, Tool, Values, Wheel, letters
 from tmm_report.mechanics.gears import shift_sharing
 from tmm_report.quantity.formula import PI, Expr, Number, Var, arccos, cos, sin, sqrt, tan
+from tmm_report.quantity.functions import arctan
 from tmm_report.quantity.sheet import Computed
 from tmm_report.quantity.tabulated import tabulated
-from tmm_report.quantity.terms.gear_terms import arctan, involute
+from tmm_report.quantity.terms.gear_terms import involute
 
 
 def stage(found: Found, prefix: str) -> Stage:

@@ -11,8 +11,8 @@ from tmm_report.chapters.lever.cam import quantities as q
 from tmm_report.chapters.lever.cam.solve import CamFound, Sample
 from tmm_report.quantity.formula import PI, Expr, Formula, Number, cos, expr, sin, sqrt
 from tmm_report.quantity.formula import arccos as angle_of
+from tmm_report.quantity.functions import arctan
 from tmm_report.quantity.model import Book
-from tmm_report.quantity.terms.gear_terms import arctan
 from tmm_report.records import dataclass
 
 Three = tuple[Expr, Expr, Expr]

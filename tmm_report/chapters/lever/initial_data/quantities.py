@@ -17,12 +17,14 @@ from tmm_report.mechanics.lever.stated_masses import (
     PerLength,
     Segment,
     Statement,
+    Synthesised,
     letters,
     worked,
 )
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.formula import Expr, Formula, Var, expr
 from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column, variable
+from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol, segment
 from tmm_report.quantity.tabulated import tabulated
 from tmm_report.quantity.written import SEGMENT
@@ -198,6 +200,19 @@ def _segments_said(mechanism: Mechanism) -> Iterator[Segment]:
             yield from (letter for letter in letters(one) if isinstance(letter, Segment))
 
 
+def _of_length(one: Segment | Synthesised, lengths: Sequence[Table]) -> Var:
+    return _of_synthesis(one) if isinstance(one, Synthesised) else _of_segment(one, lengths)
+
+
+def _of_synthesis(one: Synthesised) -> Var:
+    """A length as the mechanism takes it, where it is rounded by its row of the table of rounded lengths."""
+    from tmm_report.chapters.lever.synthesis.values import Values  # only such a variant needs it
+
+    of = Values.DECLARED[one.key].named(Values.PREFIX)
+    ref = Ref(of.key) if one.row is None else Ref("taken", one.row, "synthesis_lengths")
+    return variable(of, one.number, ref=ref)
+
+
 def _of_segment(one: Segment, lengths: Sequence[Table]) -> Var:
     """The length of a segment, found in the tables of lengths."""
     for table in lengths:
@@ -216,7 +231,7 @@ def lengths_said(mechanism: Mechanism, lengths: Sequence[Table]) -> Iterator[For
         for point, one in (link.said.places if link.said and place == 0 else {}).items():
             if point != origin and link.points[point]:
                 size = _of_segment(Segment(link.name, origin, point), lengths)
-                expression = expr(worked(one, partial(_of_segment, lengths=lengths)))
+                expression = expr(worked(one, partial(_of_length, lengths=lengths)))
                 yield Formula(size.sign, expression, "m", ref=size.ref, meaning=size.meaning)
 
 
@@ -230,6 +245,8 @@ def said(
     def variable_of(letter: Letter, own: int) -> Expr:
         if isinstance(letter, Segment):
             return _of_segment(letter, lengths)
+        if isinstance(letter, Synthesised):
+            return _of_synthesis(letter)
         one, key, row = per_length(links[own].name), "q", own
         if isinstance(letter, MassOf):
             one, key, row = mass(letter.link), "m", rows[letter.link]

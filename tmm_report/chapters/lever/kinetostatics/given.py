@@ -8,7 +8,15 @@ from dataclasses import KW_ONLY
 from functools import cached_property
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
-from tmm_report.mechanics.calculus.laws import ByAngle, ByDisplacement, ByPosition, ByStrokes, Constant, Law
+from tmm_report.mechanics.calculus.laws import (
+    ByAngle,
+    ByDisplacement,
+    ByPosition,
+    ByStrokes,
+    Constant,
+    Curve,
+    Law,
+)
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.units import WrongValue
 from tmm_report.records import dataclass
@@ -17,6 +25,7 @@ if TYPE_CHECKING:
     from pydantic import Discriminator, Field, Tag
 
     from tmm_report.variant.values import (
+        Angle,
         AngleForces,
         AngleMoments,
         AnglePressures,
@@ -25,12 +34,16 @@ if TYPE_CHECKING:
         Label,
         MomentValue,
         Name,
+        Part,
         Positive,
         Pressure,
+        Sense,
         Side,
         StrokeForces,
+        StrokeMoments,
         StrokePressures,
         Turning,
+        by_shape,
     )
 
 _ZERO = "the extreme of the point that the stroke is counted from"
@@ -45,6 +58,7 @@ _BY_POSITION = (
     "one value for each position of the table; of a cycle of full turns without the last position, which is the first "
     "again"
 )
+_ENDS = "the first and the last part of the stroke in which it is nothing"
 _FIRST = (
     "the stroke that is under way at position 0, or begins there; left out, the first of the strokes or, where the "
     "point goes to the zero there, the last"
@@ -109,8 +123,62 @@ def _by_strokes(value: Any) -> str:
     return "<strokes>" if isinstance(value, dict) and {"strokes", "first"} & value.keys() else "<ways>"
 
 
+@dataclass(frozen=True)
+class Swing:
+    """A moment against the part of the link's swing."""
+
+    zero: Annotated[Sense, Field(description="the extreme of the link that the swing is counted from")]
+    forward: Annotated[StrokeMoments, Field(description="[[x, moment], ...] on the way from the zero")]
+    back: Annotated[StrokeMoments, Field(description="[[x, moment], ...] on the way back")]
+
+    @property
+    def law(self) -> Law:
+        return ByDisplacement(complex(self.zero), tuple(self.forward), tuple(self.back))
+
+
+@dataclass(frozen=True)
+class WorkingStroke:
+    """The stroke in which a constant load acts; it is nothing on the way back."""
+
+    zero: Annotated[Side, Field(description="the extreme from which the stroke goes")]
+    ends: Annotated[Part, Field(description=_ENDS)] = 0.0
+
+    def of(self, size: float) -> Law:
+        return ByDisplacement(self.zero, _but_at_ends(size, self.ends), ((0.0, 0.0), (1.0, 0.0)))
+
+
+@dataclass(frozen=True)
+class WorkingSwing:
+    """The way of its link in which a constant moment acts; it is nothing on the way back."""
+
+    zero: Annotated[Sense, Field(description="the extreme from which the link swings")]
+    ends: Annotated[Part, Field(description=_ENDS)] = 0.0
+
+    def of(self, size: float) -> Law:
+        return ByDisplacement(complex(self.zero), _but_at_ends(size, self.ends), ((0.0, 0.0), (1.0, 0.0)))
+
+
+def _but_at_ends(size: float, ends: float) -> Curve:
+    """Constant, and nothing in the first and the last part of the stroke; a jump is two places a bit apart."""
+    if not ends:
+        return (0.0, size), (1.0, size)
+    on, off = ends, 1.0 - ends
+    return (
+        (0.0, 0.0), (on, 0.0), (math.nextafter(on, 1), size), (off, size), (math.nextafter(off, 1), 0.0), (1.0, 0.0),
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Carried:
+    """A direction that a link carries with it."""
+
+    link: Annotated[Name, Field(description="the link", examples=["2"])]
+    angle: Annotated[Angle, Field(description="from the x axis of the link, counter-clockwise")] = 0.0
+
+
 LAWS: Mapping[str, Callable[[Any], Law]] = {
     "constant": Constant,
+    "components": lambda parts: Constant(abs(complex(*parts))),
     "by_position": lambda values: ByPosition(tuple(values)),
     "by_angle": ByAngle.through,
     "by_displacement": lambda diagram: diagram.law,
@@ -119,18 +187,30 @@ LAWS: Mapping[str, Callable[[Any], Law]] = {
 
 
 class ByOneLaw:
-    """What states its magnitude by one of the laws."""
+    """What states its magnitude by one of the laws, and the stroke in which it acts, if it is not the whole cycle."""
+
+    stroke: Any = None
 
     def __post_init__(self) -> None:
         keys = [key for key in LAWS if hasattr(self, key)]
         if sum(getattr(self, key) is not None for key in keys) != 1:
             wrong = Message(N_("the load's magnitude must be stated by one law"))
             raise WrongValue(wrong, Message(N_("exactly one of: %(words)s"), {"words": ", ".join(keys)}))
+        if self.stroke is not None and not isinstance(self._stated, Constant):
+            wrong = Message(N_("a load of one stroke is constant there"))
+            raise WrongValue(wrong, Message(N_("constant with stroke, or by_displacement without it")))
+
+    @property
+    def _stated(self) -> Law:
+        stated = ((made, getattr(self, key, None)) for key, made in LAWS.items())
+        return next(made(value) for made, value in stated if value is not None)
 
     @cached_property
     def law(self) -> Law:
-        stated = ((made, getattr(self, key, None)) for key, made in LAWS.items())
-        return next(made(value) for made, value in stated if value is not None)
+        found = self._stated
+        return (
+            found if self.stroke is None or not isinstance(found, Constant) else self.stroke.of(found.amount)
+        )
 
 
 @dataclass(frozen=True)
@@ -143,8 +223,14 @@ class Force(ByOneLaw):
     name: Annotated[Label | None, Field(description="for the tables; left out, F1, F2, …")] = None
     at: Annotated[Name, Field(description="the point", examples=["B"])]
     on: Annotated[Name | None, Field(description=_ON, examples=["5"])] = None
-    direction: Direction
+    direction: Annotated[
+        Annotated[Direction, Tag("<scalar>")] | Annotated[Carried, Tag("<map>")],
+        by_shape("right, an angle (30 deg), along motion, or {link: 2, angle: 60 deg}"),
+    ]
     constant: ForceValue | None = None
+    stroke: Annotated[
+        WorkingStroke | None, Field(description="in which the constant force acts, left out, always")
+    ] = None
     by_position: Annotated[list[ForceValue] | None, Field(description=_BY_POSITION)] = None
     by_angle: Annotated[
         AngleForces | None, Field(description="[[angle of turn, force], ...] over the whole cycle")
@@ -156,6 +242,35 @@ class Force(ByOneLaw):
         ]
         | None
     ) = None
+
+    @property
+    def way(self) -> complex | Carried | str:
+        """The direction, unit complex; carried by a link; "along" or "against" the motion."""
+        return self.direction
+
+
+@dataclass(frozen=True)
+class Vector(Force):
+    """A constant force on a named point by its components."""
+
+    NOT_STATED: ClassVar[tuple[str, ...]] = (
+        "direction", "constant", "by_position", "by_angle", "by_displacement",
+    )  # fmt: skip
+    NOT_OFFERED: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        NOT_STATED, N_("the components state the force and its direction")
+    )
+
+    _: KW_ONLY
+    direction: complex = 1.0 + 0j
+    components: Annotated[
+        tuple[ForceValue, ForceValue],
+        Field(description="constant, along x and y", examples=["[400 N, -2600 N]"]),
+    ]
+
+    @property
+    def way(self) -> complex:
+        whole = complex(*self.components)
+        return whole / abs(whole) if whole else 1.0 + 0j
 
 
 @dataclass(frozen=True)
@@ -193,9 +308,15 @@ class Moment(ByOneLaw):
     on: Annotated[Name, Field(description="the link", examples=["3"])]
     direction: Turning
     constant: MomentValue | None = None
+    stroke: Annotated[
+        WorkingSwing | None, Field(description="in which the constant moment acts; left out, always")
+    ] = None
     by_position: Annotated[list[MomentValue] | None, Field(description=_BY_POSITION)] = None
     by_angle: Annotated[
         AngleMoments | None, Field(description="[[angle of turn, moment], ...] over the whole cycle")
+    ] = None
+    by_displacement: Annotated[
+        Swing | None, Field(description="against the part of the swing of the link")
     ] = None
 
 

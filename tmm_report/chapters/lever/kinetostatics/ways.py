@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from tmm_report.chapters.lever.kinetostatics.given import Force, Moment
 from tmm_report.chapters.lever.kinetostatics.quantities.equations import worked
 from tmm_report.mechanics.calculus.laws import TRAVEL
 from tmm_report.problems import N_
@@ -103,12 +104,14 @@ def _by_law(q: Known) -> Expr:
     from tmm_report.chapters.lever.kinetostatics.solve.law_arguments import reading
 
     given, solved = q.found.given, q.found.diagram if q.fine else q.found.table
-    loads = {of.key: (one.law, one.at) for of, one in zip(forces(given.forces), given.forces, strict=True)}
-    loads |= {of.key: (one.law, None) for of, one in zip(moments(given.moments), given.moments, strict=True)}
-    law, point = loads[q.own]
-    read = reading(law, q.found.kinematics, solved.motion, solved.turned, point)
+    loads: dict[str, Force | Moment] = {
+        of.key: one for of, one in zip(forces(given.forces), given.forces, strict=True)
+    }
+    loads |= {of.key: one for of, one in zip(moments(given.moments), given.moments, strict=True)}
+    load = loads[q.own]
+    read = reading(load, q.found.kinematics, solved.motion, solved.turned)
     at, which = (np.broadcast_to(row, solved.turned.shape)[q.row] for row in (read.at, read.which))
-    place = Var(Symbol("x"), float(at)) if law.of == TRAVEL else Var(Symbol("phi"), float(at), "rad")
+    place = Var(Symbol("x"), float(at)) if load.law.of == TRAVEL else Var(Symbol("phi"), float(at), "rad")
     size, own = written(read.law, place, int(which)), float(q(q.own).number)
     if not math.isclose(abs(float(size.value)), abs(own), rel_tol=1e-9, abs_tol=1e-9):
         raise KeyError(q.own)

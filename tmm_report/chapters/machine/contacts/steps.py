@@ -7,21 +7,10 @@ from __future__ import annotations
 
 from math import degrees
 
-import numpy as np
-
 from tmm_report.chapters.machine.contacts import given as state
 from tmm_report.chapters.machine.contacts import values as v
-from tmm_report.quantity.formula import PI, Expr, Function, cos, sin, sqrt, tan
-from tmm_report.quantity.terms.gear_terms import arctan
-
-
-def exp(argument: Expr) -> Expr:
-    return Function("exp", argument, np.exp)
-
-
-def arcsin(x: Expr) -> Expr:
-    return Function("arcsin", x, np.arcsin)
-
+from tmm_report.quantity.formula import PI, cos, sin, sqrt, tan
+from tmm_report.quantity.functions import arcsin, arctan, exp
 
 # --- planes and screws
 

@@ -14,9 +14,9 @@ from tmm_report.chapters.machine.flywheel.loads import Sides
 from tmm_report.chapters.machine.flywheel.values import Values, sheet
 from tmm_report.mechanics.machine.flywheel.inertia import Method
 from tmm_report.quantity.formula import Expr
+from tmm_report.quantity.functions import arctan
 from tmm_report.quantity.paper import round_scale
 from tmm_report.quantity.sheet import Reached
-from tmm_report.quantity.terms.gear_terms import arctan
 
 if TYPE_CHECKING:
     from tmm_report.chapters.machine.flywheel.solve import Found

@@ -12,7 +12,8 @@ import numpy as np
 from tmm_report.chapters.machine.governor.quantities import places
 from tmm_report.chapters.machine.governor.values import Places
 from tmm_report.mechanics.machine.governor.equilibrium import Arms, BellCrank
-from tmm_report.quantity.formula import Expr, Formula, Function, Var, cos, expr, sin, sqrt, tan
+from tmm_report.quantity.formula import Expr, Formula, Var, cos, sin, sqrt, tan
+from tmm_report.quantity.functions import arcsin
 
 if TYPE_CHECKING:
     from tmm_report.chapters.machine.governor.solve.by_itself import DirectFound
@@ -30,10 +31,6 @@ def formulas(found: DirectFound) -> dict[str, Formula]:
 def at(found: DirectFound, key: str, row: int | None = None) -> Var:
     """A number of the table; at the middle of the lift, if no row is named."""
     return places(found).var(key, found.middle if row is None else row, Places.DECLARED[key].formed)
-
-
-def arcsin(argument: Expr) -> Expr:
-    return Function("arcsin", expr(argument), np.arcsin)
 
 
 # --- the mechanism: from the lift to r, r' and y'

@@ -12,21 +12,16 @@ import numpy as np
 
 from tmm_report.chapters.machine.vibration.given import Given
 from tmm_report.chapters.machine.vibration.values import Values, sheet
-from tmm_report.i18n import NP_
 from tmm_report.mechanics.masses import vibration as vib
-from tmm_report.quantity.formula import PI, Expr, Function, cos, sin, sqrt
+from tmm_report.quantity.formula import PI, Expr, cos, sin, sqrt
+from tmm_report.quantity.functions import arctan, exp
 from tmm_report.quantity.sheet import Computed
-from tmm_report.quantity.terms.gear_terms import arctan
 
 if TYPE_CHECKING:
     from tmm_report.chapters.machine.vibration.shaking import Shaking
     from tmm_report.chapters.machine.vibration.solve import Found
 
 G = 9.81  # m/s², of the static deflection
-
-
-def exp(argument: Expr) -> Expr:
-    return Function(NP_("function", "exp"), argument, np.exp)
 
 
 def isolators(given: Given, omega: float, shaken: bool) -> Values:

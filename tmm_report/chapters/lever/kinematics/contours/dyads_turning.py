@@ -32,11 +32,12 @@ from tmm_report.chapters.lever.kinematics.contours.equations import (
     vectors,
 )
 from tmm_report.chapters.lever.kinematics.contours.known import Pose
-from tmm_report.chapters.lever.kinematics.contours.nodes import Bearing, Branched, Degrees, times, total
+from tmm_report.chapters.lever.kinematics.contours.nodes import Bearing, Branched, times, total
 from tmm_report.chapters.lever.kinematics.contours.worked import Bench
 from tmm_report.mechanics.calculus.vectors import cross
 from tmm_report.mechanics.lever.dyads import Dyad
 from tmm_report.quantity.formula import arccos, cos, sin, sqrt
+from tmm_report.quantity.functions import Degrees
 from tmm_report.quantity.symbols import Symbol
 
 Array = Any

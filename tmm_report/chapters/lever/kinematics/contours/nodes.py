@@ -8,6 +8,7 @@ import numpy as np
 
 from tmm_report.i18n import NP_, Translator
 from tmm_report.quantity.formula import ATOM, SUM, Expr, Number, Page, Piece, Value, at
+from tmm_report.quantity.functions import Degrees
 from tmm_report.quantity.symbols import Latex, MathML, notation
 from tmm_report.records import dataclass
 
@@ -36,19 +37,6 @@ def times(*factors: Expr | None) -> Expr | None:
             return None
         found = factor if found is None else found * factor
     return found
-
-
-@dataclass(frozen=True, eq=False)
-class Degrees(Expr):
-    """An angle of the formula itself, rad, printed in degrees."""
-
-    angle: float
-
-    def evaluate(self, digits: int | None = None) -> Value:
-        return self.angle
-
-    def piece(self, page: Page) -> Piece:
-        return page.number(self.angle, 10, degrees=True, scale=0.0)
 
 
 @dataclass(frozen=True, eq=False)

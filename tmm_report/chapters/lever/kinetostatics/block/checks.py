@@ -8,7 +8,7 @@ from typing import Any
 
 from tmm_report.chapters.lever.kinematics.block import table_of, turns_of
 from tmm_report.chapters.lever.kinetostatics.block.models import LoadsModel
-from tmm_report.chapters.lever.kinetostatics.given import Force, Moment, StrokesDiagram
+from tmm_report.chapters.lever.kinetostatics.given import Carried, Force, Moment, StrokesDiagram
 from tmm_report.chapters.lever.structure import block as structure
 from tmm_report.chapters.lever.structure.block import FRAME, Names, names, no_link, no_point
 from tmm_report.problems import N_, Message, Problem, mistake, shown
@@ -27,6 +27,10 @@ def check(written: LoadsModel, read: Read) -> Iterator[Problem]:
         if force:
             yield from _loaded(force.at, ("loads", "forces", index, "at"), known)
             yield from _taken(force, ("loads", "forces", index, "on"), known)
+            if isinstance(force.direction, Carried):
+                yield from _moving(
+                    force.direction.link, ("loads", "forces", index, "direction", "link"), known
+                )
             yield from _one_each(force, ("loads", "forces", index), read)
             yield from _over_the_cycle(force, ("loads", "forces", index), read)
             yield from _strokes(force, ("loads", "forces", index), read)
@@ -36,6 +40,14 @@ def check(written: LoadsModel, read: Read) -> Iterator[Problem]:
             yield from _turned(moment.on, ("loads", "moments", index, "on"), known)
             yield from _one_each(moment, ("loads", "moments", index), read)
             yield from _over_the_cycle(moment, ("loads", "moments", index), read)
+            yield from _whole_strokes(moment, ("loads", "moments", index))
+
+
+def _moving(link: str, path: Path, known: Names) -> Iterator[Problem]:
+    yield from no_link(link, path, known)
+    if link == FRAME:
+        text = N_("the frame does not turn: a direction that it carries is a fixed one")
+        yield mistake(text, path, Message(N_("direction: 60 deg")))
 
 
 def _loaded(name: str, path: Path, known: Names) -> Iterator[Problem]:
@@ -127,7 +139,7 @@ def _over_the_cycle(load: Force | Moment, path: Path, read: Read) -> Iterator[Pr
         yield from not_to_the_end(values, (*path, "by_angle"), driver.range, math.radians(1))
 
 
-def _whole_strokes(load: Force, path: Path) -> Iterator[Problem]:
+def _whole_strokes(load: Force | Moment, path: Path) -> Iterator[Problem]:
     """Each curve of an indicator diagram says what acts over the whole stroke."""
     diagram = load.by_displacement
     if diagram is None:

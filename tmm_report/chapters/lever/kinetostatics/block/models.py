@@ -4,7 +4,7 @@ from typing import Annotated, Any
 
 from pydantic import Discriminator, Field, Tag
 
-from tmm_report.chapters.lever.kinetostatics.given import Force, Moment, Piston
+from tmm_report.chapters.lever.kinetostatics.given import Force, Moment, Piston, Vector
 from tmm_report.problems import N_
 from tmm_report.variant.model import Model
 from tmm_report.variant.stated import Stated
@@ -19,11 +19,15 @@ class GravityModel(Model):
 
 
 def _force_kind(value: Any) -> str:
-    return "<piston>" if isinstance(value, dict) and "piston_diameter" in value else "<force>"
+    if not isinstance(value, dict):
+        return "<force>"
+    return "<piston>" if "piston_diameter" in value else "<vector>" if "components" in value else "<force>"
 
 
 AnyForce = Annotated[
-    Annotated[Stated[Force], Tag("<force>")] | Annotated[Stated[Piston], Tag("<piston>")],
+    Annotated[Stated[Force], Tag("<force>")]
+    | Annotated[Stated[Piston], Tag("<piston>")]
+    | Annotated[Stated[Vector], Tag("<vector>")],
     Discriminator(_force_kind),
 ]
 

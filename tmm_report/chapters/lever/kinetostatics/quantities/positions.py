@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tmm_report.chapters.lever.kinematics.quantities import where
+from tmm_report.chapters.lever.kinetostatics.given import Carried
 from tmm_report.chapters.lever.kinetostatics.quantities import cam_pressure as pressing_quantities
 from tmm_report.chapters.lever.kinetostatics.quantities import cycle
 from tmm_report.chapters.lever.kinetostatics.quantities import driving_gear as gear_quantities
@@ -28,7 +29,7 @@ from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.tabulated import tabulated
 
 if TYPE_CHECKING:  # the solver's own names are taken from here
-    from tmm_report.chapters.lever.kinetostatics.given import Force, Moment
+    from tmm_report.chapters.lever.kinetostatics.given import Carried, Force, Moment
     from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics, Solved
     from tmm_report.chapters.lever.kinetostatics.solve.whole_cycle import Over
     from tmm_report.chapters.lever.kinetostatics.solve.works import Work, Works
@@ -202,7 +203,7 @@ def _stated(found: Kinetostatics) -> Table:
     given, motion = found.given, found.table.motion
     stated = zip(forces(given.forces), names(given.forces), given.forces, strict=True)
     turning = zip(moments(given.moments), names(given.moments), given.moments, strict=True)
-    rows = [(q.key, name, f.at, loaded_link(motion, f), _way(f.direction)) for q, name, f in stated]
+    rows = [(q.key, name, f.at, loaded_link(motion, f), _way(f.way)) for q, name, f in stated]
     rows += [(q.key, name, m.on, m.on, _way(m.direction)) for q, name, m in turning]
     texts = (
         ("key", N_("load")),
@@ -228,9 +229,12 @@ def _along(found: Kinetostatics, solved: Solved) -> Iterator[Column]:
         yield quantity.column(values)
 
 
-def _way(direction: complex | int | str) -> str:
-    """A direction as a text: "along", "against", degrees, "counter-clockwise" or "clockwise"."""
+def _way(direction: complex | int | str | Carried) -> str:
+    """A direction as a text: "along", "against", degrees, "counter-clockwise" or "clockwise"; of one that a link
+    carries its name before the degrees."""
     match direction:
+        case Carried(link=link, angle=angle):
+            return f"{link}: {math.degrees(angle):.10g}"
         case str():
             return direction
         case int():

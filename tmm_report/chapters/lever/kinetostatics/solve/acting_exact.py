@@ -10,16 +10,17 @@ from typing import Any
 import numpy as np
 
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
-from tmm_report.chapters.lever.kinetostatics.given import Force, Loads
+from tmm_report.chapters.lever.kinetostatics.given import Carried, Force, Loads, Moment
 from tmm_report.chapters.lever.kinetostatics.solve.acting_forces import loaded_link, stated
+from tmm_report.chapters.lever.kinetostatics.solve.coordinates import Coordinate, coordinate
 from tmm_report.chapters.lever.kinetostatics.solve.indicator_strokes import reach
 from tmm_report.chapters.lever.kinetostatics.solve.law_arguments import reading
-from tmm_report.mechanics.calculus.laws import Diagram, Law
+from tmm_report.mechanics.calculus.laws import Diagram
 from tmm_report.mechanics.lever.motion import Motion
 from tmm_report.mechanics.rivals.exact.forces import Acting
 from tmm_report.mechanics.rivals.exact.laws import Digits
 from tmm_report.mechanics.rivals.exact.moving import Exact, at
-from tmm_report.mechanics.rivals.exact.numbers import Number, dot, exact, point
+from tmm_report.mechanics.rivals.exact.numbers import Number, context, dot, exact, point
 from tmm_report.mechanics.rivals.exact.scheme import Body
 
 Array = Any
@@ -36,7 +37,7 @@ def acting(given: Loads, kinematics: Kinematics, motion: Motion, found: Exact, t
             for force, (_, size) in zip(given.forces, forces, strict=True)
         ],
         [
-            (moment.on, _signed(_magnitudes(moment.law, kinematics, motion, found, turned, None), couple))
+            (moment.on, _signed(_magnitudes(moment, kinematics, motion, found, turned), couple))
             for moment, (couple, _) in zip(given.moments, moments, strict=True)
         ],
         given.gravity,
@@ -53,10 +54,14 @@ def _force(
     force: Force, size: Array, kinematics: Kinematics, motion: Motion, found: Exact, turned: Array
 ) -> Numbers:
     """The vector of a force at every position."""
-    sizes = _magnitudes(force.law, kinematics, motion, found, turned, force.at)
-    if not isinstance(force.direction, str):
-        return [None if x is None else x * point(force.direction) for x in sizes]
-    way, still = (1 if force.direction == "along" else -1), np.asarray(size) == 0
+    sizes = _magnitudes(force, kinematics, motion, found, turned)
+    if isinstance(force.way, Carried):
+        own, link = context().expj(exact(force.way.angle)), force.way.link
+        turns = [None if pose is None else pose[link].u for pose in found.poses]
+        return [None if x is None or u is None else x * own * u for x, u in zip(sizes, turns, strict=True)]
+    if not isinstance(force.way, str):
+        return [None if x is None else x * point(force.way) for x in sizes]
+    way, still = (1 if force.way == "along" else -1), np.asarray(size) == 0
     return [
         None if x is None or v is None else 0 * x if lies else way * x * v / abs(v)
         for x, v, lies in zip(sizes, found.row(force.at, Body.velocity), still.tolist(), strict=True)
@@ -64,13 +69,12 @@ def _force(
 
 
 def _magnitudes(
-    law: Law, kinematics: Kinematics, motion: Motion, found: Exact, turned: Array, name: str | None
+    load: Force | Moment, kinematics: Kinematics, motion: Motion, found: Exact, turned: Array
 ) -> Numbers:
-    read = reading(law, kinematics, motion, turned, name)
+    read = reading(load, kinematics, motion, turned)
     near, which = (np.broadcast_to(row, np.shape(turned)).tolist() for row in (read.at, read.which))
-    if isinstance(law, Diagram):
-        assert name is not None
-        places = _travelled(law, kinematics, found, name)
+    if isinstance(load.law, Diagram):
+        places = _travelled(coordinate(load, kinematics.cycle), kinematics, found)
     else:
         places = [exact(x) for x in near]
     return [
@@ -79,21 +83,33 @@ def _magnitudes(
     ]
 
 
-def _travelled(law: Diagram, kinematics: Kinematics, found: Exact, name: str) -> Numbers:
-    """Displacement over stroke of a point from the extreme in `zero`."""
-    _, (low, high) = reach(kinematics.cycle, name, law.zero)
-    least, most = (extreme(kinematics, name, law.zero, end.turned) for end in (low, high))
-    zero = point(law.zero)
-    places = found.row(name, Body.place)
-    return [None if z is None else (most - dot(z, zero)) / (most - least) for z in places]
+def _travelled(of: Coordinate, kinematics: Kinematics, found: Exact) -> Numbers:
+    """Displacement over stroke from the extreme in `zero`."""
+    _, (low, high) = reach(kinematics.cycle, of)
+    least, most = (extreme(kinematics, of, end.turned) for end in (low, high))
+    return [None if z is None else (most - z) / (most - least) for z in _coordinates(of, found)[0]]
 
 
-def extreme(kinematics: Kinematics, name: str, along: complex, turned: float) -> Number:
-    """The extreme coordinate of a point along a direction that is reached at about the angle `turned`, rad, m: by the
-    parabola through its value, rate and second derivative there, whose error is the fourth power of the angle's."""
-    there = at(kinematics.cycle, float(kinematics.cycle.phi(np.array(turned))))
-    way = point(along)
-    place, rate, second = (
-        dot(there.row(name, of)[0], way) for of in (Body.place, Body.velocity, Body.acceleration)
+def _coordinates(of: Coordinate, found: Exact) -> tuple[Numbers, Numbers, Numbers]:
+    """The coordinate at every position with its first two derivatives by the time."""
+    if of.middle is None:
+        way = point(of.zero)
+        rows = (found.row(of.name, one) for one in (Body.place, Body.velocity, Body.acceleration))
+        place, rate, second = ([None if z is None else dot(z, way) for z in row] for row in rows)
+        return place, rate, second
+    sense, middle = int(of.zero.real), point(of.middle)
+    bodies = [None if pose is None else pose[of.name] for pose in found.poses]
+    return (
+        [None if one is None else sense * context().arg(one.u / middle) for one in bodies],
+        [None if one is None else sense * one.w for one in bodies],
+        [None if one is None else sense * one.e for one in bodies],
     )
+
+
+def extreme(kinematics: Kinematics, of: Coordinate, turned: float) -> Number:
+    """The extreme of a coordinate that is reached at about the angle `turned`, rad; m or rad: by the parabola through
+    its value, rate and second derivative there, whose error is the fourth power of the angle's."""
+    there = at(kinematics.cycle, float(kinematics.cycle.phi(np.array(turned))))
+    place, rate, second = (row[0] for row in _coordinates(of, there))
+    assert place is not None and rate is not None and second is not None
     return place - rate * rate / (2 * second) if kinematics.cycle.closed else place

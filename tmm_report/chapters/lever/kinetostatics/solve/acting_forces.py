@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmm_report.chapters.lever.kinetostatics.given import Force, Loads, Moment
+from tmm_report.chapters.lever.kinetostatics.given import Carried, Force, Loads, Moment
 from tmm_report.chapters.lever.kinetostatics.solve.law_arguments import reading
 from tmm_report.mechanics.calculus.vectors import cross
 from tmm_report.mechanics.lever.forces.reactions import Load
@@ -79,20 +79,22 @@ def loaded(given: Loads, motion: Motion, loads: Stated) -> Loading:
 
 def _force(force: Force, kinematics: Kinematics, motion: Motion, turned: Array) -> tuple[Array, Array]:
     """The vector, and how much of it lies along its stated direction: less than nothing where the law says so."""
-    size = reading(force.law, kinematics, motion, turned, force.at).value
-    if not isinstance(force.direction, str):
-        return size * force.direction, size
+    size = reading(force, kinematics, motion, turned).value
+    if isinstance(force.way, Carried):
+        return size * np.exp(1j * force.way.angle) * motion.turn(force.way.link), size
+    if not isinstance(force.way, str):
+        return size * force.way, size
     velocity = motion.velocity(force.at)
     # standing still has no direction of motion: no force along it
     speed = np.abs(velocity)
     still = speed <= 1e-12 * np.nanmax(speed, initial=0.0)
     along = np.where(still, 0.0, velocity / np.where(still, 1.0, speed))
-    return size * (along if force.direction == "along" else -along), np.where(still, 0.0, size)
+    return size * (along if force.way == "along" else -along), np.where(still, 0.0, size)
 
 
 def _moment(moment: Moment, kinematics: Kinematics, motion: Motion, turned: Array) -> tuple[Array, Array]:
     """The moment, + counter-clockwise, and how much of it is in its stated sense."""
-    size = reading(moment.law, kinematics, motion, turned, None).value
+    size = reading(moment, kinematics, motion, turned).value
     if not isinstance(moment.direction, str):
         return size * moment.direction, size
     rate = motion.angular_velocity(moment.on)
@@ -104,7 +106,7 @@ def still(given: Loads, motion: Motion) -> Iterator[Problem]:
     """Loads that follow the motion of a point or link that stands still: they are nothing in every position."""
     rates = abs(motion.state.w[motion.linkage.mechanism.driver.link])
     for index, force in enumerate(given.forces):
-        if isinstance(force.direction, str) and not np.any(np.abs(motion.velocity(force.at)) > 0):
+        if isinstance(force.way, str) and not np.any(np.abs(motion.velocity(force.at)) > 0):
             text = N_("point %(point)s does not move: a force along or against its motion is nothing")
             yield doubt(text, ("loads", "forces", index, "direction"), STATED_WAY, point=force.at)
     for index, moment in enumerate(given.moments):

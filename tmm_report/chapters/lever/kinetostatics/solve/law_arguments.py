@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from tmm_report.chapters.lever.kinetostatics.given import Force, Moment
+from tmm_report.chapters.lever.kinetostatics.solve.coordinates import coordinate
 from tmm_report.chapters.lever.kinetostatics.solve.indicator_strokes import travelled, under_way
 from tmm_report.mechanics.calculus.laws import ByPosition, Diagram, Law
 from tmm_report.mechanics.lever.motion import Motion
@@ -26,14 +28,14 @@ class Reading(NamedTuple):
         return self.law.value(self.at, self.which)
 
 
-def reading(law: Law, kinematics: Kinematics, motion: Motion, turned: Array, at: str | None) -> Reading:
-    """At angles `turned`, rad, of a load at the point `at`, or on a link."""
+def reading(load: Force | Moment, kinematics: Kinematics, motion: Motion, turned: Array) -> Reading:
+    """Of a load at angles `turned`, rad."""
+    law = load.law
     if not isinstance(law, Diagram):
         return Reading(over_cycle(law, kinematics), turned, 0)
-    if at is None:
-        raise TypeError("a moment has no displacement: its law is by angle or by position")
-    x = travelled(law, kinematics.cycle, motion, at)
-    return Reading(law, x, under_way(law, kinematics.cycle, motion, turned, x, at))
+    of = coordinate(load, kinematics.cycle)
+    x = travelled(kinematics.cycle, motion, of)
+    return Reading(law, x, under_way(law, kinematics.cycle, motion, turned, x, of))
 
 
 def over_cycle(law: Law, kinematics: Kinematics) -> Law:

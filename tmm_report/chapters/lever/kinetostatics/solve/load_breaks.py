@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tmm_report.chapters.lever.kinetostatics.given import Force, Loads, Moment
+from tmm_report.chapters.lever.kinetostatics.solve.coordinates import Coordinate, coordinate
 from tmm_report.chapters.lever.kinetostatics.solve.indicator_strokes import reach, strokes
 from tmm_report.chapters.lever.kinetostatics.solve.law_arguments import over_cycle
 from tmm_report.mechanics.calculus.distinct import distinct
@@ -36,7 +37,7 @@ def breaks(given: Loads, kinematics: Kinematics) -> Array:
     found = [cycle.repeated(roots) for roots in cycle.roots_of(passed)] if passed else []
     for force in given.forces:
         if isinstance(force.law, ByStrokes):
-            found += _in_strokes(force.at, force.law, cycle)
+            found += _in_strokes(coordinate(force, cycle), force.law, cycle)
     found.append(
         cycle.repeated(np.mod(cycle.sense * (cam_breaks(cycle.linkage.mechanism) - cycle.zero), FULL_TURN))
     )
@@ -48,35 +49,31 @@ def _passed(load: Force | Moment, cycle: Cycle) -> Iterator[Quantity]:
     """What passes through zero where the load has a kink or a jump, in every turn alike: a displacement that is stated,
     a point or a link that turns back."""
     match load:
-        case Force(at=at, law=ByDisplacement() as law):
-            yield from _ways(at, law, cycle)
-        case Force(at=at, direction=str()):
+        case Force(law=ByDisplacement() as law) | Moment(law=ByDisplacement() as law):
+            yield from _ways(coordinate(load, cycle), law, cycle)
+        case Force(at=at, way=str()):
             along = _fastest(cycle, at)
             yield lambda motion: dot(motion.velocity(at), along)
         case Moment(on=on, direction=str()):
             yield lambda motion: motion.angular_velocity(on)
 
 
-def _ways(at: str, law: ByDisplacement, cycle: Cycle) -> Iterator[Quantity]:
+def _ways(of: Coordinate, law: ByDisplacement, cycle: Cycle) -> Iterator[Quantity]:
     """The ends of the strokes, and the displacements at which an indicator diagram has its points."""
-
-    def rate(motion: Motion) -> Array:
-        return dot(motion.velocity(at), law.zero)
-
-    yield rate
-    low, high = cycle.extremes(lambda motion: dot(motion.place(at), law.zero), rate)
+    yield of.rate
+    low, high = cycle.extremes(of.value, of.rate)
     for x in _inside(law):
-        yield partial(_beyond, at, law.zero, high.value - x * (high.value - low.value))
+        yield partial(_beyond, of, high.value - x * (high.value - low.value))
 
 
-def _in_strokes(at: str, law: ByStrokes, cycle: Cycle) -> Iterator[Array]:
+def _in_strokes(of: Coordinate, law: ByStrokes, cycle: Cycle) -> Iterator[Array]:
     """The same of a diagram of several turns: a displacement is met in those strokes alone whose curves have it."""
-    own = strokes(law, cycle, at)
+    own = strokes(law, cycle, of)
     yield own.begins
-    _, (low, high) = reach(cycle, at, law.zero)
+    _, (low, high) = reach(cycle, of)
     points = _inside(law)
     places = [high.value - x * (high.value - low.value) for x in points]
-    met = cycle.roots_of([partial(_beyond, at, law.zero, place) for place in places]) if places else []
+    met = cycle.roots_of([partial(_beyond, of, place) for place in places]) if places else []
     for curves, roots in zip(points.values(), met, strict=True):
         turned = cycle.repeated(roots)
         yield turned[np.isin(own.at(turned), curves)]
@@ -91,9 +88,9 @@ def _inside(law: Diagram) -> dict[float, list[int]]:
     return found
 
 
-def _beyond(at: str, along: complex, place: float, motion: Motion) -> Array:
-    """How far a point is beyond a place along a direction, (P,), m."""
-    return dot(motion.place(at), along) - place
+def _beyond(of: Coordinate, place: float, motion: Motion) -> Array:
+    """How far a coordinate is beyond a place, (P,), m or rad."""
+    return of.value(motion) - place
 
 
 def _fastest(cycle: Cycle, at: str) -> complex:

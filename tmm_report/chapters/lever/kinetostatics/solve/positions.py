@@ -18,6 +18,7 @@ from tmm_report.chapters.lever.kinetostatics.solve.acting_forces import loading 
 from tmm_report.chapters.lever.kinetostatics.solve.acting_forces import resultants as resultants
 from tmm_report.chapters.lever.kinetostatics.solve.acting_forces import still as still
 from tmm_report.chapters.lever.kinetostatics.solve.cam_pressure import Pressing, pressings
+from tmm_report.chapters.lever.kinetostatics.solve.coordinates import coordinate
 from tmm_report.chapters.lever.kinetostatics.solve.indicator_strokes import Strokes, strokes
 from tmm_report.chapters.lever.kinetostatics.solve.kinetic_energy import kinetic_energy, kinetic_power
 from tmm_report.chapters.lever.kinetostatics.solve.load_breaks import breaks as breaks
@@ -149,7 +150,7 @@ class Kinetostatics:
         """Of every force whose diagram is stated stroke by stroke, by its order, when these strokes are."""
         cycle = self.kinematics.cycle
         return {
-            k: strokes(force.law, cycle, force.at)
+            k: strokes(force.law, cycle, coordinate(force, cycle))
             for k, force in enumerate(self.given.forces)
             if isinstance(force.law, ByStrokes)
         }

@@ -65,7 +65,9 @@ class CurvesView:
         return self.page.tr.gettext(WAYS[name]) if name in WAYS else name
 
     def force_scale(self, one: Indicated) -> Markup:
-        return self.page.value(scale_of("mu_P", one.scale, "N/mm"))
+        """Of a force, or of a moment."""
+        name, unit = ("mu_P", "N/mm") if one.of.unit == "N" else ("mu_M", "N·m/mm")
+        return self.page.value(scale_of(name, one.scale, unit))
 
     def symbol(self, one: Indicated | Hodograph) -> Symbol:
         return one.of.sign

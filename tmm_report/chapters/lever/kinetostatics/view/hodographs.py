@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmm_report.chapters.lever.kinetostatics.given import Force, Moment
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as q
 from tmm_report.chapters.lever.kinetostatics.solve.drawn_cycle import Array, Sampled
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
@@ -124,7 +125,7 @@ def _frame(curves: Sequence[Array], field: tuple[float, float], equal: bool) -> 
 
 
 class Indicated(NamedTuple):
-    """The indicator diagram of a stated force; `scale`: N for a millimetre."""
+    """The indicator diagram of a stated load; `scale`: N or N·m for a millimetre."""
 
     of: Quantity
     name: str
@@ -135,13 +136,17 @@ class Indicated(NamedTuple):
 def indicated(
     found: Kinetostatics, graphs: CycleGraphs, num: Num, word: Callable[[str], str]
 ) -> Iterator[Indicated]:
-    """Of every force that is stated by displacement: force against the part of the stroke travelled. `word`: the
+    """Of every load that is stated by displacement: it against the part of the stroke or swing travelled. `word`: the
     strokes in the language of the note."""
-    forces = found.given.forces
-    for of, called, force in zip(q.forces(forces), q.names(forces), forces, strict=True):
-        if isinstance(force.law, Diagram):
-            named = [word(name) for name, _ in force.law.named()]
-            curves = [np.array([complex(x, y) for x, y in curve]) for _, curve in force.law.named()]
+    forces, moments = found.given.forces, found.given.moments
+    loads: list[tuple[Quantity, str, Force | Moment]] = [
+        *zip(q.forces(forces), q.names(forces), forces, strict=True),
+        *zip(q.moments(moments), q.names(moments), moments, strict=True),
+    ]
+    for of, called, load in loads:
+        if isinstance(load.law, Diagram):
+            named = [word(name) for name, _ in load.law.named()]
+            curves = [np.array([complex(x, y) for x, y in curve]) for _, curve in load.law.named()]
             frame = _frame([*curves, np.array([0j, 1 + 0j])], INDICATED, equal=False)
             traces = [Trace(z, (name,)) for name, z in zip(named, curves, strict=True)]
             x: Parts = graphs.letter(Symbol("x"))

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from markupsafe import Markup
 
+from tmm_report.chapters.lever.kinetostatics.given import Carried
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as q
 from tmm_report.chapters.lever.kinetostatics.quantities.strokes import WORDS
 from tmm_report.chapters.lever.kinetostatics.solve.drawn_cycle import sampled
@@ -119,7 +121,7 @@ class KinetostaticsView(BookView):
             for force, link in zip(given.forces, takes, strict=False)
         ]
         on += [self.t("link %(link)s", link=link) for link in takes[len(on) :]]
-        ways = [force_direction(force.direction, self.page) for force in given.forces]
+        ways = [self._way(force.way) for force in given.forces]
         ways += [sense(moment.direction, self.page) for moment in given.moments]
         quantities = [*q.forces(given.forces), *q.moments(given.moments)]
         rows = [
@@ -131,6 +133,12 @@ class KinetostaticsView(BookView):
         ]  # fmt: skip
         heads = [self.t("Symbol"), self.t("Load"), self.t("Applied to"), self.t("Direction")]
         return worded(caption, heads, rows, (2, 5, 4, 5))
+
+    def _way(self, way: complex | str | Carried) -> Markup:
+        if not isinstance(way, Carried):
+            return force_direction(way, self.page)
+        angle = self.page.num(math.degrees(way.angle), 4, scale=180.0)
+        return self.t("turns with link %(link)s, at %(angle)s° to its x axis", link=way.link, angle=angle)
 
     def magnitudes(self, caption: Any) -> Table:
         """The stated loads along their directions at the table positions, those that repeat none before them."""

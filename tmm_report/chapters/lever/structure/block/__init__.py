@@ -23,6 +23,7 @@ from tmm_report.chapters.lever.structure.block.checks import (
 from tmm_report.chapters.lever.structure.block.doubts import ASKED, belongs, in_vain
 from tmm_report.chapters.lever.structure.block.doubts import doubts as unserved
 from tmm_report.chapters.lever.structure.block.models import MechanismModel
+from tmm_report.chapters.lever.structure.block.synthesised import offered
 from tmm_report.mechanics.lever.mechanism import FRAME, Mechanism
 from tmm_report.problems import Problem
 from tmm_report.variant import model
@@ -47,7 +48,7 @@ class Given(TypedDict):
 
 
 def given(read: Read) -> Given:
-    return {"mechanism": mechanism(read.block(Block).mechanism)}
+    return {"mechanism": mechanism(read.block(Block).mechanism, offered(read))}
 
 
 def mistakes(read: Read) -> Iterator[Problem]:

@@ -10,6 +10,7 @@ from tmm_report.chapters.lever.structure.block import models as m
 from tmm_report.chapters.lever.structure.block.cam_build import cam
 from tmm_report.chapters.lever.structure.block.cams import CamModel
 from tmm_report.chapters.lever.structure.block.geometry import Geometry
+from tmm_report.chapters.lever.structure.block.synthesised import Taken, coordinate, direction
 from tmm_report.chapters.lever.structure.block.weights import Weights, in_the_middle, inertia_of
 from tmm_report.mechanics.cams.cam import Cam
 from tmm_report.mechanics.lever.cams.replacing_dyad import replaced
@@ -29,8 +30,8 @@ from tmm_report.mechanics.lever.mechanism import (
 from tmm_report.variant.values import SENSES, SIDES, unit_vector
 
 
-def mechanism(model: m.MechanismModel) -> Mechanism:
-    built = without_cams(model)
+def mechanism(model: m.MechanismModel, synthesis: Taken = None) -> Mechanism:
+    built = without_cams(model, synthesis)
     if not model.cams:
         return built
     cams = tuple(cam_of(name, one, built) for name, one in model.cams.items())
@@ -49,16 +50,16 @@ def centre_place(built: Mechanism) -> complex:
     return complex(1.0 + max((abs(at) for at in built.links[built.driver.link].points.values()), default=0.0))
 
 
-def without_cams(model: m.MechanismModel) -> Mechanism:
+def without_cams(model: m.MechanismModel, synthesis: Taken = None) -> Mechanism:
     """The mechanism as it is written, without what replaces its cam pairs."""
-    geometry = Geometry(model.links, frame(model))
+    geometry = Geometry(model.links, frame(model, synthesis), synthesis)
     weights = Weights(geometry)
     links = {name: link(name, weights) for name in model.links}
     links = {FRAME: Link(FRAME, geometry.frame), **links}
     return Mechanism(
         links=links,
         driver=driver(model.driver),  # type: ignore[arg-type]  # checks: there is one
-        guides={name: guide(name, part, links[part.link]) for name, part in model.guides.items()},
+        guides={name: guide(name, part, links[part.link], synthesis) for name, part in model.guides.items()},
         slides=tuple(
             slide(name, one, links[name]) for name, part in model.links.items() for one in slides_of(part)
         ),
@@ -67,9 +68,11 @@ def without_cams(model: m.MechanismModel) -> Mechanism:
     )
 
 
-def frame(model: m.MechanismModel) -> dict[str, complex]:
-    """The fixed points, m."""
-    return {name: complex(*place) for name, place in model.frame.items()}
+def frame(model: m.MechanismModel, synthesis: Taken = None) -> dict[str, complex]:
+    """The fixed points, m. Raises WrongValue for one that is stated by other lengths than those of the synthesis."""
+    return {
+        name: complex(*(coordinate(part, synthesis) for part in place)) for name, place in model.frame.items()
+    }
 
 
 def link(name: str, weights: Weights) -> Link:
@@ -99,9 +102,14 @@ def central_inertia(stated: float, mass: float, away: complex) -> float:
     return stated - mass * abs(away) ** 2
 
 
-def guide(name: str, model: m.GuideModel, carrier: Link) -> Guide:
+def guide(name: str, model: m.GuideModel, carrier: Link, synthesis: Taken = None) -> Guide:
     if isinstance(model.through, str):
-        return Guide(name, model.link, carrier.points[model.through], unit_vector(model.angle or 0.0))
+        return Guide(
+            name,
+            model.link,
+            carrier.points[model.through],
+            unit_vector(direction(model.angle or 0.0, synthesis)),
+        )
     start, end = (carrier.points[point] for point in model.through)
     return Guide(name, model.link, start, unit_vector(cmath.phase(end - start)))
 

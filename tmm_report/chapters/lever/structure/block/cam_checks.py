@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from tmm_report.chapters.lever.structure.block import build
 from tmm_report.chapters.lever.structure.block import models as m
 from tmm_report.chapters.lever.structure.block.cam_build import Wrong
+from tmm_report.chapters.lever.structure.block.synthesised import offered
 from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.errors import near
@@ -27,7 +28,7 @@ def check(mechanism: m.MechanismModel, read: Read, known: Names) -> Found:
     if mechanism.driver is None or not mechanism.cams or named:
         return
     try:
-        built = build.without_cams(mechanism)
+        built = build.without_cams(mechanism, offered(read))
     except (WrongValue, KeyError):  # the links have mistakes of their own
         return
     for name, cam in mechanism.cams.items():

@@ -7,7 +7,14 @@ from typing import Any
 
 from tmm_report.chapters.lever.structure.block import build, cam_checks
 from tmm_report.chapters.lever.structure.block import models as m
-from tmm_report.chapters.lever.structure.block.geometry import Circular, Elsewhere, Geometry, mentioned
+from tmm_report.chapters.lever.structure.block.geometry import Circular, Geometry, mentioned
+from tmm_report.chapters.lever.structure.block.synthesised import (
+    Elsewhere,
+    Taken,
+    coordinate,
+    direction,
+    offered,
+)
 from tmm_report.chapters.lever.structure.block.weights import Weights, in_the_middle
 from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.problems import N_, Message, Problem, mistake
@@ -96,9 +103,11 @@ def check(mechanism: m.MechanismModel, read: Read) -> Found:
     """All mistakes of the parts that are right in themselves."""
     known = names(read.data)
     yield from _complete(read)
-    yield from _links(mechanism, known)
+    synthesis = offered(read)
+    yield from _frame(mechanism, synthesis)
+    yield from _links(mechanism, known, synthesis)
     yield from _called_alike(known)
-    yield from _guides(mechanism, known)
+    yield from _guides(mechanism, known, synthesis)
     yield from _slides(mechanism, known)
     yield from _driver(mechanism, read, known)
     yield from _assembly(mechanism, known)
@@ -150,8 +159,27 @@ def _not_on(name: str, link: str, path: Path, known: Names) -> Found:
         yield mistake(text, path, near(name, points), name=name, link=link)
 
 
-def _links(mechanism: m.MechanismModel, known: Names) -> Found:
-    geometry = Geometry(mechanism.links, build.frame(mechanism))
+def _frame(mechanism: m.MechanismModel, synthesis: Taken) -> Found:
+    for name, place in mechanism.frame.items():
+        for k, part in enumerate(place):
+            try:
+                coordinate(part, synthesis)
+            except Elsewhere:
+                continue
+            except WrongValue as error:
+                yield Problem(error.wrong, error.right, (*_MECHANISM, "frame", name, k))
+
+
+def _known_frame(mechanism: m.MechanismModel, synthesis: Taken) -> dict[str, complex]:
+    """The fixed points; those that cannot be worked out anywhere."""
+    try:
+        return build.frame(mechanism, synthesis)
+    except WrongValue:
+        return {name: complex(1e3 * k, 1e3) for k, name in enumerate(mechanism.frame)}
+
+
+def _links(mechanism: m.MechanismModel, known: Names, synthesis: Taken) -> Found:
+    geometry = Geometry(mechanism.links, _known_frame(mechanism, synthesis), synthesis)
     weights = Weights(geometry)
     for name, link in mechanism.links.items():
         path = (*_MECHANISM, "links", name)
@@ -256,9 +284,15 @@ def _geometry(name: str, geometry: Geometry, path: Path, known: Names) -> Found:
                 yield mistake(text, here, right, name=point, other=other)
 
 
-def _guides(mechanism: m.MechanismModel, known: Names) -> Found:
+def _guides(mechanism: m.MechanismModel, known: Names, synthesis: Taken) -> Found:
     for name, guide in mechanism.guides.items():
         path = (*_MECHANISM, "guides", name)
+        try:
+            direction(guide.angle or 0.0, synthesis)
+        except Elsewhere:
+            pass
+        except WrongValue as error:
+            yield Problem(error.wrong, error.right, (*path, "angle"))
         yield from no_link(guide.link, (*path, "link"), known)
         points = [guide.through] if isinstance(guide.through, str) else guide.through
         for point in points:

@@ -6,12 +6,14 @@ import math
 from collections.abc import Iterator, Mapping
 
 from tmm_report.chapters.lever.structure.block import models as m
+from tmm_report.chapters.lever.structure.block.synthesised import Elsewhere, Taken, one_of, taken
 from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.mechanics.lever.stated_masses import (
     LengthOf,
     Letter,
     Segment,
     Statement,
+    Synthesised,
     lettered,
     letters,
     worked,
@@ -22,10 +24,6 @@ from tmm_report.quantity.units import WrongValue
 LONGEST = 1e6  # m
 Points = Mapping[str, complex]
 """Of a link, in its own axes, m."""
-
-
-class Elsewhere(WrongValue):
-    """What is wrong of another link, and is told there."""
 
 
 class Circular(WrongValue):
@@ -40,8 +38,8 @@ class Geometry:
     """Points of the links; those of a link are worked out when they are first asked for. They raise WrongValue where a
     triangle does not close or a statement cannot be worked out."""
 
-    def __init__(self, links: Mapping[str, m.LinkModel], frame: Points):
-        self.links, self.frame = links, frame
+    def __init__(self, links: Mapping[str, m.LinkModel], frame: Points, synthesis: Taken = None):
+        self.links, self.frame, self.synthesis = links, frame, synthesis
         self._known: dict[str, Points] = {}
 
     def points(self, name: str, asking: tuple[str, ...] = ()) -> Points:
@@ -71,17 +69,16 @@ class Geometry:
         if isinstance(written, m.Triangle):
             sides = {end: self._size(side, name, placed, asking) for end, side in written.from_.items()}
             return triangle(sides, written.side, placed)
-        return (
-            complex(*written)
-            if isinstance(written, tuple)
-            else complex(self._size(written, name, placed, asking))
-        )
+        parts = written if isinstance(written, tuple) else (written,)
+        return complex(*(self._size(part, name, placed, asking) for part in parts))
 
     def _size(self, stated: float | Statement, own: str, placed: Points, asking: tuple[str, ...]) -> float:
         if isinstance(stated, float):
             return stated
 
         def length(letter: Letter) -> float:
+            if isinstance(letter, Synthesised):
+                return taken(letter, self.synthesis).number
             assert isinstance(letter, LengthOf)  # the grammar of lengths has no other
             found = self.segment(letter, own, placed, (*asking, own))
             points = placed if found.link == own else self._others(found.link, (*asking, own))
@@ -123,7 +120,7 @@ class Geometry:
             raise WrongValue(wrong, Message(N_("a number of other lengths, such as 0.4*l_AB")))
         wrong = Message(N_("no link has two points whose names make %(name)s"), {"name": name})
         before = [f"l_{a}{b}" for a, b in _pairs(placed)]
-        raise WrongValue(wrong, _one_of(before) if before else Message(N_("give its place above")))
+        raise WrongValue(wrong, one_of(before) if before else Message(N_("give its place above")))
 
     def _whole(self, name: str, points: Points) -> Segment:
         """From end to end of a link that has one length."""
@@ -134,7 +131,7 @@ class Geometry:
         wrong = N_("link %(name)s has several lengths") if ends[1:] else N_("link %(name)s has no length")
         others = [points] if ends[1:] else [self.frame, *self._known.values()]
         lengths = [f"l_{a}{b}" for of in others for a, b in _pairs(of)]
-        raise WrongValue(Message(wrong, {"name": name}), _one_of(lengths))
+        raise WrongValue(Message(wrong, {"name": name}), one_of(lengths))
 
     def stated(self, name: str) -> dict[str, Statement]:
         """Points of a link whose places are stated by other lengths, and how, with the segments that are named."""
@@ -149,6 +146,8 @@ class Geometry:
         return found
 
     def _named(self, letter: Letter, own: str, placed: Points) -> Letter:
+        if isinstance(letter, Synthesised):
+            return taken(letter, self.synthesis)
         return self.segment(letter, own, placed) if isinstance(letter, LengthOf) else letter
 
 
@@ -156,14 +155,12 @@ def mentioned(written: object) -> set[str]:
     """Names of points that the place of another one is stated by, with what else its letters could be read as."""
     if isinstance(written, m.Triangle):
         return {*written.from_, *(name for side in written.from_.values() for name in mentioned(side))}
-    if isinstance(written, float | tuple):
+    if isinstance(written, tuple):
+        return {name for part in written for name in mentioned(part)}
+    if isinstance(written, float):
         return set()
     names = [letter.name for letter in letters(written) if isinstance(letter, LengthOf)]  # type: ignore[arg-type]
     return {half for name in names for ends in _halves(name) for half in ends}
-
-
-def _one_of(words: list[str]) -> Message:
-    return Message(N_("one of %(words)s"), {"words": ", ".join(words[:6])})
 
 
 def _pairs(points: Points) -> Iterator[tuple[str, str]]:

@@ -1,13 +1,14 @@
 """The block `mechanism` as pydantic models."""
 
 import math
+import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import BeforeValidator, ConfigDict, Field, Tag, model_validator
 
 from tmm_report.chapters.lever.structure.block.cams import CamModel
-from tmm_report.mechanics.lever.stated_masses import Statement
+from tmm_report.mechanics.lever.stated_masses import Statement, Synthesised
 from tmm_report.problems import N_, Message, shown
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant import closed
@@ -54,7 +55,22 @@ def _stated(dimension: str, low: float, read: Callable[[str], Statement], exampl
     return Reads(value, {**plain.schema, **shown}, dimension)
 
 
+def _angle() -> Reads:
+    """An angle, or one that the synthesis finds."""
+    plain = quantity("angle")
+
+    def value(written: object) -> float | Synthesised:
+        if isinstance(written, str) and (match := re.fullmatch(r"\s*synthesis\.([a-z_]+)\s*", written)):
+            return Synthesised(match[1])
+        return plain.value(written)  # type: ignore[no-any-return]
+
+    texts = {"type": "string"}
+    shown = {"anyOf": [*plain.schema["anyOf"], texts], "examples": [*plain.schema["examples"]]}
+    return Reads(value, {**plain.schema, **shown}, "angle")
+
+
 AnyLength = Annotated[float | Statement, _stated("length", -math.inf, closed.length, ["0.4*l_AB"])]
+AnyAngle = Annotated[float | Synthesised, _angle()]
 AnyDistance = Annotated[float | Statement, _stated("length", 0.0, closed.length, ["0.4*l_AB"])]
 AnyMass = Annotated[float | Statement, _stated("mass", 0.0, closed.mass, ["30 kg/m", "0.3*m2"])]
 StatedInertia = Annotated[
@@ -77,8 +93,9 @@ class Triangle(Model):
     )
 
 
+AnyPoint = tuple[AnyLength, AnyLength]
 Place = Annotated[
-    Annotated[AnyLength, Tag(SCALAR)] | Annotated[Point, Tag(LIST)] | Annotated[Triangle, Tag(MAP)],
+    Annotated[AnyLength, Tag(SCALAR)] | Annotated[AnyPoint, Tag(LIST)] | Annotated[Triangle, Tag(MAP)],
     by_shape(N_("75 mm, [75 mm, 10 mm] or {from: {A: 75 mm, B: 100 mm}, side: left}")),
 ]
 
@@ -164,7 +181,7 @@ class GuideModel(Model):
     """A straight line along which links slide, carried by the frame or by a moving link."""
 
     through: Through = Field(description="a point of the line, or two, P to Q", examples=["O"])
-    angle: Angle | None = Field(default=None, description="in the axes of the carrier; left out, 0")
+    angle: AnyAngle | None = Field(default=None, description="in the axes of the carrier; left out, 0")
     link: Name = Field(default="0", description="the link that carries the guide; left out, the frame")
 
     @model_validator(mode="before")
@@ -289,7 +306,7 @@ class MechanismModel(Model):
     # the parts that every mechanism has may be absent here, to check the rest all the same: `checks` wants them
     model_config = ConfigDict(json_schema_extra={"required": ["frame", "links", "driver"]})
 
-    frame: dict[KeyName, Point] = Field(default={}, description="fixed points, in the axes of the drawing")
+    frame: dict[KeyName, AnyPoint] = Field(default={}, description="fixed points, in the axes of the drawing")
     guides: dict[KeyName, GuideModel] = Field(default={})
     links: dict[KeyName, LinkModel] = Field(default={}, description="the moving links")
     driver: DriverModel | None = None

@@ -14,6 +14,7 @@ from tmm_report.chapters.lever.structure.block import models as m
 from tmm_report.chapters.lever.structure.block.build import mechanism
 from tmm_report.chapters.lever.structure.block.cam_size import radius
 from tmm_report.chapters.lever.structure.block.cams import CamModel
+from tmm_report.chapters.lever.structure.block.synthesised import offered
 from tmm_report.mechanics.lever.mechanism import FRAME, Link, Mechanism
 from tmm_report.problems import N_, Message, Problem, doubt
 from tmm_report.records import dataclass
@@ -58,7 +59,7 @@ def doubts(written: m.MechanismModel, read: Read) -> Iterator[Problem]:
     stated = measures(read)
     if any(lengths(read, stated)):
         return  # what all the rest is judged by
-    built, numbers = mechanism(written), {one.path: one for one in stated}
+    built, numbers = mechanism(written, offered(read)), {one.path: one for one in stated}
     own = _sizes(written, built)
     longest = max(own.values(), default=0.0)
     if longest > 0:

@@ -11,7 +11,8 @@ import math
 from collections.abc import Collection, Mapping
 
 from tmm_report.chapters.lever.structure.block import models as m
-from tmm_report.chapters.lever.structure.block.geometry import Circular, Elsewhere, Geometry
+from tmm_report.chapters.lever.structure.block.geometry import Circular, Geometry
+from tmm_report.chapters.lever.structure.block.synthesised import Elsewhere, taken
 from tmm_report.mechanics.lever.stated_masses import (
     LengthOf,
     Letter,
@@ -19,6 +20,7 @@ from tmm_report.mechanics.lever.stated_masses import (
     PerLength,
     Segment,
     Statement,
+    Synthesised,
     lettered,
     worked,
 )
@@ -69,6 +71,8 @@ class Weights:
         """What a letter in a statement of the link `own` stands for, SI."""
         if isinstance(letter, PerLength):
             return letter.value
+        if isinstance(letter, Synthesised):
+            return taken(letter, self.geometry.synthesis).number
         if isinstance(letter, LengthOf):
             letter = self.geometry.segment(letter, own, self.geometry.points(own))
         if isinstance(letter, Segment):
@@ -91,6 +95,8 @@ class Weights:
         def named(letter: Letter) -> Letter:
             if isinstance(letter, LengthOf):
                 return self.geometry.segment(letter, own, self.geometry.points(own))
+            if isinstance(letter, Synthesised):
+                return taken(letter, self.geometry.synthesis)
             return MassOf(letter.link or own) if isinstance(letter, MassOf) else letter
 
         return None if isinstance(stated, float) else lettered(stated, named)

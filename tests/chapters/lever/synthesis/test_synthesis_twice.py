@@ -1,0 +1,151 @@
+"""Every formula of a synthesis by a second way: the triangles of the extreme positions solved in coordinates."""
+
+import math
+
+import numpy as np
+import pytest
+from twice import disagreements
+
+from tmm_report import course
+from tmm_report.mechanics.lever import synthesis
+
+TEXTS = {
+    "slider-crank by ratio": "slider_crank: {stroke: 120 mm, K: 1.2, ratio: 3.1}",
+    "slider-crank, free": "slider_crank: {stroke: 120 mm, K: 1.2}",
+    "slider-crank by angle": "slider_crank: {stroke: 120 mm, K: 1.1, pressure_angle: 45 deg}",
+    "slider-crank by offset": "slider_crank: {stroke: 120 mm, K: 1.2, offset: 40 mm}",
+    "slider-crank by ratios": "slider_crank: {stroke: 120 mm, ratio: 3, offset_ratio: 0.7}",
+    "slider-crank by ratio and offset": "slider_crank: {stroke: 120 mm, ratio: 3, offset: 25 mm}",
+    "slider-crank in line": "slider_crank: {mean_speed: 0.8 m/s, speed: 120 rpm, pressure_angle: 12 deg}",
+    "slider-crank in line by ratio": "slider_crank: {stroke: 90 mm, ratio: 4}",
+    "crank-rocker by crank": "crank_rocker: {K: 1.1, swing: 32 deg, rocker: 0.6 m, crank: 0.15 m}",
+    "crank-rocker beyond": "crank_rocker: {K: 1.1, swing: 32 deg, rocker: 0.6 m, crank: 0.15 m, beyond: true}",
+    "crank-rocker by rod": "crank_rocker: {K: 1.1, swing: 32 deg, rocker: 0.6 m, rod: 0.9 m}",
+    "crank-rocker by frame": "crank_rocker: {K: 1.1, swing: 32 deg, rocker: 0.6 m, frame: 0.85 m}",
+    "crank-rocker, free": "crank_rocker: {K: 1.25, swing: 60 deg, rocker: 300 mm, middle: 90 deg}",
+    "crank-rocker in step by rod": "crank_rocker: {swing: 60 deg, rocker: 300 mm, rod: 500 mm}",
+    "crank-rocker in step by frame": "crank_rocker: {swing: 60 deg, rocker: 300 mm, frame: 500 mm}",
+    "shaper": "slotted_link: {stroke: 400 mm, K: 1.5, frame: 420 mm, rod_ratio: 0.25}",
+    "shaper by crank": "slotted_link: {stroke: 400 mm, K: 1.5, crank: 130 mm, pressure_angle: 7 deg}",
+    "Whitworth": "turning_guide: {stroke: 300 mm, K: 1.8, crank: 150 mm, rod_ratio: 4}",
+    "Whitworth by frame": "turning_guide: {stroke: 300 mm, K: 1.8, frame: 60 mm, pressure_angle: 20 deg}",
+    "function": "function: {y: x^1.5, x: [1, 4], crank_from: 30 deg, crank_turn: 90 deg, rocker_from: 60 deg, "
+    "rocker_turn: 90 deg, frame: 100 mm}",
+}
+
+
+def found_of(text):
+    return course.solve(course.loads(f"language: en\nsynthesis: {{{text}}}\n")).synthesis
+
+
+@pytest.mark.parametrize("name", TEXTS)
+def test_every_formula_agrees_with_the_second_way(name):
+    found = found_of(TEXTS[name])
+    assert disagreements(found.s, WAYS[found.given.kind](found.s, found.given.asked), 1e-8) == []
+
+
+def met(one: complex, r: float, other: complex, R: float, left: bool) -> complex:
+    """Where two circles meet, to the left or right of the line from one centre to the other."""
+    line = other - one
+    far = abs(line)
+    along = (r**2 - R**2 + far**2) / (2 * far)
+    return one + line / far * complex(along, math.sqrt(r**2 - along**2) * (1 if left else -1))
+
+
+def slider_crank(s, asked):
+    """The slider's extreme places off a line at distance e from the crank's pivot."""
+    a, b, e = (s.number(key) for key in ("crank", "rod", "offset"))
+    far, near = complex(math.sqrt((b + a) ** 2 - e**2), e), complex(math.sqrt((b - a) ** 2 - e**2), e)
+    stroke = abs(far - near)
+    theta = np.angle(near / far)
+    phi = np.linspace(0, 2 * np.pi, 3601)
+    pressure = np.arcsin(np.max(np.abs(a * np.sin(phi) - e)) / b)
+    both = met(0j, 0.0 + b - a, stroke + 0j, b + a, True) if e else None
+    turned = asked.K if asked.K > 1 else 1.0
+    wanted = asked.stroke or asked.mean_speed * math.pi / asked.speed
+    ways = {"stroke": wanted, "theta": math.pi * (turned - 1) / (turned + 1), "pressure": pressure}
+    ways["difference"] = b * b - a * a
+    # the two dead positions give the same crank, rod and offset again
+    ways |= {"crank": (abs(far) - abs(near)) / 2, "rod": (abs(far) + abs(near)) / 2}
+    ways["offset"] = abs(both.imag) if both is not None else e
+    assert stroke == pytest.approx(wanted, rel=1e-9)
+    assert asked.K == 1 or theta == pytest.approx(ways["theta"], rel=1e-8)
+    return ways
+
+
+def crank_rocker(s, asked):
+    a, b, c, d = (s.number(key) for key in ("crank", "rod", "rocker", "frame"))
+    ends = [c * np.exp(1j * (math.pi / 2 + turn * asked.swing / 2)) for turn in (-1, 1)]
+    half, rise = abs(ends[0] - ends[1]) / 2, (ends[0] + ends[1]).imag / 2
+    theta = math.pi * (asked.K - 1) / (asked.K + 1)
+    # the pivot of the crank sees the chord's ends at its distances from them
+    pivots = [met(ends[0], b - a, ends[1], b + a, left) for left in (True, False)] if theta else []
+    inside = min(pivots, key=abs) if pivots else complex(s.number("along"), rise)
+    pivot = max(pivots, key=abs) if asked.beyond else inside
+    if theta:
+        assert abs(np.angle((ends[0] - pivot) / (ends[1] - pivot))) == pytest.approx(theta, rel=1e-8)
+    angles = []
+    for pin in (a + 0j, -a + 0j):
+        joint = met(pin, b, d + 0j, c, True)
+        angles.append(abs(np.angle((joint - pin) / (joint - d))))
+    family = synthesis.crank_rockers(theta, asked.swing, c, np.array([a]), asked.beyond) if theta else None
+    distances = abs(ends[0] - pivot), abs(ends[1] - pivot)
+    return {
+        "theta": theta, "half_chord": half, "rise": rise, "along": abs(pivot.real), "away": abs(pivot.imag - rise),
+        "frame": abs(pivot), "mu_inner": angles[0], "mu_outer": angles[1],
+        "rod": float(family.b[0]) if family else b, "crank": abs(distances[0] - distances[1]) / 2 if theta else half,
+    }  # fmt: skip
+
+
+def slotted_link(s, asked):
+    """The crank's circle is touched by the slotted link in its extreme positions."""
+    theta = math.pi * (asked.K - 1) / (asked.K + 1)
+    d = asked.frame or asked.crank / abs(np.sin(theta / 2))
+    end = asked.stroke / 2 / math.tan(theta / 2) * 1j + asked.stroke / 2
+    top, low = abs(end), end.imag
+    line = (top + low) / 2
+    off = top - line
+    rod = abs(end) * asked.rod_ratio if asked.rod_ratio else off / math.sin(asked.pressure_angle)
+    reach = np.linspace(-theta / 2, theta / 2, 4001)
+    pressure = np.max(np.abs(np.arcsin((top * np.cos(reach) - line) / rod)))
+    return {
+        "theta": theta, "crank": abs((np.conj(end) * 1j * d).imag) / top, "frame": d, "link": top,
+        "sagitta": top - low, "slide_line": line, "rod": rod, "pressure": pressure,
+    }  # fmt: skip
+
+
+def turning_guide(s, asked):
+    """The crank's pin passes the line through the link's pivot at angles whose turns have the ratio K."""
+    a, d = s.number("crank"), s.number("frame")
+    slow = 2 * math.pi - 2 * math.acos(d / a)
+    assert slow / (2 * math.pi - slow) == pytest.approx(asked.K, rel=1e-9)
+    frame, crank = a * math.sin(slow / 2 - math.pi / 2), d / math.sin(slow / 2 - math.pi / 2)
+    r = asked.stroke / 2
+    rod = r * asked.rod_ratio if asked.rod_ratio else r / math.sin(asked.pressure_angle)
+    return {
+        "frame": frame,
+        "crank": crank,
+        "arm": r,
+        "rod": rod,
+        "pressure": math.atan(r / math.sqrt(rod**2 - r**2)),
+    }
+
+
+def function(s, asked):
+    """The rod is as long as the joints are apart in each of the three positions."""
+    x = 2.5 + 1.5 * np.cos(np.pi * np.array([5, 3, 1]) / 6)
+    phi = asked.crank_from + asked.crank_turn * (x - 1) / 3
+    psi = asked.rocker_from + asked.rocker_turn * (x**1.5 - 1) / 7
+    a, c, d = s.number("crank"), s.number("rocker"), asked.frame
+    rods = np.abs(a * np.exp(1j * phi) - d - c * np.exp(1j * psi))
+    assert rods == pytest.approx(rods[0], rel=1e-9)
+    return {"crank": d / s.number("k2"), "rocker": d / s.number("k3"), "rod": rods[1]}
+
+
+WAYS = {
+    "slider_crank": slider_crank,
+    "crank_rocker": crank_rocker,
+    "slotted_link": slotted_link,
+    "turning_guide": turning_guide,
+    "function": function,
+}

@@ -1,0 +1,138 @@
+"""The block `synthesis` of a variant."""
+
+import cmath
+from collections.abc import Iterator, Mapping
+from typing import TypedDict
+
+from pydantic import Field
+
+from tmm_report.chapters.lever.synthesis.given import (
+    CrankRocker,
+    SliderCrank,
+    SlottedLink,
+    Synthesis,
+    TurningGuide,
+)
+from tmm_report.chapters.lever.synthesis.solve import design, offered
+from tmm_report.mechanics.lever.stated_masses import Synthesised
+from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
+from tmm_report.variant import model
+from tmm_report.variant.model import Read
+from tmm_report.variant.stated import Stated
+from tmm_report.yamlread import Path
+
+KINDS = ("slider_crank", "crank_rocker", "slotted_link", "turning_guide", "function", "dwell")
+PATH: Path = ("synthesis",)
+
+
+class Block(model.Block):
+    """Synthesis of a linkage from what is asked of its motion."""
+
+    ALONE = True
+
+    synthesis: Stated[Synthesis] | None = Field(
+        default=None, description="lengths of a linkage from what is asked of its motion"
+    )
+
+
+class Taken(TypedDict):
+    synthesis: Synthesis | None
+
+
+def given(read: Read) -> Taken:
+    return {"synthesis": read.block(Block).synthesis}
+
+
+def numbers(read: Read) -> Mapping[str, Synthesised] | None:
+    """What the mechanism may take, by the names after `synthesis.`, None where there is no synthesis, nothing
+    where it has mistakes."""
+    if "synthesis" not in read.data:
+        return None
+    written = read.block(Block).synthesis
+    if written is None or read.is_broken("synthesis") or any(_clashes(written)):
+        return {}
+    try:
+        return offered(design(written))
+    except ProblemError:
+        return {}
+
+
+def mistakes(read: Read) -> Iterator[Problem]:
+    written = read.block(Block).synthesis
+    if written is None or read.is_broken("synthesis"):
+        return
+    if clashes := [*_clashes(written)]:
+        yield from clashes
+        return
+    try:
+        design(written)
+    except ProblemError as error:
+        yield from error.problems
+
+
+def _clashes(written: Synthesis) -> Iterator[Problem]:
+    """What is stated twice, or not at all."""
+    if len(written.stated) != 1:
+        right = Message(N_("exactly one of: %(words)s"), {"words": ", ".join(KINDS)})
+        yield mistake(N_("the kind of the linkage must be stated by one key"), PATH, right)
+        return
+    match asked := written.asked:
+        case SliderCrank():
+            yield from _of_slider_crank(asked)
+        case CrankRocker():
+            yield from _once(asked, ("crank", "rod", "frame"), "crank_rocker", at_most=True)
+            if asked.K == 1 and asked.crank is not None:
+                right = Message(N_("leave it out, or state rod or frame"))
+                wrong = N_("with equal strokes the crank is half the chord of the swing: it follows")
+                yield mistake(
+                    wrong,
+                    (*PATH, "crank_rocker", "crank"),
+                    Message(N_("leave it out, or state rod or frame")),
+                )
+            if abs((asked.crank_at.conjugate() * 1j * cmath.rect(1.0, asked.middle)).real) < 1e-9:
+                right = Message(N_("a side across the middle position"))
+                wrong = N_("the rocker itself lies that way in the middle of its swing")
+                yield mistake(
+                    wrong,
+                    (*PATH, "crank_rocker", "crank_at"),
+                    Message(N_("a side across the middle position")),
+                )
+        case SlottedLink() | TurningGuide():
+            kind = written.kind
+            yield from _once(asked, ("frame", "crank"), kind)
+            yield from _once(asked, ("rod", "rod_ratio"), kind, at_most=asked.pressure_angle is not None)
+            if asked.K == 1:
+                wrong = N_("a slotted link has strokes of different times: K is greater than 1")
+                yield mistake(
+                    wrong, (*PATH, kind, "K"), Message(N_("for example, %(example)s"), {"example": "K: 1.5"})
+                )
+
+
+def _once(asked: object, keys: tuple[str, ...], kind: str, at_most: bool = False) -> Iterator[Problem]:
+    stated = [key for key in keys if getattr(asked, key) is not None]
+    if len(stated) > 1 or (not stated and not at_most):
+        right = Message(N_("exactly one of: %(words)s"), {"words": ", ".join(keys)})
+        wrong = N_("a length of the linkage must be stated once")
+        yield mistake(wrong, (*PATH, kind, *stated[1:2]), right)
+
+
+def _of_slider_crank(asked: SliderCrank) -> Iterator[Problem]:
+    path = (*PATH, "slider_crank")
+    if (asked.stroke is None) == (asked.mean_speed is None):
+        right = Message(N_("stroke: 120 mm, or mean_speed: 0.8 m/s with speed: 120 rpm"))
+        yield mistake(N_("the stroke must be stated once"), path, right)
+    elif (asked.mean_speed is None) != (asked.speed is None):
+        right = Message(N_("stroke: 120 mm, or mean_speed: 0.8 m/s with speed: 120 rpm"))
+        yield mistake(N_("the mean speed and the speed of the crank go together"), path, right)
+    if asked.offset is not None and asked.offset_ratio is not None:
+        yield mistake(N_("the offset is stated twice"), (*path, "offset_ratio"), Message(N_("leave it out")))
+    if asked.K > 1:
+        if asked.offset_ratio is not None:
+            wrong = N_("the time ratio follows from the ratios of the sides")
+            yield mistake(wrong, (*path, "K"), Message(N_("leave out K, or offset_ratio")))
+        elif asked.offset is not None and asked.ratio is not None:
+            wrong = N_("stroke, time ratio and offset determine the linkage: its ratio follows")
+            yield mistake(wrong, (*path, "ratio"), Message(N_("leave it out")))
+    elif asked.ratio is None and (asked.pressure_angle is None or asked.offset or asked.offset_ratio):
+        right = Message(N_("ratio: 4, or pressure_angle: 12 deg of a slider in line with the crank"))
+        yield mistake(N_("nothing says how long the rod is"), path, right)

@@ -1,0 +1,205 @@
+"""What is given of a synthesis, as the block states it, SI: one kind of linkage, and what is asked of it."""
+
+from __future__ import annotations
+
+from dataclasses import field, fields
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+
+from tmm_report.records import dataclass
+
+if TYPE_CHECKING:
+    from pydantic import Field
+
+    from tmm_report.variant.values import (
+        Angle,
+        Flag,
+        FunctionOfX,
+        Name,
+        Point,
+        Positive,
+        PressureAngle,
+        Side,
+        Speed,
+        Swing,
+        TimeRatio,
+        TransmissionAngle,
+        Within,
+        quantity,
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class SliderCrank:
+    """A slider-crank of a stroke; what is left free is chosen for the least pressure angle."""
+
+    stroke: Annotated[Positive | None, Field(description="of the slider", examples=["120 mm"])] = None
+    mean_speed: Annotated[
+        Annotated[float, quantity("velocity", 1e-9)] | None,
+        Field(description="of the slider over the turn, with `speed` in place of the stroke"),
+    ] = None
+    speed: Annotated[Speed | None, Field(description="of the crank", examples=["120 rpm"])] = None
+    K: Annotated[TimeRatio, Field(description="time of the slower stroke by that of the faster one")] = 1.0
+    ratio: Annotated[
+        Annotated[float, quantity("number", 1.000001, 1000.0, "1 … 1000")] | None,
+        Field(description="rod by crank", examples=[4]),
+    ] = None
+    offset: Annotated[Positive | None, Field(description="of the slide line from the crank's pivot")] = None
+    offset_ratio: Annotated[
+        Annotated[float, quantity("number", 0.0, 1000.0, "0 … 1000")] | None,
+        Field(description="offset by crank, with `ratio` in place of K"),
+    ] = None
+    pressure_angle: Annotated[
+        PressureAngle | None, Field(description="greatest permitted", examples=["12 deg"])
+    ] = None
+
+
+@dataclass(frozen=True, eq=False)
+class CrankRocker:
+    """A crank-rocker of a swing; what is left free is chosen for the best transmission angle."""
+
+    swing: Annotated[Swing, Field(description="of the rocker", examples=["32 deg"])]
+    rocker: Annotated[Positive, Field(description="length between its joints", examples=["0.6 m"])]
+    K: Annotated[TimeRatio, Field(description="time of the slower stroke by that of the faster one")] = 1.0
+    crank: Positive | None = None
+    rod: Positive | None = None
+    frame: Annotated[Positive | None, Field(description="distance of the fixed pivots")] = None
+    beyond: Annotated[
+        Flag, Field(description="true: the crank's pivot lies beyond the chord of the rocker's swing")
+    ] = False
+    middle: Annotated[
+        Angle, Field(description="direction of the rocker in the middle of its swing, of the x axis")
+    ] = field(default=-1.5707963267948966)
+    crank_at: Annotated[
+        Side, Field(description="on which side of the rocker's middle position the crank's pivot lies")
+    ] = field(default=-1 + 0j)
+    transmission: Annotated[TransmissionAngle | None, Field(description="least permitted angle")] = None
+
+
+@dataclass(frozen=True, eq=False)
+class SlottedLink:
+    """A crank that drives a swinging slotted link, a rod and a slider: a shaper."""
+
+    stroke: Annotated[Positive, Field(description="of the slider", examples=["400 mm"])]
+    K: Annotated[TimeRatio, Field(description="time of the working stroke by that of the return")]
+    frame: Annotated[
+        Positive | None, Field(description="distance of the fixed pivots", examples=["420 mm"])
+    ] = None
+    crank: Annotated[Positive | None, Field(description="in place of the frame")] = None
+    rod: Positive | None = None
+    rod_ratio: Annotated[
+        Annotated[float, quantity("number", 1e-3, 1000.0, "0.001 … 1000")] | None,
+        Field(description="rod by slotted link", examples=[0.25]),
+    ] = None
+    pressure_angle: Annotated[
+        PressureAngle | None, Field(description="of the rod, greatest permitted; without `rod` it is reached")
+    ] = None
+
+
+@dataclass(frozen=True, eq=False)
+class TurningGuide:
+    """A crank that drives a slotted link all round, an arm and a rod of which drive a slider: Whitworth's mechanism."""
+
+    stroke: Annotated[Positive, Field(description="of the slider", examples=["300 mm"])]
+    K: Annotated[TimeRatio, Field(description="time of the working stroke by that of the return")]
+    frame: Annotated[Positive | None, Field(description="distance of the fixed pivots")] = None
+    crank: Annotated[Positive | None, Field(description="in place of the frame")] = None
+    rod: Positive | None = None
+    rod_ratio: Annotated[
+        Annotated[float, quantity("number", 1.000001, 1000.0, "1 … 1000")] | None,
+        Field(description="rod by arm", examples=[4]),
+    ] = None
+    pressure_angle: Annotated[
+        PressureAngle | None, Field(description="of the rod, greatest permitted; without `rod` it is reached")
+    ] = None
+
+
+@dataclass(frozen=True, eq=False)
+class Generator:
+    """A four-bar linkage that sets the angle of its rocker to that of its crank as a function, at three points."""
+
+    y: Annotated[FunctionOfX, Field(description="the function of x", examples=["log10 x", "x^1.5"])]
+    x: Annotated[Within, Field(description="from … to", examples=["[1, 2]"])]
+    crank_from: Annotated[
+        Angle,
+        Field(description="of the crank at the first x, from the line of the pivots", examples=["30 deg"]),
+    ]
+    crank_turn: Annotated[
+        Angle, Field(description="of the crank over the range, with its sign", examples=["60 deg"])
+    ]
+    rocker_from: Annotated[Angle, Field(description="of the rocker at the first x", examples=["180 deg"])]
+    rocker_turn: Annotated[
+        Angle, Field(description="of the rocker over the range of y", examples=["-90 deg"])
+    ]
+    frame: Annotated[Positive, Field(description="distance of the fixed pivots", examples=["400 mm"])]
+    spacing: Annotated[
+        Literal["chebyshev", "ends"],
+        Field(description="the points of accuracy; ends: both ends and the middle"),
+    ] = "chebyshev"
+
+
+@dataclass(frozen=True, eq=False)
+class Dwell:
+    """A rod on a point of the coupler of a crank-rocker, whose path is nearly an arc: the slider dwells there."""
+
+    crank: Positive
+    coupler: Annotated[Positive, Field(description="between its joints")]
+    rocker: Positive
+    frame: Annotated[Positive, Field(description="distance of the fixed pivots; the rocker's to the right")]
+    point: Annotated[
+        Point,
+        Field(
+            description="of the coupler: along it from the crank pin, and to its left",
+            examples=["[0.1, 0.1]"],
+        ),
+    ]
+    angles: Annotated[
+        list[Angle],
+        Field(
+            min_length=3, max_length=3, description="of the crank, at which the arc is laid through the point"
+        ),
+    ]
+    rocker_joint: Annotated[
+        Literal["left", "right"], Field(description="of the line from the crank pin to the rocker's pivot")
+    ] = "left"
+
+
+Kind = SliderCrank | CrankRocker | SlottedLink | TurningGuide | Generator | Dwell
+
+
+@dataclass(frozen=True, eq=False)
+class Synthesis:
+    """Lengths of a linkage from what is asked of its motion; the mechanism takes them: `A: synthesis.crank`."""
+
+    NOT_STATED: ClassVar[tuple[str, ...]] = ()
+
+    slider_crank: SliderCrank | None = None
+    crank_rocker: CrankRocker | None = None
+    slotted_link: SlottedLink | None = None
+    turning_guide: TurningGuide | None = None
+    function: Generator | None = None
+    dwell: Dwell | None = None
+    round: Annotated[
+        Positive | None, Field(description="to which the lengths are rounded", examples=["1 mm"])
+    ] = None
+    output: Annotated[
+        Name | None,
+        Field(description="the slider's point or the rocker whose motion is asked; left out, the only one"),
+    ] = None
+
+    @property
+    def stated(self) -> tuple[str, ...]:
+        """The kinds of linkages that are asked for: one, of a block without mistakes."""
+        kinds = [one.name for one in fields(self) if one.name not in ("round", "output")]
+        return tuple(name for name in kinds if getattr(self, name) is not None)
+
+    @property
+    def kind(self) -> str:
+        return self.stated[0]
+
+    @property
+    def asked(self) -> Kind:
+        found: Kind = getattr(self, self.kind)
+        return found
+
+
+Given = Synthesis

@@ -1,0 +1,141 @@
+"""The numbers of linkages through stated points: a function by three pairs, a dwell by three points of a path."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from tmm_report.chapters.lever.synthesis.given import Dwell, Generator
+from tmm_report.chapters.lever.synthesis.refused import refused
+from tmm_report.chapters.lever.synthesis.values import Pairs, Path, Values
+from tmm_report.mechanics.lever import synthesis
+from tmm_report.problems import N_, Message
+from tmm_report.quantity.formula import sqrt
+from tmm_report.quantity.model import Table
+
+# ---------------------------------------------------------------- a function
+
+
+def generator(s: Values, asked: Generator) -> tuple[Table, synthesis.FourBar]:
+    low, high = asked.x
+    at = points(asked)
+    x = (low + high) / 2 + (high - low) / 2 * at
+    y = asked.y(x)
+    if not (np.isfinite(asked.y(np.linspace(low, high, 200))).all() and asked.y(low) != asked.y(high)):
+        raise refused(
+            N_("the function has no finite values over the range, or equal ones at its ends"), "function", "x",
+            right=Message(N_("a range over which the function goes from one value to another")),
+        )  # fmt: skip
+    phi, psi = angles(asked, x)
+    s.low, s.high = low, high
+    s.take(asked, "frame", "crank_from", "crank_turn", "rocker_from", "rocker_turn")
+    try:
+        s.k1, s.k2, s.k3 = synthesis.through_pairs(phi, psi, asked.frame)
+    except np.linalg.LinAlgError:
+        raise refused(
+            N_("no four-bar linkage has these three pairs of angles"), "function",
+            right=Message(N_("other angles of crank and rocker")),
+        ) from None  # fmt: skip
+    s.crank = s.frame / s.k2
+    s.rocker = s.frame / s.k3
+    squares = s.crank**2 + s.rocker**2 + s.frame**2
+    s.rod = sqrt(squares - 2 * s.k1 * s.crank * s.rocker)
+    if not math.isfinite(s.number("rod")) or s.number("rod") <= 0:
+        raise refused(
+            N_("no rod joins these cranks: the square of its length would be negative"), "function",
+            right=Message(N_("other angles of crank and rocker")),
+        )  # fmt: skip
+    bar = _one_branch(s, phi, psi)
+    table = Table(
+        "synthesis_pairs", Message(N_("points of accuracy")),
+        (Pairs.x.column(x), Pairs.y.column(y), Pairs.phi.column(phi), Pairs.psi.column(psi)),
+    )  # fmt: skip
+    _judged(s, asked, bar)
+    return table, bar
+
+
+def points(asked: Generator) -> np.ndarray:
+    """Of accuracy, −1 … 1."""
+    if asked.spacing == "ends":
+        return np.array([-1.0, 0.0, 1.0])
+    return -np.cos((2 * np.arange(1, 4) - 1) * np.pi / 6)
+
+
+def angles(asked: Generator, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Of crank and rocker, rad, that are wanted."""
+    low, high = asked.x
+    first, last = asked.y(low), asked.y(high)
+    phi = asked.crank_from + asked.crank_turn * (x - low) / (high - low)
+    return phi, asked.rocker_from + asked.rocker_turn * (asked.y(x) - first) / (last - first)
+
+
+def _one_branch(s: Values, phi: np.ndarray, psi: np.ndarray) -> synthesis.FourBar:
+    """The assembly in which all pairs are met. Raises ProblemError where there is none."""
+    sizes = (s.number(key) for key in ("crank", "rod", "rocker", "frame"))
+    a, b, c, d = sizes
+    for side in (1, -1):
+        bar = synthesis.FourBar(a, b, c, d, side)
+        if np.abs(bar.rocker(phi) - np.exp(1j * psi)).max() < 1e-6:
+            return bar
+    raise refused(
+        N_("the three pairs are of different assemblies: the linkage cannot go from one to the next"), "function",
+        right=Message(N_("other angles of crank and rocker")),
+    )  # fmt: skip
+
+
+def differences(asked: Generator, bar: synthesis.FourBar, x: np.ndarray) -> np.ndarray:
+    """Angle of the rocker less the wanted one, rad."""
+    phi, psi = angles(asked, x)
+    return np.angle(bar.rocker(phi) * np.exp(-1j * psi))
+
+
+def _judged(s: Values, asked: Generator, bar: synthesis.FourBar) -> None:
+    low, high = asked.x
+    grid = np.linspace(low, high, 721)
+    if not np.isfinite(bar.rocker(angles(asked, grid)[0])).all():
+        raise refused(
+            N_("the linkage cannot be assembled all over the range"), "function",
+            right=Message(N_("a smaller turn of the crank, or other angles")),
+        )  # fmt: skip
+    s.error = -synthesis.least(lambda x: -np.abs(differences(asked, bar, x)), low, high)[1]
+    s.transmission = synthesis.least(lambda x: bar.transmission(angles(asked, x)[0]), low, high)[1]
+
+
+# ---------------------------------------------------------------- a dwell
+
+
+def dwell(s: Values, asked: Dwell) -> Table:
+    s.crank, s.rod, s.rocker, s.frame = asked.crank, asked.coupler, asked.rocker, asked.frame
+    s.point_x, s.point_y = asked.point
+    bar = linkage(asked)
+    phi = np.array(asked.angles)
+    place = traced(asked, bar, phi)
+    if not np.isfinite(place).all():
+        raise refused(
+            N_("the crank-rocker cannot be assembled at these angles of the crank"), "dwell", "angles"
+        )
+    try:
+        centre, radius = synthesis.circle(place)
+    except ZeroDivisionError:
+        right = Message(N_("other angles, or another point of the coupler"))
+        raise refused(N_("the three points lie on one line"), "dwell", "angles", right=right) from None
+    s.centre_x, s.centre_y, s.radius = centre.real, centre.imag, radius
+    towards = centre - complex(place[1])
+    s.guide_angle = math.atan2(towards.imag, towards.real)
+    return Table(
+        "synthesis_arc", Message(N_("points through which the arc is laid")),
+        (Path.phi.column(phi), Path.x.column(place.real), Path.y.column(place.imag)),
+    )  # fmt: skip
+
+
+def traced(asked: Dwell, bar: synthesis.FourBar, phi: np.ndarray) -> np.ndarray:
+    """Places of the point of the coupler, complex, m; the crank's pivot is the origin."""
+    pin = asked.crank * np.exp(1j * phi)
+    along = (asked.frame + asked.rocker * bar.rocker(phi) - pin) / asked.coupler
+    return pin + along * complex(*asked.point)
+
+
+def linkage(asked: Dwell) -> synthesis.FourBar:
+    side = -1 if asked.rocker_joint == "left" else 1
+    return synthesis.FourBar(asked.crank, asked.coupler, asked.rocker, asked.frame, side)

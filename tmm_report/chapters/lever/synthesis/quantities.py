@@ -1,0 +1,105 @@
+"""The numbers of a synthesis: single ones, the points it goes through, lengths as they are taken, the demand met."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from tmm_report.chapters.lever.synthesis import points_steps, rocker_steps
+from tmm_report.chapters.lever.synthesis.given import CrankRocker, Generator, SliderCrank
+from tmm_report.chapters.lever.synthesis.solve import Found
+from tmm_report.chapters.lever.synthesis.values import Values
+from tmm_report.i18n import NP_
+from tmm_report.mechanics.lever import synthesis
+from tmm_report.problems import N_, Message
+from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
+from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.tabulated import tabulated
+
+POINTS = 91  # of a chart of a family or of a function
+FAMILY = Message(N_("linkages that meet the demand"))
+COURSE = Message(N_("what the linkage makes of the function"))
+PSI_WANTED = Quantity(
+    "psi_wanted", Symbol("psi", NP_("index", "want")), "rad", Message(N_("wanted angle of the rocker")), "deg"
+)
+ERROR = Quantity(
+    "error", Symbol("Delta"), "rad", Message(N_("angle of the rocker less the wanted one")), "deg"
+)
+X = Quantity("x", Symbol("x"), "", Message(N_("variable of the function")))
+
+
+@tabulated
+def tables(found: Found) -> Iterator[Table]:
+    design = found.design
+    if design.table is not None:
+        yield design.table
+    if found.given.round is not None:
+        yield _rounded(found)
+    match found.given.asked:
+        case SliderCrank() as asked if asked.K > 1 and asked.offset is None and asked.ratio is None:
+            yield _slider_cranks(found)
+        case CrankRocker() as asked if asked.crank is None and asked.rod is None:
+            yield _crank_rockers(found, asked)
+        case Generator() as asked:
+            yield _course(found, asked)
+
+
+@tabulated
+def values(found: Found) -> Iterator[Value]:
+    return found.s.values()
+
+
+def _rounded(found: Found) -> Table:
+    keys = found.design.lengths
+    numbers = {
+        "found": [found.s.number(key) for key in keys],
+        "taken": [found.design.taken(key) for key in keys],
+    }
+    names = {"found": N_("length as it is found"), "taken": N_("length as the mechanism takes it")}
+    columns = [
+        Column(Quantity(key, Symbol("l"), "m", Message(names[key]), "mm"), numbers[key])
+        for key in ("found", "taken")
+    ]
+    of = text_column("key", Message(N_("number of the synthesis")), keys)
+    return Table("synthesis_lengths", Message(N_("lengths as found and as taken")), (of, *columns))
+
+
+def _slider_cranks(found: Found) -> Table:
+    """Over the ratio of rod to crank."""
+    ratio = np.linspace(1.05, max(8.0, 1.5 * found.s.number("ratio")), POINTS)
+    of = synthesis.slider_cranks(found.s.number("stroke"), found.s.number("theta"), ratio)
+    columns = {"ratio": ratio, "pressure": of.pressure, "crank": of.a, "rod": of.b, "offset": of.e}
+    return _family(columns)
+
+
+def _crank_rockers(found: Found, asked: CrankRocker) -> Table:
+    """Over the crank; of equal strokes over the distance of the pivots."""
+    s = found.s
+    if s.number("theta") == 0:
+        frame = asked.rocker * np.linspace(1.01, rocker_steps.MOST_FRAME, POINTS)
+        of = synthesis.in_step(asked.swing, asked.rocker, s.number("half_chord"), frame)
+        return _family({"frame": frame, "transmission": of.transmission, "rod": of.b})
+    crank = s.number("half_chord") * np.linspace(0.01, 0.999, POINTS)
+    of = rocker_steps.family(s, asked, crank)
+    return _family({"crank": crank, "transmission": of.transmission, "rod": of.b, "frame": of.d})
+
+
+def _family(columns: dict[str, np.ndarray]) -> Table:
+    first, *others = columns
+    sound = np.isfinite(columns[others[0]])
+    chosen = (Values.DECLARED[key].column(np.where(sound, columns[key], np.nan)) for key in others)
+    return Table("synthesis_family", FAMILY, (Values.DECLARED[first].column(columns[first]), *chosen))
+
+
+def _course(found: Found, asked: Generator) -> Table:
+    """Over the range of the function."""
+    bar = found.design.bar
+    assert bar is not None
+    x = np.linspace(*asked.x, POINTS)
+    phi, psi = points_steps.angles(asked, x)
+    columns = (
+        X.column(x), PSI_WANTED.column(psi), ERROR.column(points_steps.differences(asked, bar, x)),
+        Values.transmission.quantity.column(bar.transmission(phi)),
+    )  # fmt: skip
+    return Table("synthesis_course", COURSE, columns)

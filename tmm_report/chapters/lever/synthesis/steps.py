@@ -1,0 +1,210 @@
+"""The numbers of slider-cranks and slotted links, each assigned the expression that the note prints; what is free is
+chosen by search.
+
+Closed forms: Artobolevsky, Theory of mechanisms and machines, ch. 27.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from tmm_report.chapters.lever.synthesis.given import SliderCrank, SlottedLink, TurningGuide
+from tmm_report.chapters.lever.synthesis.refused import degrees, mm, refused
+from tmm_report.chapters.lever.synthesis.values import Values
+from tmm_report.mechanics.lever import synthesis
+from tmm_report.problems import N_, Message
+from tmm_report.quantity.formula import PI, Expr, cos, sin, sqrt
+from tmm_report.quantity.functions import HALF, arcsin
+
+SAME = 1e-9  # relative: what differs by less is equal
+MOST_RATIO = 25.0  # of rod to crank that is tried where it is free
+
+
+def between(s: Values, K: float) -> float:
+    """The angle theta of a time ratio, rad."""
+    s.K = K
+    s.theta = HALF * (s.K - 1) / (s.K + 1)
+    return s.number("theta")
+
+
+# ---------------------------------------------------------------- slider-crank
+
+
+def slider_crank(s: Values, asked: SliderCrank) -> None:
+    if asked.stroke is not None:
+        s.stroke = asked.stroke
+    else:
+        s.mean_speed, s.omega = asked.mean_speed, asked.speed
+        s.stroke = PI * s.mean_speed / s.omega
+    s.permitted = asked.pressure_angle
+    if asked.offset_ratio is not None or asked.K == 1:
+        _by_ratios(s, asked)
+    else:
+        _by_time_ratio(s, asked)
+    if s.number("rod") < s.number("crank") + s.number("offset"):
+        wrong = N_(
+            "the crank cannot turn round: the rod of %(rod)s is shorter than crank and offset, %(both)s"
+        )
+        both = mm(s.number("crank") + s.number("offset"))
+        raise refused(wrong, "slider_crank", right=_longer(asked), rod=mm(s.number("rod")), both=both)
+    s.pressure = arcsin((s.crank + s.offset) / s.rod if s.get("offset") else s.crank / s.rod)
+    if asked.pressure_angle is not None and s.number("pressure") > asked.pressure_angle * (1 + SAME):
+        _too_steep(s, "slider_crank")
+
+
+def _longer(asked: SliderCrank) -> Message:
+    return Message(N_("a greater ratio, or a smaller offset") if asked.ratio else N_("a smaller offset"))
+
+
+def _by_ratios(s: Values, asked: SliderCrank) -> None:
+    """Both dead positions by the ratios of the sides; in line with the crank, both strokes last equally long."""
+    stroke = s.number("stroke")
+    if asked.offset_ratio:
+        s.ratio, s.offset_ratio = asked.ratio, asked.offset_ratio
+        if asked.offset_ratio > s.number("ratio") - 1:
+            raise refused(
+                N_("the crank cannot turn round: the rod is shorter than crank and offset"),
+                "slider_crank", "offset_ratio",
+                right=Message(N_("at most %(most)s with this ratio"), {"most": f"{s.number('ratio') - 1:.6g}"}),
+            )  # fmt: skip
+        far, near = sqrt((s.ratio + 1) ** 2 - s.offset_ratio**2), sqrt((s.ratio - 1) ** 2 - s.offset_ratio**2)
+        s.crank = s.stroke / (far - near)
+        s.rod, s.offset = s.ratio * s.crank, s.offset_ratio * s.crank
+    elif asked.offset:
+        s.offset, s.ratio = asked.offset, asked.ratio
+        most = stroke / 2
+        ratio, e = s.number("ratio"), asked.offset
+
+        def miss(a: np.ndarray) -> np.ndarray:
+            with np.errstate(invalid="ignore"):
+                return (
+                    np.sqrt(((ratio + 1) * a) ** 2 - e**2) - np.sqrt(((ratio - 1) * a) ** 2 - e**2) - stroke
+                )
+
+        found = synthesis.roots(miss, e / (ratio - 1), most * (1 + SAME))
+        if not found.size:
+            raise refused(
+                N_("no crank with this offset gives the stroke: the rod is shorter than crank and offset"),
+                "slider_crank", "offset", right=Message(N_("a greater ratio, or a smaller offset")),
+            )  # fmt: skip
+        s.crank = float(found[0])
+        s.rod = s.ratio * s.crank
+    else:
+        s.offset = 0.0
+        s.crank = s.stroke / 2
+        if asked.ratio is not None:
+            s.ratio = asked.ratio
+            s.rod = s.ratio * s.crank
+        else:
+            s.rod = s.crank / sin(s.permitted)
+
+
+def _by_time_ratio(s: Values, asked: SliderCrank) -> None:
+    theta = between(s, asked.K)
+    half = s.theta / 2
+    if asked.offset is not None:
+        s.offset = asked.offset
+        s.difference = s.offset * s.stroke / sin(s.theta)
+        squares: Expr = (s.stroke**2 + 2 * s.difference * cos(s.theta)) / 4
+        least = squares.value - s.number("difference") / 2
+        if least <= 0:
+            raise refused(
+                N_("the time ratio cannot be had with this offset: the square of the crank would be negative"),
+                "slider_crank", "offset", right=Message(N_("at most %(most)s"), {"most": mm(_most_offset(s, theta))}),
+            )  # fmt: skip
+        s.crank = sqrt(squares - s.difference / 2)
+        s.rod = sqrt(squares + s.difference / 2)
+        return
+    s.ratio = asked.ratio if asked.ratio is not None else _free_ratio(s, theta, asked)
+    s.crank = s.stroke / (2 * sqrt(cos(half) ** 2 + s.ratio**2 * sin(half) ** 2))
+    s.rod = s.ratio * s.crank
+    s.offset = (s.rod**2 - s.crank**2) * sin(s.theta) / s.stroke
+
+
+def _most_offset(s: Values, theta: float) -> float:
+    """At which the crank shrinks to nothing: the arc through both extreme places of the slider."""
+    return s.number("stroke") / 2 / math.tan(theta / 2)
+
+
+def _free_ratio(s: Values, theta: float, asked: SliderCrank) -> float:
+    """The shortest rod that keeps the permitted angle; with none permitted, that of the least angle."""
+
+    def pressure(ratio: np.ndarray) -> np.ndarray:
+        return synthesis.slider_cranks(s.number("stroke"), theta, ratio).pressure
+
+    best, least = synthesis.least(pressure, 1.0, MOST_RATIO)
+    if asked.pressure_angle is None:
+        return best
+    if least > asked.pressure_angle:
+        raise refused(
+            N_("no ratio of rod to crank keeps this pressure angle: with the time ratio the least is %(least)s"),
+            "slider_crank", "pressure_angle",
+            right=Message(N_("at least %(least)s, or a smaller K"), {"least": degrees(least)}), least=degrees(least),
+        )  # fmt: skip
+    found = synthesis.roots(lambda ratio: pressure(ratio) - asked.pressure_angle, 1.0, best)
+    return float(found[0]) if found.size else best
+
+
+def _too_steep(s: Values, kind: str) -> None:
+    values = {"found": degrees(s.number("pressure")), "most": degrees(s.number("permitted"))}
+    raise refused(
+        N_("the pressure angle comes to %(found)s, more than the permitted %(most)s"),
+        kind, "pressure_angle", right=Message(N_("a longer rod, or leave its length to be found")), **values,
+    )  # fmt: skip
+
+
+# ---------------------------------------------------------------- slotted links
+
+
+def slotted_link(s: Values, asked: SlottedLink) -> None:
+    between(s, asked.K)
+    half = s.theta / 2
+    s.stroke, s.permitted = asked.stroke, asked.pressure_angle
+    if asked.frame is not None:
+        s.frame = asked.frame
+        s.crank = s.frame * sin(half)
+    else:
+        s.crank = asked.crank
+        s.frame = s.crank / sin(half)
+    s.link = s.stroke / (2 * sin(half))
+    s.sagitta = s.link * (1 - cos(half))
+    s.slide_line = s.link - s.sagitta / 2
+    _rod(s, asked, s.link, s.sagitta / 2, "slotted_link")
+    s.pressure = arcsin(s.sagitta / (2 * s.rod))
+
+
+def turning_guide(s: Values, asked: TurningGuide) -> None:
+    s.K, s.stroke, s.permitted = asked.K, asked.stroke, asked.pressure_angle
+    share = cos(HALF / (s.K + 1))
+    if asked.frame is not None:
+        s.frame = asked.frame
+        s.crank = s.frame / share
+    else:
+        s.crank = asked.crank
+        s.frame = s.crank * share
+    s.arm = s.stroke / 2
+    _rod(s, asked, s.arm, s.arm, "turning_guide")
+    s.pressure = arcsin(s.arm / s.rod)
+
+
+def _rod(s: Values, asked: SlottedLink | TurningGuide, moved_by: Expr, off: Expr, kind: str) -> None:
+    """The rod that stands at the pressure angle where its joint is `off` the slide line, or as stated."""
+    if asked.rod is not None:
+        s.rod = asked.rod
+    elif asked.rod_ratio is not None:
+        s.rod_ratio = asked.rod_ratio
+        s.rod = s.rod_ratio * moved_by
+    else:
+        s.rod = off / sin(s.permitted)
+    sine = float(off.value) / s.number("rod")
+    if sine >= 1:
+        right = Message(N_("more than %(limit)s"), {"limit": mm(float(off.value))})
+        raise refused(N_("the rod is too short to reach the slide line"), kind, "rod", right=right)
+    if asked.pressure_angle is not None and math.asin(sine) > asked.pressure_angle * (1 + SAME):
+        values = {"found": degrees(math.asin(sine)), "most": degrees(asked.pressure_angle)}
+        raise refused(
+            N_("the pressure angle comes to %(found)s, more than the permitted %(most)s"),
+            kind, "pressure_angle", right=Message(N_("a longer rod, or leave its length to be found")), **values,
+        )  # fmt: skip

@@ -1,0 +1,95 @@
+"""Every single number of a synthesis, by the letters that textbooks share: a crank, b rod, c rocker, d frame."""
+
+from __future__ import annotations
+
+from tmm_report.i18n import NP_
+from tmm_report.problems import N_
+from tmm_report.quantity.sheet import Q, Sheet
+
+WORDS = (NP_("index", "lim"), NP_("index", "max"), NP_("index", "min"), NP_("index", "met"))
+
+
+class Values(Sheet, prefix="synthesis"):
+    K = Q("K", "", N_("time of the slower stroke by that of the faster one"))
+    mean_speed = Q("v_m", "m/s", N_("mean speed of the slider over the turn"))
+    omega = Q("omega", "rad/s", N_("angular velocity of the crank"))
+    stroke = Q("H", "m", N_("stroke of the slider"), "mm")
+    swing = Q("psi", "rad", N_("swing of the rocker"), "deg")
+    theta = Q(
+        "theta", "rad", N_("angle between the lines of the crank and the rod in the extreme positions"), "deg"
+    )
+    ratio = Q("lambda", "", N_("length of the rod by that of the crank"))
+    offset_ratio = Q("epsilon", "", N_("offset by the length of the crank"))
+    rod_ratio = Q("nu", "", N_("length of the rod by that of the link that moves it"))
+    difference = Q("q", "m²", N_("difference of the squares of rod and crank"))
+    crank = Q("a", "m", N_("length of the crank"), "mm")
+    rod = Q("b", "m", N_("length of the rod"), "mm")
+    rocker = Q("c", "m", N_("length of the rocker"), "mm")
+    frame = Q("d", "m", N_("distance of the fixed pivots"), "mm")
+    offset = Q("e", "m", N_("offset of the slide line from the pivot of the crank"), "mm")
+    link = Q("L", "m", N_("length of the slotted link from its pivot to the joint of the rod"), "mm")
+    arm = Q("r", "m", N_("arm of the slotted link"), "mm")
+    sagitta = Q("f", "m", N_("sagitta of the arc that the end of the slotted link describes"), "mm")
+    slide_line = Q("h", "m", N_("distance of the slide line from the pivot of the slotted link"), "mm")
+    half_chord = Q("s", "m", N_("half the chord of the rocker's swing"), "mm")
+    rise = Q("p", "m", N_("distance of the chord from the rocker's pivot"), "mm")
+    along = Q("u", "m", N_("distance of the crank's pivot from the middle line of the swing"), "mm")
+    away = Q("v", "m", N_("distance of the crank's pivot from the chord"), "mm")
+    frame_x = Q("x_d", "m", N_("abscissa of the rocker's pivot from that of the crank"), "mm")
+    frame_y = Q("y_d", "m", N_("ordinate of the rocker's pivot from that of the crank"), "mm")
+    permitted = Q("gamma_lim", "rad", N_("permitted pressure angle"), "deg")
+    pressure = Q("gamma_max", "rad", N_("greatest pressure angle"), "deg")
+    mu_permitted = Q("mu_lim", "rad", N_("permitted transmission angle"), "deg")
+    mu_inner = Q(
+        "mu_1", "rad", N_("angle of rod and rocker with the crank towards the rocker's pivot"), "deg"
+    )
+    mu_outer = Q(
+        "mu_2", "rad", N_("angle of rod and rocker with the crank away from the rocker's pivot"), "deg"
+    )
+    transmission = Q("mu_min", "rad", N_("least transmission angle"), "deg")
+    stroke_met = Q("H_met", "m", N_("stroke of the analysed mechanism"), "mm")
+    swing_met = Q("psi_met", "rad", N_("swing of the rocker of the analysed mechanism"), "deg")
+    K_met = Q("K_met", "", N_("time ratio of the analysed mechanism"))
+    low = Q("x_0", "", N_("the variable at the beginning of its range"))
+    high = Q("x_f", "", N_("the variable at the end of its range"))
+    crank_from = Q("phi_0", "rad", N_("angle of the crank at the beginning of the range"), "deg")
+    crank_turn = Q("Deltaphi", "rad", N_("turn of the crank over the range"), "deg")
+    rocker_from = Q("psi_0", "rad", N_("angle of the rocker at the beginning of the range"), "deg")
+    rocker_turn = Q("Deltapsi", "rad", N_("turn of the rocker over the range"), "deg")
+    point_x = Q("xi_P", "m", N_("place of the point along the coupler"), "mm")
+    point_y = Q("eta_P", "m", N_("place of the point to the left of the coupler"), "mm")
+    k1 = Q("k_1", "", N_("constant of Freudenstein's equation"))
+    k2 = Q("k_2", "", N_("constant of Freudenstein's equation: frame by crank"))
+    k3 = Q("k_3", "", N_("constant of Freudenstein's equation: frame by rocker"))
+    error = Q("Delta_max", "rad", N_("greatest difference of the rocker's angle from the function"), "deg")
+    centre_x = Q("x_Q", "m", N_("abscissa of the centre of the arc"), "mm")
+    centre_y = Q("y_Q", "m", N_("ordinate of the centre of the arc"), "mm")
+    radius = Q("R", "m", N_("radius of the arc: length of the rod"), "mm")
+    guide_angle = Q("alpha", "rad", N_("direction from the middle point of the arc to its centre"), "deg")
+
+
+SWING_OF_LINK = Q("theta", "rad", N_("swing of the slotted link"), "deg", key="theta")
+
+LENGTHS = (
+    "crank", "rod", "rocker", "frame", "offset", "link", "arm", "slide_line", "frame_x", "frame_y", "centre_x",
+    "centre_y", "radius",
+)  # fmt: skip
+"""What a mechanism may take of a synthesis as a length, and `guide_angle` as an angle."""
+ANGLES = ("guide_angle",)
+
+
+class Pairs(Sheet):
+    """Columns of the points of accuracy."""
+
+    x = Q("x", "", N_("variable of the function"))
+    y = Q("y", "", N_("the function"))
+    phi = Q("phi", "rad", N_("angle of the crank from the line of the pivots"), "deg")
+    psi = Q("psi", "rad", N_("angle of the rocker from the line of the pivots"), "deg")
+
+
+class Path(Sheet):
+    """Columns of the points through which the arc is laid."""
+
+    phi = Q("phi", "rad", N_("angle of the crank from the line of the pivots"), "deg")
+    x = Q("x_P", "m", N_("abscissa of the point of the coupler"), "mm")
+    y = Q("y_P", "m", N_("ordinate of the point of the coupler"), "mm")

@@ -1,0 +1,144 @@
+"""View of a synthesis."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property
+from typing import Any
+
+from markupsafe import Markup
+
+from tmm_report.chapters.lever.synthesis import equations
+from tmm_report.chapters.lever.synthesis.draw import scale, scheme
+from tmm_report.chapters.lever.synthesis.given import Generator
+from tmm_report.chapters.lever.synthesis.quantities import tables
+from tmm_report.chapters.lever.synthesis.solve import Found
+from tmm_report.chapters.lever.synthesis.values import LENGTHS
+from tmm_report.figures.charts.graphs import Graph
+from tmm_report.figures.drawing import Drawing
+from tmm_report.problems import N_
+from tmm_report.quantity.definition import Definition
+from tmm_report.quantity.formula import Formula
+from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.written import Equation
+from tmm_report.report.chapter_view import ChapterView
+from tmm_report.report.diagrams import Line, chart, letter, scale_of
+from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Table, worded
+from tmm_report.report.part import Failed, Part
+
+STATED = (
+    "stroke", "mean_speed", "omega", "K", "swing", "ratio", "offset_ratio", "offset", "rod_ratio", "crank", "rod",
+    "rocker", "frame", "permitted", "mu_permitted", "crank_from", "crank_turn", "rocker_from", "rocker_turn", "point_x",
+    "point_y",
+)  # fmt: skip
+
+
+def parts(found: Found, page: Page) -> Iterator[Part]:
+    yield Part("lever/synthesis", SynthesisView(found, page))
+
+
+def picture(found: Found, page: Page) -> Drawing:
+    """The linkage at a glance, for a list of many."""
+    return scheme(found.design, "")
+
+
+class SynthesisView(ChapterView):
+    own = True
+
+    def __init__(self, found: Found, page: Page):
+        super().__init__(page, found.s, tables(found))
+        self.found, self.asked, self.kind = found, found.given.asked, found.given.kind
+
+    def given_values(self) -> Markup:
+        """What is asked, as it is stated."""
+        stated = [key for key in STATED if key in self.s and not self.s.has_formula(key)]
+        free = {"crank", "ratio", "frame"} - {
+            key for key in ("crank", "ratio", "frame") if getattr(self.asked, key, None) is not None
+        }
+        # in line there is no offset, and what was chosen was not asked
+        nought = {"offset"} if not self.s.get("offset") else set()
+        return self.listed(key for key in stated if key not in free | nought)
+
+    def all_formulas(self) -> list[Formula]:
+        """In the order in which they are computed."""
+        return [self.formula(key) for key in self.s.computed()]
+
+    def sign(self, key: str) -> Symbol:
+        return self.s.named(key).sign
+
+    # ------------------------------------------------------------ a function
+
+    def wanted(self) -> Definition:
+        assert isinstance(self.asked, Generator)
+        return equations.function(self.asked.y, self.table("pairs")["x"].values)
+
+    def freudenstein(self) -> Equation:
+        return equations.freudenstein(self.found.s)
+
+    @property
+    def free(self) -> str:
+        """What was left free, and is chosen."""
+        for key in ("ratio", "crank", "frame"):
+            left = key in self.s and getattr(self.asked, key, None) is None
+            if self.has("family") and left and not self.s.has_formula(key):
+                return key
+        return ""
+
+    # ------------------------------------------------------------ pictures
+
+    @cached_property
+    def scheme(self) -> Drawing:
+        return scheme(self.found.design, str(self.t(N_("The linkage that is found"))))
+
+    def scale(self) -> Markup:
+        return self.page.value(scale_of("mu_l", scale(self.found.design), "m/mm"))
+
+    def family(self) -> Graph:
+        """The angle and the lengths over what is free."""
+        first, angle, *lengths = self.table("family").columns
+        lines = [Line(angle, panel=0)]
+        lines += [Line(one, letter(one.quantity.sign, self.page.tr), 1) for one in lengths]
+        return chart(lines, first, [angle.quantity, lengths[0].quantity], self.page.tr)
+
+    def course(self) -> Graph:
+        x, *others = self.table("course").columns
+        lines = [Line(one, panel=k) for k, one in enumerate(others)]
+        return chart(lines, x, [one.quantity for one in others], self.page.tr)
+
+    # ------------------------------------------------------------ tables
+
+    def pairs(self, caption: Any) -> Table:
+        return self.numeric(caption, "pairs")
+
+    def arc(self, caption: Any) -> Table:
+        return self.numeric(caption, "arc")
+
+    def lengths(self, caption: Any) -> Table:
+        """As found and as taken."""
+        table, page = self.table("lengths"), self.page
+        keys = table["key"].values
+        heads = [self.t(N_("Length")), self.t(N_("as it is found, mm")), self.t(N_("as it is taken, mm"))]
+        rows = [
+            [page.sym(self.sign(key)), *(page.cell(table, one, row, "mm") for one in ("found", "taken"))]
+            for row, key in enumerate(keys)
+        ]
+        return worded(caption, heads, rows, (2, 3, 3))
+
+    # ------------------------------------------------------------ conclusions
+
+    def conclusions(self) -> list[Markup]:
+        sizes = [key for key in LENGTHS if self.s.get(key)]
+        lines = [self.t(N_("Synthesis: the linkage has %(lengths)s."), lengths=self.listed(sizes))]
+        for key in ("stroke", "swing", "K"):
+            if f"{key}_met" in self.s and key in self.s:
+                text = N_("%(asked)s was asked, the analysed mechanism has %(met)s.")
+                lines.append(self.t(text, asked=self.sized(key), met=self.sized(f"{key}_met")))
+        if "mu_permitted" in self.s:
+            good = N_("The least transmission angle, %(least)s, is not less than the permitted %(most)s.")
+            bad = N_("The least transmission angle, %(least)s, is less than the permitted %(most)s.")
+            fails = self.s.number("transmission") < self.s.number("mu_permitted")
+            least, most = self.measured("transmission", digits=4), self.measured("mu_permitted")
+            said = self.t(bad if fails else good, least=least, most=most)
+            lines.append(Failed(said) if fails else said)
+        return lines

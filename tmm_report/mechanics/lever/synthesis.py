@@ -1,0 +1,209 @@
+"""Dimensional synthesis: families of linkages that meet a demand, over their free parameter, and their extremes.
+
+Arrays in, arrays out, m and rad: `a` crank, `b` rod (coupler), `c` rocker, `d` distance of the fixed pivots, `e` offset
+of the slider's line from the crank's pivot, `theta` the angle between the two positions of the rod in the extreme
+positions. nan where there is no linkage. Source: Artobolevsky, Theory of mechanisms and machines, ch. 27; Freudenstein,
+Trans. ASME 77 (1955) 853.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from tmm_report.mechanics.calculus.roots import interpolated
+from tmm_report.records import dataclass
+
+Array = Any
+GRID = 1440  # points at which a family is tried before its extremes and roots are looked for
+FINER = 48  # by as many points the neighbourhood of an extreme is tried again and again
+ROUNDS = 9
+
+
+@dataclass(frozen=True, eq=False)
+class SliderCranks:
+    """Slider-cranks of one stroke and one time ratio, over the ratio of rod to crank."""
+
+    a: Array
+    b: Array
+    e: Array
+
+    @property
+    def pressure(self) -> Array:
+        """Greatest pressure angle over the turn, rad: where the crank stands across the slide line, on its far side."""
+        sine = (self.a + np.abs(self.e)) / self.b
+        return np.arcsin(np.where(sine <= 1, sine, np.nan))
+
+
+def slider_cranks(stroke: float, theta: float, ratio: Array) -> SliderCranks:
+    """By the triangle of the crank's pivot and the slider's two extreme places: sides b − a, b + a and the stroke, the
+    angle theta between the first two."""
+    a = stroke / np.sqrt((ratio - 1) ** 2 + (ratio + 1) ** 2 - 2 * (ratio**2 - 1) * np.cos(theta))
+    b = ratio * a
+    return SliderCranks(a, b, (b - a) * (b + a) * np.sin(theta) / stroke)
+
+
+@dataclass(frozen=True, eq=False)
+class CrankRockers:
+    """Crank-rockers of one swing and one time ratio, over the crank. `u`, `v`: the crank's pivot from the middle of the
+    rocker's chord, along the chord and away from the rocker's pivot."""
+
+    a: Array
+    b: Array
+    c: float
+    d: Array
+    u: Array
+    v: Array
+
+    @property
+    def transmission(self) -> Array:
+        """Least angle between rod and rocker over the turn, rad; nan where the crank cannot turn round or the linkage
+        would have to be assembled anew between its extreme positions."""
+        a, b, c, d = self.a, self.b, self.c, self.d
+        with np.errstate(invalid="ignore", divide="ignore"):
+            inner, outer = (
+                np.arccos((b**2 + c**2 - side**2) / (2 * b * c)) for side in (np.abs(d - a), d + a)
+            )
+        return np.where(self.sound, np.minimum(inner, np.pi - outer), np.nan)
+
+    @property
+    def sound(self) -> Array:
+        a, b, c, d = self.a, self.b, self.c, self.d
+        sides = np.sort(np.stack(np.broadcast_arrays(b, c, d)), axis=0)
+        with np.errstate(invalid="ignore"):
+            turns = (a < sides[0]) & (a + sides[2] <= sides[0] + sides[1])
+            return turns & self.one_assembly
+
+    @property
+    def one_assembly(self) -> Array:
+        """Whether the rocker's pivot is on one side of the rod in both extreme positions."""
+        half, rise = self._chord
+        from_pivot = self.u + 1j * (self.v + rise)  # the rocker's pivot is the origin
+        ends = np.stack([-half, half]) + 1j * rise
+        side = np.imag(np.conj(ends - from_pivot) * -from_pivot)
+        return side[0] * side[1] > 0
+
+    @property
+    def _chord(self) -> tuple[Array, Array]:
+        half = np.sqrt(((self.b - self.a) ** 2 + (self.b + self.a) ** 2) / 2 - self.u**2 - self.v**2)
+        return half, np.sqrt(self.c**2 - half**2)
+
+
+def crank_rockers(theta: float, swing: float, c: float, a: Array, beyond: bool = False) -> CrankRockers:
+    """By the triangle of the crank's pivot and the rocker's extreme ends: sides b − a, b + a and the chord, the angle
+    theta between the first two. `beyond`: the pivot lies beyond the chord, as seen from the rocker's pivot."""
+    half, rise = c * np.sin(swing / 2), c * np.cos(swing / 2)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        b = np.sqrt(half**2 - (a * np.cos(theta / 2)) ** 2) / np.sin(theta / 2)
+        u = -a * b / half
+        away = np.sqrt((b - a) ** 2 - (half + u) ** 2)
+    v = away if beyond else -away
+    return CrankRockers(a, b, c, np.hypot(u, rise + v), u, v)
+
+
+def in_step(swing: float, c: float, a: float, d: Array) -> CrankRockers:
+    """Those whose strokes last equally long, over the distance of the pivots: the crank's pivot is on the chord."""
+    rise = c * np.cos(swing / 2)
+    u = -np.sqrt(d**2 - rise**2)
+    return CrankRockers(a, -u, c, d, u, np.zeros_like(u))
+
+
+# ---------------------------------------------------------------- a function by three pairs
+
+FUNCTIONS: dict[str, Callable[[Array], Array]] = {
+    "log10": np.log10, "ln": np.log, "exp": np.exp, "sqrt": np.sqrt, "sin": np.sin, "cos": np.cos, "tan": np.tan,
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """A function of x by its name, or a power of x."""
+
+    name: str = ""
+    power: float = 1.0
+
+    def __call__(self, x: Array) -> Array:
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return FUNCTIONS[self.name](x) if self.name else np.asarray(x, float) ** self.power
+
+    def __str__(self) -> str:
+        return f"{self.name} x" if self.name else f"x^{self.power:g}"
+
+
+@dataclass(frozen=True, eq=False)
+class FourBar:
+    """`a`, `c`: crank and rocker, negative where they are laid off backwards; their angles are counted from the line of
+    the pivots, from the crank's to the rocker's, counter-clockwise. `side`: +1 or -1, on which side of the line from
+    crank pin to the rocker's pivot the joint of rod and rocker is."""
+
+    a: float
+    b: float
+    c: float
+    d: float
+    side: int
+
+    def rocker(self, phi: Array) -> Array:
+        """Direction of the rocker, unit complex; nan where the linkage cannot be assembled."""
+        pin = self.a * np.exp(1j * np.asarray(phi)) - self.d
+        size = np.abs(pin)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            cosine = (size**2 + self.c**2 - self.b**2) / (2 * size * abs(self.c))
+            off = np.arccos(np.where(np.abs(cosine) <= 1, cosine, np.nan))
+        return np.sign(self.c) * pin / size * np.exp(1j * self.side * off)
+
+    def transmission(self, phi: Array) -> Array:
+        """Acute angle between rod and rocker, rad."""
+        end = self.d + self.c * self.rocker(phi)
+        rod, rocker = end - self.a * np.exp(1j * np.asarray(phi)), end - self.d
+        return np.arcsin(np.minimum(np.abs(np.imag(np.conj(rod) * rocker)) / abs(self.b * self.c), 1.0))
+
+
+def through_pairs(phi: Array, psi: Array, d: float) -> tuple[float, float, float]:
+    """k1, k2, k3 of cos(φ − ψ) = k1 + k2 cos ψ − k3 cos φ at three pairs of angles. Raises LinAlgError where they are
+    of no one linkage."""
+    rows = np.stack([np.ones(3), np.cos(psi), -np.cos(phi)], axis=1)
+    k1, k2, k3 = np.linalg.solve(rows, np.cos(phi - psi))
+    return float(k1), float(k2), float(k3)
+
+
+# ---------------------------------------------------------------- extremes and roots over a parameter
+
+
+def least(f: Callable[[Array], Array], low: float, high: float) -> tuple[float, float]:
+    """Where a function of arrays is least between two ends, and its value there; what is nan is not looked at. By a
+    grid, then by ever finer ones about its lowest point. Raises ValueError where it is nan everywhere."""
+    x = np.linspace(low, high, GRID + 1)
+    for _ in range(ROUNDS):
+        y = f(x)
+        k = int(np.nanargmin(y))
+        best = float(x[k]), float(y[k])
+        x = np.linspace(x[max(k - 1, 0)], x[min(k + 1, len(x) - 1)], FINER + 1)
+    return best
+
+
+def roots(f: Callable[[Array], Array], low: float, high: float) -> Array:
+    """All roots that a grid of the range parts, ascending."""
+    x = np.linspace(low, high, GRID + 1)
+    y = f(x)
+    with np.errstate(invalid="ignore"):
+        at = np.flatnonzero(y[:-1] * y[1:] <= 0)
+    at = at[y[at] != 0] if at.size else at
+    exact = x[y == 0]
+    if not at.size:
+        return exact
+    found = interpolated(f, x[at], x[at + 1], y[at], np.zeros(at.size))[0]
+    return np.unique(np.concatenate([exact, found]))
+
+
+def circle(points: Array) -> tuple[complex, float]:
+    """Centre and radius of the circle through three points, complex, m. Raises ZeroDivisionError where they lie on one
+    line."""
+    a, b, c = (complex(point) for point in points)
+    one, other = b - a, c - a
+    area = (one.conjugate() * other).imag
+    if abs(area) <= 1e-12 * abs(one) * abs(other):
+        raise ZeroDivisionError
+    away = 1j * (abs(one) ** 2 * other - abs(other) ** 2 * one) / (2 * area)
+    return a - away, abs(away)

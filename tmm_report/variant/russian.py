@@ -1,0 +1,222 @@
+"""Value words of the format and their Russian twins, and the English of keys that are written in Russian.
+
+`направление: против движения` is read as `against motion`; keys stay English: a Russian one is answered with it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+_TWINS: dict[str, str] = {
+    "AC generator": "генератор переменного тока",
+    "DC generator": "генератор постоянного тока",
+    "against motion": "против движения",
+    "along motion": "по движению, вдоль движения",
+    "along": "вдоль",
+    "any": "любой, любая, любое",
+    "auto": "авто, автоматически",
+    "belt": "ремень",
+    "belt drive": "ременная передача",
+    "carrier": "водило",
+    "cast iron": "чугун",
+    "chebyshev": "чебышев, чебышёв",
+    "clockwise": "по часовой стрелке, по часовой",
+    "closed form": "в конечном виде",
+    "comma": "запятая",
+    "constraints": "уравнения связей",
+    "constraints corrected": "уравнения связей с поправкой",
+    "constraints dop853": "уравнения связей dop853",
+    "cosine": "косинусоидальный",
+    "counter-clockwise": "против часовой стрелки, против часовой",
+    "crank": "кривошип",
+    "crusher": "дробилка",
+    "differences": "разности",
+    "down": "вниз, снизу",
+    "drawing 0.01": "чертёж 0.01",
+    "drawing 0.1": "чертёж 0.1",
+    "drawing 0.5": "чертёж 0.5",
+    "drive": "привод",
+    "driving": "ведущая",
+    "dry": "сухое, сухая",
+    "either": "любая из двух",
+    "ends": "концы",
+    "equal sliding": "равное скольжение",
+    "external": "внешнее",
+    "external-external": "внешнее-внешнее",
+    "external-internal": "внешнее-внутреннее",
+    "fourier": "фурье",
+    "full": "полное, полный",
+    "incline": "наклонная плоскость",
+    "internal": "внутреннее",
+    "internal combustion engine": "двигатель внутреннего сгорания",
+    "internal-internal": "внутреннее-внутреннее",
+    "journal": "цапфа",
+    "largest": "наибольший, наибольшая",
+    "left": "влево, слева",
+    "level": "уровень",
+    "limit": "предел",
+    "machine tool": "станок",
+    "main": "главный, главная",
+    "middle": "середина, средний",
+    "motor": "двигатель",
+    "moving": "подвижный, подвижная",
+    "newton": "ньютон",
+    "off": "выключен, выкл",
+    "on": "включен, включён, вкл",
+    "optimum": "оптимум",
+    "other": "другой, другая",
+    "parabolic": "параболический",
+    "parallelogram": "параллелограмм",
+    "piston compressor": "поршневой компрессор",
+    "pivot": "пята",
+    "pivoted": "с неподвижными осями",
+    "planetary": "планетарная",
+    "point": "точка",
+    "polynomial": "степенной",
+    "pump": "насос",
+    "rest": "покой",
+    "reversed": "обратный",
+    "right": "вправо, справа",
+    "ring": "эпицикл",
+    "root finder": "поиск корней",
+    "rotors": "роторы",
+    "rule": "правило",
+    "screw": "винт",
+    "semi-fluid": "полужидкостное",
+    "shift": "смещение",
+    "sine": "синусоидальный",
+    "sliders": "ползуны",
+    "smallest": "наименьший, наименьшая",
+    "spline": "сплайн",
+    "spur": "цилиндрическая",
+    "steel": "сталь",
+    "substituted": "замещение",
+    "sun": "солнце, солнечное",
+    "sun-ring": "солнце-эпицикл",
+    "teeth": "зубья",
+    "trial": "подбор",
+    "uniform": "равномерный, равномерная",
+    "up": "вверх, сверху",
+    "wedge": "клин",
+    "wheel": "колесо",
+    "wheel1": "колесо1",
+    "wheel3": "колесо3",
+}
+_ENGLISH: dict[str, set[str]] = {}
+for _word, _twins in _TWINS.items():
+    for _twin in _twins.split(", "):
+        _ENGLISH.setdefault(_twin, set()).add(_word)
+
+_KEYS = {
+    "mechanism": "механизм",
+    "frame": "стойка",
+    "links": "звенья",
+    "guides": "направляющие",
+    "driver": "ведущее звено, ведущее",
+    "assembly": "сборка",
+    "sketch": "эскиз",
+    "points": "точки",
+    "mass": "масса",
+    "masses": "массы",
+    "mass_centre": "центр масс",
+    "inertia": "момент инерции, инерция",
+    "slides": "ползёт, скользит",
+    "through": "через",
+    "angle": "угол",
+    "link": "звено",
+    "guide": "направляющая",
+    "speed": "скорость, частота вращения, обороты",
+    "period": "период",
+    "rotation": "вращение",
+    "zero": "ноль, начало, нулевое положение",
+    "point": "точка",
+    "extreme": "крайнее, крайнее положение",
+    "loads": "нагрузки, нагрузка",
+    "gravity": "тяжесть, сила тяжести",
+    "forces": "силы",
+    "moments": "моменты",
+    "at": "в точке, приложена",
+    "on": "на звене",
+    "direction": "направление",
+    "constant": "постоянная, постоянный",
+    "components": "проекции",
+    "stroke": "ход",
+    "by_angle": "по углу",
+    "by_position": "по положениям",
+    "by_displacement": "по перемещению",
+    "piston_diameter": "диаметр поршня",
+    "positions": "положения",
+    "table": "таблица",
+    "diagram": "диаграмма",
+    "plans": "планы",
+    "friction": "трение",
+    "flywheel": "маховик",
+    "delta": "неравномерность, коэффициент неравномерности",
+    "language": "язык",
+    "title": "титул, титульный лист, заголовок",
+    "student": "студент",
+    "group": "группа",
+    "teacher": "преподаватель, руководитель",
+    "variant": "вариант",
+    "department": "кафедра",
+    "institution": "вуз, университет",
+    "topic": "тема",
+    "city": "город",
+    "year": "год",
+    "drive": "привод, передача",
+    "stages": "ступени",
+    "teeth": "зубья, числа зубьев",
+    "module": "модуль",
+    "ratio": "передаточное отношение",
+    "kind": "вид, тип",
+    "mesh": "зацепление",
+    "shift": "смещение",
+    "synthesis": "синтез",
+    "cams": "кулачки",
+    "follower": "толкатель",
+    "drawing": "чертёж",
+    "scales": "масштабы",
+    "readings": "отсчёты",
+    "length": "длина",
+    "radius": "радиус",
+    "diameter": "диаметр",
+    "force": "сила",
+    "moment": "момент",
+    "name": "имя, название",
+}
+_KEY: dict[str, set[str]] = {}
+for _word, _twins in _KEYS.items():
+    for _twin in _twins.split(", "):
+        _KEY.setdefault(_twin, set()).add(_word)
+
+
+def _plain(text: str) -> str:
+    return " ".join(text.casefold().replace("_", " ").split())
+
+
+def english(value: object, words: Collection[str]) -> object:
+    """One of the words for its Russian twin; anything else as it is written."""
+    if isinstance(value, list):
+        return [english(one, words) for one in value]
+    if not isinstance(value, str) or value.isascii():
+        return value
+    found = _ENGLISH.get(_plain(value), set()) & set(words)
+    return next(iter(found)) if len(found) == 1 else value
+
+
+def english_key(key: str, known: Collection[str]) -> str | None:
+    """Of the keys that are known at a place the one that a Russian key stands for."""
+    if key.isascii():
+        return None
+    found = _KEY.get(_plain(key), set()) & set(known)
+    return next(iter(found)) if len(found) == 1 else None
+
+
+def meant(key: str) -> bool:
+    """Whether a Russian key stands for any of the format."""
+    return not key.isascii() and _plain(key) in _KEY
+
+
+def words() -> frozenset[str]:
+    """Those that have a Russian twin."""
+    return frozenset(_TWINS)
