@@ -131,10 +131,14 @@ def test_a_driving_slider_is_named():
 
 
 @pytest.mark.parametrize("speed", ["-600 rpm", "-15", "-15 рад/с", "−600 об/мин"])
-def test_a_negative_speed_is_told_of_the_rotation(speed):
-    (line,) = lines(("speed: 90 об/мин", f"speed: {speed}"))
-    assert "with rotation: clockwise or counter-clockwise" in line
-    assert f"speed: {speed[1:]}" in line
+def test_a_negative_speed_is_clockwise_and_has_no_other_rotation(speed):
+    text = PUMP.replace("speed: 90 об/мин", f"speed: {speed}")
+    driver = course.loads(text).lever.mechanism.driver
+    assert driver.omega < 0
+    positive = text.replace(f"speed: {speed}", f"speed: {speed[1:]}\n    rotation: clockwise")
+    assert driver.omega == course.loads(positive).lever.mechanism.driver.omega
+    (line,) = lines(("speed: 90 об/мин", f"speed: {speed}\n    rotation: clockwise"))
+    assert "the sense of rotation is stated twice" in line
 
 
 def test_the_frame_is_not_offered_as_a_driving_link():

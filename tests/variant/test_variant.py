@@ -219,7 +219,7 @@ MISTAKES = [
     (("    speed: 1200 rpm\n", ""), 9, 3, "mechanism.driver", "the speed must be stated once"),
     (("1200 rpm", "1200 rpm\n    period: 1 s"), 9, 3, "mechanism.driver", "the speed must be stated once"),
     (("1200 rpm", "1200 mm"), 11, 5, "mechanism.driver.speed", "1200 mm is a length (mm); expected: an angular velocity (rad/s)"),
-    (("1200 rpm", "-5"), 11, 5, "mechanism.driver.speed", "-5 is negative or zero: an angular velocity must be greater than zero"),
+    (("1200 rpm", "0"), 11, 5, "mechanism.driver.speed", "0 is negative or zero: an angular velocity must be greater than zero"),
     (("1200 rpm", "5\n    rotation: left"), 12, 5, "mechanism.driver.rotation", "left is not a word known here"),
     (("1200 rpm", "5\n    zero: {point: B}"), 12, 5, "mechanism.driver.zero", "position 0 is not stated in one way"),
     (("1200 rpm", "5\n    zero: {point: Q, extreme: up}"), 12, 12, "mechanism.driver.zero.point", "no link has the point Q"),

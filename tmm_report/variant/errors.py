@@ -176,12 +176,17 @@ def unknown(
 def _not_offered(key: str, path: Path, roots: Roots) -> Message | None:
     """What a block says of a key that other programs, or assignments, have there."""
     models = forms_at(path[:-1], roots()) if len(path) > 1 else []
-    texts: list[Mapping[str, str]] = [getattr(model, "NOT_OFFERED", {}) for model in models]
-    return next((Message(text[key]) for text in texts if key in text), None)
+    return next((Message(text[key]) for text in _refusals(models) if key in text), None)
+
+
+def _refusals(models: Iterable[object]) -> list[Mapping[str, str]]:
+    return [getattr(model, "NOT_OFFERED", {}) for model in models]
 
 
 def unknown_block(key: str, data: Any, known: Sequence[str], roots: Roots) -> Message | None:
     """What would be right where a key at the top of the file is unknown."""
+    if (refused := next((texts[key] for texts in _refusals(roots()) if key in texts), "")) != "":
+        return Message(refused)
     everywhere = {name for block in roots() for name in block.model_fields}
     if (meant := english_key(key, everywhere)) is not None:
         return Message(N_("keys are English words: %(key)s"), {"key": meant})

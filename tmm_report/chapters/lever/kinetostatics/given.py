@@ -58,6 +58,9 @@ _BY_POSITION = (
     "one value for each position of the table; of a cycle of full turns without the last position, which is the first "
     "again"
 )
+OTHER_LAW = N_(
+    "a load by the time or the speed is not offered: at constant speed a time is an angle of turn, by_angle"
+)
 _ENDS = "the first and the last part of the stroke in which it is nothing"
 _FIRST = (
     "the stroke that is under way at position 0, or begins there; left out, the first of the strokes or, where the "
@@ -218,6 +221,9 @@ class Force(ByOneLaw):
     """A force on a named point."""
 
     LETTER: ClassVar = "F"  # of those without a name
+    NOT_OFFERED: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("by_time", "by_velocity", "by_speed"), OTHER_LAW
+    )
 
     _: KW_ONLY
     name: Annotated[Label | None, Field(description="for the tables; left out, F1, F2, …")] = None
@@ -302,6 +308,9 @@ class Moment(ByOneLaw):
     """A moment on a link."""
 
     LETTER: ClassVar = "M"
+    NOT_OFFERED: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("by_time", "by_velocity", "by_speed"), OTHER_LAW
+    )
 
     _: KW_ONLY
     name: Annotated[Label | None, Field(description="for the tables; left out, M1, M2, …")] = None

@@ -1,6 +1,7 @@
 """The block `loads` as a pydantic model; what states a load is a record of `given`."""
 
-from typing import Annotated, Any
+from collections.abc import Mapping
+from typing import Annotated, Any, ClassVar
 
 from pydantic import Discriminator, Field, Tag
 
@@ -39,6 +40,14 @@ Gravity = Annotated[
 
 class LoadsModel(Model):
     """What acts on the mechanism. Inertia comes from the masses of the links."""
+
+    NOT_OFFERED: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("springs", "spring", "dampers", "damper"),
+        N_(
+            "springs and dampers between points are not offered: a spring on a slider is a force by_displacement, "
+            "a resistance of constant size one against motion"
+        ),
+    )
 
     gravity: Gravity = Field(
         default=9.81, description="downwards unless {value, direction}; 0 switches it off"

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TypedDict
+from collections.abc import Iterator, Mapping
+from typing import ClassVar, TypedDict
 
 from pydantic import Field
 
@@ -25,7 +25,7 @@ from tmm_report.chapters.lever.structure.block.doubts import doubts as unserved
 from tmm_report.chapters.lever.structure.block.models import MechanismModel
 from tmm_report.chapters.lever.structure.block.synthesised import offered
 from tmm_report.mechanics.lever.mechanism import FRAME, Mechanism
-from tmm_report.problems import Problem
+from tmm_report.problems import N_, Problem
 from tmm_report.variant import model
 from tmm_report.variant.model import Read
 
@@ -39,6 +39,12 @@ class Block(model.Block):
     """The lever mechanism."""
 
     ONE_SIZE = True
+    NOT_OFFERED: ClassVar[Mapping[str, str]] = {
+        "find": N_("asking backwards is not offered: state the number and compare what comes out"),
+        **dict.fromkeys(
+            ("gears", "wheels", "worm", "belt", "chain"), N_("gears are stages of the block drive")
+        ),
+    }
 
     mechanism: MechanismModel = Field(default_factory=MechanismModel)
 

@@ -13,6 +13,7 @@ from tmm_report.problems import N_, Message, shown
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant import closed
 from tmm_report.variant.model import Model
+from tmm_report.variant.russian import english
 from tmm_report.variant.values import (
     LIST,
     MAP,
@@ -34,6 +35,10 @@ from tmm_report.variant.values import (
     whole,
 )
 
+WHEELS = N_(
+    "wheels and racks within the linkage are not offered: gears are stages of the block drive, that of the driving "
+    "link stands under driver.gear"
+)
 Turns = Annotated[int, whole(1, 4)]
 
 
@@ -162,6 +167,10 @@ AnyInertia = Annotated[
 class LinkModel(Model):
     """A moving rigid link. Links that have a point of the same name are joined there by a pivot."""
 
+    NOT_OFFERED: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("wheel", "gear", "rack", "teeth", "rolls"), WHEELS
+    )
+
     points: Points = Field(description="its points, in its own axes", examples=["{A: 0, B: 300 mm}"])
     mass: AnyMass = Field(
         default=0.0, description="or of a metre of its length (30 kg/m), or of another link's (0.3*m2)"
@@ -234,22 +243,17 @@ class GearModel(Model):
         return self
 
 
-_SPEED = quantity("speed", 1e-12)
+SLOWEST = 1e-12  # rad/s
+_SPEED, _SIGNED = quantity("speed", SLOWEST), quantity("speed")
 
 
 def _driver_speed(value: object) -> float | str:
-    """A speed, or the word that leaves it to the drive."""
-    if isinstance(value, str) and value.strip() == "drive":
+    """A speed, negative clockwise, or the word that leaves it to the drive."""
+    word = english(value, ("drive",))
+    if isinstance(word, str) and word.strip() == "drive":
         return "drive"
-    try:
-        return _SPEED.value(value)
-    except WrongValue as error:
-        if (text := str(value).strip())[:1] in "-−" and any(digit in text for digit in "123456789"):
-            right = N_(
-                "state the sense apart: speed: %(speed)s with rotation: clockwise or counter-clockwise"
-            )
-            raise WrongValue(error.wrong, Message(right, {"speed": shown(text[1:].strip())})) from None
-        raise
+    found = _SIGNED.value(value)
+    return found if abs(found) >= SLOWEST else _SPEED.value(value)  # type: ignore[no-any-return]
 
 
 DriverSpeed = Annotated[
@@ -272,7 +276,8 @@ class DriverModel(Model):
 
     link: Name = Field(description="the driving link", examples=["1"])
     speed: DriverSpeed | None = Field(
-        default=None, description="rad/s or rpm; drive: that of the output shaft of the drive"
+        default=None,
+        description="rad/s or rpm, negative: clockwise; drive: that of the output shaft of the drive",
     )
     period: Period | None = Field(default=None, description="the time of one turn")
     rotation: Turn = Field(default="counter-clockwise", description="the sense of rotation")
@@ -290,6 +295,11 @@ class DriverModel(Model):
         if (self.speed is None) == (self.period is None):
             wrong = Message(N_("the speed must be stated once"))
             raise WrongValue(wrong, Message(N_("either speed: 1200 rpm or period: 0.05 s")))
+        if isinstance(self.speed, float) and self.speed < 0 and "rotation" in self.model_fields_set:
+            wrong = Message(N_("the sense of rotation is stated twice, by the minus and by rotation"))
+            raise WrongValue(
+                wrong, Message(N_("a positive speed with rotation, or a negative one, clockwise, without"))
+            )
         return self
 
     @model_validator(mode="after")
@@ -302,6 +312,11 @@ class DriverModel(Model):
 
 class MechanismModel(Model):
     """The mechanism as its drawing shows it. Groups of links are found by the program."""
+
+    NOT_OFFERED: ClassVar[Mapping[str, str]] = {
+        **dict.fromkeys(("wheels", "wheel", "gears", "racks", "rack", "belts", "chains"), WHEELS),
+        **dict.fromkeys(("springs", "dampers"), N_("springs and dampers between points are not offered")),
+    }
 
     # the parts that every mechanism has may be absent here, to check the rest all the same: `checks` wants them
     model_config = ConfigDict(json_schema_extra={"required": ["frame", "links", "driver"]})

@@ -1,0 +1,48 @@
+"""What textbooks have and the program lacks is known: it is not offered, and what is nearest is named."""
+
+import pytest
+
+from tmm_report import course
+from tmm_report.problems import ProblemError
+
+TEXT = """language: en
+mechanism:
+  frame: {O: [0, 0]}
+  guides: {x: {through: O}}
+  links: {1: {points: {O: 0, A: 1}}, 2: {points: {A: 0, B: 3}}, 3: {points: [B], slides: x}}
+  driver: {link: 1, speed: 1}
+  assembly: {B: right}
+loads:
+  forces: [{at: B, direction: left, constant: 1}]
+  moments: [{on: 2, direction: clockwise, constant: 1}]
+"""
+SLIPS = {
+    "mechanism.driver.acceleration": ("speed: 1}", "speed: 1, acceleration: 2}", "another law of its motion"),
+    "mechanism.driver.law": ("speed: 1}", "speed: 1, law: sine}", "another law of its motion is not offered"),
+    "mechanism.driver.link": ("link: 1,", "link: 3,", "a driving slider or cylinder is not offered"),
+    "mechanism.wheels": ("  assembly:", "  wheels: {1: {teeth: 20}}\n  assembly:", "stages of the block drive"),
+    "mechanism.racks": ("  assembly:", "  racks: {}\n  assembly:", "stages of the block drive"),
+    "mechanism.springs": ("  assembly:", "  springs: []\n  assembly:", "between points are not offered"),
+    "mechanism.links.3.rack": ("slides: x", "slides: x, rack: {module: 4 mm}", "driver.gear"),
+    "mechanism.links.3.teeth": ("slides: x", "slides: x, teeth: 20", "driver.gear"),
+    "loads.springs": ("loads:\n", "loads:\n  springs: []\n", "by_displacement"),
+    "loads.dampers": ("loads:\n", "loads:\n  dampers: []\n", "against motion"),
+    "loads.forces.0.by_time": ("left, constant: 1", "left, by_time: [[0, 1]]", "by_angle"),
+    "loads.moments.0.by_velocity": ("clockwise, constant: 1", "clockwise, by_velocity: [[0, 1]]", "by_angle"),
+    "find": ("loads:\n", "find: {unknown: {}}\nloads:\n", "asking backwards is not offered"),
+    "gears": ("loads:\n", "gears: [20, 40]\nloads:\n", "stages of the block drive"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("key", SLIPS)
+def test_what_is_not_offered_says_so(key):
+    right, wrong, words = SLIPS[key]
+    assert TEXT.count(right) == 1
+    with pytest.raises(ProblemError) as caught:
+        course.loads(TEXT.replace(right, wrong))
+    told = {problem.key: problem.text() for problem in caught.value.problems}
+    assert words in told[key]
+
+
+def test_the_text_itself_is_right():
+    assert course.loads(TEXT).lever is not None
