@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from tmm_report.problems import N_
-from tmm_report.quantity.ways import NAME, STATED, Way
+from tmm_report.quantity.ways import AXIS, NAME, STATED, Way
 
+SMALLER = N_(
+    "The smaller of the angle with the crank inwards and of what that outwards lacks to half a turn."
+)
 FREE = N_(
-    "Free: chosen for the least pressure angle or the best transmission angle, by a grid over the family and ever "
-    "finer ones; or the root at which the stated demand is met."
+    "Stated; or free: chosen for the least pressure angle or the best transmission angle, by a grid over the family "
+    "and ever finer ones; or the root at which the stated demand is met."
 )
 FAMILY = N_("The closed formulas of the chapter, at a value of what is free.")
 PAIRS = N_("Stated; the points of accuracy by Chebyshev's spacing, the angles linear in x and in y.")
@@ -22,19 +25,36 @@ PLACED = N_("By the distances along and across the middle position of the rocker
 
 WAYS = (
     Way("synthesis_lengths.key", NAME),
-    Way("synthesis_lengths.found synthesis_lengths.taken", ROUNDED),
-    Way("synthesis_pairs.x synthesis_pairs.y synthesis_pairs.phi synthesis_pairs.psi", PAIRS),
+    Way("synthesis_lengths.taken", ROUNDED, of="found"),
+    Way("synthesis_lengths.found", FAMILY, of="synthesis_K synthesis_stroke synthesis_swing synthesis_frame"),
+    Way(
+        "synthesis_pairs.x synthesis_pairs.phi", PAIRS, of="synthesis_low synthesis_high synthesis_crank_from"
+    ),
+    Way("synthesis_pairs.y synthesis_pairs.psi", PAIRS, of="x synthesis_rocker_from synthesis_rocker_turn"),
     Way("synthesis_arc.phi", STATED),
-    Way("synthesis_arc.x_P synthesis_arc.y_P synthesis_arc.x synthesis_arc.y", TRACED),
-    Way("synthesis_family.*", FAMILY),
-    Way("synthesis_course.*", FAMILY),
-    Way("synthesis_rod synthesis_rocker", STATED),
-    Way("synthesis_k1 synthesis_k2 synthesis_k3", LINEAR),
-    Way("synthesis_error", GREATEST),
-    Way("synthesis_transmission", LEAST),
-    Way("synthesis_centre_x synthesis_centre_y synthesis_radius synthesis_guide_angle", CIRCLE),
-    Way("synthesis_stroke_met synthesis_swing_met synthesis_K_met", MET),
-    Way("synthesis_frame_x synthesis_frame_y", PLACED),
-    Way("synthesis_crank synthesis_ratio synthesis_frame", FREE),
+    Way("synthesis_arc.*", TRACED, of="phi synthesis_point_x synthesis_point_y"),
+    Way("synthesis_family.*", FAMILY, of="synthesis_theta synthesis_stroke synthesis_rocker"),
+    Way("synthesis_course.x", AXIS),
+    Way("synthesis_course.*", FAMILY, of="x synthesis_k1 synthesis_k2 synthesis_k3"),
+    Way(
+        "synthesis_k1 synthesis_k2 synthesis_k3",
+        LINEAR,
+        of="synthesis_low synthesis_high synthesis_crank_from",
+    ),
+    Way("synthesis_error", GREATEST, of="synthesis_k1 synthesis_k2 synthesis_k3"),
+    Way("synthesis_transmission", LEAST, of="synthesis_k1 synthesis_k2 synthesis_k3"),
+    Way("synthesis_transmission", SMALLER, of="synthesis_mu_inner synthesis_mu_outer"),
+    Way(
+        "synthesis_centre_x synthesis_centre_y synthesis_radius synthesis_guide_angle",
+        CIRCLE,
+        of="synthesis_point_x synthesis_point_y synthesis_crank synthesis_rod",
+    ),
+    Way(
+        "synthesis_stroke_met synthesis_swing_met synthesis_K_met", MET, of="synthesis_stroke synthesis_swing"
+    ),
+    Way("synthesis_frame_x synthesis_frame_y", PLACED, of="synthesis_along synthesis_away synthesis_rise"),
+    Way("synthesis_ratio", FREE, of="synthesis_theta synthesis_stroke"),
+    Way("synthesis_crank", FREE, of="synthesis_theta synthesis_half_chord"),
+    Way("synthesis_frame", FREE, of="synthesis_half_chord synthesis_rocker"),
     Way("synthesis_*", STATED),
 )
