@@ -352,6 +352,7 @@ PressureAngle = Annotated[float, quantity("angle", 1e-3, 1.5621, "0 … 89.5 deg
 TransmissionAngle = Annotated[float, quantity("angle", 1e-3, 1.5708, "0 … 90 deg")]
 
 Point = tuple[Length, Length]
+Pose = tuple[Length, Length, Angle]
 AngleForces = Annotated[list[tuple[TurnAngle, ForceValue]], *_CURVE]
 AngleMoments = Annotated[list[tuple[TurnAngle, MomentValue]], *_CURVE]
 AnglePressures = Annotated[list[tuple[TurnAngle, Pressure]], *_CURVE]

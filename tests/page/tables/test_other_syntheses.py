@@ -32,6 +32,8 @@ TEXTS = {
     "Whitworth": "turning_guide: {stroke: 300 mm, K: 1.8, crank: 150 mm, rod_ratio: 4}",
     "a power": "function: {y: 1/x, x: [1, 2], crank_from: 40 deg, crank_turn: 60 deg, rocker_from: 100 deg, "
     "rocker_turn: 50 deg, frame: 1 m, spacing: ends}",
+    "body": "body: {positions: [[0, 0, 0], [60 mm, 25 mm, 20 deg], [110 mm, 20 mm, 45 deg]], "
+    "points: [[0, 0], [80 mm, 20 mm]]}",
     "dwell": "dwell: {crank: 50 mm, coupler: 125 mm, rocker: 125 mm, frame: 100 mm, point: [125 mm, 125 mm], "
     "angles: [140 deg, 180 deg, 220 deg]}",
 }

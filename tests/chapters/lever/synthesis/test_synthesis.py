@@ -185,6 +185,28 @@ def synthesised(text):
     return course.solve(course.loads(f"language: en\nsynthesis: {{{text}}}\n")).synthesis
 
 
+def test_a_body_goes_through_its_three_positions():
+    """Both pins keep their distances from their pivots; the mechanism that takes them leads the body there."""
+    draw, met = random.Random(3), 0
+    for _ in range(40):
+        poses = [
+            [draw.uniform(-0.1, 0.1), draw.uniform(-0.1, 0.1), draw.uniform(-0.6, 0.6)] for _ in range(3)
+        ]
+        points = [[draw.uniform(-0.1, 0.1), draw.uniform(-0.1, 0.1)] for _ in range(2)]
+        try:
+            s = synthesised(f"body: {{positions: {poses}, points: {points}}}").s
+        except ProblemError as error:
+            assert "different assemblies" in error.problems[0].text()
+            continue
+        met += 1
+        for pivot, key, point in (("crank", "crank", points[0]), ("rocker", "rocker", points[1])):
+            centre = complex(s.number(f"{pivot}_pivot_x"), s.number(f"{pivot}_pivot_y"))
+            places = [complex(x, y) + np.exp(1j * angle) * complex(*point) for x, y, angle in poses]
+            assert [abs(place - centre) for place in places] == pytest.approx([s.number(key)] * 3, rel=1e-9)
+        assert s.number("rod") == pytest.approx(abs(complex(*points[0]) - complex(*points[1])), rel=1e-9)
+    assert met > 5
+
+
 # ---------------------------------------------------------------- what is told
 
 CRANK = "crank_rocker: {K: 1.1, swing: 32 deg, rocker: 0.6 m"
@@ -226,6 +248,11 @@ TOLD = {
         "synthesis.function.x", "equal ones at its ends"),
     "{function: {y: x^2, x: [0, 1], crank_from: 0, crank_turn: 3, rocker_from: 0, rocker_turn: 3, frame: 1 m}}": (
         "synthesis.function", "other angles"),
+    "{body: {positions: [[0, 0, 0], [1, 0, 0], [2, 0, 0]], points: [[0, 0], [1, 1]]}}": (
+        "synthesis.body.points", "infinitely far"),
+    "{body: {positions: [[0, 0, 0], [1, 0, 1], [2, 1, 0]], points: [[0, 0], [0, 0]]}}": (
+        "synthesis.body.points", "at one place"),
+    "{body: {positions: [[0, 0, 0], [1, 0, 1]], points: [[0, 0], [0, 1]]}}": ("synthesis.body.positions", "3"),
     "{dwell: {crank: 50 mm, coupler: 125 mm, rocker: 125 mm, frame: 100 mm, point: [0, 0], angles: [0, 0, 1]}}": (
         "synthesis.dwell.angles", "one line"),
     "{dwell: {crank: 50 mm, coupler: 20 mm, rocker: 20 mm, frame: 200 mm, point: [0, 0], angles: [0, 1, 2]}}": (

@@ -21,7 +21,7 @@ from tmm_report.variant.model import Read
 from tmm_report.variant.stated import Stated
 from tmm_report.yamlread import Path
 
-KINDS = ("slider_crank", "crank_rocker", "slotted_link", "turning_guide", "function", "dwell")
+KINDS = ("slider_crank", "crank_rocker", "slotted_link", "turning_guide", "function", "dwell", "body")
 PATH: Path = ("synthesis",)
 
 

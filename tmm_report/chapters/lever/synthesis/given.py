@@ -16,6 +16,7 @@ if TYPE_CHECKING:
         FunctionOfX,
         Name,
         Point,
+        Pose,
         Positive,
         PressureAngle,
         Side,
@@ -163,7 +164,26 @@ class Dwell:
     ] = "left"
 
 
-Kind = SliderCrank | CrankRocker | SlottedLink | TurningGuide | Generator | Dwell
+@dataclass(frozen=True, eq=False)
+class Body:
+    """A four-bar linkage whose coupler is led through three positions; its pins are stated points of the body."""
+
+    positions: Annotated[
+        list[Pose],
+        Field(
+            min_length=3,
+            max_length=3,
+            description="place of the body's origin and angle of its x axis: [x, y, angle]",
+            examples=["[[0, 0, 0], [50 mm, 20 mm, 30 deg], [90 mm, 10 mm, 60 deg]]"],
+        ),
+    ]
+    points: Annotated[
+        list[Point],
+        Field(min_length=2, max_length=2, description="pins of crank and rocker, in the axes of the body"),
+    ]
+
+
+Kind = SliderCrank | CrankRocker | SlottedLink | TurningGuide | Generator | Dwell | Body
 
 
 @dataclass(frozen=True, eq=False)
@@ -178,6 +198,7 @@ class Synthesis:
     turning_guide: TurningGuide | None = None
     function: Generator | None = None
     dwell: Dwell | None = None
+    body: Body | None = None
     round: Annotated[
         Positive | None, Field(description="to which the lengths are rounded", examples=["1 mm"])
     ] = None

@@ -11,6 +11,7 @@ import numpy as np
 
 from tmm_report.chapters.lever.synthesis import points_steps
 from tmm_report.chapters.lever.synthesis.given import (
+    Body,
     CrankRocker,
     Dwell,
     Generator,
@@ -55,6 +56,8 @@ def picture(found: Design) -> Picture:
             return _generator(found, asked)
         case Dwell():
             return _dwell(found, asked)
+        case Body():
+            return _body(found, asked)
     raise TypeError(asked)
 
 
@@ -165,6 +168,22 @@ def _dwell(found: Design, asked: Dwell) -> Picture:
         lines=tuple((complex(one), complex(other)) for one, other in pairwise(path)),
         arcs=((centre, s.number("radius"), *_reach(at - centre)),),
     )  # fmt: skip
+
+
+def _body(found: Design, asked: Body) -> Picture:
+    s = found.s
+    crank = complex(s.number("crank_pivot_x"), s.number("crank_pivot_y"))
+    rocker = complex(s.number("rocker_pivot_x"), s.number("rocker_pivot_y"))
+    pins, ends = points_steps.pinned(asked)
+    chains = tuple(
+        ((crank, complex(pin), complex(end), rocker),) for pin, end in zip(pins, ends, strict=True)
+    )
+    named = [(f"{name}{k + 1}", complex(at[k])) for k in range(3) for name, at in (("A", pins), ("B", ends))]
+    arcs = [
+        (centre, radius, *_reach(at - centre))
+        for centre, radius, at in ((crank, s.number("crank"), pins), (rocker, s.number("rocker"), ends))
+    ]
+    return Picture(chains, (crank, rocker), (("O", crank), ("C", rocker), *named), arcs=tuple(arcs))
 
 
 def _reach(arms: np.ndarray) -> tuple[float, float]:

@@ -6,9 +6,9 @@ import math
 
 import numpy as np
 
-from tmm_report.chapters.lever.synthesis.given import Dwell, Generator
+from tmm_report.chapters.lever.synthesis.given import Body, Dwell, Generator
 from tmm_report.chapters.lever.synthesis.refused import refused
-from tmm_report.chapters.lever.synthesis.values import Pairs, Path, Values
+from tmm_report.chapters.lever.synthesis.values import Pairs, Path, Poses, Values
 from tmm_report.mechanics.lever import synthesis
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.formula import sqrt
@@ -139,3 +139,51 @@ def traced(asked: Dwell, bar: synthesis.FourBar, phi: np.ndarray) -> np.ndarray:
 def linkage(asked: Dwell) -> synthesis.FourBar:
     side = -1 if asked.rocker_joint == "left" else 1
     return synthesis.FourBar(asked.crank, asked.coupler, asked.rocker, asked.frame, side)
+
+
+# ---------------------------------------------------------------- a body through three positions
+
+
+def body(s: Values, asked: Body) -> Table:
+    """The pivots are the centres of the circles through the three places of each pin."""
+    pins = pinned(asked)
+    found = []
+    for k, name in enumerate("AB"):
+        try:
+            found.append(synthesis.circle(pins[k]))
+        except ZeroDivisionError:
+            right = Message(N_("another point of the body, or other positions"))
+            wrong = N_(
+                "the three places of the pin %(name)s lie on one line: its pivot would be infinitely far away"
+            )
+            raise refused(wrong, "body", "points", right=right, name=name) from None
+    (crank, a), (rocker, c) = found
+    s.crank_pivot_x, s.crank_pivot_y, s.rocker_pivot_x, s.rocker_pivot_y = (
+        crank.real, crank.imag, rocker.real, rocker.imag,
+    )  # fmt: skip
+    s.crank, s.rocker, s.rod, s.frame = a, c, abs(complex(pins[1][0] - pins[0][0])), abs(rocker - crank)
+    if s.number("rod") <= 0:
+        raise refused(
+            N_("both pins are at one place"), "body", "points", right=Message(N_("two points of the body"))
+        )
+    sides = np.imag(np.conj(rocker - pins[0]) * (pins[1] - pins[0]))
+    if sides.min() * sides.max() <= 0:
+        raise refused(
+            N_("the three positions are of different assemblies: the linkage cannot go from one to the next"), "body",
+            right=Message(N_("another point of the body, or other positions")),
+        )  # fmt: skip
+    x, y, angle = (np.array(part) for part in zip(*asked.positions, strict=True))
+    return Table(
+        "synthesis_poses", Message(N_("positions of the body and places of its pins")),
+        (
+            Poses.x.column(x), Poses.y.column(y), Poses.angle.column(angle), Poses.x_A.column(pins[0].real),
+            Poses.y_A.column(pins[0].imag), Poses.x_B.column(pins[1].real), Poses.y_B.column(pins[1].imag),
+        ),
+    )  # fmt: skip
+
+
+def pinned(asked: Body) -> tuple[np.ndarray, np.ndarray]:
+    """Places of both pins in the three positions, complex, m."""
+    x, y, angle = (np.array(part) for part in zip(*asked.positions, strict=True))
+    first, second = (x + 1j * y + np.exp(1j * angle) * complex(*point) for point in asked.points)
+    return first, second

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from tmm_report.chapters.lever.synthesis import points_steps, rocker_steps, steps
 from tmm_report.chapters.lever.synthesis.given import (
+    Body,
     CrankRocker,
     Dwell,
     Generator,
@@ -105,6 +106,8 @@ def design(given: Synthesis) -> Design:
             return Design(given, s, table, bar)
         case Dwell():
             return Design(given, s, points_steps.dwell(s, asked))
+        case Body():
+            return Design(given, s, points_steps.body(s, asked))
     return Design(given, s)
 
 

@@ -64,6 +64,10 @@ class Values(Sheet, prefix="synthesis"):
     error = Q("Delta_max", "rad", N_("greatest difference of the rocker's angle from the function"), "deg")
     centre_x = Q("x_Q", "m", N_("abscissa of the centre of the arc"), "mm")
     centre_y = Q("y_Q", "m", N_("ordinate of the centre of the arc"), "mm")
+    crank_pivot_x = Q("x_O", "m", N_("abscissa of the pivot of the crank"), "mm")
+    crank_pivot_y = Q("y_O", "m", N_("ordinate of the pivot of the crank"), "mm")
+    rocker_pivot_x = Q("x_C", "m", N_("abscissa of the pivot of the rocker"), "mm")
+    rocker_pivot_y = Q("y_C", "m", N_("ordinate of the pivot of the rocker"), "mm")
     radius = Q("R", "m", N_("radius of the arc: length of the rod"), "mm")
     guide_angle = Q("alpha", "rad", N_("direction from the middle point of the arc to its centre"), "deg")
 
@@ -72,7 +76,7 @@ SWING_OF_LINK = Q("theta", "rad", N_("swing of the slotted link"), "deg", key="t
 
 LENGTHS = (
     "crank", "rod", "rocker", "frame", "offset", "link", "arm", "slide_line", "frame_x", "frame_y", "centre_x",
-    "centre_y", "radius",
+    "centre_y", "crank_pivot_x", "crank_pivot_y", "rocker_pivot_x", "rocker_pivot_y", "radius",
 )  # fmt: skip
 """What a mechanism may take of a synthesis as a length, and `guide_angle` as an angle."""
 ANGLES = ("guide_angle",)
@@ -85,6 +89,18 @@ class Pairs(Sheet):
     y = Q("y", "", N_("the function"))
     phi = Q("phi", "rad", N_("angle of the crank from the line of the pivots"), "deg")
     psi = Q("psi", "rad", N_("angle of the rocker from the line of the pivots"), "deg")
+
+
+class Poses(Sheet):
+    """Columns of the positions of a body."""
+
+    x = Q("x", "m", N_("abscissa of the origin of the body"), "mm")
+    y = Q("y", "m", N_("ordinate of the origin of the body"), "mm")
+    angle = Q("theta_b", "rad", N_("angle of the x axis of the body"), "deg")
+    x_A = Q("x_A", "m", N_("abscissa of the pin of the crank"), "mm")
+    y_A = Q("y_A", "m", N_("ordinate of the pin of the crank"), "mm")
+    x_B = Q("x_B", "m", N_("abscissa of the pin of the rocker"), "mm")
+    y_B = Q("y_B", "m", N_("ordinate of the pin of the rocker"), "mm")
 
 
 class Path(Sheet):

@@ -111,6 +111,9 @@ class SynthesisView(ChapterView):
     def pairs(self, caption: Any) -> Table:
         return self.numeric(caption, "pairs")
 
+    def poses(self, caption: Any) -> Table:
+        return self.numeric(caption, "poses")
+
     def arc(self, caption: Any) -> Table:
         return self.numeric(caption, "arc")
 

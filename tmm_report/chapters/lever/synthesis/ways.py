@@ -8,6 +8,7 @@ from tmm_report.quantity.ways import AXIS, NAME, STATED, Way
 SMALLER = N_(
     "The smaller of the angle with the crank inwards and of what that outwards lacks to half a turn."
 )
+TURNED = N_("The place of the point of the body, turned and moved with it.")
 FREE = N_(
     "Stated; or free: chosen for the least pressure angle or the best transmission angle, by a grid over the family "
     "and ever finer ones; or the root at which the stated demand is met."
@@ -33,6 +34,9 @@ WAYS = (
     Way("synthesis_pairs.y synthesis_pairs.psi", PAIRS, of="x synthesis_rocker_from synthesis_rocker_turn"),
     Way("synthesis_arc.phi", STATED),
     Way("synthesis_arc.*", TRACED, of="phi synthesis_point_x synthesis_point_y"),
+    Way("synthesis_poses.x synthesis_poses.y synthesis_poses.angle", STATED),
+    Way("synthesis_poses.*", TURNED, of="x y angle"),
+    Way("synthesis_crank_pivot_* synthesis_rocker_pivot_*", CIRCLE, of="synthesis_crank synthesis_rocker"),
     Way("synthesis_family.*", FAMILY, of="synthesis_theta synthesis_stroke synthesis_rocker"),
     Way("synthesis_course.x", AXIS),
     Way("synthesis_course.*", FAMILY, of="x synthesis_k1 synthesis_k2 synthesis_k3"),
