@@ -125,11 +125,25 @@ class Wanted:
     power: float = 1.0
 
     def __call__(self, x: Array) -> Array:
-        with np.errstate(invalid="ignore", divide="ignore"):
+        with np.errstate(invalid="ignore", divide="ignore", over="ignore", under="ignore"):
             return FUNCTIONS[self.name](x) if self.name else np.asarray(x, float) ** self.power
 
-    def __str__(self) -> str:
-        return f"{self.name} x" if self.name else f"x^{self.power:g}"
+    def defined(self, low: float, high: float) -> bool:
+        """Whether it is finite all over a range."""
+        match self.name:
+            case "log10" | "ln":
+                sound = low > 0
+            case "sqrt":
+                sound = low >= 0
+            case "tan":
+                sound = np.floor(low / np.pi + 0.5) == np.floor(high / np.pi + 0.5)
+            case "":
+                whole = self.power == int(self.power)
+                past = not low <= 0 <= high if whole else low > 0
+                sound = (self.power >= 0 and (whole or low >= 0)) or past
+            case _:
+                sound = True
+        return bool(sound) and bool(np.isfinite(self(np.array([low, high]))).all())
 
 
 @dataclass(frozen=True, eq=False)
@@ -151,7 +165,8 @@ class FourBar:
         with np.errstate(invalid="ignore", divide="ignore"):
             cosine = (size**2 + self.c**2 - self.b**2) / (2 * size * abs(self.c))
             off = np.arccos(np.where(np.abs(cosine) <= 1, cosine, np.nan))
-        return np.sign(self.c) * pin / size * np.exp(1j * self.side * off)
+            found: Array = np.sign(self.c) * pin / size * np.exp(1j * self.side * off)
+        return found
 
     def transmission(self, phi: Array) -> Array:
         """Acute angle between rod and rocker, rad."""

@@ -253,6 +253,16 @@ TOLD = {
     "{body: {positions: [[0, 0, 0], [1, 0, 1], [2, 1, 0]], points: [[0, 0], [0, 0]]}}": (
         "synthesis.body.points", "at one place"),
     "{body: {positions: [[0, 0, 0], [1, 0, 1]], points: [[0, 0], [0, 1]]}}": ("synthesis.body.positions", "3"),
+    "{function: {y: ln x, x: [2, 1], crank_from: 0, crank_turn: 1, rocker_from: 1, rocker_turn: 1, frame: 1 m}}": (
+        "synthesis.function.x", "goes upwards"),
+    "{function: {y: x^-3, x: [-1, 2], crank_from: 1, crank_turn: 1, rocker_from: 1, rocker_turn: 1, frame: 1 m}}": (
+        "synthesis.function.x", "no finite values"),
+    "{function: {y: tan x, x: [0, 2], crank_from: 1, crank_turn: 1, rocker_from: 1, rocker_turn: 1, frame: 1 m}}": (
+        "synthesis.function.x", "no finite values"),
+    "{function: {y: exp x, x: [0, 800], crank_from: 1, crank_turn: 1, rocker_from: 1, rocker_turn: 1, frame: 1 m}}": (
+        "synthesis.function.x", "no finite values"),
+    "{function: {y: x, x: [0, 3], crank_from: 0.2, crank_turn: 1, rocker_from: 0.7, rocker_turn: 1, frame: 1 m}}": (
+        "synthesis.function", "infinitely long"),
     "{dwell: {crank: 50 mm, coupler: 125 mm, rocker: 125 mm, frame: 100 mm, point: [0, 0], angles: [0, 0, 1]}}": (
         "synthesis.dwell.angles", "one line"),
     "{dwell: {crank: 50 mm, coupler: 20 mm, rocker: 20 mm, frame: 200 mm, point: [0, 0], angles: [0, 1, 2]}}": (

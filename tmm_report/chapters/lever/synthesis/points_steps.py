@@ -8,6 +8,7 @@ import numpy as np
 
 from tmm_report.chapters.lever.synthesis.given import Body, Dwell, Generator
 from tmm_report.chapters.lever.synthesis.refused import refused
+from tmm_report.chapters.lever.synthesis.steps import SAME
 from tmm_report.chapters.lever.synthesis.values import Pairs, Path, Poses, Values
 from tmm_report.mechanics.lever import synthesis
 from tmm_report.problems import N_, Message
@@ -19,10 +20,13 @@ from tmm_report.quantity.model import Table
 
 def generator(s: Values, asked: Generator) -> tuple[Table, synthesis.FourBar]:
     low, high = asked.x
+    if not low < high:
+        right = Message(N_("for example, %(example)s"), {"example": "x: [1, 2]"})
+        raise refused(N_("the range of the variable goes upwards"), "function", "x", right=right)
     at = points(asked)
     x = (low + high) / 2 + (high - low) / 2 * at
     y = asked.y(x)
-    if not (np.isfinite(asked.y(np.linspace(low, high, 200))).all() and asked.y(low) != asked.y(high)):
+    if not asked.y.defined(low, high) or asked.y(low) == asked.y(high):
         raise refused(
             N_("the function has no finite values over the range, or equal ones at its ends"), "function", "x",
             right=Message(N_("a range over which the function goes from one value to another")),
@@ -37,6 +41,11 @@ def generator(s: Values, asked: Generator) -> tuple[Table, synthesis.FourBar]:
             N_("no four-bar linkage has these three pairs of angles"), "function",
             right=Message(N_("other angles of crank and rocker")),
         ) from None  # fmt: skip
+    if min(abs(s.number("k2")), abs(s.number("k3"))) < SAME * max(1.0, abs(s.number("k1"))):
+        raise refused(
+            N_("a link would be infinitely long: both angles go alike"), "function",
+            right=Message(N_("other angles of crank and rocker")),
+        )  # fmt: skip
     s.crank = s.frame / s.k2
     s.rocker = s.frame / s.k3
     squares = s.crank**2 + s.rocker**2 + s.frame**2
