@@ -307,6 +307,8 @@ def _wrong_in(parent: Element, where: str, unit_text: str, document: dict[str, A
             yield f"{where} {text_of(node)!r} marked {mark}: {unknown}"
             continue
         printed = number(text_of(node))
+        if isinstance(value, str) and re.fullmatch(r"\d+|[A-Z]", value) and value != text_of(node):
+            yield f"{where} {text_of(node)!r} marked {mark}: the name is {value}"
         if printed is None or isinstance(value, str) or printed.value == value == 0:
             continue
         text = _following(node.tail or "") or unit_text

@@ -193,6 +193,19 @@ def test_tuned_absorber_stops_the_machine_and_its_springs_carry_the_force():
     assert low < min(found.natural, 90.0) and max(found.natural, 90.0) < high
 
 
+def test_the_table_of_absorbers_by_the_two_equations_of_motion():
+    found = vibration(MACHINE + "  damping_ratio: 0.03\n  absorber: {mass: 40 kg}\n")
+    (table,) = [one for one in quantities.tables(found) if one.name == "vibration_absorbers"]
+    keys = ("inertia", "stiffness", "damping", "omega", "force")
+    mass, stiffness, damping, omega, force = (found.s.number(key) for key in keys)
+    columns = ("absorber", "absorber_stiffness", "absorber_damping", "amplitude", "absorber_swing")
+    for own, c, b, machine, absorber in zip(*(table[key].values for key in columns), strict=True):
+        hung, held = c + 1j * omega * b, stiffness + 1j * omega * damping
+        rows = [[held + hung - omega**2 * mass, -hung], [-hung, hung - omega**2 * own]]
+        moved = np.abs(np.linalg.solve(np.array(rows), [force, 0.0]))
+        assert (machine, absorber) == pytest.approx(tuple(moved), rel=1e-9, abs=1e-12)
+
+
 @given(st.floats(0.02, 1.0))
 @settings(max_examples=examples(30))
 def test_best_damping_of_the_absorber_has_its_neighbours_worse(mu):
