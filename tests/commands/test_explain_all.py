@@ -34,11 +34,14 @@ from tmm_report.report.heard import listen
 from tmm_report.results import tables, values
 
 FILES = {file.stem: file for file in ALL_FILES}
-STATED_SO = Path(__file__).parents[1] / "cases"
+TESTS = Path(__file__).parents[1]
+STATED_SO = TESTS / "cases"
 CASES = [
     *sorted(STATED_SO.glob("explain/*.yaml")),
     *sorted(STATED_SO.glob("mechanics/friction_length*.yaml")),
     *sorted(STATED_SO.glob("machine/crash_*.yaml")),
+    TESTS / "statements" / "jaw_crusher_from_swing.yaml",
+    TESTS / "statements" / "dwell_from_arc.yaml",
 ]
 """With numbers that no ready variant has."""
 POSITION = 2

@@ -23,6 +23,7 @@ from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, environment
 from tmm_report.report.paper.layout import TEXT_WIDTH, Column, numeric, worded
 from tmm_report.report.paper.lines import pieces
+from tmm_report.report.sources import SOURCES
 
 HOSTILE = '</p><script>alert(1)</script> \\input{/etc/passwd} {{ 7*7 }} {% raw %} 100% & $x^2$ #1 a_b ~ "q"'
 
@@ -270,7 +271,7 @@ def own_words(name: str) -> list[str]:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_russian_note_has_no_english_words(name):
-    text = prose(html(name))
+    text = prose(html(name)).replace(Translator("ru").gettext(SOURCES["freudenstein"]), " ")  # an English book stays one
     for own in own_words(name):
         text = text.replace(own, " ")
     assert set(re.findall(r"[A-Za-z]{4,}", text)) <= {"RRRR", "VIII", "LSODA"}

@@ -1,8 +1,8 @@
 """The small closed grammar of masses and moments of inertia: `30 kg/m`, `0.3*m2`, `m*l^2/12`, `0,17 m l_AB²`.
 
 Numbers, `m` and `l` of the link itself, `m2` (or m_2) of another link, `l2` of its length, `l_AB` of a segment,
-`synthesis.crank` of what the synthesis finds; sums,
-products, quotients, whole powers, brackets; a product's sign may be left out. Nothing else is read, nothing is run.
+`synthesis.crank` of what the synthesis finds; sums, products, quotients, whole powers, brackets; a product's sign may
+be left out. Nothing else is read, nothing is run.
 """
 
 from __future__ import annotations

@@ -136,7 +136,8 @@ def moved(v: Variant, angle: float, shift: complex) -> Variant:
     forces = []
     for f in v.lever.loads.forces:
         diagram = f.by_displacement and replace(f.by_displacement, zero=f.by_displacement.zero * u)
-        forces.append(replace(f, direction=turned(f.direction), by_displacement=diagram))
+        stroke = f.stroke and replace(f.stroke, zero=f.stroke.zero * u)
+        forces.append(replace(f, direction=turned(f.direction), by_displacement=diagram, stroke=stroke))
     loads = Loads(v.lever.loads.gravity * u, tuple(forces), v.lever.loads.moments)
     return stating(v, mechanism=mechanism, loads=loads, readings={})
 

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from tmm_report import yamlread
+from tmm_report.mechanics.lever.stated_masses import PerLength, letters
 from tmm_report.quantity.units import DIMENSIONS, WrongValue, parse
+from tmm_report.variant import closed
 
 SAME = 1e-9  # relative difference below which a number is the one written
 
@@ -51,11 +54,14 @@ def _scalars(data: Any, path: tuple[Any, ...]) -> Iterator[tuple[tuple[Any, ...]
 
 
 def _read(value: Any) -> set[float]:
-    """The sizes that a value may have in SI: a text with a unit has one, by its own dimension."""
+    """The sizes that a value may have in SI: a text with a unit has one, by its own dimension; one by letters has that of
+    a metre of the link."""
     found = set()
     for dimension in DIMENSIONS:
         try:
             found.add(abs(parse(value, dimension)))
         except WrongValue:
             continue
+    with contextlib.suppress(WrongValue):
+        found |= {one.value for one in letters(closed.mass(str(value))) if isinstance(one, PerLength)}
     return found

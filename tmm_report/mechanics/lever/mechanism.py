@@ -36,6 +36,8 @@ class Said:
     middle: tuple[str, str] | None = None  # the joints midway between which the mass centre is taken
     # of points whose places on the link's axis are stated by other lengths
     places: Mapping[str, Statement] = field(default_factory=dict)
+    # of fixed points: name and "x" or "y" -> how that coordinate follows from a synthesis
+    coordinates: Mapping[tuple[str, str], Statement] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, eq=False)

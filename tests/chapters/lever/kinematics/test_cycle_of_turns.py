@@ -401,7 +401,7 @@ def test_what_is_wrong_with_a_cycle_is_said(text, path, sentence):
     [
         (engine(B=by_strokes("power")).replace("[0.05, 4 MPa]", "[0.05, 4 mm]"), "strokes.power.1.1"),
         (engine("turns: 9,", B=by_strokes("power")), "driver.turns"),
-        (engine(B=by_strokes("power")).replace("2200 rpm", "-1 rpm"), "driver.speed"),
+        (engine(B=by_strokes("power")).replace("2200 rpm", "0 rpm"), "driver.speed"),
     ],
 )
 def test_a_mistake_in_one_stroke_is_none_of_their_number(text, told_of):

@@ -90,7 +90,11 @@ def given_tables(mechanism: Mechanism) -> Iterator[Table]:
     fixed = mechanism.links[FRAME].points
     places = np.array(list(fixed.values()), dtype=complex)
     point = text_column("point", Message(N_("point")), list(fixed))
-    yield Table("fixed_points", FIXED, (point, X.column(places.real), Y.column(places.imag)))
+    x, y = (
+        Column(of, list(numbers), [Symbol(of.key, name) for name in fixed])
+        for of, numbers in ((X, places.real), (Y, places.imag))
+    )
+    yield Table("fixed_points", FIXED, (point, x, y))
     if heavy := heavy_links(mechanism):
         yield _masses(heavy)
 
@@ -206,9 +210,9 @@ def _of_length(one: Segment | Synthesised, lengths: Sequence[Table]) -> Var:
 
 def _of_synthesis(one: Synthesised) -> Var:
     """A length as the mechanism takes it, where it is rounded by its row of the table of rounded lengths."""
-    from tmm_report.chapters.lever.synthesis.values import Values  # only such a variant needs it
+    from tmm_report.chapters.lever.synthesis.quantities import offered  # only such a variant needs it
 
-    of = Values.DECLARED[one.key].named(Values.PREFIX)
+    of = offered(one.key)
     ref = Ref(of.key) if one.row is None else Ref("taken", one.row, "synthesis_lengths")
     return variable(of, one.number, ref=ref)
 
@@ -233,6 +237,14 @@ def lengths_said(mechanism: Mechanism, lengths: Sequence[Table]) -> Iterator[For
                 size = _of_segment(Segment(link.name, origin, point), lengths)
                 expression = expr(worked(one, partial(_of_length, lengths=lengths)))
                 yield Formula(size.sign, expression, "m", ref=size.ref, meaning=size.meaning)
+
+
+def coordinates_said(mechanism: Mechanism, fixed: Table) -> Iterator[Formula]:
+    """Coordinates of fixed points that follow from the synthesis."""
+    frame, points = mechanism.links[FRAME], [str(one) for one in fixed["point"].values]
+    for (point, axis), one in (frame.said.coordinates if frame.said else {}).items():
+        expression = expr(worked(one, partial(_of_length, lengths=())))
+        yield fixed.formula(axis, points.index(point), expression)
 
 
 def said(

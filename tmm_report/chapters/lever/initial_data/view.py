@@ -172,6 +172,10 @@ class InitialData(BookView):
         """Lengths that the assignment states by other lengths."""
         return [*q.lengths_said(self.mechanism.real, self._lengths())]
 
+    def coordinates_said(self) -> list[Formula]:
+        """Coordinates of fixed points that follow from the synthesis."""
+        return [*q.coordinates_said(self.mechanism.real, self.table("fixed_points"))]
+
     def middles(self) -> Markup:
         """The mass centres that are taken in the middle, each with the joints it lies between."""
         text = N_("%(centre)s between %(first)s and %(second)s")

@@ -18,7 +18,7 @@ WAYS = (
         "dimensions.key dimensions.link fixed_points.point masses.link masses.mass_centre masses.about", NAME
     ),
     Way("dimensions.length", LENGTH, of="key link"),
-    Way("fixed_points.x fixed_points.y masses.m masses.J_about", STATED),
+    Way("fixed_points.x fixed_points.y masses.m masses.q masses.J_about", STATED),
     Way("masses.J", STATED, by=lambda q: q("J_about") - q("m") * q("l_about") ** 2),
     Way("masses.l_about", LENGTH, of="about mass_centre"),
     Way("T_turn turns", STATED),

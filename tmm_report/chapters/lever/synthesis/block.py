@@ -84,28 +84,19 @@ def _clashes(written: Synthesis) -> Iterator[Problem]:
             if asked.K == 1 and asked.crank is not None:
                 right = Message(N_("leave it out, or state rod or frame"))
                 wrong = N_("with equal strokes the crank is half the chord of the swing: it follows")
-                yield mistake(
-                    wrong,
-                    (*PATH, "crank_rocker", "crank"),
-                    Message(N_("leave it out, or state rod or frame")),
-                )
+                yield mistake(wrong, (*PATH, "crank_rocker", "crank"), right)
             if abs((asked.crank_at.conjugate() * 1j * cmath.rect(1.0, asked.middle)).real) < 1e-9:
                 right = Message(N_("a side across the middle position"))
                 wrong = N_("the rocker itself lies that way in the middle of its swing")
-                yield mistake(
-                    wrong,
-                    (*PATH, "crank_rocker", "crank_at"),
-                    Message(N_("a side across the middle position")),
-                )
+                yield mistake(wrong, (*PATH, "crank_rocker", "crank_at"), right)
         case SlottedLink() | TurningGuide():
             kind = written.kind
             yield from _once(asked, ("frame", "crank"), kind)
             yield from _once(asked, ("rod", "rod_ratio"), kind, at_most=asked.pressure_angle is not None)
             if asked.K == 1:
                 wrong = N_("a slotted link has strokes of different times: K is greater than 1")
-                yield mistake(
-                    wrong, (*PATH, kind, "K"), Message(N_("for example, %(example)s"), {"example": "K: 1.5"})
-                )
+                right = Message(N_("for example, %(example)s"), {"example": "K: 1.5"})
+                yield mistake(wrong, (*PATH, kind, "K"), right)
 
 
 def _once(asked: object, keys: tuple[str, ...], kind: str, at_most: bool = False) -> Iterator[Problem]:

@@ -50,6 +50,11 @@ def values(found: Found) -> Iterator[Value]:
     return found.s.values()
 
 
+def offered(key: str) -> Quantity:
+    """What the mechanism takes as `synthesis.KEY`."""
+    return Values.DECLARED[key].named(Values.PREFIX)
+
+
 def _rounded(found: Found) -> Table:
     keys = found.design.lengths
     numbers = {

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from tmm_report.problems import N_
-from tmm_report.quantity.ways import AXIS, NAME, STATED, Way
+from tmm_report.quantity.formula import Expr, Var, sqrt
+from tmm_report.quantity.ways import AXIS, NAME, STATED, Known, Way
 
 SMALLER = N_(
     "The smaller of the angle with the crank inwards and of what that outwards lacks to half a turn."
@@ -24,7 +25,26 @@ MET = N_("Of the analysed mechanism: between its exact extreme positions.")
 ROUNDED = N_("The length as it is found; rounded to the stated step.")
 PLACED = N_("By the distances along and across the middle position of the rocker, and its direction.")
 
+
+def _pin(q: Known, pin: str) -> tuple[Var, Var]:
+    """Place of a pin in the first position of a body."""
+    table = q.book.tables["synthesis_poses"]
+    return table.var(f"x_{pin}", 0), table.var(f"y_{pin}", 0)
+
+
+def _pivot(q: Known, link: str) -> tuple[Var, Var]:
+    return q(f"synthesis_{link}_pivot_x"), q(f"synthesis_{link}_pivot_y")
+
+
+def _apart(one: tuple[Var, Var], other: tuple[Var, Var]) -> Expr:
+    return sqrt((other[0] - one[0]) ** 2 + (other[1] - one[1]) ** 2)
+
+
 WAYS = (
+    Way("synthesis_crank", by=lambda q: _apart(_pivot(q, "crank"), _pin(q, "A"))),
+    Way("synthesis_rocker", by=lambda q: _apart(_pivot(q, "rocker"), _pin(q, "B"))),
+    Way("synthesis_rod", by=lambda q: _apart(_pin(q, "A"), _pin(q, "B"))),
+    Way("synthesis_frame", by=lambda q: _apart(_pivot(q, "crank"), _pivot(q, "rocker"))),
     Way("synthesis_lengths.key", NAME),
     Way("synthesis_lengths.taken", ROUNDED, of="found"),
     Way("synthesis_lengths.found", FAMILY, of="synthesis_K synthesis_stroke synthesis_swing synthesis_frame"),

@@ -10,7 +10,7 @@ from tmm_report.chapters.lever.structure.block import models as m
 from tmm_report.chapters.lever.structure.block.cam_build import cam
 from tmm_report.chapters.lever.structure.block.cams import CamModel
 from tmm_report.chapters.lever.structure.block.geometry import Geometry
-from tmm_report.chapters.lever.structure.block.synthesised import Taken, coordinate, direction
+from tmm_report.chapters.lever.structure.block.synthesised import Taken, coordinate, direction, placed
 from tmm_report.chapters.lever.structure.block.weights import Weights, in_the_middle, inertia_of
 from tmm_report.mechanics.cams.cam import Cam
 from tmm_report.mechanics.lever.cams.replacing_dyad import replaced
@@ -55,7 +55,7 @@ def without_cams(model: m.MechanismModel, synthesis: Taken = None) -> Mechanism:
     geometry = Geometry(model.links, frame(model, synthesis), synthesis)
     weights = Weights(geometry)
     links = {name: link(name, weights) for name in model.links}
-    links = {FRAME: Link(FRAME, geometry.frame), **links}
+    links = {FRAME: Link(FRAME, geometry.frame, said=frame_said(model, synthesis)), **links}
     return Mechanism(
         links=links,
         driver=driver(model.driver),  # type: ignore[arg-type]  # checks: there is one
@@ -73,6 +73,17 @@ def frame(model: m.MechanismModel, synthesis: Taken = None) -> dict[str, complex
     return {
         name: complex(*(coordinate(part, synthesis) for part in place)) for name, place in model.frame.items()
     }
+
+
+def frame_said(model: m.MechanismModel, synthesis: Taken) -> Said | None:
+    """The coordinates of fixed points that follow from the synthesis; None where none does."""
+    found = {
+        (name, axis): placed(part, synthesis)
+        for name, place in model.frame.items()
+        for axis, part in zip("xy", place, strict=True)
+        if not isinstance(part, float)
+    }
+    return Said(coordinates=found) if found else None
 
 
 def link(name: str, weights: Weights) -> Link:

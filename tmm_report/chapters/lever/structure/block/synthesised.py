@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from tmm_report.mechanics.lever.stated_masses import Letter, Statement, Synthesised, worked
+from tmm_report.mechanics.lever.stated_masses import Letter, Statement, Synthesised, lettered, worked
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.model import Read
@@ -50,6 +50,13 @@ def coordinate(stated: float | Statement, offered: Taken) -> float:
         raise WrongValue(wrong, Message(N_("a number, or one of the synthesis: synthesis.frame")))
 
     return float(worked(stated, length))
+
+
+def placed(stated: Statement, offered: Taken) -> Statement:
+    """The statement of a coordinate with the numbers that it takes. Raises WrongValue."""
+    return lettered(
+        stated, lambda letter: taken(letter, offered) if isinstance(letter, Synthesised) else letter
+    )
 
 
 def direction(stated: float | Synthesised, offered: Taken) -> float:
