@@ -50,11 +50,22 @@ def _laws(made: Made, walk: Any) -> Made:
     return made
 
 
+def _all_round(pairs: list[Any], period: float) -> list[Any]:
+    """Pairs at equal steps over a cycle, the next of which begins as it did."""
+    return [[f"{period * k / len(pairs):.6g} deg", one[1]] for k, one in enumerate(pairs)]
+
+
 def _dynamics(made: Made, walk: Any) -> Made:
+    period = _value(made["period"]) if "period" in made else 360 * walk.names.turns
+    for law in (made.get("motor") or {}, *made.get("resistance", ())):
+        if "by_angle" in law and walk.random.random() < 0.9:
+            law["by_angle"] = _all_round(law["by_angle"] * 3, period)
     heavy = any("inertia" in part or "mass" in part for part in made.get("parts", ()))
     if walk.names.mechanism:
         for key in ("period", "varying_inertia"):
             made.pop(key, None)
+    elif walk.random.random() < 0.9:
+        made.pop("friction", None)
     elif not heavy and "varying_inertia" not in made:
         made["parts"] = [{"name": "wheel", "inertia": "3 kg*m^2"}]
     if any("velocity" in part for part in made.get("parts", ())):
@@ -101,7 +112,7 @@ def _loading(made: Made, walk: Any) -> Made:
         points = [[f"{whole * k / count:.6g} deg", one[1]] for k, one in enumerate(made["by_angle"])]
         made["by_angle"] = [*points, [f"{whole} deg", points[0][1]]]
     if "by_displacement" in made:
-        if not names.axes:
+        if not names.axes or (names.partial and walk.random.random() < 0.9):
             made.pop("by_displacement")
             made["constant"] = "20 kPa" if "piston_diameter" in made else "150 N"
         else:
@@ -110,8 +121,45 @@ def _loading(made: Made, walk: Any) -> Made:
             made.pop("on", None)
     elif "on" in made and "at" in made:
         made.pop("on")
+    if "stroke" in made and "at" in made:
+        if names.axes and not names.partial:
+            made["at"] = walk.random.choice(list(names.axes))
+            made["stroke"]["zero"] = walk.random.choice(names.axes[made["at"]])
+            made.pop("on", None)
+        elif walk.random.random() < 0.9:
+            made.pop("stroke")
     if "at" in made and made.get("direction") in ("along motion", "against motion"):
         made["at"] = walk.random.choice(names.of.get("free", names.of["at"]))
+    return made
+
+
+def _turning(made: Made, walk: Any) -> Made:
+    """What goes by the swing of a link is mostly constant: few links swing."""
+    if walk.random.random() < 0.7:
+        made.pop("stroke", None)
+        if made.pop("by_displacement", None):
+            made["constant"] = "12 N*m"
+    return _loading(made, walk) if "by_displacement" not in made else made
+
+
+def _function(made: Made, walk: Any) -> Made:
+    made["x"] = sorted(made["x"], key=_value)
+    return made
+
+
+def _dwell(made: Made, walk: Any) -> Made:
+    made["angles"] = sorted(made["angles"], key=_value)
+    return made
+
+
+def _led(made: Made, walk: Any) -> Made:
+    """Positions along a bend, pins apart."""
+    random = walk.random
+    made["positions"] = [
+        [f"{60 * k + random.uniform(-9, 9):.4g} mm", f"{random.uniform(0, 40):.4g} mm", f"{22 * k} deg"]
+        for k in range(3)
+    ]
+    made["points"] = [[0, 0], [f"{random.uniform(40, 90):.4g} mm", f"{random.uniform(0, 40):.4g} mm"]]
     return made
 
 
@@ -166,6 +214,11 @@ def _flywheel(made: Made, walk: Any) -> Made:
             made.pop(key, None)
         if "wheel" not in made:
             made.setdefault("delta", "1/40")
+    elif walk.random.random() < 0.9:
+        made.pop("friction", None)
+    for key in ("driving", "resisting", "inertia"):
+        if "table" in made.get(key, {}) and walk.random.random() < 0.9:
+            made[key]["table"] = _all_round(made[key]["table"] * 3, 360)
     stated = [key for key in ("driving", "resisting") if key in made]
     if len(stated) == 2 and walk.random.random() < 0.9:
         made.pop(stated.pop(0))
@@ -408,7 +461,11 @@ AFTER: Mapping[str, Callable[[Made, Any], Made]] = {
     "dynamics.Spring": _spring,
     "Force": _loading,
     "Piston": _loading,
-    "kinetostatics.Moment": _loading,
+    "kinetostatics.Moment": _turning,
+    "Vector": _loading,
+    "Generator": _function,
+    "Dwell": _dwell,
+    "synthesis.Body": _led,
     "StrokesDiagram": _strokes,
     "PressureStrokesDiagram": _strokes,
     "FrictionModel": _joints,

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from random import Random
 from typing import Any
 
+from benchmarks.fuzz.generated.synthesised import SYNTHESES
 from benchmarks.fuzz.generated.walk import Names, Walk
 
 Data = dict[str, Any]
@@ -239,6 +240,7 @@ SCHEMES: tuple[Callable[[Random], tuple[Data, Data]], ...] = (
     cam,
     cam,
     alone,
+    *SYNTHESES,
 )
 
 
@@ -246,7 +248,8 @@ SCHEMES: tuple[Callable[[Random], tuple[Data, Data]], ...] = (
 
 
 def mechanism(walk: Walk) -> tuple[Data, Names]:
-    """A mechanism with what its keys leave open, and its names. The walk takes them over."""
+    """A mechanism with what its keys leave open, the synthesis that it takes lengths of under `synthesis`, and its
+    names. The walk takes them over."""
     random = walk.random
     data, axes = random.choice(SCHEMES)(random)
     for name, link in data["links"].items():
@@ -279,7 +282,8 @@ def _massive(name: str, link: Data, walk: Walk) -> None:
     if isinstance(link["points"], dict) and random.random() < 0.5:
         points = list(link["points"])
         way = random.random()
-        if way < 0.2 and len(points) > 1:
+        plain = not any("synthesis" in str(place) for place in link["points"].values())
+        if way < 0.2 and len(points) > 1 and plain:
             link["points"][f"S{name}"] = {
                 "from": {points[0]: "200 mm", points[1]: "200 mm"},
                 "side": random.choice(LEVEL),

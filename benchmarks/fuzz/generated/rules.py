@@ -26,9 +26,12 @@ RUBBING = (
 
 # exactly one key of each of these sets
 ONE: Mapping[str, Sequence[Keys]] = {
+    "Synthesis": [
+        ("slider_crank", "crank_rocker", "slotted_link", "turning_guide", "function", "dwell", "body")
+    ],
     "Force": [("constant", "by_position", "by_angle", "by_displacement")],
     "Piston": [("constant", "by_position", "by_angle", "by_displacement")],
-    "kinetostatics.Moment": [("constant", "by_position", "by_angle")],
+    "kinetostatics.Moment": [("constant", "by_position", "by_angle", "by_displacement")],
     "MotorModel": [("constant", "shunt", "series", "induction", "by_speed", "by_angle", "by_time")],
     "ResistanceModel": [("friction", "viscous", "fan", "by_speed", "by_angle", "by_time")],
     "Engine": [("cylinders", "inline", "vee", "opposed", "radial")],
@@ -46,8 +49,30 @@ ONE: Mapping[str, Sequence[Keys]] = {
     **{name: [("coefficient", "materials")] for name in RUBBING},
 }
 
+_SHAPES = (
+    ("ratio",),
+    ("ratio", "offset"),
+    ("ratio", "offset_ratio"),
+    ("pressure_angle",),
+    ("K",),
+    ("K", "offset"),
+    ("K", "ratio"),
+    ("K", "pressure_angle"),
+)
 # all keys of one of these sets, none of the others
 SETS: Mapping[str, Sequence[Keys]] = {
+    "SliderCrank": [
+        (*demand, *shape) for demand in (("stroke",), ("mean_speed", "speed")) for shape in _SHAPES
+    ],
+    "CrankRocker": [("crank",), ("rod",), ("frame",), ()],
+    **{
+        name: [
+            (size, *rod)
+            for size in ("frame", "crank")
+            for rod in (("rod",), ("rod_ratio",), ("pressure_angle",), ("rod_ratio", "pressure_angle"))
+        ]
+        for name in ("SlottedLink", "TurningGuide")
+    },
     "ShuntModel": [
         ("moment", "speed", "no_load"),
         ("power", "speed", "no_load"),
@@ -108,7 +133,11 @@ APART: Mapping[str, Sequence[tuple[str, Keys]]] = {
         ("rim", ("radius_of_gyration",)),
         ("wheel", ("delta", "speeds", "machine")),
     ],
-    "Body": [("tilt", ("products",))],
+    "rotor.Body": [("tilt", ("products",))],
+    **{
+        name: [(law, ("stroke",)) for law in ("by_position", "by_angle", "by_displacement")]
+        for name in ("Force", "kinetostatics.Moment")
+    },
     "Screw": [("arm", ("hand_force",))],
     "Linear": [
         ("friction", ("damping", "damping_ratio")),
@@ -147,10 +176,14 @@ RARE: Mapping[str, float] = {
     "Linear.mechanism": 1.5,
     "WearModel.guides": 3.0,
     "governor.Given.brake": 0.3,
-    "Body.tilt": 0.5,
+    "rotor.Body.tilt": 0.5,
+    "Synthesis.output": 0.1,
+    "CrankRocker.transmission": 0.3,
+    "CrankRocker.beyond": 0.5,
 }
 
 NAMED: Mapping[str, Sequence[Any]] = {
+    "Generator.y": ("x^2", "sqrt x", "log10 x", "exp x", "sin x", "1/x"),
     **{f"{name}.materials": PAIRS for name in RUBBING},
     "Flywheel.delta": ("1/30", 0.05, "1/80", 0.1, "4 %"),
     "Eccentric.ratio": (3, 4, "5/2", 2.5, "7/2"),

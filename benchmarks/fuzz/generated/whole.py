@@ -24,6 +24,8 @@ ALONE = (
     "efficiency",
     "drive",
     "eccentric",
+    "synthesis",
+    "synthesis",
 )
 BESIDE = (
     "wear",
@@ -36,6 +38,7 @@ BESIDE = (
     "harmonics",
     "wear",
     "vibration",
+    "synthesis",
 )
 MARKS = ("language", "decimal_sign", "title")
 SLOW = {"methods": 0.05, "method": 0.25, "readings": 0.3, "drive": 0.6, "eccentric": 0.7}
@@ -55,13 +58,17 @@ def variant(seed: str) -> dict[str, Any]:
     beside: tuple[str, ...] = ALONE
     if random.random() < 0.5:
         data["mechanism"], walk.names = mechanism(walk)
+        if "synthesis" in data["mechanism"]:
+            data["synthesis"] = data["mechanism"].pop("synthesis")
+            if random.random() < 0.3:
+                data["synthesis"]["round"] = random.choice(("1 mm", "0.1 mm", "5 mm"))
         beside = BESIDE if random.random() < 0.9 else ALONE
         _lever(data, walk)
         blocks = random.sample(beside, random.choice((0, 0, 1, 1, 2)))
     else:
         blocks = random.sample(beside, random.choice((1, 1, 1, 2, 3)))
     for name in dict.fromkeys(blocks):
-        if random.random() < SLOW.get(name, 1):
+        if name not in data and random.random() < SLOW.get(name, 1):
             data[name] = walk.key(name)
     for name in MARKS:
         if random.random() < 0.4:

@@ -54,8 +54,8 @@ def _scalars(data: Any, path: tuple[Any, ...]) -> Iterator[tuple[tuple[Any, ...]
 
 
 def _read(value: Any) -> set[float]:
-    """The sizes that a value may have in SI: a text with a unit has one, by its own dimension; one by letters has that of
-    a metre of the link."""
+    """The sizes that a value may have in SI: a text with a unit has one, by its own dimension; a mass by letters has
+    that of a metre of the link."""
     found = set()
     for dimension in DIMENSIONS:
         try:
