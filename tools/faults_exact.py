@@ -245,7 +245,7 @@ FAULTS = (
         "tmm_report/mechanics/lever/meeting.py",
         '        if name in "rva" and reference.kind == "R" and reference in group.group.outer:',
         "        if False:",
-        tests=("tests/mechanics/lever/test_digits_over_decades.py",),
+        tests=("tests/mechanics/lever/high_class/test_branch_steps.py",),
     ),
     Fault(
         "groups behind a change point not solved anew",

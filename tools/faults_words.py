@@ -111,10 +111,13 @@ def _approved(root: Path, kind: str) -> Iterator[tuple[str, str]]:
 
 def _has(root: Path, variant: str, file: Path) -> bool:
     """Whether a variant states what a chapter's file is for; one without a key of its own goes with any mechanism."""
-    keys = {part.removesuffix(".j2") for part in file.parts} & KEYS
+    parts = {part.removesuffix(".j2") for part in file.parts}
+    keys = parts & KEYS
     keys = {"drive" if key in ("spur", "planetary") else key for key in keys}
     text = (root / "variants" / f"{variant}.yaml").read_text("utf-8")
-    return all(f"\n{key}:" in text for key in keys or {"mechanism"})
+    return all(f"\n{key}:" in text for key in keys or {"mechanism"}) and (
+        "cam" not in parts or "\n  cams:" in text
+    )
 
 
 def _saying(texts: Mapping[str, str], own: list[str], words: str | re.Pattern[str]) -> str:

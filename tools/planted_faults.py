@@ -45,7 +45,17 @@ FAULTS = (
     *faults_words.faults(ROOT),
 )
 
-COPIED = ("tmm_report", "templates", "variants", "tests", "tools", "benchmarks", "pyproject.toml", "README.md", "docs")
+COPIED = (
+    "tmm_report",
+    "templates",
+    "variants",
+    "tests",
+    "tools",
+    "benchmarks",
+    "pyproject.toml",
+    "README.md",
+    "docs",
+)
 TEXTS = "test_golden_text.py"
 GEARS_BESIDE, LEVERS_BESIDE = "tables/test_other_gears.py", "tables/test_other_levers.py"
 WINGS = {"gears": "gears", "machine": "machine", "masses": "machine", "pairs": "machine/pairs"}

@@ -99,11 +99,39 @@ def test_a_panel_beside_a_singular_position_is_divided_and_most_of_its_parts_are
     assert parts.max() == 1.0
 
 
-def test_beside_a_change_point_the_links_still_meet():
-    """Rates there are limits of their neighbours; poses are those solved, exact to rounding over the closeness."""
-    batch = draw("III-P", 82, 3000)
-    found = cycle_of(assemble(loads(batch.file(64)).lever.mechanism))
-    motion = found.motion(found.turned(360))
+@cache
+def changing(number: int):
+    """A group whose assemblies meet, and its motion over a turn."""
+    found = cycle_of(assemble(loads(draw("III-P", 82, 3000).file(number)).lever.mechanism))
     group = found.linkage.groups[-1]
-    assert group.changes and group.closeness(motion.state).min() < 2e-3
-    assert np.abs(group.loops.residual(motion.state, group.loops.read(motion.state))).max() < 1e-13
+    assert group.changes
+    return group, found.motion(found.turned(360)).state
+
+
+CHANGING = (9, 36, 62, 80)
+
+
+@pytest.mark.parametrize("number", CHANGING)
+def test_beside_a_change_point_the_links_still_meet(number):
+    """Rates there are limits of their neighbours; poses are those solved, exact to rounding over the closeness."""
+    group, state = changing(number)
+    assert group.closeness(state).min() < 2e-3
+    assert np.abs(group.loops.residual(state, group.loops.read(state))).max() < 3e-15
+
+
+@pytest.mark.parametrize("number", CHANGING)
+def test_beside_a_change_point_joints_on_known_links_move_as_these_do(number):
+    """To the last bit: such a joint is no limit of its neighbours."""
+    group, state = changing(number)
+    joints = [(link, joint) for link, joint in group.references.items() if joint in group.group.outer]
+    assert joints
+    for link, joint in joints:
+        known = next(one for one in joint.links if one != link)
+        for own, other in zip(moved(state, link, joint), moved(state, known, joint), strict=True):
+            np.testing.assert_array_equal(*np.broadcast_arrays(own, other))
+
+
+def moved(state, link, joint):
+    """Place, velocity and acceleration of a joint as a point of a link."""
+    arm = state.u[link] * (joint.at[link] - state.o[link])
+    return state.world(link, joint.at[link]), state.velocity(link, arm), state.acceleration(link, arm)
