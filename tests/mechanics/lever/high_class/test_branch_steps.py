@@ -108,7 +108,7 @@ def changing(number: int):
     return group, found.motion(found.turned(360)).state
 
 
-CHANGING = (9, 36, 62, 80)
+CHANGING = (10, 64, 80)
 
 
 @pytest.mark.parametrize("number", CHANGING)
