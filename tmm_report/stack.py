@@ -122,7 +122,19 @@ def _of_mechanism(mechanism: Mechanism) -> Hashable:
     guides = tuple((guide.name, guide.link) for guide in mechanism.guides.values())
     slides = tuple((slide.link, slide.guide) for slide in mechanism.slides)
     geared = id(driver.gear) if driver.gear else None  # solved one by one
-    return driver.link, driver.omega > 0, driver.sweep, driver.turns, geared, begin, links, guides, slides
+    by_law = id(driver.law) if driver.law else None
+    return (
+        driver.link,
+        driver.omega > 0,
+        driver.sweep,
+        driver.turns,
+        geared,
+        by_law,
+        begin,
+        links,
+        guides,
+        slides,
+    )
 
 
 def _alike(mechanism: Mechanism, link: str) -> Hashable:

@@ -57,6 +57,8 @@ def turned(results: Results) -> Iterator[World]:
     variant = bare(results)
     assert variant.lever is not None
     mechanism = variant.lever.mechanism
+    if mechanism.driver.law is not None:  # it says itself which way the link turns, and when
+        return
     driver = replace(mechanism.driver, omega=-mechanism.driver.omega)
     if (found := _solved(_with(variant, mechanism=replace(mechanism, driver=driver)))) is not None:
         yield World("reversed", "rotation", Message(TURNED), found)
@@ -139,7 +141,7 @@ def data(variant: Variant) -> Iterator[Datum]:
     yield from _masses(variant, mechanism)
     yield from _places(variant, mechanism)
     zero = mechanism.driver.zero
-    if isinstance(zero, ZeroAngle):
+    if isinstance(zero, ZeroAngle) and mechanism.driver.law is None:
         yield _of_driver(variant, mechanism, zero)
     if lever.loads is not None:
         fixed = [(k, one) for k, one in enumerate(lever.loads.forces) if isinstance(one.direction, complex)]

@@ -39,6 +39,7 @@ DIMENSIONS = {
     "angle": Dimension(N_("an angle"), (0, 0, 0, 1), "rad", "20 deg"),
     "speed": Dimension(N_("an angular velocity"), (0, 0, -1, 1), "rad/s", "1200 rpm"),
     "acceleration": Dimension(N_("an acceleration"), (1, 0, -2, 0), "m/s^2", "9.81 m/s^2"),
+    "angular acceleration": Dimension(N_("an angular acceleration"), (0, 0, -2, 1), "rad/s^2", "5 rad/s^2"),
     "force": Dimension(N_("a force"), (1, 1, -2, 0), "N", "2 kN"),
     "moment": Dimension(N_("a moment of force"), (2, 1, -2, 0), "N*m", "50 N*m"),
     "pressure": Dimension(N_("a pressure"), (-1, 1, -2, 0), "Pa", "1.2 MPa"),

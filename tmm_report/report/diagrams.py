@@ -33,17 +33,18 @@ def _step(least: float) -> float:
 
 
 class CycleGraphs:
-    """`turned`: angles of the diagram positions, rad; `positions`: how many are numbered on the axis."""
+    """`turned`: angles of the diagram positions, rad; `positions`: how many are numbered on the axis; `along`: the
+    symbol of the angle."""
 
-    def __init__(self, turned: Array, positions: int, tr: Translator):
-        self.turned, self.positions, self.tr = turned, positions, tr
+    def __init__(self, turned: Array, positions: int, tr: Translator, along: Symbol = Symbol("phi")):
+        self.turned, self.positions, self.tr, self.along = turned, positions, tr, along
 
     def graph(self, curves: Sequence[Curve], labels: Sequence[Parts], join: bool = True) -> Graph:
         """The axis of the angle is at a round scale, 2° to a millimetre of a turn; ticks at 30°, or farther apart."""
         degrees = np.degrees(self.turned)
         extent = float(degrees[-1] - degrees[0])
         wide = angle_axis(extent)
-        angle = (*letter("phi", self.tr), f", {unit_text('deg', self.tr.language)}")
+        angle = (*letter(self.along, self.tr), f", {unit_text('deg', self.tr.language)}")
         return graph(
             curves, degrees, angle, labels,
             wide=wide, step=_step(APART * extent / wide),
@@ -66,7 +67,8 @@ class CycleGraphs:
         """What 1 mm along the axis of the angle, in degrees and in radians, and along the axis of each panel stands
         for."""
         across = drawn.panels[0].x_scale
-        found = [scale_of("mu_phi", across, "°/mm"), scale_of("mu_phi", math.radians(across), "rad/mm")]
+        name = f"mu_{self.along.base}"
+        found = [scale_of(name, across, "°/mm"), scale_of(name, math.radians(across), "rad/mm")]
         for (name, unit), panel in zip(names, drawn.panels, strict=True):
             found.append(scale_of(name, panel.y_scale, unit))
         return found
@@ -115,7 +117,7 @@ def cycle_lines(
 ) -> Graph:
     """Lines over the angle turned; each panel has letter and unit of the first in it. `positions`: how many are
     numbered on the axis."""
-    graphs = CycleGraphs(turned.numbers("rad"), positions, tr)
+    graphs = CycleGraphs(turned.numbers("rad"), positions, tr, turned.quantity.sign)
     of = {line.panel: line.column.quantity for line in reversed(lines)}
     drawn = [
         Curve(_below(line, of[line.panel].printed), line.name, line.panel, line.extremes) for line in lines

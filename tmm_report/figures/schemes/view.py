@@ -193,8 +193,9 @@ class View:
     @cached_property
     def crank(self) -> tuple[float, int]:
         """Length of the driver on paper, mm, and its sense of rotation."""
-        reach = abs(self._arm - self.pivot)
-        return reach or 20.0, 1 if number(self.mechanism.driver.omega).real >= 0 else -1
+        reach, law = abs(self._arm - self.pivot), self.mechanism.driver.law
+        rate = number(self.mechanism.driver.omega).real if law is None else float(law.of_phase(0.01)[1])
+        return reach or 20.0, 1 if rate >= 0 else -1
 
     @cached_property
     def _arm(self) -> complex:
@@ -218,7 +219,9 @@ class View:
 
     @property
     def full_turn(self) -> bool:
-        return self.mechanism.driver.sweep >= 2 * math.pi - 1e-9
+        law = self.mechanism.driver.law
+        sweep = self.mechanism.driver.sweep if law is None else law.reach[1] - law.reach[0]
+        return sweep >= 2 * math.pi - 1e-9
 
     def angle(self, zero: complex) -> list[Item]:
         """The driver's angle from `zero`; one too small to be seen is left out."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cached_property
-from typing import Any, assert_never
+from typing import TYPE_CHECKING, Any, assert_never
 
 import numpy as np
 
@@ -21,6 +21,9 @@ from tmm_report.mechanics.lever.motion import Linkage
 from tmm_report.mechanics.lever.singular import Critical, criticals
 from tmm_report.problems import N_, Message, ProblemError, mistake
 from tmm_report.records import dataclass
+
+if TYPE_CHECKING:
+    from tmm_report.mechanics.calculus.motion_laws import MotionLaw
 
 Array = Any
 
@@ -145,13 +148,12 @@ class Cycle(Search):
     def limits(self) -> Array:
         """Angles turned from position 0 at which a group comes to the limit of its assembly, rad, of a turn."""
         limits = np.array([x for critical in self.critical for x in critical.limits])
-        return np.mod(self.sense * (limits - self.zero), FULL_TURN)
+        return self.turned_at(limits)
 
     @cached_property
     def poles(self) -> Array:
         """Angles turned within the sweep at which guides of a dyad are parallel and its links run away, rad."""
-        poles = np.array([x for critical in self.critical for x in critical.parallel])
-        turned = np.mod(self.sense * (poles - self.zero), FULL_TURN)
+        turned = self.turned_at([x for critical in self.critical for x in critical.parallel])
         return np.sort(turned[turned <= self.sweep])
 
     @cached_property
@@ -165,9 +167,17 @@ class Cycle(Search):
         return np.mod((self.limits[:, None] + WITHIN).ravel(), FULL_TURN)
 
     @property
+    def breaks(self) -> Array:
+        """Angles turned, within a turn, at which the laws of cams or of the driving link have breaks, rad."""
+        if self.law is None:
+            return self.turned_at(breaks(self.linkage.mechanism))
+        return np.array(self.law.breaks, dtype=float) * (FULL_TURN / self.law.period)
+
+    @property
     def _jumps(self) -> Array:
-        """Angles turned at which the accelerations of a cam may jump, and just before them, rad."""
-        found = np.mod(self.sense * (breaks(self.linkage.mechanism) - self.zero), FULL_TURN)
+        """Angles turned at which accelerations may jump by a law of a cam or of the driving link, and just before
+        them, rad."""
+        found = self.breaks
         return np.mod((found[:, None] + np.array([-3 * EDGE, 0.0])).ravel(), FULL_TURN)
 
 
@@ -176,9 +186,11 @@ def cycle_of(linkage: Linkage) -> Cycle:
 
     Raises ProblemError if position 0 does not exist.
     """
-    zero = linkage.mechanism.driver.zero
+    zero, law = linkage.mechanism.driver.zero, linkage.mechanism.driver.law
     match zero:
         case ZeroAngle(angle):
+            if law is not None:
+                angle = float(law.of_phase(0.0)[0])
             smooth, critical = criticals(linkage, angle)
         case ZeroExtreme():
             smooth, critical = criticals(linkage, 0.0, begins=False)
@@ -188,7 +200,26 @@ def cycle_of(linkage: Linkage) -> Cycle:
                 smooth, critical = criticals(linkage, angle)
         case _:
             assert_never(zero)
+    if law is not None:
+        _law_goes(law, critical)
     return Cycle(smooth, angle, critical)
+
+
+def _law_goes(law: MotionLaw, critical: Sequence[Critical]) -> None:
+    """Raises ProblemError where a driving link that moves by a law cannot be followed: it may turn back."""
+    path = ("mechanism", "driver", "law")
+    for one in critical:
+        of = {"group": one.group.group.label}
+        if one.run is not None:
+            text = N_(
+                "group %(group)s is above class II: its motion is found of a uniformly turning driving link alone"
+            )
+            raise ProblemError([mistake(text, path, Message(N_("state a speed")), **of)])
+        if law.when(one.changes).size:
+            text = N_(
+                "by this law group %(group)s goes through a change point, where it may go on in two ways"
+            )
+            raise ProblemError([mistake(text, path, Message(N_("another law, or other lengths")), **of)])
 
 
 def extreme_angle(linkage: Linkage, zero: ZeroExtreme, critical: tuple[Critical, ...] = ()) -> float:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -14,9 +14,12 @@ from tmm_report.mechanics.calculus.roots import Finder, bracketed, interpolated
 from tmm_report.mechanics.lever.dyads import Dyad
 from tmm_report.mechanics.lever.mechanism import Scalar
 from tmm_report.mechanics.lever.meeting import AT, BESIDE, meets, settle
-from tmm_report.mechanics.lever.motion import Linkage, Motion, solve
+from tmm_report.mechanics.lever.motion import Linkage, Motion, solve, solve_by_law
 from tmm_report.mechanics.lever.singular import Critical
 from tmm_report.records import dataclass
+
+if TYPE_CHECKING:
+    from tmm_report.mechanics.calculus.motion_laws import MotionLaw
 
 Array = Any
 Quantity = Callable[[Motion], Array]
@@ -58,11 +61,27 @@ class Search:
 
     @property
     def closed(self) -> bool:
-        """Whether the driving link makes full turns."""
-        return self.sweep >= FULL_TURN - 1e-12
+        """Whether the driving link makes full turns, or its law repeats."""
+        return self.sweep >= FULL_TURN - 1e-12 if self.law is None else self.law.returns
+
+    @property
+    def law(self) -> MotionLaw | None:
+        """By which the driving link moves, where it does not turn uniformly: angles turned are then phases."""
+        return self.linkage.mechanism.driver.law
 
     def phi(self, turned: Array) -> Array:
-        return self.zero + self.sense * turned
+        return self.zero + self.sense * turned if self.law is None else self.law.of_phase(turned)[0]
+
+    def turned_at(self, angles: Sequence[float] | Array) -> Array:
+        """Angles turned, within a full turn, at which the driving link makes some angles, rad."""
+        if self.law is not None:
+            return self.law.when(angles)
+        return np.mod(self.sense * (np.array(angles) - self.zero), FULL_TURN)
+
+    def _solved(self, turned: Array) -> Motion:
+        return (
+            solve(self.linkage, self.phi(turned)) if self.law is None else solve_by_law(self.linkage, turned)
+        )
 
     @cached_property
     def returns(self) -> bool:
@@ -73,14 +92,14 @@ class Search:
         """Motion at angles turned from position 0, rad; in change points its limit, in corners the places before them,
         but in position 0 those after it."""
         turned = np.asarray(turned, dtype=float)
-        motion = solve(self.linkage, self.phi(turned))
+        motion = self._solved(turned)
         if self.meets:
             settle(motion, side_of(turned))
         return motion
 
     def beside(self, turned: Array, side: int) -> Motion:
         """Motion at angles turned, of which those of corners are its limits before (-1) or after them (+1)."""
-        motion = solve(self.linkage, self.phi(turned))
+        motion = self._solved(turned)
         settle(motion, side, alone=True)
         return motion
 
@@ -116,8 +135,7 @@ class Search:
         """Angles turned at which a group is singular, or nearest to it and near, rad."""
         exact = [x for c in self.critical for x in (*c.limits, *c.changes)]
         near = [] if self.linkage.axes else [self._lowest(label) for label in self._even[1].sines]
-        turned = np.mod(self.sense * (np.array(exact) - self.zero), FULL_TURN)
-        return np.concatenate([turned, *near])
+        return np.concatenate([self.turned_at(exact), *near])
 
     def _lowest(self, label: str) -> Array:
         """Angles turned at which the closeness of a group is least and below `LOW`, rad."""
@@ -231,7 +249,7 @@ class Search:
         found = [
             c.group.corner for c in self.critical if isinstance(c.group, Dyad) and c.group.corner is not None
         ]
-        turned = np.mod(self.sense * (np.array(found) - self.zero), FULL_TURN)
+        turned = self.turned_at(found)
         return np.where(np.minimum(turned, FULL_TURN - turned) < AT, 0.0, turned)
 
     def searched(self, rate: Rate) -> Array:

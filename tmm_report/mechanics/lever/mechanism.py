@@ -17,6 +17,7 @@ import numpy as np
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
+    from tmm_report.mechanics.calculus.motion_laws import MotionLaw
     from tmm_report.mechanics.cams.cam import Cam
     from tmm_report.mechanics.lever.forces.force_on_crank_gear import GearDrive
     from tmm_report.mechanics.lever.stated_masses import Statement
@@ -93,7 +94,9 @@ class ZeroExtreme:
 
 @dataclass(frozen=True, eq=False)
 class Driver:
-    """The driving link turns about a fixed point at constant `omega`, rad/s, + counter-clockwise."""
+    """The driving link turns about a fixed point at constant `omega`, rad/s, + counter-clockwise, or by a `law` of the
+    time: then `omega` is that of the phase 2π t/T, which goes once round with the law, and angles "turned" are phases.
+    """
 
     link: str
     omega: Scalar
@@ -102,6 +105,7 @@ class Driver:
     turns: int = 1  # full turns in a cycle: the motion repeats with each of them, the loads with the cycle
     gear: GearDrive | None = None  # by which it is turned; None: a moment on its shaft
     period: float | None = None  # time of one turn, s, where the speed is stated by it
+    law: MotionLaw | None = None
 
 
 @dataclass(frozen=True)

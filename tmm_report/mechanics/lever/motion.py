@@ -6,7 +6,7 @@ Arrays are (..., P): variants, then positions of the driving link.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import field, fields
+from dataclasses import field, fields, replace
 from functools import cached_property, partial
 from typing import Any
 
@@ -80,7 +80,8 @@ class Linkage:
 class Motion:
     """Positions, velocities and accelerations of every link (`state`) and named point at driver angles `phi`.
 
-    `phi`: (..., P), rad, angle of the driving link's x axis; `omega`: rad/s; `shape`: that of all results. SI.
+    `phi`: (..., P), rad, angle of the driving link's x axis; `omega`: rad/s; `shape`: that of all results. SI. `phase`:
+    of a driving link that moves by a law of the time, its phase, rad.
     `limits`: label of a group -> where its motion is the limit from its neighbours (see `meeting`), (..., P) of bool.
     """
 
@@ -89,6 +90,7 @@ class Motion:
     omega: Array
     state: State
     shape: tuple[int, ...]
+    phase: Array | None = None
     limits: dict[str, Array] = field(default_factory=dict, repr=False)
     _arms: dict[str, tuple[str, Array]] = field(default_factory=dict, repr=False)
 
@@ -156,8 +158,9 @@ class Motion:
         return {g.group.label: self._whole(g.closeness(self.state)) for g in self.linkage.groups}
 
 
-def drive(linkage: Linkage, phi: Array, omega: Array | None = None) -> State:
-    """State of the frame and the driving link at angles `phi`, rad; `omega` in rad/s (default: the variant's)."""
+def drive(linkage: Linkage, phi: Array, omega: Array | None = None, epsilon: Array = 0.0) -> State:
+    """State of the frame and the driving link at angles `phi`, rad; `omega` in rad/s (default: the variant's),
+    `epsilon` in rad/s²."""
     mechanism, pair = linkage.mechanism, linkage.structure.driver_pair
     link = mechanism.driver.link
     omega = mechanism.driver.omega if omega is None else omega
@@ -165,7 +168,7 @@ def drive(linkage: Linkage, phi: Array, omega: Array | None = None) -> State:
     for name, o, r, u in ((FRAME, 0j, 0j, 1 + 0j), (link, pair.at[link], pair.at[FRAME], np.exp(1j * phi))):
         s.o[name], s.r[name], s.u[name] = o, r, u
         s.carry(name, 0j, 0j)
-        s.turn(name, omega if name == link else 0.0, 0.0)
+        s.turn(name, *((omega, epsilon) if name == link else (0.0, 0.0)))
     return s
 
 
@@ -178,20 +181,29 @@ def positions(linkage: Linkage, phi: Array) -> State:
     return s
 
 
-def solve(linkage: Linkage, phi: Array, omega: Array | None = None) -> Motion:
-    """Motion at driver angles `phi`, (P,) or (..., P), rad. What does not close is nan in its position only."""
+def solve(linkage: Linkage, phi: Array, omega: Array | None = None, epsilon: Array = 0.0) -> Motion:
+    """Motion at driver angles `phi`, (P,) or (..., P), rad, at `omega`, rad/s (default: the variant's), and `epsilon`,
+    rad/s². What does not close is nan in its position only."""
     lines = linkage.straight
     if lines is not None and omega is None and np.ndim(phi) and lines.serves(linkage):
         found: Motion = lines.motion(linkage, phi)
         return found
     omega = linkage.mechanism.driver.omega if omega is None else omega
     with np.errstate(invalid="ignore", divide="ignore"):
-        s = drive(linkage, phi, omega)
+        s = drive(linkage, phi, omega, epsilon)
         for group in linkage.groups:
             group.place(s)
             group.move(s)
     shape = np.broadcast_shapes(linkage.axes, np.shape(phi), np.shape(omega))
     return Motion(linkage, phi, omega, s, shape)
+
+
+def solve_by_law(linkage: Linkage, phase: Array) -> Motion:
+    """Motion of a driving link that moves by a law of the time, at its phases 2π t/T, rad."""
+    law = linkage.mechanism.driver.law
+    assert law is not None
+    phi, omega, epsilon = law.of_phase(phase)
+    return replace(solve(linkage, phi, omega, epsilon), phase=np.asarray(phase, dtype=float))
 
 
 def apart(motion: Motion, linkages: Sequence[Linkage]) -> list[Motion]:

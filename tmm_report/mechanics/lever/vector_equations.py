@@ -191,6 +191,14 @@ def moving_points(linkage: Linkage) -> list[str]:
     ]
 
 
+def driving_pin(linkage: Linkage) -> str | None:
+    """The driving link's joint by which its rates are drawn, rather than another of its points; None without any."""
+    pair = linkage.structure.driver_pair
+    mechanism = linkage.mechanism
+    points = [p for p in mechanism.links[mechanism.driver.link].points if p != pair.name]
+    return next((p for p in points if len(mechanism.links_at(p)) > 1), points[0] if points else None)
+
+
 def turns_with(group: Dyad | HigherGroup) -> dict[str, str | None]:
     """Link of a group -> the link found before it that turns alike, None where its rotation is found with the group."""
     if isinstance(group, Dyad):
@@ -225,6 +233,8 @@ def named_values(motion: Motion) -> dict[str, Array]:
         # of a point at the place of a fixed pivot both are the number 0
         values[f"v_{point}"] = np.asarray(motion.velocity(point), complex)
         values[f"a_{point}"] = np.asarray(motion.acceleration(point), complex)
+    if motion.phase is not None:
+        values |= _of_driving_pin(motion)
     for r in relations(motion.linkage):
         if isinstance(r, System) or (r.dyad.changes and r.dyad.kind <= 2):
             # in change points the vector equation itself says nothing: the values are those of the links' motion
@@ -235,6 +245,17 @@ def named_values(motion: Motion) -> dict[str, Array]:
         values[f"w_{link}"] = motion.angular_velocity(link)
         values[f"e_{link}"] = motion.angular_acceleration(link)
     return values
+
+
+def _of_driving_pin(motion: Motion) -> dict[str, Array]:
+    """Normal and tangential acceleration of the driving link's pin, where that link does not turn uniformly."""
+    pin, pivot = driving_pin(motion.linkage), motion.linkage.structure.driver_pair.name
+    if pin is None:
+        return {}
+    link = motion.linkage.mechanism.driver.link
+    arm = motion.place(pin) - motion.place(pivot)
+    w, e = motion.angular_velocity(link), motion.angular_acceleration(link)
+    return {f"a_{pin}{pivot}_n": -(w**2) * arm, f"a_{pin}{pivot}_t": 1j * e * arm}
 
 
 def _branch_values(motion: Motion, r: Relation) -> dict[str, Array]:

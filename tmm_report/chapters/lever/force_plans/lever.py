@@ -95,7 +95,8 @@ class _Lever:
         self.k, self.pen = drawn.position, Pen(plans.accuracy * 1e-3)
         self.motion = found.kinematics.cycle.motion(found.kinematics.turned[self.k : self.k + 1])
         self.mechanism: Mechanism = self.motion.linkage.mechanism
-        self.turn = -1j if float(np.ravel(found.kinematics.omega)[0]) > 0 else 1j
+        turning = self.motion.angular_velocity(self.mechanism.driver.link)
+        self.turn = -1j if float(np.ravel(turning)[0]) > 0 else 1j
         self.velocities = {s.key: s.end - s.start for s in plan.strokes}
         self.worked = Worked(f"lever_{self.k}", self.k)
         self.arms: list[LeverArm] = []

@@ -308,8 +308,13 @@ def _masses(links: list[Link]) -> Table:
 
 
 def given_values(mechanism: Mechanism, length_scale: float) -> Iterator[Value]:
-    yield speed(mechanism)
-    yield revolutions(mechanism)
+    if mechanism.driver.law is None:
+        yield speed(mechanism)
+        yield revolutions(mechanism)
+    else:
+        from tmm_report.chapters.lever.initial_data import driving_law
+
+        yield from driving_law.values(mechanism.driver)
     if mechanism.driver.period is not None:
         yield PERIOD.value(float(mechanism.driver.period))
     yield from cycle(mechanism)

@@ -13,6 +13,7 @@ from markupsafe import Markup
 from tmm_report.chapters.lever.initial_data import quantities as q
 from tmm_report.chapters.lever.schemes import schemes_of
 from tmm_report.figures.drawing import Drawing
+from tmm_report.mechanics.calculus.motion_laws import Harmonic
 from tmm_report.mechanics.lever.mechanism import FRAME, Guide, Link, Mechanism, ZeroAngle
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import PI, Formula
@@ -26,6 +27,15 @@ from tmm_report.report.words import sense
 
 if TYPE_CHECKING:
     from tmm_report.course import LeverFound
+
+LAWS = {
+    "Harmonic": N_("its angle is that of a uniform rotation and a harmonic about it"),
+    "Polynomial": N_("its angle is a polynomial of the time"),
+    "Tabulated": N_("its angle is stated by a table and goes along the cubic spline through its points"),
+    "Phased": N_("its angle goes through phases of rise, dwell and return, as a cam's follower does"),
+}
+
+SWINGS = N_("it swings harmonically about a middle position")
 
 EXTREMES = {1: N_("rightmost"), -1: N_("leftmost"), 1j: N_("topmost"), -1j: N_("lowest")}
 
@@ -55,6 +65,22 @@ class InitialData(BookView):
     def pivot(self) -> str:
         """The fixed point about which the driving link turns."""
         return q.driving_pivot(self.mechanism)
+
+    @property
+    def by_law(self) -> bool:
+        """Whether the driving link moves by a law of the time."""
+        return self.mechanism.driver.law is not None
+
+    def law(self) -> Markup:
+        """What kind of law it is."""
+        law = self.mechanism.driver.law
+        swings = isinstance(law, Harmonic) and not law.speed
+        return self.t(SWINGS if swings else LAWS[type(law).__name__])
+
+    def law_given(self) -> Markup:
+        """The numbers of the law."""
+        keys = [key for key in self.book.values if key.startswith("law_")]
+        return self.t("Given: %(numbers)s.", numbers=self.listed(keys))
 
     def turns(self) -> Markup:
         """In which sense the driving link turns."""

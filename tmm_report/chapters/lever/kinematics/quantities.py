@@ -13,9 +13,9 @@ from tmm_report.chapters.lever.kinematics.checks.digits_left import digits_left
 from tmm_report.chapters.lever.kinematics.checks.singular import Closest
 from tmm_report.chapters.lever.kinematics.contours import solve as contours
 from tmm_report.chapters.lever.kinematics.solve import analogues
-from tmm_report.chapters.lever.kinematics.solve.points_and_links import PHI, places, rated
 from tmm_report.chapters.lever.kinematics.solve.points_and_links import POSITION as POSITION
 from tmm_report.chapters.lever.kinematics.solve.points_and_links import UNITS as UNITS
+from tmm_report.chapters.lever.kinematics.solve.points_and_links import along, places, rated
 from tmm_report.chapters.lever.kinematics.solve.points_and_links import angle as angle
 from tmm_report.chapters.lever.kinematics.solve.points_and_links import coordinate as coordinate
 from tmm_report.chapters.lever.kinematics.solve.points_and_links import link_rate as link_rate
@@ -55,7 +55,7 @@ def tables(found: Kinematics) -> Iterator[Table]:
         ("diagram", found.diagram, found.diagram_turned, found.diagram_values),
     )
     for name, motion, turned, values in sets:
-        at = where(turned)
+        at = where(turned, found.by_law)
         yield Table(
             f"outputs_{name}",
             OUTPUTS,
@@ -158,7 +158,7 @@ def _special(found: Kinematics) -> tuple[Column, ...]:
     return (
         text_column("kind", Message(N_("closest, change, limit, parallel (guides) or dead (point)")), kinds),
         text_column("of", Message(N_("the group, or the output link")), of),
-        PHI.column(np.degrees(turned)),
+        along(found.by_law).column(np.degrees(turned)),
         NEAR.column(closeness),
         DIGITS.column(digits_left(np.array(closeness, dtype=float))),
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from tmm_report.chapters.lever.kinematics.solve.relating import place, rate
 from tmm_report.problems import N_
-from tmm_report.quantity.formula import Expr, Var
+from tmm_report.quantity.formula import PI, Expr, Var
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.ways import NAME, Known, Way
 
@@ -56,8 +56,20 @@ def _ratio(q: Known) -> Expr:
 
 
 def _analogue(q: Known, rate: str, power: int) -> Expr:
-    omega = abs(q("omega"))
-    return q(rate) / (omega if power == 1 else omega**2)
+    """By the rate and the driving link's; of one that moves by a law, where it stands still there is no such way."""
+    if not q.has("law_time"):
+        omega = abs(q("omega"))
+        return q(rate) / (omega if power == 1 else omega**2)
+    link = q.found.linkage.mechanism.driver.link
+    own, epsilon = (q(f"rates_table.{letter}_{link}") for letter in "we")
+    first = q(rate.replace(".A_", ".V_").replace(".epsilon_", ".omega_")) / own
+    return first if power == 1 else (q(rate) - first * epsilon) / own**2
+
+
+def _time(q: Known) -> Expr:
+    if q.has("law_time"):
+        return q("phi") / (2 * PI) * q("law_time")
+    return q("phi") / abs(q("omega"))
 
 
 def _shift(q: Known) -> Expr:
@@ -80,8 +92,8 @@ WAYS = (
     Way("positions_table.x_* positions_table.y_*", CONTOURS, worked=place),
     Way("positions_table.x_* positions_table.y_*", CONTOURS, of="phi phi_1"),
     Way("positions_table.phi_*", CONTOURS, of="phi contours.phi_* x_* y_*"),
-    Way("rates_table.*", RATES, worked=rate, of="phi omega", beside=True),
-    Way("outputs_table.t analogues_table.t", by=lambda q: q("phi") / abs(q("omega"))),
+    Way("rates_table.*", RATES, worked=rate, of="phi omega law_*", beside=True),
+    Way("outputs_table.t analogues_table.t", by=_time),
     Way("outputs_table.S_*", by=_shift),
     Way("outputs_table.psi_*", PSI, of="positions_table.phi_{0}"),
     Way("outputs_table.omega_* outputs_table.epsilon_*", TURNS, of="rates_table.w_* rates_table.e_*"),
@@ -92,6 +104,6 @@ WAYS = (
     Way("analogues_table.ddpsi_*", by=lambda q: _analogue(q, "outputs_table.epsilon_{0}", 2)),
     Way("H_*", STROKES, by=_stroke),
     Way("K_*", STROKES, by=_ratio),
-    Way("S_*_* V_*_* A_*_*", EXTREME, of="H_{0} omega"),
-    Way("phi_0", ZERO, of="omega H_*"),
+    Way("S_*_* V_*_* A_*_*", EXTREME, of="H_{0} omega law_time"),
+    Way("phi_0", ZERO, of="omega H_* law_angle"),
 )

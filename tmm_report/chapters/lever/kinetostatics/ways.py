@@ -129,10 +129,17 @@ def _summed(q: Known) -> Expr:
     return total
 
 
+def _omega(q: Known) -> Var:
+    """Angular velocity of the driving link: one number, or that of the position."""
+    kinematics = q.found.kinematics
+    link = kinematics.linkage.mechanism.driver.link
+    return q(f"rates_table.w_{link}") if kinematics.by_law else q("omega")
+
+
 def _lever(q: Known) -> Expr:
     """−ΣN/ω₁: the powers of all loads, inertia among them."""
     solved = q.found.diagram if q.fine else q.found.table
-    return -Var(Symbol("SigmaN"), float(np.sum(solved.powers, axis=0)[q.row]), "W") / q("omega")
+    return -Var(Symbol("SigmaN"), float(np.sum(solved.powers, axis=0)[q.row]), "W") / _omega(q)
 
 
 def _by_energy(q: Known) -> Expr:
@@ -140,7 +147,7 @@ def _by_energy(q: Known) -> Expr:
     from tmm_report.chapters.lever.kinetostatics.solve.powers import external_power
 
     solved = q.found.diagram if q.fine else q.found.table
-    omega = q("omega")
+    omega = _omega(q)
     power = float(np.asarray(external_power(q.found.given, solved.motion, solved.loading))[q.row])
     rate = float(solved.power[q.row]) * float(omega.number) + power
     return (Var(Symbol("T′"), rate, "W") - Var(Symbol("SigmaN", "ext"), power, "W")) / omega
@@ -230,7 +237,7 @@ WAYS = (
     Way("moment_senses.*", ZONES, of="from to work"),
     Way("P_bal_mean", N_("The work of the balancing moment by the time of the cycle."), by=_mean),
     Way("works_sum", by=_share),
-    Way("M_bal_min M_bal_max F_bal_min F_bal_max", EXTREME, of="omega"),
+    Way("M_bal_min M_bal_max F_bal_min F_bal_max", EXTREME, of="omega law_time"),
     Way("strokes.*", STROKE, of="load stroke"),
     Way("gear_table.alpha_F_bal", LINE, of="alpha_w_gear phi"),
     Way("r_w_gear alpha_w_gear", STATED),

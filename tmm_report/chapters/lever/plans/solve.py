@@ -78,6 +78,7 @@ class Plans:
     named: Named  # the rates of the note by key
     singular: tuple[int, ...]  # positions asked for, whose plans have no crossing point
     choices: tuple[Choice, ...] = ()  # segments stated, from which scales follow
+    by_law: bool = False  # whether the driving link moves by a law of the time
 
     @property
     def worst(self) -> float:
@@ -111,6 +112,7 @@ def solve(drawing: Drawing, plans: Sequence[int], kinematics: Kinematics) -> Pla
         named,
         singular,
         choices,
+        kinematics.by_law,
     )
 
 

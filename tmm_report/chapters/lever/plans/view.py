@@ -63,6 +63,15 @@ class PlansView(BookView):
         )
         return [self.t(within if self.found.worst <= LIMIT else beyond, worst=self.worst())]
 
+    @property
+    def by_law(self) -> bool:
+        """Whether the driving link moves by a law of the time."""
+        return self.found.by_law
+
+    def in_parts(self, plan: Plan) -> bool:
+        """Whether the driving link's own acceleration is drawn by its normal and tangential parts."""
+        return bool(plan.strokes) and plan.strokes[0].role == "bend"
+
     def worst(self) -> Markup:
         return self.number("delta_max", digits=3)
 

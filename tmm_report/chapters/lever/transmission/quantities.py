@@ -46,7 +46,7 @@ def tables(found: solve.Found) -> Iterator[Table]:
     for name, turned, at in sets if found.couplers else ():
         rows = [angle(one).column(solve.angle(one, at)) for one in found.couplers]
         rows += [span(one).column(solve.span(one, at)) for one in found.couplers if name == "table"]
-        yield Table(f"transmission_{name}", ANGLES, (*where(turned), *rows))
+        yield Table(f"transmission_{name}", ANGLES, (*where(turned, of.by_law), *rows))
 
 
 @tabulated

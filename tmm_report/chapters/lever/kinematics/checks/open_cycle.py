@@ -80,6 +80,9 @@ def gaps(cycle: Cycle) -> tuple[Gap, ...]:
 
 def _swept(cycle: Cycle, critical: Critical) -> Critical:
     """What a driving link that turns over a part of a turn asks of the lengths: nothing beyond its range."""
+    if cycle.law is not None:
+        low, high = cycle.law.reach
+        return critical if high - low >= FULL_TURN else swept(cycle.linkage, critical, low, high)
     if cycle.closed:
         return critical
     return swept(cycle.linkage, critical, *sorted((cycle.zero, cycle.zero + cycle.sense * cycle.sweep)))
@@ -93,7 +96,7 @@ RUNAWAY = N_(
 
 def _turned_poles(cycle: Cycle, critical: Critical) -> list[float]:
     """Where guides of a dyad are parallel, within the cycle; what is only just beyond a turn is position 0."""
-    turned = np.mod(cycle.sense * (np.array(critical.parallel) - cycle.zero), FULL_TURN)
+    turned = cycle.turned_at(critical.parallel)
     turned = np.where(FULL_TURN - turned < ZERO, 0.0, turned)
     return sorted(turned[turned <= cycle.sweep].tolist())
 
@@ -126,7 +129,7 @@ def _leap(cycle: Cycle, critical: Critical) -> float | None:
     corner = getattr(critical.group, "corner", None)
     if corner is None:
         return None
-    turned = np.mod(cycle.sense * (corner - cycle.zero), FULL_TURN)
+    turned = float(cycle.turned_at([corner])[0])
     turned = 0.0 if FULL_TURN - turned < ZERO else turned
     if turned > cycle.sweep:
         return None
@@ -144,6 +147,9 @@ def _leaping(critical: Critical, corner: float) -> Gap:
 
 def _turned_intervals(cycle: Cycle, critical: Critical) -> Iterator[Interval]:
     """Intervals without the group, within the cycle; one across position 0 goes on beyond a turn."""
+    if cycle.law is not None:
+        yield from _phases_within(cycle, critical)
+        return
     for first, last in critical.gaps:
         width = last - first
         if width >= FULL_TURN - 1e-12:
@@ -157,6 +163,22 @@ def _turned_intervals(cycle: Cycle, critical: Critical) -> Iterator[Interval]:
             a, b = max(low, 0.0), min(low + width, cycle.sweep)
             if a < b:
                 yield float(a), float(b)
+
+
+def _phases_within(cycle: Cycle, critical: Critical) -> Iterator[Interval]:
+    """The same of a driving link that moves by a law of the time: it may come back to an angle."""
+    ends = np.unique(np.concatenate([[0.0], cycle.turned_at(np.ravel(critical.gaps)), [cycle.sweep]]))
+    middles = cycle.phi((ends[:-1] + ends[1:]) / 2)
+    lost = [
+        any(np.mod(phi - first, FULL_TURN) < last - first for first, last in critical.gaps) for phi in middles
+    ]
+    start: float | None = None
+    for k, missing in enumerate([*lost, False]):
+        if missing and start is None:
+            start = float(ends[k])
+        if not missing and start is not None:
+            yield start, float(ends[k])
+            start = None
 
 
 # ---------------------------------------------------------------- intervals as people write them

@@ -126,6 +126,6 @@ def _lines(motion: Motion, k: int) -> Iterator[tuple[str, str]]:
 
 def _turned(cycle: Cycle, phi: tuple[float, ...]) -> tuple[float, ...]:
     """Driver angles as angles of turn from position 0, those within the cycle, ascending."""
-    turned = np.mod(cycle.sense * (np.array(phi) - cycle.zero), FULL_TURN)
+    turned = cycle.turned_at(phi)
     turned = np.where(FULL_TURN - turned < 1e-9, 0.0, turned)
     return tuple(float(x) for x in np.sort(turned[turned <= cycle.sweep + 1e-9]))

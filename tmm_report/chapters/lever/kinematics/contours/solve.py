@@ -128,7 +128,7 @@ def tables(found: Kinematics) -> Iterator[Table]:
     """The numbers of the contours at the table positions, and their constants."""
     bench = contours(found, 0).bench
     columns = [quantity.column(values) for quantity, values in bench.columns.values()]
-    yield Table(TABLE, CONTOURS, (*q.where(found.turned), *columns))
+    yield Table(TABLE, CONTOURS, (*q.where(found.turned, found.by_law), *columns))
     if bench.constants:
         yield _constants(bench)
 

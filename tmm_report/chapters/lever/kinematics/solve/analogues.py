@@ -1,7 +1,9 @@
 """Analogues of velocities and accelerations: derivatives by the angle of turn of the driving link; the time.
 
 S′ = dS/dφ, S″ = d²S/dφ² of sliders, ψ′ and ψ″ of links, φ being the angle turned in the sense of rotation:
-V = S′·|ω₁|, a = S″·ω₁² + S′·ε₁ with ε₁ = 0. Source: Artobolevsky, Theory of mechanisms and machines, ch. 4.
+V = S′·|ω₁|, a = S″·ω₁² + S′·ε₁ with ε₁ = 0. Of a driving link that moves by a law of the time they are found with
+that link at 1 rad/s counter-clockwise; then V = S′·ω₁ with the sign of ω₁. Source: Artobolevsky, Theory of mechanisms
+and machines, ch. 4.
 """
 
 from __future__ import annotations
@@ -14,6 +16,8 @@ import numpy as np
 
 from tmm_report.chapters.lever.kinematics.solve.points_and_links import where
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics, Output, Travel
+from tmm_report.mechanics.lever.motion import Motion
+from tmm_report.mechanics.lever.motion import solve as solve_motion
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, kept
 from tmm_report.quantity.symbols import Symbol
@@ -55,8 +59,9 @@ def moving(found: Kinematics) -> tuple[Travel, ...]:
 def tables(found: Kinematics) -> Iterator[Table]:
     """At the table positions and at the diagram positions."""
     for name, turned in (("table", found.turned), ("diagram", found.diagram_turned)):
-        columns = [column for travel in moving(found) for column in _of(travel, abs(found.omega), name)]
-        yield Table(f"analogues_{name}", ANALOGUES, (*where(turned), time(found, turned), *columns))
+        columns = [column for travel in moving(found) for column in _of(found, travel, name)]
+        at = where(turned, found.by_law)
+        yield Table(f"analogues_{name}", ANALOGUES, (*at, time(found, turned), *columns))
 
 
 def time(found: Kinematics, turned: Array) -> Column:
@@ -64,8 +69,19 @@ def time(found: Kinematics, turned: Array) -> Column:
     return replace(TIME.column(turned / abs(found.omega)), asked=False)
 
 
-def _of(travel: Travel, omega: float, name: str) -> Iterator[Column]:
-    V, a = (travel.V, travel.a) if name == "table" else (travel.diagram_V, travel.diagram_a)
+def in_unit_motion(motion: Motion) -> Motion:
+    """The same positions with the driving link at 1 rad/s: the rates by its angle."""
+    return solve_motion(motion.linkage, motion.phi, 1.0)
+
+
+def _of(found: Kinematics, travel: Travel, name: str) -> Iterator[Column]:
     first, second = analogues_of(travel.output)
+    if found.by_law:
+        unit = in_unit_motion(found.table if name == "table" else found.diagram)
+        yield first.column(np.asarray(travel.output.velocity(unit), dtype=float))
+        yield second.column(np.asarray(travel.output.acceleration(unit), dtype=float))
+        return
+    V, a = (travel.V, travel.a) if name == "table" else (travel.diagram_V, travel.diagram_a)
+    omega = abs(found.omega)
     yield first.column(np.asarray(V, dtype=float) / omega)
     yield second.column(np.asarray(a, dtype=float) / omega**2)

@@ -9,7 +9,13 @@ import numpy as np
 
 from tmm_report.chapters.lever.kinematics.checks.digits_left import digits_left
 from tmm_report.mechanics.lever.motion import Linkage, Motion
-from tmm_report.mechanics.lever.vector_equations import Branch, moving_points, relations, turning_links
+from tmm_report.mechanics.lever.vector_equations import (
+    Branch,
+    driving_pin,
+    moving_points,
+    relations,
+    turning_links,
+)
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, kept
 from tmm_report.quantity.symbols import Symbol
@@ -21,10 +27,23 @@ CLOSENESS = N_("closeness of group %(group)s to a singular position, 1 … 0 (of
 POSITION = Quantity("position", None, "", Message(N_("number of the position")))
 PHI = Quantity("phi", Symbol("phi"), "deg", Message(N_("angle turned by the driving link from position 0")))
 
+PHASE = Quantity(
+    "phi",
+    Symbol("theta"),
+    "deg",
+    Message(N_("phase of the driving link's law: 360° in the time in which it goes once")),
+)
 
-def where(turned: Array) -> tuple[Column, Column]:
-    """The first columns of a table by positions: their numbers and the angle turned, rad."""
-    return POSITION.column(list(range(len(turned)))), PHI.column(np.degrees(turned))
+
+def along(law: bool) -> Quantity:
+    """Over what a cycle goes: the angle turned, or the phase of a `law` of the driving link."""
+    return PHASE if law else PHI
+
+
+def where(turned: Array, law: bool = False) -> tuple[Column, Column]:
+    """The first columns of a table by positions: their numbers and the angle turned, rad, or the phase of a `law` of
+    the driving link."""
+    return POSITION.column(list(range(len(turned)))), along(law).column(np.degrees(turned))
 
 
 # ---------------------------------------------------------------- places
@@ -103,6 +122,9 @@ def rates(linkage: Linkage) -> dict[str, Quantity]:
     found: list[Quantity] = []
     for point in moving_points(linkage):
         found += [point_rate("v", point), point_rate("a", point)]
+    pin = driving_pin(linkage) if linkage.mechanism.driver.law is not None else None
+    if pin is not None:
+        found += _of_pin(pin, linkage.structure.driver_pair.name)
     for relation in relations(linkage):
         for branch in relation.branches:
             found += _of_branch(branch)
@@ -112,6 +134,20 @@ def rates(linkage: Linkage) -> dict[str, Quantity]:
     for quantity in found:
         known.setdefault(quantity.key, quantity)
     return known
+
+
+@kept
+def _of_pin(pin: str, pivot: str) -> tuple[Quantity, ...]:
+    """Parts of the acceleration of the driving link's pin about its pivot."""
+    return tuple(
+        Quantity(
+            f"a_{pin}{pivot}_{part}",
+            Symbol("a", pin + pivot, part),
+            "m/s²",
+            Message(PARTS[part], {"one": pin, "other": pivot}),
+        )
+        for part in "nt"
+    )
 
 
 @kept

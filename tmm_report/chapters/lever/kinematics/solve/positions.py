@@ -33,9 +33,9 @@ if TYPE_CHECKING:  # loaded only for a variant that states a method
 
 Array = Any
 Extremes = tuple[Extreme, Extreme]
-FULL_TURN = 2 * np.pi
 TOLERANCE = 1e-9  # relative disagreement of two exact ways above which something is wrong
 WAYS = 10.0  # times the error of the motion: what ways through places, velocities and accelerations may differ by
+STILL = 1e-9  # of the greatest speed of the driving link: where it turns no faster it stands
 AT_LIMIT = 1e-5  # rad from a limit of assembly: to the thousandth of a degree that is printed the position is the limit
 
 
@@ -138,8 +138,14 @@ class Kinematics:
         return self.positions.table // self.cycle.turns if self.cycle.closed else len(self.turned)
 
     @property
+    def by_law(self) -> bool:
+        """Whether the driving link moves by a law of the time: what is turned is then the phase of the law."""
+        return self.cycle.law is not None
+
+    @property
     def omega(self) -> float:
-        """Angular velocity of the driving link, rad/s, + counter-clockwise."""
+        """Angular velocity of the driving link, rad/s, + counter-clockwise; where it moves by a law, that of its
+        phase."""
         return float(self.linkage.mechanism.driver.omega)
 
 
@@ -164,7 +170,7 @@ def solve(positions: Positions, structure: Structure, way: Way | None = None) ->
         *table.sines.values(),
         *(() if find is steps else steps(cycle, positions.table)[1].sines.values()),
     ]
-    flat = np.logical_or.reduce([undefined, *(sine <= SINGULAR for sine in sines)])
+    flat = np.logical_or.reduce([undefined, stands(table), *(sine <= SINGULAR for sine in sines)])
     motions = travels(cycle, table, diagram, outputs(cycle.linkage))
     return Kinematics(
         cycle.linkage, cycle, positions, turned, table, diagram_turned, diagram, motions,
@@ -202,13 +208,20 @@ def at_limits(cycle: Cycle, turned: Array, motion: Motion) -> Array:
     (P,)."""
     s, lost = motion.state, np.zeros(motion.shape, dtype=bool)
     for critical in cycle.critical:
-        limits = np.mod(cycle.sense * (np.array(critical.limits) - cycle.zero), FULL_TURN)
+        limits = cycle.turned_at(critical.limits)
         off = np.abs(np.angle(np.exp(1j * (turned[:, None] - limits)))).min(axis=-1, initial=np.inf)
         lost = lost | (off < AT_LIMIT)
         if lost.any():
             for rates in (s.v, s.w, s.a, s.e, s.iw, s.ie):
                 rates.update({link: if_known(~lost, rates[link]) for link in critical.group.links})
     return lost
+
+
+def stands(motion: Motion) -> Array:
+    """Where a driving link that moves by a law stands still: there it has no velocity to draw by, (..., P) of bool."""
+    if motion.phase is None:
+        return np.zeros(motion.shape, dtype=bool)
+    return np.abs(motion.omega) <= STILL * np.max(np.abs(motion.omega))
 
 
 def _numbers(mask: Array) -> tuple[int, ...]:

@@ -28,6 +28,9 @@ if TYPE_CHECKING:
 SAME_TURN = N_("Link %(link)s turns with link %(other)s.")
 EQUATIONS = N_("Equations of group %(group)s at this position, in symbols and with numbers, solved together:")
 STILL = N_("Link %(link)s is the driving link: its rotation is stated, and uniform.")
+BY_LAW = N_(
+    "Link %(link)s is the driving link: its law by the time is stated, and its derivatives are its rates."
+)
 
 
 def place(found: Kinematics, known: Known) -> Iterator[Line]:
@@ -101,7 +104,7 @@ def _turning(motion: Motion, k: int, letter: str, link: str, known: Known) -> It
     """ω = QP × (v_P − v_Q)/QP², and ε likewise; of a link with one point the link that it turns with."""
     mechanism = motion.linkage.mechanism
     if link == mechanism.driver.link:
-        yield Message(STILL, {"link": link})
+        yield Message(STILL if mechanism.driver.law is None else BY_LAW, {"link": link})
         return
     for group in motion.linkage.groups:
         other = turns_with(group).get(link)

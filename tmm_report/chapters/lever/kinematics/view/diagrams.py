@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
 from tmm_report.chapters.lever.kinematics.quantities import motion_of
-from tmm_report.chapters.lever.kinematics.solve.analogues import analogues_of
+from tmm_report.chapters.lever.kinematics.solve.analogues import analogues_of, in_unit_motion
+from tmm_report.chapters.lever.kinematics.solve.points_and_links import along
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics, Travel
 from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.i18n import Translator
@@ -30,7 +33,7 @@ ANALOGUES = {
 class Diagrams:
     def __init__(self, found: Kinematics, tr: Translator):
         self.found = found
-        self.graphs = CycleGraphs(found.diagram_turned, found.numbered, tr)
+        self.graphs = CycleGraphs(found.diagram_turned, found.numbered, tr, along(found.by_law).sign)
         self._made: dict[str, Graph] = {}
 
     def travel(self, travel: Travel) -> Graph:
@@ -59,18 +62,29 @@ class Diagrams:
         return self._made[name]
 
     def _analogues(self, travel: Travel) -> Graph:
-        omega = abs(self.found.omega)
-        rates = ((travel.diagram_V, travel.V_extremes), (travel.diagram_a, travel.a_extremes))
         size = 1.0 if travel.output.kind == "rocker" else self._reach
         curves = [
-            Curve(x / omega**n, panel=n - 1, extremes=points(ends, omega**-n), scale=size)
-            for n, (x, ends) in enumerate(rates, 1)
+            Curve(x, panel=panel, extremes=ends, scale=size)
+            for panel, (x, ends) in enumerate(self._by_angle(travel))
         ]
         named = (
             (quantity.sign.base.replace("psi", "ψ"), quantity.unit)
             for quantity in analogues_of(travel.output)
         )
         return self.graphs.graph(curves, [self.graphs.letter(Symbol(base), unit) for base, unit in named])
+
+    def _by_angle(self, travel: Travel) -> Iterator[tuple[Any, Any]]:
+        """Rates by the angle of the driving link at the diagram positions, and their extremes."""
+        if self.found.by_law:  # where they are extreme is not sought: rates by the time are extreme elsewhere
+            unit = in_unit_motion(self.found.diagram)
+            yield travel.output.velocity(unit), ()
+            yield travel.output.acceleration(unit), ()
+            return
+        omega = abs(self.found.omega)
+        for n, (x, ends) in enumerate(
+            ((travel.diagram_V, travel.V_extremes), (travel.diagram_a, travel.a_extremes)), 1
+        ):
+            yield x / omega**n, points(ends, omega**-n)
 
     @cached_property
     def _reach(self) -> float:

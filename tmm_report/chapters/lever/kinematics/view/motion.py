@@ -178,6 +178,13 @@ class MotionView(BookView):
         travel, k = self.moving[0], self.position
         rates, outputs = q.motion_of(travel.output)[1:], self.table("outputs_table")
         first, second = (self.table("analogues_table").var(x.key, k) for x in analogues_of(travel.output))
+        if self.found.by_law:
+            link, rates_table = self.found.linkage.mechanism.driver.link, self.table("rates_table")
+            own, epsilon = rates_table.var(f"w_{link}", k), rates_table.var(f"e_{link}", k)
+            return [
+                outputs.formula(rates[0].key, k, first * own),
+                outputs.formula(rates[1].key, k, second * own**2 + first * epsilon),
+            ]
         omega = speed(self.found.linkage.mechanism).var(size=True)
         return [
             outputs.formula(rates[0].key, k, first * omega),

@@ -77,6 +77,10 @@ def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
     working = working_of(lever)
     view = KinematicsView(found, schemes_of(lever, page), k, lever.partial, working, page)
     yield Part("lever/kinematics", view)
+    if found.cycle.law is not None:
+        from tmm_report.chapters.lever.kinematics.view.driving import DrivingView
+
+        yield Part("lever/kinematics/driving", DrivingView(found, k, page))
     yield Part("lever/kinematics/contours", ContoursView(found, k, page))
     yield Part("lever/kinematics/singular", view)
     yield Part("lever/kinematics/motion", MotionView(found, k, lever.partial, working, page))

@@ -177,16 +177,16 @@ def book(found: Kinetostatics) -> Book:
 
 @tabulated
 def tables(found: Kinetostatics) -> Iterator[Table]:
-    given = found.given
+    given, law = found.given, found.kinematics.by_law
+    table, diagram = (where(solved.turned, law) for solved in (found.table, found.diagram))
     if given.forces or given.moments:
         yield _stated(found)
-        yield Table("stated_table", STATED, (*where(found.table.turned), *_along(found, found.table)))
+        yield Table("stated_table", STATED, (*table, *_along(found, found.table)))
     yield from strokes_table(found, [force.key for force in forces(given.forces)])
     if found.followed:
-        yield Table("stated_diagram", STATED, (*where(found.diagram.turned), *_along(found, found.diagram)))
-    yield Table("powers_table", POWERS, (*where(found.table.turned), *_powers(found, found.table)))
-    for name, solved in (("table", found.table), ("diagram", found.diagram)):
-        at = where(solved.turned)
+        yield Table("stated_diagram", STATED, (*diagram, *_along(found, found.diagram)))
+    yield Table("powers_table", POWERS, (*table, *_powers(found, found.table)))
+    for name, solved, at in (("table", found.table, table), ("diagram", found.diagram, diagram)):
         yield Table(f"loads_{name}", LOADS, (*at, *_loads(found, solved)))
         yield Table(f"reactions_{name}", REACTIONS, (*at, *_reactions(solved)))
         yield Table(f"balancing_{name}", BALANCING, (*at, *_balancing(solved)))

@@ -13,11 +13,12 @@ from tmm_report.mechanics.lever.cams.kinks import law_sense, slope_between, slop
 from tmm_report.mechanics.lever.high_class.newton import HigherGroup
 from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.mechanics.lever.meeting import meets, settle
-from tmm_report.mechanics.lever.motion import SINGULAR, Motion
+from tmm_report.mechanics.lever.motion import SINGULAR, Motion, solve_by_law
 from tmm_report.mechanics.lever.motion import solve as solve_motion
 
 Array = Any
 FULL_TURN = 2 * np.pi
+STEP = 0.007  # rad, of the differences far from singular positions
 
 
 def kinetic_energy(motion: Motion) -> Array:
@@ -38,10 +39,12 @@ def kinetic_power(motion: Motion) -> Array:
     The step shrinks where the motion changes fast: towards a singular position, and where a link turns faster than
     the driving link.
     """
+    if motion.phase is not None:
+        return _by_phase(motion)
     omega = motion.state.w[motion.linkage.mechanism.driver.link]
     ratios = [np.abs(motion.angular_velocity(link) / omega) for link in motion.linkage.mechanism.moving]
     shrinks = np.ones(motion.shape)
-    step = np.full(motion.shape, 0.007)
+    step = np.full(motion.shape, STEP)
     for group in motion.linkage.groups:
         sine = np.maximum(motion.sines[group.group.label], SINGULAR)
         for (
@@ -58,6 +61,31 @@ def kinetic_power(motion: Motion) -> Array:
         settle(beside_it)
     energy = kinetic_energy(beside_it)
     return _within_turn(motion, _beside_breaks(motion, _summed(energy[0] - energy[1]) / step)) * omega
+
+
+def _by_phase(motion: Motion) -> Array:
+    """The same of a driving link that moves by a law of the time: by its phase, which goes uniformly; within a piece
+    beside the breaks of the law and the ends of one that does not repeat."""
+    linkage, law = motion.linkage, motion.linkage.mechanism.driver.law
+    assert law is not None and motion.phase is not None
+    rate = linkage.mechanism.driver.omega
+    fastest = np.maximum.reduce([np.abs(motion.angular_velocity(n) / rate) for n in linkage.mechanism.moving])
+    sines = [np.maximum(motion.sines[group.group.label], SINGULAR) for group in linkage.groups]
+    step = STEP * np.minimum.reduce([np.ones(motion.shape), *sines]) / np.maximum(fastest, 1.0)
+    k = np.arange(1, len(DIFFERENCE) + 1).reshape(-1, *(1,) * len(motion.shape))
+    energy = kinetic_energy(
+        solve_by_law(linkage, np.stack([motion.phase + k * step, motion.phase - k * step]))
+    )
+    slope = _summed(energy[0] - energy[1]) / step
+    edges = np.array(law.breaks, dtype=float) * (FULL_TURN / law.period)
+    if not law.returns:
+        edges = np.concatenate([[0.0, FULL_TURN], edges])
+    if edges.size:
+        within, near = slope_within(
+            lambda phase: kinetic_energy(solve_by_law(linkage, phase)), motion.phase, 1, np.unique(edges)
+        )
+        slope = np.where(near, within, slope)
+    return slope * rate
 
 
 def _energy(motion: Motion, phi: Array) -> Array:

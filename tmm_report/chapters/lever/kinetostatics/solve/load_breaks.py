@@ -15,8 +15,6 @@ from tmm_report.chapters.lever.kinetostatics.solve.law_arguments import over_cyc
 from tmm_report.mechanics.calculus.distinct import distinct
 from tmm_report.mechanics.calculus.laws import ByDisplacement, ByStrokes, Diagram
 from tmm_report.mechanics.calculus.vectors import dot
-from tmm_report.mechanics.cams.follower_laws import FULL_TURN
-from tmm_report.mechanics.lever.cams.kinks import breaks as cam_breaks
 from tmm_report.mechanics.lever.cycle import Cycle, Quantity
 from tmm_report.mechanics.lever.motion import Motion
 
@@ -38,9 +36,7 @@ def breaks(given: Loads, kinematics: Kinematics) -> Array:
     for force in given.forces:
         if isinstance(force.law, ByStrokes):
             found += _in_strokes(coordinate(force, cycle), force.law, cycle)
-    found.append(
-        cycle.repeated(np.mod(cycle.sense * (cam_breaks(cycle.linkage.mechanism) - cycle.zero), FULL_TURN))
-    )
+    found.append(cycle.repeated(cycle.breaks))
     found.append(cycle.repeated(cycle.corners))
     return distinct(np.concatenate([np.array(fixed, dtype=float), *found]))
 

@@ -8,7 +8,13 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.lever.kinematics.solve.positions import PRINTED, TOLERANCE, Kinematics, rounding
+from tmm_report.chapters.lever.kinematics.solve.positions import (
+    PRINTED,
+    TOLERANCE,
+    Kinematics,
+    rounding,
+    stands,
+)
 from tmm_report.chapters.lever.kinetostatics.given import Loads
 from tmm_report.chapters.lever.kinetostatics.solve.acting_forces import Loading as Loading
 from tmm_report.chapters.lever.kinetostatics.solve.acting_forces import Stated as Stated
@@ -184,17 +190,24 @@ def at(given: Loads, motion: Motion, turned: Array, loads: Stated) -> Solved:
     load = loaded(given, motion, loads)
     found = statics.solve(motion, resultants(given, motion, load))
     terms = lever_terms(given, motion, load)
-    omega = motion.state.w[motion.linkage.mechanism.driver.link]
+    omega = _turning(motion)
     power = (kinetic_power(motion) - external_power(given, motion, load)) / omega
     lever = -np.sum(terms, axis=0) / omega
     # at a change point reactions are nothing, but the powers have a limit, and so has the moment
     balancing = np.where(np.isfinite(found.balancing), found.balancing, lever)
-    scale = np.sum(np.abs(terms), axis=0) / abs(omega) + np.abs(balancing)
+    scale = np.where(np.isnan(omega), 0.0, np.sum(np.abs(terms), axis=0) / abs(omega)) + np.abs(balancing)
     # where all terms are next to nothing, rounding errors are judged by the rest of the cycle and by the energy
     # of the links, J = N m for a radian
     rest, energy = 1e-3 * _largest(scale), _largest(kinetic_energy(motion))
     scale = np.maximum(scale, np.where(energy > rest, energy, rest))
     return Solved(motion, turned, load, replace(found, balancing=balancing), terms, lever, power, scale)
+
+
+def _turning(motion: Motion) -> Array:
+    """Angular velocity of the driving link, by which powers become moments; nan where it stands still, as there they
+    say nothing of the moment."""
+    omega = motion.state.w[motion.linkage.mechanism.driver.link]
+    return omega if motion.phase is None else np.where(stands(motion), np.nan, omega)
 
 
 def _largest(values: Array) -> Array:

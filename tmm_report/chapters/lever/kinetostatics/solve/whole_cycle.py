@@ -16,7 +16,6 @@ from tmm_report.chapters.lever.kinetostatics.solve.acting_forces import Loading,
 from tmm_report.chapters.lever.kinetostatics.solve.load_breaks import breaks
 from tmm_report.chapters.lever.kinetostatics.solve.powers import lever_terms
 from tmm_report.mechanics.calculus.panels import Panels, panels
-from tmm_report.mechanics.cams.follower_laws import FULL_TURN
 from tmm_report.mechanics.lever.extremes import Peaks, peaks, refined, size_peaks
 from tmm_report.mechanics.lever.forces import reactions as statics
 from tmm_report.mechanics.lever.forces.reactions import Statics
@@ -136,7 +135,7 @@ def _without_bound(given: Loads, kinematics: Kinematics) -> bool:
     a load across it: no point of the panels falls on it, so that the force at each is finite."""
     cycle = kinematics.cycle
     places = np.array([x for one in cycle.critical for x in (*one.changes, *one.parallel)])
-    turned = np.mod(cycle.sense * (places - cycle.zero), FULL_TURN)
+    turned = cycle.turned_at(places)
     turned = cycle.repeated(turned[turned <= cycle.sweep])
     if not turned.size:
         return False

@@ -85,7 +85,7 @@ def works(found: Kinetostatics) -> Works | None:
     over, cycle = found.over, found.kinematics.cycle
     if over is None or not cycle.closed:
         return None
-    omega, given, table = float(over.motion.omega), found.given, found.table
+    omega, given, table = found.kinematics.omega, found.given, found.table
     whole = (
         powers_of(given, m, load) for m, load in ((over.motion, over.loading), (table.motion, table.loading))
     )
@@ -95,11 +95,12 @@ def works(found: Kinetostatics) -> Works | None:
         for power, there in zip(loads, at_table, strict=True)
     ]
     count = len(given.forces) + len(given.moments)
-    moment = over.balancing * cycle.sense
+    # by the angle turned, or by the phase of a law: what the driving link turns beside it
+    moment = over.balancing * over.on(over.motion.omega / abs(omega))
     return Works(
         tuple(done[:count]),
         dict(zip(over.loading.gravity, done[count:], strict=True)),
-        _work(over, moment, _signs(table.balancing * cycle.sense, moment)),
+        _work(over, moment, _signs(table.balancing * table.motion.omega / abs(omega), moment)),
         _zones(over.panels, moment),
         cycle.period / abs(omega),
     )

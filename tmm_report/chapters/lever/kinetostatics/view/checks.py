@@ -51,9 +51,14 @@ class LeverView(BookView):
     def lever_formula(self) -> Formula:
         """The balancing moment from the sum of powers, at the sample position."""
         total = self.table("powers_table").var("N_sum", self.position)
-        omega = self.found.kinematics.omega
-        link = self.found.kinematics.linkage.mechanism.driver.link
-        speed = Var(Symbol("omega", link), omega, "rad/s", ref=Ref("omega"))
+        kinematics = self.found.kinematics
+        link = kinematics.linkage.mechanism.driver.link
+        if kinematics.by_law:
+            omega = float(kinematics.table.angular_velocity(link)[self.position])
+            ref = Ref(f"w_{link}", self.position, "rates_table")
+        else:
+            omega, ref = kinematics.omega, Ref("omega")
+        speed = Var(Symbol("omega", link), omega, "rad/s", ref=ref)
         return self.table("balancing_table").formula("M_lever", self.position, -total / speed)
 
     def disagreement(self, of: str) -> Markup:

@@ -32,6 +32,11 @@ class CycleView(BookView):
         return [*self._largest(), *self._power()]
 
     @property
+    def by_law(self) -> bool:
+        """Whether the driving link moves by a law: the cycle then goes over its phase."""
+        return self.found.kinematics.by_law
+
+    @property
     def exact(self) -> bool:
         """Whether every position has forces."""
         return self.found.over is not None
@@ -80,9 +85,8 @@ class CycleView(BookView):
             for row, key in enumerate(table["key"].values)
             if key != q.BALANCING_MOMENT.key and self._speaks(row)
         ]
-        heads = [
-            self.t("Reaction"), self.t("Least value"), self.t("at φ, °"), self.t("Greatest value"), self.t("at φ, °"),
-        ]  # fmt: skip
+        at = self.t("at θ, °") if self.by_law else self.t("at φ, °")
+        heads = [self.t("Reaction"), self.t("Least value"), at, self.t("Greatest value"), at]
         return worded(caption, heads, rows, (3, 3, 3, 3, 3))
 
     def _speaks(self, row: int) -> bool:
@@ -155,8 +159,13 @@ class CycleView(BookView):
             ]
             for row, sense in enumerate(table["sense"].values)
         ]  # fmt: skip
+        from_, to = (
+            (self.t("From θ, °"), self.t("To θ, °"))
+            if self.by_law
+            else (self.t("From φ, °"), self.t("To φ, °"))
+        )
         heads = [
-            self.t("From φ, °"), self.t("To φ, °"), self.t("Balancing moment"),
+            from_, to, self.t("Balancing moment"),
             self.page.listed([self.t("Work"), self.page.unit("J")]),
         ]  # fmt: skip
         return worded(caption, heads, rows, (2, 2, 6, 2))

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from tmm_report.chapters.lever.kinematics.solve.points_and_links import along
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as q
 from tmm_report.chapters.lever.kinetostatics.solve.drawn_cycle import Array, Sampled
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
@@ -19,7 +20,7 @@ NOTHING = 1e-9  # of the largest reaction: a projection of less is none
 
 
 def graphs_of(found: Kinetostatics, at: Sampled, tr: Translator) -> CycleGraphs:
-    return CycleGraphs(at.turned, found.kinematics.numbered, tr)
+    return CycleGraphs(at.turned, found.kinematics.numbered, tr, along(found.kinematics.by_law).sign)
 
 
 def balancing_diagram(found: Kinetostatics, at: Sampled, graphs: CycleGraphs) -> Graph:

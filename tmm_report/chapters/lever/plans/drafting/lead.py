@@ -8,6 +8,7 @@ import numpy as np
 
 from tmm_report.chapters.lever.plans.drafting.branch import Line
 from tmm_report.chapters.lever.plans.drafting.sheet import Image, Sheet
+from tmm_report.mechanics.lever.vector_equations import driving_pin
 from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.text import round_significant
 from tmm_report.quantity.written import DIGITS, segment_of
@@ -20,10 +21,14 @@ def formulas(sheet: Sheet) -> tuple[Formula, ...]:
     link = mechanism.driver.link
     pivot = sheet.place(pair.name)
     points = [p for p in mechanism.links[link].points if p != pair.name]
-    if not points:
+    pin = driving_pin(sheet.linkage)
+    if pin is None:
         return _without_pin(sheet, link, pivot)
-    pin = next((p for p in points if len(mechanism.links_at(p)) > 1), points[0])
     arm = sheet.drawn(sheet.place(pin) - pivot, pair.name + pin)
+    if sheet.kind == "a" and round_significant(abs(sheet.epsilon), DIGITS) > 0:
+        own = _of_accelerated_pin(sheet, link, pin, arm)
+        sheet.images[link] = Image(0j, pivot, sheet.vertices[sheet.letter(pin)] / arm)
+        return (*own, *(point(sheet, p, link) for p in points if p != pin))
     z = 1j * sheet.omega * arm if sheet.kind == "v" else -(sheet.omega**2) * arm
     z = sheet.absolute(pin, sheet.pen.place(z / sheet.scale))
     sheet.images[link] = Image(0j, pivot, z / arm)
@@ -33,7 +38,7 @@ def formulas(sheet: Sheet) -> tuple[Formula, ...]:
 
 def _without_pin(sheet: Sheet, link: str, pivot: complex) -> tuple[Formula, ...]:
     """A driving link that only carries a guide: nothing to draw, but it turns."""
-    turn = 1j * sheet.omega if sheet.kind == "v" else -(sheet.omega**2)
+    turn = 1j * sheet.omega if sheet.kind == "v" else 1j * sheet.epsilon - sheet.omega**2
     sheet.images[link] = Image(0j, pivot, turn / sheet.scale)
     return ()
 
@@ -51,6 +56,37 @@ def _of_pin(sheet: Sheet, link: str, pin: str, ends: str) -> tuple[Formula, Form
     laid = sheet.worked.laid_off(segment_of(name), size / sheet.mu)
     sheet.segments[name] = laid.written
     return value, laid
+
+
+def _of_accelerated_pin(sheet: Sheet, link: str, pin: str, arm: complex) -> tuple[Formula, ...]:
+    """The pin's normal and tangential acceleration, the segments laid off for them, and the whole read off."""
+    pivot = sheet.linkage.structure.driver_pair.name
+    arms = sheet.linkage.mechanism.links[link].points
+    length = sheet.length(pivot + pin, float(np.abs(arms[pin] - arms[pivot])))
+    w, e = (
+        sheet.number(f"{letter}_{link}", float(round_significant(abs(rate), DIGITS)))
+        for letter, rate in (("w", sheet.omega), ("e", sheet.epsilon))
+    )
+    normal, tangential = (f"a_{pin}{pivot}_{part}" for part in "nt")
+    ends = sheet.letter_of_bend("n1")
+    z = sheet.vertices[ends] = sheet.pen.place(-(sheet.omega**2) * arm / sheet.scale)
+    sheet.stroke(0j, z, normal, "bend")
+    by_normal = sheet.write(normal, w**2 * length)
+    sheet.reference = by_normal.written
+    first = sheet.worked.laid_off(
+        segment_of(sheet.pole + ends), sheet.number(normal, by_normal.written) / sheet.mu
+    )
+    sheet.segments[sheet.pole + ends] = first.written
+    whole = sheet.pen.place(z + 1j * sheet.epsilon * arm / sheet.scale)
+    sheet.stroke(z, whole, tangential, "rate")
+    by_tangential = sheet.write(tangential, e * length)
+    name = ends + sheet.letter(pin)
+    second = sheet.worked.laid_off(
+        segment_of(name), sheet.number(tangential, by_tangential.written) / sheet.mu
+    )
+    sheet.segments[name] = second.written
+    sheet.absolute(pin, whole)
+    return by_normal, first, by_tangential, second, sheet.read_point(pin)
 
 
 # ---------------------------------------------------------------- points by similarity

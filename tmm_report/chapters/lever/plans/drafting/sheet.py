@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Literal
+from collections.abc import Callable, Mapping
+from typing import Any, Literal
 
 import numpy as np
 
@@ -72,7 +72,15 @@ class Sheet:
     @property
     def omega(self) -> float:
         """Angular velocity of the driving link, rad/s."""
-        return float(np.ravel(self.linkage.mechanism.driver.omega)[0])
+        return self._of_driver(self.motion.angular_velocity)
+
+    @property
+    def epsilon(self) -> float:
+        """Its angular acceleration, rad/s²."""
+        return self._of_driver(self.motion.angular_acceleration)
+
+    def _of_driver(self, rate: Callable[[str], Any]) -> float:
+        return float(np.ravel(rate(self.linkage.mechanism.driver.link))[0])
 
     # ------------------------------------------------------------ places of the mechanism
 
@@ -177,7 +185,9 @@ class Sheet:
     def driver_rate(self) -> None:
         """Write down the driving link's own rate: it is given, not read."""
         key = self.rate(self.linkage.mechanism.driver.link)
-        self.values[key] = float(round_significant(abs(self.omega), DIGITS)) if self.kind == "v" else 0.0
+        self.values[key] = float(
+            round_significant(abs(self.omega if self.kind == "v" else self.epsilon), DIGITS)
+        )
         self.per_mm[key] = 0.0
 
     def copy_rates(self) -> None:

@@ -6,6 +6,7 @@ import cmath
 import math
 from dataclasses import replace
 
+from tmm_report.chapters.lever.structure.block import driving
 from tmm_report.chapters.lever.structure.block import models as m
 from tmm_report.chapters.lever.structure.block.cam_build import cam
 from tmm_report.chapters.lever.structure.block.cams import CamModel
@@ -137,6 +138,9 @@ def slide(name: str, model: m.SlideModel, own: Link) -> Slide:
 
 
 def driver(model: m.DriverModel) -> Driver:
+    if model.law is not None:
+        law = driving.build(model.law)
+        return Driver(model.link, 2 * math.pi / law.period, ZeroAngle(model.law.angle), law=law)
     speed = model.speed if model.speed is not None else 2 * math.pi / (model.period or math.inf)
     if isinstance(speed, str):  # that of the drive, which puts it here before the mechanism is built for good
         speed = 1.0

@@ -4,6 +4,7 @@ built raises Wrong with the key that is wrong."""
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from itertools import pairwise
 
 from tmm_report.chapters.lever.structure.block import cams as c
@@ -37,11 +38,11 @@ def law(model: c.CamModel, swings: bool) -> Law:
         return _tabled(table, f"{wanted}s")
     if (height := getattr(model, wanted)) is None:
         raise Wrong(wanted, Message(N_("the key %(key)s is missing"), {"key": wanted}))
-    _must_fill(model)
-    return Phases(tuple(_phase(phase) for phase in model.phases), height)
+    must_fill(model.phases)
+    return Phases(tuple(phase_of(phase) for phase in model.phases), height)
 
 
-def _phase(model: c.PhaseModel) -> Phase:
+def phase_of(model: c.PhaseModel) -> Phase:
     kinds: tuple[tuple[Kind, float | None], ...] = (
         ("rise", model.rise), ("dwell", model.dwell), ("return", model.return_),
     )  # fmt: skip
@@ -49,12 +50,12 @@ def _phase(model: c.PhaseModel) -> Phase:
     return Phase(kind, angle, model.law or "")
 
 
-def _must_fill(model: c.CamModel) -> None:
+def must_fill(stated: Sequence[c.PhaseModel]) -> None:
     """The phases fill a turn, and rises and returns take turns, from the lowest position."""
-    phases = [_phase(phase) for phase in model.phases]
+    phases = [phase_of(phase) for phase in stated]
     whole = math.degrees(sum(phase.angle for phase in phases))
     if abs(whole - 360.0) > 1e-6:
-        text = N_("the phases of the cam make %(sum)s° and not 360°")
+        text = N_("the phases of the law make %(sum)s° and not 360°")
         raise Wrong("phases", Message(text, {"sum": f"{whole:.6g}"}))
     ways = [phase.kind for phase in phases if phase.kind != "dwell"]
     if ways != ["rise", "return"] * (len(ways) // 2) or not ways:

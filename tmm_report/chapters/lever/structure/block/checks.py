@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from tmm_report.chapters.lever.structure.block import build, cam_checks
+from tmm_report.chapters.lever.structure.block import build, cam_checks, driving
 from tmm_report.chapters.lever.structure.block import models as m
 from tmm_report.chapters.lever.structure.block.geometry import Circular, Geometry, mentioned
 from tmm_report.chapters.lever.structure.block.synthesised import (
@@ -348,6 +348,8 @@ def _driver(mechanism: m.MechanismModel, read: Read, known: Names) -> Found:
         yield from _driving_link(link, known, slides)
     if (driver := mechanism.driver) is None:
         return
+    if driver.law is not None:
+        yield from driving.mistakes(read)
     if driver.speed == "drive" and "drive" not in read.data:
         wrong = N_("speed: drive takes the speed of the drive's output shaft, and there is no drive")
         right = Message(N_("state the block drive, or the speed: 100 rpm"))

@@ -68,14 +68,15 @@ def _inertialess(mechanism: m.MechanismModel, read: Read) -> Iterator[Problem]:
     """A link of some length that turns with a mass and without a moment of inertia, where inertia is reckoned with.
 
     A slider's block on a moving guide is a point, and a link that slides along the frame does not turn. The driving
-    link turns evenly, unless a chapter asks how it runs.
+    link turns evenly, unless it moves by a law or a chapter asks how it runs.
     """
     if not any(key in read.data for key in _OF_INERTIA):
         return
     for name, link in mechanism.links.items():
         path = ("mechanism", "links", name)
         driving = mechanism.driver is not None and name == mechanism.driver.link
-        if driving and not any(key in read.data for key in _UNEVEN):
+        uneven = any(key in read.data for key in _UNEVEN) or (mechanism.driver and mechanism.driver.law)
+        if driving and not uneven:
             continue
         stated = written(read, (*path, "inertia")) is not None
         if link.mass and not stated and len(link.points) > 1 and not _slides_on_frame(link, mechanism):

@@ -8,6 +8,7 @@ from typing import Annotated, Any, ClassVar, Literal
 from pydantic import BeforeValidator, ConfigDict, Field, Tag, model_validator
 
 from tmm_report.chapters.lever.structure.block.cams import CamModel
+from tmm_report.chapters.lever.structure.block.driving import LawModel
 from tmm_report.mechanics.lever.stated_masses import Statement, Synthesised
 from tmm_report.problems import N_, Message, shown
 from tmm_report.quantity.units import WrongValue
@@ -267,11 +268,13 @@ DriverSpeed = Annotated[
 
 
 class DriverModel(Model):
-    """The driving link: it turns about a fixed point at constant speed."""
+    """The driving link: it turns about a fixed point at constant speed, or by a law of the time."""
 
     NOT_OFFERED: ClassVar[Mapping[str, str]] = dict.fromkeys(
-        ("acceleration", "angular_acceleration", "epsilon", "eps", "law", "phi"),
-        N_("the driving link turns at constant speed: another law of its motion is not offered"),
+        ("acceleration", "angular_acceleration", "epsilon", "eps", "phi", "harmonic", "polynomial"),
+        N_(
+            "how the driving link moves, if not uniformly, stands under law: {speed: 10 rad/s, acceleration: 5 rad/s^2}"
+        ),
     )
 
     link: Name = Field(description="the driving link", examples=["1"])
@@ -280,6 +283,7 @@ class DriverModel(Model):
         description="rad/s or rpm, negative: clockwise; drive: that of the output shaft of the drive",
     )
     period: Period | None = Field(default=None, description="the time of one turn")
+    law: LawModel | None = Field(default=None, description="its angle by the time, instead of a speed")
     rotation: Turn = Field(default="counter-clockwise", description="the sense of rotation")
     zero: ZeroModel | None = Field(default=None, description="position 0; left out, the angle 0")
     range: Range = Field(2 * math.pi, description="how far it turns")
@@ -292,9 +296,17 @@ class DriverModel(Model):
 
     @model_validator(mode="after")
     def one_speed(self) -> "DriverModel":
-        if (self.speed is None) == (self.period is None):
+        if sum(way is not None for way in (self.speed, self.period, self.law)) != 1:
             wrong = Message(N_("the speed must be stated once"))
             raise WrongValue(wrong, Message(N_("either speed: 1200 rpm or period: 0.05 s")))
+        for key in ("rotation", "zero", "range", "turns", "gear"):
+            if self.law is not None and key in self.model_fields_set:
+                wrong = Message(
+                    N_("%(key)s does not go together with a law: it says that itself"), {"key": key}
+                )
+                raise WrongValue(
+                    wrong, Message(N_("position 0 is where the law begins, and its sense is its own"))
+                )
         if isinstance(self.speed, float) and self.speed < 0 and "rotation" in self.model_fields_set:
             wrong = Message(N_("the sense of rotation is stated twice, by the minus and by rotation"))
             raise WrongValue(

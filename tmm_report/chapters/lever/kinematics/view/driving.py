@@ -1,0 +1,63 @@
+"""View of the motion of a driving link that does not turn uniformly: its law with numbers, table and diagram."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from markupsafe import Markup
+
+from tmm_report.chapters.lever.initial_data import driving_law
+from tmm_report.chapters.lever.kinematics import quantities as q
+from tmm_report.chapters.lever.kinematics.solve.analogues import TIME
+from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
+from tmm_report.figures.charts.graphs import Graph
+from tmm_report.quantity.formula import Formula, Var
+from tmm_report.report.chapter_view import BookView
+from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Table, numeric
+
+
+class DrivingView(BookView):
+    """`position`: the one of which formulas are written out."""
+
+    def __init__(self, found: Kinematics, position: int, page: Page):
+        super().__init__(page, page.once(q.book, found))
+        self.found, self.position = found, position
+        self.link = found.linkage.mechanism.driver.link
+        self.rates = f"w_{self.link}", f"e_{self.link}"
+
+    def formulas(self) -> Iterator[Formula]:
+        """Angle, angular velocity and acceleration at the position, by the law; none of a table or of phases."""
+        driver, k = self.found.linkage.mechanism.driver, self.position
+        if driver.law is None:
+            return
+        stated = {value.key: value for value in driving_law.values(driver)}
+
+        def var(key: str) -> Var:
+            value = stated[key]
+            return value.var("rad" if value.unit == "rad" else "")
+
+        time = self.table("outputs_table").var(TIME.key, k)
+        motion = driving_law.motion(driver.law, time, var)
+        if motion is None:
+            return
+        angle = q.angle(self.link)
+        yield Formula(angle.sign, motion.angle, "rad", meaning=angle.meaning)
+        for key, body in zip(self.rates, motion[1:], strict=True):
+            yield self.table("rates_table").formula(key, k, body)
+
+    def motion(self, caption: Any) -> Table:
+        """Time, angle, angular velocity and acceleration at the table positions."""
+        columns = [
+            self.column("outputs_table", TIME.key),
+            self.column("positions_table", f"phi_{self.link}"),
+            *(self.column("rates_table", key) for key in self.rates),
+        ]
+        return numeric(caption, self.page.positions(self.table("outputs_table")), columns)
+
+    def diagram(self) -> Graph:
+        return self.over_cycle("rates_diagram", self.rates, self.found.numbered)
+
+    def conclusions(self) -> list[Markup]:
+        return []

@@ -1,0 +1,187 @@
+"""The law by which the driving link moves, where it does not turn uniformly: its model and what it becomes."""
+
+import math
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import Annotated
+
+from pydantic import Field, model_validator
+
+from tmm_report.chapters.lever.structure.block import cam_laws_build
+from tmm_report.chapters.lever.structure.block.cams import PhaseAngle, PhaseModel
+from tmm_report.mechanics.calculus.motion_laws import (
+    FULL_TURN,
+    Harmonic,
+    MotionLaw,
+    Phased,
+    Polynomial,
+    Tabulated,
+    accelerated,
+    time_of,
+)
+from tmm_report.mechanics.cams.follower_laws import Phases
+from tmm_report.problems import N_, Message, Problem, mistake
+from tmm_report.quantity.units import WrongValue
+from tmm_report.variant.model import Model, Read
+from tmm_report.variant.values import Angle, Number, Period, SignedSpeed, Speed, Time, quantity
+
+AngularAcceleration = Annotated[float, quantity("angular acceleration")]
+KINDS = ("acceleration", "harmonic", "polynomial", "table", "phases")
+MOST_TURNS = 2  # in one period: the searches over it go in steps of half a degree of a turn
+LEAST = 1e-9  # rad/s and rad/s²: what is less does not move
+
+
+class HarmonicModel(Model):
+    """A harmonic of the angle about its mean motion: A sin(Ω t + α)."""
+
+    amplitude: Angle = Field(description="A", examples=["35 deg"])
+    frequency: Speed | None = Field(
+        default=None, description="Ω; left out, that of the mean speed", examples=["8 rad/s"]
+    )
+    phase: Angle = Field(default=0.0, description="α", examples=["90 deg"])
+
+    @model_validator(mode="after")
+    def moves(self) -> "HarmonicModel":
+        if abs(self.amplitude) < LEAST:
+            right = Message(N_("speed: 100 rpm instead of law"))
+            raise WrongValue(Message(N_("a harmonic without an amplitude is none")), right)
+        return self
+
+
+class LawModel(Model):
+    """The angle of the driving link by the time from position 0: one of the kinds, from `angle` on."""
+
+    angle: Angle = Field(default=0.0, description="of the driving link's x axis about which the law goes")
+    speed: SignedSpeed | None = Field(
+        default=None,
+        description="at the beginning of a constant acceleration; the mean one beside a harmonic",
+        examples=["12 rad/s"],
+    )
+    time: Period | None = Field(
+        default=None,
+        description="over which the law goes; a constant acceleration goes on for one turn where it is left out",
+        examples=["2 s"],
+    )
+    acceleration: AngularAcceleration | None = Field(default=None, description="a constant one")
+    harmonic: HarmonicModel | None = None
+    polynomial: list[Number] | None = Field(
+        default=None,
+        min_length=1,
+        max_length=12,
+        description="rad/s, rad/s², … by t, t², … over the time",
+        examples=[[0, 3, -1]],
+    )
+    table: list[tuple[Time, Angle]] | None = Field(
+        default=None, min_length=4, max_length=1000, description="times from 0 and angles, a cubic spline"
+    )
+    phases: list[PhaseModel] = Field(
+        default=[], max_length=24, description="rise, dwell and return as of a cam, over the time"
+    )
+    swing: PhaseAngle | None = Field(default=None, description="of the phases", examples=["60 deg"])
+
+    @model_validator(mode="after")
+    def one_kind(self) -> "LawModel":
+        if sum(bool(getattr(self, kind)) or getattr(self, kind) == 0.0 for kind in KINDS) != 1:
+            wrong = Message(N_("the law of the driving link is not stated in one way"))
+            right = N_(
+                "one of acceleration: 5 rad/s^2; harmonic: {amplitude: 35 deg, frequency: 8 rad/s}; polynomial; "
+                "table; phases"
+            )
+            raise WrongValue(wrong, Message(right))
+        wants = {"polynomial": "time", "phases": "time"}
+        kind = next(name for name in KINDS if getattr(self, name) not in (None, []))
+        foreign = {
+            "speed": kind not in ("acceleration", "harmonic"),
+            "time": kind in ("harmonic", "table"),
+            "swing": kind != "phases",
+        }
+        for key, alien in foreign.items():
+            if alien and getattr(self, key) is not None:
+                told = {"key": key, "kind": kind}
+                raise WrongValue(
+                    Message(N_("%(key)s is nothing of the law %(kind)s: it says it itself"), told)
+                )
+        for key in filter(None, (wants.get(kind), "swing" if kind == "phases" else None)):
+            if getattr(self, key) is None:
+                told = {"key": key, "kind": kind}
+                raise WrongValue(Message(N_("the law %(kind)s needs the key %(key)s"), told))
+        built = build(self)
+        if built.fastest < LEAST:
+            raise WrongValue(Message(N_("by this law the driving link does not move")))
+        low, high = built.reach
+        if high - low > MOST_TURNS * FULL_TURN * (1 + 1e-9):
+            wrong = Message(N_("the law goes over more than %(most)s turns"), {"most": MOST_TURNS})
+            raise WrongValue(wrong, Message(N_("state the part of it that is asked, by its time")))
+        return self
+
+
+def build(model: LawModel) -> MotionLaw:
+    """Raises WrongValue for what cannot be built."""
+    if model.acceleration is not None:
+        return _accelerated(model)
+    if model.harmonic is not None:
+        return _harmonic(model, model.harmonic)
+    if model.polynomial is not None:
+        return Polynomial((model.angle, *model.polynomial), float(model.time or 0.0))
+    if model.table is not None:
+        return _tabulated(model.table)
+    cam_laws_build.must_fill(model.phases)
+    phases = tuple(cam_laws_build.phase_of(one) for one in model.phases)
+    return Phased(Phases(phases, float(model.swing or 0.0)), model.angle, float(model.time or 0.0))
+
+
+def _accelerated(model: LawModel) -> MotionLaw:
+    speed, acceleration = model.speed or 0.0, float(model.acceleration or 0.0)
+    if abs(acceleration) < LEAST:
+        right = Message(N_("speed: 100 rpm instead of law"))
+        raise WrongValue(Message(N_("an acceleration of 0 is constant speed")), right)
+    if model.time is not None:
+        return accelerated(model.angle, speed, acceleration, model.time)
+    time = time_of(math.copysign(FULL_TURN, speed or acceleration), speed, acceleration)
+    if math.isnan(time):
+        angle = math.degrees(speed**2 / abs(acceleration) / 2)
+        stops = {"time": f"{-speed / acceleration:.6g}", "angle": f"{angle:.6g}"}
+        wrong = Message(
+            N_("the driving link stops after %(time)s s, having turned %(angle)s°: no full turn"), stops
+        )
+        raise WrongValue(wrong, Message(N_("time: %(time)s s, or shorter"), stops))
+    return accelerated(model.angle, speed, acceleration, time)
+
+
+def _harmonic(model: LawModel, own: HarmonicModel) -> MotionLaw:
+    speed = model.speed or 0.0
+    frequency = abs(speed) if own.frequency is None else own.frequency
+    if frequency < LEAST:
+        raise WrongValue(Message(N_("the harmonic needs the key %(key)s"), {"key": "frequency"}))
+    turns = speed / frequency
+    if abs(turns - round(turns)) > 1e-9:
+        wrong = Message(N_("the mean motion makes no whole number of turns in a period of the harmonic"))
+        right = Message(N_("speed: 0, the frequency, or a whole number of times the frequency"))
+        raise WrongValue(wrong, right)
+    return Harmonic(model.angle, speed, own.amplitude, frequency, own.phase)
+
+
+def _tabulated(table: list[tuple[float, float]]) -> MotionLaw:
+    times, angles = zip(*table, strict=True)
+    if times[0] != 0 or any(b <= a for a, b in pairwise(times)):
+        raise WrongValue(Message(N_("the times of the table must ascend, from 0 on")))
+    return Tabulated(tuple(times), tuple(angles))
+
+
+ONLY = (
+    "flywheel", "dynamics", "friction", "reduction", "harmonics", "methods", "method", "wear", "balancing", "engine",
+)  # fmt: skip
+"""What reckons with a driving link that turns uniformly."""
+
+
+def mistakes(read: Read) -> Iterator[Problem]:
+    """What does not go together with a law of the driving link."""
+    right = Message(N_("leave one of the two out: with speed the driving link turns uniformly"))
+    for key in ONLY:
+        if key in read.data and read.data[key] not in (None, False):
+            text = N_("%(key)s reckons with a uniformly turning driving link, and a law is stated")
+            yield mistake(text, (key,), right, key=key)
+    mechanism = read.data["mechanism"]
+    if mechanism.get("cams"):
+        text = N_("%(key)s reckons with a uniformly turning driving link, and a law is stated")
+        yield mistake(text, ("mechanism", "cams"), right, key="cams")
