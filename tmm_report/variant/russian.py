@@ -142,6 +142,7 @@ _KEYS = {
     "components": "проекции",
     "stroke": "ход",
     "by_angle": "по углу",
+    "by_time": "по времени",
     "by_position": "по положениям",
     "by_displacement": "по перемещению",
     "piston_diameter": "диаметр поршня",

@@ -17,8 +17,7 @@ loads:
   moments: [{on: 2, direction: clockwise, constant: 1}]
 """
 SLIPS = {
-    "mechanism.driver.acceleration": ("speed: 1}", "speed: 1, acceleration: 2}", "another law of its motion"),
-    "mechanism.driver.law": ("speed: 1}", "speed: 1, law: sine}", "another law of its motion is not offered"),
+    "mechanism.driver.acceleration": ("speed: 1}", "speed: 1, acceleration: 2}", "if not uniformly, stands under law"),
     "mechanism.driver.link": ("link: 1,", "link: 3,", "a driving slider or cylinder is not offered"),
     "mechanism.wheels": ("  assembly:", "  wheels: {1: {teeth: 20}}\n  assembly:", "stages of the block drive"),
     "mechanism.racks": ("  assembly:", "  racks: {}\n  assembly:", "stages of the block drive"),
@@ -27,8 +26,7 @@ SLIPS = {
     "mechanism.links.3.teeth": ("slides: x", "slides: x, teeth: 20", "driver.gear"),
     "loads.springs": ("loads:\n", "loads:\n  springs: []\n", "by_displacement"),
     "loads.dampers": ("loads:\n", "loads:\n  dampers: []\n", "against motion"),
-    "loads.forces.0.by_time": ("left, constant: 1", "left, by_time: [[0, 1]]", "by_angle"),
-    "loads.moments.0.by_velocity": ("clockwise, constant: 1", "clockwise, by_velocity: [[0, 1]]", "by_angle"),
+    "loads.moments.0.by_velocity": ("clockwise, constant: 1", "clockwise, by_velocity: [[0, 1]]", "by the speed"),
     "find": ("loads:\n", "find: {unknown: {}}\nloads:\n", "asking backwards is not offered"),
     "gears": ("loads:\n", "gears: [20, 40]\nloads:\n", "stages of the block drive"),
 }  # fmt: skip

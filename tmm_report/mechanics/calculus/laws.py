@@ -281,6 +281,15 @@ class ByTime(Lines):
     times: Numbers
     values: Numbers
 
+    @classmethod
+    def through(cls, points: Iterable[Sequence[float]]) -> ByTime:
+        times, values = zip(*points, strict=True)
+        return cls(times, values)
+
+    def by_angle(self, omega: float) -> ByAngle:
+        """The same over the angle turned at a constant speed, rad/s."""
+        return ByAngle(tuple(time * omega for time in self.times), self.values)
+
     def points(self) -> tuple[Numbers, Numbers]:
         return self.times, self.values
 

@@ -85,6 +85,10 @@ class MotionLaw:
         t = np.union1d(np.linspace(0.0, self.period, SAMPLES + 1), np.array(self.breaks))
         return t, self.at(t)
 
+    def _crossings(self, level: Array, low: Array, high: Array, starts: Array) -> Array:
+        """Times between `low` and `high` at which it comes to the `level`, below or above which it is at `low`."""
+        return bracketed(lambda t: self.at(t)[0] - level, low, high, starts, np.zeros(1))[0]
+
     def when(self, angles: Sequence[float] | Array) -> Array:
         """Phases, ascending, rad, at which the link makes one of some angles, or that but for whole turns."""
         t = np.union1d(self._sampled[0], self.stops)
@@ -96,15 +100,7 @@ class MotionLaw:
             k = np.flatnonzero(on[:-1] != on[1:])
             level = angle + FULL_TURN * np.maximum(on[k], on[k + 1])
             if k.size:
-                found.append(
-                    bracketed(
-                        lambda x, level=level: self.at(x)[0] - level,
-                        t[k],
-                        t[k + 1],
-                        q[k] - level,
-                        np.zeros(1),
-                    )[0]
-                )
+                found.append(self._crossings(level, t[k], t[k + 1], q[k] - level))
             found.append(t[:1][np.abs(turns[:1] - np.round(turns[:1])) < SAME])
         times = np.concatenate(found) if found else np.zeros(0)
         phases = times * (FULL_TURN / self.period)
@@ -113,17 +109,19 @@ class MotionLaw:
 
 @dataclass(frozen=True, eq=False)
 class Harmonic(MotionLaw):
-    """q₀ + v t + A sin(Ω t + α): rad, rad/s, rad, rad/s, rad. Its period is that of the harmonic."""
+    """q₀ + v t + A sin(Ω t + α): rad, rad/s, rad, rad/s, rad. Its period is that of the harmonic, or so many `times`
+    that as bring a whole number of turns."""
 
     start: float
     speed: float
     amplitude: float
     frequency: float
     lead: float = 0.0
+    times: int = 1
 
     @property
     def period(self) -> float:  # type: ignore[override]
-        return FULL_TURN / self.frequency
+        return self.times * FULL_TURN / self.frequency
 
     def at(self, t: Array) -> Three:
         x, size = self.frequency * t + self.lead, self.amplitude

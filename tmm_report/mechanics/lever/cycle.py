@@ -212,7 +212,7 @@ def _law_goes(law: MotionLaw, critical: Sequence[Critical]) -> None:
         of = {"group": one.group.group.label}
         if one.run is not None:
             text = N_(
-                "group %(group)s is above class II: its motion is found of a uniformly turning driving link alone"
+                "group %(group)s is above class II: it is followed with a uniformly turning driving link alone"
             )
             raise ProblemError([mistake(text, path, Message(N_("state a speed")), **of)])
         if law.when(one.changes).size:

@@ -13,6 +13,7 @@ from tmm_report.mechanics.calculus.laws import (
     ByDisplacement,
     ByPosition,
     ByStrokes,
+    ByTime,
     Constant,
     Curve,
     Law,
@@ -42,6 +43,9 @@ if TYPE_CHECKING:
         StrokeForces,
         StrokeMoments,
         StrokePressures,
+        TimeForces,
+        TimeMoments,
+        TimePressures,
         Turning,
         by_shape,
     )
@@ -58,9 +62,8 @@ _BY_POSITION = (
     "one value for each position of the table; of a cycle of full turns without the last position, which is the first "
     "again"
 )
-OTHER_LAW = N_(
-    "a load by the time or the speed is not offered: at constant speed a time is an angle of turn, by_angle"
-)
+OTHER_LAW = N_("a load by the speed is not offered: a constant one along or against the motion is")
+_BY_TIME = "[[time from position 0, value], ...] over the whole cycle"
 _ENDS = "the first and the last part of the stroke in which it is nothing"
 _FIRST = (
     "the stroke that is under way at position 0, or begins there; left out, the first of the strokes or, where the "
@@ -184,6 +187,7 @@ LAWS: Mapping[str, Callable[[Any], Law]] = {
     "components": lambda parts: Constant(abs(complex(*parts))),
     "by_position": lambda values: ByPosition(tuple(values)),
     "by_angle": ByAngle.through,
+    "by_time": ByTime.through,
     "by_displacement": lambda diagram: diagram.law,
 }
 """The keys of which a load has one, and what is stated there as a law."""
@@ -221,9 +225,7 @@ class Force(ByOneLaw):
     """A force on a named point."""
 
     LETTER: ClassVar = "F"  # of those without a name
-    NOT_OFFERED: ClassVar[Mapping[str, str]] = dict.fromkeys(
-        ("by_time", "by_velocity", "by_speed"), OTHER_LAW
-    )
+    NOT_OFFERED: ClassVar[Mapping[str, str]] = dict.fromkeys(("by_velocity", "by_speed"), OTHER_LAW)
 
     _: KW_ONLY
     name: Annotated[Label | None, Field(description="for the tables; left out, F1, F2, …")] = None
@@ -241,6 +243,7 @@ class Force(ByOneLaw):
     by_angle: Annotated[
         AngleForces | None, Field(description="[[angle of turn, force], ...] over the whole cycle")
     ] = None
+    by_time: Annotated[TimeForces | None, Field(description=_BY_TIME)] = None
     by_displacement: (
         Annotated[
             Annotated[Diagram, Tag("<ways>")] | Annotated[StrokesDiagram, Tag("<strokes>")],
@@ -260,7 +263,7 @@ class Vector(Force):
     """A constant force on a named point by its components."""
 
     NOT_STATED: ClassVar[tuple[str, ...]] = (
-        "direction", "constant", "by_position", "by_angle", "by_displacement",
+        "direction", "constant", "by_position", "by_angle", "by_time", "by_displacement",
     )  # fmt: skip
     NOT_OFFERED: ClassVar[Mapping[str, str]] = dict.fromkeys(
         NOT_STATED, N_("the components state the force and its direction")
@@ -290,6 +293,7 @@ class Piston(Force):
     by_angle: Annotated[
         AnglePressures | None, Field(description="[[angle of turn, pressure], ...] over the whole cycle")
     ] = None
+    by_time: Annotated[TimePressures | None, Field(description=_BY_TIME)] = None
     by_displacement: (
         Annotated[
             Annotated[PressureDiagram, Tag("<ways>")] | Annotated[PressureStrokesDiagram, Tag("<strokes>")],
@@ -308,9 +312,7 @@ class Moment(ByOneLaw):
     """A moment on a link."""
 
     LETTER: ClassVar = "M"
-    NOT_OFFERED: ClassVar[Mapping[str, str]] = dict.fromkeys(
-        ("by_time", "by_velocity", "by_speed"), OTHER_LAW
-    )
+    NOT_OFFERED: ClassVar[Mapping[str, str]] = dict.fromkeys(("by_velocity", "by_speed"), OTHER_LAW)
 
     _: KW_ONLY
     name: Annotated[Label | None, Field(description="for the tables; left out, M1, M2, …")] = None
@@ -324,6 +326,7 @@ class Moment(ByOneLaw):
     by_angle: Annotated[
         AngleMoments | None, Field(description="[[angle of turn, moment], ...] over the whole cycle")
     ] = None
+    by_time: Annotated[TimeMoments | None, Field(description=_BY_TIME)] = None
     by_displacement: Annotated[
         Swing | None, Field(description="against the part of the swing of the link")
     ] = None

@@ -19,6 +19,7 @@ from tmm_report.variant.model import Read
 from tmm_report.yamlread import Path
 
 TURN = 2 * math.pi
+BEYOND = 1e-4  # of the cycle: a time of its end that is rounded
 
 
 def check(written: LoadsModel, read: Read) -> Iterator[Problem]:
@@ -32,6 +33,7 @@ def check(written: LoadsModel, read: Read) -> Iterator[Problem]:
                     force.direction.link, ("loads", "forces", index, "direction", "link"), known
                 )
             yield from _one_each(force, ("loads", "forces", index), read)
+            yield from _over_its_time(force, ("loads", "forces", index), read)
             yield from _over_the_cycle(force, ("loads", "forces", index), read)
             yield from _strokes(force, ("loads", "forces", index), read)
             yield from _whole_strokes(force, ("loads", "forces", index))
@@ -39,6 +41,7 @@ def check(written: LoadsModel, read: Read) -> Iterator[Problem]:
         if moment:
             yield from _turned(moment.on, ("loads", "moments", index, "on"), known)
             yield from _one_each(moment, ("loads", "moments", index), read)
+            yield from _over_its_time(moment, ("loads", "moments", index), read)
             yield from _over_the_cycle(moment, ("loads", "moments", index), read)
             yield from _whole_strokes(moment, ("loads", "moments", index))
 
@@ -137,6 +140,31 @@ def _over_the_cycle(load: Force | Moment, path: Path, read: Read) -> Iterator[Pr
         yield from not_all_round(values, (*path, "by_angle"), turns * TURN)
     elif driver is not None:
         yield from not_to_the_end(values, (*path, "by_angle"), driver.range, math.radians(1))
+
+
+def _over_its_time(load: Force | Moment, path: Path, read: Read) -> Iterator[Problem]:
+    """Times within the cycle, and not those of a part of it alone."""
+    driver = read.block(structure.Block).mechanism.driver
+    if load.by_time is None or driver is None or driver.speed == "drive":
+        return
+    built, path = structure.driver(driver), (*path, "by_time")
+    if "dynamics" in read.data:
+        text = N_(
+            "a load by the time has no place in dynamics, where the driving link comes to a position at any time"
+        )
+        yield mistake(text, path, Message(N_("by_angle, or without the block dynamics")))
+        return
+    period = built.sweep * built.turns / abs(built.omega)
+    for index, (time, _) in enumerate(load.by_time):
+        if time > period * (1 + BEYOND):
+            text = N_("%(value)s is beyond the cycle, which takes %(time)s s")
+            here = (*path, index, 0)
+            yield mistake(text, here, value=shown(_written(read, here)), time=f"{period:.6g}")
+            return
+    if built.law.returns if built.law else built.sweep >= TURN - 1e-12:
+        yield from not_all_round(load.by_time, path, period, "s")
+    else:
+        yield from not_to_the_end(load.by_time, path, period)
 
 
 def _whole_strokes(load: Force | Moment, path: Path) -> Iterator[Problem]:

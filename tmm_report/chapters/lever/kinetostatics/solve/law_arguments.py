@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from tmm_report.chapters.lever.kinetostatics.given import Force, Moment
 from tmm_report.chapters.lever.kinetostatics.solve.coordinates import coordinate
 from tmm_report.chapters.lever.kinetostatics.solve.indicator_strokes import travelled, under_way
-from tmm_report.mechanics.calculus.laws import ByPosition, Diagram, Law
+from tmm_report.mechanics.calculus.laws import ByPosition, ByTime, Diagram, Law
 from tmm_report.mechanics.lever.motion import Motion
 
 if TYPE_CHECKING:
@@ -43,4 +43,6 @@ def over_cycle(law: Law, kinematics: Kinematics) -> Law:
     cycle = kinematics.cycle
     if isinstance(law, ByPosition):
         law = law.by_angle(cycle.period / kinematics.positions.table)
+    if isinstance(law, ByTime):
+        law = law.by_angle(abs(kinematics.omega))
     return law.repeating(cycle.period) if cycle.closed else law

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator
+from fractions import Fraction
 from itertools import pairwise
 from typing import Annotated
 
@@ -26,8 +27,9 @@ from tmm_report.variant.model import Model, Read
 from tmm_report.variant.values import Angle, Number, Period, SignedSpeed, Speed, Time, quantity
 
 AngularAcceleration = Annotated[float, quantity("angular acceleration")]
-KINDS = ("acceleration", "harmonic", "polynomial", "table", "phases")
+KINDS = ("acceleration", "harmonic", "polynomial", "angles", "phases")
 MOST_TURNS = 2  # in one period: the searches over it go in steps of half a degree of a turn
+MOST_PERIODS = 6  # of a harmonic, in which the driving link makes whole turns
 LEAST = 1e-9  # rad/s and rad/s²: what is less does not move
 
 
@@ -71,7 +73,7 @@ class LawModel(Model):
         description="rad/s, rad/s², … by t, t², … over the time",
         examples=[[0, 3, -1]],
     )
-    table: list[tuple[Time, Angle]] | None = Field(
+    angles: list[tuple[Time, Angle]] | None = Field(
         default=None, min_length=4, max_length=1000, description="times from 0 and angles, a cubic spline"
     )
     phases: list[PhaseModel] = Field(
@@ -85,14 +87,14 @@ class LawModel(Model):
             wrong = Message(N_("the law of the driving link is not stated in one way"))
             right = N_(
                 "one of acceleration: 5 rad/s^2; harmonic: {amplitude: 35 deg, frequency: 8 rad/s}; polynomial; "
-                "table; phases"
+                "angles; phases"
             )
             raise WrongValue(wrong, Message(right))
         wants = {"polynomial": "time", "phases": "time"}
         kind = next(name for name in KINDS if getattr(self, name) not in (None, []))
         foreign = {
             "speed": kind not in ("acceleration", "harmonic"),
-            "time": kind in ("harmonic", "table"),
+            "time": kind in ("harmonic", "angles"),
             "swing": kind != "phases",
         }
         for key, alien in foreign.items():
@@ -123,8 +125,8 @@ def build(model: LawModel) -> MotionLaw:
         return _harmonic(model, model.harmonic)
     if model.polynomial is not None:
         return Polynomial((model.angle, *model.polynomial), float(model.time or 0.0))
-    if model.table is not None:
-        return _tabulated(model.table)
+    if model.angles is not None:
+        return _tabulated(model.angles)
     cam_laws_build.must_fill(model.phases)
     phases = tuple(cam_laws_build.phase_of(one) for one in model.phases)
     return Phased(Phases(phases, float(model.swing or 0.0)), model.angle, float(model.time or 0.0))
@@ -154,17 +156,20 @@ def _harmonic(model: LawModel, own: HarmonicModel) -> MotionLaw:
     if frequency < LEAST:
         raise WrongValue(Message(N_("the harmonic needs the key %(key)s"), {"key": "frequency"}))
     turns = speed / frequency
-    if abs(turns - round(turns)) > 1e-9:
-        wrong = Message(N_("the mean motion makes no whole number of turns in a period of the harmonic"))
-        right = Message(N_("speed: 0, the frequency, or a whole number of times the frequency"))
-        raise WrongValue(wrong, right)
-    return Harmonic(model.angle, speed, own.amplitude, frequency, own.phase)
+    ratio = Fraction(turns).limit_denominator(MOST_PERIODS)
+    if abs(turns - ratio) > 1e-9 * max(abs(turns), 1.0):
+        wrong = Message(
+            N_("the mean motion makes no whole number of turns in 1 … %(most)s periods of the harmonic"),
+            {"most": MOST_PERIODS},
+        )
+        raise WrongValue(wrong, Message(N_("speed: 0, or the frequency a whole number of times the speed")))
+    return Harmonic(model.angle, speed, own.amplitude, frequency, own.phase, ratio.denominator)
 
 
-def _tabulated(table: list[tuple[float, float]]) -> MotionLaw:
-    times, angles = zip(*table, strict=True)
+def _tabulated(stated: list[tuple[float, float]]) -> MotionLaw:
+    times, angles = zip(*stated, strict=True)
     if times[0] != 0 or any(b <= a for a, b in pairwise(times)):
-        raise WrongValue(Message(N_("the times of the table must ascend, from 0 on")))
+        raise WrongValue(Message(N_("the times of the angles must ascend, from 0 on")))
     return Tabulated(tuple(times), tuple(angles))
 
 
