@@ -30,12 +30,21 @@ ALL_FILES = sorted(Path(__file__).parents[1].joinpath("variants").glob("*.yaml")
 LEVERS = [path for path in ALL_FILES if "\nmechanism:" in path.read_text("utf-8")]  # others have gears alone
 # a cam's law is no length, so that it cannot be renamed, scaled or turned as linkages are: it has tests of its own
 FILES = [path for path in LEVERS if "\n  cams:" not in path.read_text("utf-8")]
+STATEMENTS = [
+    Path(__file__).parent / f"{name}.yaml"
+    for name in ("statements/uneven_crank", "cases/explain/law_rocker", "cases/explain/law_accelerated")
+]
+"""Mechanisms whose driving link moves by a law: no ready variant has one, and their notes are read as those are."""
 every_variant = pytest.fixture(params=[path.stem for path in FILES])
+
+
+def path_of(name: str) -> Path:
+    return next(path for path in (*ALL_FILES, *STATEMENTS) if path.stem == name)
 
 
 @cache
 def read(name: str) -> course.Variant:
-    return load(next(path for path in ALL_FILES if path.stem == name))
+    return load(path_of(name))
 
 
 @cache

@@ -42,6 +42,8 @@ CASES = [
     *sorted(STATED_SO.glob("machine/crash_*.yaml")),
     TESTS / "statements" / "jaw_crusher_from_swing.yaml",
     TESTS / "statements" / "dwell_from_arc.yaml",
+    TESTS / "statements" / "rocker_by_law.yaml",
+    TESTS / "statements" / "uneven_crank.yaml",
 ]
 """With numbers that no ready variant has."""
 POSITION = 2

@@ -77,3 +77,13 @@ def table_of(document: dict[str, Any], name: str) -> dict[str, np.ndarray]:
 
 def value_of(document: dict[str, Any], key: str) -> float:
     return next(entry["value"] for entry in document["values"] if entry["key"] == key)
+
+
+def by_law(document: dict[str, Any]) -> bool:
+    """Whether the driving link moves by a law of the time: no angular velocity of it is stated."""
+    return any(entry["key"] == "law_time" for entry in document["values"])
+
+
+def driving_speed(document: dict[str, Any], k: int | slice) -> Any:
+    """Angular velocity of the driving link, called 1 where it moves by a law, at table positions, rad/s."""
+    return table_of(document, "rates_table")["w_1"][k] if by_law(document) else value_of(document, "omega")

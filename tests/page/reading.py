@@ -11,7 +11,7 @@ from functools import cache
 from typing import Any
 from unittest.mock import patch
 
-from conftest import FILES, solved
+from conftest import FILES, STATEMENTS, solved
 from conftest import LEVERS as MECHANISMS
 from conftest import read as variant
 from exhaustive import many
@@ -23,10 +23,11 @@ from tmm_report import render
 from tmm_report.figures.drawing import Drawing
 from tmm_report.report.formats import Tex
 
-CHOSEN = [name for name in NAMES if name in os.environ.get("PAGE_VARIANTS", " ".join(NAMES)).split()]
+READ = [*NAMES, *(path.stem for path in STATEMENTS)]
+CHOSEN = [name for name in READ if name in os.environ.get("PAGE_VARIANTS", " ".join(READ)).split()]
 ENGLISH = [name for name in ("compressor", "press", "hoist_drive", "eccentric") if name in CHOSEN]
-LEVERS = [path.stem for path in MECHANISMS if path.stem in CHOSEN]
-LINKAGES = [path.stem for path in FILES if path.stem in CHOSEN]
+LEVERS = [path.stem for path in (*MECHANISMS, *STATEMENTS) if path.stem in CHOSEN]
+LINKAGES = [path.stem for path in (*FILES, *STATEMENTS) if path.stem in CHOSEN]
 """Those of links of constant lengths: a link that replaces a cam pair is another one in every position."""
 
 

@@ -14,8 +14,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import yaml
+from conftest import path_of
 from note import Note
-from notes import VARIANTS
 from pages import BALANCING, by_positions, columns, rows_of, table_of
 
 
@@ -48,7 +48,7 @@ class Scheme:
 
 
 def scheme(name: str) -> Scheme:
-    data = yaml.safe_load((VARIANTS / f"{name}.yaml").read_text("utf-8"))
+    data = yaml.safe_load(path_of(name).read_text("utf-8"))
     links = {str(key): link for key, link in data["mechanism"]["links"].items()}
     points = {key: [str(p) for p in link["points"]] for key, link in links.items()}
     sliding = {}

@@ -110,7 +110,7 @@ def test_mechanics_imports_numpy_alone_but_where_it_integrates_and_is_judged():
         names = {one for one in inside if library in {x.split(".")[0] for x in arrows()[one]}}
         return {name.removeprefix("tmm_report.mechanics.") for name in names}
 
-    assert knowing("scipy") == {"calculus.ode", "rivals.motion.library"}
+    assert knowing("scipy") == {"calculus.motion_laws", "calculus.ode", "rivals.motion.library"}
     assert knowing("mpmath") == {"rivals.exact.numbers"}
 
 

@@ -66,6 +66,8 @@ def graphs(note: Note, own: bool = False) -> Iterator[tuple[str, list[Curve]]]:
 
 def column(curve: Curve, caption: str, document: dict[str, Any]) -> tuple[str, str]:
     """Which table of the results a curve over the cycle shows, and which column."""
+    if letter_of_driver(curve, caption):
+        return "rates", f"{'w' if curve.axis.letter[0] == 'ω' else 'e'}_{curve.axis.letter[1:]}"
     if curve.axis.letter in MOTION:
         return "outputs", f"{MOTION[curve.axis.letter]}_{caption.split()[-1]}"
     if curve.axis.letter in ANALOGUES:
@@ -77,6 +79,11 @@ def column(curve: Curve, caption: str, document: dict[str, Any]) -> tuple[str, s
     if letter[0] == "M":  # a stated moment by its symbol: M3 is M_3, its key M_3,1
         return "stated", next(key for key, sign in signs(document).items() if sign == letter)
     return "stated", f"P_{letter[1:]}"  # a stated force by its point
+
+
+def letter_of_driver(curve: Curve, caption: str) -> bool:
+    """Whether a curve shows a rate of a driving link that moves by a law."""
+    return curve.axis.letter[0] in "ωε" and ("driving link" in caption or "начального звена" in caption)
 
 
 def signs(document: dict[str, Any]) -> dict[str, str]:

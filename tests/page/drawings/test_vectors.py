@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from captions import figures, position_of
 from note import text_of
+from pages import driving_speed
 from reading import LEVERS, html, results, wrong
 from statics import Scheme, scheme
 from vectors import Vector, Vectors, forces, near, off, rates, vectors, written
@@ -153,7 +154,7 @@ def acts_at(key: str, drawn: Scheme) -> str:
 def wrong_lever(document: dict[str, Any], drawn: Vectors, of: Scheme, k: int, scale: float) -> Iterator[str]:
     """The plan of velocities turned by 90° against the crank, at its scale; forces as they act, at their points."""
     speeds, loads, pole = rates(document, k), forces(document, k), drawn.poles[0]
-    turn = -1j * np.sign(next(v for v in document["values"] if v["key"] == "omega")["value"])
+    turn = -1j * np.sign(driving_speed(document, k))
     for vector in drawn.shown:
         if vector.key[0] == "v":
             yield off(vector, scale, turn * speeds[vector.key])

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 from captions import figures
-from notes import VARIANTS
+from conftest import path_of
 from reading import CHOSEN, html, results
 from vectors import vectors
 
@@ -18,7 +18,7 @@ CLOSE = 1e-9
 
 
 def stating(key: str) -> list[str]:
-    return [name for name in CHOSEN if f"\n{key}:" in (VARIANTS / f"{name}.yaml").read_text("utf-8")]
+    return [name for name in CHOSEN if f"\n{key}:" in path_of(name).read_text("utf-8")]
 
 
 ROTORS, ENGINES = stating("rotor"), stating("engine")

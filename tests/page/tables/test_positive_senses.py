@@ -10,10 +10,13 @@ from typing import Any
 import numpy as np
 import pytest
 from note import Note
-from pages import table_of, value_of
+from pages import by_law, table_of, value_of
 from reading import LEVERS, html, results, wrong
 
 SPINS = re.compile(r"(вращается|turns) .*ω_")
+LAW = re.compile(
+    r"движется вокруг неподвижной точки .* по закону времени|moves about .* by a law of the time"
+)
 CLOCKWISE = ("по часовой стрелке", " clockwise")
 COUNTER = ("против часовой стрелки", "counter-clockwise")
 RIGHT_ANGLES = {"вправо": 0, "to the right": 0, "влево": 180, "to the left": 180, "вверх": 90, "upwards": 90}
@@ -23,7 +26,11 @@ AGAINST, ALONG = ("против", "against"), ("по движению", "по в
 
 
 def wrong_driver(note: Note, document: dict[str, Any]) -> Iterator[str]:
-    """The sense of the driving link's rotation as said, and as its angles change."""
+    """The sense of the driving link's rotation as said, and as its angles change; of one that moves by a law that."""
+    if by_law(document):
+        if not any(LAW.search(line) for line in note.words):
+            yield "the law of the driving link is not told"
+        return
     said = next(line for line in note.words if SPINS.search(line))
     counter = any(words in said for words in COUNTER)
     phi = table_of(document, "positions_table")[f"phi_{driver(said)}"]
@@ -141,6 +148,6 @@ def test_strokes_and_their_times(name):
 def test_angle_of_position_0(name):
     document = results(name)
     phi = table_of(document, "positions_table")
-    said = next(line for line in html(name).words if SPINS.search(line))
-    difference = math.radians(value_of(document, "phi_0")) - phi[f"phi_{driver(said)}"][0]
+    link = "1" if by_law(document) else driver(next(line for line in html(name).words if SPINS.search(line)))
+    difference = math.radians(value_of(document, "phi_0")) - phi[f"phi_{link}"][0]
     assert abs(math.remainder(difference, 2 * math.pi)) < 1e-6

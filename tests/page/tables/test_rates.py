@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 from note import Note
-from pages import Series, columns, table_of, value_of
+from pages import Series, by_law, columns, table_of, value_of
 from reading import LEVERS, LINKAGES, html, results, wrong
 
 CHAINS = [("S", "V", "a"), ("ψ", "ω", "ε")]
@@ -48,7 +48,11 @@ def step_and_closed(document: dict[str, Any], table: str) -> tuple[float, bool]:
     phi = table_of(document, table)["phi"]
     turned = abs(math.remainder(phi[1] - phi[0], 2 * math.pi))
     count = len(phi) - 1
-    return turned / abs(value_of(document, "omega")), math.isclose(count * turned, 2 * math.pi, rel_tol=1e-9)
+    closed = math.isclose(count * turned, 2 * math.pi, rel_tol=1e-9)
+    if not by_law(document):
+        return turned / abs(value_of(document, "omega")), closed
+    ends = table_of(document, "rates_table")["w_1"][[0, -1]]
+    return value_of(document, "law_time") / count, closed and math.isclose(*ends, rel_tol=1e-9, abs_tol=1e-9)
 
 
 def wrong_outputs(note: Note, document: dict[str, Any]) -> Iterator[str]:

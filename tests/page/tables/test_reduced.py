@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from notes import VARIANTS
+from conftest import path_of
 from pages import table_of
 from reading import LEVERS, results, wrong
 from statics import scheme
 
 CLOSE = 1e-9  # of the largest value of a column
-REDUCED = [name for name in LEVERS if "\nreduction: true" in (VARIANTS / f"{name}.yaml").read_text("utf-8")]
+REDUCED = [name for name in LEVERS if "\nreduction: true" in path_of(name).read_text("utf-8")]
 
 
 def differ(name: str, one: np.ndarray, other: np.ndarray, close: float = CLOSE) -> Iterator[str]:

@@ -9,15 +9,15 @@ from typing import Any
 
 import numpy as np
 import pytest
+from conftest import path_of
 from curves import Curve, curves, is_graph
 from note import Note, text_of
-from notes import VARIANTS
 from pages import table_of, value_of
 from printed import unit
 from reading import LEVERS, html, results, wrong
 
 CLOSE = 1e-9
-STATES = {name: (VARIANTS / f"{name}.yaml").read_text("utf-8") for name in LEVERS}
+STATES = {name: path_of(name).read_text("utf-8") for name in LEVERS}
 BALANCED = [name for name, text in STATES.items() if "\nbalancing:" in text]
 HARMONIC = [name for name, text in STATES.items() if "\nharmonics:" in text]
 

@@ -381,7 +381,7 @@ def told(text: str) -> str:
         (engine(B="by_angle: [[0, 1], [360 deg, 1]]"), "by_angle",
          "the law ends within the first turn, the cycle has 2 turns, 720 deg; state it to the end of the cycle"),
         (engine(B="piston_diameter: 100 mm"), "loads.forces.0",
-         "must be stated by one law; exactly one of: constant, by_position, by_angle, by_displacement"),
+         "must be stated by one law; exactly one of: constant, by_position, by_angle, by_time, by_displacement"),
         (engine(B="piston_diameter: 100 mm\n      by_angle: [[0, 1 N], [700 deg, 1]]"), "by_angle.0.1",
          "1 N is a force (N); expected: a pressure (Pa)"),
         (engine(B="by_position: [1, 2]"), "by_position", "2 values, 24 positions"),

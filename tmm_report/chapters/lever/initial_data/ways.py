@@ -12,6 +12,10 @@ SPEED = N_(
     "By what the variant states of the driving link: its speed, its time of a turn, or the "
     "drive that turns it."
 )
+LAW_TIME = N_(
+    "Stated; of a harmonic its period, or so many of them as make whole turns; of a constant acceleration for which no "
+    "time is stated, that of one turn."
+)
 
 WAYS = (
     Way(
@@ -23,6 +27,8 @@ WAYS = (
     Way("masses.l_about", LENGTH, of="about mass_centre"),
     Way("T_turn turns", STATED),
     Way("omega", SPEED, of="n_1 T_turn drive_omega_out"),
+    Way("law_time", LAW_TIME, of="law_frequency law_speed law_acceleration"),
+    Way("law_*", STATED),
     Way("phi_cycle", by=lambda q: 2 * PI * q("turns")),
     Way("T_cycle", by=lambda q: q("phi_cycle") / abs(q("omega"))),
     Way("drawn_*", DRAWN, by=lambda q: q("dimensions:l_{0}.length") / q("mu_l")),

@@ -59,7 +59,12 @@ def tables(found: Kinematics) -> Iterator[Table]:
         yield Table(
             f"outputs_{name}",
             OUTPUTS,
-            (*at, analogues.time(found, turned), *_outputs(found, name == "diagram")),
+            (
+                *at,
+                analogues.time(found, turned),
+                *analogues.by_law(found, turned),
+                *_outputs(found, name == "diagram"),
+            ),
         )
         yield Table(f"positions_{name}", PLACES, (*at, *places(motion)))
         yield Table(f"rates_{name}", RATES, (*at, *rated(quantities, values)))

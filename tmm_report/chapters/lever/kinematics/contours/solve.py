@@ -79,7 +79,7 @@ def _driver(bench: Bench) -> set[str]:
     driver, pair = bench.mechanism.driver.link, bench.linkage.structure.driver_pair
     angle = bench.of_table("positions_table", q.angle(driver), np.angle(bench.motion.turn(driver)))
     bench.poses[driver] = Pose(
-        bench.spot(pair.name), complex(pair.at[driver]), angle, 0.0, bench.w(driver), None
+        bench.spot(pair.name), complex(pair.at[driver]), angle, 0.0, bench.w(driver), bench.e(driver)
     )
     joints = [p for p in bench.mechanism.links[driver].points if len(bench.mechanism.links_at(p)) > 1]
     carried = {cam.centre for cam in bench.mechanism.cams}  # these move on the cam

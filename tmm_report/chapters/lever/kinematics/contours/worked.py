@@ -131,8 +131,9 @@ class Bench:
         return self.of_table("rates_table", q.link_rate("w", link), self.found.values[f"w_{link}"])
 
     def e(self, link: str) -> Var | None:
-        """Angular acceleration; None, too, of the driving link, which turns evenly."""
-        if link not in self.turning or link == self.mechanism.driver.link:
+        """Angular acceleration; None, too, of a driving link that turns evenly."""
+        driver = self.mechanism.driver
+        if link not in self.turning or (link == driver.link and driver.law is None):
             return None
         return self.of_table("rates_table", q.link_rate("e", link), self.found.values[f"e_{link}"])
 

@@ -64,6 +64,20 @@ def tables(found: Kinematics) -> Iterator[Table]:
         yield Table(f"analogues_{name}", ANALOGUES, (*at, time(found, turned), *columns))
 
 
+LAW_ANGLE = Quantity(
+    "phi_law", Symbol("phi"), "deg", Message(N_("angle of the driving link by its law, from the x axis"))
+)
+
+
+def by_law(found: Kinematics, turned: Array) -> tuple[Column, ...]:
+    """The angle of a driving link that moves by a law, without jumps of a turn; nothing of another."""
+    if not found.by_law:
+        return ()
+    link = found.linkage.mechanism.driver.link
+    own = replace(LAW_ANGLE, symbol=Symbol("phi", link))
+    return (replace(own.column(np.degrees(found.cycle.phi(turned))), asked=False),)
+
+
 def time(found: Kinematics, turned: Array) -> Column:
     """Time at which the driving link has turned so far, s."""
     return replace(TIME.column(turned / abs(found.omega)), asked=False)

@@ -9,7 +9,7 @@ from markupsafe import Markup
 
 from tmm_report.chapters.lever.initial_data import driving_law
 from tmm_report.chapters.lever.kinematics import quantities as q
-from tmm_report.chapters.lever.kinematics.solve.analogues import TIME
+from tmm_report.chapters.lever.kinematics.solve.analogues import LAW_ANGLE, TIME
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
 from tmm_report.figures.charts.graphs import Graph
 from tmm_report.quantity.formula import Formula, Var
@@ -42,8 +42,7 @@ class DrivingView(BookView):
         motion = driving_law.motion(driver.law, time, var)
         if motion is None:
             return
-        angle = q.angle(self.link)
-        yield Formula(angle.sign, motion.angle, "rad", meaning=angle.meaning)
+        yield self.table("outputs_table").formula(LAW_ANGLE.key, k, motion.angle, "rad")
         for key, body in zip(self.rates, motion[1:], strict=True):
             yield self.table("rates_table").formula(key, k, body)
 
@@ -51,7 +50,7 @@ class DrivingView(BookView):
         """Time, angle, angular velocity and acceleration at the table positions."""
         columns = [
             self.column("outputs_table", TIME.key),
-            self.column("positions_table", f"phi_{self.link}"),
+            self.column("outputs_table", LAW_ANGLE.key),
             *(self.column("rates_table", key) for key in self.rates),
         ]
         return numeric(caption, self.page.positions(self.table("outputs_table")), columns)
