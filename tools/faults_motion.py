@@ -27,7 +27,10 @@ EDGES = (
 )
 TURNS = ("tests/chapters/lever/kinematics/test_cycle_of_turns.py",)
 
-LAW_OF_TIME, INITIAL = "tmm_report/mechanics/calculus/motion_laws.py", "tmm_report/chapters/lever/initial_data/"
+LAW_OF_TIME, INITIAL = (
+    "tmm_report/mechanics/calculus/motion_laws.py",
+    "tmm_report/chapters/lever/initial_data/",
+)
 PLANS = "tmm_report/chapters/lever/plans/"
 MOTION_LAWS = ("tests/mechanics/calculus/test_motion_laws.py",)
 DRIVING = ("tests/chapters/lever/kinematics/test_driving_law.py",)

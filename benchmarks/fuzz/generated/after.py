@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
+from benchmarks.fuzz.generated import driving
 from benchmarks.fuzz.generated.rules import RUBBING
 
 Made = dict[str, Any]
@@ -111,6 +112,11 @@ def _loading(made: Made, walk: Any) -> Made:
         count, whole = len(made["by_angle"]), 360 * names.turns
         points = [[f"{whole * k / count:.6g} deg", one[1]] for k, one in enumerate(made["by_angle"])]
         made["by_angle"] = [*points, [f"{whole} deg", points[0][1]]]
+    if "by_time" in made:
+        first, *others = made["by_time"]
+        zero = f"0 {str(first[1]).partition(' ')[2]}".strip()
+        middle = [[f"{0.02 * (k + 1):.3g} s", one[1]] for k, one in enumerate(others[:5])]
+        made["by_time"] = [["0 s", zero], *middle, [f"{0.02 * (len(middle) + 1):.3g} s", zero]]
     if "by_displacement" in made:
         if not names.axes or (names.partial and walk.random.random() < 0.9):
             made.pop("by_displacement")
@@ -469,6 +475,7 @@ AFTER: Mapping[str, Callable[[Made, Any], Made]] = {
     "StrokesDiagram": _strokes,
     "PressureStrokesDiagram": _strokes,
     "FrictionModel": _joints,
+    "LawModel": driving.law,
     "Punch": _ordered("time", "period"),
     "Coast": _ordered("speed", "begin"),
     "Flywheel": _flywheel,

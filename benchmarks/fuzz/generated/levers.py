@@ -265,6 +265,8 @@ def mechanism(walk: Walk) -> tuple[Data, Names]:
             driver["zero"] = _zero(data, axes, random)
         if kept is not None and key == "range" and "turns" not in driver and random.random() < 0.4:
             driver["range"] = f"{random.uniform(30, 300):.4g} deg"
+    if "law" in driver:
+        driver = _by_law(driver, data, random)
     data["driver"] = driver | data["driver"]
     if driver.get("turns", 1) > 1:
         data["driver"].pop("range", None)
@@ -272,8 +274,18 @@ def mechanism(walk: Walk) -> tuple[Data, Names]:
         data["sketch"] = {"A": [0, "50 mm"], "B": ["200 mm", "50 mm"]}
         data.pop("assembly", None)
     names = _names(data, axes)
-    names.turns, names.partial = data["driver"].get("turns", 1), "range" in data["driver"]
+    law = data["driver"].get("law", {})
+    ends = law.get("angles", [["", "0 deg"]])[-1][1]
+    open_ended = "acceleration" in law or "polynomial" in law or ends == "140 deg"
+    names.turns, names.partial = data["driver"].get("turns", 1), "range" in data["driver"] or open_ended
     return data, names
+
+
+def _by_law(driver: Data, data: Data, random: Random) -> Data:
+    """A law in place of a speed, and of what it says itself; a cam or a part of a turn has none."""
+    if "cams" in data or "range" in data["driver"] or random.random() < 0.1:
+        return {key: one for key, one in driver.items() if key != "law"} | {"speed": "90 rpm"}
+    return {"law": driver["law"]}
 
 
 def _massive(name: str, link: Data, walk: Walk) -> None:

@@ -29,9 +29,10 @@ ONE: Mapping[str, Sequence[Keys]] = {
     "Synthesis": [
         ("slider_crank", "crank_rocker", "slotted_link", "turning_guide", "function", "dwell", "body")
     ],
-    "Force": [("constant", "by_position", "by_angle", "by_displacement")],
-    "Piston": [("constant", "by_position", "by_angle", "by_displacement")],
-    "kinetostatics.Moment": [("constant", "by_position", "by_angle", "by_displacement")],
+    "Force": [("constant", "by_position", "by_angle", "by_time", "by_displacement")],
+    "Piston": [("constant", "by_position", "by_angle", "by_time", "by_displacement")],
+    "kinetostatics.Moment": [("constant", "by_position", "by_angle", "by_time", "by_displacement")],
+    "LawModel": [("acceleration", "harmonic", "polynomial", "angles", "phases")],
     "MotorModel": [("constant", "shunt", "series", "induction", "by_speed", "by_angle", "by_time")],
     "ResistanceModel": [("friction", "viscous", "fan", "by_speed", "by_angle", "by_time")],
     "Engine": [("cylinders", "inline", "vee", "opposed", "radial")],
@@ -39,7 +40,7 @@ ONE: Mapping[str, Sequence[Keys]] = {
     "Plane": [("radius", "mass")],
     "EfficiencyModel": [("series", "parallel"), ("input", "output")],
     "PlanetaryModel": [("fixed", "second")],
-    "DriverModel": [("speed", "period")],
+    "DriverModel": [("speed", "period", "law")],
     "Linear": [("force", "unbalance", "base")],
     "Choose": [("spring", "balls", "sleeve")],
     "Turning": [("moment", "base")],
@@ -135,7 +136,7 @@ APART: Mapping[str, Sequence[tuple[str, Keys]]] = {
     ],
     "rotor.Body": [("tilt", ("products",))],
     **{
-        name: [(law, ("stroke",)) for law in ("by_position", "by_angle", "by_displacement")]
+        name: [(law, ("stroke",)) for law in ("by_position", "by_angle", "by_time", "by_displacement")]
         for name in ("Force", "kinetostatics.Moment")
     },
     "Screw": [("arm", ("hand_force",))],

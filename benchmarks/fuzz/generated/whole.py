@@ -40,6 +40,10 @@ BESIDE = (
     "vibration",
     "synthesis",
 )
+UNIFORM = (
+    "dynamics", "flywheel", "friction", "reduction", "harmonics", "methods", "method", "accuracy", "balancing", "wear",
+)  # fmt: skip
+"""What reckons with a driving link that turns uniformly."""
 MARKS = ("language", "decimal_sign", "title")
 SLOW = {"methods": 0.05, "method": 0.25, "readings": 0.3, "drive": 0.6, "eccentric": 0.7}
 """How often what is dear, or breaks much else, is left where chance put it."""
@@ -129,6 +133,9 @@ def _agreed(data: dict[str, Any]) -> None:
         if not loads.get("forces") and not loads.get("moments"):
             pairs = [["0 deg", "4 N*m"], ["120 deg", "30 N*m"], ["360 deg", "4 N*m"]]
             loads["moments"] = [{"on": "1", "direction": "against motion", "by_angle": pairs}]
+    if "law" in data["mechanism"]["driver"]:
+        for name in UNIFORM:
+            data.pop(name, None)
     if "range" in data["mechanism"]["driver"]:
         for name in ("dynamics", "flywheel", "harmonics", "balancing", "wear"):
             data.pop(name, None)
