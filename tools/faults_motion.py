@@ -67,7 +67,7 @@ FAULTS = (
           "z + 1j * sheet.epsilon * arm / sheet.scale", "z - 1j * sheet.epsilon * arm / sheet.scale", "law_rocker"),
     Fault("the pin's normal acceleration written by the first power", PLANS + "drafting/lead.py",
           "by_normal = sheet.write(normal, w**2 * length)", "by_normal = sheet.write(normal, w * length)",
-          "law_rocker"),
+          "law_rocker", DRIVING),
     Fault("analogues without the angular acceleration", KIN + "view/motion.py",
           "second * own**2 + first * epsilon", "second * own**2", "law_rocker"),
     Fault("analogues of a law by its own speed", KIN + "solve/analogues.py",

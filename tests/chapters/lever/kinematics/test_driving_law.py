@@ -127,6 +127,8 @@ def test_plans_show_both_parts_of_the_pins_acceleration(law):
         e = found(law).kinematics.table.angular_acceleration("1")[drawn.position]
         assert ("a_AO_t" in values) == (abs(e) > 1e-9)
         if "a_AO_t" in values:
+            w = found(law).kinematics.table.angular_velocity("1")[drawn.position]
+            assert values["a_AO_n"].graph == pytest.approx(w**2 * 0.1, rel=1e-3)
             assert values["a_AO_t"].graph == pytest.approx(abs(e) * 0.1, rel=1e-3)
 
 
