@@ -109,7 +109,13 @@ def topology(given: LeverGiven) -> Hashable:
     """What variants that are solved together have in common: all but the numbers, and of these whether they are 0 or
     equal, as an arm of no length is left out of the reckoning."""
     positions = given.positions
-    return positions.table, positions.diagram, _of_mechanism(given.mechanism), _of_loads(given)
+    return (
+        positions.table,
+        positions.diagram,
+        positions.instants,
+        _of_mechanism(given.mechanism),
+        _of_loads(given),
+    )
 
 
 def _of_mechanism(mechanism: Mechanism) -> Hashable:

@@ -213,7 +213,7 @@ def test_one_changed_cell_is_one_difference_there(column, data):
     row = data.draw(st.integers(0, len(column) - 1))
     other = [*column]
     other[row] = column[row] + 1.0 + abs(column[row])
-    (one,) = found({"R": column}, {"R": other}, Tolerances(Tolerance(1e-9, 1e-9)))
+    (one,) = found({"R": column}, {"R": other}, Tolerances(Tolerance(1e-12, 1e-12)))
     assert one.row == str(row) and one.size == pytest.approx(1.0 + abs(column[row]))
 
 

@@ -1,5 +1,6 @@
 """The blocks `positions` and `allow_partial` of a variant."""
 
+import math
 from collections.abc import Iterator
 from typing import Annotated, Literal, TypedDict
 
@@ -8,6 +9,8 @@ from pydantic import Field, Tag
 from tmm_report.chapters.lever.kinematics.given import Positions
 from tmm_report.chapters.lever.structure import block as structure
 from tmm_report.problems import N_, Message, Problem, mistake
+from tmm_report.quantity import units
+from tmm_report.quantity.units import WrongValue
 from tmm_report.variant import model
 from tmm_report.variant.model import Model, Read
 from tmm_report.variant.values import (
@@ -16,6 +19,7 @@ from tmm_report.variant.values import (
     DiagramCount,
     Flag,
     Position,
+    Reads,
     TableCount,
     by_shape,
 )
@@ -26,6 +30,24 @@ TABLE, DIAGRAM = 12, 36  # positions a turn, where they are not stated
 Some = Annotated[
     Annotated[Position, Tag(SCALAR)] | Annotated[list[Position], Field(min_length=1), Tag(LIST)],
     by_shape(N_("a position, or a list of positions")),
+]
+
+
+def _instant(value: object) -> tuple[float, bool]:
+    """An angle turned, rad, or a time, s, and whether it is a time."""
+    for dimension, timed in (
+        (("time", True), ("angle", False)) if isinstance(value, str) else (("angle", False),)
+    ):
+        try:
+            return units.parse(value, dimension), timed
+        except WrongValue as error:
+            wrong = error.wrong
+    raise WrongValue(wrong, Message(N_("40 deg, an angle turned, or 0.05 s, a time")))
+
+
+Instant = Annotated[
+    tuple[float, bool],
+    Reads(_instant, {"type": ["number", "string"], "examples": ["40 deg", "0.05 s"]}),
 ]
 
 
@@ -42,6 +64,12 @@ class PositionsModel(Model):
         default=None, description="table positions whose plans are drawn", examples=["[1, 7]"]
     )
     force_plan: Some | None = Field(default=None, description="table positions whose force plan is drawn")
+    at: list[Instant] = Field(
+        default=[],
+        max_length=60,
+        description="more positions, by the angle turned from position 0 or by the time",
+        examples=[["40 deg", "100 deg"], ["0.05 s"]],
+    )
 
 
 class Block(model.Block):
@@ -63,7 +91,8 @@ def given(read: Read) -> Given:
     written, turns = read.block(Block).positions, turns_of(read)
     table, diagram = written.table or TABLE * turns, written.diagram or DIAGRAM * turns
     plans = _once(written.plans) or (1, table // turns // 2 + 1)
-    positions = Positions(table, diagram, plans, _once(written.force_plan) or plans[-1:])
+    drawn = _once(written.force_plan) or plans[-1:]
+    positions = Positions(table, diagram, plans, drawn, tuple(dict.fromkeys(written.at)))
     return {"positions": positions, "allow_partial": read.block(Block).allow_partial}
 
 
@@ -84,6 +113,28 @@ def mistakes(read: Read) -> Iterator[Problem]:
             text = N_("%(count)s positions are not divided equally among %(turns)s turns of the driving link")
             right = Message(N_("for example, %(example)s"), {"example": count + turns - count % turns})
             yield mistake(text, ("positions", key), right, count=count, turns=turns)
+    yield from _beyond_the_cycle(written, read)
+
+
+def _beyond_the_cycle(written: PositionsModel, read: Read) -> Iterator[Problem]:
+    """Instants that the cycle has not; of a speed that the drive gives only angles are judged."""
+    driver = read.block(structure.Block).mechanism.driver
+    if driver is None or not written.at:
+        return
+    built = structure.driver(driver)
+    whole = built.sweep * built.turns
+    for index, (value, timed) in enumerate(written.at):
+        path = ("positions", "at", index)
+        if built.law is not None and not timed:
+            text = N_("the driving link moves by a law: its positions are stated by the time")
+            yield mistake(text, path, Message(N_("for example, %(example)s"), {"example": "0.05 s"}))
+        elif timed and driver.speed == "drive":
+            text = N_("the speed is that of the drive: positions are stated by the angle")
+            yield mistake(text, path, Message(N_("for example, %(example)s"), {"example": "40 deg"}))
+        elif not 0 <= (value * abs(built.omega) if timed else value) <= whole * (1 + 1e-6):
+            text = N_("it is beyond the cycle, from 0 to %(angle)s° or %(time)s s")
+            angle, time = f"{math.degrees(whole):.6g}", f"{whole / abs(built.omega):.6g}"
+            yield mistake(text, path, angle=angle, time=time)
 
 
 def doubts(read: Read) -> Iterator[Problem]:

@@ -15,6 +15,8 @@ class Positions:
     diagram: int = 36
     plans: tuple[int, ...] = (1,)
     force_plan: tuple[int, ...] = (1,)
+    instants: tuple[tuple[float, bool], ...] = ()
+    """Beside the table: angles turned from position 0, rad, or (True) times, s."""
 
 
 @dataclass(frozen=True)

@@ -23,7 +23,10 @@ from tmm_report.chapters.lever.kinematics.solve.points_and_links import point_ra
 from tmm_report.chapters.lever.kinematics.solve.points_and_links import rates as rates
 from tmm_report.chapters.lever.kinematics.solve.points_and_links import where as where
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics, Output, Travel
+from tmm_report.chapters.lever.kinematics.solve.swings import first
 from tmm_report.mechanics.lever.cycle import Extreme
+from tmm_report.mechanics.lever.motion import Motion
+from tmm_report.mechanics.lever.vector_equations import named_values
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, kept, plain, text_column
 from tmm_report.quantity.symbols import Symbol
@@ -36,6 +39,9 @@ OUTPUTS = Message(
     N_("displacement, velocity and acceleration of the output links, angles of the other driven links")
 )
 PLACES = Message(N_("places of points, angles of links, nearness of singular positions"))
+OUTPUTS_AT = Message(N_("motion of the output links and driven links at the instants asked for"))
+PLACES_AT = Message(N_("places of points and angles of links at the instants asked for"))
+RATES_AT = Message(N_("velocities and accelerations at the instants asked for"))
 RATES = Message(N_("velocities, accelerations and angular rates"))
 METHOD = Message(N_("the method of the table and diagram positions, and its errors"))
 SPECIAL = Message(N_("positions nearest to singular ones, singular positions, dead points"))
@@ -68,11 +74,35 @@ def tables(found: Kinematics) -> Iterator[Table]:
         )
         yield Table(f"positions_{name}", PLACES, (*at, *places(motion)))
         yield Table(f"rates_{name}", RATES, (*at, *rated(quantities, values)))
+    if found.asked is not None:
+        yield from _at_instants(found, found.asked)
     yield Table("special", SPECIAL, _special(found))
     yield from analogues.tables(found)
     yield from contours.tables(found)
     if found.choice is not None:
         yield Table("method", METHOD, _method(found.choice))
+
+
+def _at_instants(found: Kinematics, motion: Motion) -> Iterator[Table]:
+    """The same at the instants that the variant asks for: motion of the outputs, places and rates."""
+    turned = found.instants
+    at = (along(found.by_law).column(np.degrees(turned)), analogues.time(found, turned))
+    outputs = [one for travel in (*found.travels, *found.links) for one in _there(found, travel, motion)]
+    columns = (*at, *analogues.by_law(found, turned), *outputs)
+    yield Table("outputs_at", OUTPUTS_AT, tuple(replace(one, asked=False) for one in columns))
+    yield Table("positions_at", PLACES_AT, (*at, *(replace(one, asked=False) for one in places(motion))))
+    rated_there = rated(rates(found.linkage), named_values(motion))
+    yield Table("rates_at", RATES_AT, (*at, *(replace(one, asked=False) for one in rated_there)))
+
+
+def _there(found: Kinematics, travel: Travel, motion: Motion) -> Iterator[Column]:
+    """Displacement of a slider from position 0, velocity, acceleration; angles of links stand with the places."""
+    S, V, a = travel.output.rates(motion)
+    displacement, velocity, acceleration = motion_of(travel.output)
+    if travel.output.kind == "slider":
+        yield displacement.column(S - first(travel.output.coordinate(found.table)))
+    yield velocity.column(V)
+    yield acceleration.column(a)
 
 
 def _method(choice: Choice) -> tuple[Column, ...]:

@@ -14,7 +14,7 @@ import numpy as np
 from tmm_report.chapters.lever.kinematics.checks.closure import all_closed
 from tmm_report.chapters.lever.kinematics.checks.singular import Closest, Dead, nearest, sine_of, told
 from tmm_report.chapters.lever.kinematics.given import Positions
-from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics, steps
+from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics, steps, turned_at
 from tmm_report.chapters.lever.kinematics.solve.strokes import Output, driven, outputs, pointed, travel
 from tmm_report.chapters.lever.structure.solve import Structure
 from tmm_report.mechanics.calculus.variants import Each, one, together
@@ -104,7 +104,7 @@ def _solve(
     for v, (travels, near, dead) in enumerate(searched):
         own = Kinematics(
             linkages[v], each[v], positions, turned, tables[v], diagram_turned, diagrams[v], travels[:count],
-            (), (), (),
+            (), (), (), (), None, turned_at(positions, each[v]),
         )  # fmt: skip
         # what it would find out of itself when it is asked
         vars(own).update(

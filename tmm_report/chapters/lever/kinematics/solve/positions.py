@@ -56,11 +56,17 @@ class Kinematics:
     missing: tuple[int, ...]  # table positions in which the mechanism cannot be assembled
     unclosed: tuple[Gap, ...] = ()  # positions that were solved, but whose joints do not close
     choice: Choice | None = None  # the method of the positions, where the variant states one
+    instants: Array = ()  # angles turned at which the variant asks for the motion beside the positions, rad
 
     @property
     def numbered(self) -> int:
         """How many positions are numbered under a diagram over the cycle: none where it is not closed."""
         return self.positions.table if self.cycle.closed else 0
+
+    @cached_property
+    def asked(self) -> Motion | None:
+        """The motion at the instants; None without any."""
+        return self.cycle.motion(self.instants) if len(self.instants) else None
 
     @cached_property
     def values(self) -> Mapping[str, Array]:
@@ -175,8 +181,14 @@ def solve(positions: Positions, structure: Structure, way: Way | None = None) ->
     return Kinematics(
         cycle.linkage, cycle, positions, turned, table, diagram_turned, diagram, motions,
         _numbers(flat & table.closes), _numbers(undefined & table.closes), _numbers(~table.closes),
-        tuple(opened), choice,
+        tuple(opened), choice, turned_at(positions, cycle),
     )  # fmt: skip
+
+
+def turned_at(positions: Positions, cycle: Cycle) -> Array:
+    """Angles turned at the instants that are asked for, rad."""
+    omega = abs(float(cycle.linkage.mechanism.driver.omega))
+    return np.array([value * omega if timed else value for value, timed in positions.instants])
 
 
 def _chosen(way: Way | None, cycle: Cycle, positions: Positions) -> Choice | None:

@@ -11,7 +11,7 @@ from markupsafe import Markup
 from tmm_report.chapters.lever.initial_data.quantities import speed
 from tmm_report.chapters.lever.kinematics import quantities as q
 from tmm_report.chapters.lever.kinematics.checks.open_cycle import Gap
-from tmm_report.chapters.lever.kinematics.solve.analogues import analogues_of
+from tmm_report.chapters.lever.kinematics.solve.analogues import LAW_ANGLE, analogues_of
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics, Output, Travel
 from tmm_report.chapters.lever.kinematics.solve.strokes import carried
 from tmm_report.chapters.lever.kinematics.solve.working_stroke import Working
@@ -111,6 +111,17 @@ class MotionView(BookView):
     def travels(self, caption: Any) -> Table:
         """φ, t, and S, V, a of the outputs at the table positions."""
         return self._packed(caption, "outputs_table", q.motion_of, self.found.travels, ["phi", "t"])
+
+    def instants(self, caption: Any) -> Table:
+        """Motion of the outputs and the driven links at the instants that are asked for."""
+        name = "outputs_at"
+        keys = [
+            [one.key for one in q.motion_of(travel.output)]
+            for travel in (*self.found.travels, *self.found.links)
+        ]
+        groups = [[self.column(name, key) for key in own if key in self.table(name)] for own in keys]
+        lead = [self.column(name, key) for key in ("t", LAW_ANGLE.key) if key in self.table(name)]
+        return packed(caption, self.column(name, "phi"), lead, groups)
 
     def _packed(
         self,

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tmm_report.chapters.lever.kinematics.quantities import where
+from tmm_report.chapters.lever.kinematics.solve.analogues import time
+from tmm_report.chapters.lever.kinematics.solve.points_and_links import along
 from tmm_report.chapters.lever.kinetostatics.given import Carried
 from tmm_report.chapters.lever.kinetostatics.quantities import cam_pressure as pressing_quantities
 from tmm_report.chapters.lever.kinetostatics.quantities import cycle
@@ -39,6 +41,9 @@ Array = Any
 GIVEN = Message(N_("the stated loads: what they act on and their directions"))
 STATED = Message(N_("the stated loads along their stated directions; negative: against them"))
 LOADS = Message(N_("loads: weights, inertia forces and couples, stated forces and moments"))
+LOADS_AT = Message(N_("loads at the instants asked for"))
+REACTIONS_AT = Message(N_("reactions at the instants asked for"))
+BALANCING_AT = Message(N_("balancing moment at the instants asked for"))
 REACTIONS = Message(N_("reactions in all pairs"))
 BALANCING = Message(N_("balancing moment by groups, by Zhukovsky's lever and by power balance"))
 POWERS = Message(N_("powers of the loads"))
@@ -190,12 +195,26 @@ def tables(found: Kinetostatics) -> Iterator[Table]:
         yield Table(f"loads_{name}", LOADS, (*at, *_loads(found, solved)))
         yield Table(f"reactions_{name}", REACTIONS, (*at, *_reactions(solved)))
         yield Table(f"balancing_{name}", BALANCING, (*at, *_balancing(solved)))
+    if found.asked is not None:
+        yield from _at_instants(found, found.asked)
     yield from gear_quantities.tables(found)
     yield from pressing_quantities.tables(found, found.pressings)
     if found.over is not None:
         yield cycle.extremes_table(peaks_of(found.over))
     if found.works is not None:
         yield from cycle.works_tables(found.works, named_works(found, found.works))
+
+
+def _at_instants(found: Kinetostatics, solved: Solved) -> Iterator[Table]:
+    """Loads, reactions and the balancing moment at the instants that the variant asks for."""
+    kinematics = found.kinematics
+    where_ = (along(kinematics.by_law).column(np.degrees(solved.turned)), time(kinematics, solved.turned))
+    for name, meaning, columns in (
+        ("loads_at", LOADS_AT, _loads(found, solved)),
+        ("reactions_at", REACTIONS_AT, _reactions(solved)),
+        ("balancing_at", BALANCING_AT, _balancing(solved)),
+    ):
+        yield Table(name, meaning, (*where_, *(replace(one, asked=False) for one in columns)))
 
 
 def _stated(found: Kinetostatics) -> Table:

@@ -92,6 +92,15 @@ class Kinetostatics:
     table: Solved
     diagram: Solved
 
+    @cached_property
+    def asked(self) -> Solved | None:
+        """Forces at the instants that the variant asks for; None without any."""
+        motion, turned = self.kinematics.asked, self.kinematics.instants
+        if motion is None:
+            return None
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return at(self.given, motion, turned, stated(self.given, self.kinematics, motion, turned))
+
     @property
     def positions(self) -> int:
         """How many table positions have loads of their own: position N of a closed cycle repeats position 0."""

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from markupsafe import Markup
 
+from tmm_report.chapters.lever.kinematics.view.motion import packed
 from tmm_report.chapters.lever.kinetostatics.given import Carried
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as q
 from tmm_report.chapters.lever.kinetostatics.quantities.strokes import WORDS
@@ -192,6 +193,12 @@ class KinetostaticsView(BookView):
 
     def reactions(self, caption: Any) -> Table:
         return self._of_pairs(caption, [q.reaction(*pair).key for pair in self._pairs()])
+
+    def instants(self, caption: Any) -> Table:
+        """Balancing moment and reactions at the instants that are asked for."""
+        balancing = [self.column("balancing_at", key) for key in ("phi", "t", q.BY_GROUPS.key)]
+        of_pairs = [self.column("reactions_at", q.reaction(*pair).key) for pair in self._pairs()]
+        return packed(caption, balancing[0], balancing[1:], [[one] for one in of_pairs])
 
     def directions(self, caption: Any) -> Table:
         """Angles of the reactions with the x axis, degrees; none where there is no force."""
