@@ -29,6 +29,7 @@ SPECIAL = N_(
 OUTPUT = N_("The coordinate of the output less that in position 0.")
 PSI = N_("The angle of the link less that in position 0, followed without jumps of a turn.")
 TURNS = N_("The rate of the link that it turns with.")
+INSTANT = N_("The instant that the variant asks for, by the angle turned or by the time.")
 AT = N_("As at the positions of the table, at the instant that the variant asks for.")
 LAW = N_("The law of the driving link at this time.")
 ZERO = N_("Stated, or the angle at which the output that is named is in its extreme position.")
@@ -96,7 +97,9 @@ WAYS = (
     Way("positions_table.phi_*", CONTOURS, of="phi contours.phi_* x_* y_*"),
     Way("rates_table.*", RATES, worked=rate, of="phi omega law_*", beside=True),
     Way("outputs_table.t analogues_table.t", by=_time),
-    Way("outputs_at.* positions_at.* rates_at.*", AT),
+    Way("outputs_at.phi positions_at.phi rates_at.phi", INSTANT, of="t"),
+    Way("outputs_at.t positions_at.t rates_at.t", INSTANT, of="phi"),
+    Way("outputs_at.* positions_at.* rates_at.*", AT, of="phi t"),
     Way("outputs_table.phi_law", LAW, of="law_* t"),
     Way("outputs_table.S_*", by=_shift),
     Way("outputs_table.psi_*", PSI, of="positions_table.phi_{0}"),

@@ -26,6 +26,7 @@ LAW = N_(
     "By the law of the load that the variant states, at the angle turned; straight lines "
     "between stated points."
 )
+INSTANT = N_("The instant that the variant asks for, by the angle turned or by the time.")
 AT = N_("As at the positions of the table, at the instant that the variant asks for.")
 POWER = N_(
     "The force by the velocity of its point along it, or the moment by the angular velocity of its link."
@@ -201,7 +202,9 @@ WAYS = (
         "loads_given.* force_extremes.key force_extremes.unit works.load *.sense strokes.stroke strokes.load",
         NAME,
     ),
-    Way("loads_at.* reactions_at.* balancing_at.*", AT),
+    Way("loads_at.phi reactions_at.phi balancing_at.phi", INSTANT, of="t"),
+    Way("loads_at.t reactions_at.t balancing_at.t", INSTANT, of="phi"),
+    Way("loads_at.* reactions_at.* balancing_at.*", AT, of="phi t"),
     Way("stated_table.*", LAW, of="phi", by=_by_law),
     Way("loads_table.G_*_x", by=_weight_part("x")),
     Way("loads_table.G_*_y", by=_weight_part("y")),
