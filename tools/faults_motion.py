@@ -33,6 +33,8 @@ LAW_OF_TIME, INITIAL = (
 )
 PLANS = "tmm_report/chapters/lever/plans/"
 MOTION_LAWS = ("tests/mechanics/calculus/test_motion_laws.py",)
+PARTS = ("tests/chapters/lever/kinetostatics/test_parts_of_the_greatest.py",)
+INSTANTS = ("tests/chapters/lever/kinematics/test_instants.py",)
 DRIVING = ("tests/chapters/lever/kinematics/test_driving_law.py",)
 
 FAULTS = (
@@ -101,6 +103,19 @@ FAULTS = (
     Fault("a rocker said to turn round", INITIAL + "view.py", "swings = isinstance(law, Harmonic) and not law.speed",
           "swings = isinstance(law, Harmonic) and law.speed", "law_rocker",
           ("tests/chapters/lever/kinematics/test_driving_page.py",)),
+    Fault("parts of a greatest value taken for values", STATICS + "given.py",
+          "return law if self.of is None else law.scaled(self.of)", "return law", "uneven_crank", PARTS),
+    Fault("a shared curve with its ways exchanged", STATICS + "given.py",
+          "return Diagram(self.zero, curve.forward, curve.back, self.of)",
+          "return Diagram(self.zero, curve.back, curve.forward, self.of)", "uneven_crank", PARTS),
+    Fault("a shared curve of moments with its ways exchanged", STATICS + "given.py",
+          "return Swing(self.zero, curve.forward, curve.back, self.of)",
+          "return Swing(self.zero, curve.back, curve.forward, self.of)", "uneven_crank", PARTS),
+    Fault("instants by the time at half the speed", KIN + "solve/positions.py",
+          "value * omega if timed else value for value", "value * omega / 2 if timed else value for value",
+          "uneven_crank", INSTANTS),
+    Fault("displacements at instants from nought", KIN + "quantities.py",
+          "S - first(travel.output.coordinate(found.table))", "S", "uneven_crank", INSTANTS),
     Fault("loads by the time at half the speed", STATICS + "solve/law_arguments.py",
           "law = law.by_angle(abs(kinematics.omega))", "law = law.by_angle(abs(kinematics.omega) / 2)",
           "uneven_crank", ("tests/chapters/lever/kinetostatics/test_loads_by_time.py",)),

@@ -361,6 +361,7 @@ TimeMoments = Annotated[list[tuple[Time, MomentValue]], *_CURVE]
 TimePressures = Annotated[list[tuple[Time, Pressure]], *_CURVE]
 StrokeForces = Annotated[list[tuple[Coefficient, ForceValue]], *_CURVE]
 StrokeMoments = Annotated[list[tuple[Coefficient, MomentValue]], *_CURVE]
+StrokeParts = Annotated[list[tuple[Coefficient, Number]], *_CURVE]
 StrokePressures = Annotated[list[tuple[Coefficient, Pressure]], *_CURVE]
 
 _TO = "right, left, up, down or an angle"

@@ -42,6 +42,7 @@ if TYPE_CHECKING:
         Side,
         StrokeForces,
         StrokeMoments,
+        StrokeParts,
         StrokePressures,
         TimeForces,
         TimeMoments,
@@ -65,23 +66,41 @@ _BY_POSITION = (
 OTHER_LAW = N_("a load by the speed is not offered: a constant one along or against the motion is")
 _BY_TIME = "[[time from position 0, value], ...] over the whole cycle"
 _ENDS = "the first and the last part of the stroke in which it is nothing"
+_OF = "the greatest value, of which the others are parts; left out, they are values themselves"
 _FIRST = (
     "the stroke that is under way at position 0, or begins there; left out, the first of the strokes or, where the "
     "point goes to the zero there, the last"
 )
 
 
+class OfGreatest:
+    """What may be stated in parts of a greatest value."""
+
+    zero: Any
+    forward: Any
+    back: Any
+    of: Any
+
+    def __post_init__(self) -> None:
+        values = [abs(value) for _, value in (*self.forward, *self.back)]
+        if self.of is not None and max(values) > 1 + 1e-9:
+            wrong = Message(N_("with the key of the values are parts of the greatest one, at most 1"))
+            raise WrongValue(wrong, Message(N_("0.8, or without of: the values with their unit")))
+
+    @property
+    def law(self) -> Law:
+        law = ByDisplacement(complex(self.zero), tuple(self.forward), tuple(self.back))
+        return law if self.of is None else law.scaled(self.of)
+
+
 @dataclass(frozen=True)
-class Diagram:
+class Diagram(OfGreatest):
     """An indicator diagram: force against the fraction of the stroke."""
 
     zero: Annotated[Side, Field(description=_ZERO)]
     forward: Annotated[StrokeForces, Field(description="[[x, force], ...] on the way from the zero")]
     back: Annotated[StrokeForces, Field(description="[[x, force], ...] on the way back")]
-
-    @property
-    def law(self) -> Law:
-        return ByDisplacement(self.zero, tuple(self.forward), tuple(self.back))
+    of: Annotated[ForceValue | None, Field(description=_OF)] = None
 
 
 @dataclass(frozen=True)
@@ -90,6 +109,46 @@ class PressureDiagram(Diagram):
 
     forward: Annotated[StrokePressures, Field(description="[[x, pressure], ...] on the way from the zero")]
     back: Annotated[StrokePressures, Field(description="[[x, pressure], ...] on the way back")]
+    of: Annotated[Pressure | None, Field(description=_OF)] = None
+
+
+@dataclass(frozen=True)
+class StatedCurve:
+    """A curve that several loads have, in parts of the greatest value of each."""
+
+    forward: Annotated[StrokeParts, Field(description="[[x, part], ...] on the way from the zero")]
+    back: Annotated[StrokeParts, Field(description="[[x, part], ...] on the way back")]
+
+
+@dataclass(frozen=True)
+class SharedDiagram:
+    """A curve of `loads.curves` times the greatest value."""
+
+    zero: Annotated[Side, Field(description=_ZERO)]
+    curve: Annotated[Label, Field(description="a name of loads.curves", examples=["gas"])]
+    of: Annotated[ForceValue, Field(description="the greatest value")]
+
+    def through(self, curve: StatedCurve) -> Any:
+        """The diagram that it stands for."""
+        return Diagram(self.zero, curve.forward, curve.back, self.of)
+
+
+@dataclass(frozen=True)
+class SharedPressure(SharedDiagram):
+    """A curve of `loads.curves` times the greatest pressure."""
+
+    of: Annotated[Pressure, Field(description="the greatest value")]
+
+
+@dataclass(frozen=True)
+class SharedSwing(SharedDiagram):
+    """A curve of `loads.curves` times the greatest moment."""
+
+    zero: Annotated[Sense, Field(description="the extreme of the link that the swing is counted from")]  # type: ignore[assignment]
+    of: Annotated[MomentValue, Field(description="the greatest value")]
+
+    def through(self, curve: StatedCurve) -> Any:
+        return Swing(self.zero, curve.forward, curve.back, self.of)
 
 
 @dataclass(frozen=True)
@@ -126,20 +185,19 @@ class PressureStrokesDiagram(StrokesDiagram):
 
 
 def _by_strokes(value: Any) -> str:
+    if isinstance(value, dict) and "curve" in value:
+        return "<curve>"
     return "<strokes>" if isinstance(value, dict) and {"strokes", "first"} & value.keys() else "<ways>"
 
 
 @dataclass(frozen=True)
-class Swing:
+class Swing(OfGreatest):
     """A moment against the part of the link's swing."""
 
     zero: Annotated[Sense, Field(description="the extreme of the link that the swing is counted from")]
     forward: Annotated[StrokeMoments, Field(description="[[x, moment], ...] on the way from the zero")]
     back: Annotated[StrokeMoments, Field(description="[[x, moment], ...] on the way back")]
-
-    @property
-    def law(self) -> Law:
-        return ByDisplacement(complex(self.zero), tuple(self.forward), tuple(self.back))
+    of: Annotated[MomentValue | None, Field(description=_OF)] = None
 
 
 @dataclass(frozen=True)
@@ -203,7 +261,8 @@ class ByOneLaw:
         if sum(getattr(self, key) is not None for key in keys) != 1:
             wrong = Message(N_("the load's magnitude must be stated by one law"))
             raise WrongValue(wrong, Message(N_("exactly one of: %(words)s"), {"words": ", ".join(keys)}))
-        if self.stroke is not None and not isinstance(self._stated, Constant):
+        same = any(getattr(self, key, None) is not None for key in ("constant", "components"))
+        if self.stroke is not None and not same:
             wrong = Message(N_("a load of one stroke is constant there"))
             raise WrongValue(wrong, Message(N_("constant with stroke, or by_displacement without it")))
 
@@ -246,7 +305,9 @@ class Force(ByOneLaw):
     by_time: Annotated[TimeForces | None, Field(description=_BY_TIME)] = None
     by_displacement: (
         Annotated[
-            Annotated[Diagram, Tag("<ways>")] | Annotated[StrokesDiagram, Tag("<strokes>")],
+            Annotated[Diagram, Tag("<ways>")]
+            | Annotated[StrokesDiagram, Tag("<strokes>")]
+            | Annotated[SharedDiagram, Tag("<curve>")],
             Discriminator(_by_strokes),
         ]
         | None
@@ -296,7 +357,9 @@ class Piston(Force):
     by_time: Annotated[TimePressures | None, Field(description=_BY_TIME)] = None
     by_displacement: (
         Annotated[
-            Annotated[PressureDiagram, Tag("<ways>")] | Annotated[PressureStrokesDiagram, Tag("<strokes>")],
+            Annotated[PressureDiagram, Tag("<ways>")]
+            | Annotated[PressureStrokesDiagram, Tag("<strokes>")]
+            | Annotated[SharedPressure, Tag("<curve>")],
             Discriminator(_by_strokes),
         ]
         | None
@@ -328,7 +391,12 @@ class Moment(ByOneLaw):
     ] = None
     by_time: Annotated[TimeMoments | None, Field(description=_BY_TIME)] = None
     by_displacement: Annotated[
-        Swing | None, Field(description="against the part of the swing of the link")
+        Annotated[
+            Annotated[Swing, Tag("<ways>")] | Annotated[SharedSwing, Tag("<curve>")],
+            Discriminator(_by_strokes),
+        ]
+        | None,
+        Field(description="against the part of the swing of the link"),
     ] = None
 
 

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TypedDict
+from dataclasses import replace
+from typing import TypedDict, TypeVar
 
 from tmm_report.chapters.lever.kinetostatics.block.checks import check
 from tmm_report.chapters.lever.kinetostatics.block.doubts import doubts as odd
 from tmm_report.chapters.lever.kinetostatics.block.models import LoadsModel
-from tmm_report.chapters.lever.kinetostatics.given import Loads
+from tmm_report.chapters.lever.kinetostatics.given import Force, Loads, Moment, SharedDiagram
 from tmm_report.chapters.lever.structure.block import stated, without
 from tmm_report.problems import Problem
 from tmm_report.variant import model
 from tmm_report.variant.model import Read
+
+AnyLoad = TypeVar("AnyLoad", Force, Moment)
 
 
 class Block(model.Block):
@@ -32,8 +35,17 @@ def given(read: Read) -> Given:
     written = read.block(Block).loads
     if written is None:
         return {"loads": None}
-    forces, moments = filter(None, written.forces), filter(None, written.moments)
-    return {"loads": Loads(written.pull, tuple(forces), tuple(moments))}
+    forces = tuple(_drawn(one, written) for one in written.forces if one)
+    moments = tuple(_drawn(one, written) for one in written.moments if one)
+    return {"loads": Loads(written.pull, forces, moments)}
+
+
+def _drawn(load: AnyLoad, written: LoadsModel) -> AnyLoad:
+    """A load with the diagram that a curve of several loads stands for."""
+    if not isinstance(load.by_displacement, SharedDiagram):
+        return load
+    shared = load.by_displacement
+    return replace(load, by_displacement=shared.through(written.curves[shared.curve]))
 
 
 def mistakes(read: Read) -> Iterator[Problem]:

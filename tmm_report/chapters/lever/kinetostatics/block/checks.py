@@ -8,7 +8,13 @@ from typing import Any
 
 from tmm_report.chapters.lever.kinematics.block import table_of, turns_of
 from tmm_report.chapters.lever.kinetostatics.block.models import LoadsModel
-from tmm_report.chapters.lever.kinetostatics.given import Carried, Force, Moment, StrokesDiagram
+from tmm_report.chapters.lever.kinetostatics.given import (
+    Carried,
+    Force,
+    Moment,
+    SharedDiagram,
+    StrokesDiagram,
+)
 from tmm_report.chapters.lever.structure import block as structure
 from tmm_report.chapters.lever.structure.block import FRAME, Names, names, no_link, no_point
 from tmm_report.problems import N_, Message, Problem, mistake, shown
@@ -24,6 +30,7 @@ BEYOND = 1e-4  # of the cycle: a time of its end that is rounded
 
 def check(written: LoadsModel, read: Read) -> Iterator[Problem]:
     known = names(read.data)
+    yield from _curves(written)
     for index, force in enumerate(written.forces):
         if force:
             yield from _loaded(force.at, ("loads", "forces", index, "at"), known)
@@ -44,6 +51,30 @@ def check(written: LoadsModel, read: Read) -> Iterator[Problem]:
             yield from _over_its_time(moment, ("loads", "moments", index), read)
             yield from _over_the_cycle(moment, ("loads", "moments", index), read)
             yield from _whole_strokes(moment, ("loads", "moments", index))
+
+
+def _curves(written: LoadsModel) -> Iterator[Problem]:
+    """Curves of several loads: whole ones, that are there and are of use."""
+    used = set()
+    for kind, loads in (("forces", written.forces), ("moments", written.moments)):
+        for index, load in enumerate(loads):
+            if load and isinstance(load.by_displacement, SharedDiagram):
+                used.add(load.by_displacement.curve)
+                if load.by_displacement.curve not in written.curves:
+                    path: Path = ("loads", kind, index, "by_displacement", "curve")
+                    right = near(load.by_displacement.curve, sorted(written.curves))
+                    yield mistake(
+                        N_("there is no curve %(name)s"), path, right, name=load.by_displacement.curve
+                    )
+    for name, curve in written.curves.items():
+        here: Path = ("loads", "curves", name)
+        if name not in used:
+            yield mistake(N_("no load has the curve %(name)s"), here, name=name)
+        for way, points in (("forward", curve.forward), ("back", curve.back)):
+            yield from not_to_the_end(points, (*here, way), 1.0)
+            if max(abs(value) for _, value in points) > 1 + 1e-9:
+                text = N_("the values of a curve are parts of the greatest one, at most 1")
+                yield mistake(text, (*here, way))
 
 
 def _moving(link: str, path: Path, known: Names) -> Iterator[Problem]:
@@ -174,6 +205,8 @@ def _whole_strokes(load: Force | Moment, path: Path) -> Iterator[Problem]:
         return
     path = (*path, "by_displacement")
     curves: dict[Path, list[tuple[float, float]]]
+    if isinstance(diagram, SharedDiagram):
+        return
     if isinstance(diagram, StrokesDiagram):
         curves = {("strokes", name): curve for name, curve in diagram.strokes.items()}
     else:

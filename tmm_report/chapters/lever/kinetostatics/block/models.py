@@ -5,11 +5,11 @@ from typing import Annotated, Any, ClassVar
 
 from pydantic import Discriminator, Field, Tag
 
-from tmm_report.chapters.lever.kinetostatics.given import Force, Moment, Piston, Vector
+from tmm_report.chapters.lever.kinetostatics.given import Force, Moment, Piston, StatedCurve, Vector
 from tmm_report.problems import N_
 from tmm_report.variant.model import Model
 from tmm_report.variant.stated import Stated
-from tmm_report.variant.values import MAP, SCALAR, Acceleration, FixedDirection, by_shape
+from tmm_report.variant.values import MAP, SCALAR, Acceleration, FixedDirection, Label, by_shape
 
 
 class GravityModel(Model):
@@ -51,6 +51,9 @@ class LoadsModel(Model):
 
     gravity: Gravity = Field(
         default=9.81, description="downwards unless {value, direction}; 0 switches it off"
+    )
+    curves: dict[Label, Stated[StatedCurve]] = Field(
+        default={}, max_length=60, description="curves that several loads have, by their names"
     )
     # None: the hole of a load that is wrong in itself; what is solved has none, and is another record therefore
     forces: list[AnyForce | None] = Field(default=[])
