@@ -191,3 +191,16 @@ def part(columns: Sequence[Column]) -> Part:
     share = min(1.0, max(0.0, TEXT_WIDTH - sum(least)) / (sum(more) or 1.0))
     widths = [width + share * extra for width, extra in zip(least, more, strict=True)]
     return Part([c.head for c in columns], rows, [width / TEXT_WIDTH for width in widths])
+
+
+def packed(caption: Any, first: Column, lead: list[Column], groups: Sequence[list[Column]]) -> Table:
+    """A table cut so that the columns of a group stand side by side; each part begins with the first columns."""
+    room = TEXT_WIDTH - sum(column.width for column in (first, *lead))
+    parts: list[list[Column]] = []
+    for group in groups:
+        width = sum(column.width for column in group)
+        if parts and sum(column.width for column in parts[-1]) + width <= room:
+            parts[-1] += group
+        else:
+            parts.append(list(group))
+    return Table(caption, [part([first, *lead, *block]) for block in parts])

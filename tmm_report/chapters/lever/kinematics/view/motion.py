@@ -23,7 +23,7 @@ from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.model import Quantity, Value
 from tmm_report.report.chapter_view import BookView
 from tmm_report.report.page import Page
-from tmm_report.report.paper.layout import TEXT_WIDTH, Cell, Column, Table, part, worded
+from tmm_report.report.paper.layout import Cell, Table, packed, worded
 from tmm_report.report.part import Failed
 from tmm_report.report.words import force_direction
 
@@ -231,19 +231,6 @@ class MotionView(BookView):
     def angular(self, caption: Any) -> Table:
         """Angles, angular velocities and accelerations of the driven links at the table positions."""
         return self._packed(caption, "outputs_table", q.motion_of, self.links)
-
-
-def packed(caption: Any, first: Column, lead: list[Column], groups: Sequence[list[Column]]) -> Table:
-    """A table cut so that the columns of a group stand side by side; each part begins with the first columns."""
-    room = TEXT_WIDTH - sum(column.width for column in (first, *lead))
-    parts: list[list[Column]] = []
-    for group in groups:
-        width = sum(column.width for column in group)
-        if parts and sum(column.width for column in parts[-1]) + width <= room:
-            parts[-1] += group
-        else:
-            parts.append(list(group))
-    return Table(caption, [part([first, *lead, *block]) for block in parts])
 
 
 GREATEST = {

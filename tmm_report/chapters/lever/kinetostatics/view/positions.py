@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from markupsafe import Markup
 
-from tmm_report.chapters.lever.kinematics.view.motion import packed
 from tmm_report.chapters.lever.kinetostatics.given import Carried
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as q
 from tmm_report.chapters.lever.kinetostatics.quantities.strokes import WORDS
@@ -27,7 +26,7 @@ from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Var
 from tmm_report.report.chapter_view import BookView
 from tmm_report.report.page import Page
-from tmm_report.report.paper.layout import Cell, Column, Table, numeric, worded
+from tmm_report.report.paper.layout import Cell, Column, Table, numeric, packed, worded
 from tmm_report.report.part import NEXT_CHAPTER, Part
 from tmm_report.report.words import force_direction, sense
 
