@@ -1,5 +1,5 @@
-"""Random mechanisms whose driving link moves by random laws of the time, against a solver that shares no code: places by
-plain triangles, rates by differences in time alone, the driving moment from the energy."""
+"""Random mechanisms whose driving link moves by random laws of the time, against a solver that shares no code: places
+by plain triangles, rates by differences in time alone, the driving moment from the energy."""
 
 import numpy as np
 import pytest

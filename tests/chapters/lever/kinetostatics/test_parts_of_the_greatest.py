@@ -25,7 +25,8 @@ CURVES
 """
 CURVE = "forward: [[0, 0.02], [0.4, 0.2], [1, 1]], back: [[0, 0], [0.3, 0], [1, 1]]"
 CURVES = f"  curves: {{gas: {{{CURVE}}}}}"
-SPELLED = "{{zero: down, forward: [[0, {0} MPa], [0.4, {1} MPa], [1, {2} MPa]], back: [[0, 0], [0.3, 0], [1, {2} MPa]]}}"
+FORWARD, BACK = "[[0, {0} MPa], [0.4, {1} MPa], [1, {2} MPa]]", "[[0, 0], [0.3, 0], [1, {2} MPa]]"
+SPELLED = f"{{{{zero: down, forward: {FORWARD}, back: {BACK}}}}}"
 OTHER = "{zero: down, forward: [[0, 0], [1, 0]], back: [[0, 0], [1, 0]]}"
 
 
