@@ -121,7 +121,8 @@ def _of_mechanism(mechanism: Mechanism) -> Hashable:
     )
     guides = tuple((guide.name, guide.link) for guide in mechanism.guides.values())
     slides = tuple((slide.link, slide.guide) for slide in mechanism.slides)
-    geared = id(driver.gear) if driver.gear else None  # solved one by one
+    # solved one by one
+    geared = id(mechanism) if mechanism.meshes else id(driver.gear) if driver.gear else None
     return driver.link, driver.omega > 0, driver.sweep, driver.turns, geared, begin, links, guides, slides
 
 

@@ -17,6 +17,7 @@ from tmm_report.mechanics.lever.high_class.newton import HigherGroup
 from tmm_report.mechanics.lever.loop_equations import Loops
 from tmm_report.mechanics.lever.mechanism import FRAME, Assembly, Mechanism, pick
 from tmm_report.mechanics.lever.motion import Linkage, drive, known_motion, positions
+from tmm_report.mechanics.lever.wheels.swings import with_middles
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.records import dataclass
 
@@ -147,12 +148,15 @@ def _by_sketch(
             chosen = _higher_by_sketch(linkage, state, group, angle, problems)
             if chosen is None:
                 return linkage
+        linkage = with_middles(replace(linkage, groups=(*linkage.groups, chosen)))
+        chosen = linkage.groups[-1]
         with np.errstate(invalid="ignore", divide="ignore"):
             if isinstance(chosen, Dyad):
                 chosen.place(state)
             elif not linkage.axes:
                 chosen.loops.place(state, chosen.start[0][1][None])
-        linkage = replace(linkage, groups=(*linkage.groups, chosen))
+                for wheel in chosen.group.wheels:
+                    wheel.place(state)
     return linkage
 
 
