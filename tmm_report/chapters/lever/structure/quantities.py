@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+import numpy as np
+
 from tmm_report.chapters.lever.structure.solve import Structure
 from tmm_report.i18n import NP_
 from tmm_report.mechanics.lever.assur_groups import Group, Pair
@@ -81,12 +83,49 @@ def transfer_of(mesh: Mesh) -> Quantity:
     return transfer(*mesh.links, index_of(mesh), mesh.kind == "rack")
 
 
+@kept
+def _teeth(link: str, index: str) -> Quantity:
+    meaning = Message(N_("number of teeth of the wheel on link %(link)s"), {"link": link})
+    return Quantity(f"z_{link}_{index}", Symbol("z", f"{link},{index}"), "", meaning)
+
+
+def teeth_of(mesh: Mesh, link: str) -> Quantity:
+    return _teeth(link, index_of(mesh))
+
+
+@kept
+def _module(index: str) -> Quantity:
+    return Quantity(f"m_{index}", Symbol("m", index), "mm", Message(N_("module of the teeth")))
+
+
+def module_of(mesh: Mesh) -> Quantity:
+    return _module(index_of(mesh))
+
+
+@kept
+def _phase(one: str, other: str, index: str, rack: bool) -> Quantity:
+    text = N_("angle of link %(other)s where that of link %(one)s is 0")
+    if rack:
+        text = N_("angle of wheel %(other)s where rack %(one)s is at the point of its guide")
+    return Quantity(f"phase_{index}", Symbol("phi", f"{other},0"), "deg", Message(text, {"one": one, "other": other}))
+
+
+def phase_of(mesh: Mesh) -> Quantity:
+    return _phase(*mesh.links, index_of(mesh), mesh.kind == "rack")
+
+
 def _of_meshes(found: Structure) -> Iterator[Value]:
     for mesh in found.linkage.mechanism.meshes:
         for link in mesh.links:
             if mesh.radius(link):
                 yield pitch_radius(found.linkage, mesh, link).value(mesh.radius(link))
         yield transfer_of(mesh).value(mesh.ratio)
+        yield phase_of(mesh).value(float(np.degrees(mesh.phase)))
+        for link, count in zip(mesh.links, mesh.teeth or (), strict=mesh.teeth is not None):
+            if count:
+                yield teeth_of(mesh, link).value(count)
+        if mesh.module is not None:
+            yield _module(index_of(mesh)).value(1e3 * mesh.module)
 
 
 @tabulated
