@@ -36,7 +36,9 @@ def racks(
     )
 
 
-def _rack(mechanism: Mechanism, mesh: Mesh, mu: float, travel: tuple[float, float]) -> tuple[complex, complex]:
+def _rack(
+    mechanism: Mechanism, mesh: Mesh, mu: float, travel: tuple[float, float]
+) -> tuple[complex, complex]:
     slide = next(
         s for s in mechanism.slides
         if s.link == mesh.links[0] and mechanism.guides[s.guide].link == FRAME

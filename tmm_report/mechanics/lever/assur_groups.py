@@ -128,7 +128,8 @@ def count_pairs(mechanism: Mechanism) -> int:
 
 
 def mobility(mechanism: Mechanism) -> int:
-    """W = 3n - 2p5 - p4 (Chebyshev); a cam pair, replaced by a link with two lower pairs, takes as much as -p4 would."""
+    """W = 3n - 2p5 - p4 (Chebyshev); a cam pair, replaced by a link with two lower pairs, takes as much as -p4
+    would."""
     return 3 * len(mechanism.moving) - 2 * count_pairs(mechanism) - len(mechanism.meshes)
 
 

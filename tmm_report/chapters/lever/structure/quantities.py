@@ -57,7 +57,7 @@ def index_of(mesh: Mesh) -> str:
 
 @kept
 def _radius(link: str, index: str, symbol: str) -> Quantity:
-    meaning = Message(N_("radius of the pitch circle of the wheel on link %(link)s"), {"link": link})
+    meaning = Message(N_("working pitch radius of the wheel on link %(link)s"), {"link": link})
     return Quantity(f"r_{link}_{index}", Symbol("r", symbol), "m", meaning)
 
 
@@ -73,9 +73,7 @@ def transfer(one: str, other: str, index: str, rack: bool) -> Quantity:
     if rack:
         text = N_("angular velocity of wheel %(other)s by the velocity of rack %(one)s along its guide")
         return Quantity(f"i_{index}", Symbol("i", index), "1/m", Message(text, {"one": one, "other": other}))
-    text = N_(
-        "angular velocity of link %(other)s by that of link %(one)s; below zero: in the opposite sense"
-    )
+    text = N_("angular velocity of link %(other)s by that of link %(one)s; below zero: in the opposite sense")
     return Quantity(f"i_{index}", Symbol("i", index), "", Message(text, {"one": one, "other": other}))
 
 
@@ -107,7 +105,9 @@ def _phase(one: str, other: str, index: str, rack: bool) -> Quantity:
     text = N_("angle of link %(other)s where that of link %(one)s is 0")
     if rack:
         text = N_("angle of wheel %(other)s where rack %(one)s is at the point of its guide")
-    return Quantity(f"phase_{index}", Symbol("phi", f"{other},0"), "deg", Message(text, {"one": one, "other": other}))
+    return Quantity(
+        f"phase_{index}", Symbol("phi", f"{other},0"), "deg", Message(text, {"one": one, "other": other})
+    )
 
 
 def phase_of(mesh: Mesh) -> Quantity:

@@ -153,7 +153,9 @@ class StructureView(BookView):
         phase = self.number(q.phase_of(mesh).key)
         at = N_("where link %(one)s has the angle 0, link %(other)s has %(phase)s°")
         if mesh.kind == "rack":
-            at = N_("where link %(one)s is at the point of its guide, link %(other)s has the angle %(phase)s°")
+            at = N_(
+                "where link %(one)s is at the point of its guide, link %(other)s has the angle %(phase)s°"
+            )
         said.append(self.t(at, one=mesh.links[0], other=mesh.links[1], phase=phase))
         return self.page.listed(said, "; ")
 

@@ -15,9 +15,10 @@ HIGHEST = N_("The highest class of the groups that are detached.")
 OF_GROUP = N_("By Assur: II for a dyad; III and more by the most pairs of a closed contour of its links.")
 ORDER = N_("Counted: the pairs by which the group hangs on the links found before it.")
 RADIUS = N_(
-    "By the stated teeth and module, radii or ratio, so that the pitch circles of both wheels touch between their axes."
+    "By the stated teeth and module, radii or ratio, so that the working pitch circles of both wheels "
+    "touch between their axes."
 )
-RATIO = N_("By the radii of the pitch circles, which roll on one another.")
+RATIO = N_("By the radii of the working pitch circles, which roll on one another.")
 COUNT = N_("Counted in the group.")
 OTHER = N_(
     "The groups are sought again with this link driving; the highest class of them, 0 where it cannot drive."

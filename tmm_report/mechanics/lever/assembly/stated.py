@@ -17,7 +17,7 @@ from tmm_report.mechanics.lever.high_class.newton import HigherGroup
 from tmm_report.mechanics.lever.loop_equations import Loops
 from tmm_report.mechanics.lever.mechanism import FRAME, Assembly, Mechanism, pick
 from tmm_report.mechanics.lever.motion import Linkage, drive, known_motion, positions
-from tmm_report.mechanics.lever.wheels.swings import with_middles
+from tmm_report.mechanics.lever.assembly.swings import with_middles
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.records import dataclass
 

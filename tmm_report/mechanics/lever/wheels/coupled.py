@@ -72,7 +72,7 @@ class Coupled:
 
     @property
     def by_turns(self) -> float | None:
-        """Turns for each turn of the driving link, where it is moved by that through meshes alone; m/rad of a slider."""
+        """Turns for each turn of the driving link, where that moves it through meshes alone; m/rad of a slider."""
         if self.leads:
             return self.rate
         root = self.before.by_turns if self.before else None
@@ -126,8 +126,8 @@ class Coupled:
     # ------------------------------------------------------------ forces
 
     def held(self, s: State, force: Array, moment: Array) -> tuple[Array, Array, Array]:
-        """The force of `by` on the link in the teeth, and the force and moment of the frame on it, under its load, which
-        is reduced to its reference point; complex N, N m, (..., P)."""
+        """The force of `by` on the link in the teeth, and the force and moment of the frame on it, under its load,
+        which is reduced to its reference point; complex N, N m, (..., P)."""
         mesh, link = self.mesh, self.link
         if not self.slides:
             teeth = mesh.pressed(link, -moment / mesh.radius(link))

@@ -1,4 +1,4 @@
-"""A gear pair or a rack within a linkage, as it is stated: the links that carry the wheels, radii, phase, line of action.
+"""A gear pair or a rack within a linkage as it is stated: links that carry the wheels, radii, phase, line of action.
 
 Both wheels turn about fixed points, a rack is cut on a link that slides along a fixed guide. The coordinates of the two
 links, angles of their x axes and of a slider its way along the guide, then go one by the other in a straight line:
@@ -23,7 +23,8 @@ class Mesh:
     """`links`: of a rack the slider, then the wheel. `axes`: the fixed points about which they turn, m; of a rack None
     first. `radii`: of the pitch circles, m, of a rack 0 first. `pressure`: the angle of engagement, rad.
     Of a rack `along`, `through`: its guide, and the point from which its way is counted; `own`: its point that lies on
-    the guide, in its axes, m; `toward`: from the wheel's axis to the rack, unit complex. `teeth`, `module`: as stated."""
+    the guide, in its axes, m; `toward`: from the wheel's axis to the rack, unit complex. `teeth`, `module`: as
+    stated."""
 
     name: str
     links: tuple[str, str]
@@ -80,8 +81,8 @@ class Mesh:
         return self.links[1] if link == self.links[0] else self.links[0]
 
     def pressed(self, link: str, tangential: Array) -> Array:
-        """The force of the teeth on a link, complex N, (..., P), of its tangential part, along i·outward: it lies on the
-        line of action of the flank that is pressed, and drives the wheels (of a ring, its rim) apart."""
+        """The force of the teeth on a link, complex N, (..., P), of its tangential part, along i·outward: it lies on
+        the line of action of the flank that is pressed, and drives the wheels apart."""
         e = self.outward(link)
         away = e if self.rings(link) or self.radius(link) == 0 else -e
         return tangential * 1j * e + np.abs(tangential) * np.tan(self.pressure) * away

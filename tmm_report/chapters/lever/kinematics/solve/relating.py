@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tmm_report.chapters.lever.kinematics.solve import points_and_links as q
+from tmm_report.mechanics.calculus.vectors import dot
 from tmm_report.mechanics.lever.high_class.newton import HigherGroup
 from tmm_report.mechanics.lever.mechanism import FRAME
-from tmm_report.mechanics.calculus.vectors import dot
 from tmm_report.mechanics.lever.motion import Motion
 from tmm_report.mechanics.lever.vector_equations import Branch, relations, turns_with
 from tmm_report.mechanics.lever.wheels.coupled import Coupled

@@ -36,13 +36,17 @@ def force(one: str, other: str, index: str, part: str) -> Quantity:
 @kept
 def moment(by: str, on: str, index: str) -> Quantity:
     text = N_("moment that the teeth of link %(by)s give link %(on)s about its axis")
-    return Quantity(f"M_z_{on}_{index}", Symbol("M", f"{by},{on}"), "N·m", Message(text, {"by": by, "on": on}))
+    return Quantity(
+        f"M_z_{on}_{index}", Symbol("M", f"{by},{on}"), "N·m", Message(text, {"by": by, "on": on})
+    )
 
 
 @kept
 def engagement(one: str, other: str, index: str) -> Quantity:
     text = N_("angle of engagement of links %(one)s and %(other)s")
-    return Quantity(f"alpha_w_{index}", Symbol("alpha", f"w,{index}"), "deg", Message(text, {"one": one, "other": other}))
+    return Quantity(
+        f"alpha_w_{index}", Symbol("alpha", f"w,{index}"), "deg", Message(text, {"one": one, "other": other})
+    )
 
 
 def force_of(mesh: Mesh, part: str) -> Quantity:

@@ -15,9 +15,9 @@ from tmm_report.chapters.lever.kinetostatics.quantities.strokes import WORDS
 from tmm_report.chapters.lever.kinetostatics.solve.drawn_cycle import sampled
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
 from tmm_report.chapters.lever.kinetostatics.view import cam_pressure as pressing_view
-from tmm_report.chapters.lever.kinetostatics.view import wheels as wheels_view
 from tmm_report.chapters.lever.kinetostatics.view import checks as lever_view
 from tmm_report.chapters.lever.kinetostatics.view import driving_gear as gear_view
+from tmm_report.chapters.lever.kinetostatics.view import wheels as wheels_view
 from tmm_report.chapters.lever.kinetostatics.view.curves import CurvesView
 from tmm_report.chapters.lever.kinetostatics.view.cycle import CycleView
 from tmm_report.chapters.lever.kinetostatics.view.diagrams import balancing_diagram, graphs_of, load_diagrams

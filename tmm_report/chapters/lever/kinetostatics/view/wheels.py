@@ -50,7 +50,7 @@ class WheelsView(BookView):
         made.append(table.formula(own.force_of(mesh, "n").key, k, table.var(tangential, k) / cos(angle)))
         return made
 
-    def where(self, wheel: Coupled) -> list[dict[str, Any]]:
+    def said(self, wheel: Coupled) -> list[dict[str, Any]]:
         return self.page.where(*self.formulas(wheel))
 
     def at_axis(self, wheel: Coupled) -> bool:

@@ -341,7 +341,9 @@ class MechanismModel(Model):
     wheels: list[WheelsModel] = Field(
         default=[], max_length=8, description="pairs of wheels in mesh, each fixed to a link"
     )
-    racks: list[RackModel] = Field(default=[], max_length=8, description="racks on sliders, with their wheels")
+    racks: list[RackModel] = Field(
+        default=[], max_length=8, description="racks on sliders, with their wheels"
+    )
     assembly: dict[GroupName, Choice] = Field(
         default={},
         description="which of two ways a group is assembled, by its inner point (B) or its links (2-3)",

@@ -53,12 +53,20 @@ def gear_pair(k: int, model: WheelsModel, built: Mechanism) -> Mesh:
     if model.angles is not None:
         phase = model.angles[1] - made.ratio * model.angles[0]
     return Mesh(
-        made.name, made.links, made.kind, radii, axes, phase, made.pressure, teeth=made.teeth, module=made.module
+        made.name,
+        made.links,
+        made.kind,
+        radii,
+        axes,
+        phase,
+        made.pressure,
+        teeth=made.teeth,
+        module=made.module,
     )
 
 
 def _radii(model: WheelsModel, apart: float, internal: bool) -> tuple[float, float]:
-    """Radii of the pitch circles, m, whose sum (difference) is the distance of the axes."""
+    """Radii of the working pitch circles, m, whose sum (difference) is the distance of the axes."""
     sizes: tuple[float, float] = model.teeth or model.radii or (1.0, float(model.ratio or 1.0))
     together = abs(sizes[0] - sizes[1]) if internal else sizes[0] + sizes[1]
     key = "teeth" if model.teeth else "radii" if model.radii else "ratio"
@@ -74,7 +82,9 @@ def _radii(model: WheelsModel, apart: float, internal: bool) -> tuple[float, flo
 
 def _misses(model: WheelsModel, made: float, scale: float, apart: float) -> tuple[Message, Message]:
     """That sizes and the distance of the axes do not go together, and what would."""
-    text = N_("the pitch circles do not touch: their radii make %(made)s mm, and the axes are %(apart)s mm apart")
+    text = N_(
+        "the working pitch circles do not touch: their radii make %(made)s mm, and the axes are %(apart)s mm apart"
+    )
     values = {"made": f"{1e3 * made:.6g}", "apart": f"{1e3 * apart:.6g}"}
     if model.module:
         right = N_("module: %(right)s mm, or leave it out; or axes %(made)s mm apart")
@@ -94,13 +104,19 @@ def rack_pair(k: int, model: RackModel, built: Mechanism) -> Mesh:
     if model.side is not None:
         cosine = dot(normal, SIDES[model.side])
         if abs(cosine) < 0.1:
-            text = N_("%(side)s does not tell on which side of the rack the wheel stands: the rack runs that way")
+            text = N_(
+                "%(side)s does not tell on which side of the rack the wheel stands: the rack runs that way"
+            )
             across = ("above", "below") if abs(t.real) > abs(t.imag) else ("left", "right")
-            right = Message(N_("side: %(one)s or side: %(other)s"), dict(zip(("one", "other"), across, strict=True)))
+            right = Message(
+                N_("side: %(one)s or side: %(other)s"), dict(zip(("one", "other"), across, strict=True))
+            )
             raise Wrong("side", Message(text, {"side": model.side}), right)
     elif abs(away) < 1e-9:
         text = N_("the wheel's axis lies on the line of the guide, and the side of the rack is not stated")
-        raise Wrong("", Message(text), Message(N_("side: above, below, left or right, where the wheel stands")))
+        raise Wrong(
+            "", Message(text), Message(N_("side: above, below, left or right, where the wheel stands"))
+        )
     else:
         cosine = away
     toward = -normal if cosine > 0 else normal

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from tmm_report.chapters.lever.structure.block.cam_laws_build import Wrong
@@ -28,18 +29,16 @@ def check(mechanism: MechanismModel, known: Names, built: Mechanism | None, read
     yield from _together(mechanism, read)
     if built is None or named:
         return
-    for key, models, make in (
-        ("wheels", mechanism.wheels, build.gear_pair),
-        ("racks", mechanism.racks, build.rack_pair),
-    ):
-        for k, model in enumerate(models):
-            try:
-                make(k, model, built)  # type: ignore[operator]  # each its own model
-            except Wrong as error:
-                part = tuple(int(one) if one.isdigit() else one for one in error.key.split(".") if one)
-                yield Problem(error.wrong, error.right, (*HERE, key, k, *part))
-            except KeyError:  # a guide or a point that is not there is told elsewhere
-                continue
+    makes = [(("wheels", k), partial(build.gear_pair, k, one)) for k, one in enumerate(mechanism.wheels)]
+    makes += [(("racks", k), partial(build.rack_pair, k, rack)) for k, rack in enumerate(mechanism.racks)]
+    for path, make in makes:
+        try:
+            make(built)
+        except Wrong as error:
+            part = tuple(int(one) if one.isdigit() else one for one in error.key.split(".") if one)
+            yield Problem(error.wrong, error.right, (*HERE, *path, *part))
+        except KeyError:  # a guide or a point that is not there is told elsewhere
+            continue
 
 
 def _names(mechanism: MechanismModel, known: Names) -> Found:
@@ -56,7 +55,9 @@ def _names(mechanism: MechanismModel, known: Names) -> Found:
         for link, place in zip(links, places, strict=True):
             if link == FRAME:
                 text = N_("the frame carries no wheel that turns: rolling on a fixed one is not offered")
-                yield mistake(text, place, Message(N_("a moving link: %(words)s"), {"words": ", ".join(moving)}))
+                yield mistake(
+                    text, place, Message(N_("a moving link: %(words)s"), {"words": ", ".join(moving)})
+                )
             elif link not in known.points:
                 yield mistake(N_("there is no link %(name)s"), place, near(link, moving), name=link)
         if links[0] == links[1]:

@@ -12,7 +12,9 @@ from tmm_report.variant.model import Model
 from tmm_report.variant.values import Angle, Name, Positive, Tooth, quantity
 
 LIMIT = math.radians(45)
-ENGAGEMENT = N_("the angle of engagement; left out, 20 deg; 0: the force at the pitch point, along the circles")
+ENGAGEMENT = N_(
+    "the angle of engagement; left out, 20 deg; 0: the force at the pitch point, along the circles"
+)
 Ratio = Annotated[float, quantity("number", -1e3, 1e3)]
 PLANETS = N_(
     "a wheel whose axis moves is not offered within the linkage: satellites are stages of the block drive, or of "
@@ -47,7 +49,7 @@ class WheelsModel(_Meshing):
         default=None, description="with teeth; left out, it follows from the distance of the axes"
     )
     radii: tuple[Positive, Positive] | None = Field(
-        default=None, description="of the pitch circles", examples=["[100 mm, 200 mm]"]
+        default=None, description="of the working pitch circles", examples=["[100 mm, 200 mm]"]
     )
     ratio: Ratio | None = Field(
         default=None, description="turns of the first link for one of the second, r2/r1", examples=["2"]
@@ -99,7 +101,9 @@ class RackModel(_Meshing):
     wheel: Name = Field(description="the link that carries the wheel", examples=["4"])
     teeth: Tooth | None = Field(default=None, description="of the wheel, with module")
     module: Positive | None = Field(default=None, description="with teeth")
-    radius: Positive | None = Field(default=None, description="of the wheel's pitch circle, instead of both")
+    radius: Positive | None = Field(
+        default=None, description="of the wheel's working pitch circle, instead of both"
+    )
     side: Literal["above", "below", "left", "right"] | None = Field(
         default=None,
         description="on which side of the rack the wheel stands; left out, that of the guide on which its axis is",
