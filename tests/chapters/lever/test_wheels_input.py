@@ -124,7 +124,9 @@ mechanism:
     assert told.key == "mechanism.racks.0" and "runs away" in told.text() and "driver.range" in told.text()
     swung = course.solve(course.loads(text.replace("speed: 1}", "speed: 1, range: 90 deg}"))).lever
     way = swung.kinematics.table.place("B").real
-    assert way[-1] - way[0] == pytest.approx(-0.04 * 1.5707963267948966)  # above the wheel, which turns to the left there
+    assert way[-1] - way[0] == pytest.approx(
+        -0.04 * 1.5707963267948966
+    )  # above the wheel, which turns to the left there
 
 
 def test_the_text_itself_is_right():

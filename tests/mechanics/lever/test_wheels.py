@@ -117,10 +117,16 @@ def statics(d, phi):
                         M[3 * link - 3 : 3 * link, 2 * n + c] = (
                             sign * e.real, sign * e.imag, sign * (np.conj(at) * e).imag
                         )  # fmt: skip
-        apart = 1.0 if d["sense"] < 0 else -1.0  # external: wheel 2 is pushed to the right, inside a ring 1 to the left
+        apart = (
+            1.0 if d["sense"] < 0 else -1.0
+        )  # external: wheel 2 is pushed to the right, inside a ring 1 to the left
         line = 1j + flank * apart * np.tan(d["alpha"])
         for sign, link in ((1, 2), (-1, 1)):
-            M[3 * link - 3 : 3 * link, 10] = sign * line.real, sign * line.imag, sign * (np.conj(P) * line).imag
+            M[3 * link - 3 : 3 * link, 10] = (
+                sign * line.real,
+                sign * line.imag,
+                sign * (np.conj(P) * line).imag,
+            )
         M[2, 11] = 1.0
         return np.linalg.solve(M, b)
 
@@ -140,7 +146,9 @@ def test_geared_five_bar_at_random(seed):
         assert motion.place("C")[k] == pytest.approx(x[6], abs=1e-9)
         assert motion.velocity("C")[k] == pytest.approx(v[6], rel=1e-6, abs=1e-7)
         assert motion.acceleration("C")[k] == pytest.approx(a[6], rel=1e-4, abs=1e-3)
-        assert motion.angular_velocity("2")[k] == pytest.approx(d["sense"] * d["ratio"] * d["omega"], rel=1e-12)
+        assert motion.angular_velocity("2")[k] == pytest.approx(
+            d["sense"] * d["ratio"] * d["omega"], rel=1e-12
+        )
         scale = float(forces.table.scale[k])
         assert forces.table.balancing[k] == pytest.approx(balancing(d, phi), abs=1e-5 * scale)
         alone = statics(d, phi)

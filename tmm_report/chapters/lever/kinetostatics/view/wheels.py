@@ -12,8 +12,7 @@ from tmm_report.chapters.lever.kinetostatics.quantities import wheels as own
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
 from tmm_report.chapters.lever.structure.quantities import pitch_radius
 from tmm_report.mechanics.lever.wheels.coupled import Coupled
-from tmm_report.quantity.formula import Formula, Var, cos
-from tmm_report.quantity.model import variable
+from tmm_report.quantity.formula import Formula, cos
 from tmm_report.report.chapter_view import BookView
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Table
@@ -41,9 +40,8 @@ class WheelsView(BookView):
         tangential = own.force_of(mesh, "t").key
         made = []
         if not wheel.slides:
-            arm: Var = variable(
-                pitch_radius(self.found.kinematics.linkage, mesh, wheel.link), mesh.radius(wheel.link)
-            )
+            radius = pitch_radius(self.found.kinematics.linkage, mesh, wheel.link)
+            arm = radius.value(mesh.radius(wheel.link)).var()
             moment = table.var(own.moment_of(mesh, wheel.link).key, k)
             made.append(table.formula(tangential, k, abs(moment) / arm))
         angle = self.value(own.engagement_of(mesh).key).var()

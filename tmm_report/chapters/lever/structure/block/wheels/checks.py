@@ -79,7 +79,7 @@ def _together(mechanism: MechanismModel, read: Read) -> Found:
         text = N_("cam pairs and wheels in one mechanism are not offered together")
         yield mistake(text, (*HERE, key), right)
     data: dict[str, Any] = read.data  # type: ignore[assignment]
-    for block in ("friction", "methods", "method", "readings"):
+    for block in ("friction", "balancing", "methods", "method", "readings"):
         if block in data:
             text = N_("%(block)s is not worked out of a mechanism with wheels in mesh")
             yield mistake(text, (block,), Message(N_("leave this key out")), block=block)
