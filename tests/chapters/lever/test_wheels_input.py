@@ -34,22 +34,49 @@ SLIPS = {
     "two sizes": ("module: 5 mm", "ratio: 2", "mechanism.wheels.0", "not stated in one way", "one of them"),
     "no size": ("teeth: [40, 20], module: 5 mm, ", "", "mechanism.wheels.0", "not stated in one way", "ratio: 2"),
     "module alone": ("teeth: [40, 20], ", "ratio: 2, ", "mechanism.wheels.0", "without numbers of teeth", "leave"),
-    "wrong module": ("module: 5 mm", "module: 4 mm", "mechanism.wheels.0.module", "120 mm, and the axes are 150 mm", "module: 5 mm"),
-    "wrong radii": ("teeth: [40, 20], module: 5 mm", "radii: [80 mm, 40 mm]", "mechanism.wheels.0.radii", "do not touch", "100 mm, 50 mm"),
-    "equal ring": ("teeth: [40, 20], module: 5 mm", "ratio: 1, mesh: internal", "mechanism.wheels.0.ratio", "can't be equal", "external"),
-    "signed ratio": ("teeth: [40, 20], module: 5 mm", "ratio: -2", "mechanism.wheels.0", "follows from the mesh", "ratio: 2"),
-    "angle": ("module: 5 mm", "module: 5 mm, pressure_angle: 60 deg", "mechanism.wheels.0", "no teeth are in mesh", "0 to 45"),
+    "wrong module": (
+        "module: 5 mm", "module: 4 mm",
+        "mechanism.wheels.0.module", "120 mm, and the axes are 150 mm", "module: 5 mm",
+    ),
+    "wrong radii": (
+        "teeth: [40, 20], module: 5 mm", "radii: [80 mm, 40 mm]",
+        "mechanism.wheels.0.radii", "do not touch", "100 mm, 50 mm",
+    ),
+    "equal ring": (
+        "teeth: [40, 20], module: 5 mm", "ratio: 1, mesh: internal",
+        "mechanism.wheels.0.ratio", "can't be equal", "external",
+    ),
+    "signed ratio": (
+        "teeth: [40, 20], module: 5 mm", "ratio: -2",
+        "mechanism.wheels.0", "follows from the mesh", "ratio: 2",
+    ),
+    "angle": (
+        "module: 5 mm", "module: 5 mm, pressure_angle: 60 deg",
+        "mechanism.wheels.0", "no teeth are in mesh", "0 to 45",
+    ),
     "two phases": ("angles: [0", "phase: 0, angles: [0", "mechanism.wheels.0", "stated twice", "leave one"),
-    "twice": (PAIR, PAIR + "\n    - {links: [2, 1], ratio: 0.5}", "mechanism.wheels.1", "in mesh twice", "leave one"),
-    "one axis": ("2: {points: {O2: 0, B: 40 mm}}", "2: {points: {O1: 0, B: 40 mm}}", "mechanism.wheels.0.links", "have one axis", "one link"),
+    "twice": (
+        PAIR, PAIR + "\n    - {links: [2, 1], ratio: 0.5}",
+        "mechanism.wheels.1", "in mesh twice", "leave one",
+    ),
+    "one axis": (
+        "2: {points: {O2: 0, B: 40 mm}}", "2: {points: {O1: 0, B: 40 mm}}",
+        "mechanism.wheels.0.links", "have one axis", "one link",
+    ),
     "no slider": ("slider: 6", "slider: 5", "mechanism.racks.0.slider", "slides along no fixed guide", "slides:"),
     "rack wheel": ("wheel: 7", "wheel: 4", "mechanism.racks.0.wheel", "turns about no fixed point", "drive"),
     "teeth alone": (RACK, "teeth: 24}", "mechanism.racks.0", "not stated in one way", "module: 4 mm"),
     "side along": (RACK, "radius: 48 mm, side: left}", "mechanism.racks.0.side", "the rack runs that way", "above"),
     "side unknown": ("248 mm]", "200 mm]", "mechanism.racks.0", "lies on the line of the guide", "side: above"),
     "planet": ("links: [1, 2]", "carrier: 1, links: [1, 2]", "mechanism.wheels.0.carrier", "axis moves", ""),
-    "friction": ("positions:", "friction: {pivots: {f: 0.1, diameter: 20 mm}}\npositions:", "friction", "is not worked out of a mechanism with wheels", "leave"),
-    "force plan": ("{table: 12}", "{table: 12, force_plan: [1]}", "positions.force_plan", "force plans of a mechanism with wheels", "leave"),
+    "friction": (
+        "positions:", "friction: {pivots: {f: 0.1, diameter: 20 mm}}\npositions:",
+        "friction", "is not worked out of a mechanism with wheels", "leave",
+    ),
+    "force plan": (
+        "{table: 12}", "{table: 12, force_plan: [1]}",
+        "positions.force_plan", "force plans of a mechanism with wheels", "leave",
+    ),
 }  # fmt: skip
 
 

@@ -16,12 +16,12 @@ def five_bar(rng):
     internal = bool(rng.integers(2)) and whole > 1
     l1, l2 = 0.05 * rng.uniform(0.8, 1.4, 2)
     l3, l4 = 0.45 * rng.uniform(0.9, 1.1, 2)
-    d = dict(
-        a=a, ratio=whole, sense=1 if internal else -1, l1=l1, l2=l2, l3=l3, l4=l4, phase=rng.uniform(-3, 3),
-        alpha=np.radians(rng.uniform(0, 30)), omega=rng.uniform(5, 20) * rng.choice([-1, 1]),
-        m=rng.uniform(1, 5, 4), J=rng.uniform(0.001, 0.02, 4), P=complex(*rng.uniform(-300, 300, 2)),
-        M=rng.uniform(-20, 20),
-    )  # fmt: skip
+    d = {
+        "a": a, "ratio": whole, "sense": 1 if internal else -1, "l1": l1, "l2": l2, "l3": l3, "l4": l4,
+        "phase": rng.uniform(-3, 3), "alpha": np.radians(rng.uniform(0, 30)),
+        "omega": rng.uniform(5, 20) * rng.choice([-1, 1]), "m": rng.uniform(1, 5, 4),
+        "J": rng.uniform(0.001, 0.02, 4), "P": complex(*rng.uniform(-300, 300, 2)), "M": rng.uniform(-20, 20),
+    }  # fmt: skip
     angle = np.degrees(np.angle(d["P"]))
     text = f"""language: en
 mechanism:
@@ -75,8 +75,8 @@ def rates(d, phi):
 
 def balancing(d, phi):
     """M_bal by virtual work: no reaction, no force in the teeth is in it."""
-    x, v, a = rates(d, phi)
-    (A, B, C), (vA, vB, vC), (aA, aB, aC) = x[4:], v[4:], a[4:]
+    _, v, a = rates(d, phi)
+    (vA, vB, vC), (aA, aB, aC) = v[4:], a[4:]
     m, J = d["m"], d["J"]
 
     def power(force, velocity):
@@ -224,3 +224,15 @@ def test_the_forces_of_the_teeth_do_no_work(chain):
 def test_plans_read_what_is_computed(chain):
     assert 0 < chain.plans.worst < 1.0
     assert any(one.key == "w_5" for one in chain.plans.drawn[0].comparison)
+
+
+def test_moments_of_the_teeth_are_those_of_the_force_about_each_axis(chain):
+    from tmm_report.chapters.lever.kinetostatics.quantities.wheels import moments_of
+
+    solved = chain.kinetostatics.table
+    for wheel in chain.structure.linkage.structure.coupled:
+        force = solved.statics.reactions[wheel.contact.key].force
+        for link, moment in moments_of(wheel, solved):
+            arm = wheel.mesh.pitch_point - wheel.mesh.axes[wheel.mesh.links.index(link)]
+            by_force = (np.conj(arm) * (force if link == wheel.link else -force)).imag
+            assert moment == pytest.approx(by_force, rel=1e-12, abs=1e-9)

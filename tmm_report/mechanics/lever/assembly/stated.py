@@ -10,6 +10,7 @@ import numpy as np
 
 from tmm_report.mechanics.calculus.vectors import dot
 from tmm_report.mechanics.lever.assembly.all_roots import assemblies
+from tmm_report.mechanics.lever.assembly.swings import with_middles
 from tmm_report.mechanics.lever.assur_groups import KIND_NAMES, ROMAN, Group, Structure, decompose
 from tmm_report.mechanics.lever.cams.replacing_dyad import CamDyad, group_of
 from tmm_report.mechanics.lever.dyads import Dyad, State, reach
@@ -17,7 +18,6 @@ from tmm_report.mechanics.lever.high_class.newton import HigherGroup
 from tmm_report.mechanics.lever.loop_equations import Loops
 from tmm_report.mechanics.lever.mechanism import FRAME, Assembly, Mechanism, pick
 from tmm_report.mechanics.lever.motion import Linkage, drive, known_motion, positions
-from tmm_report.mechanics.lever.assembly.swings import with_middles
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.records import dataclass
 
