@@ -290,7 +290,9 @@ def solve_lever(given: LeverGiven, moved: Moved | None = None, flywheel: Any = N
         cam.solve(motion) if given.mechanism.cams else None,
         drawn,
         forces,
-        force_plans.solve(given.drawing, given.positions.force_plan, forces, drawn) if forces else None,
+        force_plans.solve(given.drawing, given.positions.force_plan, forces, drawn)
+        if forces and not given.mechanism.meshes
+        else None,
         friction.solve(given.friction, forces) if given.friction and forces else None,
         reduction.solve(motion, forces, drawn) if given.reduction else None,
         transmission.solve(motion, given.transmission) if given.transmission else None,

@@ -127,7 +127,8 @@ def _of_mechanism(mechanism: Mechanism) -> Hashable:
     )
     guides = tuple((guide.name, guide.link) for guide in mechanism.guides.values())
     slides = tuple((slide.link, slide.guide) for slide in mechanism.slides)
-    geared = id(driver.gear) if driver.gear else None  # solved one by one
+    # solved one by one
+    geared = id(mechanism) if mechanism.meshes else id(driver.gear) if driver.gear else None
     by_law = id(driver.law) if driver.law else None
     return (
         driver.link,

@@ -37,6 +37,7 @@ MESH = ("tests/figures/gears/test_gearing.py",)
 
 SYNTHESIS = "tmm_report/chapters/lever/synthesis/"
 LOADED = ("tests/statements",)
+WHEELS = ("tests/mechanics/lever/test_wheels.py",)
 TOLD = ("tests/chapters/lever/synthesis",)
 SHAPER, FUNCTION = "shaper_synthesis", "function_generator"
 
@@ -308,6 +309,23 @@ FAULTS = (
           ("tests/mechanics/gears/test_spur.py",)),
     Fault("ratio of a motion upside down", PLANETARY + "solve/motions.py",
           "return 1 / self.speed[self.output]", "return self.speed[self.output]", "hoist_drive"),
+    Fault("wheels in external mesh turn alike", MECHANICS + "lever/wheels/mesh.py",
+          'return -size if self.kind == "external" else size', "return size", "crank_rocker", WHEELS),
+    Fault("a rack turns its wheel the other way", MECHANICS + "lever/wheels/mesh.py",
+          "np.sign(cross(self.toward, self.along))", "np.sign(cross(self.along, self.toward))", "crank_rocker", LOADED),
+    Fault("teeth pull the wheels together", MECHANICS + "lever/wheels/mesh.py",
+          "else -e", "else e", "crank_rocker", WHEELS),
+    Fault("a force in the teeth by the sine", MECHANICS + "lever/wheels/mesh.py",
+          "np.abs(tangential) / np.cos(self.pressure)", "np.abs(tangential) / np.sin(self.pressure)", "crank_rocker",
+          LOADED),
+    Fault("a wheel's moment by the wrong radius", STATICS + "quantities/wheels.py",
+          "on_link * mesh.radius(link)", "on_link * mesh.radius(wheel.by)", "crank_rocker", WHEELS),
+    Fault("the phase of a wheel forgotten", MECHANICS + "lever/wheels/coupled.py",
+          "-self.mesh.phase / self.mesh.ratio if self.backwards else self.mesh.phase",
+          "-self.mesh.phase / self.mesh.ratio if self.backwards else 0.0", "crank_rocker", LOADED),
+    Fault("a driven wheel accelerated by the ratio squared", MECHANICS + "lever/wheels/coupled.py",
+          "s.turn(link, c * dot(s.v[by], t), c * dot(s.a[by], t))",
+          "s.turn(link, c * dot(s.v[by], t), c * c * dot(s.a[by], t))", "crank_rocker", LOADED),
     Fault("satellites' meshes inside and outside swapped", ECCENTRIC + "solve/motion.py",
           "Mesh(body.name, RING, CARRIER, internal=True)", "Mesh(body.name, RING, CARRIER)", "eccentric"),
     Fault("teeth of a mesh turned", SPUR + "solve/mesh.py",

@@ -19,6 +19,7 @@ TABLES = (
     "loads_table",
     "reactions_table",
     "balancing_table",
+    "mesh_table",
 )
 
 

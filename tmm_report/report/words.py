@@ -9,6 +9,7 @@ from markupsafe import Markup
 
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.lever.assur_groups import ROMAN, Group, Structure
+from tmm_report.mechanics.lever.wheels.coupled import Coupled
 from tmm_report.problems import N_
 from tmm_report.quantity.terms.directions import COMPASS
 from tmm_report.quantity.text import unit_text
@@ -46,8 +47,15 @@ def group_label(label: str) -> str:
 
 def structural_formula(structure: Structure) -> str:
     """The structural formula of a decomposition: I(0,1) → II₂(2,3)."""
-    groups = [group_name(group) for group in structure.groups]
-    return " → ".join([f"I(0,{structure.mechanism.driver.link})", *groups])
+    parts = [f"I(0,{structure.mechanism.driver.link})", *(_wheel(one) for one in structure.wheels)]
+    for group in structure.groups:
+        parts += [group_name(group), *(_wheel(one) for one in group.wheels)]
+    return " → ".join(parts)
+
+
+def _wheel(one: Coupled) -> str:
+    """A link that a mesh moves: z(4)."""
+    return f"z({one.link})"
 
 
 def force_direction(direction: complex | str, page: Page) -> Markup:

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from random import Random
 from typing import Any
 
+from benchmarks.fuzz.generated.geared import coupled_cranks, racked_slider
 from benchmarks.fuzz.generated.synthesised import SYNTHESES
 from benchmarks.fuzz.generated.walk import Names, Walk
 
@@ -240,6 +241,8 @@ SCHEMES: tuple[Callable[[Random], tuple[Data, Data]], ...] = (
     cam,
     cam,
     alone,
+    coupled_cranks,
+    racked_slider,
     *SYNTHESES,
 )
 

@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from tmm_report.figures.schemes.cams import ends
+from tmm_report.figures.schemes.wheels import circles, racks
 from tmm_report.mechanics.lever.mechanism import FRAME, Guide, Mechanism, Slide
 from tmm_report.records import dataclass
 
@@ -168,6 +169,8 @@ def _body(motion: Motion, name: str) -> Body:
     rails = [rail for guide in motion.mechanism.guides.values() if (rail := _rail(motion, guide, name))]
     cams = ends(motion.mechanism, name, motion.mu)
     rails += cams.faces
+    rails += racks(motion.mechanism, name, motion.mu, _way(motion, name)) if motion.mechanism.meshes else ()
+    outlines = (*cams.outlines, *circles(motion.mechanism, name, motion.mu))
     nodes = _nodes(motion, name) + [centre for centre, _ in blocks]
     bars, welds = _framework(rails + rods, nodes)
     hull = [] if bars else _hull(nodes)
@@ -176,7 +179,14 @@ def _body(motion: Motion, name: str) -> Body:
     if len(hull) == 2:
         bars = [(hull[0], hull[1])]
     plate = tuple(hull) if len(hull) > 2 else ()
-    return Body(tuple(bars), plate, tuple(blocks), tuple(welds), cams.outlines, cams.rollers)
+    return Body(tuple(bars), plate, tuple(blocks), tuple(welds), outlines, cams.rollers)
+
+
+def _way(motion: Motion, name: str) -> tuple[float, float]:
+    """Least and greatest way of a link along its fixed guide, mm."""
+    fixed = (s for s in motion.mechanism.slides if motion.mechanism.guides[s.guide].link == FRAME)
+    slide = next((s for s in fixed if s.link == name), None)
+    return (0.0, 0.0) if slide is None else motion.travel(slide)
 
 
 def _pivot(motion: Motion, name: str) -> complex | None:

@@ -32,10 +32,10 @@ def carried(
 
     `given`: keys of the tables by positions -> the student's numbers (P,) in the units of the results, nan where he
     gave none; other keys and columns of another length are passed over. Nothing follows where there is no lever
-    mechanism, or one with a cam pair, whose law no number of the tables carries on.
+    mechanism, or one with higher pairs, whose law no number of the tables carries on.
     """
     lever = results.lever
-    if lever is None or lever.given.mechanism.cams:
+    if lever is None or lever.given.mechanism.cams or lever.given.mechanism.meshes:
         return {}
     shape = lever.kinematics.table.shape
     own = {key: values for key, one in given.items() if (values := column(one)).shape == shape}

@@ -8,9 +8,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from itertools import combinations, islice
+from math import tau as FULL_TURN
 from typing import Literal
 
 from tmm_report.mechanics.lever.mechanism import FRAME, Mechanism, Scalar
+from tmm_report.mechanics.lever.wheels.coupled import Coupled
+from tmm_report.mechanics.lever.wheels.mesh import Mesh
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake, shown
 from tmm_report.records import dataclass
 
@@ -29,7 +32,8 @@ ROMAN = {1: "I", 2: "II", 3: "III", 4: "IV", 5: "V", 6: "VI"}
 
 @dataclass(frozen=True, eq=False)
 class Pair:
-    """A lower pair of two links, the one nearer to the frame first; or a higher one, H, of a cam and its follower.
+    """A lower pair of two links, the one nearer to the frame first; or a higher one, H, of a cam and its
+    follower or of two wheels.
 
     `at`: link -> place of the joint (R) or of a point of the guide line (P) in that link's axes, m.
     `along`: link -> unit direction of the guide line in that link's axes (P only). `slider`: the link that slides;
@@ -54,13 +58,15 @@ class Pair:
 
 @dataclass(frozen=True, eq=False)
 class Group:
-    """An Assur group: its links, inner and outer pairs, class and order (= number of outer pairs)."""
+    """An Assur group: its links, inner and outer pairs, class and order (= number of outer pairs). `wheels`: the links
+    that meshes with its own move, in the order in which they become known."""
 
     links: tuple[str, ...]
     inner: tuple[Pair, ...]
     outer: tuple[Pair, ...]
     group_class: int
     kind: int | None  # of a dyad, 1..5
+    wheels: tuple[Coupled, ...] = ()
 
     @property
     def order(self) -> int:
@@ -73,20 +79,42 @@ class Group:
 
 @dataclass(frozen=True, eq=False)
 class Structure:
-    """`groups` in the order of assembly: each hangs on the frame, the driving link and groups before it."""
+    """`groups` in the order of assembly: each hangs on the frame, the driving link and groups before it. `wheels`: the
+    links that meshes with the driving link move."""
 
     mechanism: Mechanism
     driver_pair: Pair
     groups: tuple[Group, ...]
+    wheels: tuple[Coupled, ...] = ()
+
+    @property
+    def coupled(self) -> tuple[Coupled, ...]:
+        """All links that meshes move, in the order of assembly."""
+        return (*self.wheels, *(wheel for group in self.groups for wheel in group.wheels))
+
+    @property
+    def order(self) -> list[str]:
+        """The moving links in the order of assembly."""
+        found = [self.mechanism.driver.link, *(wheel.link for wheel in self.wheels)]
+        for group in self.groups:
+            found += [*group.links, *(wheel.link for wheel in group.wheels)]
+        return found
 
     @property
     def pairs(self) -> list[Pair]:
-        return [self.driver_pair, *(pair for group in self.groups for pair in (*group.outer, *group.inner))]
+        """The lower pairs, and the higher ones of the wheels after all of them."""
+        lower = [self.driver_pair, *(wheel.bearing for wheel in self.wheels)]
+        for group in self.groups:
+            lower += [*group.outer, *group.inner, *(wheel.bearing for wheel in group.wheels)]
+        return [*lower, *(wheel.contact for wheel in self.coupled)]
 
     @property
     def formula(self) -> str:
-        """E.g. I(0,1) → II2(2,3) → II2(4,5)."""
-        return " → ".join([f"I(0,{self.mechanism.driver.link})", *(group.label for group in self.groups)])
+        """E.g. I(0,1) → II2(2,3) → II2(4,5); a link moved by a mesh is z(4)."""
+        parts = [f"I(0,{self.mechanism.driver.link})", *(f"z({wheel.link})" for wheel in self.wheels)]
+        for group in self.groups:
+            parts += [group.label, *(f"z({wheel.link})" for wheel in group.wheels)]
+        return " → ".join(parts)
 
     @property
     def mechanism_class(self) -> int:
@@ -100,8 +128,9 @@ def count_pairs(mechanism: Mechanism) -> int:
 
 
 def mobility(mechanism: Mechanism) -> int:
-    """W = 3n - 2p5 (Chebyshev); a cam pair, replaced by a link with two lower pairs, takes as much as -p4 would."""
-    return 3 * len(mechanism.moving) - 2 * count_pairs(mechanism)
+    """W = 3n - 2p5 - p4 (Chebyshev); a cam pair, replaced by a link with two lower pairs, takes as much as -p4
+    would."""
+    return 3 * len(mechanism.moving) - 2 * count_pairs(mechanism) - len(mechanism.meshes)
 
 
 def decompose(mechanism: Mechanism, sliding: bool = False) -> Structure:
@@ -116,15 +145,17 @@ def decompose(mechanism: Mechanism, sliding: bool = False) -> Structure:
     if (w := _freedom(mechanism, [FRAME], (mechanism.driver.link,))) != 1:  # held by more than its pivot
         raise ProblemError([_redundant([mechanism.driver.link], [FRAME], w)])
     known = [FRAME, mechanism.driver.link]
+    coupled: list[Coupled] = []
+    wheels = _moved_by_meshes(mechanism, known, coupled)
     groups: list[Group] = []
     while rest := [name for name in mechanism.moving if name not in known]:
         links = _next_group(mechanism, known, rest)
         group = _group(mechanism, known, links)
         if all(pair.links[0] == FRAME for pair in group.outer):
             raise ProblemError([_still(links)])
-        groups.append(group)
         known += links
-    return Structure(mechanism, driver_pair, tuple(groups))
+        groups.append(replace(group, wheels=_moved_by_meshes(mechanism, known, coupled)))
+    return Structure(mechanism, driver_pair, tuple(groups), wheels)
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,7 +178,7 @@ def alternatives(mechanism: Mechanism) -> list[Alternative]:
     A group of higher class may fall apart into dyads when another link drives; the mechanism's class changes with it.
     """
     found: list[Alternative] = []
-    if mechanism.cams:  # a follower cannot turn its cam
+    if mechanism.cams or mechanism.meshes:  # a follower cannot turn its cam
         return found
     for kind in "RP":
         for link in mechanism.moving:
@@ -180,7 +211,8 @@ def _driver_pair(mechanism: Mechanism, kinds: str) -> Pair:
 
 def _wrong_mobility(mechanism: Mechanism, w: int) -> Problem:
     built = mechanism.real
-    n, p, higher = len(built.moving), count_pairs(built), len(mechanism.cams)
+    n, p = len(built.moving), count_pairs(built)
+    higher = len(mechanism.cams) + len(mechanism.meshes)
     with_cams = N_(
         "mobility is W = 3·%(n)d − 2·%(p)d − %(higher)d = %(w)d (n = %(n)d moving links, p5 = %(p)d lower pairs, "
         "p4 = %(higher)d higher pairs), it must be 1"
@@ -251,8 +283,82 @@ def _next_group(mechanism: Mechanism, known: list[str], rest: list[str]) -> list
             raise ProblemError([_redundant(links, known, freedom)])
     if next(islice(sets, 1), None) is not None:
         raise ProblemError([_not_found(rest)])
+    idle = [m for m in mechanism.meshes if not set(m.links) <= {*known} and set(m.links) & {*rest}]
+    if idle:
+        raise ProblemError([_in_a_group(idle[0], rest)])
     text = N_("links %(links)s form no Assur group: nothing joins them to the driving link and the frame")
     raise ProblemError([mistake(text, ("mechanism", "links", rest[0]), links=", ".join(rest))])
+
+
+def _moved_by_meshes(mechanism: Mechanism, known: list[str], coupled: list[Coupled]) -> tuple[Coupled, ...]:
+    """The links that become known by meshes with `known` ones, wheel after wheel; `known` and `coupled` grow."""
+    found: list[Coupled] = []
+    done = {one.mesh.name for one in coupled}
+    while True:
+        ready = (m for m in mechanism.meshes if m.name not in done and set(m.links) & {*known})
+        mesh = next(ready, None)
+        if mesh is None:
+            return tuple(found)
+        if set(mesh.links) <= {*known}:
+            raise ProblemError([_twice_moved(mesh)])
+        link = next(one for one in mesh.links if one not in known)
+        by = mesh.other(link)
+        bearings = list(_pairs_of(mechanism, known, [link]))
+        if len(bearings) != 1 or bearings[0].links[0] != FRAME:
+            raise ProblemError([_twice_moved(mesh)])
+        before = next((one for one in coupled if one.link == by), None)
+        contact = Pair("H", mesh.pole, (by, link), {})
+        moved = Coupled(mesh, link, by, bearings[0], contact, before, by == mechanism.driver.link)
+        if (wrong := _not_repeated(mechanism, moved)) is not None:
+            raise ProblemError([wrong])
+        done.add(mesh.name)
+        coupled.append(moved)
+        found.append(moved)
+        known.append(link)
+
+
+def _mesh_path(mesh: Mesh) -> tuple[str | int, ...]:
+    key, _, number = mesh.name.partition(" ")
+    return ("mechanism", key, int(number))
+
+
+def _twice_moved(mesh: Mesh) -> Problem:
+    text = N_("links %(links)s are moved by other parts of the mechanism already: their mesh is redundant")
+    right = Message(N_("leave the mesh out, or one of the links or pairs that move both of them"))
+    return mistake(text, _mesh_path(mesh), right, links=", ".join(mesh.links))
+
+
+def _in_a_group(mesh: Mesh, rest: Sequence[str]) -> Problem:
+    text = N_(
+        "links %(links)s become known neither from each other nor before their mesh: a mesh within a group, whose "
+        "equations would be solved together with it, is not offered"
+    )
+    right = Message(N_("let the driving link, or what it moves through dyads, turn one of the wheels"))
+    return mistake(text, _mesh_path(mesh), right, links=shown(", ".join(rest), 80))
+
+
+def _not_repeated(mechanism: Mechanism, moved: Coupled) -> Problem | None:
+    """A wheel with joints, or a rack, that a full turn of the driving link does not bring back."""
+    turns, driver, own = moved.by_turns, mechanism.driver, mechanism.links[moved.link]
+    if turns is None or driver.sweep < FULL_TURN - 1e-12:
+        return None
+    if moved.slides:
+        text = N_("the rack on link %(link)s runs away: the wheel that drives it makes full turns")
+        right = Message(N_("state driver.range, less than a full turn, or let a rocker drive the rack"))
+        return mistake(text, _mesh_path(moved.mesh), right, link=moved.link)
+    axis = moved.bearing.at[moved.link]
+    plain = all(abs(complex(at) - complex(axis)) < 1e-12 for at in own.points.values())
+    carries = any(guide.link == moved.link for guide in mechanism.guides.values())
+    if abs(turns - round(turns)) < 1e-9 or (plain and not carries):
+        return None
+    text = N_(
+        "link %(link)s makes %(turns)s turns for each turn of the driving link: the motion does not repeat with every "
+        "turn, and such a cycle is not offered"
+    )
+    right = Message(
+        N_("a whole number of turns (radii or teeth in a ratio as 1:1 or 2:1), or driver.range below a turn")
+    )
+    return mistake(text, _mesh_path(moved.mesh), right, link=moved.link, turns=f"{abs(turns):.4g}")
 
 
 def _not_found(rest: Sequence[str]) -> Problem:

@@ -158,9 +158,13 @@ class Dyad:
 
     def place(self, s: State) -> None:
         place(s, self)
+        for wheel in self.group.wheels:
+            wheel.place(s)
 
     def move(self, s: State) -> None:
         move(s, self)
+        for wheel in self.group.wheels:
+            wheel.move(s)
 
     def closeness(self, s: State) -> Array:
         """How far from a singular position, 1 … 0, (..., P)."""

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from tmm_report.mechanics.cams.cam import Cam
     from tmm_report.mechanics.lever.forces.force_on_crank_gear import GearDrive
     from tmm_report.mechanics.lever.stated_masses import Statement
+    from tmm_report.mechanics.lever.wheels.mesh import Mesh
 
 FRAME = "0"
 
@@ -136,6 +137,7 @@ class Mechanism:
     assembly: Sequence[Assembly] = ()
     sketch: Mapping[str, complex] = field(default_factory=dict)
     cams: tuple[Cam, ...] = ()
+    meshes: tuple[Mesh, ...] = ()  # gear pairs and racks
 
     @property
     def real(self) -> Mechanism:

@@ -41,7 +41,7 @@ class Linkage:
     @cached_property
     def carriers(self) -> dict[str, str]:
         """Point -> the link whose motion gives the point's: of those that share it, the one found first."""
-        order = [FRAME, self.mechanism.driver.link, *(link for g in self.groups for link in g.links)]
+        order = [FRAME, *self.structure.order]
         links = self.mechanism.links
         return {p: next(n for n in order if p in links[n].points) for p in self.mechanism.point_names}
 
@@ -53,8 +53,10 @@ class Linkage:
         """
         driver = self.mechanism.driver.link
         origins: dict[str, Array] = {FRAME: 0j, driver: self.structure.driver_pair.at[driver]}
+        origins |= {wheel.link: wheel.bearing.at[wheel.link] for wheel in self.structure.wheels}
         for group in self.groups:
             origins |= {link: pair.at[link] for link, pair in group.references.items()}
+            origins |= {wheel.link: wheel.bearing.at[wheel.link] for wheel in group.group.wheels}
         arms: dict[str, tuple[str, Array]] = {}
         for link, origin in origins.items():
             for point, at in self.mechanism.links[link].points.items():
@@ -169,6 +171,9 @@ def drive(linkage: Linkage, phi: Array, omega: Array | None = None, epsilon: Arr
         s.o[name], s.r[name], s.u[name] = o, r, u
         s.carry(name, 0j, 0j)
         s.turn(name, *((omega, epsilon) if name == link else (0.0, 0.0)))
+    for wheel in linkage.structure.wheels:
+        wheel.place(s)
+        wheel.move(s)
     return s
 
 

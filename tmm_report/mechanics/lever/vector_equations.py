@@ -180,7 +180,7 @@ def relations(linkage: Linkage) -> list[Relation | System]:
 
 def moving_points(linkage: Linkage) -> list[str]:
     """Named points that move, in the order in which their links are found."""
-    order = [linkage.mechanism.driver.link, *(link for g in linkage.groups for link in g.links)]
+    order = linkage.structure.order
     fixed = linkage.mechanism.links[FRAME].points
     carriers = linkage.carriers
     return [
@@ -217,9 +217,11 @@ def turns_with(group: Dyad | HigherGroup) -> dict[str, str | None]:
 def turning_links(linkage: Linkage) -> list[str]:
     """Links that can turn, the driving link first; a slider on a fixed guide cannot."""
     turning = {FRAME: False, linkage.mechanism.driver.link: True}
+    turning |= {wheel.link: not wheel.slides for wheel in linkage.structure.wheels}
     for group in linkage.groups:
         for link, source in turns_with(group).items():
             turning[link] = source is None or turning[source]
+        turning |= {wheel.link: not wheel.slides for wheel in group.group.wheels}
     return [link for link, turns in turning.items() if turns]
 
 

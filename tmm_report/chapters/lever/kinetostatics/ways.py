@@ -49,6 +49,9 @@ STROKE = N_(
     "begins and ends."
 )
 LINE = N_("Across the line of engagement of the gear, in the sense in which it is driven.")
+TEETH = N_(
+    "From the reaction in the mesh: moments about the axis of the wheel that is driven give its tangential part."
+)
 PRESS = N_("The reaction of the cam on its follower by the component along the common normal.")
 
 
@@ -246,6 +249,10 @@ WAYS = (
     Way("strokes.*", STROKE, of="load stroke"),
     Way("gear_table.alpha_F_bal", LINE, of="alpha_w_gear phi"),
     Way("r_w_gear alpha_w_gear", STATED),
+    Way("mesh_table.F_t_*", TEETH, of="phi F_n_{0} reactions_table.R_*"),
+    Way("mesh_table.F_n_*", TEETH, of="F_t_{0} alpha_w_{0}"),
+    Way("mesh_table.M_z_*", TEETH, of="phi mesh_table.F_t_*"),
+    Way("alpha_w_*", STATED),
     Way("cam_press_table.*", PRESS, of="phi reactions_table.R_*"),
     Way("cam_press_max_* cam_press_min_*", EXTREME, of="omega"),
 )

@@ -37,6 +37,8 @@ def link_name(found: Structure, motion: Motion, link: str) -> LinkName:
         return LinkName(N_("cam"), turning)
     if link == driver.link:
         return LinkName(N_("crank") if turning == ROTATION else N_("driving rocker"), turning)
+    if (wheel := _wheel(found, link, bool(FRAME in slides))) is not None:
+        return LinkName(wheel, TRANSLATION if FRAME in slides else turning)
     if FRAME in slides:
         return LinkName(N_("translating slotted link") if carries else N_("slider"), TRANSLATION)
     if _is_ternary(found, link) and not pivoted:
@@ -49,6 +51,17 @@ def link_name(found: Structure, motion: Motion, link: str) -> LinkName:
     if slides:
         return LinkName(N_("block of the slotted link"), free)
     return LinkName(N_("slotted connecting rod") if carries else N_("connecting rod"), free)
+
+
+def _wheel(found: Structure, link: str, slides: bool) -> str | None:
+    """Of a link that is a rack, or a gear and nothing else."""
+    mechanism = found.linkage.mechanism
+    if not any(link in mesh.links for mesh in mechanism.meshes):
+        return None
+    if slides:
+        return N_("slider with a rack")
+    joints = [p for p in mechanism.links[link].points if len(mechanism.links_at(p)) > 1]
+    return N_("gear") if len(joints) == 1 else None
 
 
 def _is_ternary(found: Structure, link: str) -> bool:

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+import numpy as np
+
 from tmm_report.chapters.lever.structure.solve import Structure
 from tmm_report.i18n import NP_
 from tmm_report.mechanics.lever.assur_groups import Group, Pair
+from tmm_report.mechanics.lever.motion import Linkage
+from tmm_report.mechanics.lever.wheels.mesh import Mesh
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
+from tmm_report.quantity.model import Column, Quantity, Table, Value, kept, text_column
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.tabulated import tabulated
 
@@ -46,6 +50,84 @@ FREEDOM = Quantity("W", Symbol("W"), "", Message(N_("mobility")))
 MECHANISM_CLASS = Quantity("class", None, "", Message(N_("class of the mechanism")))
 
 
+def index_of(mesh: Mesh) -> str:
+    """The links of a mesh in an index: 12; longer names are told apart by a comma."""
+    return mesh.pole.removeprefix("P")
+
+
+@kept
+def _radius(link: str, index: str, symbol: str) -> Quantity:
+    meaning = Message(N_("working pitch radius of the wheel on link %(link)s"), {"link": link})
+    return Quantity(f"r_{link}_{index}", Symbol("r", symbol), "m", meaning)
+
+
+def pitch_radius(linkage: Linkage, mesh: Mesh, link: str) -> Quantity:
+    """The radius r_2 of the wheel on link 2; of several on one link r_2,12 and r_2,23."""
+    several = sum(link in one.links for one in linkage.mechanism.meshes) > 1
+    return _radius(link, index_of(mesh), f"{link},{index_of(mesh)}" if several else link)
+
+
+@kept
+def transfer(one: str, other: str, index: str, rack: bool) -> Quantity:
+    """The ratio by which the second link follows the first."""
+    if rack:
+        text = N_("angular velocity of wheel %(other)s by the velocity of rack %(one)s along its guide")
+        return Quantity(f"i_{index}", Symbol("i", index), "1/m", Message(text, {"one": one, "other": other}))
+    text = N_("angular velocity of link %(other)s by that of link %(one)s; below zero: in the opposite sense")
+    return Quantity(f"i_{index}", Symbol("i", index), "", Message(text, {"one": one, "other": other}))
+
+
+def transfer_of(mesh: Mesh) -> Quantity:
+    return transfer(*mesh.links, index_of(mesh), mesh.kind == "rack")
+
+
+@kept
+def _teeth(link: str, index: str) -> Quantity:
+    meaning = Message(N_("number of teeth of the wheel on link %(link)s"), {"link": link})
+    return Quantity(f"z_{link}_{index}", Symbol("z", f"{link},{index}"), "", meaning)
+
+
+def teeth_of(mesh: Mesh, link: str) -> Quantity:
+    return _teeth(link, index_of(mesh))
+
+
+@kept
+def _module(index: str) -> Quantity:
+    return Quantity(f"m_{index}", Symbol("m", index), "mm", Message(N_("module of the teeth")))
+
+
+def module_of(mesh: Mesh) -> Quantity:
+    return _module(index_of(mesh))
+
+
+@kept
+def _phase(one: str, other: str, index: str, rack: bool) -> Quantity:
+    text = N_("angle of link %(other)s where that of link %(one)s is 0")
+    if rack:
+        text = N_("angle of wheel %(other)s where rack %(one)s is at the point of its guide")
+    return Quantity(
+        f"phase_{index}", Symbol("phi", f"{other},0"), "deg", Message(text, {"one": one, "other": other})
+    )
+
+
+def phase_of(mesh: Mesh) -> Quantity:
+    return _phase(*mesh.links, index_of(mesh), mesh.kind == "rack")
+
+
+def _of_meshes(found: Structure) -> Iterator[Value]:
+    for mesh in found.linkage.mechanism.meshes:
+        for link in mesh.links:
+            if mesh.radius(link):
+                yield pitch_radius(found.linkage, mesh, link).value(mesh.radius(link))
+        yield transfer_of(mesh).value(mesh.ratio)
+        yield phase_of(mesh).value(float(np.degrees(mesh.phase)))
+        for link, count in zip(mesh.links, mesh.teeth or (), strict=mesh.teeth is not None):
+            if count:
+                yield teeth_of(mesh, link).value(count)
+        if mesh.module is not None:
+            yield _module(index_of(mesh)).value(1e3 * mesh.module)
+
+
 @tabulated
 def values(found: Structure) -> Iterator[Value]:
     yield MOVING.value(found.moving_links)
@@ -57,6 +139,7 @@ def values(found: Structure) -> Iterator[Value]:
         yield REPLACED_MOVING.value(found.moving_links + found.higher_pairs)
         yield REPLACED_LOWER.value(found.lower_pairs + 2 * found.higher_pairs)
         yield REPLACED_FREEDOM.value(found.mobility)
+    yield from _of_meshes(found)
 
 
 @tabulated

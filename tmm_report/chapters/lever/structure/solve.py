@@ -73,8 +73,8 @@ def solve(mechanism: Mechanism) -> Structure:
     return Structure(
         linkage=linkage,
         moving_links=len(mechanism.real.moving),
-        lower_pairs=len(structure.pairs) - 2 * len(mechanism.cams),
-        higher_pairs=len(mechanism.cams),
+        lower_pairs=sum(pair.kind != "H" for pair in structure.pairs) - 2 * len(mechanism.cams),
+        higher_pairs=len(mechanism.cams) + len(mechanism.meshes),
         mobility=mobility(mechanism),
         groups=structure.groups,
         pairs=_pairs(structure),

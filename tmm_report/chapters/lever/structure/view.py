@@ -17,8 +17,10 @@ from tmm_report.mechanics.cams.cam import Cam
 from tmm_report.mechanics.lever.assur_groups import Group, Pair
 from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.mechanics.lever.motion import Motion
+from tmm_report.mechanics.lever.wheels.coupled import Coupled
+from tmm_report.mechanics.lever.wheels.mesh import Mesh
 from tmm_report.problems import N_
-from tmm_report.quantity.formula import Formula, Var
+from tmm_report.quantity.formula import Expr, Formula, Var
 from tmm_report.quantity.model import Book
 from tmm_report.report.chapter_view import BookView
 from tmm_report.report.diagrams import scale_of
@@ -37,6 +39,11 @@ KNOWN = {
     "R": (N_("point (the pivot)"), N_("magnitude and direction")),
     "P": (N_("direction (across the guide)"), N_("magnitude and point")),
     "H": (N_("point (of contact) and direction (the common normal n–n)"), N_("magnitude")),
+}
+MESHES = {
+    "external": N_("wheels of links %(one)s and %(other)s in external mesh, pitch point %(point)s"),
+    "internal": N_("wheels of links %(one)s and %(other)s in internal mesh, pitch point %(point)s"),
+    "rack": N_("a rack on link %(one)s and a wheel on link %(other)s, pitch point %(point)s"),
 }
 ORDINALS = {1: N_("1st kind"), 2: N_("2nd kind"), 3: N_("3rd kind"), 4: N_("4th kind"), 5: N_("5th kind")}
 
@@ -122,6 +129,51 @@ class StructureView(BookView):
     def groups_scale(self) -> Var:
         """mu_l with the scale at which the groups are drawn apart."""
         return scale_of("mu_l", self.groups_drawn.mu, "m/mm")
+
+    # ------------------------------------------------------------ wheels and racks
+
+    @property
+    def coupled(self) -> tuple[Coupled, ...]:
+        return self.found.linkage.structure.coupled
+
+    def meshing(self) -> list[Markup]:
+        """What is in mesh, and how."""
+        return [self._meshing(mesh) for mesh in self.found.linkage.mechanism.meshes]
+
+    def _meshing(self, mesh: Mesh) -> Markup:
+        """Its wheels, and what is stated of their teeth and their phase."""
+        text = MESHES[mesh.kind]
+        said = [self.t(text, one=mesh.links[0], other=mesh.links[1], point=mesh.pole)]
+        for link in mesh.links:
+            key = q.teeth_of(mesh, link).key
+            if self.knows(key):
+                said.append(self.t("z = %(teeth)s on link %(link)s", teeth=self.number(key), link=link))
+        if mesh.module is not None:
+            said.append(self.t("module %(module)s", module=self.measured(q.module_of(mesh).key)))
+        phase = self.number(q.phase_of(mesh).key)
+        at = N_("where link %(one)s has the angle 0, link %(other)s has %(phase)s°")
+        if mesh.kind == "rack":
+            at = N_(
+                "where link %(one)s is at the point of its guide, link %(other)s has the angle %(phase)s°"
+            )
+        said.append(self.t(at, one=mesh.links[0], other=mesh.links[1], phase=phase))
+        return self.page.listed(said, "; ")
+
+    def ratios(self) -> list[Formula]:
+        """The ratio of every mesh by its radii."""
+        found, made = self.found.linkage, []
+        for mesh in found.mechanism.meshes:
+            first, second = (
+                self.value(q.pitch_radius(found, mesh, link).key).var() if mesh.radius(link) else None
+                for link in mesh.links
+            )
+            assert second is not None
+            size: Expr = first / second if first is not None else 1 / second
+            made.append(self.value(q.transfer_of(mesh).key).formula(size if mesh.ratio > 0 else -size))
+        return made
+
+    def of_ratios(self) -> list[dict[str, Any]]:
+        return self.page.where(*self.ratios())
 
     # ------------------------------------------------------------ tables
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tmm_report.problems import N_
-from tmm_report.quantity.ways import COUNTED, NAME, Way
+from tmm_report.quantity.ways import COUNTED, NAME, STATED, Way
 
 PAIR = N_("One for a pivot or a guide, two for a higher pair: the kinds of motion that the pair leaves.")
 LINKS = N_("Counted: the moving links that the variant states.")
@@ -14,6 +14,11 @@ REPLACED = N_("Counted in the mechanism whose higher pairs are each replaced by 
 HIGHEST = N_("The highest class of the groups that are detached.")
 OF_GROUP = N_("By Assur: II for a dyad; III and more by the most pairs of a closed contour of its links.")
 ORDER = N_("Counted: the pairs by which the group hangs on the links found before it.")
+RADIUS = N_(
+    "By the stated teeth and module, radii or ratio, so that the working pitch circles of both wheels "
+    "touch between their axes."
+)
+RATIO = N_("By the radii of the working pitch circles, which roll on one another.")
 COUNT = N_("Counted in the group.")
 OTHER = N_(
     "The groups are sought again with this link driving; the highest class of them, 0 where it cannot drive."
@@ -35,5 +40,8 @@ WAYS = (
     Way("n_repl", by=lambda q: q("n") + q("p4")),
     Way("p5_repl", by=lambda q: q("p5") + 2 * q("p4")),
     Way("*_repl", REPLACED, of="n p4"),
+    Way("z_*_* m_* phase_*", STATED),
+    Way("r_*_*", RADIUS, of="i_*"),
+    Way("i_*", RATIO, of="r_*"),
     Way("class", HIGHEST, of="n p5"),
 )

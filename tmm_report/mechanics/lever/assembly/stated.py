@@ -10,6 +10,7 @@ import numpy as np
 
 from tmm_report.mechanics.calculus.vectors import dot
 from tmm_report.mechanics.lever.assembly.all_roots import assemblies
+from tmm_report.mechanics.lever.assembly.swings import with_middles
 from tmm_report.mechanics.lever.assur_groups import KIND_NAMES, ROMAN, Group, Structure, decompose
 from tmm_report.mechanics.lever.cams.replacing_dyad import CamDyad, group_of
 from tmm_report.mechanics.lever.dyads import Dyad, State, reach
@@ -147,12 +148,15 @@ def _by_sketch(
             chosen = _higher_by_sketch(linkage, state, group, angle, problems)
             if chosen is None:
                 return linkage
+        linkage = with_middles(replace(linkage, groups=(*linkage.groups, chosen)))
+        chosen = linkage.groups[-1]
         with np.errstate(invalid="ignore", divide="ignore"):
             if isinstance(chosen, Dyad):
                 chosen.place(state)
             elif not linkage.axes:
                 chosen.loops.place(state, chosen.start[0][1][None])
-        linkage = replace(linkage, groups=(*linkage.groups, chosen))
+                for wheel in chosen.group.wheels:
+                    wheel.place(state)
     return linkage
 
 

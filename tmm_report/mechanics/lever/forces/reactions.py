@@ -6,7 +6,7 @@ Source: Artobolevsky, Theory of mechanisms and machines, ch. 13; Levitsky, ch. 7
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -20,6 +20,7 @@ from tmm_report.mechanics.lever.high_class.newton import HigherGroup
 from tmm_report.mechanics.lever.loop_equations import solve_each
 from tmm_report.mechanics.lever.mechanism import FRAME, Link
 from tmm_report.mechanics.lever.motion import SINGULAR, Motion
+from tmm_report.mechanics.lever.wheels.coupled import Coupled
 from tmm_report.records import dataclass
 
 Array = Any
@@ -110,13 +111,28 @@ def by_groups(motion: Motion, loads: Mapping[str, Load]) -> tuple[dict[str, Reac
     reactions: dict[str, Reaction] = {}
     with np.errstate(invalid="ignore", divide="ignore"):
         for group in reversed(motion.linkage.groups):
+            _by_wheels(s, group.group.wheels, rest, reactions)
             outer, inner = _solve_group(s, group, rest)
             if (lost := motion.sines[group.group.label] <= SINGULAR).any():
                 outer, inner = ([_undefined(r, lost) for r in part] for part in (outer, inner))
             for reaction in outer:
                 _pass_on(s, rest, reaction)
             reactions |= {r.pair.key: r for r in (*outer, *inner)}
+        _by_wheels(s, motion.linkage.structure.wheels, rest, reactions)
     return reactions, rest
+
+
+def _by_wheels(
+    s: State, wheels: Sequence[Coupled], rest: dict[str, Load], reactions: dict[str, Reaction]
+) -> None:
+    """Reactions of links that meshes move, from the last one on; the teeth load the links that move them."""
+    for wheel in reversed(wheels):
+        load, own = rest[wheel.link], wheel.bearing
+        teeth, force, moment = wheel.held(s, load.force, load.moment)
+        contact = Reaction(wheel.contact, teeth, 0.0, wheel.mesh.pitch_point)
+        _pass_on(s, rest, contact)
+        bearing = Reaction(own, force, moment, s.r[wheel.link], _guide(s, own))
+        reactions |= {contact.pair.key: contact, own.key: bearing}
 
 
 def _by_lines(lines: Straight, v: list[Any]) -> tuple[dict[str, Reaction], Load, Array]:

@@ -115,6 +115,8 @@ class HigherGroup:
                 kept = np.where((left <= CLOSED)[..., None], guess, np.nan)
                 q = np.where(astray[..., None], kept, q)
         self.loops.place(s, q)
+        for wheel in self.group.wheels:
+            wheel.place(s)
 
     def _near(self, phi: Array) -> tuple[Array, Array]:
         """q near the branches at driver angles (..., P), and how far from it the branches' own roots may be."""
@@ -128,6 +130,8 @@ class HigherGroup:
     def move(self, s: State) -> None:
         """Add the rates of the links to the state."""
         self.loops.move(s)
+        for wheel in self.group.wheels:
+            wheel.move(s)
 
     def closeness(self, s: State) -> Array:
         """Smallest singular value of the scaled Jacobian, (..., P)."""

@@ -25,8 +25,8 @@ Array = Any
 
 
 def straight(linkage: Linkage) -> Linkage:
-    """The linkage with its straight lines; as it was, where it has a group above class II or is a stack of `Each`."""
-    if not all(isinstance(group, Dyad) for group in linkage.groups) or _is_stack(linkage):
+    """The linkage with its straight lines; as it was, where it has wheels or a group above class II or is a stack."""
+    if linkage.mechanism.meshes or not all(isinstance(g, Dyad) for g in linkage.groups) or _is_stack(linkage):
         return linkage
     try:
         return replace(linkage, straight=_straight(linkage))

@@ -49,6 +49,8 @@ def contours(found: Kinematics, index: int) -> Contours:
     with np.errstate(invalid="ignore", divide="ignore"):
         bench = Bench(found, index)
         done = _driver(bench)
+        for wheel in found.linkage.structure.wheels:
+            bench.take_pose(wheel.link)
         driving = bench.taken()
         groups = []
         for group in found.linkage.groups:
@@ -59,6 +61,8 @@ def contours(found: Kinematics, index: int) -> Contours:
                 written.points[:0] = before
                 groups.append(written)
             done |= {pair.name for pair in group.group.inner if pair.kind == "R"}
+            for wheel in group.group.wheels:
+                bench.take_pose(wheel.link)
         other, alike = _others(bench, done, any(one.points for one in groups))
     return Contours(index, bench, driving, tuple(groups), other, alike)
 

@@ -12,10 +12,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tmm_report.chapters.lever.kinematics.solve import points_and_links as q
+from tmm_report.mechanics.calculus.vectors import dot
 from tmm_report.mechanics.lever.high_class.newton import HigherGroup
 from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.mechanics.lever.motion import Motion
 from tmm_report.mechanics.lever.vector_equations import Branch, relations, turns_with
+from tmm_report.mechanics.lever.wheels.coupled import Coupled
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.formula import Expr, Formula, Negative, Var, cos, expr, sin, sqrt
 from tmm_report.quantity.symbols import Symbol
@@ -113,6 +115,10 @@ def _turning(motion: Motion, k: int, letter: str, link: str, known: Known) -> It
             of = q.link_rate(letter, link)
             yield Formula(of.sign, _rate(motion, k, letter, other), of.unit, scale=0.0)
             return
+    wheel = next((one for one in motion.linkage.structure.coupled if one.link == link), None)
+    if wheel is not None:
+        yield _meshing(motion, k, letter, wheel)
+        return
     yield from _together(motion, known, letter, link)
     points = mechanism.links[link].points
     ends = max(((a, b) for a in points for b in points), key=lambda ab: abs(points[ab[0]] - points[ab[1]]))
@@ -131,6 +137,18 @@ def _turning(motion: Motion, k: int, letter: str, link: str, known: Known) -> It
     formula = Formula(of.sign, (dx * vy - dy * vx) / length**2, of.unit, scale=0.0)
     if np.isfinite(formula.value):
         yield formula
+
+
+def _meshing(motion: Motion, k: int, letter: str, wheel: Coupled) -> Formula:
+    """ω of a link that a mesh moves by the rate of the other link, ε likewise."""
+    of = q.link_rate(letter, wheel.link)
+    ratio = Var(Symbol("i", f"{wheel.by}→{wheel.link}"), wheel.rate, "1/m" if wheel.by_slides else "")
+    if not wheel.by_slides:
+        return Formula(of.sign, ratio * _rate(motion, k, letter, wheel.by), of.unit, scale=0.0)
+    base = "v" if letter == "w" else "a"
+    vector = (motion.state.v, motion.state.a)[letter == "e"][wheel.by]
+    along = float(np.ravel(dot(np.asarray(vector) + 0 * motion.phi, wheel.mesh.along))[k])
+    return Formula(of.sign, ratio * Var(Symbol(base, wheel.by), along, q.UNITS[base]), of.unit, scale=0.0)
 
 
 def _together(motion: Motion, known: Known, letter: str, link: str) -> Iterator[Line]:

@@ -24,6 +24,7 @@ from tmm_report.chapters.lever.kinetostatics.quantities.positions import (
     inertia_force,
     moments,
     reaction,
+    reaction_angle,
     weight,
 )
 from tmm_report.chapters.lever.kinetostatics.solve.acting_forces import loaded_link
@@ -47,6 +48,10 @@ OF_GROUP = N_(
 OF_DRIVER = N_(
     "Equations of equilibrium of the driving link %(link)s at this position, in symbols and with numbers:"
 )
+OF_WHEEL = N_(
+    "Equations of equilibrium of link %(link)s, which a mesh moves, at this position, in symbols and with numbers:"
+)
+OF_MESH = N_("the force in the teeth of %(point)s lies on the line of action:")
 OF_LINK = N_("link %(link)s: ΣF_x = 0, ΣF_y = 0, ΣM = 0 about point %(point)s:")
 OF_GUIDE = N_("guide %(guide)s bears no force along itself:")
 OF_TEETH = N_("the force in the teeth lies on the line of action:")
@@ -116,6 +121,9 @@ def _solved_with(solved: Solved, key: str) -> tuple[Sequence[str], Message]:
             for group in linkage.groups:
                 if found.pair in (*group.group.outer, *group.group.inner):
                     return group.group.links, Message(OF_GROUP, {"group": group.group.label})
+            for wheel in linkage.structure.coupled:
+                if found.pair.key in (wheel.bearing.key, wheel.contact.key):
+                    return [wheel.link], Message(OF_WHEEL, {"link": wheel.link})
     return [driver], Message(OF_DRIVER, {"link": driver})
 
 
@@ -136,15 +144,19 @@ class _Writer:
         linkage = self.motion.linkage
         self.driver = linkage.mechanism.driver.link
         groups = [g.group for g in linkage.groups if set(g.group.links) == set(links)]
-        self.own = {p.key for g in groups for p in (*g.outer, *g.inner)} or {
-            linkage.structure.driver_pair.key
-        }
+        moved = [one for one in linkage.structure.coupled if [one.link] == list(links)]
+        self.own = {p.key for g in groups for p in (*g.outer, *g.inner)}
+        self.own |= {key for one in moved for key in (one.bearing.key, one.contact.key)}
+        self.own = self.own or {linkage.structure.driver_pair.key}
         self.unknown: dict[str, Input] = {}
 
     def written(self) -> System:
         lines = [self._link(link) for link in self.links]
         lines += [
             self._guide(one) for one in self._reactions() if one.pair.kind == "P" and one.pair.key in self.own
+        ]
+        lines += [
+            self._mesh(one) for one in self._reactions() if one.pair.kind == "H" and one.pair.key in self.own
         ]
         gear = self.motion.linkage.mechanism.driver.gear
         if gear is not None and self.driver in self.links:
@@ -184,7 +196,7 @@ class _Writer:
 
     def _name(self, one: Reaction, link: str) -> str:
         """Of the point at which a reaction acts."""
-        if one.pair.kind == "R":
+        if one.pair.kind in "RH":
             return one.pair.name
         slider = one.pair.slider or link
         points = self.motion.linkage.mechanism.links[slider].points
@@ -267,6 +279,13 @@ class _Writer:
         x, y = reaction(*one.pair.links).components
         body = self._unknown(x, force.real) * cos(beta) + self._unknown(y, force.imag) * sin(beta)
         return Message(OF_GUIDE, {"guide": one.pair.name}), [body]
+
+    def _mesh(self, one: Reaction) -> tuple[Message, list[Expr]]:
+        force = complex(_at(one.force, self.index))
+        x, y = reaction(*one.pair.links).components
+        alpha = Var(reaction_angle(*one.pair.links).sign, float(np.angle(force)), "deg")
+        body = self._unknown(x, force.real) * sin(alpha) - self._unknown(y, force.imag) * cos(alpha)
+        return Message(OF_MESH, {"point": one.pair.name}), [body]
 
     def _unknown(self, of: Quantity, number: float) -> Unknown:
         self.unknown.setdefault(of.key, Input(of, number, of.unit, of.symbol))

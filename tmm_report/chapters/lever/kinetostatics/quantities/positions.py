@@ -16,6 +16,7 @@ from tmm_report.chapters.lever.kinetostatics.given import Carried
 from tmm_report.chapters.lever.kinetostatics.quantities import cam_pressure as pressing_quantities
 from tmm_report.chapters.lever.kinetostatics.quantities import cycle
 from tmm_report.chapters.lever.kinetostatics.quantities import driving_gear as gear_quantities
+from tmm_report.chapters.lever.kinetostatics.quantities import wheels as wheel_quantities
 from tmm_report.chapters.lever.kinetostatics.quantities.cycle import Row
 from tmm_report.chapters.lever.kinetostatics.quantities.driving_gear import ANGLE as ANGLE
 from tmm_report.chapters.lever.kinetostatics.quantities.driving_gear import BASE_RADIUS as BASE_RADIUS
@@ -199,6 +200,7 @@ def tables(found: Kinetostatics) -> Iterator[Table]:
         yield from _at_instants(found, found.asked)
     yield from gear_quantities.tables(found)
     yield from pressing_quantities.tables(found, found.pressings)
+    yield from wheel_quantities.tables(found)
     if found.over is not None:
         yield cycle.extremes_table(peaks_of(found.over))
     if found.works is not None:
@@ -372,6 +374,7 @@ def values(found: Kinetostatics) -> Iterator[Value]:
     yield from extremes(found)
     yield from gear_quantities.values(found)
     yield from pressing_quantities.values(found.pressings)
+    yield from wheel_quantities.values(found)
     if found.works is not None:
         yield from cycle.works_values(found.works)
     worst = Message(N_("worst relative disagreement of the lever"))

@@ -17,6 +17,7 @@ from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatic
 from tmm_report.chapters.lever.kinetostatics.view import cam_pressure as pressing_view
 from tmm_report.chapters.lever.kinetostatics.view import checks as lever_view
 from tmm_report.chapters.lever.kinetostatics.view import driving_gear as gear_view
+from tmm_report.chapters.lever.kinetostatics.view import wheels as wheels_view
 from tmm_report.chapters.lever.kinetostatics.view.curves import CurvesView
 from tmm_report.chapters.lever.kinetostatics.view.cycle import CycleView
 from tmm_report.chapters.lever.kinetostatics.view.diagrams import balancing_diagram, graphs_of, load_diagrams
@@ -51,6 +52,7 @@ def parts(lever: LeverFound, page: Page) -> Iterator[Part | None]:
     yield NEXT_CHAPTER  # the force plans stand between the loads and the reactions
     yield Part("lever/kinetostatics", view)
     yield from pressing_view.parts(lever.kinetostatics, page)
+    yield from wheels_view.parts(lever.kinetostatics, lever.sample, page)
     yield Part("lever/kinetostatics/curves", view.curves, concludes=False)
     yield Part("lever/kinetostatics/extremes", view.cycle, concludes=False)
     yield Part("lever/kinetostatics/balancing", view)

@@ -7,7 +7,9 @@ multiplied by the scale.
 
 from __future__ import annotations
 
-from tmm_report.chapters.lever.plans.drafting import dyad, lead, system
+from dataclasses import replace
+
+from tmm_report.chapters.lever.plans.drafting import dyad, lead, system, wheels
 from tmm_report.chapters.lever.plans.drafting.plan import (
     LegLine,
     Plan,
@@ -49,7 +51,7 @@ def acceleration_plan(
 
 
 def _drafted(sheet: Sheet) -> Plan:
-    first = lead.formulas(sheet)
+    first = (*lead.formulas(sheet), *wheels.moved(sheet, sheet.linkage.structure.wheels))
     steps = tuple(_step(sheet, r) for r in relations(sheet.linkage))
     sheet.copy_rates()
     turns = {link: image.turn for link, image in sheet.images.items()}
@@ -60,4 +62,6 @@ def _drafted(sheet: Sheet) -> Plan:
 
 
 def _step(sheet: Sheet, r: Relation | System) -> Step:
-    return dyad.step(sheet, r) if isinstance(r, Relation) else system.step(sheet, r)
+    made = dyad.step(sheet, r) if isinstance(r, Relation) else system.step(sheet, r)
+    moved = tuple(wheels.moved(sheet, made.group.wheels))
+    return replace(made, points=(*made.points, *moved)) if moved else made

@@ -13,6 +13,7 @@ from tmm_report.chapters.lever.structure.block.cams import CamModel
 from tmm_report.chapters.lever.structure.block.geometry import Geometry
 from tmm_report.chapters.lever.structure.block.synthesised import Taken, coordinate, direction, placed
 from tmm_report.chapters.lever.structure.block.weights import Weights, in_the_middle, inertia_of
+from tmm_report.chapters.lever.structure.block.wheels.build import meshes
 from tmm_report.mechanics.cams.cam import Cam
 from tmm_report.mechanics.lever.cams.replacing_dyad import replaced
 from tmm_report.mechanics.lever.forces.force_on_crank_gear import GearDrive
@@ -33,6 +34,8 @@ from tmm_report.variant.values import SENSES, SIDES, unit_vector
 
 def mechanism(model: m.MechanismModel, synthesis: Taken = None) -> Mechanism:
     built = without_cams(model, synthesis)
+    if model.wheels or model.racks:
+        built = replace(built, meshes=tuple(meshes(model.wheels, model.racks, built)))
     if not model.cams:
         return built
     cams = tuple(cam_of(name, one, built) for name, one in model.cams.items())
@@ -52,7 +55,7 @@ def centre_place(built: Mechanism) -> complex:
 
 
 def without_cams(model: m.MechanismModel, synthesis: Taken = None) -> Mechanism:
-    """The mechanism as it is written, without what replaces its cam pairs."""
+    """The mechanism as it is written, without what replaces its cam pairs and without its wheels."""
     geometry = Geometry(model.links, frame(model, synthesis), synthesis)
     weights = Weights(geometry)
     links = {name: link(name, weights) for name in model.links}

@@ -16,7 +16,8 @@ from tmm_report.chapters.lever.structure.block.synthesised import (
     offered,
 )
 from tmm_report.chapters.lever.structure.block.weights import Weights, in_the_middle
-from tmm_report.mechanics.lever.mechanism import FRAME
+from tmm_report.chapters.lever.structure.block.wheels import checks as wheel_checks
+from tmm_report.mechanics.lever.mechanism import FRAME, Mechanism
 from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.quantity.units import WrongValue
 from tmm_report.records import dataclass
@@ -112,6 +113,17 @@ def check(mechanism: m.MechanismModel, read: Read) -> Found:
     yield from _driver(mechanism, read, known)
     yield from _assembly(mechanism, known)
     yield from cam_checks.check(mechanism, read, known)
+    yield from wheel_checks.check(mechanism, known, _built(mechanism, synthesis), read)
+
+
+def _built(mechanism: m.MechanismModel, synthesis: Taken) -> Mechanism | None:
+    """The mechanism without cams and wheels; None where its links have mistakes of their own."""
+    if mechanism.driver is None or not (mechanism.wheels or mechanism.racks):
+        return None
+    try:
+        return build.without_cams(mechanism, synthesis)
+    except (WrongValue, KeyError):
+        return None
 
 
 def _complete(read: Read) -> Found:

@@ -9,6 +9,7 @@ from pydantic import BeforeValidator, ConfigDict, Field, Tag, model_validator
 
 from tmm_report.chapters.lever.structure.block.cams import CamModel
 from tmm_report.chapters.lever.structure.block.driving import LawModel
+from tmm_report.chapters.lever.structure.block.wheels.models import RackModel, WheelsModel
 from tmm_report.mechanics.lever.stated_masses import Statement, Synthesised
 from tmm_report.problems import N_, Message, shown
 from tmm_report.quantity.units import WrongValue
@@ -37,8 +38,15 @@ from tmm_report.variant.values import (
 )
 
 WHEELS = N_(
-    "wheels and racks within the linkage are not offered: gears are stages of the block drive, that of the driving "
-    "link stands under driver.gear"
+    "wheels and racks of links stand beside the links: mechanism.wheels: [{links: [1, 2], teeth: [20, 40]}], "
+    "mechanism.racks: [{slider: 3, wheel: 4, radius: 48 mm}]"
+)
+ROLLS = N_(
+    "rolling on a guide is not offered: a wheel with a fixed axis on a rack is the nearest, mechanism.racks"
+)
+BELTS = N_(
+    "belts and chains within the linkage are not offered: wheels in mesh are, mechanism.wheels, and belts are stages "
+    "of the block drive"
 )
 Turns = Annotated[int, whole(1, 4)]
 
@@ -168,9 +176,10 @@ AnyInertia = Annotated[
 class LinkModel(Model):
     """A moving rigid link. Links that have a point of the same name are joined there by a pivot."""
 
-    NOT_OFFERED: ClassVar[Mapping[str, str]] = dict.fromkeys(
-        ("wheel", "gear", "rack", "teeth", "rolls"), WHEELS
-    )
+    NOT_OFFERED: ClassVar[Mapping[str, str]] = {
+        **dict.fromkeys(("wheel", "gear", "rack", "teeth"), WHEELS),
+        "rolls": ROLLS,
+    }
 
     points: Points = Field(description="its points, in its own axes", examples=["{A: 0, B: 300 mm}"])
     mass: AnyMass = Field(
@@ -326,7 +335,8 @@ class MechanismModel(Model):
     """The mechanism as its drawing shows it. Groups of links are found by the program."""
 
     NOT_OFFERED: ClassVar[Mapping[str, str]] = {
-        **dict.fromkeys(("wheels", "wheel", "gears", "racks", "rack", "belts", "chains"), WHEELS),
+        **dict.fromkeys(("wheel", "gear", "gears", "rack"), WHEELS),
+        **dict.fromkeys(("belts", "chains"), BELTS),
         **dict.fromkeys(("springs", "dampers"), N_("springs and dampers between points are not offered")),
     }
 
@@ -339,6 +349,12 @@ class MechanismModel(Model):
     driver: DriverModel | None = None
     cams: dict[KeyName, CamModel] = Field(
         default={}, max_length=4, description="cam pairs, by the names of the links that replace them"
+    )
+    wheels: list[WheelsModel] = Field(
+        default=[], max_length=8, description="pairs of wheels in mesh, each fixed to a link"
+    )
+    racks: list[RackModel] = Field(
+        default=[], max_length=8, description="racks on sliders, with their wheels"
     )
     assembly: dict[GroupName, Choice] = Field(
         default={},

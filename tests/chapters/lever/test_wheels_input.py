@@ -1,0 +1,162 @@
+"""Slips in the keys `wheels` and `racks`: one clear message each, at its line, with its cure."""
+
+import pytest
+
+from tmm_report import course
+from tmm_report.problems import ProblemError
+
+TEXT = """language: en
+mechanism:
+  frame: {O1: [0, 0], O2: [150 mm, 0], E: [400 mm, 248 mm], P: [0, 200 mm]}
+  guides: {x: {through: P}, k: {through: A, link: 3}}
+  links:
+    1: {points: {O1: 0, A: 60 mm}}
+    2: {points: {O2: 0, B: 40 mm}}
+    3: {points: {A: 0, C: 200 mm}}
+    4: {points: {B: 0, C: 180 mm}}
+    5: {points: {C: 0, D: 300 mm}}
+    6: {points: [D], slides: x}
+    7: {points: [E]}
+  wheels:
+    - {links: [1, 2], teeth: [40, 20], module: 5 mm, angles: [0, 30 deg]}
+  racks:
+    - {slider: 6, wheel: 7, radius: 48 mm}
+  driver: {link: 1, speed: 120 rpm}
+  assembly: {C: left of A-B, D: right}
+positions: {table: 12}
+"""
+PAIR, RACK = "{links: [1, 2], teeth: [40, 20], module: 5 mm, angles: [0, 30 deg]}", "radius: 48 mm}"
+SLIPS = {
+    "no such link": ("links: [1, 2]", "links: [1, 9]", "mechanism.wheels.0.links.1", "there is no link 9", ""),
+    "the frame": ("links: [1, 2]", "links: [0, 2]", "mechanism.wheels.0.links.0", "frame carries no wheel", "1, 2"),
+    "itself": ("links: [1, 2]", "links: [2, 2]", "mechanism.wheels.0", "in mesh with itself", "two different"),
+    "moving axis": ("links: [1, 2]", "links: [1, 3]", "mechanism.wheels.0.links.1", "no fixed point", "drive"),
+    "two sizes": ("module: 5 mm", "ratio: 2", "mechanism.wheels.0", "not stated in one way", "one of them"),
+    "no size": ("teeth: [40, 20], module: 5 mm, ", "", "mechanism.wheels.0", "not stated in one way", "ratio: 2"),
+    "module alone": ("teeth: [40, 20], ", "ratio: 2, ", "mechanism.wheels.0", "without numbers of teeth", "leave"),
+    "wrong module": (
+        "module: 5 mm", "module: 4 mm",
+        "mechanism.wheels.0.module", "120 mm, and the axes are 150 mm", "module: 5 mm",
+    ),
+    "wrong radii": (
+        "teeth: [40, 20], module: 5 mm", "radii: [80 mm, 40 mm]",
+        "mechanism.wheels.0.radii", "do not touch", "100 mm, 50 mm",
+    ),
+    "equal ring": (
+        "teeth: [40, 20], module: 5 mm", "ratio: 1, mesh: internal",
+        "mechanism.wheels.0.ratio", "can't be equal", "external",
+    ),
+    "signed ratio": (
+        "teeth: [40, 20], module: 5 mm", "ratio: -2",
+        "mechanism.wheels.0", "follows from the mesh", "ratio: 2",
+    ),
+    "angle": (
+        "module: 5 mm", "module: 5 mm, pressure_angle: 60 deg",
+        "mechanism.wheels.0", "no teeth are in mesh", "0 to 45",
+    ),
+    "two phases": ("angles: [0", "phase: 0, angles: [0", "mechanism.wheels.0", "stated twice", "leave one"),
+    "twice": (
+        PAIR, PAIR + "\n    - {links: [2, 1], ratio: 0.5}",
+        "mechanism.wheels.1", "in mesh twice", "leave one",
+    ),
+    "one axis": (
+        "2: {points: {O2: 0, B: 40 mm}}", "2: {points: {O1: 0, B: 40 mm}}",
+        "mechanism.wheels.0.links", "have one axis", "one link",
+    ),
+    "no slider": ("slider: 6", "slider: 5", "mechanism.racks.0.slider", "slides along no fixed guide", "slides:"),
+    "rack wheel": ("wheel: 7", "wheel: 4", "mechanism.racks.0.wheel", "turns about no fixed point", "drive"),
+    "teeth alone": (RACK, "teeth: 24}", "mechanism.racks.0", "not stated in one way", "module: 4 mm"),
+    "side along": (RACK, "radius: 48 mm, side: left}", "mechanism.racks.0.side", "the rack runs that way", "above"),
+    "side unknown": ("248 mm]", "200 mm]", "mechanism.racks.0", "lies on the line of the guide", "side: above"),
+    "planet": ("links: [1, 2]", "carrier: 1, links: [1, 2]", "mechanism.wheels.0.carrier", "axis moves", ""),
+    "friction": (
+        "positions:", "friction: {pivots: {f: 0.1, diameter: 20 mm}}\npositions:",
+        "friction", "is not worked out of a mechanism with wheels", "leave",
+    ),
+    "force plan": (
+        "{table: 12}", "{table: 12, force_plan: [1]}",
+        "positions.force_plan", "force plans of a mechanism with wheels", "leave",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("slip", SLIPS)
+def test_a_slip_is_told_with_its_cure(slip):
+    right, wrong, key, words, cure = SLIPS[slip]
+    assert TEXT.count(right) == 1
+    text = TEXT.replace(right, wrong)
+    with pytest.raises(ProblemError) as caught:
+        course.loads(text)
+    told = [problem for problem in caught.value.problems if problem.key == key]
+    assert told, [problem.text() for problem in caught.value.problems]
+    assert any(words in problem.text() and cure in problem.text() for problem in told)
+    assert all(problem.line for problem in told)
+
+
+SOLVED = {
+    "ratio": ("teeth: [40, 20], module: 5 mm", "teeth: [40, 25]", "1.6 turns for each turn", "whole number of turns"),
+    "over-constrained": ("7: {points: [E]}", "7: {points: {E: 0, D: 50 mm}}", "p4 = 2 higher pairs", "too many"),
+    "no axis": ("3: {points: {A: 0, C: 200 mm}}", "3: {points: {A: 0}}", "2 link end", "too free"),
+    "too free": ("  wheels:\n    - " + PAIR + "\n", "", "mobility", "too free"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("slip", SOLVED)
+def test_what_the_structure_says_against_it(slip):
+    right, wrong, words, cure = SOLVED[slip]
+    assert TEXT.count(right) == 1
+    variant = course.loads(TEXT.replace(right, wrong))
+    with pytest.raises(ProblemError) as caught:
+        course.solve(variant)
+    told = " ".join(problem.text() for problem in caught.value.problems)
+    assert words in told and cure in told
+
+
+WITHIN = """language: en
+mechanism:
+  frame: {O1: [0, 0], O2: [150 mm, 0], E: [75 mm, 400 mm]}
+  links:
+    1: {points: {O1: 0, A: 60 mm}}
+    2: {points: {O2: 0, B: 60 mm}}
+    3: {points: {A: 0, C: 200 mm}}
+    4: {points: {B: 0, C: 200 mm}}
+    8: {points: {E: 0, K: 20 mm}}
+    9: {points: {K: 0, C: 220 mm}}
+  wheels:
+    - {links: [1, 2], ratio: 1}
+  driver: {link: 8, speed: 120 rpm}
+"""
+
+
+def test_a_mesh_within_a_group_is_refused_by_name():
+    with pytest.raises(ProblemError) as caught:
+        course.solve(course.loads(WITHIN))
+    (told,) = caught.value.problems
+    assert told.key == "mechanism.wheels.0" and "within a group" in told.text()
+    assert "let the driving link" in told.text()
+
+
+def test_a_rack_driven_by_full_turns_runs_away():
+    text = """language: en
+mechanism:
+  frame: {O: [0, 0], G: [0, 40 mm]}
+  guides: {x: {through: G}}
+  links: {1: {points: {O: 0, A: 30 mm}}, 2: {points: [B], slides: x}}
+  racks: [{slider: 2, wheel: 1, radius: 40 mm}]
+  driver: {link: 1, speed: 1}
+"""
+    with pytest.raises(ProblemError) as caught:
+        course.solve(course.loads(text))
+    (told,) = caught.value.problems
+    assert told.key == "mechanism.racks.0" and "runs away" in told.text() and "driver.range" in told.text()
+    swung = course.solve(course.loads(text.replace("speed: 1}", "speed: 1, range: 90 deg}"))).lever
+    way = swung.kinematics.table.place("B").real
+    assert way[-1] - way[0] == pytest.approx(
+        -0.04 * 1.5707963267948966
+    )  # above the wheel, which turns to the left there
+
+
+def test_the_text_itself_is_right():
+    found = course.solve(course.loads(TEXT)).lever.structure
+    assert (found.moving_links, found.lower_pairs, found.higher_pairs, found.mobility) == (7, 9, 2, 1)
+    assert found.formula == "I(0,1) → z(2) → II2(3,4) → II2(5,6) → z(7)"
