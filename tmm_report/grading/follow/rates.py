@@ -108,7 +108,9 @@ class Rates:
         self._turn(link, self._by_pins(link, pivot) if self.velocities is None else [])
         for point in self.poses.first_of(link):
             choices = [self.on_link(link, point)]
-            if self.velocities is not None and self.motion.phase is None:  # else it has a tangential part, too
+            if (
+                self.velocities is not None and self.motion.phase is None
+            ):  # else it has a tangential part, too
                 arm, speed = self.poses.arm(link, pivot, point), self.velocities.points[point]
                 choices.append(derived(self.right(point), _towards_start, speed, arm))
             self._point(point, choices)
