@@ -34,10 +34,10 @@ def _wheel(sheet: Sheet, wheel: Coupled) -> Iterator[Formula]:
         bend = omega**2 / sheet.scale
     sheet.images[link] = Image(0j, pivot, complex(-bend, turn))
     own = sheet.rate(link)
-    if wheel.leads and sheet.kind == "a":  # the driving link turns evenly, and so does its partner
+    source, per_mm = _source(sheet, wheel)
+    if not per_mm and not source.value:  # the driving link turns evenly, and so does its partner
         sheet.values[own], sheet.per_mm[own] = 0.0, 0.0
         return
-    source, per_mm = _source(sheet, wheel)
     radius = sheet.worked.number(pitch_radius(sheet.linkage, mesh, link), mesh.radius(link))
     if not wheel.by_slides:
         source = source * sheet.worked.number(pitch_radius(sheet.linkage, mesh, by), mesh.radius(by))
