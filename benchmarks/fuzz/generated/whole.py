@@ -119,8 +119,29 @@ def _lever(data: dict[str, Any], walk: Walk) -> None:
         data["drawing"]["scales"]["force"] = {"2-3": next(iter(force.values()))}
 
 
+def _shared(loads: dict[str, Any]) -> None:
+    """The curves that loads take are there, and no others."""
+    curves, taken = loads.pop("curves", {}), {}
+    parts = {"forward": [[0, 0.1], [1, 1]], "back": [[0, 0], [1, 1]]}
+    for one in (*loads.get("forces", ()), *loads.get("moments", ())):
+        diagram = one.get("by_displacement")
+        if isinstance(diagram, dict) and "curve" in diagram:
+            name = diagram["curve"] = next(iter(curves), "gas")
+            stated = curves.get(name, parts)
+            taken[name] = {way: [[0, 0.2], *stated[way][1:-1], [1, 0.9]] for way in ("forward", "back")}
+    if taken:
+        loads["curves"] = {
+            name: {way: [[x, min(abs(float(y)), 1)] for x, y in points] for way, points in curve.items()}
+            for name, curve in taken.items()
+        }
+
+
 def _agreed(data: dict[str, Any]) -> None:
     """What asks for loads has some, what asks for masses is there with masses."""
+    if "loads" in data:
+        _shared(data["loads"])
+    if "law" in data["mechanism"]["driver"] and "at" in data.get("positions", {}):
+        data["positions"]["at"] = ["0.05 s"] if len(data["positions"]["at"]) % 2 else ["0.02 s", "0.1 s"]
     massive = any("mass" in link for link in data["mechanism"]["links"].values())
     if "cams" in data["mechanism"]:
         for name in ("friction", "wear", "balancing"):

@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from itertools import combinations, islice
-from math import tau as FULL_TURN
 from typing import Literal
 
 from tmm_report.mechanics.lever.mechanism import FRAME, Mechanism, Scalar
@@ -340,7 +339,7 @@ def _in_a_group(mesh: Mesh, rest: Sequence[str]) -> Problem:
 def _not_repeated(mechanism: Mechanism, moved: Coupled) -> Problem | None:
     """A wheel with joints, or a rack, that a full turn of the driving link does not bring back."""
     turns, driver, own = moved.by_turns, mechanism.driver, mechanism.links[moved.link]
-    if turns is None or driver.sweep < FULL_TURN - 1e-12:
+    if turns is None or not driver.goes_round:
         return None
     if moved.slides:
         text = N_("the rack on link %(link)s runs away: the wheel that drives it makes full turns")

@@ -108,6 +108,13 @@ class Driver:
     period: float | None = None  # time of one turn, s, where the speed is stated by it
     law: MotionLaw | None = None
 
+    @property
+    def goes_round(self) -> bool:
+        """Whether a cycle is one of full turns, all in one sense: not a swing, nor a law that does not repeat."""
+        if self.law is not None:
+            return self.law.returns and abs(self.law.advance) > 1.0
+        return bool(self.sweep >= 2 * np.pi - 1e-12)
+
 
 @dataclass(frozen=True)
 class Assembly:

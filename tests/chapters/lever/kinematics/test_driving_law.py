@@ -218,3 +218,38 @@ def test_a_change_point_within_the_law_is_refused():
     text = TEXT.replace("C: [0.4 m, 0.1 m]", "C: [0.45 m, 0]").replace("B: [300 mm, 0]", "B: [100 mm, 0]")
     (line,) = told("harmonic", text)
     assert "goes through a change point" in line
+
+
+GEARED = """
+mechanism:
+  frame: {O: [0, 0], P: [0, -45 mm]}
+  guides: {x: {through: P}}
+  links:
+    1: {points: {O: [0, 0]}, inertia: 0.02 kg*m^2}
+    2: {points: {B: [0, 0]}, mass: 3 kg, mass_centre: B, slides: x}
+  racks: [{slider: 2, wheel: 1, radius: 45 mm, phase: 40 deg}]
+  driver: {link: 1, law: {LAW}}
+loads:
+  forces: [{at: B, direction: right, constant: 80 N}]
+"""
+
+
+def test_a_rocker_drives_a_rack():
+    """x = ∓r (φ − φ₀), and the moment of the teeth, inertia among it, is that of the force on the rack."""
+    lever = course.solve(variant("rocker", GEARED)).lever
+    t = np.arange(13) / 12 * 2 * np.pi / 8
+    phi = np.radians(60 + 35 * np.sin(8 * t))
+    speed, spin = np.radians(35) * 8 * np.cos(8 * t), -np.radians(35) * 64 * np.sin(8 * t)
+    motion = lever.kinematics.table
+    moved = motion.place("B").real
+    sign = np.sign(moved[3] - moved[0]) * np.sign(phi[3] - phi[0])
+    assert moved == pytest.approx(sign * 0.045 * (phi - np.radians(40)), abs=1e-12)
+    assert motion.velocity("B").real == pytest.approx(sign * 0.045 * speed, abs=1e-12)
+    assert motion.acceleration("B").real == pytest.approx(sign * 0.045 * spin, abs=1e-11)
+    moment = 0.02 * spin + sign * 0.045 * (3 * sign * 0.045 * spin - 80)
+    assert lever.kinetostatics.table.balancing == pytest.approx(moment, abs=1e-10)
+
+
+def test_a_crank_that_goes_round_drives_no_rack():
+    (line,) = told("harmonic", GEARED)
+    assert "the rack on link 2 runs away" in line
