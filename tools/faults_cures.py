@@ -46,7 +46,7 @@ FAULTS = (
     ),
     Fault(
         "lengths between points at one place are listed",
-        "tmm_report/chapters/lever/initial_data/quantities.py",
+        "tmm_report/chapters/lever/initial_data/quantities/__init__.py",
         "for segment, size in found if size > 0]",
         "for segment, size in found]",
         tests=("tests/chapters/lever/kinetostatics/test_loads_at_the_edge.py",),
@@ -67,7 +67,7 @@ FAULTS = (
     ),
     Fault(
         "the arm that gives the scale is a point at the pivot",
-        "tmm_report/chapters/lever/initial_data/quantities.py",
+        "tmm_report/chapters/lever/initial_data/quantities/__init__.py",
         "if abs(points[p] - points[pivot]) > 0)",
         "if p != pivot)",
         tests=("tests/chapters/lever/kinetostatics/test_loads_at_the_edge.py",),

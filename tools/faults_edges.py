@@ -443,7 +443,7 @@ FAULTS = (
     ),
     Fault(
         "the mass of a metre of another link beside the formula",
-        "tmm_report/chapters/lever/initial_data/quantities.py",
+        "tmm_report/chapters/lever/initial_data/quantities/__init__.py",
         'one, key, row = per_length(links[own].name), "q", own',
         'one, key, row = per_length(links[own].name), "m", own',
         "crank_rocker",
@@ -475,7 +475,7 @@ FAULTS = (
     ),
     Fault(
         "a stated length beside another segment's letter",
-        "tmm_report/chapters/lever/initial_data/quantities.py",
+        "tmm_report/chapters/lever/initial_data/quantities/__init__.py",
         "size = _of_segment(Segment(link.name, origin, point), lengths)",
         "size = _of_segment(Segment(link.name, origin, next(p for p in link.points if p != origin)), lengths)",
         "crank_rocker",

@@ -178,7 +178,7 @@ FAULTS = (
     Fault("the shorter stroke taken for the working one", KIN + "solve/working_stroke.py",
           "lengths >= lengths.max() - EQUAL",
           "lengths <= lengths.min() + EQUAL", "shaper", LINKS),
-    Fault("lengths on the drawing multiplied by the scale", "tmm_report/chapters/lever/initial_data/quantities.py",
+    Fault("lengths on the drawing multiplied by the scale", "tmm_report/chapters/lever/initial_data/quantities/__init__.py",
           "drawn(ends).value(metres / length_scale)", "drawn(ends).value(metres * length_scale)", "compressor",
           LINKS),
     Fault("graph of sliding at half its scale", SPUR + "draw/sliding.py",

@@ -42,6 +42,9 @@ CASES = [
     *sorted(STATED_SO.glob("machine/crash_*.yaml")),
     TESTS / "statements" / "jaw_crusher_from_swing.yaml",
     TESTS / "statements" / "dwell_from_arc.yaml",
+    TESTS / "statements" / "geared_five_bar.yaml",
+    TESTS / "statements" / "press_with_geared_cranks.yaml",
+    TESTS / "statements" / "rack_on_slider.yaml",
     TESTS / "statements" / "rocker_by_law.yaml",
     TESTS / "statements" / "uneven_crank.yaml",
 ]
@@ -50,7 +53,7 @@ POSITION = 2
 ROWS = 24
 
 USUAL = re.compile(
-    r"accuracy|drive_step|cam_alpha_limit_\w+|(eccentric|stage\d)_(alpha|ha|c|accuracy)|governor_[gq]|k_part|methods_floor"
+    r"accuracy|alpha_w_\d+|drive_step|cam_alpha_limit_\w+|(eccentric|stage\d)_(alpha|ha|c|accuracy)|governor_[gq]|k_part|methods_floor"
     r"|stage\d_(eta_stopped|external_least|external_most|rings_least|rings_most|beta|k_least|k_most|tolerance)"
     r"|contacts_\d+\.(z|groove|half_cone|n_hand|beta)|vibration_(g|isolators)|dynamics_within|wear_\w+_\d+_(constant|arc)|dynamics_parts\.(eta|i)"
 )

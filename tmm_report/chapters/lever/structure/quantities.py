@@ -93,7 +93,7 @@ def teeth_of(mesh: Mesh, link: str) -> Quantity:
 
 @kept
 def _module(index: str) -> Quantity:
-    return Quantity(f"m_{index}", Symbol("m", index), "mm", Message(N_("module of the teeth")))
+    return Quantity(f"m_{index}", Symbol("m", index), "m", Message(N_("module of the teeth")), "mm")
 
 
 def module_of(mesh: Mesh) -> Quantity:
@@ -125,7 +125,7 @@ def _of_meshes(found: Structure) -> Iterator[Value]:
             if count:
                 yield teeth_of(mesh, link).value(count)
         if mesh.module is not None:
-            yield _module(index_of(mesh)).value(1e3 * mesh.module)
+            yield _module(index_of(mesh)).value(mesh.module)
 
 
 @tabulated

@@ -7,7 +7,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from tmm_report.chapters.lever.initial_data import driving_law
+from tmm_report.chapters.lever.initial_data.quantities import driving_law
 from tmm_report.chapters.lever.kinematics import quantities as q
 from tmm_report.chapters.lever.kinematics.solve.analogues import LAW_ANGLE, TIME
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics

@@ -312,7 +312,7 @@ def given_values(mechanism: Mechanism, length_scale: float) -> Iterator[Value]:
         yield speed(mechanism)
         yield revolutions(mechanism)
     else:
-        from tmm_report.chapters.lever.initial_data import driving_law
+        from tmm_report.chapters.lever.initial_data.quantities import driving_law
 
         yield from driving_law.values(mechanism.driver)
     if mechanism.driver.period is not None:
