@@ -1,6 +1,6 @@
 """Springs and viscous dampers between points, by ways that know nothing of how they are solved.
 
-The potential energy and its derivative, virtual powers by finite differences of the lengths, works over the cycle, forty
+The potential energy and its derivative, virtual powers by finite differences of the lengths, works over the cycle, 40
 digits.
 """
 
