@@ -83,6 +83,7 @@ def _in_table(demand: Demand, name: str, rest: str, chapters: Sequence[Chapter])
     columns = [column.key for column in table.columns]
     if key not in columns:
         raise _wrong(N_("the table of %(name)s has no such column"), demand, _nearest(key, columns))
+    pick = "0" if not pick and len(table) == 1 else pick
     if pick not in EXTREMES and not (pick.isdecimal() and int(pick) < len(table)):
         right = Message(N_("add .max, .min or the number of a row, 0 … %(last)s"), {"last": len(table) - 1})
         raise _wrong(N_("%(name)s is a column and not one number"), demand, right)
