@@ -12,10 +12,12 @@ What is heavy is imported only when it is needed: the solver by `load`, template
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Literal
 
 if TYPE_CHECKING:
     from tmm_report.course import Results, Variant
+    from tmm_report.problems import ProblemError
 
 __version__ = "0.1.0"
 __all__ = ["load", "render", "solve"]
@@ -55,9 +57,16 @@ def solve(variant: Variant) -> Results:
     from tmm_report.variant import failed
 
     try:
-        return run(variant)
+        return run(variant, each=_together if variant.find is not None else None)
     except ProblemError as error:
         raise failed(error, variant) from None
+
+
+def _together(variants: Sequence[Variant]) -> Iterator[Results | ProblemError]:
+    """What a question asked backwards tries, variants of one topology at once."""
+    from tmm_report.stack import solve_each
+
+    return solve_each(variants)
 
 
 def render(

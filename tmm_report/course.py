@@ -8,13 +8,14 @@ in its folder and is found there by the field's name, only when it is asked for:
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, fields, replace
 from functools import partial
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from tmm_report import yamlread
+from tmm_report.chapters.find.given import put
 from tmm_report.chapters.lever.friction.given import Friction
 from tmm_report.chapters.lever.kinematics.given import Positions, Way
 from tmm_report.chapters.lever.kinetostatics.given import Loads
@@ -28,6 +29,7 @@ from tmm_report.problems import N_, Message, Problem, ProblemError
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
+    from tmm_report.chapters.find import solve as find
     from tmm_report.chapters.gears.drive import solve as drive
     from tmm_report.chapters.gears.eccentric.solve import mechanism as eccentric
     from tmm_report.chapters.lever.cam import solve as cam
@@ -57,6 +59,9 @@ if TYPE_CHECKING:
     from tmm_report.variant.model import Read, Rooms
 
 
+T = TypeVar("T")
+
+
 class Late:
     """A chapter's solve, loaded only for a variant that asks something of it."""
 
@@ -68,6 +73,7 @@ class Late:
 
 
 if not TYPE_CHECKING:
+    find = Late("find.solve")
     synthesis = Late("lever.synthesis.solve")
     structure = Late("lever.structure.solve")
     kinematics = Late("lever.kinematics.solve.positions")
@@ -118,6 +124,7 @@ class Variant:
     """Everything a variant states, checked, in SI: a lever mechanism, gears, or several of them."""
 
     lever: LeverGiven | None = None
+    find: find.Given | None = None
     synthesis: synthesis.Given | None = None
     dynamics: dynamics.Given | None = None
     flywheel: flywheel.Given | None = None
@@ -182,6 +189,7 @@ class Results:
 
     variant: Variant
     lever: LeverFound | None = None
+    find: find.Found | None = None
     synthesis: synthesis.Found | None = None
     dynamics: dynamics.Found | None = None
     flywheel: flywheel.Found | None = None
@@ -198,6 +206,9 @@ class Results:
     eccentric: eccentric.Found | None = None
 
 
+Each = Callable[[Sequence[Variant]], Iterable["Results | ProblemError"]]
+
+
 @dataclass(frozen=True, eq=False)
 class Moved:
     """What is found of a lever mechanism that was solved together with others of its kind (see `stack`)."""
@@ -207,9 +218,12 @@ class Moved:
     kinetostatics: kinetostatics.Kinetostatics | None
 
 
-def solve(variant: Variant, moved: Moved | None = None) -> Results:
+def solve(variant: Variant, moved: Moved | None = None, each: Each | None = None) -> Results:
     """Solve a variant chapter by chapter, but for what is found already. Raises ProblemError with what cannot be
-    solved and why, of all parts that do not depend on one another."""
+    solved and why, of all parts that do not depend on one another. `each`: by what the variants are solved that a
+    question asked backwards tries."""
+    if variant.find is not None:
+        return _backwards(variant, variant.find, each or _one_by_one)
     try:
         return _solved(variant, moved)
     except ProblemError as error:
@@ -321,13 +335,67 @@ def _readings(found: LeverFound) -> readings.ReadingsFound:
     return readings.solve(found.given.readings, found.plans, tables)
 
 
+# ---------------------------------------------------------------- asked backwards
+
+
+def _backwards(variant: Variant, asked: find.Given, each: Each) -> Results:
+    """What a variant is solved with that leaves a number unknown: the number found, in a variant that states it."""
+    restated = asked.restated
+    assert restated is not None
+
+    def tried(numbers: Sequence[float], chapter: str) -> Iterator[find.Answer]:
+        stated = [_or_mistakes(partial(restated, number)) for number in numbers]
+        solved = iter(each([_narrowed(one, chapter) for one in stated if isinstance(one, Variant)]))
+        for one in stated:
+            found = one if isinstance(one, ProblemError) else next(solved)
+            yield found if isinstance(found, ProblemError) else _told(found, chapter)
+
+    found = find.solve(asked, tried)
+    results = solve(restated(found.number))
+    return replace(results, find=found, variant=replace(results.variant, doubts=variant.doubts))
+
+
+def _one_by_one(variants: Sequence[Variant]) -> Iterator[Results | ProblemError]:
+    return (_or_mistakes(partial(solve, one)) for one in variants)
+
+
+def _or_mistakes(run: Callable[[], T]) -> T | ProblemError:
+    try:
+        return run()
+    except ProblemError as error:
+        return error
+
+
+def _narrowed(variant: Variant, chapter: str) -> Variant:
+    """What of a variant the numbers of a chapter need; all of it for ""."""
+    if not chapter:
+        return variant
+    others: dict[str, Any] = {name: None for name in OTHERS if name != chapter}
+    if (lever := variant.lever) is not None:
+        drawn = chapter in ("plans", "force_plans", "reduction", "readings")
+        positions = lever.positions if drawn else replace(lever.positions, plans=(), force_plan=())
+        methods = lever.methods if chapter == "methods" else None
+        lever = replace(lever, positions=positions, readings={}, methods=methods)
+    return replace(variant, lever=lever, **others)
+
+
+def _told(results: Results, chapter: str) -> find.Answer:
+    """Tables and single numbers by chapters; why there are none where the mechanism does not close all round."""
+    lever = results.lever
+    if lever is not None and lever.partial:
+        return ProblemError([Problem(lever.kinematics.gaps[0].text)])
+    own = [(INITIAL_DATA, lever)] if lever is not None else []
+    rooms = ((name, room(name, "quantities"), found) for name, found in (*own, *chapters(results)))
+    return [(name, of.tables(found), of.values(found)) for name, of, found in rooms if chapter in ("", name)]
+
+
 # ---------------------------------------------------------------- the chapters by name
 
 INITIAL_DATA = "initial_data"  # what a lever mechanism is given, at the head of its chapters
 LEVER = tuple(record.name for record in fields(LeverFound) if record.name != "given")
 OTHERS = tuple(record.name for record in fields(Results) if record.name not in ("variant", "lever"))
 """The chapters beside the lever's: the key of such a chapter's block is its name."""
-BEFORE = ("synthesis",)  # what stands in the note before the lever mechanism, of the others
+BEFORE = ("find", "synthesis")  # what stands in the note before the lever mechanism, of the others
 GEARS = ("spur", "planetary", "drive", "eccentric")  # the first two are stages of a drive
 
 
@@ -370,6 +438,8 @@ def room(chapter: str, name: str) -> Any:
 
 def wing(chapter: str) -> str:
     """Which wing a chapter stands in, "lever." and so on: none for the title page."""
+    if chapter == "find":  # of no wing: it asks all of them
+        return ""
     if chapter in (INITIAL_DATA, *BEFORE, *LEVER):
         return "lever."
     return "gears." if chapter in GEARS else "machine." if chapter in OTHERS else ""
@@ -423,13 +493,24 @@ def _variant(document: yamlread.Document, file: str, soft: list[Problem]) -> Var
     found = read(document, file, soft, _rooms(), _further)
     if "drive" in found.data and stated(found):
         found = _geared(found, document, file)
-    return Variant(
+    made = Variant(
         lever=LeverGiven(**_given(LEVER, found)) if stated(found) else None,
         **_given(["title", *(name for name in OTHERS if name in found.data)], found),
         places=document.places,
         file=file,
         doubts=found.doubts,
     )
+    if (asked := made.find) is not None:
+        made = replace(made, find=replace(asked, restated=partial(_restated, document, file, asked)))
+    return made
+
+
+def _restated(document: yamlread.Document, file: str, asked: find.Given, number: float) -> Variant:
+    """The variant with a number in the place of the unknown. Raises ProblemError for one that may not stand there."""
+    data = put(document.data, asked.unknown.path, asked.unknown.written(number))
+    raw = {path: text for path, text in document.raw.items() if path != asked.unknown.path}
+    rest = {key: value for key, value in data.items() if key != "find"}
+    return _variant(replace(document, data=rest, raw=raw), file, [])
 
 
 def _further(read: Read) -> Iterator[Problem]:

@@ -35,7 +35,7 @@ def solve_each(variants: Sequence[Variant]) -> Iterator[Solved]:
     """`solve_many` one after another: what is not kept by the caller is gone before the next is finished."""
     alike: dict[Hashable, list[int]] = defaultdict(list)
     for k, variant in enumerate(variants):
-        if variant.lever is not None and variant.lever.way is None:
+        if variant.lever is not None and variant.lever.way is None and variant.find is None:
             alike[topology(variant.lever)].append(k)
     stacks = {k: stack for numbers in alike.values() for stack in _stacks(variants, numbers) for k in stack}
     moved: dict[int, Moved] = {}
@@ -56,7 +56,7 @@ def _stacks(variants: Sequence[Variant], numbers: Sequence[int]) -> Iterator[Seq
 
 def _solved(variant: Variant, moved: Moved | None) -> Solved:
     try:
-        return solve(variant, moved)
+        return solve(variant, moved, solve_each)
     except ProblemError as error:
         return error
 

@@ -40,7 +40,6 @@ class Block(model.Block):
 
     ONE_SIZE = True
     NOT_OFFERED: ClassVar[Mapping[str, str]] = {
-        "find": N_("asking backwards is not offered: state the number and compare what comes out"),
         **dict.fromkeys(
             ("gears", "wheels", "worm", "belt", "chain"), N_("gears are stages of the block drive")
         ),

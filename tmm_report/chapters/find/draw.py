@@ -1,0 +1,60 @@
+"""The demanded number over the range of the unknown, with what is wanted and the roots."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+from tmm_report.figures.charts.plane import Frame, Spot, Trace, framed, plane
+from tmm_report.figures.drawing import Drawing, Pen
+from tmm_report.figures.lettering import Parts
+
+Array = Any
+FIELD = (120.0, 70.0)  # mm
+SPAN = 4.0  # of the middle half of the values: what is farther off is a pole's
+LEVEL = Pen(0.35, "red", (3.0, 1.2))
+
+
+def course(
+    x: Array,
+    y: Array,
+    jumps: Sequence[float],
+    level: float,
+    roots: Sequence[tuple[float, float, str]],
+    axes: tuple[Parts, Parts],
+    num: Callable[[float], str],
+    wanted: Parts,
+) -> Drawing:
+    """`roots`: place, value, and what is written beside."""
+    curve = _broken(x, _within(y, level), jumps)
+    ends = [complex(x[0], y0) for y0 in (np.nanmin(curve.imag), np.nanmax(curve.imag))]
+    line = np.array([complex(x[0], level), complex(x[-1], level)])
+    lines = [line] if np.isfinite(level) else []
+    frame = _spread(framed([curve, np.array(ends), *lines], zero=False, field=FIELD), x)
+    traces = [Trace(curve), *(Trace(one, wanted, LEVEL) for one in lines)]
+    spots = [Spot(complex(at, value), (text,) if text else (), "red") for at, value, text in roots]
+    return plane(frame, traces, *axes, num, spots=spots)
+
+
+def _spread(frame: Frame, x: Array) -> Frame:
+    """The field from end to end of the range."""
+    width = float(x[-1] - x[0])
+    return Frame(
+        complex(x[0], frame.low.imag), complex(x[-1], frame.high.imag), width / FIELD[0], frame.y_scale
+    )
+
+
+def _within(y: Array, level: float) -> Array:
+    """Without what runs off to infinity."""
+    low, middle, high = np.nanpercentile(y, [25, 50, 75])
+    reach = SPAN * (high - low) + (abs(level - middle) if np.isfinite(level) else 0.0)
+    return np.where(np.abs(y - middle) <= reach, y, np.nan) if reach else y
+
+
+def _broken(x: Array, y: Array, jumps: Sequence[float]) -> Array:
+    """The curve, x + iy, broken where it jumps."""
+    curve = x + 1j * y
+    at = np.searchsorted(x, np.array(jumps))
+    return np.insert(curve, at, complex(np.nan, np.nan)) if len(jumps) else curve

@@ -1,0 +1,117 @@
+"""View of a question asked backwards."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+from typing import Any
+
+from markupsafe import Markup
+
+from tmm_report.chapters.find.draw import course
+from tmm_report.chapters.find.quantities import SOUGHT, WANTED, tables, values
+from tmm_report.chapters.find.solve import Found
+from tmm_report.figures.drawing import Drawing
+from tmm_report.problems import N_
+from tmm_report.quantity.model import Book
+from tmm_report.report.chapter_view import BookView
+from tmm_report.report.diagrams import CycleGraphs, letter
+from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Table, numeric
+from tmm_report.report.part import Failed, Part
+
+MARKED = 12  # roots with their numbers on the chart
+
+__all__ = ["SOUGHT", "WANTED", "parts"]
+
+
+def parts(found: Found, page: Page) -> Iterator[Part]:
+    yield Part("find", FindView(found, page))
+
+
+class FindView(BookView):
+    own = True
+
+    def __init__(self, found: Found, page: Page):
+        super().__init__(page, Book.of(tables(found), values(found)), "find_")
+        self.found, self.demand, self.unknown = found, found.given.demand, found.given.unknown
+
+    @property
+    def meaning(self) -> Markup:
+        """What is demanded, in words."""
+        return self.page.message(self.found.target.quantity.meaning)
+
+    def wanted(self) -> Markup:
+        """The demand as a sentence goes on: = 0.8 m, not more than 0.8 m."""
+        signs = {"equal": "=", "most": "≤", "least_allowed": "≥"}
+        sign = self.page.sym(self.value("y").symbol)
+        return self.page.listed([sign, signs[self.demand.kind], self.measured("wanted")], " ")
+
+    def extreme(self) -> Markup:
+        """Of which rows of a column the number is."""
+        pick = self.found.target.pick
+        if pick == "max":
+            return self.t(N_("its greatest value in the table"))
+        return self.t(N_("its least value in the table")) if pick == "min" else self.t(N_("one row"))
+
+    def roots(self, caption: Any) -> Table:
+        name = "roots"
+        keys = [one.key for one in self.table(name).columns]
+        singles = ("residual", "rate")
+        rest = [
+            self.page.singles(self.table(name), key, digits=3)
+            if key in singles
+            else self.column(name, key, digits=8)
+            for key in keys[1:]
+        ]
+        return numeric(caption, self.column(name, "number", digits=1), rest)
+
+    def jumps(self) -> Markup:
+        return self._places("jumps", "x")
+
+    def lost(self) -> Markup:
+        """The parts of the range with no results."""
+        rows = range(min(len(self.table("lost")), MARKED))
+        ends = ([self._at("lost", key, row) for key in ("begin", "end")] for row in rows)
+        return self.page.listed(self.page.listed(pair, " … ") for pair in ends)
+
+    def _places(self, name: str, key: str) -> Markup:
+        rows = range(min(len(self.table(name)), MARKED))
+        return self.page.listed(self._at(name, key, row) for row in rows)
+
+    def _at(self, name: str, key: str, row: int) -> Markup:
+        return self.page.shown(self.table(name), key, row, digits=6)
+
+    def reason(self) -> Markup:
+        assert self.found.reason is not None
+        return self.page.sentence(self.found.reason)
+
+    @cached_property
+    def chart(self) -> Drawing:
+        found, page = self.found, self.page
+        x, y = self.of("course", "x"), self.of("course", "y")
+        names = CycleGraphs((), 0, page.tr)
+        unit, own = x.quantity.printed, y.quantity.printed
+        scale = x.quantity.value(1.0).number(unit), y.quantity.value(1.0).number(own)
+        roots = found.sought.roots if found.sought.roots else (found.chosen,)
+        several = 1 < len(roots) <= MARKED
+        marks = [
+            (found.size(root.at) * scale[0], root.value * scale[1], str(k) if several else "")
+            for k, root in enumerate(roots, 1)
+        ]
+        jumps = [found.size(part) * scale[0] for part in found.sought.jumps]
+        axes = names.letter(x.quantity.sign, unit), names.letter(y.quantity.sign, own)
+        told = letter(self.value("wanted").symbol, page.tr) if self.knows("wanted") else ()
+        return course(
+            x.numbers(unit), y.numbers(own), jumps, found.level * scale[1], marks, axes, page.num, told
+        )
+
+    def conclusions(self) -> Sequence[Markup]:
+        x, y = self.sized("x"), self.sized("y")
+        if not self.found.sound:
+            text = N_(
+                "The demand on %(what)s cannot be met in the range of %(name)s: nearest is %(y)s at %(x)s."
+            )
+            return [Failed(self.t(text, what=self.meaning, name=self.unknown.name, x=x, y=y))]
+        text = N_("Asked backwards, %(name)s is %(x)s; then %(y)s.")
+        return [self.t(text, name=self.unknown.name, x=x, y=y)]
