@@ -52,7 +52,7 @@ def solve(variant: Variant) -> Results:
     A chapter that the variant does not ask for is None. Raises `problems.ProblemError` with what cannot be solved
     and why, and the place of its key in the file.
     """
-    from tmm_report.course import solve as run
+    from tmm_report.backwards import solve as run
     from tmm_report.problems import ProblemError
     from tmm_report.variant import failed
 

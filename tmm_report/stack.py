@@ -11,10 +11,11 @@ from collections import defaultdict
 from collections.abc import Hashable, Iterator, Mapping, Sequence
 from typing import Any
 
+from tmm_report.backwards import solve
 from tmm_report.chapters.lever.kinematics.solve import many as kinematics
 from tmm_report.chapters.lever.kinetostatics.solve import many as kinetostatics
 from tmm_report.chapters.lever.structure import solve as structure
-from tmm_report.course import LeverGiven, Moved, Results, Variant, solve
+from tmm_report.course import LeverGiven, Moved, Results, Variant
 from tmm_report.mechanics.calculus.variants import Unlike
 from tmm_report.mechanics.lever.mechanism import Mechanism, ZeroAngle
 from tmm_report.problems import ProblemError

@@ -39,6 +39,10 @@ class Unknown:
         """In SI."""
         return parse(self.written(number), self.dimension)
 
+    def put(self, data: Any, number: float) -> Any:
+        """The data of a file with the number in the place of the unknown."""
+        return _put(data, self.path, self.written(number))
+
 
 @dataclass(frozen=True)
 class Demand:
@@ -71,11 +75,11 @@ class Given:
     restated: Callable[[float], Variant] | None = None
 
 
-def put(data: Any, path: Path, value: object) -> Any:
+def _put(data: Any, path: Path, value: object) -> Any:
     """Data with another value at a path; what does not lie on the way is shared."""
     if not path:
         return value
     key, *rest = path
     if isinstance(data, list):
-        return [put(item, tuple(rest), value) if k == key else item for k, item in enumerate(data)]
-    return {**data, key: put(data[key], tuple(rest), value)}
+        return [_put(item, tuple(rest), value) if k == key else item for k, item in enumerate(data)]
+    return {**data, key: _put(data[key], tuple(rest), value)}
