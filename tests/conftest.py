@@ -32,7 +32,12 @@ LEVERS = [path for path in ALL_FILES if "\nmechanism:" in path.read_text("utf-8"
 FILES = [path for path in LEVERS if "\n  cams:" not in path.read_text("utf-8")]
 STATEMENTS = [
     Path(__file__).parent / f"{name}.yaml"
-    for name in ("statements/uneven_crank", "cases/explain/law_rocker", "cases/explain/law_accelerated")
+    for name in (
+        "statements/uneven_crank",
+        "cases/explain/law_rocker",
+        "cases/explain/law_accelerated",
+        "cases/explain/sprung_screen",
+    )
 ]
 """Mechanisms whose driving link moves by a law: no ready variant has one, and their notes are read as those are."""
 every_variant = pytest.fixture(params=[path.stem for path in FILES])

@@ -191,6 +191,35 @@ def loads(note: Note, document: dict[str, Any], drawn: Scheme, places: Places) -
             yield Force(symbol, drawn.driver, 0j, zeros + 0j, zeros, column.values, column.half)
 
 
+def ties(document: dict[str, Any]) -> Iterator[tuple[str, list[tuple[str, str]]]]:
+    """Key of the force of each spring and damper, above zero where it draws its points together; its two points, each
+    with the link that takes the force."""
+    for name in ("springs", "dampers"):
+        table = {c["key"]: c["values"] for c in document["tables"].get(name, {"columns": []})["columns"]}
+        sides = ("one", "link_one", "other", "link_other")
+        for key, *of in zip(*(table.get(side, ()) for side in ("key", *sides)), strict=True):
+            yield f"F_{key}", [(of[0], of[1]), (of[2], of[3])]
+
+
+def tied(note: Note, document: dict[str, Any], places: Places) -> Iterator[Force]:
+    """Forces of springs and dampers on both of their links, along the line of their printed points."""
+    found = columns(note)
+    for key, ((one, link), (other, beside)) in ties(document):
+        column = found[key][0][1]
+        line = places[other] - places[one]
+        way = line / np.abs(line)
+        yield Force(key, link, places[one], column.values * way, column.half)
+        yield Force(key, beside, places[other], -column.values * way, column.half)
+
+
+def loaded_point(key: str, drawn: Scheme) -> str:
+    """The point of a force on a link: stated, of a spring or damper, of inertia, a weight."""
+    kind, sub = key.split("_", 1)
+    if kind == "P":
+        return sub.split(",")[0]
+    return sub.split(",")[1] if "," in sub else drawn.mass_centres[sub.removeprefix("I")]
+
+
 def stated(note: Note, document: dict[str, Any], drawn: Scheme, places: Places) -> Iterator[list[Force]]:
     """Each stated force on the link that takes it, by the results."""
     found, table = columns(note), table_of(document, "loads_table")
@@ -223,7 +252,11 @@ def unbalanced(note: Note, document: dict[str, Any], name: str) -> list[str]:
     """Links and positions at which the printed forces or moments do not add up to nothing."""
     drawn = scheme(name)
     places = Places(note, document)
-    sure = [*reactions(note, drawn, places), *loads(note, document, drawn, places)]
+    sure = [
+        *reactions(note, drawn, places),
+        *loads(note, document, drawn, places),
+        *tied(note, document, places),
+    ]
     choices = list(stated(note, document, drawn, places))
     tried = [list(_off([*sure, *chosen], drawn)) for chosen in itertools.product(*choices)]
     return min(tried, key=len)

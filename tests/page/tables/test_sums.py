@@ -13,7 +13,6 @@ from note import Cell, Note, Table, symbol_text
 from pages import (
     BALANCING,
     Series,
-    by_law,
     by_positions,
     columns,
     driving_speed,
@@ -23,7 +22,7 @@ from pages import (
 )
 from printed import Printed
 from reading import LEVERS, LINKAGES, html, results, wrong
-from statics import Scheme, scheme
+from statics import Scheme, loaded_point, scheme
 
 Rows = dict[str, np.ndarray]
 TOTAL = ("Sum", "Сумма")
@@ -82,7 +81,7 @@ def _power(symbol: str, loads: Rows, rates: Rows, drawn: Scheme, k: int) -> floa
     if kind == "M":
         couple = loads[symbol] if symbol in loads else loads[f"{symbol},1"]
         return float(couple[k] * rates[f"w_{of.removeprefix('I').split(',')[0]}"][k])
-    point = of.split(",")[0] if kind == "P" else drawn.mass_centres[of.removeprefix("I")]
+    point = loaded_point(symbol, drawn)
     moving = f"v_{point}_x" in rates
     return (
         sum(float(loads[f"{symbol}_{axis}"][k] * rates[f"v_{point}_{axis}"][k]) for axis in "xy")
@@ -159,7 +158,7 @@ def wrong_efficiency(eta: Series, drive: Series, total: Series) -> Iterator[str]
 def test_powers_balance(name):
     note, document = html(name), results(name)
     found = [*wrong_powers(note, document), *wrong_parts(note, {**document, "name": name})]
-    if not by_law(document):  # friction is found of a uniformly turning driving link alone
+    if "friction_table" in document["tables"]:  # it is asked for, and the driving link turns uniformly
         found += [*wrong_friction(note, document), *wrong_rubbing(note, document)]
     wrong([*found, *wrong_balance(note)])
 
