@@ -295,7 +295,7 @@ def solve_lever(given: LeverGiven, moved: Moved | None = None, flywheel: Any = N
         drawn,
         forces,
         force_plans.solve(given.drawing, given.positions.force_plan, forces, drawn)
-        if forces and not given.mechanism.meshes
+        if forces and not given.mechanism.meshes and given.mechanism.driver.stroke is None
         else None,
         friction.solve(given.friction, forces) if given.friction and forces else None,
         reduction.solve(motion, forces, drawn) if given.reduction else None,

@@ -19,6 +19,8 @@ TABLES = (
     "loads_table",
     "reactions_table",
     "balancing_table",
+    "stroke_table",
+    "drive_table",
     "mesh_table",
 )
 

@@ -201,6 +201,8 @@ class Forces:
         speed = self.velocities.links[link]
         lever = derived(table.lever, lambda n, w: -n / w, power, speed)
         moment = derived(table.balancing, lambda *_: -load.moment, *inputs)
+        if linkage.mechanism.driver.stroke is not None:  # no moment acts on the link to which it is reduced
+            moment = lever
         self.sheet.number(self.say.BY_GROUPS.key, table.balancing, moment, lever)
         self.sheet.number(self.say.BY_LEVER.key, table.lever, lever)
         self.sheet.number(self.say.BY_POWER.key, table.power, lever)

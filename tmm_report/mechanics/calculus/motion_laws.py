@@ -5,6 +5,7 @@
     Polynomial   c₀ + c₁ t + c₂ t² + …; with c₂ = ε/2 and no more, constant acceleration
     Tabulated    the cubic spline through stated points
     Phased       q₀ and what a cam's phases of rise, dwell and return lift
+    Pieces       q₀ + v t, then stated accelerations one after another
 
 A law is stated over one `period`; where it ends as it began, but for whole turns, it repeats. What a search over a
 cycle needs of angles it asks of the phase θ = 2π t/T, which goes once round as the law does.
@@ -27,6 +28,7 @@ Array = Any
 Three = tuple[Array, Array, Array]  # an angle, rad, and its first two derivatives by the time
 FULL_TURN = 2 * np.pi
 SAME = 1e-9  # of a turn, or of the greatest speed: a law that ends as near as this to its beginning repeats
+NEXT = 1e-9 / FULL_TURN  # of the period: a time as near as this before a break belongs to what follows it
 SAMPLES = 1440  # steps of a period between which a law turns back once at most
 
 
@@ -214,6 +216,42 @@ class Phased(MotionLaw):
         rate = FULL_TURN / self.period
         s, d, dd = self.lifts.of(np.asarray(t, dtype=float) * rate)
         return self.start + s, d * rate, dd * rate**2
+
+
+@dataclass(frozen=True, eq=False)
+class Pieces(MotionLaw):
+    """Constant accelerations, each over its own time, s, from a place and a speed on."""
+
+    start: float
+    speed: float
+    times: tuple[float, ...]
+    accelerations: tuple[float, ...]
+
+    @cached_property
+    def _begun(self) -> tuple[Array, Array, Array]:
+        """Times at which the pieces begin, the last end among them, and the place and speed there."""
+        durations, a = np.array(self.times), np.array(self.accelerations)
+        t = np.concatenate([[0.0], np.cumsum(durations)])
+        v = self.speed + np.concatenate([[0.0], np.cumsum(a * durations)])
+        q = self.start + np.concatenate([[0.0], np.cumsum((v[:-1] + a * durations / 2) * durations)])
+        return t, q, v
+
+    @property
+    def period(self) -> float:  # type: ignore[override]
+        return float(self._begun[0][-1])
+
+    @property
+    def breaks(self) -> tuple[float, ...]:  # type: ignore[override]
+        return tuple(float(t) for t in self._begun[0][1:-1])
+
+    def at(self, t: Array) -> Three:
+        """At a break the acceleration is that after it."""
+        begins, q, v = self._begun
+        t = np.asarray(t, dtype=float)
+        k = np.searchsorted(begins - NEXT * self.period, t, side="right") - 1
+        k = np.clip(k, 0, len(self.times) - 1)
+        a, gone = np.array(self.accelerations)[k], t - begins[k]
+        return q[k] + (v[k] + a * gone / 2) * gone, v[k] + a * gone, a
 
 
 def accelerated(start: float, speed: float, acceleration: float, time: float) -> Polynomial:

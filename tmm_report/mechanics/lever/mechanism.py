@@ -19,6 +19,7 @@ from tmm_report.records import dataclass
 if TYPE_CHECKING:
     from tmm_report.mechanics.calculus.motion_laws import MotionLaw
     from tmm_report.mechanics.cams.cam import Cam
+    from tmm_report.mechanics.lever.driving.stroke import Stroke
     from tmm_report.mechanics.lever.forces.force_on_crank_gear import GearDrive
     from tmm_report.mechanics.lever.stated_masses import Statement
     from tmm_report.mechanics.lever.wheels.mesh import Mesh
@@ -97,6 +98,7 @@ class ZeroExtreme:
 class Driver:
     """The driving link turns about a fixed point at constant `omega`, rad/s, + counter-clockwise, or by a `law` of the
     time: then `omega` is that of the phase 2π t/T, which goes once round with the law, and angles "turned" are phases.
+    Where a slider or a cylinder drives, `stroke`, it is the link that turns as the stroke says, the first to be known.
     """
 
     link: str
@@ -107,6 +109,7 @@ class Driver:
     gear: GearDrive | None = None  # by which it is turned; None: a moment on its shaft
     period: float | None = None  # time of one turn, s, where the speed is stated by it
     law: MotionLaw | None = None
+    stroke: Stroke | None = None
 
     @property
     def goes_round(self) -> bool:

@@ -88,7 +88,7 @@ def given(read: Read) -> Given:
 def _crank(read: Read) -> Crank | None:
     """The driving link of the lever mechanism, where there is one."""
     driver = read.block(structure.Block).mechanism.driver
-    if driver is None or "mechanism" not in read.data:
+    if driver is None or driver.link is None or "mechanism" not in read.data:
         return None
     stated = driver.model_fields_set
     linked = linked_by_drive(read.data)

@@ -13,7 +13,8 @@ from markupsafe import Markup
 from tmm_report.chapters.lever.initial_data import quantities as q
 from tmm_report.chapters.lever.schemes import schemes_of
 from tmm_report.figures.drawing import Drawing
-from tmm_report.mechanics.calculus.motion_laws import Harmonic
+from tmm_report.mechanics.calculus.motion_laws import Harmonic, Polynomial
+from tmm_report.mechanics.lever.driving.stroke import Stroke
 from tmm_report.mechanics.lever.mechanism import FRAME, Guide, Link, Mechanism, ZeroAngle
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import PI, Formula
@@ -34,6 +35,15 @@ LAWS = {
     "Tabulated": N_("its angle is stated by a table and goes along the cubic spline through its points"),
     "Phased": N_("its angle goes through phases of rise, dwell and return, as a cam's follower does"),
 }
+
+STROKES = {
+    "Harmonic": N_("it goes harmonically about a middle"),
+    "Polynomial": N_("it is a polynomial of the time"),
+    "Tabulated": N_("it is stated by a table and goes along the cubic spline through its points"),
+    "Phased": N_("it goes through phases of rise, dwell and return, as a cam's follower does"),
+    "Pieces": N_("it goes with constant accelerations one after another"),
+}
+UNIFORM = N_("it grows at a constant speed, or, where that is below zero, decreases")
 
 SWINGS = N_("it swings harmonically about a middle position")
 
@@ -76,6 +86,18 @@ class InitialData(BookView):
         law = self.mechanism.driver.law
         swings = isinstance(law, Harmonic) and not law.speed
         return self.t(SWINGS if swings else LAWS[type(law).__name__])
+
+    @property
+    def stroke(self) -> Stroke | None:
+        """Of a driving slider or cylinder."""
+        return self.mechanism.driver.stroke
+
+    def stroke_law(self) -> Markup:
+        """What kind of law the stroke has."""
+        law = self.stroke.law if self.stroke else None
+        if isinstance(law, Polynomial) and len(law.coefficients) == 2:
+            return self.t(UNIFORM)
+        return self.t(STROKES[type(law).__name__])
 
     def law_given(self) -> Markup:
         """The numbers of the law."""

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from tmm_report.chapters.lever.kinematics import stroke as driving
 from tmm_report.chapters.lever.kinematics.checks.digits_left import digits_left
 from tmm_report.chapters.lever.kinematics.checks.singular import Closest
 from tmm_report.chapters.lever.kinematics.contours import solve as contours
@@ -76,6 +77,7 @@ def tables(found: Kinematics) -> Iterator[Table]:
         yield Table(f"rates_{name}", RATES, (*at, *rated(quantities, values)))
     if found.asked is not None:
         yield from _at_instants(found, found.asked)
+    yield from driving.tables(found)
     yield Table("special", SPECIAL, _special(found))
     yield from analogues.tables(found)
     yield from contours.tables(found)
@@ -206,6 +208,7 @@ def _special(found: Kinematics) -> tuple[Column, ...]:
 def values(found: Kinematics) -> Iterator[Value]:
     zero = Message(N_("angle of the driving link in position 0"))
     yield Quantity("phi_0", Symbol("phi", "0"), "deg", zero).value(math.degrees(found.cycle.zero))
+    yield from driving.values(found)
     for travel in (*found.travels, *found.links):
         yield from _of_travel(travel)
 

@@ -15,6 +15,7 @@ from tmm_report.chapters.lever.structure.solve import Structure
 from tmm_report.figures.schemes.scheme import Drawn
 from tmm_report.mechanics.cams.cam import Cam
 from tmm_report.mechanics.lever.assur_groups import Group, Pair
+from tmm_report.mechanics.lever.driving.stroke import Stroke
 from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.mechanics.lever.motion import Motion
 from tmm_report.mechanics.lever.wheels.coupled import Coupled
@@ -69,6 +70,11 @@ class StructureView(BookView):
     @property
     def driver(self) -> str:
         return self.found.linkage.mechanism.driver.link
+
+    @property
+    def stroke(self) -> Stroke | None:
+        """Of a driving slider or cylinder."""
+        return self.found.linkage.mechanism.driver.stroke
 
     @property
     def class_(self) -> str:

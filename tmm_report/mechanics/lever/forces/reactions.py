@@ -14,6 +14,7 @@ import numpy as np
 
 from tmm_report.mechanics.calculus.vectors import cross, dot, if_known, is_zero
 from tmm_report.mechanics.lever.assur_groups import Pair
+from tmm_report.mechanics.lever.driving.stroke import Stroke
 from tmm_report.mechanics.lever.dyads import Dyad, State
 from tmm_report.mechanics.lever.forces.tape.run import Run, Straight
 from tmm_report.mechanics.lever.high_class.newton import HigherGroup
@@ -59,10 +60,14 @@ class Load:
 
 @dataclass(frozen=True, eq=False)
 class Statics:
-    """`reactions`: pair key "1-2" -> Reaction; `balancing`: moment on the driving link, N m, (..., P)."""
+    """`reactions`: pair key "1-2" -> Reaction; `balancing`: moment on the driving link, N m, (..., P).
+
+    `driving`: where a slider or a cylinder drives, the force along its stroke, N, that does the work of this moment in
+    its place, else None; the reactions are those under the force."""
 
     reactions: Mapping[str, Reaction]
     balancing: Array
+    driving: Array = None
 
     def force(self, on: str, by: str) -> Array:
         """Force of link `by` on link `on`, complex N."""
@@ -93,6 +98,8 @@ def solve(motion: Motion, loads: Mapping[str, Load], flank: Array | None = None)
     """Reactions in every pair and the balancing moment under `loads` (link -> resultant), inertia among them. Where a
     gear turns the driving link, the reaction of the frame on it holds the force of the teeth too; `flank`: the one that
     is in contact, of loads that are but a part of the whole."""
+    if (stroke := motion.linkage.mechanism.driver.stroke) is not None:
+        return _by_stroke(stroke, motion, loads)
     if isinstance(motion, Run) and motion.unaltered and (values := motion.forces(loads)):
         reactions, driver, pivot = _by_lines(motion.straight, values)
     else:
@@ -103,6 +110,26 @@ def solve(motion: Motion, loads: Mapping[str, Load], flank: Array | None = None)
     pushed = driven.gear.force(-driver.moment, driven.omega, flank) if driven.gear else 0.0
     reactions[pair.key] = Reaction(pair, -driver.force - pushed, 0.0, pivot)
     return Statics(reactions, -driver.moment)
+
+
+def _by_stroke(stroke: Stroke, motion: Motion, loads: Mapping[str, Load]) -> Statics:
+    """Where a slider or a cylinder drives: F ds = M dφ, the moment being the one that would balance the link that
+    turns; under the force nothing is left of it."""
+    law = motion.linkage.mechanism.driver.law
+    assert law is not None and motion.phase is not None
+    s = stroke.law.of_phase(motion.phase)[0]
+    moment = -by_groups(motion, loads)[1][stroke.link].moment
+    force = moment * stroke.transfer(s)
+    along = stroke.along(s)
+    loaded = dict(loads)
+    for taken in stroke.takes:
+        push, own = taken.sign * force * along, loaded[taken.link]
+        arm = motion.place(taken.point) - motion.state.r[taken.link]
+        loaded[taken.link] = Load(own.force + push, own.moment + cross(arm, push))
+    reactions, rest = by_groups(motion, loaded)
+    pair = motion.linkage.structure.driver_pair
+    reactions[pair.key] = Reaction(pair, -rest[stroke.link].force, 0.0, motion.state.r[stroke.link])
+    return Statics(reactions, moment, force)
 
 
 def by_groups(motion: Motion, loads: Mapping[str, Load]) -> tuple[dict[str, Reaction], dict[str, Load]]:

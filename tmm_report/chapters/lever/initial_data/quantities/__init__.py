@@ -311,6 +311,10 @@ def given_values(mechanism: Mechanism, length_scale: float) -> Iterator[Value]:
     if mechanism.driver.law is None:
         yield speed(mechanism)
         yield revolutions(mechanism)
+    elif mechanism.driver.stroke is not None:
+        from tmm_report.chapters.lever.initial_data.quantities import driving_stroke
+
+        yield from driving_stroke.values(mechanism.driver.stroke.law)
     else:
         from tmm_report.chapters.lever.initial_data.quantities import driving_law
 

@@ -77,7 +77,11 @@ def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
     working = working_of(lever)
     view = KinematicsView(found, schemes_of(lever, page), k, lever.partial, working, page)
     yield Part("lever/kinematics", view)
-    if found.cycle.law is not None:
+    if found.linkage.mechanism.driver.stroke is not None:
+        from tmm_report.chapters.lever.kinematics.view.stroke import StrokeView
+
+        yield Part("lever/kinematics/stroke", StrokeView(found, k, page))
+    elif found.cycle.law is not None:
         from tmm_report.chapters.lever.kinematics.view.driving import DrivingView
 
         yield Part("lever/kinematics/driving", DrivingView(found, k, page))

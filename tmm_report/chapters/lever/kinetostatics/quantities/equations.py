@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tmm_report.chapters.lever.kinetostatics.quantities.driving_gear import WAY as ANGLE_OF_LINE
+from tmm_report.chapters.lever.kinetostatics.quantities.driving_stroke import FORCE as DRIVING
 from tmm_report.chapters.lever.kinetostatics.quantities.positions import (
     BALANCING_MOMENT,
     BASE_RADIUS,
@@ -106,6 +107,8 @@ def worked(found: Kinetostatics, q: Known) -> Iterator[Line]:
     solved = found.diagram if q.fine else found.table
     index = q.row or 0
     links, head = _solved_with(solved, q.own)
+    if q.own == BALANCING_MOMENT.key and solved.statics.driving is not None:
+        return  # a reduced moment acts on no link
     if links and np.isfinite(solved.balancing[index]) and _known(solved, links, index):
         yield from system(found, solved, links, index).told(head)
 
@@ -142,7 +145,7 @@ class _Writer:
         self.found, self.solved, self.links, self.index = found, solved, links, index
         self.motion = solved.motion
         linkage = self.motion.linkage
-        self.driver = linkage.mechanism.driver.link
+        self.driver, self.stroke = linkage.mechanism.driver.link, linkage.mechanism.driver.stroke
         groups = [g.group for g in linkage.groups if set(g.group.links) == set(links)]
         moved = [one for one in linkage.structure.coupled if [one.link] == list(links)]
         self.own = {p.key for g in groups for p in (*g.outer, *g.inner)}
@@ -177,7 +180,7 @@ class _Writer:
         apart = (one for one in pushes if abs(one.at - centre) > 0)
         turning = [term for one in apart for term in self._moment(one, about, centre)]
         turning += self._couples(link)
-        if link == self.driver:
+        if link == self.driver and self.stroke is None:
             gear = self.motion.linkage.mechanism.driver.gear
             if gear is not None:
                 fx, fy = self._gear(gear)
@@ -232,6 +235,12 @@ class _Writer:
         for quantity, stated, force in zip(forces(given.forces), given.forces, load.forces, strict=True):
             if loaded_link(self.motion, stated) == link:
                 yield self._push(quantity, force, stated.at)
+        if self.stroke is not None:
+            along = self.stroke.along(self.stroke.law.of_phase(self.motion.phase)[0])
+            for taken in self.stroke.takes:
+                if taken.link == link:
+                    force = taken.sign * self.solved.statics.driving * along
+                    yield self._push(DRIVING, force, taken.point)
 
     def _push(self, of: Quantity, force: Any, point: str) -> Push:
         x, y = of.components

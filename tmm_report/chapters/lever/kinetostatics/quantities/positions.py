@@ -16,6 +16,7 @@ from tmm_report.chapters.lever.kinetostatics.given import Carried, Towards
 from tmm_report.chapters.lever.kinetostatics.quantities import cam_pressure as pressing_quantities
 from tmm_report.chapters.lever.kinetostatics.quantities import cycle
 from tmm_report.chapters.lever.kinetostatics.quantities import driving_gear as gear_quantities
+from tmm_report.chapters.lever.kinetostatics.quantities import driving_stroke as stroke_quantities
 from tmm_report.chapters.lever.kinetostatics.quantities import ties as tie_quantities
 from tmm_report.chapters.lever.kinetostatics.quantities import wheels as wheel_quantities
 from tmm_report.chapters.lever.kinetostatics.quantities.cycle import Row
@@ -211,6 +212,7 @@ def tables(found: Kinetostatics) -> Iterator[Table]:
     if found.asked is not None:
         yield from _at_instants(found, found.asked)
     yield from gear_quantities.tables(found)
+    yield from stroke_quantities.tables(found)
     yield from pressing_quantities.tables(found, found.pressings)
     yield from wheel_quantities.tables(found)
     if found.over is not None:
@@ -388,6 +390,7 @@ def _powers(found: Kinetostatics, solved: Solved) -> Iterator[Column]:
 def values(found: Kinetostatics) -> Iterator[Value]:
     yield from extremes(found)
     yield from gear_quantities.values(found)
+    yield from stroke_quantities.values(found)
     yield from pressing_quantities.values(found.pressings)
     yield from wheel_quantities.values(found)
     if found.works is not None:

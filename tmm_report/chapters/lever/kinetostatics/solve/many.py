@@ -80,4 +80,5 @@ def _statics(found: Statics, v: int, kinematics: Kinematics) -> Statics:
         )
         for key, whole in found.reactions.items()
     }
-    return Statics(reactions, one(found.balancing, v))
+    driving = None if found.driving is None else one(found.driving, v)
+    return Statics(reactions, one(found.balancing, v), driving)

@@ -18,6 +18,7 @@ from tmm_report.chapters.lever.kinetostatics.ties import apart
 from tmm_report.chapters.lever.kinetostatics.view import cam_pressure as pressing_view
 from tmm_report.chapters.lever.kinetostatics.view import checks as lever_view
 from tmm_report.chapters.lever.kinetostatics.view import driving_gear as gear_view
+from tmm_report.chapters.lever.kinetostatics.view import driving_stroke as stroke_view
 from tmm_report.chapters.lever.kinetostatics.view import wheels as wheels_view
 from tmm_report.chapters.lever.kinetostatics.view.curves import CurvesView
 from tmm_report.chapters.lever.kinetostatics.view.cycle import CycleView
@@ -58,6 +59,7 @@ def parts(lever: LeverFound, page: Page) -> Iterator[Part | None]:
     yield Part("lever/kinetostatics/curves", view.curves, concludes=False)
     yield Part("lever/kinetostatics/extremes", view.cycle, concludes=False)
     yield Part("lever/kinetostatics/balancing", view)
+    yield from stroke_view.parts(lever.kinetostatics, lever.sample, page)
     yield from gear_view.parts(lever.kinetostatics, lever.sample, page)
     yield lever_view.part(lever.kinetostatics, lever.sample, page)
 
@@ -140,6 +142,12 @@ class KinetostaticsView(BookView):
         ]  # fmt: skip
         heads = [self.t("Symbol"), self.t("Load"), self.t("Applied to"), self.t("Direction")]
         return worded(caption, heads, rows, (2, 5, 4, 5))
+
+    @property
+    def led(self) -> str | None:
+        """The link to which the balancing moment is reduced where a slider or a cylinder drives."""
+        stroke = self.found.kinematics.linkage.mechanism.driver.stroke
+        return None if stroke is None else stroke.link
 
     @property
     def stated_alone(self) -> bool:

@@ -11,6 +11,8 @@ from tmm_report.chapters.lever.structure.block import models as m
 from tmm_report.chapters.lever.structure.block.cam_build import cam
 from tmm_report.chapters.lever.structure.block.cams import CamModel
 from tmm_report.chapters.lever.structure.block.geometry import Geometry
+from tmm_report.chapters.lever.structure.block.strokes import models as strokes
+from tmm_report.chapters.lever.structure.block.strokes.build import led
 from tmm_report.chapters.lever.structure.block.synthesised import Taken, coordinate, direction, placed
 from tmm_report.chapters.lever.structure.block.weights import Weights, in_the_middle, inertia_of
 from tmm_report.chapters.lever.structure.block.wheels.build import meshes
@@ -60,7 +62,7 @@ def without_cams(model: m.MechanismModel, synthesis: Taken = None) -> Mechanism:
     weights = Weights(geometry)
     links = {name: link(name, weights) for name in model.links}
     links = {FRAME: Link(FRAME, geometry.frame, said=frame_said(model, synthesis)), **links}
-    return Mechanism(
+    built = Mechanism(
         links=links,
         driver=driver(model.driver),  # type: ignore[arg-type]  # checks: there is one
         guides={name: guide(name, part, links[part.link], synthesis) for name, part in model.guides.items()},
@@ -70,6 +72,8 @@ def without_cams(model: m.MechanismModel, synthesis: Taken = None) -> Mechanism:
         assembly=tuple(Assembly(key, choice) for key, choice in model.assembly.items()),
         sketch={name: complex(*place) for name, place in model.sketch.items()},
     )
+    of = model.driver
+    return led(built, of.stroke, of.slider, of.cylinder) if of and of.stroke else built
 
 
 def frame(model: m.MechanismModel, synthesis: Taken = None) -> dict[str, complex]:
@@ -141,6 +145,11 @@ def slide(name: str, model: m.SlideModel, own: Link) -> Slide:
 
 
 def driver(model: m.DriverModel) -> Driver:
+    """Of a slider or a cylinder the law of its stroke, whose link the mechanism tells."""
+    if model.stroke is not None:
+        law = strokes.build(model.stroke)
+        return Driver(model.slider or FRAME, 2 * math.pi / law.period, law=law)
+    assert model.link is not None  # the model: one of the three is stated
     if model.law is not None:
         law = driving.build(model.law)
         return Driver(model.link, 2 * math.pi / law.period, ZeroAngle(model.law.angle), law=law)

@@ -8,6 +8,7 @@ from typing import Any
 from tmm_report.chapters.lever.structure.block import build, cam_checks, driving
 from tmm_report.chapters.lever.structure.block import models as m
 from tmm_report.chapters.lever.structure.block.geometry import Circular, Geometry, mentioned
+from tmm_report.chapters.lever.structure.block.strokes.build import Refused
 from tmm_report.chapters.lever.structure.block.synthesised import (
     Elsewhere,
     Taken,
@@ -342,9 +343,10 @@ def _driving_link(link: str, known: Names, slides: bool) -> Found:
     elif link == FRAME:
         yield mistake(N_("the frame cannot drive"), path, near(link, moving))
     elif slides and not set(known.points[link]) & set(fixed):
-        turning = N_("the driving link turns about a point of the frame: %(words)s")
-        right = Message(turning, {"words": ", ".join(fixed)}) if fixed else None
-        text = N_("link %(name)s slides: a driving slider or cylinder is not offered")
+        text = N_("link %(name)s slides: a driving slider is stated with its stroke")
+        right = Message(
+            N_("slider: %(name)s, stroke: {from: 0.35 m, to: 0.60 m, speed: 1.2 m/s}"), {"name": link}
+        )
         yield mistake(text, path, right, name=link)
     elif fixed and not set(known.points[link]) & set(fixed):
         right = Message(N_("one of its points must be of the frame: %(words)s"), {"words": ", ".join(fixed)})
@@ -360,8 +362,10 @@ def _driver(mechanism: m.MechanismModel, read: Read, known: Names) -> Found:
         yield from _driving_link(link, known, slides)
     if (driver := mechanism.driver) is None:
         return
-    if driver.law is not None:
+    if driver.law is not None or driver.stroke is not None:
         yield from driving.mistakes(read)
+    if driver.stroke is not None:
+        yield from _stroke(mechanism, driver, read, known)
     if driver.speed == "drive" and "drive" not in read.data:
         wrong = N_("speed: drive takes the speed of the drive's output shaft, and there is no drive")
         right = Message(N_("state the block drive, or the speed: 100 rpm"))
@@ -370,6 +374,28 @@ def _driver(mechanism: m.MechanismModel, read: Read, known: Names) -> Found:
         yield from no_point(driver.zero.point, (*_MECHANISM, "driver", "zero", "point"), known)
     if driver.zero and driver.zero.link is not None:
         yield from no_link(driver.zero.link, (*_MECHANISM, "driver", "zero", "link"), known)
+
+
+def _stroke(mechanism: m.MechanismModel, driver: m.DriverModel, read: Read, known: Names) -> Found:
+    """Of a driving slider or cylinder: that its links and points are there and that it can go by its stroke."""
+    path = (*_MECHANISM, "driver")
+    unknown = [
+        *(no_link(driver.slider, (*path, "slider"), known) if driver.slider is not None else ()),
+        *(
+            found
+            for k, one in enumerate(driver.cylinder or ())
+            for found in no_point(one, (*path, "cylinder", k), known)
+        ),
+    ]
+    yield from unknown
+    if unknown:
+        return
+    try:
+        build.without_cams(mechanism, offered(read))
+    except Refused as error:
+        yield error.problem
+    except (WrongValue, KeyError):  # told by the links themselves
+        return
 
 
 def _assembly(mechanism: m.MechanismModel, known: Names) -> Found:

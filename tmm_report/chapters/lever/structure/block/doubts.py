@@ -75,7 +75,9 @@ def _inertialess(mechanism: m.MechanismModel, read: Read) -> Iterator[Problem]:
     for name, link in mechanism.links.items():
         path = ("mechanism", "links", name)
         driving = mechanism.driver is not None and name == mechanism.driver.link
-        uneven = any(key in read.data for key in _UNEVEN) or (mechanism.driver and mechanism.driver.law)
+        uneven = any(key in read.data for key in _UNEVEN) or (
+            mechanism.driver and (mechanism.driver.law or mechanism.driver.stroke)
+        )
         if driving and not uneven:
             continue
         stated = written(read, (*path, "inertia")) is not None

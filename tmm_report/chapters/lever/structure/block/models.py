@@ -9,6 +9,7 @@ from pydantic import BeforeValidator, ConfigDict, Field, Tag, model_validator
 
 from tmm_report.chapters.lever.structure.block.cams import CamModel
 from tmm_report.chapters.lever.structure.block.driving import LawModel
+from tmm_report.chapters.lever.structure.block.strokes.models import StrokeModel
 from tmm_report.chapters.lever.structure.block.wheels.models import RackModel, WheelsModel
 from tmm_report.mechanics.lever.stated_masses import Statement, Synthesised
 from tmm_report.problems import N_, Message, shown
@@ -277,7 +278,8 @@ DriverSpeed = Annotated[
 
 
 class DriverModel(Model):
-    """The driving link: it turns about a fixed point at constant speed, or by a law of the time."""
+    """The driving link: it turns about a fixed point at constant speed, or by a law of the time; or a slider or a
+    hydraulic cylinder by its stroke."""
 
     NOT_OFFERED: ClassVar[Mapping[str, str]] = dict.fromkeys(
         ("acceleration", "angular_acceleration", "epsilon", "eps", "phi", "harmonic", "polynomial"),
@@ -286,7 +288,14 @@ class DriverModel(Model):
         ),
     )
 
-    link: Name = Field(description="the driving link", examples=["1"])
+    link: Name | None = Field(default=None, description="the driving link", examples=["1"])
+    slider: Name | None = Field(
+        default=None, description="in place of link: a slider that drives by its stroke", examples=["3"]
+    )
+    cylinder: tuple[Name, Name] | None = Field(
+        default=None, description="in place of link: a cylinder between two points", examples=["[A, B]"]
+    )
+    stroke: StrokeModel | None = Field(default=None, description="of the slider or the cylinder by the time")
     speed: DriverSpeed | None = Field(
         default=None,
         description="rad/s or rpm, negative: clockwise; drive: that of the output shaft of the drive",
@@ -304,7 +313,30 @@ class DriverModel(Model):
     )
 
     @model_validator(mode="after")
+    def one_way(self) -> "DriverModel":
+        if sum(way is not None for way in (self.link, self.slider, self.cylinder)) != 1:
+            wrong = Message(N_("what drives must be stated once"))
+            raise WrongValue(wrong, Message(N_("one of link: 1, slider: 3, cylinder: [A, B]")))
+        if (self.stroke is not None) != (self.link is None):
+            text = (
+                N_("a stroke is that of a slider or of a cylinder, and a link turns")
+                if self.stroke is not None
+                else N_("the stroke of the slider or cylinder is missing")
+            )
+            right = N_("{slider: 3, stroke: {from: 0.35 m, to: 0.60 m, speed: 1.2 m/s}}")
+            raise WrongValue(Message(text), Message(right))
+        return self
+
+    @model_validator(mode="after")
     def one_speed(self) -> "DriverModel":
+        if self.stroke is not None:
+            others = ("speed", "period", "law", "rotation", "zero", "range", "turns", "gear")
+            for key in (key for key in others if key in self.model_fields_set):
+                wrong = Message(
+                    N_("%(key)s does not go together with a stroke: it says that itself"), {"key": key}
+                )
+                raise WrongValue(wrong, Message(N_("position 0 is where the stroke begins")))
+            return self
         if sum(way is not None for way in (self.speed, self.period, self.law)) != 1:
             wrong = Message(N_("the speed must be stated once"))
             raise WrongValue(wrong, Message(N_("either speed: 1200 rpm or period: 0.05 s")))

@@ -1,0 +1,173 @@
+"""The numbers of a driving slider or cylinder: its stroke by the time, and the triangle that the link follows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from tmm_report.chapters.lever.kinematics.solve.analogues import time
+from tmm_report.chapters.lever.kinematics.solve.points_and_links import along, where
+from tmm_report.mechanics.lever.driving.stroke import Stroke
+from tmm_report.mechanics.lever.motion import Motion
+from tmm_report.problems import N_, Message
+from tmm_report.quantity.model import Column, Quantity, Table, Value
+from tmm_report.quantity.symbols import Symbol
+
+if TYPE_CHECKING:
+    from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
+
+Array = Any
+
+MEANING = Message(N_("stroke of the driving slider or cylinder, and the triangle by which a link follows it"))
+PLACE = Quantity(
+    "stroke", Symbol("s"), "m", Message(N_("stroke: place of the driving slider along its guide"))
+)
+LENGTH = replace(PLACE, meaning=Message(N_("stroke: length of the driving cylinder between its points")))
+SPEED = Quantity("stroke_v", Symbol("v", "s"), "m/s", Message(N_("speed of the stroke")))
+ACCELERATION = Quantity("stroke_a", Symbol("a", "s"), "m/s²", Message(N_("acceleration of the stroke")))
+GUIDE = Quantity(
+    "stroke_gamma", Symbol("gamma"), "deg", Message(N_("angle of the driving slider's guide with the x axis"))
+)
+LAG = Quantity(
+    "stroke_lag",
+    Symbol("delta"),
+    "deg",
+    Message(N_("angle of the arm in the axes of the link that follows the stroke")),
+)
+
+
+def stroke_of(found: Kinematics) -> Stroke | None:
+    return found.linkage.mechanism.driver.stroke
+
+
+def of(stroke: Stroke) -> Quantity:
+    """The stroke itself."""
+    return PLACE if stroke.slides else LENGTH
+
+
+def _between(one: str, other: str) -> Symbol:
+    return Symbol("l", one + other)
+
+
+def arm(stroke: Stroke) -> Quantity:
+    """r = OP."""
+    pivot, pin, _ = stroke.names
+    meaning = Message(N_("distance between points %(one)s and %(other)s"), {"one": pivot, "other": pin})
+    return Quantity("stroke_arm", _between(pivot, pin), "m", meaning)
+
+
+def rod(stroke: Stroke) -> Quantity:
+    """d = PQ of a slider."""
+    _, pin, far = stroke.names
+    meaning = Message(N_("distance between points %(one)s and %(other)s"), {"one": pin, "other": far})
+    return Quantity("stroke_rod", _between(pin, far), "m", meaning)
+
+
+def base(stroke: Stroke) -> Quantity:
+    """OQ."""
+    pivot, _, far = stroke.names
+    meaning = Message(N_("distance between points %(one)s and %(other)s"), {"one": pivot, "other": far})
+    return Quantity("stroke_base", _between(pivot, far), "m", meaning)
+
+
+def _angle(key: str, letter: str, one: str, other: str) -> Quantity:
+    meaning = Message(
+        N_("angle of the line from %(one)s to %(other)s with the x axis"), {"one": one, "other": other}
+    )
+    return Quantity(key, Symbol(letter, one + other), "deg", meaning)
+
+
+def base_angle(stroke: Stroke) -> Quantity:
+    pivot, _, far = stroke.names
+    return _angle("stroke_alpha", "alpha", pivot, far)
+
+
+def arm_angle(stroke: Stroke) -> Quantity:
+    pivot, pin, _ = stroke.names
+    return _angle("stroke_phi", "phi", pivot, pin)
+
+
+def line(stroke: Stroke) -> tuple[str, str]:
+    """The rod from the link to the slider; the cylinder from its fixed point to the link."""
+    _, pin, far = stroke.names
+    return (pin, far) if stroke.slides else (far, pin)
+
+
+def line_angle(stroke: Stroke) -> Quantity:
+    return _angle("stroke_psi", "psi", *line(stroke))
+
+
+def line_rate(stroke: Stroke) -> Quantity:
+    one, other = line(stroke)
+    meaning = Message(N_("angular velocity of the line %(one)s%(other)s"), {"one": one, "other": other})
+    return Quantity("stroke_omega", Symbol("omega", one + other), "rad/s", meaning)
+
+
+def corner(stroke: Stroke) -> Quantity:
+    """The angle QOP."""
+    pivot, pin, far = stroke.names
+    of_points = {"one": far, "two": pivot, "three": pin}
+    return Quantity(
+        "stroke_beta",
+        Symbol("beta"),
+        "deg",
+        Message(N_("angle %(one)s%(two)s%(three)s of the triangle"), of_points),
+    )
+
+
+TRANSFER = Quantity(
+    "stroke_transfer",
+    Symbol("phi′"),
+    "1/m",
+    Message(N_("analogue of the angular velocity of the link that follows the stroke, by the stroke")),
+)
+
+
+def tables(found: Kinematics) -> Iterator[Table]:
+    """At the table and at the diagram positions, and at the instants that are asked for."""
+    stroke = stroke_of(found)
+    if stroke is None:
+        return
+    for name, motion, turned in (
+        ("table", found.table, found.turned),
+        ("diagram", found.diagram, found.diagram_turned),
+    ):
+        yield Table(
+            f"stroke_{name}", MEANING, (*where(turned, True), time(found, turned), *_columns(stroke, motion))
+        )
+    if found.asked is not None:
+        at = (along(True).column(np.degrees(found.instants)), time(found, found.instants))
+        yield Table("stroke_at", MEANING, (*at, *_columns(stroke, found.asked)))
+
+
+def _columns(stroke: Stroke, motion: Motion) -> Iterator[Column]:
+    s, v, a = stroke.law.of_phase(motion.phase)
+    p, c = stroke.arms(s)
+    c = -c if stroke.slides else c
+    omega = motion.state.w[stroke.link]
+    turned = 1j * omega * p - stroke.way * v  # of P about Q
+    rate = (np.conj(c) * (-turned if stroke.slides else turned)).imag / np.abs(c) ** 2
+    beta = np.arccos(stroke.cosine(s))
+    for quantity, values in (
+        (of(stroke), s), (SPEED, v), (ACCELERATION, a), (base(stroke), np.abs(stroke.far(s))),
+        (base_angle(stroke), np.degrees(np.angle(stroke.far(s)))), (corner(stroke), np.degrees(beta)),
+        (arm_angle(stroke), np.degrees(np.angle(stroke.far(s)) + stroke.side * beta)),
+        (line_angle(stroke), np.degrees(np.angle(c))), (line_rate(stroke), rate),
+        (TRANSFER, stroke.transfer(s)),
+    ):  # fmt: skip
+        yield replace(quantity.column(np.broadcast_to(values, motion.shape)), asked=False)
+
+
+def values(found: Kinematics) -> Iterator[Value]:
+    stroke = stroke_of(found)
+    if stroke is None:
+        return
+    yield arm(stroke).value(stroke.crank)
+    if np.angle(stroke.pin):
+        yield LAG.value(float(np.degrees(np.angle(stroke.pin))))
+    if stroke.slides:
+        yield rod(stroke).value(stroke.rod)
+        yield GUIDE.value(float(np.degrees(np.angle(stroke.way))))
