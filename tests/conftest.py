@@ -37,9 +37,11 @@ STATEMENTS = [
         "cases/explain/law_rocker",
         "cases/explain/law_accelerated",
         "cases/explain/sprung_screen",
+        "statements/slider_drives",
+        "cases/explain/boom_by_cylinder",
     )
 ]
-"""Mechanisms whose driving link moves by a law: no ready variant has one, and their notes are read as those are."""
+"""Mechanisms that a slider or a cylinder drives, or whose driving link moves by a law: no ready variant has one, and their notes are read as those are."""
 every_variant = pytest.fixture(params=[path.stem for path in FILES])
 
 

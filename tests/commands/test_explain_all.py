@@ -46,6 +46,8 @@ CASES = [
     TESTS / "statements" / "press_with_geared_cranks.yaml",
     TESTS / "statements" / "rack_on_slider.yaml",
     TESTS / "statements" / "rocker_by_law.yaml",
+    TESTS / "statements" / "slider_drives.yaml",
+    TESTS / "statements" / "tipper_by_cylinder.yaml",
     TESTS / "statements" / "uneven_crank.yaml",
 ]
 """With numbers that no ready variant has."""

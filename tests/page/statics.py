@@ -9,7 +9,7 @@ from __future__ import annotations
 import itertools
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -45,6 +45,7 @@ class Scheme:
         None  # from the pivot O to the pitch point of the gear that turns the driving link, m
     )
     pivot: str = ""
+    drive: list[tuple[str, str, str]] = field(default_factory=list)
 
 
 def scheme(name: str) -> Scheme:
@@ -72,9 +73,38 @@ def scheme(name: str) -> Scheme:
     gravity = loads.get("gravity", 0)
     gravity = float(str(gravity["value"] if isinstance(gravity, dict) else gravity).split()[0])
     driver = data["mechanism"]["driver"]
-    link = str(driver["link"])
-    pivot = next((p for p in points[link] if p in data["mechanism"]["frame"]), "")
-    return Scheme(points, sliding, centres, link, gravity, forces, pitch_point(driver.get("gear")), pivot)
+    frame, cylinder = data["mechanism"]["frame"], [str(p) for p in driver.get("cylinder", ())]
+    link = str(driver.get("link") or turning(points, frame, cylinder))
+    pivot = next((p for p in points[link] if p in frame), "")
+    drive = driving(driver, points, frame, cylinder, link)
+    return Scheme(
+        points, sliding, centres, link, gravity, forces, pitch_point(driver.get("gear")), pivot, drive
+    )  # fmt: skip
+
+
+def turning(points: dict[str, list[str]], frame: dict[str, Any], cylinder: list[str]) -> str:
+    """The link about a fixed point that a slider or a cylinder drives, which is no part of the cylinder."""
+    own = {p for p in frame if p not in cylinder}
+    return next(link for link, of in points.items() if own & {*of})
+
+
+def driving(
+    driver: dict[str, Any], points: dict[str, list[str]], frame: dict[str, Any], cylinder: list[str], led: str
+) -> list[tuple[str, str, str]]:
+    """Of a driving slider (whose guide is horizontal) or cylinder: the links that take its force, the point of each and
+    the point towards which it is pressed apart; of a slider none."""
+    if "slider" in driver:
+        return [(str(driver["slider"]), points[str(driver["slider"])][0], "")]
+    if not cylinder:
+        return []
+    far, pin = sorted(cylinder, key=lambda p: p not in frame)
+    ends = [
+        (link, end, other)
+        for end, other in ((pin, far), (far, pin))
+        for link in points
+        if end in points[link]
+    ]
+    return [one for one in ends if one[0] != led]
 
 
 def pitch_point(gear: dict[str, str] | None) -> complex | None:
@@ -182,12 +212,16 @@ def loads(note: Note, document: dict[str, Any], drawn: Scheme, places: Places) -
                 key, rows = symbol if "," in symbol else f"{symbol},{k}", len(one.values)
                 couple = one.values * np.sign(acting[key][:rows])
                 yield Force(key, stated[1], 0j, zeros[:rows] + 0j, zeros[:rows], couple, one.half)
+        elif symbol in ("F_bal", "F_ур") and drawn.drive:
+            for link, point, other in drawn.drive:
+                line = places[point] - places[other] if other else zeros + 1.0
+                yield Force(symbol, link, places[point], column.values * line / np.abs(line), column.half)
         elif symbol in ("F_bal", "F_ур") and drawn.pitch is not None:  # a force in place of the moment
             line = found["α_F"][0][1]
             way, size = np.exp(1j * line.values), np.abs(column.values)
             at = places[drawn.pivot] + drawn.pitch
             yield Force(symbol, drawn.driver, at, column.values * way, column.half + size * line.half)
-        elif symbol in BALANCING and drawn.pitch is None:
+        elif symbol in BALANCING and drawn.pitch is None and not drawn.drive:
             yield Force(symbol, drawn.driver, 0j, zeros + 0j, zeros, column.values, column.half)
 
 

@@ -22,7 +22,8 @@ ANALOGUES = {"S′": "dS", "S′′": "ddS", "ψ′": "dpsi", "ψ′′": "ddpsi
 OTHERS = {
     "Mур": ("balancing", "M_bal"), "Mbal": ("balancing", "M_bal"), "Pтр": ("friction", "P_fr"),
     "Pfr": ("friction", "P_fr"), "η": ("friction", "eta"), "Iпр": ("reduced_inertia", "I_red"),
-    "Ired": ("reduced_inertia", "I_red"), "Mпр": ("reduced_moment", "M_red"), "Mred": ("reduced_moment", "M_red"),
+    "s": ("stroke", "stroke"), "vs": ("stroke", "stroke_v"), "as": ("stroke", "stroke_a"),
+    "Fbal": ("drive", "F_stroke"), "Fур": ("drive", "F_stroke"), "Ired": ("reduced_inertia", "I_red"), "Mпр": ("reduced_moment", "M_red"), "Mred": ("reduced_moment", "M_red"),
 }  # fmt: skip
 SCALES = {
     "mu_S": "S",

@@ -43,7 +43,7 @@ STROKES = {
     "Phased": N_("it goes through phases of rise, dwell and return, as a cam's follower does"),
     "Pieces": N_("it goes with constant accelerations one after another"),
 }
-UNIFORM = N_("it grows at a constant speed, or, where that is below zero, decreases")
+UNIFORM = N_("it changes at a constant speed")
 
 SWINGS = N_("it swings harmonically about a middle position")
 

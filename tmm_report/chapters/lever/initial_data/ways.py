@@ -17,6 +17,11 @@ LAW_TIME = N_(
     "time is stated, that of one turn."
 )
 
+STROKE_TIME = N_(
+    "Stated; of a harmonic its period; of a stroke whose end is stated the time in which it comes there; of parts one "
+    "after another their sum."
+)
+
 WAYS = (
     Way(
         "dimensions.key dimensions.link fixed_points.point masses.link masses.mass_centre masses.about", NAME
@@ -28,6 +33,7 @@ WAYS = (
     Way("T_turn turns", STATED),
     Way("omega", SPEED, of="n_1 T_turn drive_omega_out"),
     Way("law_time", LAW_TIME, of="law_frequency law_speed law_acceleration"),
+    Way("law_time", STROKE_TIME, of="law_stroke law_stroke_speed law_stroke_acceleration law_part_time_1"),
     Way("law_*", STATED),
     Way("phi_cycle", by=lambda q: 2 * PI * q("turns")),
     Way("T_cycle", by=lambda q: q("phi_cycle") / abs(q("omega"))),

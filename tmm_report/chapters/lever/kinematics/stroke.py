@@ -97,7 +97,7 @@ def line(stroke: Stroke) -> tuple[str, str]:
 
 
 def line_angle(stroke: Stroke) -> Quantity:
-    return _angle("stroke_psi", "psi", *line(stroke))
+    return _angle("stroke_psi", "alpha", *line(stroke))
 
 
 def line_rate(stroke: Stroke) -> Quantity:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tmm_report.chapters.lever.kinematics.solve.positions import STILL
 from tmm_report.chapters.lever.kinematics.solve.relating import place, rate
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import PI, Expr, Var
@@ -32,6 +33,9 @@ TURNS = N_("The rate of the link that it turns with.")
 INSTANT = N_("The instant that the variant asks for, by the angle turned or by the time.")
 AT = N_("As at the positions of the table, at the instant that the variant asks for.")
 LAW = N_("The law of the driving link at this time.")
+STROKE = N_("The law of the stroke at this time.")
+TRIANGLE = N_("From the places of the points of the triangle at this stroke.")
+SIDES = N_("By the places of the points in their links, and of the guide, as the variant states them.")
 ZERO = N_("Stated, or the angle at which the output that is named is in its extreme position.")
 STROKES = N_(
     "From one extreme position of the output to the other; both are sought between the "
@@ -63,8 +67,10 @@ def _analogue(q: Known, rate: str, power: int) -> Expr:
     if not q.has("law_time"):
         omega = abs(q("omega"))
         return q(rate) / (omega if power == 1 else omega**2)
-    link = q.found.linkage.mechanism.driver.link
-    own, epsilon = (q(f"rates_table.{letter}_{link}") for letter in "we")
+    driver = q.found.linkage.mechanism.driver
+    own, epsilon = (q(f"rates_table.{letter}_{driver.link}") for letter in "we")
+    if abs(own.number) <= STILL * driver.law.fastest:
+        raise KeyError(rate)
     first = q(rate.replace(".A_", ".V_").replace(".epsilon_", ".omega_")) / own
     return first if power == 1 else (q(rate) - first * epsilon) / own**2
 
@@ -109,6 +115,12 @@ WAYS = (
     Way("analogues_table.ddS_*", by=lambda q: _analogue(q, "outputs_table.A_{0}", 2)),
     Way("analogues_table.dpsi_*", by=lambda q: _analogue(q, "outputs_table.omega_{0}", 1)),
     Way("analogues_table.ddpsi_*", by=lambda q: _analogue(q, "outputs_table.epsilon_{0}", 2)),
+    Way("stroke_table.stroke stroke_table.stroke_v stroke_table.stroke_a", STROKE, of="law_* t"),
+    Way("stroke_table.*", TRIANGLE, of="stroke stroke_v stroke_arm stroke_rod"),
+    Way("stroke_at.phi", INSTANT, of="t"),
+    Way("stroke_at.t", INSTANT, of="phi"),
+    Way("stroke_at.*", AT, of="phi t"),
+    Way("stroke_arm stroke_rod stroke_gamma stroke_lag", SIDES, of="law_stroke law_time"),
     Way("H_*", STROKES, by=_stroke),
     Way("K_*", STROKES, by=_ratio),
     Way("S_*_* V_*_* A_*_*", EXTREME, of="H_{0} omega law_time"),

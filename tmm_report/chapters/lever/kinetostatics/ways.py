@@ -190,6 +190,11 @@ def _size(q: Known) -> Expr:
     return sqrt(q("R_{0}_x") ** 2 + q("R_{0}_y") ** 2)
 
 
+def _along(q: Known, moment: str) -> Expr:
+    """F = M dφ/ds, of a driving slider or cylinder."""
+    return q(f"balancing_table.{moment}") * q("stroke_table.stroke_transfer")
+
+
 def _mean(q: Known) -> Expr:
     return q("works:M_bal.work") / Var(Symbol("T", "c"), float(q.found.works.time), "s")
 
@@ -248,6 +253,13 @@ WAYS = (
     Way("P_bal_mean", N_("The work of the balancing moment by the time of the cycle."), by=_mean),
     Way("works_sum", by=_share),
     Way("M_bal_min M_bal_max F_bal_min F_bal_max", EXTREME, of="omega law_time"),
+    Way("drive_at.phi", INSTANT, of="t"),
+    Way("drive_at.t", INSTANT, of="phi"),
+    Way("drive_at.*", AT, of="phi t"),
+    Way("drive_table.F_stroke", by=lambda q: _along(q, "M_bal")),
+    Way("drive_table.F_lever", by=lambda q: _along(q, "M_lever")),
+    Way("drive_table.F_power", by=lambda q: _along(q, "M_power")),
+    Way("F_stroke_min F_stroke_max", EXTREME, of="law_time"),
     Way("strokes.*", STROKE, of="load stroke"),
     Way("gear_table.alpha_F_bal", LINE, of="alpha_w_gear phi"),
     Way("r_w_gear alpha_w_gear", STATED),

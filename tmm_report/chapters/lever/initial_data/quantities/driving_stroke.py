@@ -76,7 +76,7 @@ def _factor(power: int) -> Quantity:
 
 
 def motion(law: MotionLaw, t: Var, var: Callable[[str], Var]) -> tuple[Expr, Expr, Expr] | None:
-    """The stroke and its derivatives with numbers; `var`: what is stated, by its key. None where it is no one formula."""
+    """The stroke and its derivatives with numbers; `var`: what is stated, by its key. None where there is none."""
     match law:
         case Harmonic():
             turned: Expr = var(FREQUENCY.key) * t

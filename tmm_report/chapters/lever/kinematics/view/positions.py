@@ -132,6 +132,9 @@ class KinematicsView(BookView):
 
     def scheme(self) -> Drawing:
         words = self.page.tr.gettext("working stroke")
+        driver = self.found.linkage.mechanism.driver
+        if driver.law is not None and not driver.goes_round:  # it goes over the same places there and back
+            return self.schemes.all(self.position)
         strokes = [Stroke(w.first, w.last, (words, " ", symbol(w.output))) for w in self.working.values()]
         return self.schemes.all(self.position, strokes)
 

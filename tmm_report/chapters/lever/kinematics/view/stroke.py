@@ -97,7 +97,7 @@ class StrokeView(DrivingView):
 
     def parts_of(self, caption: Any) -> Table:
         """The triangle at the table positions."""
-        keys = ("stroke_base", "stroke_alpha", "stroke_beta", "stroke_phi", "stroke_psi", "stroke_omega")
+        keys = ("stroke_base", "stroke_alpha", "stroke_beta", "stroke_phi", "stroke_psi")
         return self.by_positions(caption, "stroke_table", keys)
 
     def strokes(self) -> Graph:
