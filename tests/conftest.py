@@ -41,7 +41,8 @@ STATEMENTS = [
         "cases/explain/boom_by_cylinder",
     )
 ]
-"""Mechanisms that a slider or a cylinder drives, or whose driving link moves by a law: no ready variant has one, and their notes are read as those are."""
+"""Mechanisms that a slider or a cylinder drives, or whose driving link moves by a law, or with springs and dampers: no
+ready variant has one, and their notes are read as those are."""
 every_variant = pytest.fixture(params=[path.stem for path in FILES])
 
 

@@ -6,6 +6,7 @@ import pytest
 from tmm_report.mechanics.calculus.motion_laws import (
     Harmonic,
     Phased,
+    Pieces,
     Polynomial,
     Tabulated,
     accelerated,
@@ -27,6 +28,7 @@ LAWS = {
     "table": Tabulated((0.0, 0.2, 0.4, 0.7, 1.0), (0.1, 1.3, 2.2, 3.6, 0.1 + FULL_TURN)),
     "open table": Tabulated((0.0, 0.2, 0.4, 0.7, 1.0), (0.1, 0.4, 1.2, 1.0, 0.3)),
     "phases": Phased(PHASES, 0.3, 2.0),
+    "pieces": Pieces(1.1, 0.0, (0.4, 2.0, 0.6), (0.375, 0.0, -0.2)),
 }
 every = pytest.mark.parametrize("law", LAWS.values(), ids=LAWS)
 
@@ -57,6 +59,7 @@ def test_which_laws_repeat():
         "accelerated",
         "turning back",
         "open table",
+        "pieces",
     ]
 
 

@@ -23,7 +23,8 @@ OTHERS = {
     "Mур": ("balancing", "M_bal"), "Mbal": ("balancing", "M_bal"), "Pтр": ("friction", "P_fr"),
     "Pfr": ("friction", "P_fr"), "η": ("friction", "eta"), "Iпр": ("reduced_inertia", "I_red"),
     "s": ("stroke", "stroke"), "vs": ("stroke", "stroke_v"), "as": ("stroke", "stroke_a"),
-    "Fbal": ("drive", "F_stroke"), "Fур": ("drive", "F_stroke"), "Ired": ("reduced_inertia", "I_red"), "Mпр": ("reduced_moment", "M_red"), "Mred": ("reduced_moment", "M_red"),
+    "Fbal": ("drive", "F_stroke"), "Fур": ("drive", "F_stroke"),
+    "Ired": ("reduced_inertia", "I_red"), "Mпр": ("reduced_moment", "M_red"), "Mred": ("reduced_moment", "M_red"),
 }  # fmt: skip
 SCALES = {
     "mu_S": "S",
