@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tmm_report.chapters.lever.structure.solve import Structure
+from tmm_report.mechanics.lever.driving.stroke import Stroke
 from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.mechanics.lever.motion import Motion
 from tmm_report.problems import N_
@@ -35,6 +36,8 @@ def link_name(found: Structure, motion: Motion, link: str) -> LinkName:
     free = _free_motion(motion, link, float(driver.omega))
     if any(link == cam.cam for cam in found.linkage.mechanism.cams):
         return LinkName(N_("cam"), turning)
+    if driver.stroke is not None and (name := _by_stroke(driver.stroke, link, turning)) is not None:
+        return LinkName(name, TRANSLATION if FRAME in slides else free if slides else turning)
     if link == driver.link:
         return LinkName(N_("crank") if turning == ROTATION else N_("driving rocker"), turning)
     if (wheel := _wheel(found, link, bool(FRAME in slides))) is not None:
@@ -51,6 +54,16 @@ def link_name(found: Structure, motion: Motion, link: str) -> LinkName:
     if slides:
         return LinkName(N_("block of the slotted link"), free)
     return LinkName(N_("slotted connecting rod") if carries else N_("connecting rod"), free)
+
+
+def _by_stroke(stroke: Stroke, link: str, turning: str) -> str | None:
+    """Of a driving slider, of both links of a cylinder and of the link that follows the stroke."""
+    if link == stroke.link:
+        return N_("driven crank") if turning == ROTATION else N_("rocker")
+    if stroke.slides:
+        return N_("driving slider") if link in stroke.by else None
+    sign = next((one.sign for one in stroke.takes if one.link == link), 0)
+    return {1: N_("rod of the cylinder"), -1: N_("barrel of the cylinder")}.get(sign)
 
 
 def _wheel(found: Structure, link: str, slides: bool) -> str | None:

@@ -37,8 +37,8 @@ class StrokeForceView(BookView):
 
     def conclusions(self) -> list[Markup]:
         text = N_(
-            "The balancing force along the stroke varies from %(low)s N to %(high)s N; above zero it acts in the direction in "
-            "which the stroke grows."
+            "The balancing force along the stroke varies from %(low)s N to %(high)s N; above zero it acts in the "
+            "direction in which the stroke grows."
         )
         return [self.t(text, low=self.number("F_stroke_min"), high=self.number("F_stroke_max"))]
 
