@@ -239,3 +239,15 @@ def test_a_mistake_is_named_where_it_was_made_and_not_where_it_was_taken_further
     sizes = [name for name in names if without_components(name)]
     followed = [name for name in sizes if all(found.columns[name].carried)]
     assert followed and not set(followed) & set(cause.names)
+
+
+def test_a_force_along_the_stroke_follows_from_a_wrong_moment():
+    """Where a slider drives: the solution itself is right; who has the reduced moment wrong and goes on rightly loses
+    that one column."""
+    own = expected(solved("slider_drives"))
+    assert marked(own, name="slider_drives").points == 100
+    moment, force = ("balancing_table", "M_bal"), ("drive_table", "F_stroke")
+    wrong = {name: own[name].values * 1.2 for name in (moment, force)}
+    found = marked(own, wrong, name="slider_drives")
+    assert set(found.columns[force].carried) == {"M_bal"}
+    assert Rule.OFF in found.columns[moment].rules

@@ -127,7 +127,7 @@ def test_an_acceleration_of_the_driving_link_is_named(key):
 
 def test_a_driving_slider_is_named():
     found = lines(("    link: 1\n", "    link: 5\n"))
-    assert any("link 5 slides: a driving slider or cylinder is not offered" in line for line in found)
+    assert any("link 5 slides: a driving slider is stated with its stroke" in line for line in found)
 
 
 @pytest.mark.parametrize("speed", ["-600 rpm", "-15", "-15 рад/с", "−600 об/мин"])

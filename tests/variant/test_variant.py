@@ -215,7 +215,7 @@ def test_names_of_letters():
 MISTAKES = [
     (("speed:", "sped:"), 11, 5, "mechanism.driver.sped", "unknown key sped"),
     (("assembly:", "asembly:"), 12, 3, "mechanism.asembly", "unknown key asembly"),
-    (("    link: 1\n", ""), 9, 3, "mechanism.driver.link", "the key link is missing"),
+    (("    link: 1\n", ""), 9, 3, "mechanism.driver", "what drives must be stated once"),
     (("    speed: 1200 rpm\n", ""), 9, 3, "mechanism.driver", "the speed must be stated once"),
     (("1200 rpm", "1200 rpm\n    period: 1 s"), 9, 3, "mechanism.driver", "the speed must be stated once"),
     (("1200 rpm", "1200 mm"), 11, 5, "mechanism.driver.speed", "1200 mm is a length (mm); expected: an angular velocity (rad/s)"),
@@ -327,7 +327,7 @@ def test_mistake(change, line, column, key, wrong):
         (("slides: x", "slidse: x"), "did you mean slides?"),
         (("x: {through: O}", "x: {throgh: O}"), "did you mean through?"),
         (("300 mm", "300 kg"), "for example, 300 mm"),
-        (("    link: 1\n", ""), "for example, link: 1"),
+        (("    link: 1\n", ""), "one of link: 1, slider: 3, cylinder: [A, B]"),
         (("1200 rpm", "5\n    rotation: cw"), "one of: clockwise, counter-clockwise"),
     ],
 )

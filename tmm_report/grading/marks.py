@@ -57,7 +57,7 @@ WORLD = "world"  # from which columns follow that are right in another world
 # how far along the course a number is found; within a stage by its unit
 STAGES = {
     "positions_table": 0, "outputs_table": 1, "rates_table": 1,
-    "loads_table": 2, "reactions_table": 3, "balancing_table": 4,
+    "loads_table": 2, "reactions_table": 3, "balancing_table": 4, "drive_table": 5,
 }  # fmt: skip
 UNITS = ("m", "deg", "rad", "m/s", "rad/s", "m/s²", "rad/s²", "N", "N·m")
 

@@ -253,7 +253,7 @@ def _column_weight(rubric: Rubric, one: Asked) -> float:
     return float(_by_default(one, of_table=True)) if rule.columns is None else rule.columns.get(one.key, 0.0)
 
 
-DEFAULT_TABLES = ("outputs_table", "rates_table", "reactions_table", "balancing_table")
+DEFAULT_TABLES = ("outputs_table", "rates_table", "reactions_table", "balancing_table", "drive_table")
 GEARS = ("z", "x", "d", "d_a", "d_f", "d_b")
 
 
@@ -266,6 +266,8 @@ def _by_default(one: Asked, of_table: bool = False) -> bool:
         return False
     if one.table == "balancing_table":
         return one.key == "M_bal"
+    if one.table == "drive_table":
+        return one.key == "F_stroke"
     if one.table == "reactions_table":
         return not one.signed
     return not one.key.endswith(("_x", "_y"))

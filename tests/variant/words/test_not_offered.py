@@ -18,7 +18,7 @@ loads:
 """
 SLIPS = {
     "mechanism.driver.acceleration": ("speed: 1}", "speed: 1, acceleration: 2}", "if not uniformly, stands under law"),
-    "mechanism.driver.link": ("link: 1,", "link: 3,", "a driving slider or cylinder is not offered"),
+    "mechanism.driver.link": ("link: 1,", "link: 3,", "a driving slider is stated with its stroke"),
     "mechanism.gears": ("  assembly:", "  gears: []\n  assembly:", "mechanism.wheels"),
     "mechanism.belts": ("  assembly:", "  belts: []\n  assembly:", "stages of the block drive"),
     "mechanism.links.3.rolls": ("slides: x", "slides: x, rolls: x", "rolling on a guide is not offered"),

@@ -57,6 +57,7 @@ BY_GROUPS = Quantity("M_bal", M_BAL, "N·m", Message(N_("balancing moment, by gr
 BY_LEVER = Quantity("M_lever", M_BAL, "N·m", Message(N_("balancing moment by Zhukovsky's lever")))
 BY_POWER = Quantity("M_power", M_BAL, "N·m", Message(N_("balancing moment by the power balance")))
 BALANCING_MOMENT = replace(BY_GROUPS, meaning=Message(N_("balancing moment on the driving link")))
+ALONG_STROKE = stroke_quantities.FORCE
 LEVER_MISS = Quantity("lever_disagreement", None, "", Message(N_("relative disagreement of the lever")))
 POWER_MISS = Quantity(
     "power_disagreement", None, "", Message(N_("relative disagreement of the power balance"))

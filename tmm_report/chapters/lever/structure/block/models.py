@@ -288,6 +288,14 @@ class DriverModel(Model):
         ),
     )
 
+    model_config = ConfigDict(
+        json_schema_extra={
+            "anyOf": [
+                {"required": ["link"]}, {"required": ["slider", "stroke"]}, {"required": ["cylinder", "stroke"]},
+            ]
+        }
+    )  # fmt: skip
+
     link: Name | None = Field(default=None, description="the driving link", examples=["1"])
     slider: Name | None = Field(
         default=None, description="in place of link: a slider that drives by its stroke", examples=["3"]
