@@ -210,6 +210,26 @@ def stated(note: Note, document: dict[str, Any], drawn: Scheme, places: Places) 
         yield [Force(key, link, places[point], value, half) for link in links if link == taken[key]]
 
 
+def tied(note: Note, document: dict[str, Any], places: Places) -> Iterator[Force]:
+    """The printed forces of springs and dampers, each on the links at both its ends along the line of the points."""
+    found = columns(note)
+    for name in ("springs", "dampers"):
+        for row in _rows_told(document, name):
+            column, (one, other) = (
+                found[f"F_{row['key']}"][0][1],
+                (places[row[end]] for end in ("one", "other")),
+            )
+            way = np.atleast_1d((other - one) / np.abs(other - one))[: len(column.values)]
+            for end, at, sign in (("link_one", one, 1), ("link_other", other, -1)):
+                yield Force(f"F_{row['key']}", row[end], at, sign * column.values * way, column.half)
+
+
+def _rows_told(document: dict[str, Any], name: str) -> list[dict[str, str]]:
+    """The texts of a table of the results, row by row."""
+    table = {c["key"]: c["values"] for c in document["tables"].get(name, {"columns": []})["columns"]}
+    return [dict(zip(table, row, strict=True)) for row in zip(*table.values(), strict=True)]
+
+
 def _way(stated_: str, vector: np.ndarray, printed: np.ndarray) -> np.ndarray:
     """Unit direction that a load states: fixed, or that of its point's motion, in which a printed plus acts."""
     if stated_ not in ("along", "against"):
@@ -223,7 +243,11 @@ def unbalanced(note: Note, document: dict[str, Any], name: str) -> list[str]:
     """Links and positions at which the printed forces or moments do not add up to nothing."""
     drawn = scheme(name)
     places = Places(note, document)
-    sure = [*reactions(note, drawn, places), *loads(note, document, drawn, places)]
+    sure = [
+        *reactions(note, drawn, places),
+        *loads(note, document, drawn, places),
+        *tied(note, document, places),
+    ]
     choices = list(stated(note, document, drawn, places))
     tried = [list(_off([*sure, *chosen], drawn)) for chosen in itertools.product(*choices)]
     return min(tried, key=len)

@@ -75,6 +75,8 @@ def column(curve: Curve, caption: str, document: dict[str, Any]) -> tuple[str, s
     if curve.axis.letter in OTHERS:
         return OTHERS[curve.axis.letter]
     letter = curve.axis.letter
+    if letter[0] == "F":  # of a spring or damper
+        return "ties", f"F_{letter[1:]}"
     assert letter[0] in "PM", letter
     if letter[0] == "M":  # a stated moment by its symbol: M3 is M_3, its key M_3,1
         return "stated", next(key for key, sign in signs(document).items() if sign == letter)

@@ -148,6 +148,8 @@ def test_every_vector_of_a_force_plan(name):
 def acts_at(key: str, drawn: Scheme) -> str:
     """The point of a load."""
     kind, sub = key.split("_", 1)
+    if kind == "F" and "," in sub:  # of a spring or damper
+        return sub.split(",")[1]
     return sub.split(",")[0] if kind == "P" else drawn.mass_centres[sub.removeprefix("I")]
 
 

@@ -35,6 +35,7 @@ def powers(document: dict[str, Any], name: str) -> Iterator[tuple[str, np.ndarra
     """Power of each weight and stated load."""
     loads, rates, drawn = table_of(document, "loads_table"), table_of(document, "rates_table"), scheme(name)
     still = np.zeros(len(rates["position"]))
+    tied: dict[str, np.ndarray] = {}
     for key in loads:
         kind, _, sub = key.partition("_")
         of = sub.split(",")[0]
@@ -43,6 +44,13 @@ def powers(document: dict[str, Any], name: str) -> Iterator[tuple[str, np.ndarra
             yield key, sum(loads[f"{key}_{axis}"] * rates.get(f"v_{point}_{axis}", still) for axis in "xy")
         elif kind == "M" and not sub.startswith("I"):
             yield key, loads[key] * rates[f"w_{of}"]
+        elif (
+            kind == "F" and "," in sub and key + "_x" in loads
+        ):  # of a spring or damper, on one of its points
+            at = sub.split(",")[1]
+            part = sum(loads[f"{key}_{axis}"] * rates.get(f"v_{at}_{axis}", still) for axis in "xy")
+            tied[f"F_{of}"] = tied.get(f"F_{of}", still) + part
+    yield from tied.items()
 
 
 def wrong_plans(document: dict[str, Any], driver: str) -> Iterator[str]:

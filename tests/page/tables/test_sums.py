@@ -82,7 +82,10 @@ def _power(symbol: str, loads: Rows, rates: Rows, drawn: Scheme, k: int) -> floa
     if kind == "M":
         couple = loads[symbol] if symbol in loads else loads[f"{symbol},1"]
         return float(couple[k] * rates[f"w_{of.removeprefix('I').split(',')[0]}"][k])
-    point = of.split(",")[0] if kind == "P" else drawn.mass_centres[of.removeprefix("I")]
+    tied = kind == "F" and "," in of  # of a spring or damper, on its point
+    point = (
+        of.split(",")[1 if tied else 0] if kind == "P" or tied else drawn.mass_centres[of.removeprefix("I")]
+    )
     moving = f"v_{point}_x" in rates
     return (
         sum(float(loads[f"{symbol}_{axis}"][k] * rates[f"v_{point}_{axis}"][k]) for axis in "xy")
