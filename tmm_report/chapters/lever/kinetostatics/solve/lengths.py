@@ -60,6 +60,14 @@ def pulled(end: End, kinematics: Kinematics, motion: Motion) -> tuple[Array, Arr
     return size * of.way, size
 
 
+def energy(end: End, kinematics: Kinematics, motion: Motion) -> Array:
+    """Potential of a spring, c (l − l₀)²/2, J, (..., P); of a damper there is none."""
+    law, of = law_of(end.tie, kinematics), line(*end.tie.between, motion)
+    if not isinstance(law, ByLength):
+        return np.zeros(motion.shape)
+    return np.broadcast_to(law.stiffness * (of.length - law.free) ** 2 / 2, motion.shape)
+
+
 def ties_of(given: Loads) -> list[End]:
     """The first end of every spring and damper, in their order."""
     return [given.forces[own[0]] for own in apart(given.forces)[1]]  # type: ignore[misc]
