@@ -39,7 +39,8 @@ STATEMENTS = [
         "cases/explain/sprung_screen",
     )
 ]
-"""Mechanisms whose driving link moves by a law, or with springs: no ready variant has one, and their notes are read as those are."""
+"""Mechanisms whose driving link moves by a law, or with springs and dampers: no ready variant has one, and their notes
+are read as those are."""
 every_variant = pytest.fixture(params=[path.stem for path in FILES])
 
 

@@ -37,6 +37,9 @@ MESH = ("tests/figures/gears/test_gearing.py",)
 
 SYNTHESIS = "tmm_report/chapters/lever/synthesis/"
 LOADED = ("tests/statements",)
+SPRUNG = "sprung_screen"
+TIED = ("tests/chapters/lever/kinetostatics/test_springs_and_dampers.py",)
+EXPLAINED = ("tests/commands/test_explain_all.py",)
 WHEELS = ("tests/mechanics/lever/test_wheels.py",)
 TOLD = ("tests/chapters/lever/synthesis",)
 SHAPER, FUNCTION = "shaper_synthesis", "function_generator"
@@ -326,6 +329,32 @@ FAULTS = (
     Fault("a driven wheel accelerated by the ratio squared", MECHANICS + "lever/wheels/coupled.py",
           "s.turn(link, c * dot(s.v[by], t), c * dot(s.a[by], t))",
           "s.turn(link, c * dot(s.v[by], t), c * c * dot(s.a[by], t))", "crank_rocker", LOADED),
+    Fault("a spring pushes where it should pull", STATICS + "solve/lengths.py",
+          "return size * of.way, size", "return -size * of.way, size", SPRUNG, TIED),
+    Fault("a spring by its length alone", MECHANICS + "calculus/laws.py",
+          "return self.stiffness * (at - self.free)", "return self.stiffness * at", SPRUNG, TIED),
+    Fault("a damper by the relative speed of its points", STATICS + "solve/lengths.py",
+          "return Line(length, dot(way, speed), way)", "return Line(length, np.abs(speed), way)", SPRUNG, TIED),
+    Fault("a damper helps the motion", MECHANICS + "calculus/laws.py",
+          "return self.viscosity * at", "return -self.viscosity * at", SPRUNG, TIED),
+    Fault("a preload added to the free length", STATICS + "ties.py",
+          "return length - (self.preload or 0.0)", "return length + (self.preload or 0.0)", SPRUNG, TIED),
+    Fault("a preload always at position 0", STATICS + "solve/lengths.py",
+          "length[..., tie.at_position or 0]", "length[..., 0]", SPRUNG, TIED),
+    Fault("a preload at position 0 in the exact forces", STATICS + "solve/acting_exact.py",
+          "kinematics.table.phi[end.tie.at_position or 0]", "kinematics.table.phi[0]", SPRUNG, TIED),
+    Fault("one end of a spring alone does work", STATICS + "solve/powers.py",
+          "sum(single[k] for k in own)", "single[own[0]]", SPRUNG, TIED),
+    Fault("a spring's jump between panels", STATICS + "solve/load_breaks.py",
+          "            yield _towards(load, cycle)", "            yield from ()", SPRUNG, TIED),
+    Fault("the power of a spring with the other sign", STATICS + "quantities/ties.py",
+          "column(np.broadcast_to(-drawn * one.rate, shape))", "column(np.broadcast_to(drawn * one.rate, shape))",
+          SPRUNG, EXPLAINED),
+    Fault("the links of a spring exchanged in the table", STATICS + "quantities/ties.py",
+          "taken.get(point, FRAME) for point in end.tie.between",
+          "taken.get(point, FRAME) for point in end.tie.between[::-1]", SPRUNG, TIED),
+    Fault("the length under the preload printed for the free one", STATICS + "view/ties.py",
+          'self.page.cell(table, "l_0", row, unit="mm"), NONE', 'self.page.cell(table, "c", row), NONE', SPRUNG),
     Fault("satellites' meshes inside and outside swapped", ECCENTRIC + "solve/motion.py",
           "Mesh(body.name, RING, CARRIER, internal=True)", "Mesh(body.name, RING, CARRIER)", "eccentric"),
     Fault("teeth of a mesh turned", SPUR + "solve/mesh.py",
