@@ -42,6 +42,7 @@ variant it is concerns the teacher."""
 _LEVER = N_("Kinetostatic analysis")
 _DRIVE = N_("Synthesis of the gear drive")
 SECTIONS = {
+    "find": N_("A question asked backwards"),
     "synthesis": N_("Synthesis of the linkage"),
     "initial_data": N_("Initial data"),
     "structure": N_("Structural analysis"),
