@@ -28,7 +28,6 @@ SLIPS = {
     "loads.springs": ("loads:\n", "loads:\n  springs: []\n", "by_displacement"),
     "loads.dampers": ("loads:\n", "loads:\n  dampers: []\n", "against motion"),
     "loads.moments.0.by_velocity": ("clockwise, constant: 1", "clockwise, by_velocity: [[0, 1]]", "by the speed"),
-    "find": ("loads:\n", "find: {unknown: {}}\nloads:\n", "asking backwards is not offered"),
     "gears": ("loads:\n", "gears: [20, 40]\nloads:\n", "stages of the block drive"),
 }  # fmt: skip
 
