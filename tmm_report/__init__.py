@@ -52,12 +52,12 @@ def solve(variant: Variant) -> Results:
     A chapter that the variant does not ask for is None. Raises `problems.ProblemError` with what cannot be solved
     and why, and the place of its key in the file.
     """
-    from tmm_report.course import solve as run
+    from tmm_report.backwards import solve as run
     from tmm_report.problems import ProblemError
     from tmm_report.variant import failed
 
     try:
-        return run(variant, each=_together if variant.find is not None else None)
+        return run(variant, _together)
     except ProblemError as error:
         raise failed(error, variant) from None
 

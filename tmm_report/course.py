@@ -8,14 +8,13 @@ in its folder and is found there by the field's name, only when it is asked for:
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import field, fields, replace
 from functools import partial
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any
 
 from tmm_report import yamlread
-from tmm_report.chapters.find.given import put
 from tmm_report.chapters.lever.friction.given import Friction
 from tmm_report.chapters.lever.kinematics.given import Positions, Way
 from tmm_report.chapters.lever.kinetostatics.given import Loads
@@ -57,9 +56,6 @@ if TYPE_CHECKING:
     from tmm_report.chapters.machine.vibration import solve as vibration
     from tmm_report.chapters.machine.wear import solve as wear
     from tmm_report.variant.model import Read, Rooms
-
-
-T = TypeVar("T")
 
 
 class Late:
@@ -206,9 +202,6 @@ class Results:
     eccentric: eccentric.Found | None = None
 
 
-Each = Callable[[Sequence[Variant]], Iterable["Results | ProblemError"]]
-
-
 @dataclass(frozen=True, eq=False)
 class Moved:
     """What is found of a lever mechanism that was solved together with others of its kind (see `stack`)."""
@@ -218,12 +211,10 @@ class Moved:
     kinetostatics: kinetostatics.Kinetostatics | None
 
 
-def solve(variant: Variant, moved: Moved | None = None, each: Each | None = None) -> Results:
-    """Solve a variant chapter by chapter, but for what is found already. Raises ProblemError with what cannot be
-    solved and why, of all parts that do not depend on one another. `each`: by what the variants are solved that a
-    question asked backwards tries."""
-    if variant.find is not None:
-        return _backwards(variant, variant.find, each or _one_by_one)
+def solve(variant: Variant, moved: Moved | None = None) -> Results:
+    """Solve a variant chapter by chapter as it is stated, but for what is found already; what it asks backwards is
+    found by `backwards.solve`. Raises ProblemError with what cannot be solved and why, of all parts that do not depend
+    on one another."""
     try:
         return _solved(variant, moved)
     except ProblemError as error:
@@ -335,60 +326,6 @@ def _readings(found: LeverFound) -> readings.ReadingsFound:
     return readings.solve(found.given.readings, found.plans, tables)
 
 
-# ---------------------------------------------------------------- asked backwards
-
-
-def _backwards(variant: Variant, asked: find.Given, each: Each) -> Results:
-    """What a variant is solved with that leaves a number unknown: the number found, in a variant that states it."""
-    restated = asked.restated
-    assert restated is not None
-
-    def tried(numbers: Sequence[float], chapter: str) -> Iterator[find.Answer]:
-        stated = [_or_mistakes(partial(restated, number)) for number in numbers]
-        solved = iter(each([_narrowed(one, chapter) for one in stated if isinstance(one, Variant)]))
-        for one in stated:
-            found = one if isinstance(one, ProblemError) else next(solved)
-            yield found if isinstance(found, ProblemError) else _told(found, chapter)
-
-    found = find.solve(asked, tried)
-    results = solve(restated(found.number))
-    return replace(results, find=found, variant=replace(results.variant, doubts=variant.doubts))
-
-
-def _one_by_one(variants: Sequence[Variant]) -> Iterator[Results | ProblemError]:
-    return (_or_mistakes(partial(solve, one)) for one in variants)
-
-
-def _or_mistakes(run: Callable[[], T]) -> T | ProblemError:
-    try:
-        return run()
-    except ProblemError as error:
-        return error
-
-
-def _narrowed(variant: Variant, chapter: str) -> Variant:
-    """What of a variant the numbers of a chapter need; all of it for ""."""
-    if not chapter:
-        return variant
-    others: dict[str, Any] = {name: None for name in OTHERS if name != chapter}
-    if (lever := variant.lever) is not None:
-        drawn = chapter in ("plans", "force_plans", "reduction", "readings")
-        positions = lever.positions if drawn else replace(lever.positions, plans=(), force_plan=())
-        methods = lever.methods if chapter == "methods" else None
-        lever = replace(lever, positions=positions, readings={}, methods=methods)
-    return replace(variant, lever=lever, **others)
-
-
-def _told(results: Results, chapter: str) -> find.Answer:
-    """Tables and single numbers by chapters; why there are none where the mechanism does not close all round."""
-    lever = results.lever
-    if lever is not None and lever.partial:
-        return ProblemError([Problem(lever.kinematics.gaps[0].text)])
-    own = [(INITIAL_DATA, lever)] if lever is not None else []
-    rooms = ((name, room(name, "quantities"), found) for name, found in (*own, *chapters(results)))
-    return [(name, of.tables(found), of.values(found)) for name, of, found in rooms if chapter in ("", name)]
-
-
 # ---------------------------------------------------------------- the chapters by name
 
 INITIAL_DATA = "initial_data"  # what a lever mechanism is given, at the head of its chapters
@@ -463,7 +400,7 @@ def loads(text: str | bytes, file: str = "") -> Variant:
     """The variant that a text states; `file` is its name for messages. Raises ProblemError."""
     soft: list[Problem] = []
     try:
-        return _variant(yamlread.loads(text, file, soft), file, soft)
+        return of_document(yamlread.loads(text, file, soft), file, soft)
     except ProblemError as error:
         raise ProblemError(error.problems, stated_in(text)) from None
 
@@ -486,7 +423,8 @@ def _rooms() -> Rooms:
     )
 
 
-def _variant(document: yamlread.Document, file: str, soft: list[Problem]) -> Variant:
+def of_document(document: yamlread.Document, file: str, soft: list[Problem]) -> Variant:
+    """The variant that data with their places state; `soft`: mistakes met in their text. Raises ProblemError."""
     from tmm_report.chapters.lever.structure.block import stated
     from tmm_report.variant.reading import read
 
@@ -500,17 +438,9 @@ def _variant(document: yamlread.Document, file: str, soft: list[Problem]) -> Var
         file=file,
         doubts=found.doubts,
     )
-    if (asked := made.find) is not None:
-        made = replace(made, find=replace(asked, restated=partial(_restated, document, file, asked)))
+    if made.find is not None:  # the file is read again with other numbers
+        made = replace(made, find=replace(made.find, document=document))
     return made
-
-
-def _restated(document: yamlread.Document, file: str, asked: find.Given, number: float) -> Variant:
-    """The variant with a number in the place of the unknown. Raises ProblemError for one that may not stand there."""
-    data = put(document.data, asked.unknown.path, asked.unknown.written(number))
-    raw = {path: text for path, text in document.raw.items() if path != asked.unknown.path}
-    rest = {key: value for key, value in data.items() if key != "find"}
-    return _variant(replace(document, data=rest, raw=raw), file, [])
 
 
 def _further(read: Read) -> Iterator[Problem]:

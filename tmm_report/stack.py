@@ -11,6 +11,7 @@ from collections import defaultdict
 from collections.abc import Hashable, Iterator, Mapping, Sequence
 from typing import Any
 
+from tmm_report import backwards
 from tmm_report.chapters.lever.kinematics.solve import many as kinematics
 from tmm_report.chapters.lever.kinetostatics.solve import many as kinetostatics
 from tmm_report.chapters.lever.structure import solve as structure
@@ -56,7 +57,7 @@ def _stacks(variants: Sequence[Variant], numbers: Sequence[int]) -> Iterator[Seq
 
 def _solved(variant: Variant, moved: Moved | None) -> Solved:
     try:
-        return solve(variant, moved, solve_each)
+        return solve(variant, moved) if variant.find is None else backwards.solve(variant, solve_each)
     except ProblemError as error:
         return error
 

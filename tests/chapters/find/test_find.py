@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from conftest import path_of
 
-from tmm_report import course, render, solve
-from tmm_report.chapters.find.given import put
+from tmm_report import backwards, course, render, solve
+from tmm_report.backwards import put
 from tmm_report.chapters.find.solve import MOST
 from tmm_report.results import tables, values
 from tmm_report.stack import solve_many
@@ -212,7 +212,7 @@ def test_many_at_once_find_what_each_finds_alone():
     name, find, _ = CASES["inertia of a link for the greatest moment"]
     texts = [asked(read_text(name), find.replace("400 N*m", f"{level} N*m")) for level in (350, 400)]
     together = solve_many([course.loads(text) for text in texts])
-    alone = [course.solve(course.loads(text)) for text in texts]
+    alone = [backwards.solve(course.loads(text)) for text in texts]
     assert [one.find.number for one in together] == [one.find.number for one in alone]
     assert all(one.find.solved <= MOST for one in together)
 

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Literal
 
 from tmm_report.quantity.units import parse
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
-    from tmm_report.course import Variant
+    from tmm_report.yamlread import Document
 
 Path = tuple[str | int, ...]
 Kind = Literal["equal", "most", "least_allowed", "greatest", "least"]
@@ -62,20 +61,10 @@ class Demand:
 
 @dataclass(frozen=True, eq=False)
 class Given:
-    """`choose`: which of several roots: its number, from 1; −1 the last. `restated`: the variant with a number, in the
-    unit of the range, in the place of the unknown; it raises ProblemError."""
+    """`choose`: which of several roots: its number, from 1; −1 the last. `document`: the file, to be read again with
+    other numbers."""
 
     unknown: Unknown
     demand: Demand
     choose: int = 1
-    restated: Callable[[float], Variant] | None = None
-
-
-def put(data: Any, path: Path, value: object) -> Any:
-    """Data with another value at a path; what does not lie on the way is shared."""
-    if not path:
-        return value
-    key, *rest = path
-    if isinstance(data, list):
-        return [put(item, tuple(rest), value) if k == key else item for k, item in enumerate(data)]
-    return {**data, key: put(data[key], tuple(rest), value)}
+    document: Document | None = None

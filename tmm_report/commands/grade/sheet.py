@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from tmm_report.backwards import solve
 from tmm_report.commands.batch.inputs import Task, inputs
 from tmm_report.commands.files import translator, write
 from tmm_report.commands.talk import Talk, failure, unwritable, written
-from tmm_report.course import loads, solve
+from tmm_report.course import loads
 from tmm_report.grading import rubric as rubrics
 from tmm_report.grading import senses
 from tmm_report.grading.expected import expected

@@ -7,6 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from tmm_report import load
+from tmm_report.backwards import solve
 from tmm_report.commands.files import translator
 from tmm_report.commands.methods import data
 from tmm_report.commands.methods.measured import All, measured
@@ -14,7 +15,7 @@ from tmm_report.commands.methods.page import cheapest_of, lines, of_auto, page
 from tmm_report.commands.solve import tell_changed
 from tmm_report.commands.talk import Talk, failure, unwritable, written
 from tmm_report.commands.whole import put
-from tmm_report.course import Results, Variant, solve
+from tmm_report.course import Results, Variant
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.rivals.choice import ACCURACY
 from tmm_report.mechanics.rivals.counts import Counted
