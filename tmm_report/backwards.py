@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from tmm_report import course
 from tmm_report.course import INITIAL_DATA, OTHERS, Results, Variant, chapters, room
-from tmm_report.problems import Problem, ProblemError
+from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 
 if TYPE_CHECKING:
     from tmm_report.chapters.find.given import Given
@@ -39,7 +39,13 @@ def solve(variant: Variant, each: Each | None = None) -> Results:
             yield found if isinstance(found, ProblemError) else _told(found, chapter)
 
     found = room("find", "solve").solve(asked, tried)
-    results = course.solve(restated(asked, variant.file, found.number))
+    try:
+        results = course.solve(restated(asked, variant.file, found.number))
+    except ProblemError as error:
+        text = N_("the variant is not solved with what is found, %(name)s = %(x)s: see what else is told")
+        told = {"name": asked.unknown.name, "x": asked.unknown.written(found.number)}
+        right = Message(N_("narrow the range, or choose another root"))
+        raise ProblemError([*error.problems, mistake(text, ("find",), right, **told)]) from None
     return replace(results, find=found, variant=replace(results.variant, doubts=variant.doubts))
 
 

@@ -49,6 +49,7 @@ SOLVING = {
     "no such column": ("so_that: {dynamics_start.x.max: 2 s}", "find.so_that.dynamics_start.x.max", "no such column"),
     "a whole column": ("so_that: {dynamics_start.t: 2 s}", "find.so_that.dynamics_start.t", ".max"),
     "a column of words": ("so_that: {dynamics_works.acting.0: 2}", "find.so_that.dynamics_works.acting.0", "no number"),
+    "what does not depend on it": ("so_that: {dynamics_J: 3}", "find.so_that.dynamics_J", "does not depend"),
     "best of what is not there": ("greatest: dynamics_x", "find.greatest", "results.json"),
 }  # fmt: skip
 
