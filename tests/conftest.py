@@ -10,7 +10,7 @@ import once
 import pytest
 from hypothesis import settings
 
-from tmm_report import course
+from tmm_report import backwards, course
 from tmm_report.course import load
 
 pytest_plugins = ["cpu", "exhaustive"]
@@ -49,7 +49,7 @@ def read(name: str) -> course.Variant:
 
 @cache
 def solved(name: str) -> course.Results:
-    return course.solve(read(name))
+    return backwards.solve(read(name))
 
 
 def stating(variant: course.Variant, **changes) -> course.Variant:

@@ -212,9 +212,8 @@ class Moved:
 
 
 def solve(variant: Variant, moved: Moved | None = None) -> Results:
-    """Solve a variant chapter by chapter as it is stated, but for what is found already; what it asks backwards is
-    found by `backwards.solve`. Raises ProblemError with what cannot be solved and why, of all parts that do not depend
-    on one another."""
+    """Solve a variant chapter by chapter, but for what is found already; what it asks backwards is left to `backwards`.
+    Raises ProblemError with what cannot be solved and why, of all parts that do not depend on one another."""
     try:
         return _solved(variant, moved)
     except ProblemError as error:
@@ -400,7 +399,7 @@ def loads(text: str | bytes, file: str = "") -> Variant:
     """The variant that a text states; `file` is its name for messages. Raises ProblemError."""
     soft: list[Problem] = []
     try:
-        return of_document(yamlread.loads(text, file, soft), file, soft)
+        return _variant(yamlread.loads(text, file, soft), file, soft)
     except ProblemError as error:
         raise ProblemError(error.problems, stated_in(text)) from None
 
@@ -423,8 +422,7 @@ def _rooms() -> Rooms:
     )
 
 
-def of_document(document: yamlread.Document, file: str, soft: list[Problem]) -> Variant:
-    """The variant that data with their places state; `soft`: mistakes met in their text. Raises ProblemError."""
+def _variant(document: yamlread.Document, file: str, soft: list[Problem]) -> Variant:
     from tmm_report.chapters.lever.structure.block import stated
     from tmm_report.variant.reading import read
 
@@ -438,9 +436,17 @@ def of_document(document: yamlread.Document, file: str, soft: list[Problem]) -> 
         file=file,
         doubts=found.doubts,
     )
-    if made.find is not None:  # the file is read again with other numbers
-        made = replace(made, find=replace(made.find, document=document))
+    if (asked := made.find) is not None:
+        made = replace(made, find=replace(asked, restated=partial(_restated, document, file, asked)))
     return made
+
+
+def _restated(document: yamlread.Document, file: str, asked: find.Given, number: float) -> Variant:
+    """The variant with a number in the place of the unknown. Raises ProblemError for one that may not stand there."""
+    data = asked.unknown.put(document.data, number)
+    raw = {path: text for path, text in document.raw.items() if path != asked.unknown.path}
+    rest = {key: value for key, value in data.items() if key != "find"}
+    return _variant(replace(document, data=rest, raw=raw), file, [])
 
 
 def _further(read: Read) -> Iterator[Problem]:

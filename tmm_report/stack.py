@@ -11,11 +11,11 @@ from collections import defaultdict
 from collections.abc import Hashable, Iterator, Mapping, Sequence
 from typing import Any
 
-from tmm_report import backwards
+from tmm_report.backwards import solve
 from tmm_report.chapters.lever.kinematics.solve import many as kinematics
 from tmm_report.chapters.lever.kinetostatics.solve import many as kinetostatics
 from tmm_report.chapters.lever.structure import solve as structure
-from tmm_report.course import LeverGiven, Moved, Results, Variant, solve
+from tmm_report.course import LeverGiven, Moved, Results, Variant
 from tmm_report.mechanics.calculus.variants import Unlike
 from tmm_report.mechanics.lever.mechanism import Mechanism, ZeroAngle
 from tmm_report.problems import ProblemError
@@ -57,7 +57,7 @@ def _stacks(variants: Sequence[Variant], numbers: Sequence[int]) -> Iterator[Seq
 
 def _solved(variant: Variant, moved: Moved | None) -> Solved:
     try:
-        return solve(variant, moved) if variant.find is None else backwards.solve(variant, solve_each)
+        return solve(variant, moved, solve_each)
     except ProblemError as error:
         return error
 

@@ -12,7 +12,8 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.course import Moved, Results, Variant, room, solve
+from tmm_report.backwards import solve
+from tmm_report.course import Moved, Results, Variant, room
 from tmm_report.judging.model import Name
 from tmm_report.mechanics.lever.dyads import Dyad
 from tmm_report.mechanics.lever.mechanism import FRAME, Mechanism, ZeroAngle

@@ -8,7 +8,6 @@ import pytest
 from conftest import path_of
 
 from tmm_report import backwards, course, render, solve
-from tmm_report.backwards import put
 from tmm_report.chapters.find.solve import MOST
 from tmm_report.results import tables, values
 from tmm_report.stack import solve_many
@@ -71,8 +70,7 @@ def forwards(text, found, key):
     """The demanded number of the variant that states what was found."""
     document = data_of(text)
     unknown = found.given.unknown
-    document = put(document.data, unknown.path, unknown.written(found.number))
-    return number_of(solve(course.loads(json.dumps(document))), key)
+    return number_of(solve(course.loads(json.dumps(unknown.put(document.data, found.number)))), key)
 
 
 # what is asked of which variant, and the number that answers, if there is a closed form

@@ -36,6 +36,8 @@ EXAMPLES = [
     laws.BySpeed((0.0, 10.0, 50.0), (100.0, 130.0, 0.0)),
     laws.ByDisplacement(1j, *CURVES),
     laws.ByStrokes(1j, ("intake", "power", "other", "last"), (*CURVES, *CURVES[::-1])),
+    laws.ByLength(1200.0, 0.24),
+    laws.ByRate(300.0),
     ch.Linear(40.0, 100.0),
     ch.Series(5e4, 20.0),
     ch.Kloss(157.0, 60.0, 0.15),
@@ -50,6 +52,8 @@ AXES = {
     laws.TRAVEL: (0.0, 1.0),
     laws.TIME: (0.0, 6.0),
     laws.SPEED: (0.0, 150.0),
+    laws.LENGTH: (0.0, 0.5),
+    laws.RATE: (-3.0, 3.0),
 }
 EVERY = pytest.mark.parametrize("law", EXAMPLES, ids=lambda law: type(law).__name__)
 

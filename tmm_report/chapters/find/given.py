@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Literal
 
 from tmm_report.quantity.units import parse
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
-    from tmm_report.yamlread import Document
+    from tmm_report.course import Variant
 
 Path = tuple[str | int, ...]
 Kind = Literal["equal", "most", "least_allowed", "greatest", "least"]
@@ -38,6 +39,10 @@ class Unknown:
         """In SI."""
         return parse(self.written(number), self.dimension)
 
+    def put(self, data: Any, number: float) -> Any:
+        """The data of a file with the number in the place of the unknown."""
+        return _put(data, self.path, self.written(number))
+
 
 @dataclass(frozen=True)
 class Demand:
@@ -61,10 +66,20 @@ class Demand:
 
 @dataclass(frozen=True, eq=False)
 class Given:
-    """`choose`: which of several roots: its number, from 1; −1 the last. `document`: the file, to be read again with
-    other numbers."""
+    """`choose`: which of several roots: its number, from 1; −1 the last. `restated`: the variant with a number, in the
+    unit of the range, in the place of the unknown; it raises ProblemError."""
 
     unknown: Unknown
     demand: Demand
     choose: int = 1
-    document: Document | None = None
+    restated: Callable[[float], Variant] | None = None
+
+
+def _put(data: Any, path: Path, value: object) -> Any:
+    """Data with another value at a path; what does not lie on the way is shared."""
+    if not path:
+        return value
+    key, *rest = path
+    if isinstance(data, list):
+        return [_put(item, tuple(rest), value) if k == key else item for k, item in enumerate(data)]
+    return {**data, key: _put(data[key], tuple(rest), value)}

@@ -10,8 +10,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
-from tmm_report.chapters.lever.kinetostatics.quantities.positions import forces, moments, weight
-from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics, Loading, breaks, loading
+from tmm_report.chapters.lever.kinetostatics.quantities.positions import stated_loads, weight
+from tmm_report.chapters.lever.kinetostatics.solve.positions import (
+    Kinetostatics,
+    Loading,
+    breaks,
+    loading,
+    powers_of,
+)
 from tmm_report.mechanics.calculus.panels import Panels, panels
 from tmm_report.mechanics.calculus.vectors import dot
 from tmm_report.mechanics.lever.mechanism import FRAME
@@ -228,7 +234,4 @@ def powers(given: Loads, motion: Motion, load: Loading) -> Iterator[Load]:
     links = motion.linkage.mechanism.links
     for link, force in load.gravity.items():
         yield weight(link), dot(force, motion.velocity(str(links[link].mass_centre)))
-    for of, stated, force in zip(forces(given.forces), given.forces, load.forces, strict=True):
-        yield of, dot(force, motion.velocity(stated.at))
-    for of, on, couple in zip(moments(given.moments), given.moments, load.moments, strict=True):
-        yield of, couple * motion.angular_velocity(on.on)
+    yield from zip(stated_loads(given), powers_of(given, motion, load), strict=True)

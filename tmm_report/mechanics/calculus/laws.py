@@ -10,6 +10,8 @@
     |            | which curve of the diagram holds                    |                                               |
     | `TIME`     | s                                                   | ByTime                                        |
     | `SPEED`    | rad/s                                               | BySpeed, and the motors' of `characteristics` |
+    | `LENGTH`   | distance of two points, m                           | ByLength                                      |
+    | `RATE`     | its derivative by the time, m/s                     | ByRate                                        |
 
 A law says its value anywhere, in doubles or in other numbers (`Arithmetic`), and its breaks; between them it is a
 polynomial of degree `order`, or smooth (None). tests/mechanics/calculus/test_laws.py holds every law to that.
@@ -31,6 +33,7 @@ Array = Any
 Numbers = tuple[float, ...]
 Curve = tuple[tuple[float, float], ...]
 NOTHING, ANGLE, POSITION, TRAVEL, TIME, SPEED = "", "angle", "position", "travel", "time", "speed"
+LENGTH, RATE = "length", "rate"
 
 
 class Break(NamedTuple):
@@ -314,6 +317,40 @@ class BySpeed(Lines):
 
 def _times(values: Numbers, factor: float) -> Numbers:
     return tuple(value * factor for value in values)
+
+
+# ---------------------------------------------------------------- springs and dampers
+
+
+@dataclass(frozen=True)
+class ByLength(Law):
+    """A linear spring: what draws its points together, c (l − l₀), N; `stiffness`, N/m, `free`: length, m."""
+
+    of: ClassVar[str] = LENGTH
+    order: ClassVar[int | None] = 1
+    stiffness: float
+    free: float
+
+    def value(self, at: Any, which: Any = 0, numbers: Arithmetic = DOUBLES) -> Any:
+        return self.stiffness * (at - self.free)
+
+    def scaled(self, factor: float) -> Self:
+        return replace(self, stiffness=self.stiffness * factor)
+
+
+@dataclass(frozen=True)
+class ByRate(Law):
+    """A viscous damper: what it has against being drawn out, b l′, N; `viscosity`, N s/m."""
+
+    of: ClassVar[str] = RATE
+    order: ClassVar[int | None] = 1
+    viscosity: float
+
+    def value(self, at: Any, which: Any = 0, numbers: Arithmetic = DOUBLES) -> Any:
+        return self.viscosity * at
+
+    def scaled(self, factor: float) -> Self:
+        return replace(self, viscosity=self.viscosity * factor)
 
 
 # ---------------------------------------------------------------- indicator diagrams

@@ -240,6 +240,13 @@ class Carried:
     angle: Annotated[Angle, Field(description="from the x axis of the link, counter-clockwise")] = 0.0
 
 
+@dataclass(frozen=True)
+class Towards:
+    """The direction from a point towards another, of the forces of springs and dampers."""
+
+    point: str
+
+
 LAWS: Mapping[str, Callable[[Any], Law]] = {
     "constant": Constant,
     "components": lambda parts: Constant(abs(complex(*parts))),
@@ -314,8 +321,8 @@ class Force(ByOneLaw):
     ) = None
 
     @property
-    def way(self) -> complex | Carried | str:
-        """The direction, unit complex; carried by a link; "along" or "against" the motion."""
+    def way(self) -> complex | Carried | Towards | str:
+        """The direction, unit complex; carried by a link; to another point; "along" or "against" the motion."""
         return self.direction
 
 
@@ -402,7 +409,8 @@ class Moment(ByOneLaw):
 
 @dataclass(frozen=True)
 class Loads:
-    """Loads of the kinetostatics chapter. `gravity`: complex, m/s²; inertia comes from the links' masses."""
+    """Loads of the kinetostatics chapter. `gravity`: complex, m/s²; inertia comes from the links' masses. `forces`:
+    those of springs and dampers (`ties.End`) stand after the others."""
 
     gravity: complex = -9.81j
     forces: tuple[Force, ...] = ()

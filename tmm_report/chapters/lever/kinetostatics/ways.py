@@ -8,6 +8,7 @@ import numpy as np
 
 from tmm_report.chapters.lever.kinetostatics.given import Force, Moment
 from tmm_report.chapters.lever.kinetostatics.quantities.equations import worked
+from tmm_report.chapters.lever.kinetostatics.tie_ways import TIES
 from tmm_report.mechanics.calculus.laws import TRAVEL
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Expr, Var, cos, sin, sqrt
@@ -201,6 +202,7 @@ def _share(q: Known) -> Expr:
 
 
 WAYS = (
+    *TIES,
     Way(
         "loads_given.* force_extremes.key force_extremes.unit works.load *.sense strokes.stroke strokes.load",
         NAME,

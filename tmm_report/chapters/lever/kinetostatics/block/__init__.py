@@ -10,7 +10,8 @@ from tmm_report.chapters.lever.kinetostatics.block.checks import check
 from tmm_report.chapters.lever.kinetostatics.block.doubts import doubts as odd
 from tmm_report.chapters.lever.kinetostatics.block.models import LoadsModel
 from tmm_report.chapters.lever.kinetostatics.given import Force, Loads, Moment, SharedDiagram
-from tmm_report.chapters.lever.structure.block import stated, without
+from tmm_report.chapters.lever.kinetostatics.ties import End, ends
+from tmm_report.chapters.lever.structure.block import FRAME, names, stated, without
 from tmm_report.problems import Problem
 from tmm_report.variant import model
 from tmm_report.variant.model import Read
@@ -22,7 +23,7 @@ class Block(model.Block):
     """Loads."""
 
     ONE_SIZE = True
-    HOLES = frozenset({("loads", "forces"), ("loads", "moments")})
+    HOLES = frozenset({("loads", "forces"), ("loads", "moments"), ("loads", "springs"), ("loads", "dampers")})
 
     loads: LoadsModel | None = None
 
@@ -37,7 +38,14 @@ def given(read: Read) -> Given:
         return {"loads": None}
     forces = tuple(_drawn(one, written) for one in written.forces if one)
     moments = tuple(_drawn(one, written) for one in written.moments if one)
-    return {"loads": Loads(written.pull, forces, moments)}
+    return {"loads": Loads(written.pull, (*forces, *_ends(written, read)), moments)}
+
+
+def _ends(written: LoadsModel, read: Read) -> Iterator[End]:
+    """The forces of springs and dampers on moving links."""
+    fixed = names(read.data).points[FRAME]
+    for ties in (written.springs, written.dampers):
+        yield from ends([tie for tie in ties if tie], fixed)
 
 
 def _drawn(load: AnyLoad, written: LoadsModel) -> AnyLoad:

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from tmm_report.chapters.lever.kinematics.block import table_of, turns_of
+from tmm_report.chapters.lever.kinetostatics.block import tied
 from tmm_report.chapters.lever.kinetostatics.block.models import LoadsModel
 from tmm_report.chapters.lever.kinetostatics.given import (
     Carried,
@@ -51,6 +52,7 @@ def check(written: LoadsModel, read: Read) -> Iterator[Problem]:
             yield from _over_its_time(moment, ("loads", "moments", index), read)
             yield from _over_the_cycle(moment, ("loads", "moments", index), read)
             yield from _whole_strokes(moment, ("loads", "moments", index))
+    yield from tied.check(written, read)
 
 
 def _curves(written: LoadsModel) -> Iterator[Problem]:

@@ -6,6 +6,7 @@ from typing import Annotated, Any, ClassVar
 from pydantic import Discriminator, Field, Tag
 
 from tmm_report.chapters.lever.kinetostatics.given import Force, Moment, Piston, StatedCurve, Vector
+from tmm_report.chapters.lever.kinetostatics.ties import Damper, Spring
 from tmm_report.problems import N_
 from tmm_report.variant.model import Model
 from tmm_report.variant.stated import Stated
@@ -41,13 +42,13 @@ Gravity = Annotated[
 class LoadsModel(Model):
     """What acts on the mechanism. Inertia comes from the masses of the links."""
 
-    NOT_OFFERED: ClassVar[Mapping[str, str]] = dict.fromkeys(
-        ("springs", "spring", "dampers", "damper"),
-        N_(
-            "springs and dampers between points are not offered: a spring on a slider is a force by_displacement, "
-            "a resistance of constant size one against motion"
+    NOT_OFFERED: ClassVar[Mapping[str, str]] = {
+        **dict.fromkeys(("spring", "damper"), N_("springs and dampers stand in lists: springs, dampers")),
+        **dict.fromkeys(
+            ("torsional_springs", "torsional_dampers"),
+            N_("springs and dampers that turn are not offered: a moment on a link by_displacement is"),
         ),
-    )
+    }
 
     gravity: Gravity = Field(
         default=9.81, description="downwards unless {value, direction}; 0 switches it off"
@@ -58,6 +59,12 @@ class LoadsModel(Model):
     # None: the hole of a load that is wrong in itself; what is solved has none, and is another record therefore
     forces: list[AnyForce | None] = Field(default=[])
     moments: list[Stated[Moment] | None] = Field(default=[])
+    springs: list[Stated[Spring] | None] = Field(
+        default=[], max_length=24, description="between two points each"
+    )
+    dampers: list[Stated[Damper] | None] = Field(
+        default=[], max_length=24, description="between two points each"
+    )
 
     @property
     def pull(self) -> complex:

@@ -12,10 +12,11 @@ import numpy as np
 from tmm_report.chapters.lever.kinematics.quantities import where
 from tmm_report.chapters.lever.kinematics.solve.analogues import time
 from tmm_report.chapters.lever.kinematics.solve.points_and_links import along
-from tmm_report.chapters.lever.kinetostatics.given import Carried
+from tmm_report.chapters.lever.kinetostatics.given import Carried, Towards
 from tmm_report.chapters.lever.kinetostatics.quantities import cam_pressure as pressing_quantities
 from tmm_report.chapters.lever.kinetostatics.quantities import cycle
 from tmm_report.chapters.lever.kinetostatics.quantities import driving_gear as gear_quantities
+from tmm_report.chapters.lever.kinetostatics.quantities import ties as tie_quantities
 from tmm_report.chapters.lever.kinetostatics.quantities import wheels as wheel_quantities
 from tmm_report.chapters.lever.kinetostatics.quantities.cycle import Row
 from tmm_report.chapters.lever.kinetostatics.quantities.driving_gear import ANGLE as ANGLE
@@ -24,6 +25,7 @@ from tmm_report.chapters.lever.kinetostatics.quantities.driving_gear import FORC
 from tmm_report.chapters.lever.kinetostatics.quantities.driving_gear import PITCH_RADIUS as PITCH_RADIUS
 from tmm_report.chapters.lever.kinetostatics.quantities.strokes import strokes_table
 from tmm_report.chapters.lever.kinetostatics.solve.acting_forces import loaded_link
+from tmm_report.chapters.lever.kinetostatics.ties import End, apart
 from tmm_report.mechanics.lever.assur_groups import Pair
 from tmm_report.mechanics.lever.forces.reactions import Reaction
 from tmm_report.problems import N_, Message
@@ -32,7 +34,7 @@ from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.tabulated import tabulated
 
 if TYPE_CHECKING:  # the solver's own names are taken from here
-    from tmm_report.chapters.lever.kinetostatics.given import Carried, Force, Moment
+    from tmm_report.chapters.lever.kinetostatics.given import Carried, Force, Loads, Moment
     from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics, Solved
     from tmm_report.chapters.lever.kinetostatics.solve.whole_cycle import Over
     from tmm_report.chapters.lever.kinetostatics.solve.works import Work, Works
@@ -87,9 +89,18 @@ def names(given: Sequence[Force | Moment]) -> list[str]:
 
 
 def forces(given: Sequence[Force]) -> list[Quantity]:
-    """The stated forces in their order: P_B; several at one point are numbered, P_B,1, P_B,2."""
-    at = [force.at for force in given]
-    return [_force(at[k], name, _numbered(at, k)) for k, name in enumerate(names(given))]
+    """The stated forces in their order: P_B; several at one point are numbered, P_B,1, P_B,2. Then those of springs and
+    dampers on their points: F_c1,B."""
+    at = [force.at for force in given if not isinstance(force, End)]
+    own = [_force(at[k], name, _numbered(at, k)) for k, name in enumerate(names(given)[: len(at)])]
+    return [*own, *(tie_quantities.at_end(force) for force in given if isinstance(force, End))]
+
+
+def stated_loads(given: Loads) -> list[Quantity]:
+    """What has one power each: the stated forces, the springs and dampers with both their ends, the stated moments."""
+    own = forces(given.forces)
+    tied = (tie_quantities.force(given.forces[ends[0]]) for ends in apart(given.forces)[1])  # type: ignore[arg-type]
+    return [*own[: len(apart(given.forces)[0])], *tied, *moments(given.moments)]
 
 
 @kept
@@ -185,9 +196,10 @@ def book(found: Kinetostatics) -> Book:
 def tables(found: Kinetostatics) -> Iterator[Table]:
     given, law = found.given, found.kinematics.by_law
     table, diagram = (where(solved.turned, law) for solved in (found.table, found.diagram))
-    if given.forces or given.moments:
+    if apart(given.forces)[0] or given.moments:
         yield _stated(found)
         yield Table("stated_table", STATED, (*table, *_along(found, found.table)))
+    yield from tie_quantities.tables(found)
     yield from strokes_table(found, [force.key for force in forces(given.forces)])
     if found.followed:
         yield Table("stated_diagram", STATED, (*diagram, *_along(found, found.diagram)))
@@ -222,7 +234,8 @@ def _at_instants(found: Kinetostatics, solved: Solved) -> Iterator[Table]:
 def _stated(found: Kinetostatics) -> Table:
     """One row a load: forces, then moments."""
     given, motion = found.given, found.table.motion
-    stated = zip(forces(given.forces), names(given.forces), given.forces, strict=True)
+    own = apart(given.forces)[0]
+    stated = zip(forces(own), names(own), own, strict=True)
     turning = zip(moments(given.moments), names(given.moments), given.moments, strict=True)
     rows = [(q.key, name, f.at, loaded_link(motion, f), _way(f.way)) for q, name, f in stated]
     rows += [(q.key, name, m.on, m.on, _way(m.direction)) for q, name, m in turning]
@@ -246,16 +259,20 @@ def _stated(found: Kinetostatics) -> Table:
 
 def _along(found: Kinetostatics, solved: Solved) -> Iterator[Column]:
     quantities = [*forces(found.given.forces), *moments(found.given.moments)]
-    for quantity, values in zip(quantities, solved.loading.stated, strict=True):
-        yield quantity.column(values)
+    tied = {k for own in apart(found.given.forces)[1] for k in own}
+    for k, (quantity, values) in enumerate(zip(quantities, solved.loading.stated, strict=True)):
+        if k not in tied:
+            yield quantity.column(values)
 
 
-def _way(direction: complex | int | str | Carried) -> str:
+def _way(direction: complex | int | str | Carried | Towards) -> str:
     """A direction as a text: "along", "against", degrees, "counter-clockwise" or "clockwise"; of one that a link
     carries its name before the degrees."""
     match direction:
         case Carried(link=link, angle=angle):
             return f"{link}: {math.degrees(angle):.10g}"
+        case Towards(point=point):
+            return point
         case str():
             return direction
         case int():
@@ -325,12 +342,10 @@ def peaks_of(over: Over) -> list[Row]:
 
 
 def named_works(found: Kinetostatics, of: Works) -> list[tuple[Quantity, Work]]:
-    """The balancing moment, the stated forces and moments, the weights."""
-    given = found.given
-    stated = [*forces(given.forces), *moments(given.moments)]
+    """The balancing moment, the stated forces, springs and dampers, moments, the weights."""
     return [
         (BALANCING_MOMENT, of.balancing),
-        *zip(stated, of.stated, strict=True),
+        *zip(stated_loads(found.given), of.stated, strict=True),
         *((weight(link), work) for link, work in of.weights.items()),
     ]
 

@@ -15,6 +15,7 @@ from tmm_report.chapters.lever.kinetostatics.solve.acting_forces import loaded_l
 from tmm_report.chapters.lever.kinetostatics.solve.coordinates import Coordinate, coordinate
 from tmm_report.chapters.lever.kinetostatics.solve.indicator_strokes import reach
 from tmm_report.chapters.lever.kinetostatics.solve.law_arguments import reading
+from tmm_report.chapters.lever.kinetostatics.ties import End, Spring
 from tmm_report.mechanics.calculus.laws import Diagram
 from tmm_report.mechanics.lever.motion import Motion
 from tmm_report.mechanics.rivals.exact.forces import Acting
@@ -54,6 +55,8 @@ def _force(
     force: Force, size: Array, kinematics: Kinematics, motion: Motion, found: Exact, turned: Array
 ) -> Numbers:
     """The vector of a force at every position."""
+    if isinstance(force, End):
+        return _pulled(force, size, kinematics, found)
     sizes = _magnitudes(force, kinematics, motion, found, turned)
     if isinstance(force.way, Carried):
         own, link = context().expj(exact(force.way.angle)), force.way.link
@@ -66,6 +69,45 @@ def _force(
         None if x is None or v is None else 0 * x if lies else way * x * v / abs(v)
         for x, v, lies in zip(sizes, found.row(force.at, Body.velocity), still.tolist(), strict=True)
     ]
+
+
+def _pulled(end: End, size: Array, kinematics: Kinematics, found: Exact) -> Numbers:
+    """The force of a spring, c (l − l₀) e, or of a damper, b l′ e; None where its points meet."""
+    free = _free(end, kinematics)
+    lengths, speeds = (_between(end.at, end.way.point, found, one) for one in (Body.place, Body.velocity))
+    known = np.isfinite(np.broadcast_to(size, len(lengths))).tolist()
+    return [
+        None if d is None or v is None or not known_ else _drawn(end, d, v, free)
+        for d, v, known_ in zip(lengths, speeds, known, strict=True)
+    ]
+
+
+def _drawn(end: End, apart: Number, speed: Number, free: Number) -> Number:
+    way = apart / abs(apart)
+    if isinstance(end.tie, Spring):
+        return exact(end.tie.stiffness) * (abs(apart) - free) * way
+    return exact(end.tie.viscosity) * dot(way, speed) * way  # type: ignore[attr-defined]
+
+
+def _between(one: str, other: str, found: Exact, of: Any) -> Numbers:
+    rows = zip(found.row(one, of), found.row(other, of), strict=True)
+    return [None if a is None or b is None else b - a for a, b in rows]
+
+
+def _free(end: End, kinematics: Kinematics) -> Number:
+    """Free length of a spring, exact also where a preload at a position or a length tells it."""
+    if not isinstance(end.tie, Spring):
+        return exact(0.0)
+    if end.tie.free_length is not None:
+        return exact(end.tie.free_length)
+    if end.tie.at_length is not None:
+        length = exact(end.tie.at_length)
+    else:
+        there = at(kinematics.cycle, float(kinematics.table.phi[end.tie.at_position or 0]))
+        apart = _between(*end.tie.between, there, Body.place)[0]
+        assert apart is not None  # the position is there, or the variant is refused
+        length = abs(apart)
+    return length - exact(end.tie.preload) / exact(end.tie.stiffness)
 
 
 def _magnitudes(

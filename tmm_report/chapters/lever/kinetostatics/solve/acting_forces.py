@@ -9,6 +9,8 @@ import numpy as np
 
 from tmm_report.chapters.lever.kinetostatics.given import Carried, Force, Loads, Moment
 from tmm_report.chapters.lever.kinetostatics.solve.law_arguments import reading
+from tmm_report.chapters.lever.kinetostatics.solve.lengths import pulled
+from tmm_report.chapters.lever.kinetostatics.ties import End
 from tmm_report.mechanics.calculus.vectors import cross
 from tmm_report.mechanics.lever.forces.reactions import Load
 from tmm_report.mechanics.lever.mechanism import FRAME
@@ -79,6 +81,8 @@ def loaded(given: Loads, motion: Motion, loads: Stated) -> Loading:
 
 def _force(force: Force, kinematics: Kinematics, motion: Motion, turned: Array) -> tuple[Array, Array]:
     """The vector, and how much of it lies along its stated direction: less than nothing where the law says so."""
+    if isinstance(force, End):
+        return pulled(force, kinematics, motion)
     size = reading(force, kinematics, motion, turned).value
     if isinstance(force.way, Carried):
         return size * np.exp(1j * force.way.angle) * motion.turn(force.way.link), size

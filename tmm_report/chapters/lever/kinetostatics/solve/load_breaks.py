@@ -12,6 +12,7 @@ from tmm_report.chapters.lever.kinetostatics.given import Force, Loads, Moment
 from tmm_report.chapters.lever.kinetostatics.solve.coordinates import Coordinate, coordinate
 from tmm_report.chapters.lever.kinetostatics.solve.indicator_strokes import reach, strokes
 from tmm_report.chapters.lever.kinetostatics.solve.law_arguments import over_cycle
+from tmm_report.chapters.lever.kinetostatics.ties import End
 from tmm_report.mechanics.calculus.distinct import distinct
 from tmm_report.mechanics.calculus.laws import ByDisplacement, ByStrokes, Diagram
 from tmm_report.mechanics.calculus.vectors import dot
@@ -45,6 +46,8 @@ def _passed(load: Force | Moment, cycle: Cycle) -> Iterator[Quantity]:
     """What passes through zero where the load has a kink or a jump, in every turn alike: a displacement that is stated,
     a point or a link that turns back."""
     match load:
+        case End():
+            yield _towards(load, cycle)
         case Force(law=ByDisplacement() as law) | Moment(law=ByDisplacement() as law):
             yield from _ways(coordinate(load, cycle), law, cycle)
         case Force(at=at, way=str()):
@@ -52,6 +55,15 @@ def _passed(load: Force | Moment, cycle: Cycle) -> Iterator[Quantity]:
             yield lambda motion: dot(motion.velocity(at), along)
         case Moment(on=on, direction=str()):
             yield lambda motion: motion.angular_velocity(on)
+
+
+def _towards(end: End, cycle: Cycle) -> Quantity:
+    """What passes through zero where the two points of a spring or damper pass through one another: its force turns
+    round there."""
+    at, other = end.at, end.way.point
+    far = cycle.search[1].place(other) - cycle.search[1].place(at)
+    along = far[np.nanargmax(np.abs(far))]
+    return lambda motion: dot(motion.place(other) - motion.place(at), along / np.abs(along))
 
 
 def _ways(of: Coordinate, law: ByDisplacement, cycle: Cycle) -> Iterator[Quantity]:

@@ -27,13 +27,16 @@ from tmm_report.chapters.lever.kinetostatics.solve.cam_pressure import Pressing,
 from tmm_report.chapters.lever.kinetostatics.solve.coordinates import coordinate
 from tmm_report.chapters.lever.kinetostatics.solve.indicator_strokes import Strokes, strokes
 from tmm_report.chapters.lever.kinetostatics.solve.kinetic_energy import kinetic_energy, kinetic_power
+from tmm_report.chapters.lever.kinetostatics.solve.lengths import odd, refuse
 from tmm_report.chapters.lever.kinetostatics.solve.load_breaks import breaks as breaks
 from tmm_report.chapters.lever.kinetostatics.solve.powers import external_power as external_power
 from tmm_report.chapters.lever.kinetostatics.solve.powers import lever_terms as lever_terms
+from tmm_report.chapters.lever.kinetostatics.solve.powers import powers_of as powers_of
 from tmm_report.chapters.lever.kinetostatics.solve.whole_cycle import Over as Over
 from tmm_report.chapters.lever.kinetostatics.solve.whole_cycle import cut_at as cut_at
 from tmm_report.chapters.lever.kinetostatics.solve.whole_cycle import over
 from tmm_report.chapters.lever.kinetostatics.solve.works import Works, works
+from tmm_report.chapters.lever.kinetostatics.ties import End
 from tmm_report.mechanics.calculus.laws import ByStrokes, Constant
 from tmm_report.mechanics.lever.cycle import Extreme, least_and_greatest
 from tmm_report.mechanics.lever.forces import reactions as statics
@@ -172,18 +175,23 @@ class Kinetostatics:
 
     @property
     def doubts(self) -> tuple[Problem, ...]:
-        """Loads along or against a motion that there is not."""
-        return tuple(still(self.given, self.diagram.motion))
+        """Loads along or against a motion that there is not; what is odd of springs and dampers."""
+        return (*still(self.given, self.diagram.motion), *odd(self.given, self.kinematics))
 
     @property
     def followed(self) -> list[int]:
-        """Forces, then moments, that are drawn over the cycle, by their order: all that change."""
-        laws = [*(force.law for force in self.given.forces), *(moment.law for moment in self.given.moments)]
-        return [k for k, law in enumerate(laws) if not isinstance(law, Constant)]
+        """Forces, then moments, that are drawn over the cycle, by their order: all that change by laws of their own."""
+        loads = (*self.given.forces, *self.given.moments)
+        return [
+            k
+            for k, load in enumerate(loads)
+            if not isinstance(load, End) and not isinstance(load.law, Constant)
+        ]
 
 
 def solve(given: Loads, kinematics: Kinematics) -> Kinetostatics:
     with np.errstate(invalid="ignore", divide="ignore"):  # singular positions are nan
+        refuse(given, kinematics)
         sets = (
             (kinematics.table, kinematics.turned),
             (kinematics.diagram, kinematics.diagram_turned),

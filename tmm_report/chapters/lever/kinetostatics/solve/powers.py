@@ -8,6 +8,7 @@ import numpy as np
 
 from tmm_report.chapters.lever.kinetostatics.given import Loads
 from tmm_report.chapters.lever.kinetostatics.solve.acting_forces import Loading
+from tmm_report.chapters.lever.kinetostatics.ties import together
 from tmm_report.mechanics.calculus.vectors import cross, dot
 from tmm_report.mechanics.lever.motion import Motion
 
@@ -28,6 +29,16 @@ def lever_terms(given: Loads, motion: Motion, load: Loading) -> Array:
     rows += [couple * motion.angular_velocity(link) for link, couple in load.couples.items()]
     rows += [c * motion.angular_velocity(m.on) for m, c in zip(given.moments, load.moments, strict=True)]
     return np.array(rows) if rows else np.zeros((1, *motion.shape))
+
+
+def powers_of(given: Loads, motion: Motion, load: Loading) -> list[Array]:
+    """Power of every stated force, every spring and damper with both its ends, every stated moment, W, (..., P)."""
+    single = [
+        dot(vector, motion.velocity(one.at)) for one, vector in zip(given.forces, load.forces, strict=True)
+    ]
+    whole: list[Array] = [sum(single[k] for k in own) for own in together(given.forces)]
+    turning = zip(given.moments, load.moments, strict=True)
+    return [*whole, *(couple * motion.angular_velocity(one.on) for one, couple in turning)]
 
 
 def external_power(given: Loads, motion: Motion, load: Loading) -> Array:

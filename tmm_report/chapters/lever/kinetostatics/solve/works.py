@@ -12,7 +12,9 @@ import numpy as np
 
 from tmm_report.chapters.lever.kinetostatics.given import Loads
 from tmm_report.chapters.lever.kinetostatics.solve.acting_forces import Loading
+from tmm_report.chapters.lever.kinetostatics.solve.powers import powers_of
 from tmm_report.chapters.lever.kinetostatics.solve.whole_cycle import Over
+from tmm_report.chapters.lever.kinetostatics.ties import together
 from tmm_report.mechanics.calculus.distinct import distinct
 from tmm_report.mechanics.calculus.panels import Panels
 from tmm_report.mechanics.calculus.vectors import dot
@@ -54,8 +56,8 @@ class Zone:
 
 @dataclass(frozen=True, eq=False)
 class Works:
-    """Over a whole cycle: of the `stated` forces, then moments, in their order; of the weights by link; of the
-    balancing moment. `time`: of a cycle, s."""
+    """Over a whole cycle: of the `stated` forces, of springs and dampers, then of moments, in their order; of the
+    weights by link; of the balancing moment. `time`: of a cycle, s."""
 
     stated: tuple[Work, ...]
     weights: dict[str, Work]
@@ -87,14 +89,14 @@ def works(found: Kinetostatics) -> Works | None:
         return None
     omega, given, table = found.kinematics.omega, found.given, found.table
     whole = (
-        powers_of(given, m, load) for m, load in ((over.motion, over.loading), (table.motion, table.loading))
+        _powers(given, m, load) for m, load in ((over.motion, over.loading), (table.motion, table.loading))
     )
     loads, at_table = whole
     done = [
         _work(over, over.on(power) / abs(omega), _signs(there, power))
         for power, there in zip(loads, at_table, strict=True)
     ]
-    count = len(given.forces) + len(given.moments)
+    count = len(together(given.forces)) + len(given.moments)
     # by the angle turned, or by the phase of a law: what the driving link turns beside it
     moment = over.balancing * over.on(over.motion.omega / abs(omega))
     return Works(
@@ -106,20 +108,13 @@ def works(found: Kinetostatics) -> Works | None:
     )
 
 
-def powers_of(given: Loads, motion: Motion, load: Loading) -> list[Array]:
-    """Power of every stated force, stated moment and weight, in this order, (..., P), W."""
+def _powers(given: Loads, motion: Motion, load: Loading) -> list[Array]:
+    """Power of everything stated (`powers_of`), then of every weight, (..., P), W."""
     links, shape = motion.linkage.mechanism.links, motion.shape
-    forces = [
-        dot(vector, motion.velocity(one.at)) for one, vector in zip(given.forces, load.forces, strict=True)
-    ]
-    turning = [
-        couple * motion.angular_velocity(one.on)
-        for one, couple in zip(given.moments, load.moments, strict=True)
-    ]
     weights = [
         dot(force, motion.velocity(str(links[link].mass_centre))) for link, force in load.gravity.items()
     ]
-    return [np.broadcast_to(power, shape) for power in (*forces, *turning, *weights)]
+    return [np.broadcast_to(power, shape) for power in (*powers_of(given, motion, load), *weights)]
 
 
 def _work(over: Over, moment: Array, signs: Array) -> Work:

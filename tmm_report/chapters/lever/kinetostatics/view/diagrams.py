@@ -37,6 +37,11 @@ def load_diagrams(found: Kinetostatics, at: Sampled, graphs: CycleGraphs) -> lis
     panels = [
         ([at.of(over[k], found.diagram.loading.stated[k])], graphs.axis(named[k])) for k in found.followed
     ]
+    return sheets_of(panels, graphs)
+
+
+def sheets_of(panels: Sequence[tuple[Sequence[Array], Parts]], graphs: CycleGraphs) -> list[Graph]:
+    """Panels of curves with the names of their axes, `PANELS` of them on a sheet."""
     sheets = [panels[start : start + PANELS] for start in range(0, len(panels), PANELS)]
     return [
         _sheet([([Curve(values) for values in own], label) for own, label in sheet], graphs)

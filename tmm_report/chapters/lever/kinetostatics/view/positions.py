@@ -14,6 +14,7 @@ from tmm_report.chapters.lever.kinetostatics.quantities import positions as q
 from tmm_report.chapters.lever.kinetostatics.quantities.strokes import WORDS
 from tmm_report.chapters.lever.kinetostatics.solve.drawn_cycle import sampled
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
+from tmm_report.chapters.lever.kinetostatics.ties import apart
 from tmm_report.chapters.lever.kinetostatics.view import cam_pressure as pressing_view
 from tmm_report.chapters.lever.kinetostatics.view import checks as lever_view
 from tmm_report.chapters.lever.kinetostatics.view import driving_gear as gear_view
@@ -21,6 +22,7 @@ from tmm_report.chapters.lever.kinetostatics.view import wheels as wheels_view
 from tmm_report.chapters.lever.kinetostatics.view.curves import CurvesView
 from tmm_report.chapters.lever.kinetostatics.view.cycle import CycleView
 from tmm_report.chapters.lever.kinetostatics.view.diagrams import balancing_diagram, graphs_of, load_diagrams
+from tmm_report.chapters.lever.kinetostatics.view.ties import TiesView
 from tmm_report.chapters.lever.plans.solve import Plans
 from tmm_report.problems import N_
 from tmm_report.quantity.definition import Definition
@@ -85,6 +87,8 @@ class KinetostaticsView(BookView):
         self.graphs = graphs_of(found, at, page.tr)
         self.diagram = balancing_diagram(found, at, self.graphs)
         self.followed = load_diagrams(found, at, self.graphs)
+        self.ties = TiesView(found, position, page)
+        self.tied = self.ties.diagrams(at, self.graphs)
 
     def conclusions(self) -> list[Markup]:
         found = self.found
@@ -116,16 +120,17 @@ class KinetostaticsView(BookView):
     def stated(self, caption: Any) -> Table:
         """The stated loads: symbol, name, what they act on, direction."""
         given, table = self.found.given, self.table("loads_given")
+        forces = apart(given.forces)[0]
         names = enumerate(table["link"].values)
         takes = [self.page.said(Cell(str(name), table.ref("link", row))) for row, name in names]
         on = [
             self.t("point %(point)s of link %(link)s", point=force.at, link=link)
-            for force, link in zip(given.forces, takes, strict=False)
+            for force, link in zip(forces, takes, strict=False)
         ]
         on += [self.t("link %(link)s", link=link) for link in takes[len(on) :]]
-        ways = [self._way(force.way) for force in given.forces]
+        ways = [self._way(force.way) for force in forces]
         ways += [sense(moment.direction, self.page) for moment in given.moments]
-        quantities = [*q.forces(given.forces), *q.moments(given.moments)]
+        quantities = [*q.forces(forces), *q.moments(given.moments)]
         rows = [
             [
                 self.page.sym(quantity.sign), self.page.word(table["name"].values[row], table, "name", row),
@@ -136,7 +141,12 @@ class KinetostaticsView(BookView):
         heads = [self.t("Symbol"), self.t("Load"), self.t("Applied to"), self.t("Direction")]
         return worded(caption, heads, rows, (2, 5, 4, 5))
 
-    def _way(self, way: complex | str | Carried) -> Markup:
+    @property
+    def stated_alone(self) -> bool:
+        """Whether there are loads beside springs and dampers."""
+        return self.has("loads_given")
+
+    def _way(self, way: Any) -> Markup:
         if not isinstance(way, Carried):
             return force_direction(way, self.page)
         angle = self.page.num(math.degrees(way.angle), 4, scale=180.0)
@@ -170,7 +180,8 @@ class KinetostaticsView(BookView):
     @property
     def reversed(self) -> bool:
         """Whether a load acts against its stated direction somewhere."""
-        return any(bool(np.any(values < 0)) for values in self.found.table.loading.stated)
+        columns = self.table("stated_table").columns[2:]
+        return any(bool(np.any(column.numbers() < 0)) for column in columns)
 
     # ------------------------------------------------------------ loads
 

@@ -337,7 +337,10 @@ class MechanismModel(Model):
     NOT_OFFERED: ClassVar[Mapping[str, str]] = {
         **dict.fromkeys(("wheel", "gear", "gears", "rack"), WHEELS),
         **dict.fromkeys(("belts", "chains"), BELTS),
-        **dict.fromkeys(("springs", "dampers"), N_("springs and dampers between points are not offered")),
+        **dict.fromkeys(
+            ("springs", "dampers"),
+            N_("springs and dampers between points are loads: loads.springs, loads.dampers"),
+        ),
     }
 
     # the parts that every mechanism has may be absent here, to check the rest all the same: `checks` wants them

@@ -1,0 +1,108 @@
+"""Springs and dampers at the positions of a mechanism: how long they are, how fast they grow, where they pull."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from tmm_report.chapters.lever.kinetostatics.given import Loads
+from tmm_report.chapters.lever.kinetostatics.ties import End, Spring, Tie, apart
+from tmm_report.mechanics.calculus.laws import ByLength, Law
+from tmm_report.mechanics.calculus.vectors import NOWHERE, dot
+from tmm_report.mechanics.lever.motion import Motion
+from tmm_report.problems import N_, Message, Problem, ProblemError, doubt, mistake
+
+if TYPE_CHECKING:
+    from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
+
+Array = Any
+MET = 1e-9  # of the mechanism's size: nearer points are one, and no line goes through them
+
+
+class Line(NamedTuple):
+    """From the first point of a tie to the second, (..., P): length, m, its derivative by the time, m/s, and direction,
+    unit complex; nan where the points meet: there the line has none."""
+
+    length: Array
+    rate: Array
+    way: Array
+
+
+def line(one: str, other: str, motion: Motion) -> Line:
+    """l = |r_B − r_A|, l′ = (v_B − v_A)·e with e = (r_B − r_A)/l."""
+    apart_, speed = motion.place(other) - motion.place(one), motion.velocity(other) - motion.velocity(one)
+    length = np.abs(apart_)
+    met = length <= MET * np.nanmax(np.abs(motion.places), initial=0.0)
+    way = np.where(met, NOWHERE, apart_ / np.where(met, 1.0, length))
+    return Line(length, dot(way, speed), way)
+
+
+def law_of(tie: Tie, kinematics: Kinematics) -> Law:
+    """Of a spring with a preload at a position the free length is what the motion makes it."""
+    if not isinstance(tie, Spring) or tie.free is not None:
+        return tie.law
+    length = line(*tie.between, kinematics.table).length[..., tie.at_position or 0]
+    return ByLength(tie.stiffness, float(tie.free_of(length)))
+
+
+def argument(of: Line, law: Law) -> Array:
+    """What the law of a tie is over."""
+    return of.length if isinstance(law, ByLength) else of.rate
+
+
+def pulled(end: End, kinematics: Kinematics, motion: Motion) -> tuple[Array, Array]:
+    """The force on an end, (..., P), and how much of it draws it to the other point, N."""
+    law, of = law_of(end.tie, kinematics), line(end.at, end.way.point, motion)
+    size = law.value(argument(of, law))
+    size = np.where(np.isnan(of.way), np.nan, size)
+    return size * of.way, size
+
+
+def ties_of(given: Loads) -> list[End]:
+    """The first end of every spring and damper, in their order."""
+    return [given.forces[own[0]] for own in apart(given.forces)[1]]  # type: ignore[misc]
+
+
+def path_of(given: Loads, end: End) -> tuple[str | int, ...]:
+    """Where a tie stands in the file."""
+    return "loads", "springs" if isinstance(end.tie, Spring) else "dampers", int(end.of[1:]) - 1
+
+
+def never(given: Loads, kinematics: Kinematics) -> Iterator[Problem]:
+    """Ties whose points are in one place at every position."""
+    for end in ties_of(given):
+        if np.isnan(line(*end.tie.between, kinematics.diagram).way).all():
+            text = N_("points %(one)s and %(other)s are in one place: no line goes through them")
+            one, other = end.tie.between
+            yield mistake(text, (*path_of(given, end), "between"), one=one, other=other)
+        elif np.isnan(getattr(law_of(end.tie, kinematics), "free", 0.0)):
+            text = N_("the mechanism has no position %(position)s, at which the spring has its preload")
+            right = Message(N_("at_length: 260 mm, or another position"))
+            yield mistake(text, (*path_of(given, end), "preload"), right, position=end.tie.at_position or 0)  # type: ignore[attr-defined]
+
+
+def refuse(given: Loads, kinematics: Kinematics) -> None:
+    """Raises ProblemError for ties without a line."""
+    if found := list(never(given, kinematics)):
+        raise ProblemError(found)
+
+
+def odd(given: Loads, kinematics: Kinematics) -> Iterator[Problem]:
+    """Free lengths that no spring has; positions at which the points of a tie meet, so that nothing is found there."""
+    for end in ties_of(given):
+        law = law_of(end.tie, kinematics)
+        if isinstance(law, ByLength) and law.free < 0:
+            text = N_("the free length of the spring comes out below zero, %(length)s mm")
+            right = Message(N_("a smaller preload, or a greater stiffness"))
+            yield doubt(text, (*path_of(given, end), "preload"), right, length=f"{law.free * 1e3:.4g}")
+        met = np.flatnonzero(np.isnan(line(*end.tie.between, kinematics.table).way) & kinematics.table.closes)
+        if met.size:
+            text = N_(
+                "points %(one)s and %(other)s meet at position %(position)s: the force between them has no direction "
+                "there, and no forces are given"
+            )
+            one, other = end.tie.between
+            here = (*path_of(given, end), "between")
+            yield doubt(text, here, one=one, other=other, position=int(met[0]))
