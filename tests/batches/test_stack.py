@@ -76,7 +76,7 @@ def test_a_variant_finds_in_a_stack_what_it_finds_alone(name):
 @pytest.mark.parametrize("name", [path.stem for path in FILES])
 def test_all_but_the_odd_ones_are_solved_together(name, monkeypatch):
     solved = []
-    monkeypatch.setattr(stack, "solve", lambda variant, moved: solved.append(moved))
+    monkeypatch.setattr(stack, "solve", lambda variant, moved, each: solved.append(moved))
     stack.solve_many([varied(name, 0)] * stack.LEAST)
     assert [moved is None for moved in solved] == [name in ALONE] * stack.LEAST
 
