@@ -42,9 +42,24 @@ TIED = ("tests/chapters/lever/kinetostatics/test_springs_and_dampers.py",)
 EXPLAINED = ("tests/commands/test_explain_all.py",)
 WHEELS = ("tests/mechanics/lever/test_wheels.py",)
 TOLD = ("tests/chapters/lever/synthesis",)
+FIND = "tmm_report/chapters/find/"
+BACKWARDS = ("tests/chapters/find", "tests/mechanics/calculus/test_seek.py")
+RIM = "press_flywheel"
 SHAPER, FUNCTION = "shaper_synthesis", "function_generator"
 
 FAULTS = (
+    # --- questions asked backwards ---
+    Fault("the slope by the unknown in the unit of its range", FIND + "solve.py",
+          "width = unknown.size(unknown.high) - unknown.size(unknown.low)", "width = unknown.high - unknown.low", RIM,
+          BACKWARDS),
+    Fault("a jump is a root", MECHANICS + "calculus/seek.py",
+          "bool(abs(r) <= limit)", "bool(abs(r) >= 0)", RIM, BACKWARDS),
+    Fault("the residual with the other sign", FIND + "quantities.py",
+          'found, "residual").column(at - found.level)', 'found, "residual").column(found.level - at)', RIM, BACKWARDS),
+    Fault("the first root for the last", FIND + "solve.py",
+          "roots[given.choose - 1 if given.choose > 0 else -1]", "roots[0]", RIM, BACKWARDS),
+    Fault("at most for at least", FIND + "given.py",
+          'rest <= 0 if self.kind == "most"', 'rest >= 0 if self.kind == "most"', RIM, BACKWARDS),
     # --- synthesis, and loads as assignments state them ---
     Fault("a crank by the whole angle between the extreme positions", SYNTHESIS + "steps.py",
           "s.crank = s.stroke / (2 * sqrt(cos(half) ** 2", "s.crank = s.stroke / (2 * sqrt(cos(s.theta) ** 2", SHAPER,

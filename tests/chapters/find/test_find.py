@@ -206,6 +206,16 @@ def test_values_that_cannot_be_solved_are_left_out_and_told():
     assert low == 0 and found.size(high) == pytest.approx(0.01, rel=1e-6)
 
 
+def test_the_table_of_roots_is_of_the_results():
+    """What is left is what the number is, less what is wanted; the first root is the one that is taken."""
+    results = results_of(RAILS, CASES["share of the balanced mass"][1])
+    table = next(one for one in tables(results) if one.name == "find_roots")
+    assert table["y"].values - 60e3 == pytest.approx(table["residual"].values, abs=1e-12)
+    assert list(table["number"].values) == [1, 2]
+    numbers = {one.key: one.value for one in values(results)}
+    assert numbers["find_x"] == table["x"].values[0] and numbers["find_count"] == 2
+
+
 def test_many_at_once_find_what_each_finds_alone():
     name, find, _ = CASES["inertia of a link for the greatest moment"]
     texts = [asked(read_text(name), find.replace("400 N*m", f"{level} N*m")) for level in (350, 400)]

@@ -26,12 +26,14 @@ NEAR = 0.5  # likeness of a name
 
 @dataclass(frozen=True)
 class Target:
-    """`key`: of the single number, or `table.column`; `pick`: of a column "max", "min" or the number of a row."""
+    """`key`: of the single number, or `table.column`; `pick`: of a column "max", "min" or the number of a row;
+    `table`: what its table shows."""
 
     chapter: str
     key: str
     quantity: Quantity
     pick: str = ""
+    table: Message | None = None
 
     def number(self, chapters: Iterable[Chapter]) -> float:
         """The number in the results of a variant; nan where they have none."""
@@ -96,7 +98,7 @@ def _in_table(demand: Demand, name: str, rest: str, chapters: Sequence[Chapter])
             right = Message(N_("add the number of a row, 0 … %(last)s"), {"last": len(table) - 1})
             raise _wrong(N_("the rows of %(name)s measure different things"), demand, right)
         quantity = replace(quantity, unit=column.unit_of(int(pick)))
-    return Target(chapter, f"{name}.{key}", quantity, pick)
+    return Target(chapter, f"{name}.{key}", quantity, pick, table.meaning)
 
 
 def level(demand: Demand, of: Target) -> float:
