@@ -57,7 +57,7 @@ def solve(variant: Variant) -> Results:
     from tmm_report.variant import failed
 
     try:
-        return run(variant, each=_together if variant.find is not None else None)
+        return run(variant, each=_together)
     except ProblemError as error:
         raise failed(error, variant) from None
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from tmm_report import course
 from tmm_report.course import Moved, Results, Variant
-from tmm_report.problems import Problem, ProblemError
+from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 
 if TYPE_CHECKING:
     from tmm_report.chapters.find import solve as find
@@ -41,7 +41,13 @@ def _backwards(variant: Variant, asked: find.Given, each: Each) -> Results:
             yield found if isinstance(found, ProblemError) else _told(found, chapter)
 
     found = course.find.solve(asked, tried)
-    results = course.solve(restated(found.number))
+    try:
+        results = course.solve(restated(found.number))
+    except ProblemError as error:
+        text = N_("the variant is not solved with what is found, %(name)s = %(x)s: see what else is told")
+        told = {"name": asked.unknown.name, "x": asked.unknown.written(found.number)}
+        right = Message(N_("narrow the range, or choose another root"))
+        raise ProblemError([*error.problems, mistake(text, ("find",), right, **told)]) from None
     return replace(results, find=found, variant=replace(results.variant, doubts=variant.doubts))
 
 

@@ -37,11 +37,29 @@ MESH = ("tests/figures/gears/test_gearing.py",)
 
 SYNTHESIS = "tmm_report/chapters/lever/synthesis/"
 LOADED = ("tests/statements",)
+SPRUNG = "sprung_screen"
+TIED = ("tests/chapters/lever/kinetostatics/test_springs_and_dampers.py",)
+EXPLAINED = ("tests/commands/test_explain_all.py",)
 WHEELS = ("tests/mechanics/lever/test_wheels.py",)
 TOLD = ("tests/chapters/lever/synthesis",)
+FIND = "tmm_report/chapters/find/"
+BACKWARDS = ("tests/chapters/find", "tests/mechanics/calculus/test_seek.py")
+RIM = "press_flywheel"
 SHAPER, FUNCTION = "shaper_synthesis", "function_generator"
 
 FAULTS = (
+    # --- questions asked backwards ---
+    Fault("the slope by the unknown in the unit of its range", FIND + "solve.py",
+          "width = unknown.size(unknown.high) - unknown.size(unknown.low)", "width = unknown.high - unknown.low", RIM,
+          BACKWARDS),
+    Fault("a jump is a root", MECHANICS + "calculus/seek.py",
+          "bool(abs(r) <= limit)", "bool(abs(r) >= 0)", RIM, BACKWARDS),
+    Fault("the residual with the other sign", FIND + "quantities.py",
+          'found, "residual").column(at - found.level)', 'found, "residual").column(found.level - at)', RIM, BACKWARDS),
+    Fault("the first root for the last", FIND + "solve.py",
+          "roots[given.choose - 1 if given.choose > 0 else -1]", "roots[0]", RIM, BACKWARDS),
+    Fault("at most for at least", FIND + "given.py",
+          'rest <= 0 if self.kind == "most"', 'rest >= 0 if self.kind == "most"', RIM, BACKWARDS),
     # --- synthesis, and loads as assignments state them ---
     Fault("a crank by the whole angle between the extreme positions", SYNTHESIS + "steps.py",
           "s.crank = s.stroke / (2 * sqrt(cos(half) ** 2", "s.crank = s.stroke / (2 * sqrt(cos(s.theta) ** 2", SHAPER,
@@ -326,6 +344,32 @@ FAULTS = (
     Fault("a driven wheel accelerated by the ratio squared", MECHANICS + "lever/wheels/coupled.py",
           "s.turn(link, c * dot(s.v[by], t), c * dot(s.a[by], t))",
           "s.turn(link, c * dot(s.v[by], t), c * c * dot(s.a[by], t))", "crank_rocker", LOADED),
+    Fault("a spring pushes where it should pull", STATICS + "solve/lengths.py",
+          "return size * of.way, size", "return -size * of.way, size", SPRUNG, TIED),
+    Fault("a spring by its length alone", MECHANICS + "calculus/laws.py",
+          "return self.stiffness * (at - self.free)", "return self.stiffness * at", SPRUNG, TIED),
+    Fault("a damper by the relative speed of its points", STATICS + "solve/lengths.py",
+          "return Line(length, dot(way, speed), way)", "return Line(length, np.abs(speed), way)", SPRUNG, TIED),
+    Fault("a damper helps the motion", MECHANICS + "calculus/laws.py",
+          "return self.viscosity * at", "return -self.viscosity * at", SPRUNG, TIED),
+    Fault("a preload added to the free length", STATICS + "ties.py",
+          "return length - (self.preload or 0.0)", "return length + (self.preload or 0.0)", SPRUNG, TIED),
+    Fault("a preload always at position 0", STATICS + "solve/lengths.py",
+          "length[..., tie.at_position or 0]", "length[..., 0]", SPRUNG, TIED),
+    Fault("a preload at position 0 in the exact forces", STATICS + "solve/acting_exact.py",
+          "kinematics.table.phi[end.tie.at_position or 0]", "kinematics.table.phi[0]", SPRUNG, TIED),
+    Fault("one end of a spring alone does work", STATICS + "solve/powers.py",
+          "sum(single[k] for k in own)", "single[own[0]]", SPRUNG, TIED),
+    Fault("a spring's jump between panels", STATICS + "solve/load_breaks.py",
+          "            yield _towards(load, cycle)", "            yield from ()", SPRUNG, TIED),
+    Fault("the power of a spring with the other sign", STATICS + "quantities/ties.py",
+          "column(np.broadcast_to(-drawn * one.rate, shape))", "column(np.broadcast_to(drawn * one.rate, shape))",
+          SPRUNG, EXPLAINED),
+    Fault("the links of a spring exchanged in the table", STATICS + "quantities/ties.py",
+          "taken.get(point, FRAME) for point in end.tie.between",
+          "taken.get(point, FRAME) for point in end.tie.between[::-1]", SPRUNG, TIED),
+    Fault("the length under the preload printed for the free one", STATICS + "view/ties.py",
+          'self.page.cell(table, "l_0", row, unit="mm"), NONE', 'self.page.cell(table, "c", row), NONE', SPRUNG),
     Fault("satellites' meshes inside and outside swapped", ECCENTRIC + "solve/motion.py",
           "Mesh(body.name, RING, CARRIER, internal=True)", "Mesh(body.name, RING, CARRIER)", "eccentric"),
     Fault("teeth of a mesh turned", SPUR + "solve/mesh.py",

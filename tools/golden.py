@@ -11,6 +11,7 @@ from __future__ import annotations
 import difflib
 import json
 import math
+import re
 import sys
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -27,7 +28,19 @@ ROOT = Path(__file__).resolve().parent.parent
 GOLDEN = ROOT / "tests" / "golden"
 TOLERANCE = 1e-9  # of the largest number of a row
 NOTHING = 1e-15  # SI: what is left where larger numbers cancel, another on every processor
-ROUNDING = ("disagreement", "overlap", "clearance", "works_sum")
+ROUNDING = (
+    "disagreement",
+    "overlap",
+    "clearance",
+    "works_sum",
+    "balance_error",
+    "potential_error",
+    "_residual",
+)
+INTEGRATED = re.compile(r"dynamics_\w+_(start|coast)")
+ROUGH = (
+    1e-7  # of those: steps are chosen by the last digits of exp and sin, which every processor has its own
+)
 DIGITS = 13  # written; the rest is rounding errors, which differ from machine to machine
 
 Row = str | list[float | None]
@@ -103,7 +116,7 @@ def _wrong(key: str, was: list[float | None], row: list[float | None]) -> Iterat
         if old is None or new is None:
             if old is not new:
                 yield f"{key}[{i}]: is {new}, was {old}"
-        elif abs(new - old) > max(TOLERANCE * scale, NOTHING):
+        elif abs(new - old) > max((ROUGH if INTEGRATED.fullmatch(key) else TOLERANCE) * scale, NOTHING):
             yield f"{key}[{i}]: is {new!r}, was {old!r}: off by {abs(new - old) / scale:.1e} of the row's largest"
 
 

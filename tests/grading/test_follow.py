@@ -124,7 +124,7 @@ def heavier(name, links, factor):
 # ---------------------------------------------------------------- right numbers
 
 
-NAMES = [path.stem for path in FILES]
+NAMES = [*(path.stem for path in FILES), "sprung_screen"]
 levers = st.sampled_from(NAMES)
 every_lever = pytest.mark.parametrize("name", NAMES)
 

@@ -225,35 +225,6 @@ def loads(note: Note, document: dict[str, Any], drawn: Scheme, places: Places) -
             yield Force(symbol, drawn.driver, 0j, zeros + 0j, zeros, column.values, column.half)
 
 
-def ties(document: dict[str, Any]) -> Iterator[tuple[str, list[tuple[str, str]]]]:
-    """Key of the force of each spring and damper, above zero where it draws its points together; its two points, each
-    with the link that takes the force."""
-    for name in ("springs", "dampers"):
-        table = {c["key"]: c["values"] for c in document["tables"].get(name, {"columns": []})["columns"]}
-        sides = ("one", "link_one", "other", "link_other")
-        for key, *of in zip(*(table.get(side, ()) for side in ("key", *sides)), strict=True):
-            yield f"F_{key}", [(of[0], of[1]), (of[2], of[3])]
-
-
-def tied(note: Note, document: dict[str, Any], places: Places) -> Iterator[Force]:
-    """Forces of springs and dampers on both of their links, along the line of their printed points."""
-    found = columns(note)
-    for key, ((one, link), (other, beside)) in ties(document):
-        column = found[key][0][1]
-        line = places[other] - places[one]
-        way = line / np.abs(line)
-        yield Force(key, link, places[one], column.values * way, column.half)
-        yield Force(key, beside, places[other], -column.values * way, column.half)
-
-
-def loaded_point(key: str, drawn: Scheme) -> str:
-    """The point of a force on a link: stated, of a spring or damper, of inertia, a weight."""
-    kind, sub = key.split("_", 1)
-    if kind == "P":
-        return sub.split(",")[0]
-    return sub.split(",")[1] if "," in sub else drawn.mass_centres[sub.removeprefix("I")]
-
-
 def stated(note: Note, document: dict[str, Any], drawn: Scheme, places: Places) -> Iterator[list[Force]]:
     """Each stated force on the link that takes it, by the results."""
     found, table = columns(note), table_of(document, "loads_table")
@@ -271,6 +242,26 @@ def stated(note: Note, document: dict[str, Any], drawn: Scheme, places: Places) 
         count = min(len(way), len(column.values))  # the last row, the first again, may be left out
         value, half = column.values[:count] * way[:count], column.half[:count]
         yield [Force(key, link, places[point], value, half) for link in links if link == taken[key]]
+
+
+def tied(note: Note, document: dict[str, Any], places: Places) -> Iterator[Force]:
+    """The printed forces of springs and dampers, each on the links at both its ends along the line of the points."""
+    found = columns(note)
+    for name in ("springs", "dampers"):
+        for row in _rows_told(document, name):
+            column, (one, other) = (
+                found[f"F_{row['key']}"][0][1],
+                (places[row[end]] for end in ("one", "other")),
+            )
+            way = np.atleast_1d((other - one) / np.abs(other - one))[: len(column.values)]
+            for end, at, sign in (("link_one", one, 1), ("link_other", other, -1)):
+                yield Force(f"F_{row['key']}", row[end], at, sign * column.values * way, column.half)
+
+
+def _rows_told(document: dict[str, Any], name: str) -> list[dict[str, str]]:
+    """The texts of a table of the results, row by row."""
+    table = {c["key"]: c["values"] for c in document["tables"].get(name, {"columns": []})["columns"]}
+    return [dict(zip(table, row, strict=True)) for row in zip(*table.values(), strict=True)]
 
 
 def _way(stated_: str, vector: np.ndarray, printed: np.ndarray) -> np.ndarray:

@@ -266,6 +266,8 @@ def own_words(name: str) -> list[str]:
         else ()
     )
     own = {*astuple(variant.title), *(load.name for load in loads)}
+    if (found := results(name).find) is not None:  # what is sought is named by its keys in the file
+        own.add(found.given.unknown.name)
     return sorted(own - {""}, key=len, reverse=True)
 
 

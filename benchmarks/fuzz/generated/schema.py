@@ -29,7 +29,7 @@ def short(ref: str) -> str:
     """Of a part's reference or long name; a name that several chapters use is headed by that of the chapter."""
     name = ref.rsplit("/", 1)[-1]
     found = re.fullmatch(
-        r"tmm_report__chapters__(?:lever__|gears__|machine__)?(\w+?)__(?:block|given)(?:__\w+?)?__(\w+?)",
+        r"tmm_report__chapters__(?:lever__|gears__|machine__)?(\w+?)__(?:block|given|ties)(?:__\w+?)?__(\w+?)",
         name,
     )
     return f"{found[1]}.{found[2]}" if found else name

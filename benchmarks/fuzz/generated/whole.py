@@ -6,6 +6,7 @@ import json
 from random import Random
 from typing import Any
 
+from benchmarks.fuzz.generated.asked import backwards, tied
 from benchmarks.fuzz.generated.levers import mechanism
 from benchmarks.fuzz.generated.walk import Names, Walk
 
@@ -47,6 +48,8 @@ UNIFORM = (
 MARKS = ("language", "decimal_sign", "title")
 SLOW = {"methods": 0.05, "method": 0.25, "readings": 0.3, "drive": 0.6, "eccentric": 0.7}
 """How often what is dear, or breaks much else, is left where chance put it."""
+ASKED = 0.03
+"""How often a number is sought, where there is one to demand: that solves the variant a hundred times."""
 
 
 def variant(seed: str) -> dict[str, Any]:
@@ -79,6 +82,7 @@ def variant(seed: str) -> dict[str, Any]:
             data[name] = walk.key(name)
     if "mechanism" in data and walk.tame():
         _agreed(data)
+        tied(data, Random(f"ties {seed}"))  # draws of its own: what else is drawn does not change with them
     if (
         random.random() < 0.2
         and data.get("drive", {}).get("output") != "other"
@@ -87,6 +91,8 @@ def variant(seed: str) -> dict[str, Any]:
     ):
         data["mechanism"]["driver"]["speed"] = "drive"
         data["mechanism"]["driver"].pop("period", None)
+    if random.random() < ASKED:
+        backwards(data, random)
     return data
 
 

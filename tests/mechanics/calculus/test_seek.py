@@ -101,6 +101,11 @@ def test_roots_at_the_ends_and_at_places_of_the_grid():
     assert found(seek(lambda x: (x - 0.25) * (x - 0.75), 0.0)) == pytest.approx([0.25, 0.75])
 
 
+def test_a_part_of_the_range_at_the_level_is_told_by_its_ends():
+    sought = seek(lambda x: np.clip(x, 0.25, 0.75), 0.25)
+    assert found(sought) == pytest.approx([0, 0.25])
+
+
 def test_what_cannot_be_met_says_how_near_it_comes():
     sought = seek(lambda x: 3 + (x - 0.31) ** 2, 1.0)
     assert not sought.roots and sought.nearest.at == pytest.approx(0.31, abs=STEP)

@@ -12,7 +12,7 @@ from captions import figures, position_of
 from note import text_of
 from pages import driving_speed
 from reading import LEVERS, html, results, wrong
-from statics import Scheme, loaded_point, scheme
+from statics import Scheme, scheme
 from vectors import Vector, Vectors, forces, near, off, rates, vectors, written
 
 LEAST = 1.0  # mm: a vector so short may be left out
@@ -146,6 +146,14 @@ def test_every_vector_of_a_force_plan(name):
 # --- Zhukovsky's lever ---
 
 
+def acts_at(key: str, drawn: Scheme) -> str:
+    """The point of a load."""
+    kind, sub = key.split("_", 1)
+    if kind == "F" and "," in sub:  # of a spring or damper
+        return sub.split(",")[1]
+    return sub.split(",")[0] if kind == "P" else drawn.mass_centres[sub.removeprefix("I")]
+
+
 def wrong_lever(document: dict[str, Any], drawn: Vectors, of: Scheme, k: int, scale: float) -> Iterator[str]:
     """The plan of velocities turned by 90° against the crank, at its scale; forces as they act, at their points."""
     speeds, loads, pole = rates(document, k), forces(document, k), drawn.poles[0]
@@ -156,7 +164,7 @@ def wrong_lever(document: dict[str, Any], drawn: Vectors, of: Scheme, k: int, sc
     acting = {key: force for key, force in loads.items() if key[0] != "R" and key != "F_bal"}
     largest = max(map(abs, acting.values()))
     for key in (key for key in acting if abs(acting[key]) > 1e-6 * largest):
-        at = pole + turn * speeds.get(f"v_{loaded_point(key, of)}", 0j) / scale
+        at = pole + turn * speeds.get(f"v_{acts_at(key, of)}", 0j) / scale
         for vector in drawn.of(key) or [Vector(key, pole, pole)]:
             if not near(vector.along, abs(vector.along) * loads[key] / abs(loads[key])) or not vector.along:
                 yield f"{key} is {vector.along:.3f} mm, it acts along {np.degrees(np.angle(loads[key])):.1f}°"

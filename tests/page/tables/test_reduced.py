@@ -10,7 +10,7 @@ import pytest
 from conftest import path_of
 from pages import table_of
 from reading import LEVERS, results, wrong
-from statics import scheme, ties
+from statics import scheme
 
 CLOSE = 1e-9  # of the largest value of a column
 REDUCED = [name for name in LEVERS if "\nreduction: true" in path_of(name).read_text("utf-8")]
@@ -32,9 +32,10 @@ def energies(document: dict[str, Any], omega: float) -> Iterator[tuple[str, np.n
 
 
 def powers(document: dict[str, Any], name: str) -> Iterator[tuple[str, np.ndarray]]:
-    """Power of each weight, stated load, spring and damper."""
+    """Power of each weight and stated load."""
     loads, rates, drawn = table_of(document, "loads_table"), table_of(document, "rates_table"), scheme(name)
     still = np.zeros(len(rates["position"]))
+    tied: dict[str, np.ndarray] = {}
     for key in loads:
         kind, _, sub = key.partition("_")
         of = sub.split(",")[0]
@@ -43,16 +44,13 @@ def powers(document: dict[str, Any], name: str) -> Iterator[tuple[str, np.ndarra
             yield key, sum(loads[f"{key}_{axis}"] * rates.get(f"v_{point}_{axis}", still) for axis in "xy")
         elif kind == "M" and not sub.startswith("I"):
             yield key, loads[key] * rates[f"w_{of}"]
-    for key, sides in ties(document):
-        forces = [(f"{key},{point}", point) for point, link in sides if link != "0"]
-        yield (
-            key,
-            sum(
-                loads[f"{force}_{axis}"] * rates.get(f"v_{point}_{axis}", still)
-                for force, point in forces
-                for axis in "xy"
-            ),
-        )
+        elif (
+            kind == "F" and "," in sub and key + "_x" in loads
+        ):  # of a spring or damper, on one of its points
+            at = sub.split(",")[1]
+            part = sum(loads[f"{key}_{axis}"] * rates.get(f"v_{at}_{axis}", still) for axis in "xy")
+            tied[f"F_{of}"] = tied.get(f"F_{of}", still) + part
+    yield from tied.items()
 
 
 def wrong_plans(document: dict[str, Any], driver: str) -> Iterator[str]:

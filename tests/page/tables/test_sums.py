@@ -13,6 +13,7 @@ from note import Cell, Note, Table, symbol_text
 from pages import (
     BALANCING,
     Series,
+    by_law,
     by_positions,
     columns,
     driving_speed,
@@ -22,7 +23,7 @@ from pages import (
 )
 from printed import Printed
 from reading import LEVERS, LINKAGES, html, results, wrong
-from statics import Scheme, loaded_point, scheme
+from statics import Scheme, scheme
 
 Rows = dict[str, np.ndarray]
 TOTAL = ("Sum", "Сумма")
@@ -81,7 +82,10 @@ def _power(symbol: str, loads: Rows, rates: Rows, drawn: Scheme, k: int) -> floa
     if kind == "M":
         couple = loads[symbol] if symbol in loads else loads[f"{symbol},1"]
         return float(couple[k] * rates[f"w_{of.removeprefix('I').split(',')[0]}"][k])
-    point = loaded_point(symbol, drawn)
+    tied = kind == "F" and "," in of  # of a spring or damper, on its point
+    point = (
+        of.split(",")[1 if tied else 0] if kind == "P" or tied else drawn.mass_centres[of.removeprefix("I")]
+    )
     moving = f"v_{point}_x" in rates
     return (
         sum(float(loads[f"{symbol}_{axis}"][k] * rates[f"v_{point}_{axis}"][k]) for axis in "xy")
@@ -158,7 +162,7 @@ def wrong_efficiency(eta: Series, drive: Series, total: Series) -> Iterator[str]
 def test_powers_balance(name):
     note, document = html(name), results(name)
     found = [*wrong_powers(note, document), *wrong_parts(note, {**document, "name": name})]
-    if "friction_table" in document["tables"]:  # it is asked for, and the driving link turns uniformly
+    if not by_law(document):  # friction is found of a uniformly turning driving link alone
         found += [*wrong_friction(note, document), *wrong_rubbing(note, document)]
     wrong([*found, *wrong_balance(note)])
 

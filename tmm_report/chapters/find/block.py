@@ -151,7 +151,7 @@ def mistakes(read: Read) -> Iterator[Problem]:
     if len(demands := _demands(asked)) > 1:
         right = Message(N_("leave one of so_that, greatest, least, with one number of the results"))
         yield mistake(N_("%(count)s demands and one unknown"), ("find",), right, count=len(demands))
-    if not demands:
+    if not demands and not read.is_broken("find"):
         right = Message(N_("so_that: {key: value}, greatest: key or least: key, keys as in results.json"))
         yield mistake(N_("nothing is demanded of the results"), ("find",), right)
     for name, span in asked.unknown.items():

@@ -25,7 +25,8 @@ Course = Callable[[Sequence[float], str], Iterable[Answer]]
 are none."""
 
 MOST = 600  # values of the unknown at which a variant is solved
-TOLD = 12  # roots that are told
+TOLD = 12  # roots whose sensitivity is told
+ALIKE = 1e-12  # of the greatest value: by less rounding differs
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,6 +88,7 @@ def solve(given: Given, course: Course) -> Found:
     else:
         wanted = level(demand, of)
         sought = seek(asked, wanted)
+    _depends(given, sought)
     rates = _rates(given, sought.roots, asked, demand.best is not None)
     chosen, within = _chosen(given, sought, wanted)
     return Found(given, of, wanted, sought, rates, chosen, len(asked.answers), asking.reason, within)
@@ -124,6 +126,17 @@ class _Asking:
             else:
                 found[k] = self.target.number(answer)
         return found
+
+
+def _depends(given: Given, sought: Sought) -> None:
+    """Raises ProblemError where the number is the same all over the range."""
+    sound = sought.f[np.isfinite(sought.f)]
+    if np.ptp(sound) > ALIKE * np.abs(sound).max():
+        return
+    text = N_("%(name)s does not depend on %(unknown)s: it is %(value)s all over the range")
+    told = {"name": given.demand.name, "unknown": given.unknown.name, "value": f"{sound[0]:.6g}"}
+    right = Message(N_("name another number of the results, or another unknown"))
+    raise ProblemError([mistake(text, given.demand.path, right, **told)])
 
 
 def _rates(given: Given, roots: Sequence[Root], asked: Asked, best: bool) -> tuple[float, ...]:

@@ -5,12 +5,13 @@ from __future__ import annotations
 import difflib
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from tmm_report.chapters.find.given import Demand
-from tmm_report.problems import N_, Message, ProblemError, mistake, shown
+from tmm_report.problems import N_, Message, Problem, ProblemError, mistake, shown
 from tmm_report.quantity.model import Column, Quantity, Table, Value
 from tmm_report.quantity.units import WrongValue, between
 from tmm_report.records import dataclass
@@ -25,12 +26,14 @@ NEAR = 0.5  # likeness of a name
 
 @dataclass(frozen=True)
 class Target:
-    """`key`: of the single number, or `table.column`; `pick`: of a column "max", "min" or the number of a row."""
+    """`key`: of the single number, or `table.column`; `pick`: of a column "max", "min" or the number of a row;
+    `table`: what its table shows."""
 
     chapter: str
     key: str
     quantity: Quantity
     pick: str = ""
+    table: Message | None = None
 
     def number(self, chapters: Iterable[Chapter]) -> float:
         """The number in the results of a variant; nan where they have none."""
@@ -87,10 +90,15 @@ def _in_table(demand: Demand, name: str, rest: str, chapters: Sequence[Chapter])
     if pick not in EXTREMES and not (pick.isdecimal() and int(pick) < len(table)):
         right = Message(N_("add .max, .min or the number of a row, 0 … %(last)s"), {"last": len(table) - 1})
         raise _wrong(N_("%(name)s is a column and not one number"), demand, right)
-    column = table[key]
-    if column.units or any(isinstance(one, str) for one in column.values):
+    column, quantity = table[key], table[key].quantity
+    if any(isinstance(one, str) for one in column.values):
         raise _wrong(N_("%(name)s is no number"), demand, Message(N_("name a number of the results")))
-    return Target(chapter, f"{name}.{key}", column.quantity, pick)
+    if column.units:
+        if pick in EXTREMES:
+            right = Message(N_("add the number of a row, 0 … %(last)s"), {"last": len(table) - 1})
+            raise _wrong(N_("the rows of %(name)s measure different things"), demand, right)
+        quantity = replace(quantity, unit=column.unit_of(int(pick)))
+    return Target(chapter, f"{name}.{key}", quantity, pick, table.meaning)
 
 
 def level(demand: Demand, of: Target) -> float:
@@ -100,9 +108,10 @@ def level(demand: Demand, of: Target) -> float:
     try:
         return demand.level * between(demand.unit, of.quantity.unit)
     except WrongValue as error:
-        raise ProblemError(
-            [mistake(error.wrong.text, demand.path, error.right, **error.wrong.values)]
-        ) from None
+        example = Message(
+            N_("write for example %(text)s"), {"text": f"{demand.level:g} {of.quantity.unit}".strip()}
+        )
+        raise ProblemError([Problem(error.wrong, error.right or example, demand.path)]) from None
 
 
 def _wrong(text: str, demand: Demand, right: Message | None) -> ProblemError:

@@ -43,7 +43,7 @@ def run(variant: Path, quantity: str, position: int | None, language: str | None
     heard, derivation = _derived(results, target, tr)
     own = position is None or bool(derivation.spoken)
     if not own:
-        results = solve(written_out(loaded, position))
+        results = solve(written_out(results.variant, position))
         target = find(results, quantity, position)
         heard, derivation = _derived(results, target, tr)
     told = Ways.of(results).told(target)

@@ -42,6 +42,8 @@ class Forces:
     def __post_init__(self) -> None:
         self.say: Any = room("kinetostatics", "quantities.positions")
         self.solver: Any = room("kinetostatics", "solve.positions")
+        self.lengths: Any = room("kinetostatics", "solve.lengths")
+        self.ties: Any = room("kinetostatics", "ties")
         self.state: State = self.poses.state()
         loads = self._loads()
         self._resultants(loads)
@@ -57,8 +59,10 @@ class Forces:
         inertia = {link: self._inertia(link, force) for link, force in right.inertia.items()}
         couples = {link: self._couple(link, couple) for link, couple in right.couples.items()}
         gravity = {link: self._stated(self.say.weight(link).key, f) for link, f in right.gravity.items()}
+        stated = zip(self.say.forces(given.forces), given.forces, right.forces, strict=True)
         forces = [
-            self._stated(of.key, f) for of, f in zip(self.say.forces(given.forces), right.forces, strict=True)
+            self._pulled(of.key, one, f) if isinstance(one, self.ties.End) else self._stated(of.key, f)
+            for of, one, f in stated
         ]
         moments = [
             self.sheet.number(of.key, f)
@@ -69,6 +73,28 @@ class Forces:
     def _stated(self, key: str, right: Array) -> Known:
         """A force that is given: the student's own, by components or along its right direction."""
         return self.sheet.vector(names(key), right)
+
+    def _pulled(self, key: str, end: Any, right: Array) -> Known:
+        """The force of a spring or damper on one of its points, by the student's places and velocities."""
+        motion, law = self._motion, self.lengths.law_of(end.tie, self.found.kinematics)
+        one, other = end.at, end.way.point
+        carriers = motion.linkage.carriers
+        apart = motion.place(other) - motion.place(one)
+        size = np.nanmax(np.abs(self.poses.motion.places))
+
+        def by_motion(slow: Array, fast: Array, _: Array) -> Array:
+            return self.lengths.along(self.lengths.between(apart, fast - slow, size), law)[0]
+
+        moving = tuple(sorted({carriers[one], carriers[other]} & set(motion.linkage.mechanism.moving)))
+        speeds = self.velocities.of(one), self.velocities.of(other)
+        return self.sheet.vector(
+            names(key), right, derived(right, by_motion, *speeds, self.poses.known(moving))
+        )
+
+    @property
+    def _motion(self) -> Any:
+        """At the student's places."""
+        return replace(self.poses.motion, state=self.state, _arms={})
 
     def _inertia(self, link: str, right: Array) -> Known:
         mass, centre = self.poses.link(link).mass, str(self.poses.link(link).mass_centre)
@@ -82,7 +108,7 @@ class Forces:
         return self.sheet.number(self.say.inertia_couple(link).key, right, by_rate)
 
     def _resultants(self, loads: Loads) -> None:
-        motion, given = replace(self.poses.motion, state=self.state, _arms={}), self.found.given
+        motion, given = self._motion, self.found.given
         self.rest = self.solver.resultants(given, motion, loads.values(self.found.table.loading))
         self.on = {link: [] for link in self.rest}
         for part in (loads.gravity, loads.inertia, loads.couples):

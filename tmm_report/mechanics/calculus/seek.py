@@ -25,6 +25,7 @@ VANISHES = 1e-10  # of the numbers about it: what is nearer to the level is at i
 SHRINKS = 1e-6  # of the ends of its bracket: a root's residual does, a jump's does not
 HALVED = 26  # times an interval at whose one end there is no value: 2e-10 of the range
 PEAKS = 8  # places of a least distance that are looked at closer
+BEST = 3  # the same where the greatest or least value is sought
 STEPS = 44  # of the golden section: 1e-11 of the range
 GOLDEN = (np.sqrt(5) - 1) / 2
 ROUNDING = 4e-16  # of the level
@@ -81,7 +82,8 @@ def seek(f: Function, level: float, parts: int = PARTS) -> Sought:
     x, values = asked.sampled()
     rest = values - level
     at = np.abs(rest) <= ROUNDING * abs(level)
-    roots = [Root(float(x[k]), float(values[k]), _same_sides(rest, int(k))) for k in np.flatnonzero(at)]
+    met = np.flatnonzero(_ends_of_runs(at))
+    roots = [Root(float(x[k]), float(values[k]), _same_sides(rest, int(k))) for k in met]
     brackets = [(x[k], x[k + 1]) for k in np.flatnonzero(_unlike(rest, at))]
     for low, high, turned in _turns(asked, x, rest, at, level):
         value = float(asked(np.array([turned]))[0])
@@ -94,6 +96,12 @@ def seek(f: Function, level: float, parts: int = PARTS) -> Sought:
     return Sought(
         x, values, tuple(sorted([*roots, *found])), tuple(jumps), _lost(x, values), _nearest(x, values, level)
     )
+
+
+def _ends_of_runs(at: Array) -> Array:
+    """Of neighbouring places that all are at the level the first and the last."""
+    held = np.concatenate([[False], at, [False]])
+    return at & ~(held[:-2] & held[2:])
 
 
 def _same_sides(rest: Array, k: int) -> bool:
@@ -221,7 +229,7 @@ def best(f: Function, kind: Literal["greatest", "least"], parts: int = PARTS) ->
     k = np.arange(x.size)
     before, after = size[np.maximum(k - 1, 0)], size[np.minimum(k + 1, x.size - 1)]
     turns = k[(size <= before) & (size <= after) & np.isfinite(size)]
-    turns = turns[np.argsort(size[turns], kind="stable")][:PEAKS]
+    turns = turns[np.argsort(size[turns], kind="stable")][:BEST]
     low, high = x[np.maximum(turns - 1, 0)], x[np.minimum(turns + 1, x.size - 1)]
     _least(lambda t: sign * asked(t), low, high)
     x, values = asked.sampled()

@@ -14,7 +14,7 @@ from conftest import examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tmm_report import course
+from tmm_report import course, render, stack
 from tmm_report.chapters.lever.kinetostatics.solve import acting_exact
 from tmm_report.chapters.lever.kinetostatics.solve.positions import solve
 from tmm_report.mechanics.lever.cycle import Cycle
@@ -283,3 +283,65 @@ def test_a_cycle_alone_and_in_a_batch():
     assert again.table.balancing == pytest.approx(found.table.balancing, abs=0)
     low, high = found.extremes
     assert low.value <= found.diagram.balancing.min() and high.value >= found.diagram.balancing.max()
+
+
+def test_many_variants_together_are_each_as_alone():
+    texts = [
+        USUAL + LOADS.replace("free_length: 180 mm", f"preload: {50 + 10 * k} N, at_position: {k}")
+        for k in range(stack.LEAST)
+    ]
+    variants = [course.loads(text) for text in texts]
+    for variant, found in zip(variants, stack.solve_many(variants), strict=True):
+        alone = course.solve(variant).lever.kinetostatics
+        assert found.lever.kinetostatics.table.balancing.tobytes() == alone.table.balancing.tobytes()
+
+
+RUNNING = """dynamics:
+  motor: {constant: 40 N*m}
+  resistance: [{viscous: 2 N*m*s}]
+"""
+
+
+def test_springs_in_the_machine_in_motion_have_their_potential():
+    """By the force analysis the moment, by the lengths the energy: over a cycle it takes no work, and −dV/dφ is it."""
+    found = course.solve(course.loads(USUAL + SPRINGS + RUNNING)).dynamics
+    springs = [moment for of, moment in found.whole.machine.moments if of.key.startswith("F_c")]
+    panels = found.whole.panels
+    assert len(springs) == 2 and all(np.abs(moment).max() > 1 for moment in springs)
+    assert abs(float(panels.mean(sum(springs)))) < 1e-9 * np.abs(sum(springs)).max()
+    assert -panels.slope(found.whole.potential) == pytest.approx(
+        sum(springs), abs=1e-7 * np.abs(sum(springs)).max()
+    )
+
+
+FLYWHEEL = "flywheel: {delta: 0.02}\n"
+KINDS = {
+    "springs": SPRINGS,
+    "dampers": "  gravity: 0\n  dampers:" + DAMPERS,
+    "flywheel": LOADS + FLYWHEEL,
+    "turns": LOADS.replace("gravity: 0", "gravity: 9.81"),
+    "instants": LOADS + "positions: {table: 12, at: [40 deg, 100 deg]}\n",
+    "methods": LOADS + "methods: true\n",
+}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_note_is_written(kind):
+    text = USUAL.replace("speed: 120 rpm", "speed: 120 rpm, turns: 2") if kind == "turns" else USUAL
+    results = course.solve(course.loads(text + KINDS[kind]))
+    for language, words in (("en", "Springs and dampers"), ("ru", "Пружины и демпферы")):
+        assert words in render(results, "html", language)["note.html"].decode()
+
+
+def test_the_note_says_where_the_points_meet():
+    text = SLIDER.replace("K: [300 mm, 0]", "K: [400 mm, 0]")
+    note = render(course.solve(course.loads(text)), "html")["note.html"].decode()
+    assert "two points meet" in note
+
+
+def test_a_flywheel_takes_the_work_of_dampers():
+    found = course.solve(course.loads(USUAL + "  gravity: 0\n  dampers:" + DAMPERS + FLYWHEEL))
+    whole = found.lever.kinetostatics.works.balancing.whole
+    assert found.flywheel.sides.machine.panels.mean(
+        found.flywheel.sides.machine.whole_moment
+    ) * 2 * np.pi == (pytest.approx(-whole, rel=1e-9))

@@ -81,7 +81,7 @@ class Spring(Tie):
             wrong = Message(
                 N_("at_length and at_position say where a spring has its preload, one of them is enough")
             )
-            raise WrongValue(wrong, Message(N_("{preload: 150 N, at_length: 260 mm}")))
+            raise WrongValue(wrong, Message(N_("one of them, as in {preload: 150 N, at_length: 260 mm}")))
 
     @property
     def free(self) -> float | None:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from tmm_report.chapters.lever.kinetostatics.solve.lengths import energy, ties_of
 from tmm_report.chapters.lever.moving import Machine, Moving, machine
 from tmm_report.chapters.machine.dynamics import refusals
 from tmm_report.chapters.machine.dynamics.given import Given, Part, Spring, Supply
@@ -126,7 +127,7 @@ def whole(given: Given, moving: Moving | None, bends: Sequence[float] = ()) -> W
     acting = [*_loads(of, over), *_of_parts(parts, over, given.gravity)]
     acting += [*_springs(given, of, over), *_laws(given, over)]
     pull = moving.forces.given.gravity if moving and moving.forces else 0j
-    potential = _of_links(of, over, pull) + _potential(given, of, over)
+    potential = _of_links(of, over, pull) + _potential(given, of, over) + _tied(moving, of, over)
     unloaded = None if idle is None else -idle.panels.at(idle.moment, over.x)
     found = Whole(given, of, over, parts, inertia + added, slope, tuple(acting), potential, unloaded=unloaded)
     if of is None or given.motor is not None:
@@ -195,7 +196,9 @@ def _acting(key: str, law: Characteristic, sign: float, over: Panels, reverse: b
 
 def _loads(of: Machine | None, over: Panels) -> Iterator[tuple[str, Acting]]:
     for load, values in of.moments if of else ():
-        kind = WEIGHT if load.key.startswith("G_") else WORK
+        kind = (
+            WEIGHT if load.key.startswith(("G_", "F_")) else WORK
+        )  # springs between points are F_c1, F_c2, …
         yield kind, Acting(load.key, values=_moved(of, over, values))  # type: ignore[arg-type]
     if of is not None and of.friction is not None and of.friction.moment is not None:
         yield RUBBING, Acting(PAIRS, values=_moved(of, over, of.rubbing))
@@ -257,6 +260,14 @@ def _of_links(of: Machine | None, over: Panels, pull: complex) -> Array:
             height = -dot(of.motion.place(link.mass_centre), pull) * np.ones(of.motion.shape)
             total = total + link.mass * _moved(of, over, height.reshape(of.panels.shape))
     return total
+
+
+def _tied(moving: Moving | None, of: Machine | None, over: Panels) -> Array:
+    """Potential of the springs among the loads of the mechanism, by their lengths."""
+    if moving is None or moving.forces is None or of is None:
+        return np.zeros(over.shape)
+    found = [energy(end, moving.kinematics, of.motion) for end in ties_of(moving.forces.given)]
+    return sum((_moved(of, over, one.reshape(of.panels.shape)) for one in found), np.zeros(over.shape))
 
 
 def _potential(given: Given, of: Machine | None, over: Panels) -> Array:

@@ -36,7 +36,7 @@ def _of_tie(tie: Tie, path: Path, known: Names, read: Read) -> Iterator[Problem]
         text = N_(
             "a damper goes by the speed, which dynamics looks for: its force is known for the stated speed alone"
         )
-        right = Message(N_("resistances: [{viscous: …}] in dynamics, or without the block dynamics"))
+        right = Message(N_("resistance: [{viscous: …}] in dynamics, or without the block dynamics"))
         yield mistake(text, path, right)
 
 

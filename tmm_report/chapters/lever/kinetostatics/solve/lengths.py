@@ -31,10 +31,17 @@ class Line(NamedTuple):
 
 
 def line(one: str, other: str, motion: Motion) -> Line:
-    """l = |r_B − r_A|, l′ = (v_B − v_A)·e with e = (r_B − r_A)/l."""
-    apart_, speed = motion.place(other) - motion.place(one), motion.velocity(other) - motion.velocity(one)
+    """From a point to another."""
+    speed = motion.velocity(other) - motion.velocity(one)
+    return between(
+        motion.place(other) - motion.place(one), speed, np.nanmax(np.abs(motion.places), initial=0.0)
+    )
+
+
+def between(apart_: Array, speed: Array, size: float) -> Line:
+    """l = |r_B − r_A|, l′ = (v_B − v_A)·e with e = (r_B − r_A)/l; `size`: of the mechanism, m."""
     length = np.abs(apart_)
-    met = length <= MET * np.nanmax(np.abs(motion.places), initial=0.0)
+    met = length <= MET * size
     way = np.where(met, NOWHERE, apart_ / np.where(met, 1.0, length))
     return Line(length, dot(way, speed), way)
 
@@ -54,10 +61,22 @@ def argument(of: Line, law: Law) -> Array:
 
 def pulled(end: End, kinematics: Kinematics, motion: Motion) -> tuple[Array, Array]:
     """The force on an end, (..., P), and how much of it draws it to the other point, N."""
-    law, of = law_of(end.tie, kinematics), line(end.at, end.way.point, motion)
+    return along(line(end.at, end.way.point, motion), law_of(end.tie, kinematics))
+
+
+def along(of: Line, law: Law) -> tuple[Array, Array]:
+    """The force on the first point of a line, and how much of it draws it to the second, N."""
     size = law.value(argument(of, law))
     size = np.where(np.isnan(of.way), np.nan, size)
     return size * of.way, size
+
+
+def energy(end: End, kinematics: Kinematics, motion: Motion) -> Array:
+    """Potential of a spring, c (l − l₀)²/2, J, (..., P); of a damper there is none."""
+    law, of = law_of(end.tie, kinematics), line(*end.tie.between, motion)
+    if not isinstance(law, ByLength):
+        return np.zeros(motion.shape)
+    return np.broadcast_to(law.stiffness * (of.length - law.free) ** 2 / 2, motion.shape)
 
 
 def ties_of(given: Loads) -> list[End]:

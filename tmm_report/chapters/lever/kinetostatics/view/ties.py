@@ -88,6 +88,8 @@ class TiesView(BookView):
 
     def free(self) -> list[Formula]:
         """Free lengths of the springs that are stated by a preload."""
+        if not self.springs:
+            return []
         table = self.table("springs")
         loaded = [k for k, end in enumerate(self.springs) if end.tie.preload is not None]  # type: ignore[attr-defined]
         return [
