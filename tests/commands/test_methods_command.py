@@ -7,6 +7,7 @@ import io
 import json
 import re
 from functools import cache
+from pathlib import Path
 
 import pytest
 from conftest import read
@@ -16,6 +17,7 @@ from typer.testing import CliRunner
 from tmm_report.cli import app
 from tmm_report.mechanics.rivals.motion.every import MOTIONS
 
+STATEMENTS = Path(__file__).parents[1] / "statements"
 ENVIRONMENT = {"LANG": "C", "LC_ALL": "C"}
 
 
@@ -149,3 +151,13 @@ def test_a_mistake_of_the_variant_has_its_line(tmp_path):
 def test_what_is_stated_of_methods_does_not_change_what_is_compared():
     """The closed form is measured even where the variant takes another method."""
     assert read("grain_screen").lever.way is not None
+
+
+@pytest.mark.parametrize("name", ["rocker_by_law", "slider_drives"])
+def test_a_law_of_the_driving_link_is_refused_in_words(name):
+    done = run(STATEMENTS / f"{name}.yaml", "--lang", "en")
+    assert (
+        done.exit_code == 2
+        and "uniformly turning driving link" in done.output
+        and "mechanism.driver" in done.output
+    )

@@ -8,6 +8,7 @@ from random import Random
 from typing import Any
 
 from benchmarks.fuzz.generated.geared import coupled_cranks, racked_slider
+from benchmarks.fuzz.generated.strokes import lifted_boom, pushed_crank
 from benchmarks.fuzz.generated.synthesised import SYNTHESES
 from benchmarks.fuzz.generated.walk import Names, Walk
 
@@ -243,6 +244,8 @@ SCHEMES: tuple[Callable[[Random], tuple[Data, Data]], ...] = (
     alone,
     coupled_cranks,
     racked_slider,
+    pushed_crank,
+    lifted_boom,
     *SYNTHESES,
 )
 
@@ -258,7 +261,9 @@ def mechanism(walk: Walk) -> tuple[Data, Names]:
     for name, link in data["links"].items():
         _massive(name, link, walk)
     driver = walk.part("DriverModel")
-    for key in ("link", "range", "zero", "gear", "turns"):
+    if "stroke" in data["driver"]:
+        driver = {}
+    for key in ("link", "slider", "cylinder", "stroke", "range", "zero", "gear", "turns"):
         kept = driver.pop(key, None)
         if kept is not None and key == "turns" and "range" not in data["driver"]:
             driver["turns"] = random.randint(1, 4) if random.random() < 0.3 else 2
@@ -279,7 +284,8 @@ def mechanism(walk: Walk) -> tuple[Data, Names]:
     names = _names(data, axes)
     law = data["driver"].get("law", {})
     ends = law.get("angles", [["", "0 deg"]])[-1][1]
-    open_ended = "acceleration" in law or "polynomial" in law or ends == "140 deg"
+    goes_on = "stroke" in data["driver"] and not {"harmonic", "phases"} & set(data["driver"]["stroke"])
+    open_ended = goes_on or "acceleration" in law or "polynomial" in law or ends == "140 deg"
     names.turns, names.partial = data["driver"].get("turns", 1), "range" in data["driver"] or open_ended
     return data, names
 

@@ -131,6 +131,8 @@ def _fits(data: Any, schema: Schema) -> bool:
             schema.get("properties"),
             schema.get("patternProperties") or schema.get("additionalProperties"),
         )
+        if set(schema) == {"required"}:  # which keys there must be, and no more
+            return set(schema["required"]) <= set(data)
         if keys is None:
             return bool(names)
         constant = all(data.get(key) == one["const"] for key, one in keys.items() if "const" in one)

@@ -88,6 +88,7 @@ def variant(seed: str) -> dict[str, Any]:
         and data.get("drive", {}).get("output") != "other"
         and "mechanism" in data
         and "drive" in data
+        and "stroke" not in data["mechanism"]["driver"]
     ):
         data["mechanism"]["driver"]["speed"] = "drive"
         data["mechanism"]["driver"].pop("period", None)
@@ -137,16 +138,24 @@ def _shared(loads: dict[str, Any]) -> None:
             taken[name] = {way: [[0, 0.2], *stated[way][1:-1], [1, 0.9]] for way in ("forward", "back")}
     if taken:
         loads["curves"] = {
-            name: {way: [[x, min(abs(float(y)), 1)] for x, y in points] for way, points in curve.items()}
+            name: {way: [[x, _part(y)] for x, y in points] for way, points in curve.items()}
             for name, curve in taken.items()
         }
+
+
+def _part(value: Any) -> float:
+    """Of the greatest value; an odd text is all of it."""
+    try:
+        return min(abs(float(value)), 1)
+    except ValueError:
+        return 1
 
 
 def _agreed(data: dict[str, Any]) -> None:
     """What asks for loads has some, what asks for masses is there with masses."""
     if "loads" in data:
         _shared(data["loads"])
-    if "law" in data["mechanism"]["driver"] and "at" in data.get("positions", {}):
+    if {"law", "stroke"} & set(data["mechanism"]["driver"]) and "at" in data.get("positions", {}):
         data["positions"]["at"] = ["0.05 s"] if len(data["positions"]["at"]) % 2 else ["0.02 s", "0.1 s"]
     massive = any("mass" in link for link in data["mechanism"]["links"].values())
     if "cams" in data["mechanism"]:
@@ -160,7 +169,7 @@ def _agreed(data: dict[str, Any]) -> None:
         if not loads.get("forces") and not loads.get("moments"):
             pairs = [["0 deg", "4 N*m"], ["120 deg", "30 N*m"], ["360 deg", "4 N*m"]]
             loads["moments"] = [{"on": "1", "direction": "against motion", "by_angle": pairs}]
-    if "law" in data["mechanism"]["driver"]:
+    if {"law", "stroke"} & set(data["mechanism"]["driver"]):
         for name in UNIFORM:
             data.pop(name, None)
     if "range" in data["mechanism"]["driver"]:

@@ -48,6 +48,7 @@ def run(
     loaded = load(variant)
     tr = translator(loaded, language)
     talk.speak(tr.language)
+    _uniform(loaded)
     results = _solved(loaded)
     own = stated if stated is not None or loaded.lever is None else loaded.lever.accuracy
     talk.stage(Message(N_("measuring the methods")))
@@ -66,6 +67,17 @@ def run(
     talk.tell(written(*(folder / name for name in files)))
     tell_changed(folder, changed, talk)
     return True
+
+
+def _uniform(variant: Variant) -> None:
+    """The methods are compared of a uniformly turning driving link. Raises ProblemError for another."""
+    if variant.lever is not None and variant.lever.mechanism.driver.law is not None:
+        told = {"key": "tmm-report methods"}
+        wrong = Message(
+            N_("%(key)s reckons with a uniformly turning driving link, and a law is stated"), told
+        )
+        right = Message(N_("a variant whose driver has a speed, for the same lengths"))
+        raise ProblemError([locate(Problem(wrong, right, ("mechanism", "driver")), variant)])
 
 
 def _solved(variant: Variant) -> Results:
