@@ -40,6 +40,8 @@ LOADED = ("tests/statements",)
 SPRUNG = "sprung_screen"
 TIED = ("tests/chapters/lever/kinetostatics/test_springs_and_dampers.py",)
 EXPLAINED = ("tests/commands/test_explain_all.py",)
+DRIVEN, LIFTED = "slider_drives", "boom_by_cylinder"
+PUSHED = ("tests/mechanics/lever/driving", "tests/chapters/lever/test_strokes.py", "tests/statements")
 WHEELS = ("tests/mechanics/lever/test_wheels.py",)
 TOLD = ("tests/chapters/lever/synthesis",)
 FIND = "tmm_report/chapters/find/"
@@ -370,6 +372,26 @@ FAULTS = (
           "taken.get(point, FRAME) for point in end.tie.between[::-1]", SPRUNG, TIED),
     Fault("the length under the preload printed for the free one", STATICS + "view/ties.py",
           'self.page.cell(table, "l_0", row, unit="mm"), NONE', 'self.page.cell(table, "c", row), NONE', SPRUNG),
+    Fault("the other side of a driving triangle", MECHANICS + "lever/driving/stroke.py",
+          "base + self.side * np.arccos", "base - self.side * np.arccos", DRIVEN, PUSHED),
+    Fault("a driving slider moves against its law", MECHANICS + "lever/driving/stroke.py",
+          "self.start + self.way * np.asarray(s, dtype=float)", "self.start - self.way * np.asarray(s, dtype=float)",
+          DRIVEN, PUSHED),
+    Fault("the turning of a driving rod left out of the acceleration", MECHANICS + "lever/driving/stroke.py",
+          "d * grows * a - np.abs(turned) ** 2", "d * grows * a", DRIVEN, PUSHED),
+    Fault("the speed of a cylinder left out of the acceleration", MECHANICS + "lever/driving/stroke.py",
+          "(grows * v) ** 2 + d * grows * a", "d * grows * a", LIFTED, PUSHED),
+    Fault("the acceleration of a driving slider without its guide", MECHANICS + "lever/driving/stroke.py",
+          "+ dot(c, self.way * a)) / arm", ") / arm", DRIVEN, PUSHED),
+    Fault("the force of a cylinder by the stroke, not by the angle", STATICS + "quantities/driving_stroke.py",
+          "yield BY_POWER.column(solved.power * transfer)", "yield BY_POWER.column(solved.power / transfer)",
+          LIFTED, PUSHED),
+    Fault("the force along the stroke by the power printed for the lever's", STATICS + "quantities/driving_stroke.py",
+          "BY_LEVER.column(solved.lever * transfer)", "BY_LEVER.column(solved.lever)", LIFTED, PUSHED),
+    Fault("the least force along the stroke called the greatest", STATICS + "quantities/driving_stroke.py",
+          'zip(extremes(found), ("min", "max")', 'zip(extremes(found)[::-1], ("min", "max")', LIFTED, PUSHED),
+    Fault("the way over a piece of constant acceleration by its first speed", MECHANICS + "calculus/motion_laws.py",
+          "(v[:-1] + a * durations / 2) * durations", "v[:-1] * durations", LIFTED, PUSHED),
     Fault("satellites' meshes inside and outside swapped", ECCENTRIC + "solve/motion.py",
           "Mesh(body.name, RING, CARRIER, internal=True)", "Mesh(body.name, RING, CARRIER)", "eccentric"),
     Fault("teeth of a mesh turned", SPUR + "solve/mesh.py",

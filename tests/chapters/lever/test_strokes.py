@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 from tmm_report import course
+from tmm_report.chapters.lever.kinetostatics.quantities import tables as kinetostatics_tables
+from tmm_report.chapters.lever.kinetostatics.quantities import values as kinetostatics_values
 from tmm_report.mechanics.calculus.vectors import cross, dot
 from tmm_report.problems import ProblemError
 
@@ -171,3 +173,21 @@ def test_a_slider_in_a_slot_is_refused():
     )
     with pytest.raises(ProblemError, match="no rod joins slider 3"):
         course.loads(slotted)
+
+
+@pytest.mark.parametrize("text", [SLIDER, TIPPER])
+def test_the_tables_of_the_force_say_one_number_three_times_and_the_extremes_bound_it(text):
+    lever = solved(text)
+    tables = {table.name: table for table in kinetostatics_tables(lever.kinetostatics)}
+    found = {column.key: np.array(column.values, float) for column in tables["drive_table"].columns}
+    for other in ("F_lever", "F_power"):
+        known = np.isfinite(found[other])  # at rest a power says nothing of a force
+        assert known.sum() > 15
+        assert found[other][known] == pytest.approx(found["F_stroke"][known], rel=1e-9)
+    drawn = {column.key: np.array(column.values, float) for column in tables["drive_diagram"].columns}[
+        "F_stroke"
+    ]
+    ends = {value.key: value.value for value in kinetostatics_values(lever.kinetostatics)}
+    least, greatest = ends["F_stroke_min"], ends["F_stroke_max"]
+    near = 0.01 * (greatest - least)
+    assert least - 1e-9 < drawn.min() < least + near and greatest - near < drawn.max() < greatest + 1e-9
