@@ -39,10 +39,6 @@ LAG = Quantity(
 )
 
 
-def stroke_of(found: Kinematics) -> Stroke | None:
-    return found.linkage.mechanism.driver.stroke
-
-
 def of(stroke: Stroke) -> Quantity:
     """The stroke itself."""
     return PLACE if stroke.slides else LENGTH
@@ -128,7 +124,7 @@ TRANSFER = Quantity(
 
 def tables(found: Kinematics) -> Iterator[Table]:
     """At the table and at the diagram positions, and at the instants that are asked for."""
-    stroke = stroke_of(found)
+    stroke = found.stroke
     if stroke is None:
         return
     for name, motion, turned in (
@@ -162,7 +158,7 @@ def _columns(stroke: Stroke, motion: Motion) -> Iterator[Column]:
 
 
 def values(found: Kinematics) -> Iterator[Value]:
-    stroke = stroke_of(found)
+    stroke = found.stroke
     if stroke is None:
         return
     yield arm(stroke).value(stroke.crank)

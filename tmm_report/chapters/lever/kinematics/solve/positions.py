@@ -28,7 +28,8 @@ from tmm_report.mechanics.lever.vector_equations import named_values
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.records import dataclass
 
-if TYPE_CHECKING:  # loaded only for a variant that states a method
+if TYPE_CHECKING:  # loaded only for a variant that states a stroke or a method
+    from tmm_report.mechanics.lever.driving.stroke import Stroke
     from tmm_report.mechanics.rivals.choice import Choice
 
 Array = Any
@@ -62,6 +63,11 @@ class Kinematics:
     def numbered(self) -> int:
         """How many positions are numbered under a diagram over the cycle: none where it is not closed."""
         return self.positions.table if self.cycle.closed else 0
+
+    @property
+    def stroke(self) -> Stroke | None:
+        """What drives, where that is a slider or a cylinder."""
+        return self.linkage.mechanism.driver.stroke
 
     @cached_property
     def asked(self) -> Motion | None:

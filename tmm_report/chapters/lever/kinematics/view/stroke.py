@@ -21,7 +21,7 @@ from tmm_report.report.paper.layout import Table, numeric
 class StrokeView(DrivingView):
     def __init__(self, found: Kinematics, position: int, page: Page):
         super().__init__(found, position, page)
-        stroke = q.stroke_of(found)
+        stroke = found.stroke
         assert stroke is not None
         self.stroke = stroke
         self.pivot, self.pin, self.far = stroke.names

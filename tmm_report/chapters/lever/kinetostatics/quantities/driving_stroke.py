@@ -11,7 +11,6 @@ import numpy as np
 from tmm_report.chapters.lever.kinematics.quantities import where
 from tmm_report.chapters.lever.kinematics.solve.analogues import time
 from tmm_report.chapters.lever.kinematics.solve.points_and_links import along
-from tmm_report.chapters.lever.kinematics.stroke import stroke_of
 from tmm_report.mechanics.lever.cycle import Extreme, least_and_greatest
 from tmm_report.mechanics.lever.driving.stroke import Stroke
 from tmm_report.mechanics.lever.extremes import peaks
@@ -35,7 +34,7 @@ BY_POWER = replace(
 
 
 def tables(found: Kinetostatics) -> Iterator[Table]:
-    stroke = stroke_of(found.kinematics)
+    stroke = found.kinematics.stroke
     if stroke is None:
         return
     for name, solved in (("table", found.table), ("diagram", found.diagram)):
@@ -56,7 +55,7 @@ def _columns(stroke: Stroke, solved: Solved) -> Iterator[Column]:
 
 def values(found: Kinetostatics) -> Iterator[Value]:
     """The least and the greatest force: where the moment has extremes."""
-    if stroke_of(found.kinematics) is None:
+    if found.kinematics.stroke is None:
         return
     texts = (N_("least balancing force along the stroke"), N_("greatest balancing force along the stroke"))
     for end, key, text in zip(extremes(found), ("min", "max"), texts, strict=True):

@@ -8,7 +8,6 @@ from typing import Any
 from markupsafe import Markup
 
 from tmm_report.chapters.lever.kinematics import quantities as motion
-from tmm_report.chapters.lever.kinematics import stroke as driving
 from tmm_report.chapters.lever.kinetostatics.quantities import driving_stroke as force
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as q
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
@@ -22,7 +21,7 @@ from tmm_report.report.part import Part
 
 
 def parts(found: Kinetostatics, position: int, page: Page) -> Iterator[Part]:
-    if driving.stroke_of(found.kinematics) is not None:
+    if found.kinematics.stroke is not None:
         yield Part("lever/kinetostatics/stroke", StrokeForceView(found, position, page))
 
 
@@ -31,7 +30,7 @@ class StrokeForceView(BookView):
         super().__init__(page, page.once(q.book, found))
         self.found, self.position = found, position
         self.motion = BookView(page, page.once(motion.book, found.kinematics))
-        stroke = driving.stroke_of(found.kinematics)
+        stroke = found.kinematics.stroke
         assert stroke is not None
         self.stroke = stroke
 
