@@ -345,3 +345,11 @@ def test_a_flywheel_takes_the_work_of_dampers():
     assert found.flywheel.sides.machine.panels.mean(
         found.flywheel.sides.machine.whole_moment
     ) * 2 * np.pi == (pytest.approx(-whole, rel=1e-9))
+
+
+@pytest.mark.parametrize(("at", "told"), [("E", True), ("B", False)])
+def test_a_spring_that_is_also_stated_of_the_machine_in_motion_is_doubted(at, told):
+    spring = f"springs: [{{at: {at}, to: [600 mm, 300 mm], stiffness: 2 kN/m, length: 180 mm}}]"
+    text = f"{USUAL}{LOADS.split('  dampers:')[0]}dynamics: {{{spring}, start: {{time: 0.1 s}}}}\n"
+    said = [problem.text(str) for problem in course.loads(text).doubts]
+    assert any("state it once, in loads.springs" in one for one in said) is told

@@ -14,7 +14,7 @@ from tmm_report.chapters.machine.dynamics.block.motors import motor, resistance
 from tmm_report.chapters.machine.dynamics.given import Given as Stated
 from tmm_report.chapters.machine.dynamics.given import Part
 from tmm_report.mechanics.calculus.laws import ByAngle
-from tmm_report.problems import Problem
+from tmm_report.problems import N_, Message, Problem, doubt
 from tmm_report.variant import model
 from tmm_report.variant.model import Read
 
@@ -84,3 +84,15 @@ def mistakes(read: Read) -> Iterator[Problem]:
     written = read.block(Block).dynamics
     if written is not None:
         yield from check(written, read)
+
+
+def doubts(read: Read) -> Iterator[Problem]:
+    """A spring that stands among the loads of the mechanism, too, is there twice: those act in the machine in motion."""
+    written = read.block(Block).dynamics
+    loads = read.data.get("loads") or {}
+    held = {str(point) for one in loads.get("springs") or () for point in one["between"]}
+    for k, one in enumerate(written.springs if written is not None else ()):
+        if one.at is not None and one.at in held:
+            text = N_("a spring at %(point)s stands among the loads, too, and both act in the machine in motion")
+            right = Message(N_("where it is the same spring, state it once, in loads.springs"))
+            yield doubt(text, ("dynamics", "springs", k, "at"), right, point=one.at)
