@@ -168,10 +168,8 @@ def test_a_run_that_is_killed_goes_on_and_ends_with_the_same_bytes(thirty, tmp_p
 
 @pytest.mark.exhaustive
 @POSIX
-def test_ctrl_c_says_how_to_go_on(tmp_path):
-    """So many that a machine that is busy elsewhere has not solved them all before it is stopped."""
-    many_more = write(tmp_path / "many", **{f"v{k:03}": student(f"S{k}") for k in range(120)})
-    running = started(tmp_path, many_more, tmp_path / "out")
+def test_ctrl_c_says_how_to_go_on(thirty, tmp_path):
+    running = started(tmp_path, thirty, tmp_path / "out")
     journal = tmp_path / "out" / "journal.jsonl"
     end = time.monotonic() + 60
     while not (journal.exists() and journal.stat().st_size):
@@ -182,8 +180,8 @@ def test_ctrl_c_says_how_to_go_on(tmp_path):
     assert running.returncode != 0 and said.decode().count("Traceback") == 1
     done = len(list(read(journal)))
     assert done > 0
-    batch([many_more], tmp_path / "out", resume=True)
-    batch([many_more], tmp_path / "undisturbed")
+    batch([thirty], tmp_path / "out", resume=True)
+    batch([thirty], tmp_path / "undisturbed")
     assert tree(tmp_path / "out") == tree(tmp_path / "undisturbed")
 
 

@@ -87,12 +87,14 @@ def mistakes(read: Read) -> Iterator[Problem]:
 
 
 def doubts(read: Read) -> Iterator[Problem]:
-    """A spring that stands among the loads of the mechanism, too, is there twice: those act in the machine in motion."""
+    """A spring that stands among the loads, too, is there twice: those act in the machine in motion."""
     written = read.block(Block).dynamics
     loads = read.data.get("loads") or {}
     held = {str(point) for one in loads.get("springs") or () for point in one["between"]}
     for k, one in enumerate(written.springs if written is not None else ()):
         if one.at is not None and one.at in held:
-            text = N_("a spring at %(point)s stands among the loads, too, and both act in the machine in motion")
+            text = N_(
+                "a spring at %(point)s stands among the loads, too, and both act in the machine in motion"
+            )
             right = Message(N_("where it is the same spring, state it once, in loads.springs"))
             yield doubt(text, ("dynamics", "springs", k, "at"), right, point=one.at)
