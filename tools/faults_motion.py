@@ -112,7 +112,7 @@ FAULTS = (
           "return Swing(self.zero, curve.forward, curve.back, self.of)",
           "return Swing(self.zero, curve.back, curve.forward, self.of)", "uneven_crank", PARTS),
     Fault("instants by the time at half the speed", KIN + "solve/positions.py",
-          "value * omega if timed else value for value", "value * omega / 2 if timed else value for value",
+          "value * omega if by == \"time\" else value", "value * omega / 2 if by == \"time\" else value",
           "uneven_crank", INSTANTS),
     Fault("displacements at instants from nought", KIN + "quantities.py",
           "S - first(travel.output.coordinate(found.table))", "S", "uneven_crank", INSTANTS),

@@ -74,4 +74,4 @@ def test_instants(name):
         assert {key: table[key][row] for key in asked} == pytest.approx(asked, rel=DIGITS)
 
 
-BY_TIME = ("uneven_crank",)
+BY_TIME = ("uneven_crank", "slider_drives", "tipper_by_cylinder")

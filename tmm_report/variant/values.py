@@ -236,13 +236,13 @@ def _choice(value: object) -> int | complex | tuple[str, str, str]:
     raise WrongValue(wrong, Message(N_("right, left, up, down, +, -, left of A-C or right of A-C")))
 
 
-def _shape(value: object) -> str:
+def shape(value: object) -> str:
     return MAP if isinstance(value, dict | BaseModel) else LIST if isinstance(value, list | tuple) else SCALAR
 
 
 def by_shape(right: str) -> Discriminator:
     """Tells a union apart by the shape of what is written. `right`: what to write instead."""
-    return Discriminator(_shape, custom_error_type="shape", custom_error_message=right)
+    return Discriminator(shape, custom_error_type="shape", custom_error_message=right)
 
 
 def _ascending(pairs: Any) -> Any:

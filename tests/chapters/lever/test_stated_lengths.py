@@ -1,5 +1,6 @@
 """Lengths stated by other lengths: `S2: 0.4*l_AB`, `B: 0.25*l_OC`, sides of a triangle."""
 
+import cmath
 import json
 import math
 
@@ -138,3 +139,37 @@ def test_what_rests_on_a_broken_length_is_not_told_again():
         loads(text(crank="2*l_XY"))
     (problem,) = told.value.problems
     assert "XY" in str(problem.wrong) and problem.line == 5
+
+
+CORNERS = {
+    "{distance: 50 mm, angle: 30 deg}": 0.05 * cmath.exp(1j * math.pi / 6),
+    "{about: B, distance: 0.25*l_AB, angle: -90 deg}": 0.18 - 0.045j,
+    "{about: B, to: A, distance: 0.5*l_AB, angle: 150 deg}": 0.18 + 0.09 * cmath.exp(-1j * math.pi / 6),
+    "{about: S2, to: B, distance: 10 mm, angle: 90 deg}": 0.072 + 0.01j,
+}
+
+
+@pytest.mark.parametrize("corner", CORNERS)
+def test_a_point_by_a_distance_and_an_angle(corner):
+    """From the link's first point or another one; the angle from its x axis or from the way to another point."""
+    text = TEXT.format(language="en", **STATED | {"corner": corner})
+    assert loads(text).lever.mechanism.links["2"].points["E"] == pytest.approx(CORNERS[corner], abs=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("corner", "said", "key"),
+    [
+        ("{distance: 50 mm}", "the key angle is missing", "E.angle"),
+        ("{angle: 20 deg}", "the key distance is missing", "E.distance"),
+        ("{about: Q, distance: 5 mm, angle: 0}", "point Q is not placed on this link before", "E"),
+        ("{about: B, to: B, distance: 5 mm, angle: 0}", "from one point to another", "E"),
+        ("{distance: -5 mm, angle: 0}", "", "E.distance"),
+        ("{distance: 5 mm, angle: 5 mm}", "is a length", "E.angle"),
+    ],
+)
+def test_a_corner_that_is_wrong_is_said_with_its_key(corner, said, key):
+    with pytest.raises(ProblemError) as error:
+        loads(TEXT.format(language="en", **STATED | {"corner": corner}))
+    (problem,) = error.value.problems
+    assert said in problem.text()
+    assert problem.key.endswith(f"points.{key}")

@@ -12,10 +12,12 @@ from tmm_report.mechanics.calculus.vectors import cross, dot
 from tmm_report.problems import ProblemError
 
 STATEMENTS = Path(__file__).parents[2] / "statements"
-SLIDER = (STATEMENTS / "slider_drives.yaml").read_text("utf-8")
-TIPPER = (STATEMENTS / "tipper_by_cylinder.yaml").read_text("utf-8")
+SLIDER = (STATEMENTS / "slider_drives.yaml").read_text("utf-8").replace(", at: [0.60 m, 0.50 m, 0.35 m]", "")
+TIPPER = (
+    (STATEMENTS / "tipper_by_cylinder.yaml").read_text("utf-8").replace(", at: [0.2 s, 1.0 s, 3.0 s]", "")
+)
 UNIFORM = "{from: 0.35 m, to: 0.60 m, speed: 1.2 m/s}"
-RAMP = "{from: 1.10 m, accelerations: [[0.4 s, 0.375 m/s^2], [2.6 s, 0]]}"
+RAMP = "{from: 1.10 m, speed: 0.15 m/s, run_up: 0.4 s, time: 3.0 s}"
 
 
 def with_stroke(text, stroke):
@@ -113,7 +115,7 @@ REFUSED = {
     "said twice": (SLIDER.replace("{A: left", "{B: right, A: left"), "the stroke itself says", "assembly.B"),
     "beyond the triangle": (SLIDER.replace("to: 0.60 m", "to: 0.70 m"), "cannot go on", "driver.stroke"),
     "begins beyond": (SLIDER.replace("from: 0.35 m", "from: 0.70 m"), "cannot be assembled", "driver.stroke"),
-    "too long a cylinder": (TIPPER.replace("[2.6 s, 0]", "[20 s, 0]"), "cannot go on", "driver.stroke"),
+    "too long a cylinder": (TIPPER.replace("time: 3.0 s", "time: 20 s"), "cannot go on", "driver.stroke"),
     "no rod": (SLIDER.replace("slider: 3", "slider: 1"), "no guide of the frame", "driver.slider"),
     "unknown slider": (SLIDER.replace("slider: 3", "slider: 7"), "no link 7", "driver.slider"),
     "both ends fixed": (
@@ -148,6 +150,21 @@ REFUSED = {
         with_stroke(SLIDER, "{from: 0.35 m, to: 0.6 m, speed: 0.1 m/s, acceleration: -1 m/s^2}"),
         "never comes",
         "stroke",
+    ),
+    "no time to run up": (
+        with_stroke(SLIDER, "{from: 0.35 m, to: 0.36 m, speed: 1.2 m/s, run_up: 1 s}"),
+        "before the speed is run up to",
+        "stroke",
+    ),
+    "run up of an acceleration": (
+        with_stroke(SLIDER, "{from: 0.35 m, to: 0.5 m, acceleration: 1 m/s^2, run_up: 1 s}"),
+        "run_up is nothing of the law",
+        "stroke",
+    ),
+    "an instant beyond the stroke": (
+        SLIDER.replace("plans: [12]", "plans: [12], at: [0.7 m]"),
+        "it goes from 350 to 600 mm",
+        "positions.at.0",
     ),
     "no beginning": (with_stroke(SLIDER, "{to: 0.6 m, speed: 1 m/s}"), "needs the key from", "stroke"),
     "uniform rotation": (SLIDER + "reduction: true\n", "uniformly turning", "reduction"),
@@ -191,3 +208,36 @@ def test_the_tables_of_the_force_say_one_number_three_times_and_the_extremes_bou
     least, greatest = ends["F_stroke_min"], ends["F_stroke_max"]
     near = 0.01 * (greatest - least)
     assert least - 1e-9 < drawn.min() < least + near and greatest - near < drawn.max() < greatest + 1e-9
+
+
+def test_run_up_and_down_is_a_trapezoid():
+    """The distance is the area under the speed: v (T − t₁/2 − t₂/2); the same by stated accelerations."""
+    base = SLIDER.replace(UNIFORM, "{from: 0.35 m, STATED}")
+    stated = "to: 0.60 m, speed: 1.2 m/s, run_up: 0.05 s, run_down: 0.02 s"
+    law = course.loads(base.replace("STATED", stated)).lever.mechanism.driver.stroke.law
+    assert law.period == pytest.approx(0.25 / 1.2 + 0.035, rel=1e-15)
+    assert float(law.at(np.array([law.period]))[0][0]) == pytest.approx(0.60, rel=1e-15)
+    pieces = "accelerations: [[0.05 s, 24 m/s^2], [%r s, 0], [0.02 s, -60 m/s^2]]" % (law.period - 0.07)
+    other = course.loads(base.replace("STATED", pieces)).lever.mechanism.driver.stroke.law
+    t = np.linspace(0, law.period, 301)
+    for one, two in zip(law.at(t), other.at(t), strict=True):
+        assert one == pytest.approx(two, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    "stated",
+    [
+        "{from: 0.35 m, to: 0.60 m, speed: 1.2 m/s}",
+        "{from: 0.45 m, harmonic: {amplitude: 80 mm, frequency: 3 rad/s}}",
+    ],
+)
+def test_instants_by_the_stroke(stated):
+    """At 0.50 m, as often as the stroke comes there: once, or forth and back."""
+    text = SLIDER.replace(UNIFORM, stated).replace("plans: [12]", "plans: [12], at: [0.50 m]")
+    law = (found := course.solve(course.loads(text)).lever).kinematics.linkage.mechanism.driver.stroke.law
+    times = found.kinematics.instants * law.period / (2 * np.pi)
+    dense = np.linspace(0, law.period, 199_999)
+    crossings = np.flatnonzero(np.diff(np.sign(law.at(dense)[0] - 0.5)))
+    assert len(times) == len(crossings) == (1 if "speed" in stated else 2)
+    assert times == pytest.approx(dense[crossings], abs=2 * law.period / 199_998)
+    assert law.at(times)[0] == pytest.approx(0.5, abs=1e-12)

@@ -91,6 +91,16 @@ class MotionLaw:
         """Times between `low` and `high` at which it comes to the `level`, below or above which it is at `low`."""
         return bracketed(lambda t: self.at(t)[0] - level, low, high, starts, np.zeros(1))[0]
 
+    def times_at(self, place: float) -> Array:
+        """Times, ascending, s, at which it comes to a place, m or rad; where it rests there, at the first."""
+        t = np.union1d(self._sampled[0], self.stops)
+        off = self.at(t)[0] - place
+        off[np.abs(off) <= SAME * max(map(abs, self.reach))] = 0.0
+        k = np.flatnonzero(off[:-1] * off[1:] < 0)
+        found = self._crossings(np.full(k.size, place), t[k], t[k + 1], off[k]) if k.size else np.zeros(0)
+        on = (off == 0) & np.concatenate([[True], off[:-1] != 0])
+        return distinct(np.concatenate([found, t[on]]))
+
     def when(self, angles: Sequence[float] | Array) -> Array:
         """Phases, ascending, rad, at which the link makes one of some angles, or that but for whole turns."""
         t = np.union1d(self._sampled[0], self.stops)

@@ -76,7 +76,8 @@ SLIPS = {
     "400 deg": "beyond the cycle, from 0 to 360° or 0.897598 s",
     "1 s": "beyond the cycle",
     "-5 deg": "beyond the cycle",
-    "5 m": "40 deg, an angle turned, or 0.05 s, a time",
+    "5 m": "by a length only where a slider or a cylinder drives",
+    "5 kg": "40 deg, an angle turned, 0.05 s, a time",
 }
 
 

@@ -6,8 +6,9 @@ from typing import Annotated, Literal, TypedDict
 
 from pydantic import Field, Tag
 
-from tmm_report.chapters.lever.kinematics.given import Positions
+from tmm_report.chapters.lever.kinematics.given import By, Positions
 from tmm_report.chapters.lever.structure import block as structure
+from tmm_report.mechanics.calculus.motion_laws import MotionLaw
 from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.quantity import units
 from tmm_report.quantity.units import WrongValue
@@ -33,20 +34,21 @@ Some = Annotated[
 ]
 
 
-def _instant(value: object) -> tuple[float, bool]:
-    """An angle turned, rad, or a time, s, and whether it is a time."""
-    for dimension, timed in (
-        (("time", True), ("angle", False)) if isinstance(value, str) else (("angle", False),)
-    ):
+def _instant(value: object) -> tuple[float, By]:
+    """An angle turned, rad, a time, s, or a stroke, m, and which of them it is."""
+    dimensions: tuple[By, ...] = ("time", "length", "angle") if isinstance(value, str) else ("angle",)
+    for dimension in dimensions:
         try:
-            return units.parse(value, dimension), timed
+            return units.parse(value, dimension), dimension
         except WrongValue as error:
             wrong = error.wrong
-    raise WrongValue(wrong, Message(N_("40 deg, an angle turned, or 0.05 s, a time")))
+    raise WrongValue(
+        wrong, Message(N_("40 deg, an angle turned, 0.05 s, a time, or 0.5 m of a driving stroke"))
+    )
 
 
 Instant = Annotated[
-    tuple[float, bool],
+    tuple[float, By],
     Reads(_instant, {"type": ["number", "string"], "examples": ["40 deg", "0.05 s"]}),
 ]
 
@@ -67,7 +69,7 @@ class PositionsModel(Model):
     at: list[Instant] = Field(
         default=[],
         max_length=60,
-        description="more positions, by the angle turned from position 0 or by the time",
+        description="more positions, by the angle turned from position 0, the time or the stroke that drives",
         examples=[["40 deg", "100 deg"], ["0.05 s"]],
     )
 
@@ -123,9 +125,11 @@ def _beyond_the_cycle(written: PositionsModel, read: Read) -> Iterator[Problem]:
         return
     built = structure.driver(driver)
     whole = built.sweep * built.turns
-    for index, (value, timed) in enumerate(written.at):
-        path = ("positions", "at", index)
-        if built.law is not None and not timed:
+    for index, (value, by) in enumerate(written.at):
+        path, timed = ("positions", "at", index), by == "time"
+        if by == "length":
+            yield from _beyond_the_stroke(value, built.law if driver.stroke else None, path)
+        elif built.law is not None and not timed:
             text = N_("the driving link moves by a law: its positions are stated by the time")
             yield mistake(text, path, Message(N_("for example, %(example)s"), {"example": "0.05 s"}))
         elif timed and driver.speed == "drive":
@@ -135,6 +139,16 @@ def _beyond_the_cycle(written: PositionsModel, read: Read) -> Iterator[Problem]:
             text = N_("it is beyond the cycle, from 0 to %(angle)s° or %(time)s s")
             angle, time = f"{math.degrees(whole):.6g}", f"{whole / abs(built.omega):.6g}"
             yield mistake(text, path, angle=angle, time=time)
+
+
+def _beyond_the_stroke(value: float, law: MotionLaw | None, path: Path) -> Iterator[Problem]:
+    if law is None:
+        text = N_("positions are stated by a length only where a slider or a cylinder drives by its stroke")
+        yield mistake(text, path, Message(N_("for example, %(example)s"), {"example": "40 deg"}))
+    elif not len(law.times_at(value)):
+        low, high = (f"{end * 1e3:.6g}" for end in law.reach)
+        text = N_("the stroke does not come there: it goes from %(low)s to %(high)s mm")
+        yield mistake(text, path, low=low, high=high)
 
 
 def doubts(read: Read) -> Iterator[Problem]:

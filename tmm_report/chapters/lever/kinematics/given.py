@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 from tmm_report.records import dataclass
+
+By = Literal["angle", "time", "length"]
 
 AUTO = "auto"  # the cheapest method that holds the accuracy
 
@@ -15,8 +19,8 @@ class Positions:
     diagram: int = 36
     plans: tuple[int, ...] = (1,)
     force_plan: tuple[int, ...] = (1,)
-    instants: tuple[tuple[float, bool], ...] = ()
-    """Beside the table: angles turned from position 0, rad, or (True) times, s."""
+    instants: tuple[tuple[float, By], ...] = ()
+    """Beside the table: angles turned from position 0, rad, times, s, or strokes of what drives, m."""
 
 
 @dataclass(frozen=True)

@@ -193,8 +193,15 @@ def solve(positions: Positions, structure: Structure, way: Way | None = None) ->
 
 def turned_at(positions: Positions, cycle: Cycle) -> Array:
     """Angles turned at the instants that are asked for, rad."""
-    omega = abs(float(cycle.linkage.mechanism.driver.omega))
-    return np.array([value * omega if timed else value for value, timed in positions.instants])
+    driver = cycle.linkage.mechanism.driver
+    omega = abs(float(driver.omega))
+    found = list[float]()
+    for value, by in positions.instants:
+        if by == "length" and driver.stroke is not None:  # as often as the stroke comes to it
+            found += (driver.stroke.law.times_at(value) * omega).tolist()
+        else:
+            found.append(value * omega if by == "time" else value)
+    return np.array(found)
 
 
 def _chosen(way: Way | None, cycle: Cycle, positions: Positions) -> Choice | None:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import cmath
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from tmm_report.chapters.lever.structure.block import models as m
 from tmm_report.chapters.lever.structure.block.synthesised import Elsewhere, Taken, one_of, taken
@@ -69,6 +70,8 @@ class Geometry:
         if isinstance(written, m.Triangle):
             sides = {end: self._size(side, name, placed, asking) for end, side in written.from_.items()}
             return triangle(sides, written.side, placed)
+        if isinstance(written, m.Corner):
+            return _corner(written, self._size(written.distance, name, placed, asking), placed)
         parts = written if isinstance(written, tuple) else (written,)
         return complex(*(self._size(part, name, placed, asking) for part in parts))
 
@@ -140,7 +143,7 @@ class Geometry:
         if isinstance(points, list):
             return found
         for point, written in points.items():
-            if not isinstance(written, float | tuple | m.Triangle):
+            if not isinstance(written, float | tuple | m.Triangle | m.Corner):
                 found[point] = lettered(written, lambda letter: self._named(letter, name, placed))
             placed[point] = self.points(name)[point]
         return found
@@ -155,6 +158,9 @@ def mentioned(written: object) -> set[str]:
     """Names of points that the place of another one is stated by, with what else its letters could be read as."""
     if isinstance(written, m.Triangle):
         return {*written.from_, *(name for side in written.from_.values() for name in mentioned(side))}
+    if isinstance(written, m.Corner):
+        ends = (written.about, written.to)
+        return {*mentioned(written.distance), *(name for name in ends if name is not None)}
     if isinstance(written, tuple):
         return {name for part in written for name in mentioned(part)}
     if isinstance(written, float):
@@ -173,6 +179,25 @@ def _halves(name: str) -> Iterator[tuple[str, str]]:
     return ((name[:k], name[k:]) for k in range(1, len(name)))
 
 
+def _corner(written: m.Corner, distance: float, placed: Points) -> complex:
+    """By a distance, m, and an angle. Raises WrongValue for a point that is not placed yet."""
+    ends = [name for name in (written.about, written.to) if name is not None]
+    _before(ends, placed)
+    start = placed[written.about] if written.about is not None else next(iter(placed.values()), 0j)
+    way = placed[written.to] - start if written.to is not None else 1 + 0j
+    if not way:
+        text = N_("the angle is counted from a direction: it leads from one point to another")
+        raise WrongValue(Message(text), Message(N_("a point other than that of the distance")))
+    return start + distance * way / abs(way) * cmath.exp(1j * written.angle)
+
+
+def _before(names: Iterable[str], placed: Points) -> None:
+    for name in names:
+        if name not in placed:
+            wrong = N_("the point %(name)s is not placed on this link before")
+            raise WrongValue(Message(wrong, {"name": name}), Message(N_("give its place above")))
+
+
 def triangle(sides: Mapping[str, float], side: str, placed: Points) -> complex:
     """The third corner: `along` the side from the first point and `off` it, left of it positive.
 
@@ -180,10 +205,7 @@ def triangle(sides: Mapping[str, float], side: str, placed: Points) -> complex:
     make no triangle.
     """
     (first, from_first), (second, from_second) = sides.items()
-    for name in (first, second):
-        if name not in placed:
-            wrong = N_("the point %(name)s is not placed on this link before")
-            raise WrongValue(Message(wrong, {"name": name}), Message(N_("give its place above")))
+    _before((first, second), placed)
     base = placed[second] - placed[first]
     along = (from_first**2 - from_second**2 + abs(base) ** 2) / (2 * abs(base)) if base else math.inf
     square = from_first**2 - along**2

@@ -5,7 +5,7 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import BeforeValidator, ConfigDict, Field, Tag, model_validator
+from pydantic import BeforeValidator, ConfigDict, Discriminator, Field, Tag, model_validator
 
 from tmm_report.chapters.lever.structure.block.cams import CamModel
 from tmm_report.chapters.lever.structure.block.driving import LawModel
@@ -35,6 +35,7 @@ from tmm_report.variant.values import (
     Turn,
     by_shape,
     quantity,
+    shape,
     whole,
 )
 
@@ -108,10 +109,43 @@ class Triangle(Model):
     )
 
 
+class Corner(Model):
+    """A point of a link found by its distance from a point of the same link placed before it and by an angle."""
+
+    distance: AnyDistance = Field(description="from that point", examples=["1.3 m"])
+    angle: Angle = Field(
+        description="counter-clockwise from the link's x axis, or from the way to another point",
+        examples=["20 deg"],
+    )
+    about: Name | None = Field(
+        default=None, description="the point it is measured from; left out, the first", examples=["B"]
+    )
+    to: Name | None = Field(
+        default=None, description="the point to which the angle is 0; left out, along the link's x axis"
+    )
+
+
 AnyPoint = tuple[AnyLength, AnyLength]
+CORNER = "<corner>"
+
+
+def _by_shape(value: object) -> str:
+    by_angle = isinstance(value, dict) and {"distance", "angle", "about", "to"} & value.keys()
+    return CORNER if by_angle or isinstance(value, Corner) else shape(value)
+
+
 Place = Annotated[
-    Annotated[AnyLength, Tag(SCALAR)] | Annotated[AnyPoint, Tag(LIST)] | Annotated[Triangle, Tag(MAP)],
-    by_shape(N_("75 mm, [75 mm, 10 mm] or {from: {A: 75 mm, B: 100 mm}, side: left}")),
+    Annotated[AnyLength, Tag(SCALAR)]
+    | Annotated[AnyPoint, Tag(LIST)]
+    | Annotated[Triangle, Tag(MAP)]
+    | Annotated[Corner, Tag(CORNER)],
+    Discriminator(
+        _by_shape,
+        custom_error_type="shape",
+        custom_error_message=N_(
+            "75 mm, [75 mm, 10 mm], {distance: 75 mm, angle: 20 deg} or {from: {A: 75 mm, B: 100 mm}, side: left}"
+        ),
+    ),
 ]
 
 

@@ -26,10 +26,11 @@ from tmm_report.variant.values import Length, Number, Period, Positive, Speed, T
 
 Along = Annotated[float, quantity("acceleration")]
 KINDS = ("acceleration", "accelerations", "harmonic", "polynomial", "lengths", "phases")
+SLIGHT = 1e-12  # of the time of running up and down: a rounding
 LEAST = 1e-9  # m/s and m/s²: what is less does not move
 WANTS = {"polynomial": ("time",), "phases": ("time", "rise")}
 OF = {
-    "": ("speed", "to", "time"),
+    "": ("speed", "to", "time", "run_up", "run_down"),
     "acceleration": ("speed", "to", "time"),
     "accelerations": ("speed",),
     "harmonic": (),
@@ -62,6 +63,14 @@ class StrokeModel(Model):
     )
     to: Length | None = Field(default=None, description="where it ends, instead of the time")
     time: Period | None = Field(default=None, description="over which the law goes", examples=["3 s"])
+    run_up: Period | None = Field(
+        default=None,
+        description="beside the constant speed: how long it is run up to from rest",
+        examples=["0.4 s"],
+    )
+    run_down: Period | None = Field(
+        default=None, description="beside the constant speed: how long it is run down to rest at the end"
+    )
     acceleration: Along | None = Field(default=None, description="a constant one", examples=["0.4 m/s^2"])
     accelerations: list[tuple[Period, Along]] | None = Field(
         default=None,
@@ -95,7 +104,7 @@ class StrokeModel(Model):
             )
             raise WrongValue(Message(N_("the law of the stroke is not stated in one way")), Message(right))
         kind = self.kind
-        for key in ("speed", "to", "time", "rise"):
+        for key in ("speed", "to", "time", "rise", "run_up", "run_down"):
             if getattr(self, key) is not None and key not in OF[kind]:
                 told = {"key": key, "kind": kind or "speed"}
                 raise WrongValue(
@@ -163,7 +172,19 @@ def _uniform(model: StrokeModel, start: float) -> MotionLaw:
         time = (model.to - start) / speed
         if not time > 0:
             raise WrongValue(Message(N_("by this law nothing moves")))
-    return Polynomial((start, speed), float(time or 0.0))
+        time += ((model.run_up or 0.0) + (model.run_down or 0.0)) / 2
+    up, down = model.run_up or 0.0, model.run_down or 0.0
+    if not up and not down:
+        return Polynomial((start, speed), float(time or 0.0))
+    steady = float(time or 0.0) - up - down
+    if steady < -SLIGHT * (up + down):
+        wrong = Message(N_("before the speed is run up to the stroke would be at its end"))
+        raise WrongValue(
+            wrong, Message(N_("a shorter run_up or run_down, a longer time or stroke, or a lower speed"))
+        )
+    pieces = [(up, speed / up if up else 0.0), (steady, 0.0), (down, -speed / down if down else 0.0)]
+    times, values = zip(*((t, a) for t, a in pieces if t > SLIGHT * (up + down)), strict=True)
+    return Pieces(start, 0.0 if up else speed, times, values)
 
 
 def _accelerated(model: StrokeModel, start: float) -> MotionLaw:
