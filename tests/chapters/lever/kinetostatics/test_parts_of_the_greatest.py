@@ -1,6 +1,9 @@
 """Diagrams in parts of a greatest value, p/p_max against s/H, and one curve for several cylinders."""
 
+import json
+
 import pytest
+import yaml
 
 from tmm_report import course
 from tmm_report.problems import ProblemError
@@ -54,6 +57,39 @@ def test_one_curve_for_two_cylinders():
     assert [end.value for end in found.extremes] == pytest.approx([end.value for end in spelled.extremes])
 
 
+STROKES = {
+    "intake": "[[0, 0.02], [1, 0.02]]",
+    "compression": "[[0, 0.9], [0.4, 0.2], [1, 0.02]]",
+    "power": "[[0, 1], [0.3, 0.4], [1, 0.1]]",
+    "exhaust": "[[0, 0.03], [1, 0.1]]",
+}
+
+
+def test_strokes_of_one_curve_for_two_cylinders():
+    """Four strokes in parts of the greatest pressure, each cylinder at its own of them: the values spelled out."""
+    text = TEXT.replace("speed: 100 rad/s}", "speed: 100 rad/s, zero: {point: B, extreme: up}, turns: 2}")
+    strokes = "{" + ", ".join(f"{name}: {curve}" for name, curve in STROKES.items()) + "}"
+    curve = f"  curves: {{gas: {{strokes: {strokes}}}}}\n"
+    firsts = (("power", 4.0), ("intake", 3.0))
+    shared = [f"{{zero: up, curve: gas, of: {size} MPa, first: {first}}}" for first, size in firsts]
+    inline = [f"{{zero: up, of: {size} MPa, first: {first}, strokes: {strokes}}}" for first, size in firsts]
+    found = []
+    for (first, second), curves in ((shared, curve), (inline, ""), (map(_spelled, firsts), "")):
+        own = text.replace("FIRST", first).replace("SECOND", second).replace("CURVES\n", curves)
+        found.append(course.solve(course.loads(own)).lever.kinetostatics.table.balancing)
+    assert found[0] == pytest.approx(found[2], rel=1e-12, abs=1e-9)
+    assert found[1] == pytest.approx(found[2], rel=1e-12, abs=1e-9)
+    assert abs(found[2]).max() > 100
+
+
+def _spelled(of):
+    first, size = of
+    curves = {
+        name: [[x, f"{y * size!r} MPa"] for x, y in yaml.safe_load(curve)] for name, curve in STROKES.items()
+    }
+    return json.dumps({"zero": "up", "first": first, "strokes": curves})
+
+
 def test_a_moment_by_a_curve():
     text = TEXT.replace("CURVES\n", CURVES + "\n").split("  forces:")[0]
     text = text.replace("3: {points: {B: [0, 0]}, slides: y}", "3: {points: {C: [0, 0], B: [150 mm, 0]}}")
@@ -68,6 +104,7 @@ def test_a_moment_by_a_curve():
     assert one == pytest.approx(other, rel=1e-12, abs=1e-9)
 
 
+TWO = "  curves: {gas: {strokes: {a: [[0, 1], [1, 0]], b: [[0, 1], [1, 0]]}}}"
 SLIPS = {
     ("{zero: down, curve: gaz, of: 3 MPa}", CURVES): (
         "loads.forces.0.by_displacement.curve",
@@ -81,6 +118,28 @@ SLIPS = {
     (f"{{zero: down, of: 3 MPa, {CURVE.replace('[1, 1]', '[1, 3 MPa]')}}}", ""): (
         "loads.forces.0.by_displacement",
         "parts of the greatest one",
+    ),
+    ("{zero: down, curve: gas, of: 3 MPa, first: power}", CURVES): (
+        "loads.forces.0.by_displacement.first",
+        "the curve gas has two ways and no strokes",
+    ),
+    ("{zero: down, curve: gas, of: 3 MPa}", "  curves: {gas: {strokes: {one: [[0, 1], [1, 0]]}}}"): (
+        "loads.curves.gas.strokes",
+        "1 strokes are stated, the cycle has 2",
+    ),
+    (
+        "{zero: down, curve: gas, of: 3 MPa}",
+        TWO.replace("[0, 1]", "[0, 2]", 1),
+    ): (
+        "loads.curves.gas.strokes.a",
+        "parts of the greatest one, at most 1",
+    ),
+    (
+        "{zero: down, curve: gas, of: 3 MPa, first: x}",
+        TWO,
+    ): (
+        "loads.forces.0.by_displacement.first",
+        "there is no stroke x",
     ),
     ("{zero: down, curve: gas}", CURVES): ("loads.forces.0.by_displacement.of", ""),
     ("{zero: down, curve: gas, of: 3 N}", CURVES): ("loads.forces.0.by_displacement.of", "a pressure"),

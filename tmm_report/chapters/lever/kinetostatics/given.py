@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import KW_ONLY
 from functools import cached_property
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar
@@ -73,6 +73,16 @@ _FIRST = (
 )
 
 
+def _parts_of(greatest: float | None, curves: Iterable[Sequence[tuple[float, float]]]) -> None:
+    """Values that are parts of a greatest one, where it is stated. Raises WrongValue for those above 1."""
+    if (
+        greatest is not None
+        and max((abs(value) for curve in curves for _, value in curve), default=0) > 1 + 1e-9
+    ):
+        wrong = Message(N_("with the key of the values are parts of the greatest one, at most 1"))
+        raise WrongValue(wrong, Message(N_("0.8, or without of: the values with their unit")))
+
+
 class OfGreatest:
     """What may be stated in parts of a greatest value."""
 
@@ -82,10 +92,7 @@ class OfGreatest:
     of: Any
 
     def __post_init__(self) -> None:
-        values = [abs(value) for _, value in (*self.forward, *self.back)]
-        if self.of is not None and max(values) > 1 + 1e-9:
-            wrong = Message(N_("with the key of the values are parts of the greatest one, at most 1"))
-            raise WrongValue(wrong, Message(N_("0.8, or without of: the values with their unit")))
+        _parts_of(self.of, (self.forward, self.back))
 
     @property
     def law(self) -> Law:
@@ -113,11 +120,57 @@ class PressureDiagram(Diagram):
 
 
 @dataclass(frozen=True)
+class StrokesDiagram:
+    """An indicator diagram of a cycle of several turns: force against the fraction of the stroke, stroke by stroke."""
+
+    zero: Annotated[Side, Field(description=_ZERO)]
+    strokes: Annotated[
+        dict[Label, StrokeForces],
+        Field(
+            description=_STROKES,
+            examples=["{intake: [[0, 5 N], [1, 5 N]], compression: [[0, 9 kN], [1, 5 N]], …}"],
+        ),
+    ]
+    first: Annotated[Label | None, Field(description=_FIRST)] = None
+    of: Annotated[ForceValue | None, Field(description=_OF)] = None
+
+    def __post_init__(self) -> None:
+        _parts_of(self.of, self.strokes.values())
+
+    @property
+    def law(self) -> Law:
+        names, curves = tuple(self.strokes), tuple(map(tuple, self.strokes.values()))
+        law = ByStrokes(self.zero, names, curves, None if self.first is None else names.index(self.first))
+        return law if self.of is None else law.scaled(self.of)
+
+
+@dataclass(frozen=True)
+class PressureStrokesDiagram(StrokesDiagram):
+    """An indicator diagram of a cycle of several turns: pressure against the fraction of the stroke, by strokes."""
+
+    strokes: Annotated[
+        dict[Label, StrokePressures],
+        Field(
+            description=_STROKES,
+            examples=["{intake: [[0, 0], [1, 0]], compression: [[0, 3 MPa], [1, 0]], …}"],
+        ),
+    ]
+    of: Annotated[Pressure | None, Field(description=_OF)] = None
+
+
+@dataclass(frozen=True)
 class StatedCurve:
     """A curve that several loads have, in parts of the greatest value of each."""
 
     forward: Annotated[StrokeParts, Field(description="[[x, part], ...] on the way from the zero")]
     back: Annotated[StrokeParts, Field(description="[[x, part], ...] on the way back")]
+
+
+@dataclass(frozen=True)
+class StatedStrokes:
+    """Curves of a cycle of several turns that several loads have, in parts of the greatest value of each."""
+
+    strokes: Annotated[dict[Label, StrokeParts], Field(description=_STROKES)]
 
 
 @dataclass(frozen=True)
@@ -127,9 +180,12 @@ class SharedDiagram:
     zero: Annotated[Side, Field(description=_ZERO)]
     curve: Annotated[Label, Field(description="a name of loads.curves", examples=["gas"])]
     of: Annotated[ForceValue, Field(description="the greatest value")]
+    first: Annotated[Label | None, Field(description=_FIRST)] = None
 
-    def through(self, curve: StatedCurve) -> Any:
+    def through(self, curve: StatedCurve | StatedStrokes) -> Any:
         """The diagram that it stands for."""
+        if isinstance(curve, StatedStrokes):
+            return StrokesDiagram(self.zero, curve.strokes, self.first, self.of)
         return Diagram(self.zero, curve.forward, curve.back, self.of)
 
 
@@ -147,44 +203,12 @@ class SharedSwing(SharedDiagram):
     zero: Annotated[Sense, Field(description="the extreme of the link that the swing is counted from")]  # type: ignore[assignment]
     of: Annotated[MomentValue, Field(description="the greatest value")]
 
-    def through(self, curve: StatedCurve) -> Any:
+    def through(self, curve: StatedCurve | StatedStrokes) -> Any:
+        assert isinstance(curve, StatedCurve)  # strokes are those of points
         return Swing(self.zero, curve.forward, curve.back, self.of)
 
 
-@dataclass(frozen=True)
-class StrokesDiagram:
-    """An indicator diagram of a cycle of several turns: force against the fraction of the stroke, stroke by stroke."""
-
-    zero: Annotated[Side, Field(description=_ZERO)]
-    strokes: Annotated[
-        dict[Label, StrokeForces],
-        Field(
-            description=_STROKES,
-            examples=["{intake: [[0, 5 N], [1, 5 N]], compression: [[0, 9 kN], [1, 5 N]], …}"],
-        ),
-    ]
-    first: Annotated[Label | None, Field(description=_FIRST)] = None
-
-    @property
-    def law(self) -> Law:
-        names, curves = tuple(self.strokes), tuple(map(tuple, self.strokes.values()))
-        return ByStrokes(self.zero, names, curves, None if self.first is None else names.index(self.first))
-
-
-@dataclass(frozen=True)
-class PressureStrokesDiagram(StrokesDiagram):
-    """An indicator diagram of a cycle of several turns: pressure against the fraction of the stroke, by strokes."""
-
-    strokes: Annotated[
-        dict[Label, StrokePressures],
-        Field(
-            description=_STROKES,
-            examples=["{intake: [[0, 0], [1, 0]], compression: [[0, 3 MPa], [1, 0]], …}"],
-        ),
-    ]
-
-
-def _by_strokes(value: Any) -> str:
+def by_strokes(value: Any) -> str:
     if isinstance(value, dict) and "curve" in value:
         return "<curve>"
     return "<strokes>" if isinstance(value, dict) and {"strokes", "first"} & value.keys() else "<ways>"
@@ -315,7 +339,7 @@ class Force(ByOneLaw):
             Annotated[Diagram, Tag("<ways>")]
             | Annotated[StrokesDiagram, Tag("<strokes>")]
             | Annotated[SharedDiagram, Tag("<curve>")],
-            Discriminator(_by_strokes),
+            Discriminator(by_strokes),
         ]
         | None
     ) = None
@@ -367,7 +391,7 @@ class Piston(Force):
             Annotated[PressureDiagram, Tag("<ways>")]
             | Annotated[PressureStrokesDiagram, Tag("<strokes>")]
             | Annotated[SharedPressure, Tag("<curve>")],
-            Discriminator(_by_strokes),
+            Discriminator(by_strokes),
         ]
         | None
     ) = None
@@ -400,7 +424,7 @@ class Moment(ByOneLaw):
     by_displacement: Annotated[
         Annotated[
             Annotated[Swing, Tag("<ways>")] | Annotated[SharedSwing, Tag("<curve>")],
-            Discriminator(_by_strokes),
+            Discriminator(by_strokes),
         ]
         | None,
         Field(description="against the part of the swing of the link"),

@@ -14,6 +14,9 @@ from tmm_report.chapters.lever.kinetostatics.given import (
     Force,
     Moment,
     SharedDiagram,
+    SharedSwing,
+    StatedCurve,
+    StatedStrokes,
     StrokesDiagram,
 )
 from tmm_report.chapters.lever.structure import block as structure
@@ -43,7 +46,7 @@ def check(written: LoadsModel, read: Read) -> Iterator[Problem]:
             yield from _one_each(force, ("loads", "forces", index), read)
             yield from _over_its_time(force, ("loads", "forces", index), read)
             yield from _over_the_cycle(force, ("loads", "forces", index), read)
-            yield from _strokes(force, ("loads", "forces", index), read)
+            yield from _strokes(force, ("loads", "forces", index), written, read)
             yield from _whole_strokes(force, ("loads", "forces", index))
     for index, moment in enumerate(written.moments):
         if moment:
@@ -62,8 +65,14 @@ def _curves(written: LoadsModel) -> Iterator[Problem]:
         for index, load in enumerate(loads):
             if load and isinstance(load.by_displacement, SharedDiagram):
                 used.add(load.by_displacement.curve)
+                path: Path = ("loads", kind, index, "by_displacement", "curve")
+                shared = isinstance(written.curves.get(load.by_displacement.curve), StatedStrokes)
+                if shared and isinstance(load.by_displacement, SharedSwing):
+                    text = N_(
+                        "a moment goes by a curve of two ways, forward and back: strokes are those of points"
+                    )
+                    yield mistake(text, path)
                 if load.by_displacement.curve not in written.curves:
-                    path: Path = ("loads", kind, index, "by_displacement", "curve")
                     right = near(load.by_displacement.curve, sorted(written.curves))
                     yield mistake(
                         N_("there is no curve %(name)s"), path, right, name=load.by_displacement.curve
@@ -72,11 +81,11 @@ def _curves(written: LoadsModel) -> Iterator[Problem]:
         here: Path = ("loads", "curves", name)
         if name not in used:
             yield mistake(N_("no load has the curve %(name)s"), here, name=name)
-        for way, points in (("forward", curve.forward), ("back", curve.back)):
-            yield from not_to_the_end(points, (*here, way), 1.0)
+        for way, points in _ways(curve).items():
+            yield from not_to_the_end(points, (*here, *way), 1.0)
             if max(abs(value) for _, value in points) > 1 + 1e-9:
                 text = N_("the values of a curve are parts of the greatest one, at most 1")
-                yield mistake(text, (*here, way))
+                yield mistake(text, (*here, *way))
 
 
 def _moving(link: str, path: Path, known: Names) -> Iterator[Problem]:
@@ -206,15 +215,23 @@ def _whole_strokes(load: Force | Moment, path: Path) -> Iterator[Problem]:
     if diagram is None:
         return
     path = (*path, "by_displacement")
-    curves: dict[Path, list[tuple[float, float]]]
     if isinstance(diagram, SharedDiagram):
         return
-    if isinstance(diagram, StrokesDiagram):
-        curves = {("strokes", name): curve for name, curve in diagram.strokes.items()}
-    else:
-        curves = {("forward",): list(diagram.forward), ("back",): list(diagram.back)}
-    for key, curve in curves.items():
+    for key, curve in _ways(diagram).items():
         yield from not_to_the_end(curve, (*path, *key), 1.0)
+
+
+def _ways(diagram: Any) -> dict[Path, list[tuple[float, float]]]:
+    """The curves of a diagram, by the keys under which they stand."""
+    if isinstance(diagram, StrokesDiagram | StatedStrokes):
+        return {("strokes", name): list(curve) for name, curve in diagram.strokes.items()}
+    return {("forward",): list(diagram.forward), ("back",): list(diagram.back)}
+
+
+def _of_strokes(load: Force) -> Any:
+    """What the strokes of a load are stated by: a curve that it shares with others, or itself."""
+    diagram = load.by_displacement
+    return diagram.curve if isinstance(diagram, SharedDiagram) else id(load)
 
 
 def _written(read: Read, path: Path) -> Any:
@@ -225,24 +242,34 @@ def _written(read: Read, path: Path) -> Any:
     return found
 
 
-def _strokes(load: Force, path: Path, read: Read) -> Iterator[Problem]:
+def _strokes(load: Force, path: Path, written: LoadsModel, read: Read) -> Iterator[Problem]:
     """A curve for each stroke of the cycle: a point makes an even number of them in a turn."""
     diagram = load.by_displacement
-    if not isinstance(diagram, StrokesDiagram):
-        return
     path, turns = (*path, "by_displacement"), turns_of(read)
+    stated: Path = (*path, "strokes")
+    if isinstance(diagram, SharedDiagram):
+        curve = written.curves.get(diagram.curve)
+        if isinstance(curve, StatedCurve) and diagram.first is not None:
+            text = N_("the curve %(name)s has two ways and no strokes: none of them is the first")
+            yield mistake(text, (*path, "first"), name=diagram.curve)
+        if not isinstance(curve, StatedStrokes):
+            return
+        stated = ("loads", "curves", diagram.curve, "strokes")
+    elif not isinstance(diagram, StrokesDiagram):
+        return
     # by what is written: a curve with a mistake is still a stroke, and a cycle that is wrong in itself has no number
-    names = [str(name) for name in _written(read, (*path, "strokes"))]
+    names = [str(name) for name in _written(read, stated)]
     count = len(names)
     driver = read.block(structure.Block).mechanism.driver
     if driver is not None and driver.range < TURN * (1 - 1e-12):
         right = Message(N_("state the curves of the two ways: forward and back"))
-        yield mistake(N_("the driving link makes no full turn: no strokes follow"), (*path, "strokes"), right)
+        yield mistake(N_("the driving link makes no full turn: no strokes follow"), stated, right)
         return
-    if count == 0 or (driver is not None and count % (2 * turns)):
+    first = next(one for one in written.forces if one and _of_strokes(one) == _of_strokes(load))
+    if load is first and (count == 0 or (driver is not None and count % (2 * turns))):
         text = N_("%(found)s strokes are stated, the cycle has %(count)s")
         right = Message(N_("a curve for each stroke of the cycle, in the order in which they follow"))
-        yield mistake(text, (*path, "strokes"), right, found=count, count=2 * turns)
+        yield mistake(text, stated, right, found=count, count=2 * turns)
     if diagram.first is not None and diagram.first not in names:
         text = N_("there is no stroke %(name)s")
         yield mistake(text, (*path, "first"), near(diagram.first, names), name=diagram.first)

@@ -5,7 +5,15 @@ from typing import Annotated, Any, ClassVar
 
 from pydantic import Discriminator, Field, Tag
 
-from tmm_report.chapters.lever.kinetostatics.given import Force, Moment, Piston, StatedCurve, Vector
+from tmm_report.chapters.lever.kinetostatics.given import (
+    Force,
+    Moment,
+    Piston,
+    StatedCurve,
+    StatedStrokes,
+    Vector,
+    by_strokes,
+)
 from tmm_report.chapters.lever.kinetostatics.ties import Damper, Spring
 from tmm_report.problems import N_
 from tmm_report.variant.model import Model
@@ -33,6 +41,11 @@ AnyForce = Annotated[
     Discriminator(_force_kind),
 ]
 
+AnyCurve = Annotated[
+    Annotated[Stated[StatedCurve], Tag("<ways>")] | Annotated[Stated[StatedStrokes], Tag("<strokes>")],
+    Discriminator(by_strokes),
+]
+
 Gravity = Annotated[
     Annotated[Acceleration, Tag(SCALAR)] | Annotated[GravityModel, Tag(MAP)],
     by_shape(N_("9.81 m/s^2, or {value: 9.81 m/s^2, direction: down}")),
@@ -53,7 +66,7 @@ class LoadsModel(Model):
     gravity: Gravity = Field(
         default=9.81, description="downwards unless {value, direction}; 0 switches it off"
     )
-    curves: dict[Label, Stated[StatedCurve]] = Field(
+    curves: dict[Label, AnyCurve] = Field(
         default={}, max_length=60, description="curves that several loads have, by their names"
     )
     # None: the hole of a load that is wrong in itself; what is solved has none, and is another record therefore
