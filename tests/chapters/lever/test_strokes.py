@@ -8,6 +8,7 @@ import pytest
 from tmm_report import course
 from tmm_report.chapters.lever.kinetostatics.quantities import tables as kinetostatics_tables
 from tmm_report.chapters.lever.kinetostatics.quantities import values as kinetostatics_values
+from tmm_report.chapters.lever.structure.naming import link_name
 from tmm_report.mechanics.calculus.vectors import cross, dot
 from tmm_report.problems import ProblemError
 
@@ -241,3 +242,40 @@ def test_instants_by_the_stroke(stated):
     assert len(times) == len(crossings) == (1 if "speed" in stated else 2)
     assert times == pytest.approx(dense[crossings], abs=2 * law.period / 199_998)
     assert law.at(times)[0] == pytest.approx(0.5, abs=1e-12)
+
+
+BUCKET = """
+mechanism:
+  frame: {A: [-1.2 m, 0.35 m], C: [-0.3 m, 0.1 m], D: [0, 0]}
+  links:
+    1: {points: {C: 0, B: 0.5 m}, mass: 40 kg/m, inertia: 0.17*m*l^2}
+    2: {points: {B: 0, E: 0.45 m}, mass: 40 kg/m, inertia: 0.17*m*l^2}
+    3: {points: {D: 0, E: 0.3 m, K: {distance: 1.1 m, angle: -75 deg}}, mass: 380 kg, mass_centre: K, inertia: 45}
+  driver: {cylinder: [A, B], stroke: {from: 0.9 m, speed: 0.2 m/s, run_up: 0.2 s, time: 1.5 s}}
+  assembly: {B: left of A-C, E: right of B-D}
+loads:
+  forces: [{at: K, direction: {link: 3, angle: 200 deg}, constant: 18 kN}]
+"""
+
+
+def test_what_else_has_the_pin_is_no_rod_of_the_cylinder():
+    """A cylinder whose links are left out is one of weightless links: its force takes the link that it drives, and the
+    rod to the bucket is a connecting rod."""
+    left_out = solved(BUCKET)
+    stated = solved(
+        BUCKET.replace("frame:", "guides: {axis: {through: A, link: 8}}\n  frame:").replace(
+            "  links:", "  links:\n    8: {points: [A]}\n    9: {points: [B], slides: axis}"
+        )
+    )
+    one, other = (dict(pair) for pair in (_reactions(left_out), _reactions(stated)))
+    for joint in ("R_01", "R_12", "R_23", "R_03", "F_stroke"):
+        assert one[joint] == pytest.approx(other[joint], rel=1e-9), joint
+    assert {"8", "9"} == {*stated.kinematics.linkage.mechanism.driver.stroke.by}
+    assert not left_out.kinematics.linkage.mechanism.driver.stroke.by
+    assert link_name(left_out.structure, left_out.kinematics.table, "2").name == "connecting rod"
+
+
+def _reactions(lever):
+    for table in kinetostatics_tables(lever.kinetostatics):
+        if table.name in ("reactions_table", "drive_table"):
+            yield from ((column.key, column.values) for column in table.columns)

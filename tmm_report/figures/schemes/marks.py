@@ -21,6 +21,7 @@ from tmm_report.figures.drawing import (
 from tmm_report.figures.schemes.bodies import BLOCK
 
 JOINT = 1.3  # radius of a revolute joint, mm
+BARREL = 1.8  # half width of the barrel of a cylinder, mm
 SUPPORT = complex(3.0, 5.5)  # half width and height of a support, mm
 
 
@@ -78,6 +79,27 @@ def bushing(at: complex, along: complex, fixed: bool = True) -> list[Item]:
         start, end = at - BLOCK.real * along + 0.9 * side, at + BLOCK.real * along + 0.9 * side
         items += ground(start, end, side) if fixed else [line(start, end, NORMAL)]
     return items
+
+
+def cylinder(start: complex, end: complex, least: float, most: float) -> list[Item]:
+    """A hydraulic cylinder from the pivot of its barrel to that of its rod, which are between `least` and `most` mm
+    apart over the motion: barrel, piston, rod."""
+    along = (end - start) / abs(end - start)
+    near, far = start + JOINT * along, start + (JOINT + 0.7 * (least - JOINT)) * along
+    side = BARREL * 1j * along
+    rod = most - 0.9 * abs(far - start)  # the piston stays within the barrel, if the stroke lets it
+    piston = start + max(abs(end - start) - rod, JOINT + 0.5) * along
+    items: list[Item] = [polygon((near - side, far - side, far + side, near + side), NORMAL, "white")]
+    items += [line(piston - side, piston + side, THICK), line(piston, end, THICK)]
+    return [*items, *joint(start), *joint(end)]
+
+
+def arrow(start: complex, end: complex) -> list[Item]:
+    """A straight arrow of a velocity."""
+    back = (start - end) / abs(start - end) * min(2.5, abs(start - end))
+    base = end + back
+    head = polygon((end, base + 0.17j * back, base - 0.17j * back), None, THIN.colour)
+    return [line(start, base, THIN), head]
 
 
 def weld(corner: complex, one: complex, other: complex) -> list[Item]:

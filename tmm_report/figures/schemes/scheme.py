@@ -51,8 +51,8 @@ def scheme(
         items, tags = [*view.plates(), *view.frame(), *view.links()], view.point_tags() + view.number_tags()
         if place == "beside":
             return items, tags
-        turning = view.rotation_tags() + view.angle_tags(zero)
-        return [*items, *view.rotation(), *view.angle(zero)], tags + turning
+        turning = view.driving_tags() + view.angle_tags(zero)
+        return [*items, *view.driving(), *view.angle(zero)], tags + turning
 
     mu = mu_l or standard_scale(mechanism, places, turns)
     return with_detail(
@@ -80,8 +80,8 @@ def positions_scheme(
     def draw(view: View, place: Place) -> tuple[Sequence[Item], Sequence[Tag]]:
         numbers = [tag for point in _numbered(view, place) for tag in position_tags(view, point)]
         tags = [*view.point_tags(), *numbers, *view.number_tags()]
-        tags += [] if place == "beside" else view.rotation_tags()
-        turning = [] if place == "beside" else view.rotation()
+        tags += [] if place == "beside" else view.driving_tags()
+        turning = [] if place == "beside" else view.driving()
         shown = () if place == "detail" else strokes
         outside = OUTSIDE if place == "alone" else ring_reach(view) - view.crank[0] + CLEAR
         items = superposed(view, paths or {}, traced, stroke_bands(view, shown, outside))

@@ -30,6 +30,7 @@ from tmm_report.mechanics.lever.mechanism import FRAME, Guide, Mechanism, Slide
 from tmm_report.records import dataclass
 
 LETTERED = 6.0  # mm about a point that its letter takes
+ARROW = 9.0  # mm, of a driving stroke
 SEEN = 0.15  # the least angle that is marked, rad
 
 Arrays = Mapping[str, np.ndarray]
@@ -91,7 +92,9 @@ class View:
                 items += self._fixed_slide(slide, guide)
         for point, names in self.joints.items():
             items += marks.support(self.points[point]) if FRAME in names else []
-        guiding = [p for p in self.points if self._fixed(p) and p not in self.joints]
+        bare = self.cylinder and self.cylinder[0]
+        items += marks.support(self.points[bare]) if bare and bare not in self.joints else []
+        guiding = [p for p in self.points if self._fixed(p) and p not in self.joints and p != bare]
         return items + [item for p in guiding for item in marks.place(self.points[p])]
 
     def _fixed_slide(self, slide: Slide, guide: Guide) -> list[Item]:
@@ -134,6 +137,10 @@ class View:
             point for point, links in self.joints.items() if names is None or len(set(links) & set(names)) > 1
         ]
         items += [item for point in joints for item in self.joint_mark(point)]
+        if names is None and self.cylinder:
+            items += marks.cylinder(
+                self.points[self.cylinder[0]], self.points[self.cylinder[1]], *self._lengths
+            )
         centres = {self.mechanism.links[name].mass_centre for name in chosen}
         single = [p for name in chosen for p in self.mechanism.links[name].points if p not in self.joints]
         return items + [dot(self.points[p], 0.7 if p in centres else 0.5) for p in single if p in self.points]
@@ -187,6 +194,50 @@ class View:
             if abs(share.imag) < NEAR and marks.JOINT < share.real < abs(b - a) - marks.JOINT:
                 return along * self.turn(name)
         return 0j
+
+    # a driving slider or cylinder
+
+    @cached_property
+    def cylinder(self) -> tuple[str, str] | None:
+        """The points between which a driving cylinder is whose barrel and rod are no links of the mechanism."""
+        stroke = self.mechanism.driver.stroke
+        if stroke is None or stroke.slides or stroke.by:
+            return None
+        _, pin, far = stroke.names
+        return (far, pin) if {far, pin} <= self.points.keys() else None
+
+    @cached_property
+    def _lengths(self) -> tuple[float, float]:
+        """The least and the greatest length of the cylinder over the motion, mm."""
+        stroke = self.mechanism.driver.stroke
+        assert stroke is not None
+        low, high = stroke.law.reach
+        return low / self.motion.mu, high / self.motion.mu
+
+    @cached_property
+    def _travel(self) -> tuple[complex, complex] | None:
+        """Ends of the arrow by which a driving stroke begins, beside the slider or the cylinder."""
+        stroke = self.mechanism.driver.stroke
+        if stroke is None or not {*stroke.names} <= self.points.keys():
+            return None
+        pin, far = (self.points[name] for name in stroke.names[1:])
+        s = stroke.law.of_phase(2 * math.pi * self.position / max(1, self.motion.count - 1))[0]
+        along = complex(np.ravel(stroke.along(np.ravel(s)))[0])
+        sense = 1 if float(np.ravel(stroke.law.of_phase(0.01)[1])[0]) >= 0 else -1
+        middle = far if stroke.slides else (pin + far) / 2
+        middle += (BLOCK.imag + 2.5) * 1j * along * (1 if (1j * along).imag >= 0 else -1)
+        half = ARROW / 2 * sense * along
+        return middle - half, middle + half
+
+    def driving(self) -> list[Item]:
+        """The arrow of the stroke that drives, else of the driver's rotation."""
+        return marks.arrow(*self._travel) if self._travel else self.rotation()
+
+    def driving_tags(self) -> list[Tag]:
+        if self._travel is None:
+            return self.rotation_tags()
+        start, end = self._travel
+        return [Tag((Symbol("v", "s"),), (end, (start + end) / 2, start), gap=0.8)]
 
     # the driver's turning
 

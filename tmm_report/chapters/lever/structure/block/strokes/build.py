@@ -127,12 +127,22 @@ def _of_cylinder(built: Mechanism, between: tuple[str, str], law: MotionLaw) -> 
         )
         right = Message(N_("the rod on a link that is pivoted to the frame"))
         raise Refused(Message(text, {"point": pin}), right, path)
-    rods = [one for one in built.links_at(pin) if one != link]
-    barrels = [one for one in built.links_at(far) if one != FRAME]
-    takes = (Taken((rods or [link])[0], pin, 1), *(Taken(one, far, -1) for one in barrels[:1]))
+    barrel, rod = _cylinder(built, far, pin)
+    takes = (Taken(rod or link, pin, 1), *((Taken(barrel, far, -1),) if barrel else ()))
     joined = Joined(link, str(_pivot(built, link)), pin, far)
-    own = tuple(one for one in (*barrels[:1], *rods[:1]))
+    own = tuple(one for one in (barrel, rod) if one)
     return _stroke(built, joined, law, start=complex(fixed[far]), way=0j, rod=0.0, by=own, takes=takes)
+
+
+def _cylinder(built: Mechanism, far: str, pin: str) -> tuple[str, str]:
+    """Its barrel, pivoted at the fixed point, and its rod, at the pin: one slides along the other. Empty where they
+    are no links of the mechanism, whatever else has a point there."""
+    for slide in built.slides:
+        one, other = slide.link, built.guides[slide.guide].link
+        for barrel, rod in ((one, other), (other, one)):
+            if FRAME not in (one, other) and barrel in built.links_at(far) and rod in built.links_at(pin):
+                return barrel, rod
+    return "", ""
 
 
 def _stroke(built: Mechanism, joined: Joined, law: MotionLaw, **other: Any) -> Stroke:
