@@ -74,6 +74,11 @@ class ContoursView:
     def driver(self) -> str:
         return self.found.linkage.mechanism.driver.link
 
+    @property
+    def by_law(self) -> bool:
+        """Whether the driving link moves by a law, or follows a stroke that does."""
+        return self.found.by_law
+
     def name(self, group: Group) -> str:
         return group_name(group)
 
