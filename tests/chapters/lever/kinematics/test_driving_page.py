@@ -32,7 +32,10 @@ def test_the_law_is_said(name, language):
     text = words(page(name, language))
     assert KINDS[name][language == "ru"] in text
     assert not any(other[language == "ru"] in text for key, other in KINDS.items() if key != name)
-    uniform = r"turns uniformly|at a constant angular velocity|its angular acceleration is zero|вращается равномерно|равно нулю:"
+    uniform = (
+        "turns uniformly|at a constant angular velocity|its angular acceleration is zero"
+        "|вращается равномерно|равно нулю:"
+    )
     assert not re.search(uniform, text)
 
 
