@@ -11,11 +11,12 @@ from tmm_report.records import dataclass
 if TYPE_CHECKING:
     from pydantic import Field
 
-    from tmm_report.variant.values import Angle, Coefficient, KeyName, Name, Positive, PositiveMass, whole
+    from tmm_report.variant.values import Angle, Coefficient, KeyName, Name, Number, Positive, PositiveMass, whole
 
 FULL, PIVOTED, SUBSTITUTED, OPTIMUM, ROTORS = "full", "pivoted", "substituted", "optimum", "rotors"
-METHODS = (FULL, PIVOTED, SUBSTITUTED, OPTIMUM, ROTORS)
-STATED = "stated"
+INERTIA, COUPLES = "inertia", "couples"  # against the moment, after one of the others against the force
+METHODS = (FULL, PIVOTED, SUBSTITUTED, OPTIMUM, ROTORS, INERTIA, COUPLES)
+STATED, NONE = "stated", "none"
 
 
 @dataclass(frozen=True)
@@ -58,18 +59,26 @@ class Rotors:
     ]
 
 
+@dataclass(frozen=True)
+class Antiphase:
+    """Two equal weights that turn alike, half a turn apart, on axes side by side: a moment and no force."""
+
+    radius: Annotated[Positive, Field(description="of both weights", examples=["60 mm"])]
+    distance: Annotated[Positive, Field(description="between their axes", examples=["300 mm"])]
+
+
 @dataclass(frozen=True, eq=False)
 class Balancing:
     """The mechanism balanced on its foundation."""
 
     methods: Annotated[
-        list[Literal["full", "pivoted", "substituted", "optimum", "rotors"]] | None,
+        list[Literal["full", "pivoted", "substituted", "optimum", "rotors", "inertia", "couples"]] | None,
         Field(
             min_length=1,
             description="full: all mass centres moved to the frame; pivoted: counterweights on all links with fixed "
             "pivots; substituted: by masses put into joints; optimum: one counterweight on the driving link; "
-            "rotors: counter-rotating weights. Left out, full, substituted and optimum, and rotors where they are "
-            "stated",
+            "rotors: counter-rotating weights; and against the moment inertia: wheels geared to the links; couples: "
+            "weights in antiphase. Left out, full, substituted and optimum, and what is stated of the others",
         ),
     ] = None
     counterweights: Annotated[dict[KeyName, Counterweight], Field(description="by link")] = field(
@@ -85,6 +94,24 @@ class Balancing:
         Name | None, Field(description="fixed point of the shaking moment; the driving pivot")
     ] = None
     rotors: Rotors | None = None
+    after: Annotated[
+        Literal["none", "stated", "full", "pivoted", "substituted", "optimum", "rotors"] | None,
+        Field(
+            description="the balance of the force that inertia and couples are added to; left out, the one that "
+            "leaves least of the force"
+        ),
+    ] = None
+    wheels: Annotated[
+        dict[KeyName, Number],
+        Field(
+            description="by link: turns of the wheel geared to it for one of the link, negative against it; 1 is a "
+            "larger moment of inertia of the link itself. Left out, −1 of links with fixed pivots, 1 of others",
+            examples=["{3: -1}"],
+        ),
+    ] = field(default_factory=dict)
+    couples: Annotated[
+        dict[KeyName, Antiphase], Field(description="by order: turns in a turn of the driving link")
+    ] = field(default_factory=dict)
     highest: Annotated[
         Annotated[int, whole(2, 24)],
         Field(description="highest order of the harmonics of the shaking force"),
@@ -93,8 +120,10 @@ class Balancing:
     @property
     def ways(self) -> tuple[str, ...]:
         """The methods that are asked for."""
-        usual = (FULL, SUBSTITUTED, OPTIMUM, *((ROTORS,) if self.rotors else ()))
-        return tuple(self.methods) if self.methods else usual
+        if self.methods:
+            return tuple(self.methods)
+        more = ((ROTORS, self.rotors), (INERTIA, self.wheels), (COUPLES, self.couples))
+        return (FULL, SUBSTITUTED, OPTIMUM, *(name for name, stated in more if stated))
 
     @property
     def radii(self) -> tuple[float, float] | None:

@@ -12,7 +12,9 @@ import numpy as np
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
 from tmm_report.chapters.machine.balancing import steps
 from tmm_report.chapters.machine.balancing.given import FULL, Given
+from tmm_report.chapters.machine.balancing.solve import moment
 from tmm_report.chapters.machine.balancing.solve.cases import (
+    CLOSED,
     MAX,
     ORIGINAL,
     RMS,
@@ -46,7 +48,6 @@ if TYPE_CHECKING:
 __all__ = ["Case", "Found", "Given", "solve"]
 
 Array = Any
-CLOSED = 1e-9  # of the greatest shaking force: what is left of it is rounding
 TURNS = Message(N_("a mechanism that turns all round, or take this block out"))
 JUMPING = N_(
     "the acceleration of the cam's follower jumps within the turn: the harmonics of the shaking force fall too slowly"
@@ -122,6 +123,7 @@ def solve(given: Given, moving: Moving | None) -> Found:
     circle = smallest_circle(between)[:2]
     targets = {RMS: complex(between.mean()), MAX: circle[0]}
     every = tuple(cases(ground, given, substituted, not missing, targets))
+    every += tuple(moment.cases(ground, given, (ground.original, *every)))
     s = steps.whole(given, (ground.original, *every), tail, seen, circle)
     return Found(
         given,
