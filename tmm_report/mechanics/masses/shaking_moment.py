@@ -107,9 +107,7 @@ def not_negative(columns: Array, wanted: Array) -> Array:
 # ---------------------------------------------------------------- weights in antiphase
 
 
-def couple(
-    harmonic: complex, order: int, sense: int, omega: float, radius: float, distance: float
-) -> Couple:
+def couple(harmonic: complex, order: int, sense: int, omega: float, radius: float, distance: float) -> Couple:
     """Against the harmonic M_k = Re(c e^{ikφ}) of the moment, φ turned by the driving link, whose sense is + or −.
 
     At the angle ψ from the axes' line both weights give m r (kω)² d sin ψ: with ψ = ±kφ + β this is the harmonic with

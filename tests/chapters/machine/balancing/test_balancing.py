@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from tmm_report import course
 from tmm_report.chapters.lever.kinetostatics.given import Loads
 from tmm_report.chapters.lever.moving import Moving
-from tmm_report.chapters.machine.balancing.given import METHODS, Counterweight, Existing, Given, Rotors
+from tmm_report.chapters.machine.balancing.given import METHODS, Counterweight, Existing, Given
 from tmm_report.chapters.machine.balancing.solve.substituted_masses import substitute, unreached
 from tmm_report.chapters.machine.balancing.solve.whole import Found, solve
 from tmm_report.mechanics.calculus import harmonics as fourier
@@ -20,7 +20,7 @@ from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.mechanics.masses.counterweights import added, smallest_circle
 from tmm_report.problems import ProblemError
 
-EVERY = {"rotors": Rotors(0.06, 0.04), "methods": list(METHODS)}
+EVERY = {"rotors": {"first": 0.06, "second": 0.04}, "methods": list(METHODS)}
 
 
 def balanced(name: str, **changes) -> Found:
@@ -294,7 +294,11 @@ def test_sense_of_rotation_changes_nothing_but_the_sense():
     other = replace(lever.mechanism.driver, omega=-lever.mechanism.driver.omega)
     found, mirrored = (
         solve(
-            Given(("optimum", "rotors"), {"1": Counterweight(distance=0.05)}, rotors=Rotors(0.05, 0.05)),
+            Given(
+                ("optimum", "rotors"),
+                {"1": Counterweight(distance=0.05)},
+                rotors={"first": 0.05, "second": 0.05},
+            ),
             Moving(course.solve_lever(replace(lever, mechanism=m, readings={}, loads=None)).kinematics, None),
         )
         for m in (lever.mechanism, replace(lever.mechanism, driver=other))

@@ -8,7 +8,7 @@ from conftest import solved
 from twice import disagreements
 
 from tmm_report.chapters.lever.moving import Moving
-from tmm_report.chapters.machine.balancing.given import METHODS, Counterweight, Given, Rotors
+from tmm_report.chapters.machine.balancing.given import METHODS, Counterweight, Given
 from tmm_report.chapters.machine.balancing.quantities import tables, values
 from tmm_report.chapters.machine.balancing.solve.whole import solve
 from tmm_report.chapters.machine.balancing.view.slider_crank import SliderView
@@ -29,7 +29,7 @@ def found(request):
     name, weight, part = request.param
     kinematics = solved(name).lever.kinematics
     weights = dict.fromkeys(kinematics.linkage.mechanism.moving, weight)
-    given = Given(list(METHODS), weights, part=part, rotors=Rotors(0.06, 0.04))
+    given = Given(list(METHODS), weights, part=part, rotors={"first": 0.06, "second": 0.04})
     return solve(given, Moving(kinematics, None))
 
 
@@ -51,7 +51,7 @@ def _ways(found, crank, remains):
     sizes = fourier.series(remains.exact, 2).amplitude
     for order, roman in ((1, "I"), (2, "II")):
         product = float(sizes[order]) / (2 * (order * found.kinematics.omega) ** 2)
-        ways |= {f"U_{roman}": product, f"m_{roman}": product / found.given.radii[order - 1]}
+        ways |= {f"U_{roman}": product, f"m_{roman}": product / found.given.radii[order]}
     return ways
 
 

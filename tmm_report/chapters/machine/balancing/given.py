@@ -11,12 +11,24 @@ from tmm_report.records import dataclass
 if TYPE_CHECKING:
     from pydantic import Field
 
-    from tmm_report.variant.values import Angle, Coefficient, KeyName, Name, Number, Positive, PositiveMass, whole
+    from tmm_report.variant.values import (
+        Angle,
+        Coefficient,
+        KeyName,
+        Name,
+        Number,
+        Positive,
+        PositiveMass,
+        whole,
+    )
 
 FULL, PIVOTED, SUBSTITUTED, OPTIMUM, ROTORS = "full", "pivoted", "substituted", "optimum", "rotors"
 INERTIA, COUPLES = "inertia", "couples"  # against the moment, after one of the others against the force
-METHODS = (FULL, PIVOTED, SUBSTITUTED, OPTIMUM, ROTORS, INERTIA, COUPLES)
+MOMENT = (INERTIA, COUPLES)
+METHODS = (FULL, PIVOTED, SUBSTITUTED, OPTIMUM, ROTORS, *MOMENT)
 STATED, NONE = "stated", "none"
+ORDERS = 24  # the highest order of a harmonic
+WORDS = {"first": 1, "second": 2}
 
 
 @dataclass(frozen=True)
@@ -48,23 +60,16 @@ class Existing:
 
 
 @dataclass(frozen=True)
-class Rotors:
-    """Lanchester's counter-rotating weights at the first and the second multiple of the speed."""
-
-    first: Annotated[
-        Positive, Field(description="radius of the weights of the first order", examples=["60 mm"])
-    ]
-    second: Annotated[
-        Positive, Field(description="radius of the weights of the second order", examples=["40 mm"])
-    ]
-
-
-@dataclass(frozen=True)
 class Antiphase:
     """Two equal weights that turn alike, half a turn apart, on axes side by side: a moment and no force."""
 
     radius: Annotated[Positive, Field(description="of both weights", examples=["60 mm"])]
     distance: Annotated[Positive, Field(description="between their axes", examples=["300 mm"])]
+
+
+def order_of(key: str) -> int:
+    """Of a harmonic; 0 of what is no order."""
+    return WORDS.get(key) or (int(key) if key.isdecimal() else 0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,7 +98,14 @@ class Balancing:
     about: Annotated[
         Name | None, Field(description="fixed point of the shaking moment; the driving pivot")
     ] = None
-    rotors: Rotors | None = None
+    rotors: Annotated[
+        dict[KeyName, Positive],
+        Field(
+            description="radius of Lanchester's counter-rotating weights by their order: turns in a turn of the "
+            "driving link; first and second are 1 and 2",
+            examples=["{1: 60 mm, 2: 40 mm}"],
+        ),
+    ] = field(default_factory=dict)
     after: Annotated[
         Literal["none", "stated", "full", "pivoted", "substituted", "optimum", "rotors"] | None,
         Field(
@@ -113,7 +125,7 @@ class Balancing:
         dict[KeyName, Antiphase], Field(description="by order: turns in a turn of the driving link")
     ] = field(default_factory=dict)
     highest: Annotated[
-        Annotated[int, whole(2, 24)],
+        Annotated[int, whole(2, ORDERS)],
         Field(description="highest order of the harmonics of the shaking force"),
     ] = 6
 
@@ -126,9 +138,10 @@ class Balancing:
         return (FULL, SUBSTITUTED, OPTIMUM, *(name for name, stated in more if stated))
 
     @property
-    def radii(self) -> tuple[float, float] | None:
-        """Of the rotors of the first and the second order, m; None where they are not asked for."""
-        return (self.rotors.first, self.rotors.second) if self.rotors else None
+    def radii(self) -> dict[int, float]:
+        """Of the rotors by their order, m."""
+        found = {order_of(key): radius for key, radius in self.rotors.items()}
+        return {order: found[order] for order in sorted(found)}
 
 
 Given = Balancing

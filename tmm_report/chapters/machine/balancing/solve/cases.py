@@ -159,7 +159,9 @@ class Ground:
     ) -> Case:
         """A case with wheels geared to its links, or with weights in antiphase: both leave its force as it is."""
         shaken = []
-        for number, (motion, turned, arm) in enumerate(zip(self.motions, self.turned, self.arms, strict=True)):
+        for number, (motion, turned, arm) in enumerate(
+            zip(self.motions, self.turned, self.arms, strict=True)
+        ):
             before = base.at(number)
             moment = geared(motion, wheels) + moment_of(couples, self.cycle.sense * turned, self.omega)
             shaken.append(Shaken(before.force, self.settled(before.moment + moment, arm)))

@@ -1,10 +1,10 @@
-"""What lowers the shaking moment that a balance of the force leaves: wheels geared to the links, weights in antiphase."""
+"""What lowers the shaking moment that a balance of the force leaves: wheels geared to links, weights in antiphase."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from tmm_report.chapters.machine.balancing.given import COUPLES, INERTIA, NONE, Given
+from tmm_report.chapters.machine.balancing.given import COUPLES, INERTIA, NONE, Given, order_of
 from tmm_report.chapters.machine.balancing.solve.cases import CLOSED, ORIGINAL, Case, Ground
 from tmm_report.chapters.machine.balancing.solve.substituted_masses import turning
 from tmm_report.mechanics.calculus import harmonics as fourier
@@ -26,7 +26,7 @@ def cases(ground: Ground, given: Given, before: Sequence[Case]) -> Iterator[Case
         wheels = least_square(ground.motions[2], ratios, base.cycle.moment)
         base = ground.with_moment(INERTIA, base, wheels=tuple(wheels))
         yield base
-    if COUPLES in given.ways:
+    if COUPLES in given.ways and given.couples:
         yield ground.with_moment(COUPLES, base, couples=tuple(_couples(ground, given, base)))
 
 
@@ -36,7 +36,9 @@ def chosen(given: Given, before: Sequence[Case]) -> Case:
     after = ORIGINAL if given.after == NONE else given.after
     found = [case for case in before if after is None or case.name.split("_")[0] == after]
     if not found:
-        text = N_("the way of balancing %(way)s, after which the moment is to be balanced, is not among those found")
+        text = N_(
+            "the way of balancing %(way)s, after which the moment is to be balanced, is not among those found"
+        )
         ways = dict.fromkeys(case.name.split("_")[0] for case in before)
         words = ", ".join(NONE if way == ORIGINAL else way for way in ways)
         right = Message(N_("one of: %(words)s"), {"words": words})
@@ -71,7 +73,7 @@ def _ratios(ground: Ground, given: Given) -> dict[str, float]:
 
 def _couples(ground: Ground, given: Given, base: Case) -> Iterator[Couple]:
     """A pair of weights against every stated order of the moment."""
-    orders = {int(order): one for order, one in given.couples.items()}
+    orders = {order_of(key): one for key, one in given.couples.items()}
     moment, sense = base.cycle.moment, ground.cycle.sense
     spectrum = fourier.series(moment, max(orders))
     for order, one in sorted(orders.items()):

@@ -27,7 +27,7 @@ from tmm_report.chapters.machine.balancing.solve.cases import (
 from tmm_report.chapters.machine.balancing.solve.counterweights import (
     cases,
     force_harmonics,
-    four_rotors,
+    pairs_of_rotors,
     turned_back,
 )
 from tmm_report.chapters.machine.balancing.solve.slider_cranks import Remaining, remaining
@@ -48,6 +48,7 @@ if TYPE_CHECKING:
 __all__ = ["Case", "Found", "Given", "solve"]
 
 Array = Any
+UNSIZED = {1: 1.0, 2: 1.0}  # rotors of which no radius is stated
 TURNS = Message(N_("a mechanism that turns all round, or take this block out"))
 JUMPING = N_(
     "the acceleration of the cam's follower jumps within the turn: the harmonics of the shaking force fall too slowly"
@@ -137,7 +138,7 @@ def solve(given: Given, moving: Moving | None) -> Found:
         substituted,
         missing,
         force_harmonics(ground.original, found.cycle.sense, given.highest),
-        tuple(four_rotors(ground, given.radii or (1.0, 1.0))),
+        tuple(pairs_of_rotors(ground, given.radii or UNSIZED)),
         seen,
         circle,
         cranks,
