@@ -1,17 +1,18 @@
 """What ways of balancing make of the shaking moment, wheels and weights in antiphase against it, rotors of any order:
 by the angular momentum of positions, by the reactions of a mechanism that has the wheel, by Berkof's closed form."""
 
+import json
 import math
 import re
 
 import numpy as np
 import pytest
-from conftest import examples
+from conftest import examples, solved
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from notes import VARIANTS
+from notes import VARIANTS, note
 
-from tmm_report import course
+from tmm_report import course, render
 from tmm_report.chapters.machine.balancing.solve.cases import Case
 from tmm_report.chapters.machine.balancing.solve.whole import Found
 from tmm_report.mechanics.calculus import harmonics as fourier
@@ -92,6 +93,28 @@ def test_full_balance_of_the_compressor_raises_the_moment_sevenfold():
     assert (
         geared < 0.05 * full and case(found, "inertia").force_max.value == case(found, "full").force_max.value
     )
+
+
+def test_the_note_says_which_ways_raise_the_moment_and_which_lower_it():
+    """By the greatest moments of the results."""
+    document = json.loads(render(solved("crank_rocker"), "json", "en")["results.json"])
+    columns = {one["key"]: one["values"] for one in document["tables"]["balancing_cases"]["columns"]}
+    html = note("crank_rocker", "html", "en")["note.html"].decode()
+    text = re.sub(r"\s+", " ", re.sub(r"<[^>]+>", "", html).replace("\xa0", " "))
+    said = re.search(
+        r"about point O is ([\d.]+) N·m. It is raised by ([^:]+):.*?It is lowered by (.*?)\. ", text
+    )
+    assert said is not None
+    assert float(said[1]) == pytest.approx(columns["M_max"][0], rel=1e-4)
+    for told, sense in ((said[2], 1), (said[3], -1)):
+        ways = re.findall(r"way (\d+) to ([\d.]+) N·m \(([\d.]+) %\)", told)
+        first = columns["M_max"][0]
+        assert [int(n) for n, *_ in ways] == [
+            n for n, moment in enumerate(columns["M_max"]) if sense * (moment - first) > 1e-6 * first
+        ]
+        for n, moment, percent in ways:
+            assert float(moment) == pytest.approx(columns["M_max"][int(n)], rel=1e-4)
+            assert float(percent) == pytest.approx(100 * columns["M_max"][int(n)] / first, rel=1e-3)
 
 
 # ---------------------------------------------------------------- wheels

@@ -41,7 +41,7 @@ def _named(of: Q, values: Sequence[float], symbols: Sequence[Symbol]) -> Column:
 def _wheels(case: Case) -> Table:
     links = [one.link for one in case.wheels]
     return Table(
-        "balance_wheels",
+        "geared_inertia",
         WHEELS,
         (
             text_column("link", Message(N_("link")), links),

@@ -75,7 +75,7 @@ class AgainstMoment(BalancingRows):
         total: Expr = self._moment_before(case)
         for row, wheel in enumerate(case.wheels):
             if wheel.inertia:
-                table = self.table("balance_wheels")
+                table = self.table("geared_inertia")
                 rate = self._rates.var(rates.link_rate("e", wheel.link).key, k)
                 total = total - table.var("J", row) * table.var("i", row) * rate
         return self.table("balanced_table").formula(moment(self._number(case)).key, k, total)
@@ -91,7 +91,7 @@ class AgainstMoment(BalancingRows):
         return self.found.every.index(case)
 
     def wheels(self, caption: Any) -> Table:
-        table, page = self.table("balance_wheels"), self.page
+        table, page = self.table("geared_inertia"), self.page
         heads = [
             self.t("Link"),
             *(page.head(table[key].quantity.sign, table[key].quantity.printed) for key in "iJ"),
