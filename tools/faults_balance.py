@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from faults import FRICTION, MECHANICS, Fault
+from faults import ECCENTRIC, FRICTION, MECHANICS, Fault
 
 BALANCING = "tmm_report/chapters/machine/balancing/"
 HARMONICS = "tmm_report/chapters/machine/harmonics/"
@@ -149,6 +149,16 @@ FAULTS = (
     Fault("rotors of order 2 by half the coefficient", BALANCING + "steps.py",
           "abs(coefficient(crank, 2)) * whole / 8", "abs(coefficient(crank, 2)) * whole / 16", "compressor",
           ("tests/chapters/machine/balancing/test_balancing_twice.py",)),
+    Fault("satellites of an eccentric mechanism lean the other way", ECCENTRIC + "steps.py",
+          "self.s.alpha + half if load.moment > 0", "self.s.alpha - half if load.moment > 0", "eccentric",
+          ("tests/chapters/gears/test_eccentric_loads.py",)),
+    Fault("the force of the satellites not shared by all of them", ECCENTRIC + "steps.py",
+          'else s.F_sum / s.var("satellites")', "else s.F_sum", "eccentric",
+          ("tests/chapters/gears/test_eccentric_loads.py",)),
+    Fault("radial forces of the ring pull the satellites", MECHANICS + "gears/eccentric/loads.py",
+          "n3 - np.tan(alpha) * n3", "n3 + np.tan(alpha) * n3", "eccentric"),
+    Fault("the moment on the body of the axes along the sun's", ECCENTRIC + "steps.py",
+          "s.M_H = -(s.M_1 + s.M_3)", "s.M_H = s.M_1 + s.M_3", "eccentric"),
     Fault("axes of an engine's forces exchanged", "tmm_report/chapters/machine/engine/values.py",
           'Symbol(kind.letter, axis), kind.unit, meaning)',
           'Symbol(kind.letter, "y" if axis == "x" else "x"), kind.unit, meaning)', "engine_balance",
