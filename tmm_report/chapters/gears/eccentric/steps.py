@@ -5,6 +5,7 @@ Teeth, satellites and their places are sought among arrays: what was found is pu
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Iterator
 
@@ -28,7 +29,6 @@ from tmm_report.chapters.gears.eccentric.values import (
     of_place,
     of_satellite,
 )
-from tmm_report.mechanics.gears.eccentric.loads import on_axes
 from tmm_report.mechanics.gears.pair_sizes import least_ring, least_teeth, ring_rule
 from tmm_report.quantity.formula import PI, Expr, Number, Var, arccos, cos, sin, sqrt, tan
 from tmm_report.quantity.functions import FULL, HALF
@@ -276,10 +276,10 @@ class Mechanism:
             )
             row.F_n = row.F_t / cos(s.alpha)
             row.Q_ = 2 * row.F_t * cos(self._leaning(row, load)) / cos(s.alpha)
-        phi1, phi3 = ([getattr(of, key) for of in found.satellites] for key in ("phi1", "phi3"))
-        force = [row.number("F_t") for row in rows]
-        R_1, R_3 = on_axes(phi1, phi3, force, math.copysign(1, load.moment), self.given.rack.alpha)
-        s.R_1, s.R_3 = abs(R_1), abs(R_3)
+        for key, angle in (("R_1", "phi1"), ("R_3", "phi3")):  # at which every normal force leans alike
+            directions = (cmath.exp(1j * getattr(of, angle)) for of in found.satellites)
+            forces = (row.number("F_n") * to for row, to in zip(rows, directions, strict=True))
+            s.put(key, abs(sum(forces)))
         yield from rows
 
     def _sharing(self, number: int, of: Satellite, load: Load) -> Loaded:

@@ -53,7 +53,7 @@ WAYS = (
     ),
     Way("eccentric_masses.*", MASS, of="t eccentric_density eccentric_b"),
     Way("eccentric_loads.*", LOADS, of="wheel gamma eccentric_F_sum eccentric_kappa"),
-    Way("eccentric_R_*", AXES, of="eccentric_loads.F_t eccentric_satellites.phi1 eccentric_satellites.phi3"),
+    Way("eccentric_R_*", AXES, of="eccentric_loads.F_n eccentric_satellites.phi1 eccentric_satellites.phi3"),
     Way("eccentric_z* eccentric_satellites", TEETH, of="eccentric_t eccentric_E"),
     Way(
         "eccentric_e",
