@@ -156,7 +156,7 @@ FAULTS = (
           'else s.F_sum / s.var("satellites")', "else s.F_sum", "eccentric",
           ("tests/chapters/gears/test_eccentric_loads.py",)),
     Fault("forces on the axes of sun and ring exchanged", ECCENTRIC + "steps.py",
-          'for key, angle in (("R_1", "phi1"), ("R_3", "phi3"))', 'for key, angle in (("R_3", "phi1"), ("R_1", "phi3"))',
+          '(("R_1", "phi1"), ("R_3", "phi3"))', '(("R_3", "phi1"), ("R_1", "phi3"))',
           "eccentric", ("tests/chapters/gears/test_eccentric_loads.py",)),
     Fault("the moment on the body of the axes along the sun's", ECCENTRIC + "steps.py",
           "s.M_H = -(s.M_1 + s.M_3)", "s.M_H = s.M_1 + s.M_3", "eccentric"),

@@ -87,7 +87,9 @@ def by_displacements(found):
         for axis in (2, 3):
             stiffness[axis + 3 * number, axis + 3 * number] += k
     size = np.array([1.0] + [half * of.teeth * (k == 0) or 1.0 for of in found.satellites for k in range(3)])
-    free = [n for n in range(1 + 3 * count) if load.yielding is not None or n == 0 or n % 3 == 1]  # rigid axes stay
+    free = [
+        n for n in range(1 + 3 * count) if load.yielding is not None or n == 0 or n % 3 == 1
+    ]  # rigid axes stay
     wanted = np.zeros(len(free))
     wanted[0] = load.moment if load.on == "sun" else load.moment * found.sun / found.ring
     displaced = np.zeros(1 + 3 * count)

@@ -46,7 +46,9 @@ class BalancingSheet(AgainstMoment):
         """Counter-rotating weights by their orders."""
         if orders in ROTATING:
             return self.t(ROTATING[orders])
-        return self.t(N_("counter-rotating weights of order %(orders)s"), orders=", ".join(map(str, orders)))
+        if len(orders) == 1:
+            return self.t(N_("counter-rotating weights of order %(order)s"), order=orders[0])
+        return self.t(N_("counter-rotating weights of orders %(orders)s"), orders=", ".join(map(str, orders)))
 
     def shaking(self, caption: Any) -> Table:
         columns = self.columns("shaking_table", ("F_shake_x", "F_shake_y", "F_shake", "M_shake"))
