@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from faults import FRICTION, MECHANICS, Fault
+from faults import ECCENTRIC, FRICTION, MECHANICS, Fault
 
 BALANCING = "tmm_report/chapters/machine/balancing/"
 HARMONICS = "tmm_report/chapters/machine/harmonics/"
@@ -95,6 +95,28 @@ FAULTS = (
     Fault("rotors that turn with and against exchanged", BALANCING + "quantities/whole.py",
           "Rotors.order.column([one.order for one in rows])", "Rotors.order.column([-one.order for one in rows])",
           "crank_rocker"),
+    Fault("a wheel that turns the other way in the formula", BALANCING + "view/moment.py",
+          'total = total - table.var("J", row)', 'total = total + table.var("J", row)', "crank_rocker"),
+    Fault("wheels that raise the shaking moment", MECHANICS + "masses/shaking_moment.py",
+          "total = total - wheel.inertia * wheel.ratio", "total = total + wheel.inertia * wheel.ratio",
+          "crank_rocker"),
+    Fault("weights in antiphase a quarter turn late", MECHANICS + "masses/shaking_moment.py",
+          "total = total + size * np.sin(one.angle", "total = total + size * np.cos(one.angle", "compressor"),
+    Fault("weights in antiphase of order 3 as those of order 1", MECHANICS + "masses/shaking_moment.py",
+          "product = size / ((order * omega) ** 2 * distance)", "product = size / (omega**2 * distance)",
+          "compressor"),
+    Fault("what is left of the moment by another row", BALANCING + "view/moment.py",
+          'self.page.shown(self.table("balancing_cases"), "M_max", number)',
+          'self.page.shown(self.table("balancing_cases"), "M_rms", number)', "crank_rocker",
+          ("tests/chapters/machine/balancing/test_shaking_moment.py",)),
+    Fault("ways that raise the moment and those that lower it exchanged", BALANCING + "view/moment.py",
+          "if sense * (case.moment_max.value - first)", "if sense * (first - case.moment_max.value)",
+          "crank_rocker", ("tests/chapters/machine/balancing/test_shaking_moment.py",)),
+    Fault("harmonics of the moment before for those left", BALANCING + "quantities/against_moment.py",
+          "(found.original, base, cases[-1])", "(found.original, cases[-1], base)", "compressor"),
+    Fault("rotors of order 3 by the harmonic of order 1", BALANCING + "view/rows.py",
+          "of = abs(order) - 1", "of = 0", "compressor",
+          ("tests/chapters/machine/balancing/test_balancing_twice.py",)),
     Fault("forces with and against the driving link exchanged", BALANCING + "quantities/whole.py",
           "parts = ((F_with, alpha_with, forward), (F_against, alpha_against, backward))",
           "parts = ((F_with, alpha_with, backward), (F_against, alpha_against, forward))"),
@@ -127,6 +149,17 @@ FAULTS = (
     Fault("rotors of order 2 by half the coefficient", BALANCING + "steps.py",
           "abs(coefficient(crank, 2)) * whole / 8", "abs(coefficient(crank, 2)) * whole / 16", "compressor",
           ("tests/chapters/machine/balancing/test_balancing_twice.py",)),
+    Fault("satellites of an eccentric mechanism lean the other way", ECCENTRIC + "steps.py",
+          "self.s.alpha + half if load.moment > 0", "self.s.alpha - half if load.moment > 0", "eccentric",
+          ("tests/chapters/gears/test_eccentric_loads.py",)),
+    Fault("the force of the satellites not shared by all of them", ECCENTRIC + "steps.py",
+          'else s.F_sum / s.var("satellites")', "else s.F_sum", "eccentric",
+          ("tests/chapters/gears/test_eccentric_loads.py",)),
+    Fault("forces on the axes of sun and ring exchanged", ECCENTRIC + "steps.py",
+          '(("R_1", "phi1"), ("R_3", "phi3"))', '(("R_3", "phi1"), ("R_1", "phi3"))',
+          "eccentric", ("tests/chapters/gears/test_eccentric_loads.py",)),
+    Fault("the moment on the body of the axes along the sun's", ECCENTRIC + "steps.py",
+          "s.M_H = -(s.M_1 + s.M_3)", "s.M_H = s.M_1 + s.M_3", "eccentric"),
     Fault("axes of an engine's forces exchanged", "tmm_report/chapters/machine/engine/values.py",
           'Symbol(kind.letter, axis), kind.unit, meaning)',
           'Symbol(kind.letter, "y" if axis == "x" else "x"), kind.unit, meaning)', "engine_balance",

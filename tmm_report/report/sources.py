@@ -12,6 +12,10 @@ SOURCES = {
         "Frolov K. V. (ed.), Popov S. A., Musatov A. K. et al. Theory of Mechanisms and Machines. Moscow: "
         "Vysshaya Shkola, 1987. 496 p. (in Russian)"
     ),
+    "berkof": N_(
+        "Berkof R. S. Complete Force and Moment Balancing of Inline Four-Bar Linkages. Mechanism and Machine Theory 8 "
+        "(1973), pp. 397–410"
+    ),
     "freudenstein": N_(
         "Freudenstein F. Approximate Synthesis of Four-Bar Linkages. Transactions of the ASME 77 (1955), pp. 853–861"
     ),

@@ -6,6 +6,7 @@ import math
 import numpy as np
 import pytest
 from notes import VARIANTS
+from test_eccentric_loads import by_displacements, lines
 from twice import disagreements
 
 from tmm_report import course
@@ -16,14 +17,15 @@ from tmm_report.mechanics.gears.eccentric import mechanism as ecc
 
 DISCS = "width: 20 mm, density: 7800 kg/m^3"
 CASES = {
-    "four satellites": f"ratio: 4, eccentricity: 18 mm, t: 10, clearance: 1 mm, speed: 100 rpm, {DISCS}",
+    "four satellites": f"ratio: 4, eccentricity: 18 mm, t: 10, clearance: 1 mm, speed: 100 rpm, {DISCS}, "
+    "load: {moment: -30 N*m, on: ring, meshes: 4e8 N/m, axes: 1e8 N/m}",
     "crowded": "ratio: 4, eccentricity: 18 mm, t: 16, satellites: [largest, middle]",
     "one alone": "ratio: 4, eccentricity: 18 mm, satellites: [largest]",
     "no middle satellite, paths": "ratio: 4, eccentricity: 17 mm, tolerance: 3 %, rack: {ha*: 0.8, c*: 0.3}, "
     + DISCS
     + ", points: {A: {radius: 100 mm, angle: -30 deg}, B: {wheel: sun, radius: 6 mm, angle: 40 deg}}",
     "undercut": "teeth: [14, 40, 76]",
-    "other satellites by the backlash": "ratio: 4, eccentricity: 18 mm, t: 13, backlash: 0.4 mm",
+    "other satellites by the backlash": "ratio: 4, eccentricity: 18 mm, t: 13, backlash: 0.4 mm, load: {moment: 5 N*m}",
     "a fraction, another rack": "ratio: 17/3, eccentricity: 12 mm, rack: {alpha: 25 deg, ha*: 0.9}",
     "a coefficient of one": "ratio: 1.5, eccentricity: 10 mm",
     "near the stated ratio": "ratio: 4, teeth: [27, 49, 107], eccentricity: 18 mm, tolerance: 1 %",
@@ -67,6 +69,8 @@ def test_every_formula_agrees_with_the_second_way(found):
     if made.masses is not None:
         each = dict(zip(("m2", "m4", "m5"), found.masses.each[found.row], strict=False))
         wrong += disagreements(made.masses, each | {"saving": found.masses.saving[found.row]})
+    for of, row in zip(found.satellites, made.loads, strict=bool(made.loads)):
+        wrong += disagreements(row, _loaded(found, of), formed=True)
     for path in made.paths:
         place = 1e3 * path.traced.places[WRITTEN]
         wrong += disagreements(path.s, {"rate": path.traced.rate})
@@ -91,7 +95,37 @@ def _ways(found):
     }  # fmt: skip
     if found.masses is not None:
         ways["saved_share"] = 100 * found.masses.saving[found.row] / found.masses.each[found.row, 0]
+    if (load := found.given.load) is not None:
+        ways |= _moments(found, load)
     return ways
+
+
+def _moments(found, load):
+    """By the powers: of the members with the axes stopped, then of all with the ring stopped; w by the forces."""
+    axes, ring, _ = (of.speed for of in found.motions)
+    on_sun = load.moment if load.on == "sun" else -load.moment * axes["3"] / axes["1"]
+    ways = {"M_1": on_sun, "M_3": -on_sun * axes["1"] / axes["3"], "M_H": -on_sun * ring["1"] / ring["H"]}
+    ways["F_sum"] = abs(on_sun) / (found.given.module * found.sun / 2)
+    if load.yielding is not None:
+        forces = [by_displacements(found)[of.wheel] for of in found.satellites]
+        ways["share_sum"] = sum(forces) / forces[0] * _weight(found, found.satellites[0])
+    return ways
+
+
+def _weight(found, of):
+    """By the squares of the forces on axis and meshes, for a normal force of 1 in both."""
+    one, other = lines(found, of)
+    return 1 / (1 + found.given.load.yielding * abs(one + other) ** 2 / 2)
+
+
+def _loaded(found, of):
+    force, alpha = by_displacements(found)[of.wheel], found.given.rack.alpha
+    centre = _centre(found, of)
+    one, other = lines(found, of)
+    ways = {"gamma": cmath.phase((centre - found.e) / centre), "F_t": force, "F_n": force / math.cos(alpha)}
+    if found.given.load.yielding is not None:
+        ways["w"] = _weight(found, of)
+    return {**ways, "Q": abs(one + other) * ways["F_n"]}
 
 
 def _centre(found, of):

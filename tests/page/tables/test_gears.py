@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import itertools
 import math
 from collections.abc import Iterator
@@ -129,6 +130,34 @@ def wrong_teeth(document: dict[str, Any]) -> Iterator[str]:
                 yield f"wheel {wheel}, row {k}: {about:.6g} about the axes, the sun {sun:.6g}"
 
 
+def wrong_loads(document: dict[str, Any]) -> Iterator[str]:
+    """Forces of an eccentric mechanism: on each satellite no moment about its centre; on the wheels the moments."""
+    if "eccentric_loads" not in document["tables"]:
+        return
+    whole = {entry["key"].removeprefix("eccentric_"): entry["value"] for entry in document["values"]}
+    loads, places = (
+        {c["key"]: c["values"] for c in document["tables"][f"eccentric_{name}"]["columns"]}
+        for name in ("loads", "satellites")
+    )
+    tan, sense = math.tan(math.radians(whole["alpha"])), math.copysign(1, whole["M_1"])
+    one, other = 0j, 0j
+    for k, force in enumerate(loads["F_t"]):
+        n1, n3 = (cmath.exp(1j * math.radians(places[key][k])) for key in ("phi1", "phi3"))
+        on_sun, on_ring = -force * (sense * 1j + tan) * n1, -force * (sense * 1j - tan) * n3
+        one, other = one + on_sun, other + on_ring
+        for what, number, right in (
+            ("F_n", loads["F_n"][k], abs(on_sun)),
+            ("Q", loads["Q"][k], abs(on_sun + on_ring)),
+        ):
+            if abs(number - right) > 1e-9 * right:
+                yield f"{what} of satellite {loads['wheel'][k]}: {number:.8g}, should be {right:.8g}"
+    total = sum(loads["F_t"]) * sense
+    rights = {"R_1": abs(one), "R_3": abs(other), "M_1": total * whole["r_1"], "M_3": total * whole["r_3"]}
+    for key, right in (rights | {"M_H": -rights["M_1"] - rights["M_3"]}).items():
+        if abs(whole[key] - right) > 1e-9 * abs(total) * (1 if key.startswith("R") else whole["r_3"]):
+            yield f"{key}: {whole[key]:.8g}, should be {right:.8g}"
+
+
 def wrong_margins(note: Note, document: dict[str, Any]) -> Iterator[str]:
     """What is in hand is the difference of value and limit."""
     for name, table in document["tables"].items():
@@ -152,7 +181,7 @@ def wrong_margins(note: Note, document: dict[str, Any]) -> Iterator[str]:
 def test_tables_of_gears_agree_with_themselves(name):
     note, document = html(name), results(name)
     found = [*wrong_speeds(note, document), *wrong_meshes(note, document), *wrong_wheels(note)]
-    found += [*wrong_motions(document), *wrong_teeth(document)]
+    found += [*wrong_motions(document), *wrong_teeth(document), *wrong_loads(document)]
     wrong([*found, *wrong_family(note), *wrong_margins(note, document)])
 
 

@@ -51,8 +51,9 @@ DRIVES = {
     ],
 }
 ECCENTRICS = {
-    "no middle satellite": "ratio: 4, eccentricity: 17 mm, backlash: 0.4 mm",
-    "crowded": "ratio: 4, eccentricity: 18 mm, t: 16, clearance: 1 mm, speed: 100 rpm",
+    "no middle satellite": "ratio: 4, eccentricity: 17 mm, backlash: 0.4 mm, load: {moment: 12 N*m}",
+    "crowded": "ratio: 4, eccentricity: 18 mm, t: 16, clearance: 1 mm, speed: 100 rpm, "
+    "load: {moment: -50 N*m, on: ring, meshes: 300 N/um, axes: 100 N/um}",
     "undercut": "teeth: [14, 40, 76]",
     "sets near the ratio, paths, masses": "ratio: 4, eccentricity: 17 mm, rack: {ha*: 0.8, c*: 0.3}, tolerance: 3 %, "
     "width: 20 mm, density: 7800 kg/m^3, points: {A: {radius: 100 mm}, B: {wheel: sun, radius: 6 mm, angle: 40 deg}}",

@@ -107,6 +107,7 @@ def test_a_counterweight_on_the_driving_link_adds_its_centrifugal_force(name):
         if reached > greatest * (1 + CLOSE) + 1e-9 * cases["F_max"][0]:
             found.append(f"way {n} reaches {reached:.6g}, its greatest is {greatest:.6g}")
     found += differs("left", cases["left"], cases["F_max"] / cases["F_max"][0])
+    found += differs("left of M", cases["M_left"], cases["M_max"] / cases["M_max"][0])
     wrong(found)
 
 
@@ -151,6 +152,43 @@ def test_rotors_are_as_strong_as_the_harmonics_against_which_they_turn(name):
         if math.isfinite(alpha):
             turned = np.exp(1j * (alpha - harmonics[f"alpha_{side}"][row]))
             found += differs(f"angle of rotor {order}", np.array([turned]), np.array([-1 + 0j]), close=1e-6)
+    wrong(found)
+
+
+@pytest.mark.parametrize("name", BALANCED)
+def test_wheels_and_weights_in_antiphase_add_their_moments(name):
+    """−Σ J i ε of the wheels, ± U (kω)² d sin(kφ + α) of two weights a distance apart; their forces are nothing."""
+    document = results(name)
+    ways, after = texts(document, "balancing_cases", "method"), table_of(document, "balanced_table")
+    rates, omega, found = table_of(document, "rates_table"), value_of(document, "omega"), []
+    if "inertia" not in ways:
+        return
+    n = ways.index("inertia")
+    ready = [k for k in range(1, n) if np.abs(after[f"F_shake_{k}"] - after[f"F_shake_{n}"]).max() < 1e-9]
+    wheels = table_of(document, "geared_inertia")
+    added = sum(
+        -J * i * rates[f"e_{link}"]
+        for link, J, i in zip(
+            texts(document, "geared_inertia", "link"), wheels["J"], wheels["i"], strict=True
+        )
+    )
+    near = [np.abs(after[f"M_shake_{k}"] + added - after[f"M_shake_{n}"]).max() for k in ready]
+    if not near or min(near) > CLOSE * np.abs(added).max():
+        found.append(f"the wheels take something else: {near}")
+    if "couples" in ways:
+        pairs, m = table_of(document, "antiphase_weights"), ways.index("couples")
+        turned = math.copysign(1, omega) * after["phi"]
+        sizes = pairs["m"] * pairs["r"] * (pairs["order"] * omega) ** 2 * pairs["d"]
+        moments = [
+            size * np.sin(k * turned + alpha)
+            for size, k, alpha in zip(sizes, pairs["order"], pairs["alpha"], strict=True)
+        ]
+        of = after[f"M_shake_{n}"] + sum(moments)
+        found += differs("weights", after[f"M_shake_{m}"], of, np.abs(after[f"M_shake_{n}"]).max())
+        found += differs("amplitude", pairs["M"], sizes)
+        harmonics = table_of(document, "moment_harmonics")
+        rows = [int(k) - 1 for k in pairs["order"]]
+        found += differs("taken", harmonics["M_after"][rows], np.zeros(len(rows)), harmonics["M"].max())
     wrong(found)
 
 

@@ -27,6 +27,17 @@ STATES = {
         "methods: [substituted, rotors], counterweights: {1: {mass: 2 kg}, 3: {distance: 5 cm}}, about: C, "
         "rotors: {first: 5 cm, second: 4 cm}, stated: {3: {mass: 3 kg, distance: 6 cm, angle: 170 deg}}",
     ),
+    "against the moment, rotors of order 3": (
+        "crank_rocker",
+        f"methods: [full, rotors, inertia, couples], counterweights: {{2: {AT}, 3: {AT}}}, after: full, "
+        "rotors: {first: 5 cm, 3: 3 cm}, wheels: {3: -2}, couples: {1: {radius: 5 cm, distance: 20 cm}, "
+        "2: {radius: 4 cm, distance: 20 cm}}",
+    ),
+    "against the moment, nothing to gear": (
+        "slider_crank_offset",
+        "methods: [rotors, inertia, couples], after: none, rotors: {2: 4 cm, 3: 3 cm, 4: 2 cm, 6: 1 cm}, "
+        "couples: {2: {radius: 5 cm, distance: 20 cm}}",
+    ),
     "a rocker that turns right round": (
         "whitworth",
         f"methods: [pivoted], counterweights: {{1: {AT}, 3: {AT}}}",

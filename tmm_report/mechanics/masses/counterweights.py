@@ -101,9 +101,15 @@ def _joined(link: Link, weight: Weight) -> Link:
     return replace(link, points=points, mass=mass, mass_centre=name, inertia=inertia)
 
 
-def weighted(linkage: Linkage, weights: Iterable[Weight]) -> Linkage:
-    """The linkage whose links have the counterweights."""
+def weighted(
+    linkage: Linkage, weights: Iterable[Weight], inertia: Mapping[str, float] | None = None
+) -> Linkage:
+    """The linkage whose links have the counterweights; `inertia`: what their moments of inertia have besides, kg m²."""
     mechanism = fitted(linkage.mechanism, weights)
+    if inertia:
+        more = {name: replace(link, inertia=link.inertia + inertia.get(name, 0.0))
+                for name, link in mechanism.links.items()}  # fmt: skip
+        mechanism = replace(mechanism, links=more)
     return replace(linkage, structure=replace(linkage.structure, mechanism=mechanism))
 
 

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from tmm_report import course
 from tmm_report.chapters.lever.kinetostatics.given import Loads
 from tmm_report.chapters.lever.moving import Moving
-from tmm_report.chapters.machine.balancing.given import METHODS, Counterweight, Existing, Given, Rotors
+from tmm_report.chapters.machine.balancing.given import METHODS, Antiphase, Counterweight, Existing, Given
 from tmm_report.chapters.machine.balancing.solve.substituted_masses import substitute, unreached
 from tmm_report.chapters.machine.balancing.solve.whole import Found, solve
 from tmm_report.mechanics.calculus import harmonics as fourier
@@ -20,7 +20,11 @@ from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.mechanics.masses.counterweights import added, smallest_circle
 from tmm_report.problems import ProblemError
 
-EVERY = {"rotors": Rotors(0.06, 0.04), "methods": list(METHODS)}
+EVERY = {
+    "rotors": {"first": 0.06, "second": 0.04},
+    "couples": {"1": Antiphase(0.06, 0.3)},
+    "methods": list(METHODS),
+}
 
 
 def balanced(name: str, **changes) -> Found:
@@ -51,7 +55,8 @@ def turning(variant) -> Found:
 def test_frame_hands_on_the_inertia_forces(turning):
     """As it is and with all counterweights as parts of the links: force and moment by the frame's reactions."""
     assert turning.s.number("balancing_disagreement") < 1e-9
-    assert all(one.check is not None for one in turning.every if not one.rotors)
+    beside = [one for one in turning.every if one.rotors or one.couples]  # what turns beside the links
+    assert all(one.check is not None for one in turning.every if one not in beside and one.base not in beside)
 
 
 @pytest.mark.parametrize("name", ["compressor", "crank_rocker", "piston_pump"])
@@ -289,12 +294,26 @@ def test_rotors_take_the_first_two_orders_and_nothing_else(turning):
         assert np.allclose(after, expected, rtol=0, atol=1e-10 * np.abs(before).max())
 
 
+def test_wheels_and_weights_never_leave_more_of_the_moment(turning):
+    """In the mean square, and nothing more of the force; weights add no wheel."""
+    geared, coupled = case(turning, "inertia"), case(turning, "couples")
+    assert geared.base is not None and coupled.base is geared
+    size = turning.original.moment_max.value
+    assert geared.moment_rms <= geared.base.moment_rms + 1e-9 * size
+    assert coupled.moment_rms <= geared.moment_rms + 1e-9 * size
+    assert geared.force_max.value == coupled.force_max.value == geared.base.force_max.value
+
+
 def test_sense_of_rotation_changes_nothing_but_the_sense():
     lever = read("slider_crank_offset").lever
     other = replace(lever.mechanism.driver, omega=-lever.mechanism.driver.omega)
     found, mirrored = (
         solve(
-            Given(("optimum", "rotors"), {"1": Counterweight(distance=0.05)}, rotors=Rotors(0.05, 0.05)),
+            Given(
+                ("optimum", "rotors"),
+                {"1": Counterweight(distance=0.05)},
+                rotors={"first": 0.05, "second": 0.05},
+            ),
             Moving(course.solve_lever(replace(lever, mechanism=m, readings={}, loads=None)).kinematics, None),
         )
         for m in (lever.mechanism, replace(lever.mechanism, driver=other))

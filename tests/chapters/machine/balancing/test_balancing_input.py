@@ -38,7 +38,7 @@ def test_units_and_defaults():
 
 def test_rotors_stated_are_rotors_asked_for():
     given = course.loads(text_of("compressor", "  rotors: {first: 60 mm, second: 40 mm}")).balancing
-    assert given.ways[-1] == "rotors" and given.radii == pytest.approx((0.06, 0.04))
+    assert given.ways[-1] == "rotors" and given.radii == pytest.approx({1: 0.06, 2: 0.04})
 
 
 def test_every_missing_counterweight_is_told_with_its_methods():

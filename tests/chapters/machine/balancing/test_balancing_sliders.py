@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from tmm_report import course
 from tmm_report.chapters.lever.moving import Moving
-from tmm_report.chapters.machine.balancing.given import Given, Rotors
+from tmm_report.chapters.machine.balancing.given import Given
 from tmm_report.chapters.machine.balancing.solve.whole import Found, solve
 from tmm_report.mechanics.calculus import harmonics as fourier
 from tmm_report.mechanics.calculus.vectors import dot
@@ -24,7 +24,7 @@ def found_in(name: str, **links) -> Found:
     mechanism = replace(lever.mechanism, links={**lever.mechanism.links, **links})
     given_ = replace(lever, mechanism=mechanism, readings={}, loads=None, friction=None)
     kinematics = course.solve_lever(given_).kinematics
-    return solve(Given(("rotors",), rotors=Rotors(0.05, 0.04)), Moving(kinematics, None))
+    return solve(Given(("rotors",), rotors={"first": 0.05, "second": 0.04}), Moving(kinematics, None))
 
 
 # ---------------------------------------------------------------- the series
@@ -183,7 +183,7 @@ def test_a_single_cylinder_with_lanchester_and_a_crank_counterweight_shakes_by_t
     straight = replace(rod, points={**rod.points, "S2": 0.08 + 0j})
     mechanism = replace(lever.mechanism, links={**lever.mechanism.links, "2": straight}, guides=guides)
     kinematics = course.solve_lever(replace(lever, mechanism=mechanism, readings={}, loads=None)).kinematics
-    found = solve(Given(("rotors",), rotors=Rotors(0.05, 0.04)), Moving(kinematics, None))
+    found = solve(Given(("rotors",), rotors={"first": 0.05, "second": 0.04}), Moving(kinematics, None))
     left = np.abs(fourier.turning(found.cases[-1].cycle.force, 5))
     size = found.original.force_max.value
     assert np.delete(left, [1, 9]).max() < 1e-10 * size  # all but ±4

@@ -8,7 +8,7 @@ from conftest import solved
 from twice import disagreements
 
 from tmm_report.chapters.lever.moving import Moving
-from tmm_report.chapters.machine.balancing.given import METHODS, Counterweight, Given, Rotors
+from tmm_report.chapters.machine.balancing.given import METHODS, Antiphase, Counterweight, Given
 from tmm_report.chapters.machine.balancing.quantities import tables, values
 from tmm_report.chapters.machine.balancing.solve.whole import solve
 from tmm_report.chapters.machine.balancing.view.slider_crank import SliderView
@@ -17,6 +17,7 @@ from tmm_report.mechanics.calculus import harmonics as fourier
 
 PAGE = SimpleNamespace(t=str, once=lambda make, *of: make(*of))  # formulas are asked for, nothing is printed
 NAMES = ("compressor", "crank_rocker", "slider_crank_offset")
+COUPLES = {"1": Antiphase(0.05, 0.3), "3": Antiphase(0.04, 0.2)}
 WEIGHTS = (Counterweight(distance=0.05), Counterweight(mass=1.5))
 
 
@@ -29,7 +30,9 @@ def found(request):
     name, weight, part = request.param
     kinematics = solved(name).lever.kinematics
     weights = dict.fromkeys(kinematics.linkage.mechanism.moving, weight)
-    given = Given(list(METHODS), weights, part=part, rotors=Rotors(0.06, 0.04))
+    given = Given(
+        list(METHODS), weights, part=part, rotors={"first": 0.06, "second": 0.04, "3": 0.03}, couples=COUPLES
+    )
     return solve(given, Moving(kinematics, None))
 
 
@@ -51,7 +54,7 @@ def _ways(found, crank, remains):
     sizes = fourier.series(remains.exact, 2).amplitude
     for order, roman in ((1, "I"), (2, "II")):
         product = float(sizes[order]) / (2 * (order * found.kinematics.omega) ** 2)
-        ways |= {f"U_{roman}": product, f"m_{roman}": product / found.given.radii[order - 1]}
+        ways |= {f"U_{roman}": product, f"m_{roman}": product / found.given.radii[order]}
     return ways
 
 
@@ -74,6 +77,9 @@ def test_every_formula_of_a_row_gives_its_number(found):
         formulas += [*view.split_formulas(row), *view.three_masses(row)]
     for case in found.cases:
         formulas += view.counterweight_formulas(case)
+    formulas += [*view.rotor_formulas(), *view.couple_formulas()]
+    if view.takes:
+        formulas.append(view.wheel_formula(view.geared))
     told = [text for formula in formulas if (text := _contradicted(found, formula))]
     assert formulas and told == []
 

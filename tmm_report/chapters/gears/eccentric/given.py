@@ -24,11 +24,13 @@ if TYPE_CHECKING:
         Distance,
         Label,
         Module,
+        MomentValue,
         Name,
         Positive,
         Reads,
         Span,
         Speed,
+        Stiffness,
         Tooth,
         quantity,
         whole,
@@ -84,6 +86,41 @@ class Point:
         return (RING, SUN) if self.of_ring else (SUN, RING)
 
 
+@dataclass(frozen=True)
+class Load:
+    """The moment that loads the meshes, and how stiff they and the axes of the satellites are."""
+
+    moment: Annotated[MomentValue, Field(description="positive counter-clockwise", examples=["20 N*m"])]
+    on: Annotated[Literal["sun", "ring"], Field(description="the wheel on which it acts")] = "sun"
+    meshes: Annotated[
+        Stiffness | None,
+        Field(description="stiffness of each mesh along the normal", examples=["4e8 N/m"]),
+    ] = None
+    axes: Annotated[
+        Stiffness | None,
+        Field(description="stiffness of the axis of each satellite; left out, rigid", examples=["2e8 N/m"]),
+    ] = None
+
+    def __post_init__(self) -> None:
+        """A moment, and both stiffnesses or neither."""
+        if not self.moment:
+            raise WrongValue(Message(N_("a moment of 0 loads no mesh")), Message(N_("for example, 20 N*m")))
+        if (self.meshes is None) != (self.axes is None):
+            missing = "meshes" if self.meshes is None else "axes"
+            wrong = Message(
+                N_("the load of elastic satellites needs the stiffness %(missing)s too"), {"missing": missing}
+            )
+            raise WrongValue(wrong, Message(N_("state both meshes and axes, or neither")))
+        if 0 in (self.meshes, self.axes):
+            wrong = Message(N_("without stiffness meshes and axes carry no load"))
+            raise WrongValue(wrong, Message(N_("a stiffness greater than zero, for example 4e8 N/m")))
+
+    @property
+    def yielding(self) -> float | None:
+        """Stiffness of a mesh by that of an axis; None where the axes are rigid."""
+        return self.meshes / self.axes if self.meshes and self.axes else None
+
+
 @dataclass(frozen=True, eq=False)
 class Eccentric:
     """Sun and ring on parallel axes, satellites of different size between them."""
@@ -130,6 +167,9 @@ class Eccentric:
     density: Annotated[Density | None, Field(description="of the satellites", examples=["7800 kg/m^3"])] = (
         None
     )
+    load: Annotated[
+        Load | None, Field(description="the moment for which the forces in the meshes are found")
+    ] = None
     points: Annotated[
         dict[Name, Point],
         Field(max_length=8, description="points whose paths are drawn over a turn of the axes"),

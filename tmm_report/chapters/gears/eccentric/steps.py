@@ -5,15 +5,18 @@ Teeth, satellites and their places are sought among arrays: what was found is pu
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Iterator
 
+from tmm_report.chapters.gears.eccentric.given import Load
 from tmm_report.chapters.gears.eccentric.paths import Traced
 from tmm_report.chapters.gears.eccentric.solve import paper
 from tmm_report.chapters.gears.eccentric.solve.mechanism import RING, SUN, Found
 from tmm_report.chapters.gears.eccentric.solve.satellites import Neighbours
 from tmm_report.chapters.gears.eccentric.solve.satellites import Satellite as Placed
 from tmm_report.chapters.gears.eccentric.values import (
+    Loaded,
     Masses,
     OfPath,
     Pair,
@@ -71,6 +74,7 @@ class Mechanism:
         self.pairs = tuple(self._pair(row, pair) for row, pair in enumerate(found.near))
         self.wheels = tuple(self._wheels())
         self.masses = self._masses()
+        self.loads = tuple(self._loads())
         self.paths = tuple(self._path(path) for path in found.paths)
 
     def row(self, of: Placed) -> Satellite:
@@ -243,6 +247,56 @@ class Mechanism:
     def _disc(self, z: Var) -> Expr:
         d = self.s["m"].var("m") * z
         return PI * d**2 * self.s.b * self.s.density / 4
+
+    def _loads(self) -> Iterator[Loaded]:
+        """The circumferential forces, of which the moment tells the sum, shared by the least energy of meshes and axes;
+        normal forces, forces on the axes."""
+        s, found, load = self.s, self.found, self.given.load
+        if load is None:
+            return
+        r_1, r_3 = (s[key].var("m") for key in ("r_1", "r_3"))
+        if load.on == "sun":
+            s.M_1 = load.moment
+            s.F_sum = abs(s.M_1) / r_1
+            s.M_3 = s.M_1 * r_3 / r_1
+        else:
+            s.M_3 = load.moment
+            s.F_sum = abs(s.M_3) / r_3
+            s.M_1 = s.M_3 * r_1 / r_3
+        s.M_H = -(s.M_1 + s.M_3)
+        rows = [self._sharing(row, of, load) for row, of in enumerate(self.satellites)]
+        if load.yielding is not None:
+            total: Expr = rows[0].w
+            for row in rows[1:]:
+                total = total + row.w
+            s.share_sum = total
+        for row in rows:
+            row.F_t = (
+                s.F_sum * row.w / s.share_sum if load.yielding is not None else s.F_sum / s.var("satellites")
+            )
+            row.F_n = row.F_t / cos(s.alpha)
+            row.Q_ = 2 * row.F_t * cos(self._leaning(row, load)) / cos(s.alpha)
+        for key, angle in (("R_1", "phi1"), ("R_3", "phi3")):  # at which every normal force leans alike
+            directions = (cmath.exp(1j * getattr(of, angle)) for of in found.satellites)
+            forces = (row.number("F_n") * to for row, to in zip(rows, directions, strict=True))
+            s.put(key, abs(sum(forces)))
+        yield from rows
+
+    def _sharing(self, number: int, of: Satellite, load: Load) -> Loaded:
+        wheel = self.found.satellites[number].wheel
+        row = Loaded("eccentric_loads", number, wheel)
+        row.gamma = Computed(of.phi3 - of.phi1, scale=360.0)
+        if load.yielding is not None:
+            if "kappa" not in self.s:
+                self.s.kappa = load.yielding
+            row.w = 1 / (1 + 2 * self.s.kappa * cos(self._leaning(row, load)) ** 2)
+        return row
+
+    def _leaning(self, row: Loaded, load: Load) -> Expr:
+        """Between a normal force and the sum of both: the satellite leans with the moment on one side of the line of
+        the axes, against it on the other."""
+        half = row.gamma / 2
+        return self.s.alpha + half if load.moment > 0 else self.s.alpha - half
 
     def _path(self, path: Traced) -> Path:
         table, point = f"eccentric_path_{path.name}", path.point

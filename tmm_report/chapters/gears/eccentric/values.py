@@ -57,7 +57,7 @@ class Values(Sheet, prefix="eccentric"):
 
     t = Q("t", "", N_("number of the set"), digits=WHOLE)
     z1, z3 = map(_teeth, (SUN, RING))
-    satellites = Q(None, "", N_("number of satellites"))
+    satellites = Q("n", "", N_("number of satellites"), digits=WHOLE)
     remainder_teeth = Q(None, "", N_("remainder of z1 + z3 divided by 4"))
     remainder_E = Q(None, "", N_("remainder of 2e/m divided by 4"))
     least_teeth = Q("z_min", "", N_("least number of teeth that the rack does not undercut"))
@@ -105,6 +105,14 @@ class Values(Sheet, prefix="eccentric"):
     near_ring = Q(None, "", N_("teeth of the largest ring looked at"))
     b = Q("b", "m", N_("face width"), "mm")
     density = Q("rho", "kg/m³", N_("density of the satellites"))
+    M_1 = Q("M_1", "N·m", N_("moment on the sun, positive counter-clockwise"))
+    M_3 = Q("M_3", "N·m", N_("moment on the ring, positive counter-clockwise"))
+    M_H = Q("M_H", "N·m", N_("moment on the body of the axes, positive counter-clockwise"))
+    F_sum = Q("F_Sigma", "N", N_("sum of the circumferential forces of all the satellites on the sun"))
+    kappa = Q("kappa", "", N_("stiffness of a mesh by that of the axis of a satellite"))
+    share_sum = Q("w_Sigma", "", N_("sum of the numbers by which the satellites share the force"))
+    R_1 = Q("R_1", "N", N_("force of all the satellites on the axis of the sun"))
+    R_3 = Q("R_3", "N", N_("force of all the satellites on the axis of the ring"))
     saved_share = Q("delta_m", "%", N_("what the smallest satellite saves of the mass of the largest"))
 
 
@@ -163,6 +171,18 @@ class Satellite(Row):
         Symbol("z", "3,min"), "",
         N_("least teeth of a ring without shift that does not interfere with the satellite"),
     )  # fmt: skip
+
+
+class Loaded(Row):
+    """Of the forces on a satellite."""
+
+    gamma = Q(
+        "gamma", "deg", N_("angle at the satellite between the directions from the axes of sun and ring")
+    )
+    w = Q("w", "", N_("number by which the satellite shares the force"))
+    F_t = Q("F_t", "N", N_("circumferential force in both meshes of the satellite"))
+    F_n = Q("F_n", "N", N_("normal force in both meshes of the satellite"))
+    Q_ = Q("Q", "N", N_("force of the satellite on its axis"), key="Q")
 
 
 def of_satellite(wheel: str) -> dict[str, str]:

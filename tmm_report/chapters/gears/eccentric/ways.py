@@ -23,6 +23,11 @@ SCALE = N_("Chosen so that the drawing fits the paper, from the usual scales.")
 RULE = N_("By the rule of the course for the profile of the rack.")
 REST = N_("The remainder of the division by 4.")
 EUCLID = N_("By the extended algorithm of Euclid: a x + b y is the greatest common divisor.")
+LOADS = N_(
+    "The circumferential force that the satellite has of the sum that the moment needs; from it the normal force, and "
+    "the force on its axis."
+)
+AXES = N_("The forces of all the satellites on the wheel, added as vectors.")
 TURNS = N_("After as many turns of the axes both wheels have turned whole times: by their teeth.")
 
 WAYS = (
@@ -47,6 +52,8 @@ WAYS = (
         of="wheels eccentric_checked eccentric_j_n",
     ),
     Way("eccentric_masses.*", MASS, of="t eccentric_density eccentric_b"),
+    Way("eccentric_loads.*", LOADS, of="wheel gamma eccentric_F_sum eccentric_kappa"),
+    Way("eccentric_R_*", AXES, of="eccentric_loads.F_n eccentric_satellites.phi1 eccentric_satellites.phi3"),
     Way("eccentric_z* eccentric_satellites", TEETH, of="eccentric_t eccentric_E"),
     Way(
         "eccentric_e",

@@ -1,12 +1,20 @@
 """The block `balancing` of a variant."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TypedDict
 
 from pydantic import Field
 
 from tmm_report.chapters.lever.structure.block import FRAME, Names, names, no_link, no_point, stated, without
-from tmm_report.chapters.machine.balancing.given import FULL, Balancing
+from tmm_report.chapters.machine.balancing.given import (
+    COUPLES,
+    FULL,
+    MOMENT,
+    NONE,
+    STATED,
+    Balancing,
+    order_of,
+)
 from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.variant import model
 from tmm_report.variant.errors import near
@@ -40,10 +48,12 @@ def mistakes(read: Read) -> Iterator[Problem]:
     known = names(read.data)
     yield from _sizes(read, written, known)
     yield from _fixed(written, known)
-    no_radii = written.rotors is None and not _broken(read, ("balancing", "rotors"))
+    no_radii = not written.rotors and not _broken(read, ("balancing", "rotors"))
     if written.methods and "rotors" in written.methods and no_radii:
         right = Message(N_("for example, rotors: {first: 60 mm, second: 40 mm}"))
         yield mistake(N_("the radii of the rotors are not stated"), ("balancing", "rotors"), right)
+    yield from _orders(written, "rotors", written.rotors)
+    yield from _against_moment(read, written, known)
     if not _heavy(read.data):
         right = Message(N_("give the links their mass, mass_centre and inertia"))
         yield mistake(N_("there is nothing to balance: no link has a mass"), ("balancing",), right)
@@ -74,6 +84,48 @@ def _sizes(read: Read, written: Balancing, known: Names) -> Iterator[Problem]:
         yield from _moving(link, path, known)
         if link in known.points and link != FRAME and not _pivots(link, known):
             yield _not_pivoted(link, path, known)
+
+
+def _orders(written: Balancing, name: str, keys: Iterable[str]) -> Iterator[Problem]:
+    """Weights are stated by the order of a harmonic, each once."""
+    seen: set[int] = set()
+    for key in keys:
+        path, order = ("balancing", name, key), order_of(key)
+        if not 1 <= order <= written.highest:
+            right = Message(N_("a whole number, 1 … %(most)s (highest)"), {"most": written.highest})
+            yield mistake(N_("%(order)s is no order of the harmonics looked at"), path, right, order=key)
+        elif order in seen:
+            yield mistake(N_("the order %(order)s is stated twice"), path, Message(N_("once")), order=order)
+        seen.add(order)
+
+
+def _against_moment(read: Read, written: Balancing, known: Names) -> Iterator[Problem]:
+    """Wheels are geared to links with fixed pivots, or fixed to links; weights in antiphase have an order."""
+    for link, ratio in written.wheels.items():
+        path = ("balancing", "wheels", link)
+        yield from _moving(link, path, known)
+        if not ratio:
+            right = Message(N_("for example, %(near)s"), {"near": "-1"})
+            yield mistake(N_("a wheel that does not turn takes nothing of the moment"), path, right)
+        elif ratio != 1 and link in known.points and link != FRAME and not _pivots(link, known):
+            text = N_(
+                "link %(link)s is not pivoted to the frame: no wheel on an axis of the frame is geared to it"
+            )
+            yield mistake(
+                text, path, Message(N_("1: a larger moment of inertia of the link itself")), link=link
+            )
+    yield from _orders(written, "couples", written.couples)
+    if COUPLES in written.ways and not written.couples and not _broken(read, ("balancing", "couples")):
+        right = Message(N_("for example, couples: {1: {radius: 60 mm, distance: 300 mm}}"))
+        yield mistake(N_("the weights in antiphase are not stated"), ("balancing", "couples"), right)
+    no_way = written.after not in (None, NONE, STATED, *written.ways) or (
+        written.after == STATED and not written.stated
+    )
+    if no_way:
+        text = N_("the way %(way)s, after which the moment is to be balanced, is not asked for")
+        ways = [NONE, *((STATED,) if written.stated else ()), *(w for w in written.ways if w not in MOMENT)]
+        right = Message(N_("one of: %(words)s"), {"words": ", ".join(ways)})
+        yield mistake(text, ("balancing", "after"), right, way=written.after)
 
 
 def _moving(link: str, path: tuple[str, ...], known: Names) -> Iterator[Problem]:

@@ -11,11 +11,24 @@ from tmm_report.records import dataclass
 if TYPE_CHECKING:
     from pydantic import Field
 
-    from tmm_report.variant.values import Angle, Coefficient, KeyName, Name, Positive, PositiveMass, whole
+    from tmm_report.variant.values import (
+        Angle,
+        Coefficient,
+        KeyName,
+        Name,
+        Number,
+        Positive,
+        PositiveMass,
+        whole,
+    )
 
 FULL, PIVOTED, SUBSTITUTED, OPTIMUM, ROTORS = "full", "pivoted", "substituted", "optimum", "rotors"
-METHODS = (FULL, PIVOTED, SUBSTITUTED, OPTIMUM, ROTORS)
-STATED = "stated"
+INERTIA, COUPLES = "inertia", "couples"  # against the moment, after one of the others against the force
+MOMENT = (INERTIA, COUPLES)
+METHODS = (FULL, PIVOTED, SUBSTITUTED, OPTIMUM, ROTORS, *MOMENT)
+STATED, NONE = "stated", "none"
+ORDERS = 24  # the highest order of a harmonic
+WORDS = {"first": 1, "second": 2}
 
 
 @dataclass(frozen=True)
@@ -47,15 +60,16 @@ class Existing:
 
 
 @dataclass(frozen=True)
-class Rotors:
-    """Lanchester's counter-rotating weights at the first and the second multiple of the speed."""
+class Antiphase:
+    """Two equal weights that turn alike, half a turn apart, on axes side by side: a moment and no force."""
 
-    first: Annotated[
-        Positive, Field(description="radius of the weights of the first order", examples=["60 mm"])
-    ]
-    second: Annotated[
-        Positive, Field(description="radius of the weights of the second order", examples=["40 mm"])
-    ]
+    radius: Annotated[Positive, Field(description="of both weights", examples=["60 mm"])]
+    distance: Annotated[Positive, Field(description="between their axes", examples=["300 mm"])]
+
+
+def order_of(key: str) -> int:
+    """Of a harmonic; 0 of what is no order."""
+    return WORDS.get(key) or (int(key) if key.isdecimal() else 0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,13 +77,13 @@ class Balancing:
     """The mechanism balanced on its foundation."""
 
     methods: Annotated[
-        list[Literal["full", "pivoted", "substituted", "optimum", "rotors"]] | None,
+        list[Literal["full", "pivoted", "substituted", "optimum", "rotors", "inertia", "couples"]] | None,
         Field(
             min_length=1,
             description="full: all mass centres moved to the frame; pivoted: counterweights on all links with fixed "
             "pivots; substituted: by masses put into joints; optimum: one counterweight on the driving link; "
-            "rotors: counter-rotating weights. Left out, full, substituted and optimum, and rotors where they are "
-            "stated",
+            "rotors: counter-rotating weights; and against the moment inertia: wheels geared to the links; couples: "
+            "weights in antiphase. Left out, full, substituted and optimum, and what is stated of the others",
         ),
     ] = None
     counterweights: Annotated[dict[KeyName, Counterweight], Field(description="by link")] = field(
@@ -84,22 +98,50 @@ class Balancing:
     about: Annotated[
         Name | None, Field(description="fixed point of the shaking moment; the driving pivot")
     ] = None
-    rotors: Rotors | None = None
+    rotors: Annotated[
+        dict[KeyName, Positive],
+        Field(
+            description="radius of Lanchester's counter-rotating weights by their order: turns in a turn of the "
+            "driving link; first and second are 1 and 2",
+            examples=["{1: 60 mm, 2: 40 mm}"],
+        ),
+    ] = field(default_factory=dict)
+    after: Annotated[
+        Literal["none", "stated", "full", "pivoted", "substituted", "optimum", "rotors"] | None,
+        Field(
+            description="the balance of the force that inertia and couples are added to; left out, the one that "
+            "leaves least of the force"
+        ),
+    ] = None
+    wheels: Annotated[
+        dict[KeyName, Number],
+        Field(
+            description="by link: turns of the wheel geared to it for one of the link, negative against it; 1 is a "
+            "larger moment of inertia of the link itself. Left out, −1 of links with fixed pivots, 1 of others",
+            examples=["{3: -1}"],
+        ),
+    ] = field(default_factory=dict)
+    couples: Annotated[
+        dict[KeyName, Antiphase], Field(description="by order: turns in a turn of the driving link")
+    ] = field(default_factory=dict)
     highest: Annotated[
-        Annotated[int, whole(2, 24)],
+        Annotated[int, whole(2, ORDERS)],
         Field(description="highest order of the harmonics of the shaking force"),
     ] = 6
 
     @property
     def ways(self) -> tuple[str, ...]:
         """The methods that are asked for."""
-        usual = (FULL, SUBSTITUTED, OPTIMUM, *((ROTORS,) if self.rotors else ()))
-        return tuple(self.methods) if self.methods else usual
+        if self.methods:
+            return tuple(self.methods)
+        more = ((ROTORS, self.rotors), (INERTIA, self.wheels), (COUPLES, self.couples))
+        return (FULL, SUBSTITUTED, OPTIMUM, *(name for name, stated in more if stated))
 
     @property
-    def radii(self) -> tuple[float, float] | None:
-        """Of the rotors of the first and the second order, m; None where they are not asked for."""
-        return (self.rotors.first, self.rotors.second) if self.rotors else None
+    def radii(self) -> dict[int, float]:
+        """Of the rotors by their order, m."""
+        found = {order_of(key): radius for key, radius in self.rotors.items()}
+        return {order: found[order] for order in sorted(found)}
 
 
 Given = Balancing

@@ -57,9 +57,12 @@ def slider(given: Given, crank: SliderCrank, remains: Remaining) -> Slider:
     else:  # sines, too: the formulas hold no more
         s.offset = crank.offset
         s.U_I, s.U_II = crank.product(1), crank.product(2)
-    if given.radii is not None:
-        s.r_I, s.r_II = given.radii
-        s.m_I, s.m_II = s.U_I / s.r_I, s.U_II / s.r_II
+    if 1 in given.radii:
+        s.r_I = given.radii[1]
+        s.m_I = s.U_I / s.r_I
+    if 2 in given.radii:
+        s.r_II = given.radii[2]
+        s.m_II = s.U_II / s.r_II
     for key, left in (("F_B_max", remains.exact), ("F_I_max", remains.first), ("F_II_max", remains.second)):
         s.put(key, Reached(*fourier.greatest(left)))
     return s

@@ -91,6 +91,7 @@ class Cases(Sheet):
     left = Q("delta", "", N_("greatest shaking force by that of the mechanism as it is"), "%")
     F_rms = Q(Symbol("F", RMS), "N", N_("root mean square of the shaking force"))
     M_max = Q("M_max", "N·m", N_("greatest shaking moment"))
+    M_left = Q("delta_M", "", N_("greatest shaking moment by that of the mechanism as it is"), "%")
     M_rms = Q(Symbol("M", RMS), "N·m", N_("root mean square of the shaking moment"))
     m_total = Q("m_Sigma", "kg", N_("mass of all the counterweights"))
 
@@ -109,6 +110,31 @@ class Rotors(Sheet):
     alpha = Q("alpha", "deg", N_("angle of its mass from the x axis at position 0"))
     r = Q("r", "m", N_("radius of the mass of a rotor"), "mm")
     m = Q("m", "kg", N_("mass of a rotor"))
+
+
+# --- wheels and weights against the moment
+
+
+class Wheels(Sheet):
+    i = Q("i", "", N_("turns of the wheel for one of the link, negative against it"))
+    J = Q("J", "kg·m²", N_("moment of inertia of the wheel, or what the link itself gets"))
+
+
+class MomentHarmonics(Sheet):
+    order = Q("k", "", N_("order: turns in a turn of the driving link"))
+    M = Q("M_k", "N·m", N_("harmonic of the shaking moment of the mechanism as it is"))
+    M_before = Q("M_k^'", "N·m", N_("harmonic of the shaking moment that the balance of the force leaves"))
+    M_after = Q("M_k^''", "N·m", N_("harmonic of the shaking moment that is left in the end"))
+
+
+class Couples(Sheet):
+    order = Q("k", "", N_("order: turns in a turn of the driving link"))
+    M = Q("M", "N·m", N_("amplitude of the moment of both weights"))
+    U = Q("U", "kg·m", N_("mass by radius of each weight"))
+    alpha = Q("alpha", "deg", N_("angle of the weight farther along x from the x axis at position 0"))
+    d = Q("d", "m", N_("distance between the axes of both weights"), "mm")
+    r = Q("r", "m", N_("radius of the mass of a weight"), "mm")
+    m = Q("m", "kg", N_("mass of a weight"))
 
 
 # --- counterweights, masses put into joints

@@ -45,6 +45,16 @@ GREATEST = N_("The greatest over the cycle of the force in the table.")
 MASS = N_("The mass of the slider with what is attached to it, and the part of the rod that goes with it.")
 GIVEN = N_("The radius at which the rotors are stated to be, or the mass by that radius.")
 
+MOMENT_LEFT = N_("The greatest shaking moment by that of row 0.")
+WHEELS = N_(
+    "The moments of inertia, none negative, that leave the least mean square of the shaking moment over the cycle."
+)
+ANTIPHASE = N_(
+    "Against the harmonic of the order of the shaking moment that is left: both weights with their arm give it with "
+    "the other sign."
+)
+MOMENT_HARMONIC = N_("By Fourier's sums of the shaking moment over equal steps of the cycle.")
+
 WAYS = (
     Way("*.method *.link *.point *.first *.second", NAME),
     Way("balancing_cases.case *.order", COUNTED),
@@ -55,6 +65,11 @@ WAYS = (
         of="phi F_shake_{0} shaking_table.F_shake shaking_table.M_shake",
     ),
     Way("balancing_cases.left", N_("The greatest shaking force by that of row 0."), of="F_max"),
+    Way("balancing_cases.M_left", MOMENT_LEFT, of="M_max"),
+    Way("geared_inertia.i antiphase_weights.d antiphase_weights.r", STATED),
+    Way("geared_inertia.J", WHEELS, of="link i"),
+    Way("moment_harmonics.*", MOMENT_HARMONIC, of="order shaking_table.M_shake"),
+    Way("antiphase_weights.*", ANTIPHASE, of="order M U d r"),
     Way("balancing_cases.m_total", N_("The sum of the counterweights of the way."), of="case method"),
     Way("balancing_cases.*", CASE, of="case method F_max F_rms M_max M_rms"),
     Way("counterweights.*", WEIGHT, of="method link U_x U"),

@@ -9,9 +9,11 @@ import numpy as np
 from tmm_report.chapters.gears.eccentric.paths import Traced
 from tmm_report.chapters.gears.eccentric.solve.mechanism import WHEELS, Found
 from tmm_report.chapters.gears.eccentric.solve.near_ratio import LISTED
+from tmm_report.chapters.gears.eccentric.steps import steps
 from tmm_report.chapters.gears.eccentric.values import Masses, Near, Place, Set, of_place
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Table, text_column
+from tmm_report.quantity.sheet import columns
 
 
 def further_tables(found: Found) -> Iterator[Table]:
@@ -19,6 +21,8 @@ def further_tables(found: Found) -> Iterator[Table]:
         yield Table("eccentric_near", Message(N_("Sets of teeth near the ratio")), tuple(_near(found)))
     if found.masses is not None:
         yield Table("eccentric_masses", Message(N_("Masses of the satellites")), tuple(_masses(found)))
+    if found.given.load is not None:
+        yield Table("eccentric_loads", Message(N_("Forces on the satellites")), tuple(_loads(found)))
     for path in found.paths:
         meaning = Message(N_("Path of point %(name)s"), {"name": path.name})
         yield Table(f"eccentric_path_{path.name}", meaning, tuple(_path(path)))
@@ -51,6 +55,11 @@ def _masses(found: Found) -> Iterator[Column]:
         yield of.column(each)
     yield Masses.held.column(masses.held)
     yield Masses.saving.column(masses.saving)
+
+
+def _loads(found: Found) -> Iterator[Column]:
+    yield text_column("wheel", Message(N_("number of the wheel")), [of.wheel for of in found.satellites])
+    yield from columns(steps(found).loads)
 
 
 def _path(path: Traced) -> Iterator[Column]:

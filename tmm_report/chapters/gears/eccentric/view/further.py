@@ -75,6 +75,35 @@ class FurtherView(ChapterView):
         """Of the chosen set."""
         return self.page.value(self.table("masses").var(key, self.found.row))
 
+    # ------------------------------------------------------------ loads
+
+    def moments(self) -> list[Formula]:
+        """The sum of the circumferential forces, the moments on the others."""
+        return self.formulas("F_sum", "M_1", "M_3", "M_H")
+
+    def sharing(self) -> list[Formula]:
+        """What a satellite has of the sum, and its normal force: of each, or of the first where all are alike."""
+        rows = self.made.loads
+        if self.found.given.load is None or self.found.given.load.yielding is None:
+            return [rows[0].formula(key) for key in ("F_t", "F_n")]
+        each = [row.formula("w") for row in rows]
+        forces = [row.formula("F_t") for row in rows]
+        return [*each, *self.formulas("share_sum"), *forces, rows[0].formula("F_n")]
+
+    def of_first(self, *keys: str) -> list[Formula]:
+        """Of the first satellite: what the letters of all are."""
+        return [self.made.loads[0].formula(key) for key in keys if self.made.loads[0].has_formula(key)]
+
+    def on_axes(self) -> list[Formula]:
+        return [row.formula("Q") for row in self.made.loads]
+
+    def loads(self, caption: Any) -> Table:
+        table = self.table("loads")
+        names = [self.page.word(text, table, "wheel", row) for row, text in enumerate(table["wheel"].values)]
+        keys = [key for key in ("w", "F_t", "F_n", "Q") if key in table]
+        columns = [self.page.singles(table, "gamma", places=3), *self.columns("loads", keys)]
+        return numeric(caption, Column(self.t("Satellite"), names), columns)
+
     # ------------------------------------------------------------ paths
 
     @property

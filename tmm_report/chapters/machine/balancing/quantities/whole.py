@@ -9,8 +9,8 @@ from itertools import chain
 import numpy as np
 
 from tmm_report.chapters.lever.kinematics.quantities import where
+from tmm_report.chapters.machine.balancing.quantities import against_moment, weights
 from tmm_report.chapters.machine.balancing.quantities import slider_cranks as sliders
-from tmm_report.chapters.machine.balancing.quantities import weights
 from tmm_report.chapters.machine.balancing.solve.cases import Case, Shaken
 from tmm_report.chapters.machine.balancing.solve.counterweights import half_turn
 from tmm_report.chapters.machine.balancing.solve.whole import Found
@@ -27,7 +27,7 @@ CASES = Message(N_("ways of balancing and what each leaves over the cycle"))
 HARMONICS = Message(
     N_("harmonics of the shaking force: vectors that turn with the driving link and against it")
 )
-ROTORS = Message(N_("counter-rotating weights against the first and second harmonics of the shaking force"))
+ROTORS = Message(N_("pairs of counter-rotating weights against harmonics of the shaking force"))
 
 
 @tabulated
@@ -46,6 +46,7 @@ def tables(found: Found) -> Iterator[Table]:
     yield from weights.counterweights(found.cases)
     if found.substituted.splits:
         yield weights.splits(found)
+    yield from against_moment.tables(found)
     yield _harmonics(found)
     yield _rotors(found)
     yield from sliders.tables(found)
@@ -69,10 +70,15 @@ def _cases(every: Sequence[Case]) -> Table:
             Cases.left.column(np.array([peak.value / peaks[0].value for peak in peaks])),
             Cases.F_rms.column(np.array([case.force_rms for case in every])),
             Cases.M_max.column(np.array([case.moment_max.value for case in every])),
+            Cases.M_left.column(_by_first([case.moment_max.value for case in every])),
             Cases.M_rms.column(np.array([case.moment_rms for case in every])),
             Cases.m_total.column(np.array([case.mass for case in every])),
         ),
     )
+
+
+def _by_first(sizes: list[float]) -> np.ndarray:
+    return np.array(sizes) / sizes[0] if sizes[0] else np.full(len(sizes), np.nan)
 
 
 # ---------------------------------------------------------------- harmonics of the force
@@ -104,12 +110,12 @@ def _angles(values: np.ndarray, size: float) -> np.ndarray:
 
 
 def _rotors(found: Found) -> Table:
-    rows, asked = found.rotors, found.given.radii is not None
-    signs = [str(one.order) for one in rows]
+    rows, asked = found.rotors, bool(found.given.radii)
+    signs = [f"({one.order})".replace("-", "−") for one in rows]  # an index would be that of a link
 
     def named(of: Q, values: list[float]) -> Column:
         quantity = of.quantity
-        return Column(quantity, np.array(values), [Symbol(quantity.sign.base, sign) for sign in signs])
+        return Column(quantity, np.array(values), [Symbol(quantity.sign.base, sup=sign) for sign in signs])
 
     return Table(
         "lanchester_rotors",

@@ -13,11 +13,13 @@ from tmm_report.mechanics.calculus import harmonics as fourier
 from tmm_report.mechanics.lever.cycle import Cycle, Extreme
 from tmm_report.mechanics.lever.motion import Linkage, Motion
 from tmm_report.mechanics.masses.counterweights import Weight, added, on_frame, weighted
+from tmm_report.mechanics.masses.shaking_moment import Couple, Wheel, geared, moment_of
 from tmm_report.records import dataclass
 
 Array = Any
 ORIGINAL = "original"
 RMS, MAX = "rms", "max"
+CLOSED = 1e-9  # of the greatest shaking force: what is left of it is rounding
 NOISE = 1e-12  # of force by arm: a shaking moment that is rounding
 
 
@@ -66,7 +68,8 @@ class Shaken:
 @dataclass(frozen=True, eq=False)
 class Case:
     """One state of the mechanism. `table`, `diagram`: at those positions; `cycle`: at equal steps of a turn, from
-    position 0; `check`: worst relative disagreement with the reactions of the frame, None where nothing is put on."""
+    position 0; `check`: worst relative disagreement with the reactions of the frame, None where weights turn beside the
+    links. `base`: the case to which `wheels` and `couples` are added."""
 
     name: str
     placed: tuple[Placed, ...]
@@ -75,6 +78,9 @@ class Case:
     diagram: Shaken
     cycle: Shaken
     check: float | None = None
+    base: Case | None = None
+    wheels: tuple[Wheel, ...] = ()
+    couples: tuple[Couple, ...] = ()
 
     @cached_property
     def force_max(self) -> Extreme:
@@ -94,8 +100,23 @@ class Case:
 
     @property
     def mass(self) -> float:
-        """Of all counterweights and rotors, kg."""
-        return sum(one.mass for one in self.placed) + sum(one.mass for one in self.rotors)
+        """Of all counterweights and rotors, kg; wheels have moments of inertia alone."""
+        own = sum(one.mass for one in self.placed) + sum(one.mass for one in self.rotors)
+        return own + sum(2 * one.mass for one in self.couples) + (self.base.mass if self.base else 0.0)
+
+    @property
+    def weights(self) -> list[Weight]:
+        """All that is fixed to the links."""
+        return [*(self.base.weights if self.base else ()), *(one.weight for one in self.placed)]
+
+    @property
+    def geared(self) -> tuple[Wheel, ...]:
+        """All wheels, those of the case before too."""
+        return (*(self.base.geared if self.base else ()), *self.wheels)
+
+    def at(self, number: int) -> Shaken:
+        """At the positions of a motion of `Ground`."""
+        return (self.table, self.diagram, self.cycle)[number]
 
 
 @dataclass(frozen=True, eq=False)
@@ -133,15 +154,33 @@ class Ground:
         found = Case(name, placed, rotors, table, diagram, fine)
         return found if rotors else replace(found, check=self.checked(weights, shaken[0]))
 
+    def with_moment(
+        self, name: str, base: Case, wheels: tuple[Wheel, ...] = (), couples: tuple[Couple, ...] = ()
+    ) -> Case:
+        """A case with wheels geared to its links, or with weights in antiphase: both leave its force as it is."""
+        shaken = []
+        for number, (motion, turned, arm) in enumerate(
+            zip(self.motions, self.turned, self.arms, strict=True)
+        ):
+            before = base.at(number)
+            moment = geared(motion, wheels) + moment_of(couples, self.cycle.sense * turned, self.omega)
+            shaken.append(Shaken(before.force, self.settled(before.moment + moment, arm)))
+        table, diagram, fine = shaken
+        found = Case(name, (), (), table, diagram, fine, None, base, wheels, couples)
+        if couples or base.check is None:
+            return found
+        return replace(found, check=self.checked(base.weights, table, found.geared))
+
     @property
     def _before(self) -> tuple[Shaken, Shaken, Shaken]:
         return self.original.table, self.original.diagram, self.original.cycle
 
-    def checked(self, weights: list[Weight], shaken: Shaken) -> float:
-        """The forces found again with the counterweights as parts of the links, which move as before: the reactions of
-        the frame added up."""
+    def checked(self, weights: list[Weight], shaken: Shaken, wheels: tuple[Wheel, ...] = ()) -> float:
+        """The forces found again with the counterweights as parts of the links, which move as before, and with wheels
+        as what they add to the moments of inertia: the reactions of the frame added up."""
         motion = self.motions[0]
-        again = Motion(weighted(self.linkage, weights), motion.phi, motion.omega, motion.state, motion.shape)
+        fitted = weighted(self.linkage, weights, {one.link: one.inertia * one.ratio for one in wheels})
+        again = Motion(fitted, motion.phi, motion.omega, motion.state, motion.shape)
         return disagreement(again, shaken, self.about, self.size)
 
     @cached_property

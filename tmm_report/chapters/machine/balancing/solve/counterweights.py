@@ -104,8 +104,10 @@ def cases(
         for kind in (RMS, MAX):
             found.append((f"{OPTIMUM}_{kind}", (single(ground, fitting, kind, targets[kind]),), ()))
     if ROTORS in given.ways and given.radii:
-        rotors = tuple(four_rotors(ground, given.radii))
-        found += [(f"{ROTORS}_1", (), rotors[:2]), (f"{ROTORS}_2", (), rotors)]
+        rotors = tuple(pairs_of_rotors(ground, given.radii))
+        found += [
+            (f"{ROTORS}_{one.order}", (), rotors[: k + 2]) for k, one in enumerate(rotors) if one.order > 0
+        ]
     fitting.raise_missing()
     for name, placed, own in found:
         yield ground.case(name, tuple(one for one in placed if one is not None), own)
@@ -206,15 +208,16 @@ def single(ground: Ground, fitting: Fitting, kind: str, target: complex) -> Plac
     return next(_by_moment(ground, fitting, f"{OPTIMUM}_{kind}", driver, about, -target * line), None)
 
 
-def four_rotors(ground: Ground, radii: tuple[float, float]) -> Iterator[Rotor]:
-    """Rotors at ±ω and ±2ω against the harmonics of the first and second order (Lanchester)."""
-    harmonics = force_harmonics(ground.original, ground.cycle.sense, 2)
-    for order in (1, -1, 2, -2):
-        force = -harmonics[order + 2]
+def pairs_of_rotors(ground: Ground, radii: Mapping[int, float]) -> Iterator[Rotor]:
+    """Two rotors at ±kω against the harmonic of each order, of which the vector describes an ellipse (Lanchester)."""
+    highest = max(radii)
+    harmonics = force_harmonics(ground.original, ground.cycle.sense, highest)
+    for order in (sense * order for order in radii for sense in (1, -1)):
+        force = -harmonics[order + highest]
         moment = abs(force) / (order * ground.omega) ** 2
         if abs(force) <= 1e-11 * ground.size:
             moment, force = 0.0, 1.0
-        yield Rotor(order, moment, half_turn(float(np.angle(force))), radii[abs(order) - 1])
+        yield Rotor(order, moment, half_turn(float(np.angle(force))), radii[abs(order)])
 
 
 def half_turn(angle: Array) -> Array:

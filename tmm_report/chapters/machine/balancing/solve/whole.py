@@ -12,7 +12,9 @@ import numpy as np
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
 from tmm_report.chapters.machine.balancing import steps
 from tmm_report.chapters.machine.balancing.given import FULL, Given
+from tmm_report.chapters.machine.balancing.solve import moment
 from tmm_report.chapters.machine.balancing.solve.cases import (
+    CLOSED,
     MAX,
     ORIGINAL,
     RMS,
@@ -25,7 +27,7 @@ from tmm_report.chapters.machine.balancing.solve.cases import (
 from tmm_report.chapters.machine.balancing.solve.counterweights import (
     cases,
     force_harmonics,
-    four_rotors,
+    pairs_of_rotors,
     turned_back,
 )
 from tmm_report.chapters.machine.balancing.solve.slider_cranks import Remaining, remaining
@@ -46,7 +48,7 @@ if TYPE_CHECKING:
 __all__ = ["Case", "Found", "Given", "solve"]
 
 Array = Any
-CLOSED = 1e-9  # of the greatest shaking force: what is left of it is rounding
+UNSIZED = {1: 1.0, 2: 1.0}  # rotors of which no radius is stated
 TURNS = Message(N_("a mechanism that turns all round, or take this block out"))
 JUMPING = N_(
     "the acceleration of the cam's follower jumps within the turn: the harmonics of the shaking force fall too slowly"
@@ -122,6 +124,7 @@ def solve(given: Given, moving: Moving | None) -> Found:
     circle = smallest_circle(between)[:2]
     targets = {RMS: complex(between.mean()), MAX: circle[0]}
     every = tuple(cases(ground, given, substituted, not missing, targets))
+    every += tuple(moment.cases(ground, given, (ground.original, *every)))
     s = steps.whole(given, (ground.original, *every), tail, seen, circle)
     return Found(
         given,
@@ -135,7 +138,7 @@ def solve(given: Given, moving: Moving | None) -> Found:
         substituted,
         missing,
         force_harmonics(ground.original, found.cycle.sense, given.highest),
-        tuple(four_rotors(ground, given.radii or (1.0, 1.0))),
+        tuple(pairs_of_rotors(ground, given.radii or UNSIZED)),
         seen,
         circle,
         cranks,

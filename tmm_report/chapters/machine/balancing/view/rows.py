@@ -117,6 +117,26 @@ class BalancingRows(ChapterView):
         symbol = Symbol(axis, self.found.about)
         return own - variable(quantity, away, ref=fixed.ref(axis, row), symbol=symbol) if away else own
 
+    # ------------------------------------------------------------ rotors
+
+    def rotor_formulas(self) -> list[Formula]:
+        """Of both rotors of the highest order that needs them."""
+        rows = [row for row, one in enumerate(self.found.rotors) if one.moment]
+        highest = max((abs(self.found.rotors[row].order) for row in rows), default=0)
+        found = (self._rotor(row) for row in rows if abs(self.found.rotors[row].order) == highest)
+        return [formula for formulas in found for formula in formulas]
+
+    def _rotor(self, row: int) -> Iterator[Formula]:
+        """m r = F/(kω)²; the mass, where the radius is stated."""
+        table, harmonics = self.table("lanchester_rotors"), self.table("shaking_harmonics")
+        order = self.found.rotors[row].order
+        of = abs(order) - 1
+        force = harmonics.var("F_with" if order > 0 else "F_against", of)
+        turns = harmonics.var("order", of) * self.given["omega"].var()
+        yield table.formula("mr", row, force / turns**2)
+        if self.found.given.radii:
+            yield table.formula("m", row, table.var("mr", row) / table.var("r", row))
+
     # ------------------------------------------------------------ substituted masses
 
     def split_formulas(self, row: int) -> list[Formula]:

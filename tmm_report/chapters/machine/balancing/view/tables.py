@@ -10,7 +10,7 @@ from markupsafe import Markup
 from tmm_report.chapters.machine.balancing.quantities import weights
 from tmm_report.chapters.machine.balancing.solve.cases import Case
 from tmm_report.chapters.machine.balancing.values import force, moment
-from tmm_report.chapters.machine.balancing.view.rows import BalancingRows
+from tmm_report.chapters.machine.balancing.view.moment import AgainstMoment
 from tmm_report.problems import N_
 from tmm_report.quantity import model
 from tmm_report.report.paper.layout import Table, numeric, worded
@@ -23,14 +23,32 @@ WAYS = {
     "substituted": N_("masses substituted into the joints"),
     "optimum_rms": N_("one counterweight on the driving link, least mean square"),
     "optimum_max": N_("one counterweight on the driving link, least maximum"),
-    "rotors_1": N_("counter-rotating weights of the first order"),
-    "rotors_2": N_("counter-rotating weights of the first and second order"),
+}
+ROTATING = {
+    (1,): N_("counter-rotating weights of the first order"),
+    (1, 2): N_("counter-rotating weights of the first and second order"),
+}
+MORE = {
+    "inertia": N_("as way %(n)s, and wheels geared to the links"),
+    "couples": N_("as way %(n)s, and weights in antiphase"),
 }
 
 
-class BalancingSheet(BalancingRows):
+class BalancingSheet(AgainstMoment):
     def way(self, case: Case) -> Markup:
+        if case.base is not None:
+            return self.t(MORE[case.name], n=self.found.every.index(case.base))
+        if case.rotors:
+            return self.rotating(tuple(one.order for one in case.rotors if one.order > 0))
         return self.t(WAYS[case.name])
+
+    def rotating(self, orders: tuple[int, ...]) -> Markup:
+        """Counter-rotating weights by their orders."""
+        if orders in ROTATING:
+            return self.t(ROTATING[orders])
+        if len(orders) == 1:
+            return self.t(N_("counter-rotating weights of order %(order)s"), order=orders[0])
+        return self.t(N_("counter-rotating weights of orders %(orders)s"), orders=", ".join(map(str, orders)))
 
     def shaking(self, caption: Any) -> Table:
         columns = self.columns("shaking_table", ("F_shake_x", "F_shake_y", "F_shake", "M_shake"))

@@ -13,7 +13,7 @@ from tmm_report.chapters.machine.balancing.solve.cases import Case
 from tmm_report.chapters.machine.balancing.solve.whole import Found
 from tmm_report.chapters.machine.balancing.values import Shaking, Values
 from tmm_report.chapters.machine.balancing.view.slider_crank import SliderView
-from tmm_report.chapters.machine.balancing.view.tables import WAYS, BalancingSheet
+from tmm_report.chapters.machine.balancing.view.tables import BalancingSheet
 from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.lettering import Parts
@@ -44,7 +44,28 @@ class BalancingView(BalancingSheet):
             "The greatest shaking force of the mechanism is %(force)s N; %(way)s leaves %(left)s N of it."
         )
         of, left = self._peak(0), self._peak(number)
-        return [self.t(text, force=of, way=self.t(WAYS[best.name]), left=left)]
+        told = [self.t(text, force=of, way=self.way(best), left=left)]
+        return [*told, *self._of_moment()]
+
+    def _of_moment(self) -> Iterator[Markup]:
+        """What the last way against the moment leaves of it."""
+        last = self.found.cases[-1]
+        if (first := self.first_against) is None or first.base is None:
+            return
+        every = self.found.every
+        before, after, left = (self.moment_max(every.index(one)) for one in (every[0], first.base, last))
+        if first.base is self.found.original:
+            text = N_(
+                "The greatest shaking moment of the mechanism is %(before)s N·m; way %(n)s leaves %(left)s N·m."
+            )
+            yield self.t(text, before=before, n=every.index(last), left=left)
+        else:
+            text = N_(
+                "The greatest shaking moment of the mechanism is %(before)s N·m; way %(m)s makes it %(after)s N·m, way "
+                "%(n)s leaves %(left)s N·m of that."
+            )
+            numbers = {"m": every.index(first.base), "n": every.index(last)}
+            yield self.t(text, before=before, after=after, left=left, **numbers)
 
     def _peak(self, number: int) -> Markup:
         table = self.table("balancing_cases")
