@@ -19,7 +19,7 @@ def circles(mechanism: Mechanism, name: str, mu: float) -> tuple[tuple[complex, 
     found = []
     for mesh in mechanism.meshes:
         if name in mesh.links and mesh.radius(name):
-            centre = _axis(mechanism, name)
+            centre = _number(mechanism.links[name].points[mesh.points[mesh.links.index(name)]])
             found.append(tuple(complex(centre + mesh.radius(name) * z) / mu for z in round_))
     return tuple(found)
 
@@ -51,11 +51,6 @@ def _rack(
     ends = (along - travel[1] - past, along - travel[0] + past)
     first, last = (own + turn * mesh.along * complex(end, across) for end in ends)
     return first, last
-
-
-def _axis(mechanism: Mechanism, name: str) -> complex:
-    own, frame = mechanism.links[name].points, mechanism.links[FRAME].points
-    return next(_number(at) for point, at in own.items() if point in frame)
 
 
 def _number(value: Any) -> complex:

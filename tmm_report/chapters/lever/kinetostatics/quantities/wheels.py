@@ -83,8 +83,13 @@ def tangential_of(wheel: Coupled, solved: Solved) -> Array:
     """The tangential force on the moved link, above zero counter-clockwise about its axis (about that of a rack's
     wheel), N, (P,)."""
     found = solved.statics.reactions[wheel.contact.key]
-    across = np.broadcast_to(found.force, solved.motion.shape) / wheel.mesh.outward(wheel.link)
+    across = np.broadcast_to(found.force, solved.motion.shape) / outward_of(wheel, solved)
     return np.imag(across)
+
+
+def outward_of(wheel: Coupled, solved: Solved) -> Array:
+    """From the axis of the moved link (of a rack's wheel) to the pitch point, unit complex, axes of the drawing."""
+    return wheel.mesh.turn(solved.motion.state) * wheel.mesh.outward(wheel.link)
 
 
 def moments_of(wheel: Coupled, solved: Solved) -> Iterator[tuple[str, Array]]:
