@@ -273,7 +273,7 @@ WAYS = (
     Way("rolling_table.N_*", RAIL, of="phi reactions_table.R_*"),
     Way("rolling_table.f_*", by=lambda q: q("F_t_{0}") / q("N_{0}")),
     Way("rolling_table.M_z_*", TEETH, of="phi F_t_*"),
-    Way("f_max_*", SLIP, of="rolling_table.f_*"),
+    Way("f_max_*", SLIP, of="omega"),
     Way("cam_press_table.*", PRESS, of="phi reactions_table.R_*"),
     Way("cam_press_max_* cam_press_min_*", EXTREME, of="omega"),
 )

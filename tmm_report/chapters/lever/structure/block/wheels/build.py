@@ -53,10 +53,10 @@ def axis_on(carrier: str, link: str, built: Mechanism) -> str:
     points = _shared(carrier, link, built)
     if len(points) == 1:
         return points[0]
-    text = N_("carrier %(carrier)s and link %(link)s have %(count)d common points, one is the axis of the wheel")
+    text = N_("carrier %(carrier)s and link %(link)s have not one common point, which would be the wheel's axis")
     right = Message(N_("the link to which both wheels are pivoted"))
     raise Wrong(
-        "carrier", Message(text, {"carrier": carrier, "link": link, "count": len(points)}), right
+        "carrier", Message(text, {"carrier": carrier, "link": link}), right
     )
 
 
