@@ -333,7 +333,12 @@ def _in_a_group(mesh: Mesh, rest: Sequence[str]) -> Problem:
         "links %(links)s become known neither from each other nor before their mesh: a mesh within a group, whose "
         "equations would be solved together with it, is not offered"
     )
-    right = Message(N_("let the driving link, or what it moves through dyads, turn one of the wheels"))
+    right = Message(
+        N_(
+            "let the driving link, or what it moves through dyads, turn one of the wheels, and the carrier where its "
+            "axis moves"
+        )
+    )
     return mistake(text, _mesh_path(mesh), right, links=shown(", ".join(rest), 80))
 
 
