@@ -44,8 +44,8 @@ STATEMENTS = [
         "statements/roller_on_rail",
     )
 ]
-"""Mechanisms that a slider or a cylinder drives, or whose driving link moves by a law, or with springs and dampers, or with
-wheels whose axes move: no ready variant has one, and their notes are read as those are."""
+"""Mechanisms that a slider or a cylinder drives, or whose driving link moves by a law, or with springs and dampers, or
+with wheels whose axes move: no ready variant has one, and their notes are read as those are."""
 every_variant = pytest.fixture(params=[path.stem for path in FILES])
 
 

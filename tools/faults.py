@@ -351,7 +351,7 @@ FAULTS = (
     Fault("planets: the force in the teeth keeps its line", MECHANICS + "lever/wheels/coupled.py",
           "teeth = mesh.turn(s) * mesh.pressed", "teeth = mesh.pressed", "cardan_drive", PLANETS),
     Fault("planets: the pitch point stands still", MECHANICS + "lever/wheels/mesh.py",
-          "+ self.turn(s) * (self.radii[1]", "+ (self.radii[1]", "sun_and_planet", PLANETS),
+          "+ self.turn(s) * (", "+ (", "sun_and_planet", PLANETS),
     Fault("planets: their axis has no acceleration", MECHANICS + "lever/wheels/coupled.py",
           "s.velocity(carrier, arm), s.acceleration(carrier, arm))", "s.velocity(carrier, arm), 0j)", "cardan_drive",
           PLANETS),

@@ -210,7 +210,9 @@ def reactions(note: Note, drawn: Scheme, places: Places) -> Iterator[Force]:
         if "M_" + symbol[2:] in found:
             couple = found["M_" + symbol[2:]][-1][1]
             moment, off = couple.values, couple.half
-        point = touching(drawn, places, both) if (both := frozenset((one, other))) not in at else places[at[both]]
+        point = (
+            touching(drawn, places, both) if (both := frozenset((one, other))) not in at else places[at[both]]
+        )
         yield Force(symbol, other, point, value, error, moment, off)
         yield Force(symbol, one, point, -value, error, -moment, off)
 

@@ -1,4 +1,4 @@
-"""Mechanisms with wheels in mesh by chance: two cranks coupled by gears, a rack on a slider, planets, rolling wheels."""
+"""Mechanisms with wheels in mesh by chance: two cranks coupled by gears, a rack on a slider, planets, rollers."""
 
 from __future__ import annotations
 

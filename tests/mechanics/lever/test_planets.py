@@ -1,5 +1,5 @@
-"""Wheels whose axes move, racks beside moving wheels and rolling on rails, on mechanisms at random, against a solver that
-shares no code: all constraints and their rates at once, and all equations of equilibrium at once.
+"""Wheels whose axes move, racks beside moving wheels and rolling on rails, on mechanisms at random, against a solver
+that shares no code: all constraints and their rates at once, and all equations of equilibrium at once.
 
 What rolls is told by the point of contact alone: there both bodies have one velocity.
 """
@@ -9,6 +9,7 @@ import pytest
 import yaml
 
 from tmm_report import course
+from tmm_report.chapters.lever.kinetostatics.quantities import wheels as wheel_quantities
 from tmm_report.mechanics.lever.motion import solve as motion_at
 
 G = 9.81
@@ -56,8 +57,8 @@ def mesh_sun(rng):
 
 
 def rolls(rng):
-    """A wheel on the axle of a slider-crank rolls on a rail, or on a fixed rack and moves another one; a rod from its pin
-    goes to a second slider."""
+    """A wheel on the axle of a slider-crank rolls on a rail, or on a fixed rack and moves another one; a rod from its
+    pin goes to a second slider."""
     radius, teeth = rng.uniform(0.04, 0.09), bool(rng.integers(2))
     tilt, side = rng.uniform(-0.4, 0.4), rng.choice([-1, 1])
     links = {
@@ -157,7 +158,7 @@ def text(made):
 
 
 class Alone:
-    """The mechanism at one pose, {link: (place of its origin, angle)}; rows of constraints in (x, y, θ) of all links."""
+    """The mechanism at one pose, {link: (place of its origin, angle)}; rows of constraints in (x, y, θ) of all."""
 
     def __init__(self, made, pose):
         self.made, self.pose, self.names = made, pose, list(made["links"])
@@ -311,7 +312,9 @@ def test_at_random(kind, seed):
             moved = per * (ends[0] - 8 * ends[1] + 8 * ends[2] - ends[3])
             assert moved == pytest.approx(complex(x, y), abs=1e-8)
             turns = np.unwrap([near_poses[way][name][1][k] for way in (-2, -1, 1, 2)])
-            assert per * (turns[0] - 8 * turns[1] + 8 * turns[2] - turns[3]) == pytest.approx(w, abs=1e-7 * size)
+            assert per * (turns[0] - 8 * turns[1] + 8 * turns[2] - turns[3]) == pytest.approx(
+                w, abs=1e-7 * size
+            )
             arm = alone.place(name, centre(made, name)) - alone.pose[name][0]
             S[name] = complex(ax, ay) + (1j * e[name] - w * w) * arm
         alone_found, load = alone.statics({"S": S, "e": e})
@@ -327,24 +330,29 @@ def test_at_random(kind, seed):
             first, second = one["links"]
             mine = np.ravel(statics.force(second, first) + 0 * phi)[k]
             _, t, _ = alone.contact(one)
-            assert (np.conj(t) * mine).real == pytest.approx(alone_found[first, second, "F"], abs=1e-5 * scale)
+            assert (np.conj(t) * mine).real == pytest.approx(
+                alone_found[first, second, "F"], abs=1e-5 * scale
+            )
         balancing = float(np.ravel(forces.table.balancing)[k])
         assert balancing == pytest.approx(alone_found["bal"], abs=1e-5 * float(forces.table.scale[k]))
-        assert balancing * made["omega"] == pytest.approx(-float(q @ load), rel=1e-5, abs=1e-4 * scale)  # powers
+        assert balancing * made["omega"] == pytest.approx(
+            -float(q @ load), rel=1e-5, abs=1e-4 * scale
+        )  # powers
 
 
 @pytest.mark.parametrize("seed", range(6))
 def test_the_rail_bears_what_the_guide_of_the_axle_does(seed):
-    from tmm_report.chapters.lever.kinetostatics.quantities.wheels import friction_of, normal_of, rolling, tangential_of
-
     rng = np.random.default_rng(seed)
     made = finished(rolls(rng), rng)
     if len(made["racks"]) > 1:
         pytest.skip("held by teeth")
     found = course.solve(course.loads(text(made))).lever.kinetostatics
-    (wheel,) = rolling(found)
+    (wheel,) = wheel_quantities.rolling(found)
     solved = found.table
-    normal, friction = normal_of(wheel, solved), tangential_of(wheel, solved)
+    normal, friction = (
+        wheel_quantities.normal_of(wheel, solved),
+        wheel_quantities.tangential_of(wheel, solved),
+    )
     own = made["racks"][0]
     outside = [
         (on, by)
@@ -358,6 +366,8 @@ def test_the_rail_bears_what_the_guide_of_the_axle_does(seed):
         m, S = made["m"]["4"], solved.motion.acceleration(centre(made, "4"))[k]
         rail = m * (S + 1j * G) - on_both
         assert normal[k] == pytest.approx((np.conj(-own["toward"]) * rail).real, abs=1e-8 * abs(rail))
-        assert abs(friction[k]) == pytest.approx(abs((np.conj(own["along"]) * rail).real), abs=1e-8 * abs(rail))
-        needs = friction_of(friction, normal)[k]
+        assert abs(friction[k]) == pytest.approx(
+            abs((np.conj(own["along"]) * rail).real), abs=1e-8 * abs(rail)
+        )
+        needs = wheel_quantities.friction_of(friction, normal)[k]
         assert np.isnan(needs) if normal[k] <= 0 else needs == pytest.approx(abs(friction[k]) / normal[k])

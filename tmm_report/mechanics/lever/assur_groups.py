@@ -293,7 +293,9 @@ def _moved_by_meshes(mechanism: Mechanism, known: list[str], done: list[Coupled]
     """The links that become known by meshes with `known` ones, wheel after wheel; `known` and `done` grow."""
     found: list[Coupled] = []
     while True:
-        ready = (m for m in mechanism.meshes if _is_ready(m, known) and all(m is not one.mesh for one in done))
+        ready = (
+            m for m in mechanism.meshes if _is_ready(m, known) and all(m is not one.mesh for one in done)
+        )
         mesh = next(ready, None)
         if mesh is None:
             return tuple(found)

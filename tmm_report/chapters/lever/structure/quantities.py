@@ -75,8 +75,8 @@ def transfer(one: str, other: str, index: str, rack: bool, carrier: str = FRAME)
     unit, sign = "1/m" if rack else "", Symbol("i", index, f"({carrier})" if carrier != FRAME else "")
     if rack and carrier != FRAME:
         text = N_(
-            "angular velocity of wheel %(other)s by the velocity of rack %(one)s relative to carrier %(carrier)s, along "
-            "its guide"
+            "angular velocity of wheel %(other)s by the velocity of rack %(one)s relative to carrier %(carrier)s, "
+            "along its guide"
         )
     elif rack:
         text = N_("angular velocity of wheel %(other)s by the velocity of rack %(one)s along its guide")
@@ -102,7 +102,9 @@ def _share(carrier: str, other: str, rack: bool) -> Quantity:
     if rack:
         text = N_("angular velocity of wheel %(other)s by the velocity of carrier %(one)s along its guide")
     else:
-        text = N_("angular velocity of link %(other)s by that of carrier %(one)s; below zero: in the opposite sense")
+        text = N_(
+            "angular velocity of link %(other)s by that of carrier %(one)s; below zero: in the opposite sense"
+        )
     of, unit = Message(text, {"one": carrier, "other": other}), "1/m" if rack else ""
     return Quantity(f"i_{carrier}_{other}", Symbol("i", both(carrier, other)), unit, of)
 
@@ -134,10 +136,12 @@ def module_of(mesh: Mesh) -> Quantity:
 @kept
 def _phase(one: str, other: str, index: str, rack: bool, carrier: str) -> Quantity:
     names = {"one": one, "other": other, "carrier": carrier}
-    if rack and FRAME == one:
+    if rack and one == FRAME:
         text = N_("angle of wheel %(other)s where carrier %(carrier)s is at the point of its guide")
     elif rack and carrier != FRAME:
-        text = N_("angle of wheel %(other)s where rack %(one)s and carrier %(carrier)s are at the points of their guides")
+        text = N_(
+            "angle of wheel %(other)s where rack %(one)s and carrier %(carrier)s are at the points of their guides"
+        )
     elif rack:
         text = N_("angle of wheel %(other)s where rack %(one)s is at the point of its guide")
     elif one == FRAME:

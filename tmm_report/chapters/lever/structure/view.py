@@ -49,7 +49,9 @@ MESHES = {
     "rack": N_("a rack on link %(one)s and a wheel on link %(other)s, pitch point %(point)s"),
 }
 ON_FRAME = {
-    "external": N_("the wheel of link %(other)s round a fixed wheel, in external mesh, pitch point %(point)s"),
+    "external": N_(
+        "the wheel of link %(other)s round a fixed wheel, in external mesh, pitch point %(point)s"
+    ),
     "internal": N_("the wheel of link %(other)s in a fixed ring, in internal mesh, pitch point %(point)s"),
     "rack": N_("the wheel of link %(other)s on a fixed rack, pitch point %(point)s"),
 }
@@ -216,8 +218,9 @@ class StructureView(BookView):
         letter = "s" if mesh.kind == "rack" else "phi"
         first, carrier = Var(Symbol(letter, one), 0.0), Var(Symbol(letter, mesh.carrier), 0.0)
         if mesh.kind == "rack":
+            alike = mesh.share * mesh.ratio < 0  # the guides run the same way
             return Definition(
-                Symbol("phi", other), start + ratio * (first - carrier if mesh.share * mesh.ratio < 0 else first + carrier)
+                Symbol("phi", other), start + ratio * (first - carrier if alike else first + carrier)
             )
         return Definition(Symbol("phi", other), start + carrier + ratio * (first - carrier))
 
@@ -329,7 +332,9 @@ def _at(mesh: Mesh) -> str:
     """The place at which its phase is stated."""
     if mesh.kind == "rack":
         if FRAME in mesh.links:
-            return N_("where link %(carrier)s is at the point of its guide, link %(other)s has the angle %(phase)s°")
+            return N_(
+                "where link %(carrier)s is at the point of its guide, link %(other)s has the angle %(phase)s°"
+            )
         if mesh.carrier != FRAME:
             return N_(
                 "where links %(one)s and %(carrier)s are at the points of their guides, link %(other)s has the angle "

@@ -1,10 +1,10 @@
 """A gear pair or a rack within a linkage as it is stated: links that carry the wheels, radii, phase, line of action.
 
-A carrier keeps the distance of the axes: the frame, or a moving link to which both wheels are pivoted. Seen from it both
-axes are fixed (Willis), and the coordinates of the two links, angles of their x axes, go one by the other in a straight
-line, x2 − c = phase + i (x1 − c), with c the angle of the carrier and i = −r1/r2 (external), +r1/r2 (internal). A rack,
-1, is cut on a link that slides along a fixed guide, or is the frame; its wheel, 2, turns about a fixed point or on a slider
-that goes along a parallel guide: x2 = phase + i (x1 ∓ c), with i = ±1/r and the ways of both sliders.
+A carrier keeps the distance of the axes: the frame, or a moving link to which both wheels are pivoted. Seen from it
+both axes are fixed (Willis), and the coordinates of the two links, angles of their x axes, go one by the other in a
+straight line, x2 − c = phase + i (x1 − c), with c the angle of the carrier and i = −r1/r2 (external), +r1/r2
+(internal). A rack, 1, is cut on a link that slides along a fixed guide, or is the frame; its wheel, 2, turns about a
+fixed point or on a slider that goes along a parallel guide: x2 = phase + i (x1 ∓ c), with i = ±1/r and their ways.
 Source: Artobolevsky, Theory of mechanisms and machines, ch. 7; Frolov (ed.), Theory of mechanisms, ch. 2.
 """
 
@@ -112,14 +112,16 @@ class Mesh:
 
     def touches(self, s: State) -> Array:
         """Where the pitch circles touch in the drawing, m, (..., P)."""
-        return s.world(self.carrier, self.axes[1]) + self.turn(s) * (self.radii[1] * self.outward(self.links[1]))
+        return s.world(self.carrier, self.axes[1]) + self.turn(s) * (
+            self.radii[1] * self.outward(self.links[1])
+        )
 
     def other(self, link: str) -> str:
         return self.links[1] if link == self.links[0] else self.links[0]
 
     def pressed(self, link: str, tangential: Array) -> Array:
-        """The force of the teeth on a link, complex N, (..., P), in the axes of `outward`, of its tangential part, along
-        i·outward: it lies on the line of action of the flank that is pressed, and drives the wheels apart."""
+        """The force of the teeth on a link, complex N, (..., P), in the axes of `outward`, of its tangential part,
+        along i·outward: it lies on the line of action of the flank that is pressed, and drives the wheels apart."""
         e = self.outward(link)
         away = e if self.rings(link) or self.radius(link) == 0 else -e
         return tangential * 1j * e + np.abs(tangential) * np.tan(self.pressure) * away

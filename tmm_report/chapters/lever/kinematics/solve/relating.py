@@ -143,12 +143,11 @@ def _meshing(motion: Motion, k: int, letter: str, wheel: Coupled) -> Formula:
     """ω of a link that a mesh moves by the rate of the other link, relative to a moving carrier; ε likewise."""
     of, mesh = q.link_rate(letter, wheel.link), wheel.mesh
     if wheel.by_slides:
-        ways = ((wheel.by, wheel.rate, mesh.along), (mesh.carrier, wheel.share, mesh.carried))
+        ways = [(wheel.by, wheel.rate, mesh.along)] if wheel.by != FRAME else []
+        ways += [(mesh.carrier, wheel.share, mesh.carried.along)] if mesh.carried is not None else []
         terms: list[Expr] = [
-            Var(Symbol("i", f"{link}→{wheel.link}"), rate, "1/m")
-            * _along(motion, k, letter, link, getattr(way, "along", way))
+            Var(Symbol("i", f"{link}→{wheel.link}"), rate, "1/m") * _along(motion, k, letter, link, way)
             for link, rate, way in ways
-            if link != FRAME
         ]
         return Formula(of.sign, _total(terms), of.unit, scale=0.0)
     ratio = Var(Symbol("i", f"{wheel.by}→{wheel.link}"), wheel.rate, "")

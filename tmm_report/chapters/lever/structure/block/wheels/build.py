@@ -53,11 +53,11 @@ def axis_on(carrier: str, link: str, built: Mechanism) -> str:
     points = _shared(carrier, link, built)
     if len(points) == 1:
         return points[0]
-    text = N_("carrier %(carrier)s and link %(link)s have not one common point, which would be the wheel's axis")
-    right = Message(N_("the link to which both wheels are pivoted"))
-    raise Wrong(
-        "carrier", Message(text, {"carrier": carrier, "link": link}), right
+    text = N_(
+        "carrier %(carrier)s and link %(link)s have not one common point, which would be the wheel's axis"
     )
+    right = Message(N_("the link to which both wheels are pivoted"))
+    raise Wrong("carrier", Message(text, {"carrier": carrier, "link": link}), right)
 
 
 def _shared(one: str, other: str, built: Mechanism) -> list[str]:
@@ -144,7 +144,9 @@ def rack_pair(k: int, model: RackModel, built: Mechanism) -> Mesh:
         text = N_("the guides of the rack and of the carrier %(carrier)s are not parallel")
         right = N_("a slider on a guide with the angle of that of the rack")
         raise Wrong("carrier", Message(text, {"carrier": carrier}), Message(right))
-    carried = Way(*(complex(x) for x in (held[0].through, held[1].through, held[1].direction))) if held else None
+    carried = (
+        Way(*(complex(x) for x in (held[0].through, held[1].through, held[1].direction))) if held else None
+    )
     off = _across(carried, held[0], axis) if carried and held else axis
     toward = _toward(model.side, t, dot(1j * t, off - through))
     teeth = (0, model.teeth) if model.teeth else None
@@ -191,7 +193,9 @@ def rolling_pair(k: int, model: RollingModel, built: Mechanism) -> Mesh:
     others = [name for name in axle.points if abs(axle.points[name] - at) > 1e-12]
     slides = [one for one in built.slides if one.link == model.carrier]
     if others or len(slides) > 1 or abs(complex(slide.through) - at) > 1e-12 or axle.inertia:
-        text = N_("link %(link)s is more than the axle of a wheel: what the rail bears of its guide is not told apart")
+        text = N_(
+            "link %(link)s is more than the axle of a wheel: what the rail bears of its guide is not told apart"
+        )
         right = N_("carrier: a slider of the point %(point)s alone; or mechanism.racks with slider: 0")
         raise Wrong("carrier", Message(text, {"link": model.carrier}), Message(right, {"point": point}))
     return Mesh(

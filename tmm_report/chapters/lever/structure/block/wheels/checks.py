@@ -31,7 +31,9 @@ def check(mechanism: MechanismModel, known: Names, built: Mechanism | None, read
         return
     makes = [(("wheels", k), partial(build.gear_pair, k, one)) for k, one in enumerate(mechanism.wheels)]
     makes += [(("racks", k), partial(build.rack_pair, k, rack)) for k, rack in enumerate(mechanism.racks)]
-    makes += [(("rolling", k), partial(build.rolling_pair, k, one)) for k, one in enumerate(mechanism.rolling)]
+    makes += [
+        (("rolling", k), partial(build.rolling_pair, k, one)) for k, one in enumerate(mechanism.rolling)
+    ]
     for path, make in makes:
         try:
             make(built)
@@ -93,9 +95,11 @@ def _frame(one: _Stated, place: Path, moving: list[str]) -> Problem:
     if one.carrier is not None and second == FRAME:
         right = Message(N_("links: [0, %(link)s], the fixed wheel first"), {"link": first})
         return mistake(N_("the fixed wheel stands behind the one that runs round"), place, right)
-    text = N_("the frame carries no wheel that turns, and the link on which another runs round it is not stated")
-    right = Message(N_("a moving link: %(words)s; or carrier: the moving link that holds both axes"), {"words": ", ".join(moving)})
-    return mistake(text, place, right)
+    text = N_(
+        "the frame carries no wheel that turns, and the link on which another runs round it is not stated"
+    )
+    cure = N_("a moving link: %(words)s; or carrier: the moving link that holds both axes")
+    return mistake(text, place, Message(cure, {"words": ", ".join(moving)}))
 
 
 def _of_carrier(one: _Stated, links: list[str], known: Names, moving: list[str]) -> Found:

@@ -160,7 +160,8 @@ class RollingModel(Model):
 
     wheel: Name = Field(description="the link that is the wheel", examples=["4"])
     carrier: Name = Field(
-        description="its axle: a slider of one point on a fixed guide, to which the wheel is pivoted", examples=["3"]
+        description="its axle: a slider of one point on a fixed guide, to which the wheel is pivoted",
+        examples=["3"],
     )
     radius: Positive = Field(description="of the wheel")
     side: Literal["above", "below", "left", "right"] = Field(
