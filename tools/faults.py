@@ -360,7 +360,7 @@ FAULTS = (
     Fault("planets: the ratio to the carrier without the carrier's turn", "tmm_report/chapters/lever/structure/view.py",
           "formula(1 - self.value(of.key).var())", "formula(-self.value(of.key).var())", "cardan_drive"),
     Fault("planets: in a plan the sum of the radii inside a ring", "tmm_report/chapters/lever/plans/drafting/wheels.py",
-          'one + other if mesh.kind == "external" else one - other', "one + other", "cardan_drive"),
+          'one + other if mesh.kind == "external" else one - other', "one + other", "cardan_drive", PLANETS),
     Fault("planets: in a plan their axis stands still", "tmm_report/chapters/lever/plans/drafting/wheels.py",
           "Image(carrier.of(axis), axis,", "Image(0j, axis,", "cardan_drive"),
     Fault("rolling: it turns with its way", MECHANICS + "lever/wheels/mesh.py",
