@@ -39,10 +39,13 @@ STATEMENTS = [
         "cases/explain/sprung_screen",
         "statements/slider_drives",
         "cases/explain/boom_by_cylinder",
+        "statements/cardan_drive",
+        "statements/sun_and_planet",
+        "statements/roller_on_rail",
     )
 ]
-"""Mechanisms that a slider or a cylinder drives, or whose driving link moves by a law, or with springs and dampers: no
-ready variant has one, and their notes are read as those are."""
+"""Mechanisms that a slider or a cylinder drives, or whose driving link moves by a law, or with springs and dampers, or
+with wheels whose axes move: no ready variant has one, and their notes are read as those are."""
 every_variant = pytest.fixture(params=[path.stem for path in FILES])
 
 

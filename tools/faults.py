@@ -42,7 +42,8 @@ TIED = ("tests/chapters/lever/kinetostatics/test_springs_and_dampers.py",)
 EXPLAINED = ("tests/commands/test_explain_all.py",)
 DRIVEN, LIFTED = "slider_drives", "boom_by_cylinder"
 PUSHED = ("tests/mechanics/lever/driving", "tests/chapters/lever/test_strokes.py", "tests/statements")
-WHEELS = ("tests/mechanics/lever/test_wheels.py",)
+WHEELS = ("tests/mechanics/lever/wheels/test_wheels.py",)
+PLANETS = ("tests/mechanics/lever/wheels/test_planets.py", "tests/statements")
 TOLD = ("tests/chapters/lever/synthesis",)
 FIND = "tmm_report/chapters/find/"
 BACKWARDS = ("tests/chapters/find", "tests/mechanics/calculus/test_seek.py")
@@ -341,11 +342,35 @@ FAULTS = (
     Fault("a wheel's moment by the wrong radius", STATICS + "quantities/wheels.py",
           "on_link * mesh.radius(link)", "on_link * mesh.radius(wheel.by)", "crank_rocker", WHEELS),
     Fault("the phase of a wheel forgotten", MECHANICS + "lever/wheels/coupled.py",
-          "-self.mesh.phase / self.mesh.ratio if self.backwards else self.mesh.phase",
-          "-self.mesh.phase / self.mesh.ratio if self.backwards else 0.0", "crank_rocker", LOADED),
+          "-mesh.phase / mesh.ratio if bare.backwards else mesh.phase",
+          "-mesh.phase / mesh.ratio if bare.backwards else 0.0", "crank_rocker", LOADED),
     Fault("a driven wheel accelerated by the ratio squared", MECHANICS + "lever/wheels/coupled.py",
-          "s.turn(link, c * dot(s.v[by], t), c * dot(s.a[by], t))",
-          "s.turn(link, c * dot(s.v[by], t), c * c * dot(s.a[by], t))", "crank_rocker", LOADED),
+          "sum(c * e for c, _, e in each)", "sum(c * c * e for c, _, e in each)", "crank_rocker", LOADED),
+    Fault("planets: the carrier turns nothing", MECHANICS + "lever/wheels/mesh.py",
+          "return 1.0 - self.ratio if", "return -self.ratio if", "cardan_drive", PLANETS),
+    Fault("planets: the force in the teeth keeps its line", MECHANICS + "lever/wheels/coupled.py",
+          "teeth = mesh.turn(s) * mesh.pressed", "teeth = mesh.pressed", "cardan_drive", PLANETS),
+    Fault("planets: the pitch point stands still", MECHANICS + "lever/wheels/mesh.py",
+          "+ self.turn(s) * (", "+ (", "sun_and_planet", PLANETS),
+    Fault("planets: their axis has no acceleration", MECHANICS + "lever/wheels/coupled.py",
+          "s.velocity(carrier, arm), s.acceleration(carrier, arm))", "s.velocity(carrier, arm), 0j)", "cardan_drive",
+          PLANETS),
+    Fault("planets: the carrier does not feel them", MECHANICS + "lever/forces/reactions.py",
+          "        _pass_on(s, rest, bearing)\n", "", "cardan_drive", PLANETS),
+    Fault("planets: the ratio to the carrier without the carrier's turn", "tmm_report/chapters/lever/structure/view.py",
+          "formula(1 - self.value(of.key).var())", "formula(-self.value(of.key).var())", "cardan_drive"),
+    Fault("planets: in a plan the sum of the radii inside a ring", "tmm_report/chapters/lever/plans/drafting/wheels.py",
+          'one + other if mesh.kind == "external" else one - other', "one + other", "cardan_drive", PLANETS),
+    Fault("planets: in a plan their axis stands still", "tmm_report/chapters/lever/plans/drafting/wheels.py",
+          "Image(carrier.of(axis), axis,", "Image(0j, axis,", "cardan_drive"),
+    Fault("rolling: it turns with its way", MECHANICS + "lever/wheels/mesh.py",
+          "return -self.ratio * float(np.sign", "return self.ratio * float(np.sign", "roller_on_rail", PLANETS),
+    Fault("rolling: the rail pulls", STATICS + "quantities/wheels.py",
+          "dot(-wheel.mesh.toward,", "dot(wheel.mesh.toward,", "roller_on_rail", PLANETS),
+    Fault("rolling: the normal force by the friction", STATICS + "quantities/wheels.py",
+          "np.abs(tangential) / normal, np.nan", "normal / np.abs(tangential), np.nan", "roller_on_rail", PLANETS),
+    Fault("rolling: the least of the coefficients", STATICS + "quantities/wheels.py",
+          "float(np.nanmax(needs))", "float(np.nanmin(needs))", "roller_on_rail", PLANETS),
     Fault("a spring pushes where it should pull", STATICS + "solve/lengths.py",
           "return size * of.way, size", "return -size * of.way, size", SPRUNG, TIED),
     Fault("a spring by its length alone", MECHANICS + "calculus/laws.py",

@@ -46,6 +46,9 @@ class Scheme:
     )
     pivot: str = ""
     drive: list[tuple[str, str, str]] = field(default_factory=list)
+    # links in mesh -> their axes and the share of the way between them at which they touch; a place from one axis, m
+    meshes: dict[frozenset[str], tuple[str, str, float]] = field(default_factory=dict)
+    rolling: dict[frozenset[str], tuple[str, complex]] = field(default_factory=dict)
 
 
 def scheme(name: str) -> Scheme:
@@ -78,8 +81,35 @@ def scheme(name: str) -> Scheme:
     pivot = next((p for p in points[link] if p in frame), "")
     drive = driving(driver, points, frame, cylinder, link)
     return Scheme(
-        points, sliding, centres, link, gravity, forces, pitch_point(driver.get("gear")), pivot, drive
+        points, sliding, centres, link, gravity, forces, pitch_point(driver.get("gear")), pivot, drive,
+        meshed(data["mechanism"], {"0": [*frame], **points}), rolled(data["mechanism"], points),
     )  # fmt: skip
+
+
+def meshed(
+    mechanism: dict[str, Any], points: dict[str, list[str]]
+) -> dict[frozenset[str], tuple[str, str, float]]:
+    """Of wheels on a carrier: outside one another they touch between the axes, else beyond that of the smaller one."""
+    found = {}
+    for one in mechanism.get("wheels", ()):
+        links, carrier = [str(link) for link in one["links"]], points[str(one["carrier"])]
+        axes = [next(p for p in points[link] if p in carrier) for link in links]
+        first, second = [float(r.split()[0]) for r in one["radii"]] if "radii" in one else (1.0, one["ratio"])
+        share = first / (first - second if one.get("mesh") == "internal" else first + second)
+        found[frozenset(links)] = (*axes, share)
+    return found
+
+
+def rolled(
+    mechanism: dict[str, Any], points: dict[str, list[str]]
+) -> dict[frozenset[str], tuple[str, complex]]:
+    """Of wheels on level rails: the axis, and the way to the rail."""
+    found = {}
+    for one in mechanism.get("rolling", ()):
+        axis = next(p for p in points[str(one["carrier"])] if p in points[str(one["wheel"])])
+        down = {"above": -1j, "below": 1j}[one["side"]] * float(one["radius"].split()[0]) / 1000
+        found[frozenset(("0", str(one["wheel"])))] = axis, down
+    return found
 
 
 def turning(points: dict[str, list[str]], frame: dict[str, Any], cylinder: list[str]) -> str:
@@ -151,6 +181,8 @@ def pair_points(note: Note, drawn: Scheme) -> dict[frozenset[str], str]:
     for row in table.rows:
         links = frozenset(row[1].text.split("–"))
         sliders = [link for link in links if link in drawn.sliding]
+        if row[3].text in ("higher", "высшая"):
+            continue
         revolute = row[3].text in ("revolute", "вращательная")
         found[links] = row[2].text if revolute else drawn.sliding[slider_of(links, sliders)]
     return found
@@ -178,9 +210,20 @@ def reactions(note: Note, drawn: Scheme, places: Places) -> Iterator[Force]:
         if "M_" + symbol[2:] in found:
             couple = found["M_" + symbol[2:]][-1][1]
             moment, off = couple.values, couple.half
-        point = places[at[frozenset((one, other))]]
+        point = (
+            touching(drawn, places, both) if (both := frozenset((one, other))) not in at else places[at[both]]
+        )
         yield Force(symbol, other, point, value, error, moment, off)
         yield Force(symbol, one, point, -value, error, -moment, off)
+
+
+def touching(drawn: Scheme, places: Places, links: frozenset[str]) -> np.ndarray | complex:
+    """Where two wheels, or a wheel and its rail, touch."""
+    if links in drawn.rolling:
+        axis, down = drawn.rolling[links]
+        return places[axis] + down
+    one, other, share = drawn.meshes[links]
+    return places[one] + share * (places[other] - places[one])
 
 
 def loads(note: Note, document: dict[str, Any], drawn: Scheme, places: Places) -> Iterator[Force]:
@@ -207,6 +250,8 @@ def loads(note: Note, document: dict[str, Any], drawn: Scheme, places: Places) -
             yield Force(symbol, inertia[2], places[point], column.values * way, column.half)
         elif inertia:
             yield Force(symbol, inertia[2], 0j, zeros + 0j, zeros, column.values, column.half)
+        elif stated and not {symbol, f"{symbol},1"} & {*acting}:
+            continue  # of the teeth
         elif stated and len(stated[1]) == 1 and "R_" + stated[1] not in found:
             for k, (_, one) in enumerate(entries, 1):  # sizes are printed, their signs stand in the results
                 key, rows = symbol if "," in symbol else f"{symbol},{k}", len(one.values)

@@ -22,6 +22,7 @@ TABLES = (
     "stroke_table",
     "drive_table",
     "mesh_table",
+    "rolling_table",
 )
 
 

@@ -7,7 +7,13 @@ from collections.abc import Callable
 from random import Random
 from typing import Any
 
-from benchmarks.fuzz.generated.geared import coupled_cranks, racked_slider
+from benchmarks.fuzz.generated.geared import (
+    coupled_cranks,
+    planet_on_crank,
+    racked_slider,
+    rolling_wheel,
+    sun_and_planet,
+)
 from benchmarks.fuzz.generated.strokes import lifted_boom, pushed_crank
 from benchmarks.fuzz.generated.synthesised import SYNTHESES
 from benchmarks.fuzz.generated.walk import Names, Walk
@@ -244,6 +250,9 @@ SCHEMES: tuple[Callable[[Random], tuple[Data, Data]], ...] = (
     alone,
     coupled_cranks,
     racked_slider,
+    planet_on_crank,
+    sun_and_planet,
+    rolling_wheel,
     pushed_crank,
     lifted_boom,
     *SYNTHESES,

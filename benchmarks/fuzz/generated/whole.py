@@ -161,6 +161,10 @@ def _agreed(data: dict[str, Any]) -> None:
     if "cams" in data["mechanism"]:
         for name in ("friction", "wear", "balancing"):
             data.pop(name, None)
+    if {"wheels", "racks", "rolling"} & set(data["mechanism"]):
+        for name in ("friction", "balancing", "methods", "method", "readings"):
+            data.pop(name, None)
+        data.get("positions", {}).pop("force_plan", None)
     if not massive:
         for name in ("reduction", "balancing"):
             data.pop(name, None)

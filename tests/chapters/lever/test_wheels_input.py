@@ -1,4 +1,4 @@
-"""Slips in the keys `wheels` and `racks`: one clear message each, at its line, with its cure."""
+"""Slips in the keys `wheels`, `racks` and `rolling`: one clear message each, at its line, with its cure."""
 
 import pytest
 
@@ -29,8 +29,12 @@ PAIR, RACK = "{links: [1, 2], teeth: [40, 20], module: 5 mm, angles: [0, 30 deg]
 SLIPS = {
     "no such link": ("links: [1, 2]", "links: [1, 9]", "mechanism.wheels.0.links.1", "there is no link 9", ""),
     "the frame": ("links: [1, 2]", "links: [0, 2]", "mechanism.wheels.0.links.0", "frame carries no wheel", "1, 2"),
+    "the frame last": (
+        "links: [1, 2]", "carrier: 1, links: [3, 0]",
+        "mechanism.wheels.0.links.1", "behind the one that runs round", "links: [0, 3]",
+    ),
     "itself": ("links: [1, 2]", "links: [2, 2]", "mechanism.wheels.0", "in mesh with itself", "two different"),
-    "moving axis": ("links: [1, 2]", "links: [1, 3]", "mechanism.wheels.0.links.1", "no fixed point", "drive"),
+    "moving axis": ("links: [1, 2]", "links: [1, 3]", "mechanism.wheels.0.links.1", "no fixed point", "carrier: 1 / 4"),
     "two sizes": ("module: 5 mm", "ratio: 2", "mechanism.wheels.0", "not stated in one way", "one of them"),
     "no size": ("teeth: [40, 20], module: 5 mm, ", "", "mechanism.wheels.0", "not stated in one way", "ratio: 2"),
     "module alone": ("teeth: [40, 20], ", "ratio: 2, ", "mechanism.wheels.0", "without numbers of teeth", "leave"),
@@ -64,11 +68,32 @@ SLIPS = {
         "mechanism.wheels.0.links", "have one axis", "one link",
     ),
     "no slider": ("slider: 6", "slider: 5", "mechanism.racks.0.slider", "slides along no fixed guide", "slides:"),
-    "rack wheel": ("wheel: 7", "wheel: 4", "mechanism.racks.0.wheel", "turns about no fixed point", "drive"),
+    "rack wheel": ("wheel: 7", "wheel: 4", "mechanism.racks.0.wheel", "turns about no fixed point", "carrier: "),
     "teeth alone": (RACK, "teeth: 24}", "mechanism.racks.0", "not stated in one way", "module: 4 mm"),
     "side along": (RACK, "radius: 48 mm, side: left}", "mechanism.racks.0.side", "the rack runs that way", "above"),
     "side unknown": ("248 mm]", "200 mm]", "mechanism.racks.0", "lies on the line of the guide", "side: above"),
-    "planet": ("links: [1, 2]", "carrier: 1, links: [1, 2]", "mechanism.wheels.0.carrier", "axis moves", ""),
+    "planet": ("links: [1, 2]", "planet: 3, links: [1, 2]", "mechanism.wheels.0.planet", "is the carrier", "[0, 2"),
+    "own carrier": ("links: [1, 2]", "carrier: 1, links: [1, 2]", "mechanism.wheels.0.carrier", "its own wheel", "3"),
+    "no such carrier": ("links: [1, 2]", "carrier: 9, links: [1, 2]", "mechanism.wheels.0.carrier", "no link 9", ""),
+    "frame as carrier": ("links: [1, 2]", "carrier: 0, links: [1, 2]", "mechanism.wheels.0.carrier", "no carrier", ""),
+    "carrier apart": (
+        "links: [1, 2]", "carrier: 5, links: [1, 2]",
+        "mechanism.wheels.0.carrier", "not one common point", "both wheels are pivoted",
+    ),
+    "carrier too long": (
+        "links: [1, 2], teeth: [40, 20], module: 5 mm,", "links: [1, 4], carrier: 3, teeth: [40, 20], module: 5 mm,",
+        "mechanism.wheels.0.module", "150 mm, and the axes are 200 mm", "module: 6.66667 mm",
+    ),
+    "frame turned": (
+        "links: [1, 2], teeth: [40, 20], module: 5 mm, angles: [0,",
+        "links: [0, 3], carrier: 1, teeth: [40, 20], module: 2 mm, angles: [1,",
+        "mechanism.wheels.0.angles.0", "frame does not turn", "0",
+    ),
+    "fixed rack": ("slider: 6", "slider: 0", "mechanism.racks.0.slider", "do not move", "carrier"),
+    "carrier on no guide": (
+        "slider: 6", "carrier: 5, slider: 6",
+        "mechanism.racks.0.carrier", "slides along no fixed guide", "a guide of the frame",
+    ),
     "friction": (
         "positions:", "friction: {pivots: {f: 0.1, diameter: 20 mm}}\npositions:",
         "friction", "is not worked out of a mechanism with wheels", "leave",
@@ -160,3 +185,91 @@ def test_the_text_itself_is_right():
     found = course.solve(course.loads(TEXT)).lever.structure
     assert (found.moving_links, found.lower_pairs, found.higher_pairs, found.mobility) == (7, 9, 2, 1)
     assert found.formula == "I(0,1) → z(2) → II2(3,4) → II2(5,6) → z(7)"
+
+
+ROLLING = """language: en
+mechanism:
+  frame: {O: [0, 0], P: [0, 50 mm]}
+  guides: {x: {through: O}, y: {through: P, angle: 20 deg}}
+  links:
+    1: {points: {O: 0, A: 60 mm}}
+    2: {points: {A: 0, B: 240 mm}}
+    3: {points: {B: 0}, slides: x}
+    4: {points: [B], mass: 7 kg}
+    5: {points: [K], slides: y}
+  rolling:
+    - {wheel: 4, carrier: 3, radius: 70 mm, side: above}
+  racks:
+    - {slider: 5, wheel: 4, carrier: 3, radius: 50 mm}
+  driver: {link: 1, speed: 100 rpm}
+  assembly: {B: right}
+positions: {table: 12}
+"""
+ON_RAILS = {
+    "not parallel": ("", "", "mechanism.racks.0.carrier", "not parallel", "with the angle"),
+    "side": ("side: above", "side: left", "mechanism.rolling.0.side", "the rack runs that way", "side: above"),
+    "axle": ("3: {points: {B: 0}", "3: {points: {B: 0, K: 50 mm}", "mechanism.rolling.0.carrier", "more than the axle",
+             "mechanism.racks"),
+    "no axle": ("4, carrier: 3, radius: 70", "4, carrier: 1, radius: 70", "mechanism.rolling.0.carrier",
+                "no fixed guide", "a guide of the frame"),
+    "wheel elsewhere": ("wheel: 4, carrier: 3, radius: 70", "wheel: 1, carrier: 3, radius: 70",
+                        "mechanism.rolling.0.carrier", "not one common point", ""),
+    "no radius": ("radius: 70 mm, ", "", "mechanism.rolling.0.radius", "", ""),
+    "on a slider": ("side: above", "side: above, slider: 5", "mechanism.rolling.0.slider", "held by teeth", ""),
+    "friction": ("side: above", "side: above, f: 0.2", "mechanism.rolling.0.f", "told by the note", "contacts"),
+    "force plan": ("{table: 12}", "{table: 12, force_plan: [1]}", "positions.force_plan", "force plans", "leave"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("slip", ON_RAILS)
+def test_a_slip_of_a_wheel_on_a_rail_is_told_with_its_cure(slip):
+    right, wrong, key, words, cure = ON_RAILS[slip]
+    assert not right or ROLLING.count(right) == 1
+    with pytest.raises(ProblemError) as caught:
+        course.loads(ROLLING.replace(right, wrong) if right else ROLLING)
+    told = [problem for problem in caught.value.problems if problem.key == key]
+    assert told, [problem.text() for problem in caught.value.problems]
+    assert any(words in problem.text() and cure in problem.text() for problem in told)
+    assert all(problem.line for problem in told)
+
+
+PLANET = """language: en
+mechanism:
+  frame: {O: [0, 0]}
+  links:
+    1: {points: {O: 0, A: 60 mm}}
+    2: {points: {A: 0, D: 30 mm}}
+  wheels:
+    - {links: [0, 2], carrier: 1, ratio: 0.5, mesh: internal}
+  driver: {link: 1, speed: 100 rpm}
+positions: {table: 12}
+"""
+
+
+def refused(text):
+    with pytest.raises(ProblemError) as caught:
+        course.solve(course.loads(text))
+    return " ".join(problem.text() for problem in caught.value.problems)
+
+
+def test_a_planet_that_does_not_come_back_is_refused_unless_it_carries_nothing():
+    assert "1.5 turns for each turn" in refused(PLANET.replace("ratio: 0.5", "ratio: 0.4"))
+    course.solve(course.loads(PLANET.replace("ratio: 0.5", "ratio: 0.4").replace(", D: 30 mm", "")))
+    course.solve(
+        course.loads(PLANET.replace("ratio: 0.5", "ratio: 0.4").replace("rpm}", "rpm, range: 90 deg}"))
+    )
+
+
+def test_an_unknown_carrier_is_a_mesh_within_a_group():
+    text = PLANET.replace("1: {points: {O: 0, A", "3: {points: {O: 0}}\n    1: {points: {O: 0, A")
+    sun = "mesh: internal}\n    - {links: [3, 2], carrier: 1, radii: [30 mm, 30 mm]}"
+    text = text.replace("ratio: 0.5, mesh: internal}", "radii: [90 mm, 30 mm], " + sun)
+    assert course.solve(course.loads(text)).lever.structure.formula == "I(0,1) → z(2) → z(3)"
+    told = refused(text.replace("link: 1,", "link: 3,"))
+    assert "within a group" in told and "and the carrier" in told
+
+
+def test_a_wheel_moved_by_two_meshes_is_redundant():
+    text = PLANET.replace("2: {points: {A: 0, D: 30 mm}}", "2: {points: {A: 0}}\n    3: {points: {O: 0}}")
+    twice = "mesh: internal}\n    - {links: [3, 2], carrier: 1, ratio: 2}\n    - {links: [1, 3], ratio: 2}"
+    assert "one axis" in refused(text.replace("mesh: internal}", twice))

@@ -139,7 +139,8 @@ def test_every_vector_of_a_force_plan(name):
             drawn, links = vectors(note.drawings[anchor]), links_of(caption, scheme(name).driver)
             seen += len(drawn.shown)
             found += [f"{anchor}: {text}" for text in wrong_forces(document, drawn, links, k, mu) if text]
-    undrawn = "drive_table" in document["tables"]  # a slider or a cylinder drives
+    # a slider or a cylinder drives, or there are wheels
+    undrawn = {"drive_table", "mesh_table", "rolling_table"} & {*document["tables"]}
     wrong(found if seen or undrawn else ["no vectors"])
 
 

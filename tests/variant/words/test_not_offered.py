@@ -21,7 +21,7 @@ SLIPS = {
     "mechanism.driver.link": ("link: 1,", "link: 3,", "a driving slider is stated with its stroke"),
     "mechanism.gears": ("  assembly:", "  gears: []\n  assembly:", "mechanism.wheels"),
     "mechanism.belts": ("  assembly:", "  belts: []\n  assembly:", "stages of the block drive"),
-    "mechanism.links.3.rolls": ("slides: x", "slides: x, rolls: x", "rolling on a guide is not offered"),
+    "mechanism.links.3.rolls": ("slides: x", "slides: x, rolls: x", "mechanism.rolling"),
     "mechanism.springs": ("  assembly:", "  springs: []\n  assembly:", "loads.springs"),
     "mechanism.links.3.rack": ("slides: x", "slides: x, rack: {module: 4 mm}", "mechanism.racks"),
     "mechanism.links.3.teeth": ("slides: x", "slides: x, teeth: 20", "mechanism.wheels"),

@@ -169,7 +169,7 @@ def _body(motion: Motion, name: str) -> Body:
     rails = [rail for guide in motion.mechanism.guides.values() if (rail := _rail(motion, guide, name))]
     cams = ends(motion.mechanism, name, motion.mu)
     rails += cams.faces
-    rails += racks(motion.mechanism, name, motion.mu, _way(motion, name)) if motion.mechanism.meshes else ()
+    rails += racks(motion, name)
     outlines = (*cams.outlines, *circles(motion.mechanism, name, motion.mu))
     nodes = _nodes(motion, name) + [centre for centre, _ in blocks]
     bars, welds = _framework(rails + rods, nodes)
@@ -180,13 +180,6 @@ def _body(motion: Motion, name: str) -> Body:
         bars = [(hull[0], hull[1])]
     plate = tuple(hull) if len(hull) > 2 else ()
     return Body(tuple(bars), plate, tuple(blocks), tuple(welds), outlines, cams.rollers)
-
-
-def _way(motion: Motion, name: str) -> tuple[float, float]:
-    """Least and greatest way of a link along its fixed guide, mm."""
-    fixed = (s for s in motion.mechanism.slides if motion.mechanism.guides[s.guide].link == FRAME)
-    slide = next((s for s in fixed if s.link == name), None)
-    return (0.0, 0.0) if slide is None else motion.travel(slide)
 
 
 def _pivot(motion: Motion, name: str) -> complex | None:

@@ -26,6 +26,7 @@ from tmm_report.figures.drawing import (
 from tmm_report.figures.lettering import Symbol, joined, symbol
 from tmm_report.figures.schemes import marks
 from tmm_report.figures.schemes.bodies import BLOCK, NEAR, PAST, Body, Motion, bodies, bushing, is_rod, number
+from tmm_report.figures.schemes.fixed_wheels import fixed
 from tmm_report.mechanics.lever.mechanism import FRAME, Guide, Mechanism, Slide
 from tmm_report.records import dataclass
 
@@ -90,6 +91,7 @@ class View:
             guide = self.mechanism.guides[slide.guide]
             if guide.link == FRAME:
                 items += self._fixed_slide(slide, guide)
+        items += fixed(self.motion)
         for point, names in self.joints.items():
             items += marks.support(self.points[point]) if FRAME in names else []
         bare = self.cylinder and self.cylinder[0]

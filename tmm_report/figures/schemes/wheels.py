@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from tmm_report.mechanics.calculus.vectors import dot
-from tmm_report.mechanics.lever.mechanism import FRAME, Mechanism
+from tmm_report.mechanics.lever.mechanism import Mechanism
 from tmm_report.mechanics.lever.wheels.mesh import Mesh
+
+if TYPE_CHECKING:
+    from tmm_report.figures.schemes.bodies import Motion
 
 FINE = 181  # points of a circle
 
@@ -19,44 +21,30 @@ def circles(mechanism: Mechanism, name: str, mu: float) -> tuple[tuple[complex, 
     found = []
     for mesh in mechanism.meshes:
         if name in mesh.links and mesh.radius(name):
-            centre = _axis(mechanism, name)
+            centre = centre_of(mechanism, mesh, name)
             found.append(tuple(complex(centre + mesh.radius(name) * z) / mu for z in round_))
     return tuple(found)
 
 
-def racks(
-    mechanism: Mechanism, name: str, mu: float, travel: tuple[float, float]
-) -> tuple[tuple[complex, complex], ...]:
-    """The pitch lines of a link's racks, as long as they pass the wheel. `travel`: least and greatest way of the
-    link along its guide from the guide's own point, mm."""
-    return tuple(
-        _rack(mechanism, mesh, mu, travel)
-        for mesh in mechanism.meshes
-        if mesh.kind == "rack" and mesh.links[0] == name
-    )
+def centre_of(mechanism: Mechanism, mesh: Mesh, name: str) -> complex:
+    """The axis of a wheel in the axes of its link, m."""
+    return complex(np.ravel(mechanism.links[name].points[mesh.points[mesh.links.index(name)]])[0])
 
 
-def _rack(
-    mechanism: Mechanism, mesh: Mesh, mu: float, travel: tuple[float, float]
-) -> tuple[complex, complex]:
-    slide = next(
-        s for s in mechanism.slides
-        if s.link == mesh.links[0] and mechanism.guides[s.guide].link == FRAME
-    )  # fmt: skip
-    turn = _number(slide.direction) / mesh.along  # from the drawing's axes to the slider's
-    away = mesh.pitch_point - mesh.through
-    along, across = float(dot(mesh.along, away)) / mu, float(dot(1j * mesh.along, away)) / mu
-    own = _number(slide.through) / mu
-    past = 0.3 * mesh.radii[1] / mu
-    ends = (along - travel[1] - past, along - travel[0] + past)
-    first, last = (own + turn * mesh.along * complex(end, across) for end in ends)
-    return first, last
+def racks(motion: Motion, name: str) -> tuple[tuple[complex, complex], ...]:
+    """The pitch lines of a link's racks, as long as they pass the wheel."""
+    meshes = [mesh for mesh in motion.mechanism.meshes if mesh.kind == "rack" and mesh.links[0] == name]
+    return tuple(rack(motion, mesh, name) for mesh in meshes)
 
 
-def _axis(mechanism: Mechanism, name: str) -> complex:
-    own, frame = mechanism.links[name].points, mechanism.links[FRAME].points
-    return next(_number(at) for point, at in own.items() if point in frame)
-
-
-def _number(value: Any) -> complex:
-    return complex(np.ravel(value)[0])
+def rack(motion: Motion, mesh: Mesh, name: str) -> tuple[complex, complex]:
+    """In the axes of the link, from the first to the last place at which it is touched, and a little on."""
+    axis, radius = motion.at(mesh.carrier, mesh.axes[1] / motion.mu), mesh.radii[1] / motion.mu
+    touched = (axis + radius * mesh.toward - motion.origins[name]) / motion.axes[name]
+    turns = motion.axes[name][np.isfinite(motion.axes[name])]  # all the same
+    along = mesh.along / complex(turns[0]) if len(turns) else mesh.along
+    places = (touched / along)[np.isfinite(touched)]
+    past = 0.3 * radius
+    across = float(np.mean(places.imag)) if len(places) else 0.0
+    ways = places.real if len(places) else np.zeros(1)
+    return along * complex(ways.min() - past, across), along * complex(ways.max() + past, across)

@@ -11,7 +11,7 @@ from itertools import combinations, islice
 from typing import Literal
 
 from tmm_report.mechanics.lever.mechanism import FRAME, Mechanism, Scalar
-from tmm_report.mechanics.lever.wheels.coupled import Coupled
+from tmm_report.mechanics.lever.wheels.coupled import Coupled, coupled
 from tmm_report.mechanics.lever.wheels.mesh import Mesh
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake, shown
 from tmm_report.records import dataclass
@@ -144,8 +144,8 @@ def decompose(mechanism: Mechanism, sliding: bool = False) -> Structure:
     if (w := _freedom(mechanism, [FRAME], (mechanism.driver.link,))) != 1:  # held by more than its pivot
         raise ProblemError([_redundant([mechanism.driver.link], [FRAME], w)])
     known = [FRAME, mechanism.driver.link]
-    coupled: list[Coupled] = []
-    wheels = _moved_by_meshes(mechanism, known, coupled)
+    moved: list[Coupled] = []
+    wheels = _moved_by_meshes(mechanism, known, moved)
     groups: list[Group] = []
     while rest := [name for name in mechanism.moving if name not in known]:
         links = _next_group(mechanism, known, rest)
@@ -153,7 +153,7 @@ def decompose(mechanism: Mechanism, sliding: bool = False) -> Structure:
         if all(pair.links[0] == FRAME for pair in group.outer):
             raise ProblemError([_still(links)])
         known += links
-        groups.append(replace(group, wheels=_moved_by_meshes(mechanism, known, coupled)))
+        groups.append(replace(group, wheels=_moved_by_meshes(mechanism, known, moved)))
     return Structure(mechanism, driver_pair, tuple(groups), wheels)
 
 
@@ -289,31 +289,34 @@ def _next_group(mechanism: Mechanism, known: list[str], rest: list[str]) -> list
     raise ProblemError([mistake(text, ("mechanism", "links", rest[0]), links=", ".join(rest))])
 
 
-def _moved_by_meshes(mechanism: Mechanism, known: list[str], coupled: list[Coupled]) -> tuple[Coupled, ...]:
-    """The links that become known by meshes with `known` ones, wheel after wheel; `known` and `coupled` grow."""
+def _moved_by_meshes(mechanism: Mechanism, known: list[str], done: list[Coupled]) -> tuple[Coupled, ...]:
+    """The links that become known by meshes with `known` ones, wheel after wheel; `known` and `done` grow."""
     found: list[Coupled] = []
-    done = {one.mesh.name for one in coupled}
     while True:
-        ready = (m for m in mechanism.meshes if m.name not in done and set(m.links) & {*known})
+        ready = (
+            m for m in mechanism.meshes if _is_ready(m, known) and all(m is not one.mesh for one in done)
+        )
         mesh = next(ready, None)
         if mesh is None:
             return tuple(found)
         if set(mesh.links) <= {*known}:
             raise ProblemError([_twice_moved(mesh)])
         link = next(one for one in mesh.links if one not in known)
-        by = mesh.other(link)
         bearings = list(_pairs_of(mechanism, known, [link]))
-        if len(bearings) != 1 or bearings[0].links[0] != FRAME:
+        if len(bearings) != 1 or (bearings[0].kind == "P" and bearings[0].links[0] != FRAME):
             raise ProblemError([_twice_moved(mesh)])
-        before = next((one for one in coupled if one.link == by), None)
-        contact = Pair("H", mesh.pole, (by, link), {})
-        moved = Coupled(mesh, link, by, bearings[0], contact, before, by == mechanism.driver.link)
+        contact = Pair("H", mesh.pole, (mesh.other(link), link), {})
+        moved = coupled(mesh, link, bearings[0], contact, done, mechanism.driver.link)
         if (wrong := _not_repeated(mechanism, moved)) is not None:
             raise ProblemError([wrong])
-        done.add(mesh.name)
-        coupled.append(moved)
+        done.append(moved)
         found.append(moved)
         known.append(link)
+
+
+def _is_ready(mesh: Mesh, known: list[str]) -> bool:
+    """Whether the carrier and one of the links are known."""
+    return mesh.carrier in known and bool(set(mesh.links) & {*known})
 
 
 def _mesh_path(mesh: Mesh) -> tuple[str | int, ...]:
@@ -332,23 +335,28 @@ def _in_a_group(mesh: Mesh, rest: Sequence[str]) -> Problem:
         "links %(links)s become known neither from each other nor before their mesh: a mesh within a group, whose "
         "equations would be solved together with it, is not offered"
     )
-    right = Message(N_("let the driving link, or what it moves through dyads, turn one of the wheels"))
+    right = Message(
+        N_(
+            "let the driving link, or what it moves through dyads, turn one of the wheels, and the carrier where its "
+            "axis moves"
+        )
+    )
     return mistake(text, _mesh_path(mesh), right, links=shown(", ".join(rest), 80))
 
 
 def _not_repeated(mechanism: Mechanism, moved: Coupled) -> Problem | None:
     """A wheel with joints, or a rack, that a full turn of the driving link does not bring back."""
     turns, driver, own = moved.by_turns, mechanism.driver, mechanism.links[moved.link]
-    if turns is None or not driver.goes_round:
+    if not driver.goes_round:
         return None
-    if moved.slides:
+    if moved.slides and abs(turns) > 1e-12:
         text = N_("the rack on link %(link)s runs away: the wheel that drives it makes full turns")
         right = Message(N_("state driver.range, less than a full turn, or let a rocker drive the rack"))
         return mistake(text, _mesh_path(moved.mesh), right, link=moved.link)
     axis = moved.bearing.at[moved.link]
     plain = all(abs(complex(at) - complex(axis)) < 1e-12 for at in own.points.values())
     carries = any(guide.link == moved.link for guide in mechanism.guides.values())
-    if abs(turns - round(turns)) < 1e-9 or (plain and not carries):
+    if moved.slides or abs(turns - round(turns)) < 1e-9 or (plain and not carries):
         return None
     text = N_(
         "link %(link)s makes %(turns)s turns for each turn of the driving link: the motion does not repeat with every "

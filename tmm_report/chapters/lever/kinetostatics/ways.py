@@ -53,6 +53,8 @@ LINE = N_("Across the line of engagement of the gear, in the sense in which it i
 TEETH = N_(
     "From the reaction in the mesh: moments about the axis of the wheel that is driven give its tangential part."
 )
+RAIL = N_("By the reaction of the guide of the axle across it: what it bears, the rail does.")
+SLIP = N_("The friction of the rail by its normal force, the greatest of the positions.")
 PRESS = N_("The reaction of the cam on its follower by the component along the common normal.")
 
 
@@ -267,6 +269,11 @@ WAYS = (
     Way("mesh_table.F_n_*", TEETH, of="F_t_{0} alpha_w_{0}"),
     Way("mesh_table.M_z_*", TEETH, of="phi mesh_table.F_t_*"),
     Way("alpha_w_*", STATED),
+    Way("rolling_table.F_t_*", TEETH, of="phi M_z_*"),
+    Way("rolling_table.N_*", RAIL, of="phi reactions_table.R_*"),
+    Way("rolling_table.f_*", by=lambda q: q("F_t_{0}") / q("N_{0}")),
+    Way("rolling_table.M_z_*", TEETH, of="phi F_t_*"),
+    Way("f_max_*", SLIP, of="omega"),
     Way("cam_press_table.*", PRESS, of="phi reactions_table.R_*"),
     Way("cam_press_max_* cam_press_min_*", EXTREME, of="omega"),
 )

@@ -123,8 +123,9 @@ def _draw(kinematics: Kinematics, k: int, scales: Scales, pen: Pen, named: Named
     found = {**velocity.signed, **acceleration.signed}
     per_mm = {**velocity.per_mm, **acceleration.per_mm}
     analytic = {key: _told(kinematics.values[key][k]) for key in found}
-    # the driving link's own rates are given, not read off
-    read = [key for key in found if per_mm[key] > 0]
+    # the driving link's own rates are given, not read off, but by them those of the wheels that it moves are worked
+    moved = {f"{letter}_{one.link}" for one in kinematics.linkage.structure.wheels for letter in "we"}
+    read = [key for key in found if per_mm[key] > 0 or (key in moved and found[key])]
     comparison = tuple(
         Comparison(key, found[key], analytic[key], per_mm[key] * pen.read_step) for key in read
     )

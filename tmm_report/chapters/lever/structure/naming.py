@@ -41,7 +41,7 @@ def link_name(found: Structure, motion: Motion, link: str) -> LinkName:
     if link == driver.link:
         return LinkName(N_("crank") if turning == ROTATION else N_("driving rocker"), turning)
     if (wheel := _wheel(found, link, bool(FRAME in slides))) is not None:
-        return LinkName(wheel, TRANSLATION if FRAME in slides else turning)
+        return LinkName(wheel, TRANSLATION if FRAME in slides else turning if pivoted else free)
     if FRAME in slides:
         return LinkName(N_("translating slotted link") if carries else N_("slider"), TRANSLATION)
     if _is_ternary(found, link) and not pivoted:
@@ -69,8 +69,12 @@ def _by_stroke(stroke: Stroke, link: str, turning: str) -> str | None:
 def _wheel(found: Structure, link: str, slides: bool) -> str | None:
     """Of a link that is a rack, or a gear and nothing else."""
     mechanism = found.linkage.mechanism
-    if not any(link in mesh.links for mesh in mechanism.meshes):
+    meshes = [mesh for mesh in mechanism.meshes if link in mesh.links]
+    if not meshes:
         return None
+    moved = next((one for one in found.linkage.structure.coupled if one.link == link), None)
+    if moved is not None and moved.bearing.links[0] != FRAME:  # its axis moves
+        return N_("rolling wheel") if moved.mesh.rolls else N_("planet gear")
     if slides:
         return N_("slider with a rack")
     joints = [p for p in mechanism.links[link].points if len(mechanism.links_at(p)) > 1]

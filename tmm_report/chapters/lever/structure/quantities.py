@@ -9,11 +9,12 @@ import numpy as np
 from tmm_report.chapters.lever.structure.solve import Structure
 from tmm_report.i18n import NP_
 from tmm_report.mechanics.lever.assur_groups import Group, Pair
+from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.mechanics.lever.motion import Linkage
 from tmm_report.mechanics.lever.wheels.mesh import Mesh
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, Value, kept, text_column
-from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.symbols import Symbol, both
 from tmm_report.quantity.tabulated import tabulated
 
 PAIRS = Message(N_("kinematic pairs"))
@@ -68,17 +69,49 @@ def pitch_radius(linkage: Linkage, mesh: Mesh, link: str) -> Quantity:
 
 
 @kept
-def transfer(one: str, other: str, index: str, rack: bool) -> Quantity:
-    """The ratio by which the second link follows the first."""
-    if rack:
+def transfer(one: str, other: str, index: str, rack: bool, carrier: str = FRAME) -> Quantity:
+    """The ratio by which the second link follows the first; relative to a moving carrier."""
+    names = {"one": one, "other": other, "carrier": carrier}
+    unit, sign = "1/m" if rack else "", Symbol("i", index, f"({carrier})" if carrier != FRAME else "")
+    if rack and carrier != FRAME:
+        text = N_(
+            "angular velocity of wheel %(other)s by the velocity of rack %(one)s relative to carrier %(carrier)s, "
+            "along its guide"
+        )
+    elif rack:
         text = N_("angular velocity of wheel %(other)s by the velocity of rack %(one)s along its guide")
-        return Quantity(f"i_{index}", Symbol("i", index), "1/m", Message(text, {"one": one, "other": other}))
-    text = N_("angular velocity of link %(other)s by that of link %(one)s; below zero: in the opposite sense")
-    return Quantity(f"i_{index}", Symbol("i", index), "", Message(text, {"one": one, "other": other}))
+    elif carrier != FRAME:
+        text = N_(
+            "angular velocity of link %(other)s by that of link %(one)s, both relative to carrier %(carrier)s; below "
+            "zero: in the opposite sense"
+        )
+    else:
+        text = N_(
+            "angular velocity of link %(other)s by that of link %(one)s; below zero: in the opposite sense"
+        )
+    return Quantity(f"i_{index}", sign, unit, Message(text, names))
 
 
 def transfer_of(mesh: Mesh) -> Quantity:
-    return transfer(*mesh.links, index_of(mesh), mesh.kind == "rack")
+    return transfer(*mesh.links, index_of(mesh), mesh.kind == "rack", mesh.carrier)
+
+
+@kept
+def _share(carrier: str, other: str, rack: bool) -> Quantity:
+    """The ratio by which the wheel that rolls on a fixed one follows its carrier."""
+    if rack:
+        text = N_("angular velocity of wheel %(other)s by the velocity of carrier %(one)s along its guide")
+    else:
+        text = N_(
+            "angular velocity of link %(other)s by that of carrier %(one)s; below zero: in the opposite sense"
+        )
+    of, unit = Message(text, {"one": carrier, "other": other}), "1/m" if rack else ""
+    return Quantity(f"i_{carrier}_{other}", Symbol("i", both(carrier, other)), unit, of)
+
+
+def share_of(mesh: Mesh) -> Quantity:
+    """Of a mesh with the frame."""
+    return _share(mesh.carrier, mesh.links[1], mesh.kind == "rack")
 
 
 @kept
@@ -101,17 +134,27 @@ def module_of(mesh: Mesh) -> Quantity:
 
 
 @kept
-def _phase(one: str, other: str, index: str, rack: bool) -> Quantity:
-    text = N_("angle of link %(other)s where that of link %(one)s is 0")
-    if rack:
+def _phase(one: str, other: str, index: str, rack: bool, carrier: str) -> Quantity:
+    names = {"one": one, "other": other, "carrier": carrier}
+    if rack and one == FRAME:
+        text = N_("angle of wheel %(other)s where carrier %(carrier)s is at the point of its guide")
+    elif rack and carrier != FRAME:
+        text = N_(
+            "angle of wheel %(other)s where rack %(one)s and carrier %(carrier)s are at the points of their guides"
+        )
+    elif rack:
         text = N_("angle of wheel %(other)s where rack %(one)s is at the point of its guide")
-    return Quantity(
-        f"phase_{index}", Symbol("phi", f"{other},0"), "deg", Message(text, {"one": one, "other": other})
-    )
+    elif one == FRAME:
+        text = N_("angle of link %(other)s where that of carrier %(carrier)s is 0")
+    elif carrier != FRAME:
+        text = N_("angle of link %(other)s where those of link %(one)s and of carrier %(carrier)s are 0")
+    else:
+        text = N_("angle of link %(other)s where that of link %(one)s is 0")
+    return Quantity(f"phase_{index}", Symbol("phi", f"{other},0"), "deg", Message(text, names))
 
 
 def phase_of(mesh: Mesh) -> Quantity:
-    return _phase(*mesh.links, index_of(mesh), mesh.kind == "rack")
+    return _phase(*mesh.links, index_of(mesh), mesh.kind == "rack", mesh.carrier)
 
 
 def _of_meshes(found: Structure) -> Iterator[Value]:
@@ -119,7 +162,10 @@ def _of_meshes(found: Structure) -> Iterator[Value]:
         for link in mesh.links:
             if mesh.radius(link):
                 yield pitch_radius(found.linkage, mesh, link).value(mesh.radius(link))
-        yield transfer_of(mesh).value(mesh.ratio)
+        if not (FRAME in mesh.links and mesh.kind == "rack"):
+            yield transfer_of(mesh).value(mesh.ratio)
+        if FRAME in mesh.links:
+            yield share_of(mesh).value(mesh.share)
         yield phase_of(mesh).value(float(np.degrees(mesh.phase)))
         for link, count in zip(mesh.links, mesh.teeth or (), strict=mesh.teeth is not None):
             if count:

@@ -21,8 +21,10 @@ from tmm_report.mechanics.lever.motion import Motion
 from tmm_report.mechanics.lever.wheels.coupled import Coupled
 from tmm_report.mechanics.lever.wheels.mesh import Mesh
 from tmm_report.problems import N_
+from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Expr, Formula, Var
 from tmm_report.quantity.model import Book
+from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.chapter_view import BookView
 from tmm_report.report.diagrams import scale_of
 from tmm_report.report.page import Page
@@ -45,6 +47,19 @@ MESHES = {
     "external": N_("wheels of links %(one)s and %(other)s in external mesh, pitch point %(point)s"),
     "internal": N_("wheels of links %(one)s and %(other)s in internal mesh, pitch point %(point)s"),
     "rack": N_("a rack on link %(one)s and a wheel on link %(other)s, pitch point %(point)s"),
+}
+ON_FRAME = {
+    "external": N_(
+        "the wheel of link %(other)s round a fixed wheel, in external mesh, pitch point %(point)s"
+    ),
+    "internal": N_("the wheel of link %(other)s in a fixed ring, in internal mesh, pitch point %(point)s"),
+    "rack": N_("the wheel of link %(other)s on a fixed rack, pitch point %(point)s"),
+}
+RING_RUNS = N_("the ring of link %(other)s round a fixed wheel, in internal mesh, pitch point %(point)s")
+ROLLS = N_("wheel %(other)s, which rolls on a fixed rail without slip, point of contact %(point)s")
+CARRIED = {
+    False: N_("carrier %(carrier)s holds the axes"),
+    True: N_("the axis of the wheel goes along a guide on link %(carrier)s"),
 }
 ORDINALS = {1: N_("1st kind"), 2: N_("2nd kind"), 3: N_("3rd kind"), 4: N_("4th kind"), 5: N_("5th kind")}
 
@@ -148,25 +163,30 @@ class StructureView(BookView):
 
     def _meshing(self, mesh: Mesh) -> Markup:
         """Its wheels, and what is stated of their teeth and their phase."""
-        text = MESHES[mesh.kind]
-        said = [self.t(text, one=mesh.links[0], other=mesh.links[1], point=mesh.pole)]
+        one, other = mesh.links
+        names = {"one": one, "other": other, "point": mesh.pole, "carrier": mesh.carrier}
+        said = [self.t(_kind(mesh), **names)]
+        if mesh.carrier != FRAME:
+            said.append(self.t(CARRIED[mesh.kind == "rack"], **names))
         for link in mesh.links:
             key = q.teeth_of(mesh, link).key
             if self.knows(key):
                 said.append(self.t("z = %(teeth)s on link %(link)s", teeth=self.number(key), link=link))
         if mesh.module is not None:
             said.append(self.t("module %(module)s", module=self.measured(q.module_of(mesh).key)))
-        phase = self.number(q.phase_of(mesh).key)
-        at = N_("where link %(one)s has the angle 0, link %(other)s has %(phase)s°")
-        if mesh.kind == "rack":
-            at = N_(
-                "where link %(one)s is at the point of its guide, link %(other)s has the angle %(phase)s°"
-            )
-        said.append(self.t(at, one=mesh.links[0], other=mesh.links[1], phase=phase))
+        said.append(self.t(_at(mesh), phase=self.number(q.phase_of(mesh).key), **names))
         return self.page.listed(said, "; ")
 
+    def still(self) -> bool:
+        """Whether there are wheels with fixed axes."""
+        return any(mesh.carrier == FRAME for mesh in self.found.linkage.mechanism.meshes)
+
+    def carried(self) -> list[Mesh]:
+        """Those whose axes move."""
+        return [mesh for mesh in self.found.linkage.mechanism.meshes if mesh.carrier != FRAME]
+
     def ratios(self) -> list[Formula]:
-        """The ratio of every mesh by its radii."""
+        """The ratio of every mesh by its radii; of a wheel that runs on a fixed one that to its carrier, too."""
         found, made = self.found.linkage, []
         for mesh in found.mechanism.meshes:
             first, second = (
@@ -175,11 +195,34 @@ class StructureView(BookView):
             )
             assert second is not None
             size: Expr = first / second if first is not None else 1 / second
-            made.append(self.value(q.transfer_of(mesh).key).formula(size if mesh.ratio > 0 else -size))
+            of, number = q.transfer_of(mesh), mesh.ratio
+            if mesh.kind == "rack" and FRAME in mesh.links:
+                of, number = q.share_of(mesh), mesh.share
+            made.append(self.value(of.key).formula(size if number > 0 else -size))
+            if mesh.kind != "rack" and FRAME in mesh.links:
+                made.append(self.value(q.share_of(mesh).key).formula(1 - self.value(of.key).var()))
         return made
 
     def of_ratios(self) -> list[dict[str, Any]]:
         return self.page.where(*self.ratios())
+
+    def law(self, mesh: Mesh) -> Definition:
+        """The angle of the second wheel by those of the first and of the carrier, in symbols."""
+        one, other = mesh.links
+        start: Expr = self.value(q.phase_of(mesh).key).var()
+        if FRAME in mesh.links:
+            ratio = self.value(q.share_of(mesh).key).var()
+            own = Var(Symbol("s" if mesh.kind == "rack" else "phi", mesh.carrier), 0.0)
+            return Definition(Symbol("phi", other), start + ratio * own)
+        ratio = self.value(q.transfer_of(mesh).key).var()
+        letter = "s" if mesh.kind == "rack" else "phi"
+        first, carrier = Var(Symbol(letter, one), 0.0), Var(Symbol(letter, mesh.carrier), 0.0)
+        if mesh.kind == "rack":
+            alike = mesh.share * mesh.ratio < 0  # the guides run the same way
+            return Definition(
+                Symbol("phi", other), start + ratio * (first - carrier if alike else first + carrier)
+            )
+        return Definition(Symbol("phi", other), start + carrier + ratio * (first - carrier))
 
     # ------------------------------------------------------------ tables
 
@@ -274,3 +317,32 @@ class StructureView(BookView):
 
 def _pair_list(pairs: Sequence[Pair]) -> str:
     return ", ".join(f"{pair.links[0]}–{pair.links[1]} ({pair.name})" for pair in pairs)
+
+
+def _kind(mesh: Mesh) -> str:
+    """What is in mesh."""
+    if mesh.rolls:
+        return ROLLS
+    if FRAME not in mesh.links:
+        return MESHES[mesh.kind]
+    return RING_RUNS if mesh.rings(mesh.links[1]) else ON_FRAME[mesh.kind]
+
+
+def _at(mesh: Mesh) -> str:
+    """The place at which its phase is stated."""
+    if mesh.kind == "rack":
+        if FRAME in mesh.links:
+            return N_(
+                "where link %(carrier)s is at the point of its guide, link %(other)s has the angle %(phase)s°"
+            )
+        if mesh.carrier != FRAME:
+            return N_(
+                "where links %(one)s and %(carrier)s are at the points of their guides, link %(other)s has the angle "
+                "%(phase)s°"
+            )
+        return N_("where link %(one)s is at the point of its guide, link %(other)s has the angle %(phase)s°")
+    if FRAME in mesh.links:
+        return N_("where link %(carrier)s has the angle 0, link %(other)s has %(phase)s°")
+    if mesh.carrier != FRAME:
+        return N_("where links %(one)s and %(carrier)s have the angle 0, link %(other)s has %(phase)s°")
+    return N_("where link %(one)s has the angle 0, link %(other)s has %(phase)s°")

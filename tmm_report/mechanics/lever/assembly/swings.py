@@ -6,13 +6,14 @@ swings less than a turn has a middle from which its angle never reaches 180°; o
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from tmm_report.mechanics.lever.motion import Linkage, positions
-from tmm_report.mechanics.lever.wheels.coupled import Coupled
+from tmm_report.mechanics.lever.wheels.coupled import Coupled, Root
 from tmm_report.problems import N_, Message, ProblemError, mistake
 
 Array = Any
@@ -23,19 +24,16 @@ def with_middles(linkage: Linkage) -> Linkage:
     """The linkage, the wheels of its last group with the middles of the swings that turn them. Raises ProblemError of
     one that makes full turns."""
     last = linkage.groups[-1]
-    if not any(_needs(wheel, last.links) for wheel in last.group.wheels):
+    if not any(_needs(root) for wheel in last.group.wheels for root in wheel.roots):
         return linkage
     bare = replace(last, group=replace(last.group, wheels=()))
     before = replace(linkage, groups=(*linkage.groups[:-1], bare))
     s = positions(before, np.linspace(0, 2 * np.pi, SAMPLES, endpoint=False))
-    done: dict[str, Coupled] = {}
-    for wheel in last.group.wheels:
-        if _needs(wheel, last.links):
-            wheel = replace(wheel, middle=_middle(s.u[wheel.by], wheel))
-        if wheel.before is not None and wheel.before.link in done:
-            wheel = replace(wheel, before=done[wheel.before.link])
-        done[wheel.link] = wheel
-    held = replace(last, group=replace(last.group, wheels=tuple(done.values())))
+    wheels = tuple(
+        replace(wheel, roots=tuple(_swung(root, wheel, s.u) for root in wheel.roots))
+        for wheel in last.group.wheels
+    )
+    held = replace(last, group=replace(last.group, wheels=wheels))
     structure = linkage.structure
     groups = tuple(held.group if group is last.group else group for group in structure.groups)
     return replace(
@@ -45,13 +43,19 @@ def with_middles(linkage: Linkage) -> Linkage:
     )
 
 
-def _needs(wheel: Coupled, links: tuple[str, ...]) -> bool:
-    """Whether its angle is told by that of a turning link of the group."""
-    return wheel.by in links and not wheel.by_slides and not wheel.whole
+def _needs(root: Root) -> bool:
+    """Whether the angle of the wheel is told by that of a turning link, but for full turns of it."""
+    return root.way is None and not root.leads and not root.whole
 
 
-def _middle(u: Array, wheel: Coupled) -> complex:
+def _swung(root: Root, wheel: Coupled, turns: Mapping[str, Array]) -> Root:
+    """The root with the middle of its swing, where that is needed."""
+    return replace(root, middle=_middle(turns[root.link], root, wheel)) if _needs(root) else root
+
+
+def _middle(u: Array, root: Root, wheel: Coupled) -> complex:
     """The direction from which the link's angle goes equally far both ways, unit complex."""
+    u = np.atleast_1d(u)
     there = np.isfinite(u)
     if not there.any():
         return 1 + 0j
@@ -68,5 +72,5 @@ def _middle(u: Array, wheel: Coupled) -> complex:
         )
         right = Message(N_("radii or teeth in a whole ratio such as 1:1 or 2:1"))
         path = ("mechanism", key, int(number))
-        raise ProblemError([mistake(text, path, right, by=wheel.by, link=wheel.link)])
+        raise ProblemError([mistake(text, path, right, by=root.link, link=wheel.link)])
     return complex(np.exp(0.5j * (angles.min() + angles.max())))

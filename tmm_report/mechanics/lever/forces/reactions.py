@@ -156,9 +156,10 @@ def _by_wheels(
     for wheel in reversed(wheels):
         load, own = rest[wheel.link], wheel.bearing
         teeth, force, moment = wheel.held(s, load.force, load.moment)
-        contact = Reaction(wheel.contact, teeth, 0.0, wheel.mesh.pitch_point)
-        _pass_on(s, rest, contact)
+        contact = Reaction(wheel.contact, teeth, 0.0, wheel.mesh.touches(s))
         bearing = Reaction(own, force, moment, s.r[wheel.link], _guide(s, own))
+        _pass_on(s, rest, contact)
+        _pass_on(s, rest, bearing)
         reactions |= {contact.pair.key: contact, own.key: bearing}
 
 

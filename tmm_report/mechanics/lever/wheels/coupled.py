@@ -1,4 +1,4 @@
-"""A link that a mesh moves: known at once when the other link of its mesh is, like the driving link.
+"""A link that a mesh moves: known at once when the other link of its mesh and their carrier are, like the driving link.
 
 With one lower pair and one higher pair it is a group of one link, 3·1 = 2·1 + 1. Its forces are statically determinate:
 moments about its axis (of a rack, forces along its guide) give the tangential force of the teeth, the rest its bearing.
@@ -6,13 +6,15 @@ moments about its axis (of a rack, forces along its guide) give the tangential f
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+from dataclasses import field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from tmm_report.mechanics.calculus.vectors import cross, dot
 from tmm_report.mechanics.lever.mechanism import FRAME
-from tmm_report.mechanics.lever.wheels.mesh import Mesh
+from tmm_report.mechanics.lever.wheels.mesh import Mesh, Way
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
@@ -24,19 +26,48 @@ WHOLE = 1e-12  # a ratio nearer to a whole number than this part is one
 
 
 @dataclass(frozen=True, eq=False)
+class Root:
+    """A link known without meshes, of which others follow by `rate`: by its angle, or by its `way` as a slider.
+    `leads`: whether it is the driving link. `middle`: of a link that swings the middle of its swing, unit complex, from
+    which its angle goes 180° both ways."""
+
+    link: str
+    rate: float
+    way: Way | None = None
+    leads: bool = False
+    middle: complex = 1 + 0j
+
+    @property
+    def whole(self) -> bool:
+        """Whether full turns of it are full turns of what follows."""
+        return self.way is None and abs(self.rate - round(self.rate)) < WHOLE * max(1.0, abs(self.rate))
+
+    def coordinate(self, s: State) -> Array:
+        if self.way is not None:
+            return dot(s.world(self.link, self.way.own) - self.way.through, self.way.along)
+        if self.leads:
+            return s.phi
+        return np.angle(self.middle) + np.angle(s.u[self.link] / self.middle)
+
+    def rates(self, s: State) -> tuple[Array, Array]:
+        """First and second derivative of the coordinate by the time."""
+        if self.way is not None:
+            return dot(s.v[self.link], self.way.along), dot(s.a[self.link], self.way.along)
+        return s.w[self.link], s.e[self.link]
+
+
+@dataclass(frozen=True, eq=False)
 class Coupled:
-    """`link`, moved by link `by`. `bearing`: its pair with the frame; `contact`: the higher pair, (by, link).
-    `before`: that which moves `by` where it is such a link too; `leads`: whether `by` is the driving link. `middle`: of
-    a link `by` that swings the middle of its swing, unit complex, from which its angle goes 180° both ways."""
+    """`link`, moved by link `by`. `bearing`: its pair with the frame or the carrier; `contact`: the higher pair,
+    (by, link). Its coordinate, angle of its x axis or way of a slider, is `zero` + Σ rate·coordinate over `roots`."""
 
     mesh: Mesh
     link: str
     by: str
     bearing: Pair
     contact: Pair
-    before: Coupled | None = None
-    leads: bool = False
-    middle: complex = 1 + 0j
+    zero: float = 0.0
+    roots: tuple[Root, ...] = field(default_factory=tuple)
 
     @property
     def group_class(self) -> int:
@@ -52,9 +83,9 @@ class Coupled:
         return 1 / self.mesh.ratio if self.backwards else self.mesh.ratio
 
     @property
-    def zero(self) -> float:
-        """The coordinate where that of `by` is 0: rad, or m of a slider."""
-        return -self.mesh.phase / self.mesh.ratio if self.backwards else self.mesh.phase
+    def share(self) -> float:
+        """dx/dc, by the coordinate of a moving carrier."""
+        return -self.mesh.share / self.mesh.ratio if self.backwards else self.mesh.share
 
     @property
     def slides(self) -> bool:
@@ -66,32 +97,24 @@ class Coupled:
 
     @property
     def whole(self) -> bool:
-        """Whether the link turns a whole number of times with each turn of `by`."""
-        turning = self.mesh.kind != "rack"
-        return turning and abs(self.rate - round(self.rate)) < WHOLE * max(1.0, abs(self.rate))
+        """Whether the link turns a whole number of times with each turn of all that move it."""
+        return not self.slides and all(root.whole for root in self.roots)
 
     @property
-    def by_turns(self) -> float | None:
-        """Turns for each turn of the driving link, where that moves it through meshes alone; m/rad of a slider."""
-        if self.leads:
-            return self.rate
-        root = self.before.by_turns if self.before else None
-        return None if root is None else root * self.rate
+    def by_turns(self) -> float:
+        """Turns for each turn of the driving link, but for whole ones by links between; m/rad of a slider."""
+        return sum(root.rate for root in self.roots if root.leads)
 
     # ------------------------------------------------------------ motion
 
     def coordinate(self, s: State) -> Array:
         """Angle of the link's x axis, rad, or the way of a slider along its guide, m, (..., P)."""
-        return self.zero + self.rate * self._of_partner(s)
+        return self.zero + sum(root.rate * root.coordinate(s) for root in self.roots)
 
-    def _of_partner(self, s: State) -> Array:
-        if self.before is not None:
-            return self.before.coordinate(s)
-        if self.leads:
-            return s.phi
-        if self.by_slides:
-            return dot(s.world(self.by, self.mesh.own) - self.mesh.through, self.mesh.along)
-        return np.angle(self.middle) + np.angle(s.u[self.by] / self.middle)
+    def rates(self, s: State) -> tuple[Array, Array]:
+        """First and second derivative of the coordinate by the time."""
+        each = [(root.rate, *root.rates(s)) for root in self.roots]
+        return sum(c * w for c, w, _ in each), sum(c * e for c, _, e in each)
 
     def place(self, s: State) -> None:
         """Add the link's pose to the state."""
@@ -102,37 +125,67 @@ class Coupled:
             s.r[link] = self.mesh.through + t * self.coordinate(s)
             s.u[link] = t * np.conj(own.along[link]) + 0j
             return
-        s.r[link] = own.at[FRAME]
+        carrier = own.other(link)
+        s.r[link] = s.world(carrier, own.at[carrier])
         if self.whole:
-            s.u[link] = np.exp(1j * self.zero) * s.u[self.by] ** round(self.rate)
+            u: Array = np.exp(1j * self.zero)
+            for root in self.roots:
+                u = u * s.u[root.link] ** round(root.rate)
+            s.u[link] = u
         else:
             s.u[link] = np.exp(1j * self.coordinate(s))
 
     def move(self, s: State) -> None:
         """Add the link's rates to the state."""
-        link, by, c = self.link, self.by, self.rate
+        link, (first, second) = self.link, self.rates(s)
         if self.slides:
             t = self.bearing.along[FRAME]
             s.turn_with(link, FRAME)
-            s.carry(link, t * (c * s.w[by]), t * (c * s.e[by]))
+            s.carry(link, t * first, t * second)
             return
-        s.carry(link, 0j, 0j)
-        if self.by_slides:
-            t = self.mesh.along
-            s.turn(link, c * dot(s.v[by], t), c * dot(s.a[by], t))
+        carrier = self.bearing.other(link)
+        if carrier == FRAME:
+            s.carry(link, 0j, 0j)
         else:
-            s.turn(link, c * s.w[by], c * s.e[by])
+            arm = s.r[link] - s.r[carrier]
+            s.carry(link, s.velocity(carrier, arm), s.acceleration(carrier, arm))
+        s.turn(link, first, second)
 
     # ------------------------------------------------------------ forces
 
     def held(self, s: State, force: Array, moment: Array) -> tuple[Array, Array, Array]:
-        """The force of `by` on the link in the teeth, and the force and moment of the frame on it, under its load,
+        """The force of `by` on the link in the teeth, and the force and moment of its bearing on it, under its load,
         which is reduced to its reference point; complex N, N m, (..., P)."""
         mesh, link = self.mesh, self.link
         if not self.slides:
-            teeth = mesh.pressed(link, -moment / mesh.radius(link))
+            teeth = mesh.turn(s) * mesh.pressed(link, -moment / mesh.radius(link))
             return teeth, -(force + teeth), 0.0
         across = 1j * mesh.outward(link)
         teeth = mesh.pressed(link, -dot(force, across))
-        about = moment + cross(mesh.pitch_point - s.r[link], teeth)
+        about = moment + cross(mesh.touches(s) - s.r[link], teeth)
         return teeth, -(force + teeth), -about
+
+
+def coupled(
+    mesh: Mesh, link: str, bearing: Pair, contact: Pair, before: Sequence[Coupled], driver: str
+) -> Coupled:
+    """The link that follows by the mesh from what is known: `before` are those that follow so already."""
+    bare = Coupled(mesh, link, mesh.other(link), bearing, contact)
+    done = {one.link: one for one in before}
+    zero = -mesh.phase / mesh.ratio if bare.backwards else mesh.phase
+    roots: dict[tuple[str, bool], Root] = {}
+    ways: Mapping[str, Way | None] = {
+        mesh.carrier: mesh.carried,
+        bare.by: Way(mesh.own, mesh.through, mesh.along) if bare.by_slides else None,
+    }
+    for name, rate in ((bare.by, bare.rate), (mesh.carrier, bare.share)):
+        if name == FRAME:
+            continue
+        first = done.get(name)
+        zero += rate * first.zero if first else 0.0
+        of = first.roots if first else (Root(name, 1.0, ways[name], name == driver),)
+        for root in of:
+            key = (root.link, root.way is None)
+            so_far = roots[key].rate if key in roots else 0.0
+            roots[key] = Root(root.link, so_far + rate * root.rate, root.way, root.leads, root.middle)
+    return Coupled(mesh, link, bare.by, bearing, contact, zero, tuple(roots.values()))

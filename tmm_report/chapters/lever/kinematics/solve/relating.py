@@ -140,15 +140,32 @@ def _turning(motion: Motion, k: int, letter: str, link: str, known: Known) -> It
 
 
 def _meshing(motion: Motion, k: int, letter: str, wheel: Coupled) -> Formula:
-    """ω of a link that a mesh moves by the rate of the other link, ε likewise."""
-    of = q.link_rate(letter, wheel.link)
-    ratio = Var(Symbol("i", f"{wheel.by}→{wheel.link}"), wheel.rate, "1/m" if wheel.by_slides else "")
-    if not wheel.by_slides:
+    """ω of a link that a mesh moves by the rate of the other link, relative to a moving carrier; ε likewise."""
+    of, mesh = q.link_rate(letter, wheel.link), wheel.mesh
+    if wheel.by_slides:
+        ways = [(wheel.by, wheel.rate, mesh.along)] if wheel.by != FRAME else []
+        ways += [(mesh.carrier, wheel.share, mesh.carried.along)] if mesh.carried is not None else []
+        terms: list[Expr] = [
+            Var(Symbol("i", f"{link}→{wheel.link}"), rate, "1/m") * _along(motion, k, letter, link, way)
+            for link, rate, way in ways
+        ]
+        return Formula(of.sign, _total(terms), of.unit, scale=0.0)
+    ratio = Var(Symbol("i", f"{wheel.by}→{wheel.link}"), wheel.rate, "")
+    if mesh.carrier == FRAME:
         return Formula(of.sign, ratio * _rate(motion, k, letter, wheel.by), of.unit, scale=0.0)
+    carrier = _rate(motion, k, letter, mesh.carrier)
+    if wheel.by == FRAME:
+        return Formula(of.sign, (1 - ratio) * carrier, of.unit, scale=0.0)
+    relative = _rate(motion, k, letter, wheel.by) - carrier
+    return Formula(of.sign, carrier + ratio * relative, of.unit, scale=0.0)
+
+
+def _along(motion: Motion, k: int, letter: str, link: str, way: complex) -> Var:
+    """The velocity or acceleration of a slider along its guide."""
     base = "v" if letter == "w" else "a"
-    vector = (motion.state.v, motion.state.a)[letter == "e"][wheel.by]
-    along = float(np.ravel(dot(np.asarray(vector) + 0 * motion.phi, wheel.mesh.along))[k])
-    return Formula(of.sign, ratio * Var(Symbol(base, wheel.by), along, q.UNITS[base]), of.unit, scale=0.0)
+    vector = (motion.state.v, motion.state.a)[letter == "e"][link]
+    along = float(np.ravel(dot(np.asarray(vector) + 0 * motion.phi, way))[k])
+    return Var(Symbol(base, link), along, q.UNITS[base])
 
 
 def _together(motion: Motion, known: Known, letter: str, link: str) -> Iterator[Line]:

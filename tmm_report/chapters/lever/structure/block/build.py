@@ -36,8 +36,8 @@ from tmm_report.variant.values import SENSES, SIDES, unit_vector
 
 def mechanism(model: m.MechanismModel, synthesis: Taken = None) -> Mechanism:
     built = without_cams(model, synthesis)
-    if model.wheels or model.racks:
-        built = replace(built, meshes=tuple(meshes(model.wheels, model.racks, built)))
+    if model.wheels or model.racks or model.rolling:
+        built = replace(built, meshes=tuple(meshes(model, built)))
     if not model.cams:
         return built
     cams = tuple(cam_of(name, one, built) for name, one in model.cams.items())

@@ -119,7 +119,7 @@ def check(mechanism: m.MechanismModel, read: Read) -> Found:
 
 def _built(mechanism: m.MechanismModel, synthesis: Taken) -> Mechanism | None:
     """The mechanism without cams and wheels; None where its links have mistakes of their own."""
-    if mechanism.driver is None or not (mechanism.wheels or mechanism.racks):
+    if mechanism.driver is None or not (mechanism.wheels or mechanism.racks or mechanism.rolling):
         return None
     try:
         return build.without_cams(mechanism, synthesis)

@@ -10,7 +10,7 @@ from pydantic import BeforeValidator, ConfigDict, Discriminator, Field, Tag, mod
 from tmm_report.chapters.lever.structure.block.cams import CamModel
 from tmm_report.chapters.lever.structure.block.driving import LawModel
 from tmm_report.chapters.lever.structure.block.strokes.models import StrokeModel
-from tmm_report.chapters.lever.structure.block.wheels.models import RackModel, WheelsModel
+from tmm_report.chapters.lever.structure.block.wheels.models import RackModel, RollingModel, WheelsModel
 from tmm_report.mechanics.lever.stated_masses import Statement, Synthesised
 from tmm_report.problems import N_, Message, shown
 from tmm_report.quantity.units import WrongValue
@@ -44,7 +44,8 @@ WHEELS = N_(
     "mechanism.racks: [{slider: 3, wheel: 4, radius: 48 mm}]"
 )
 ROLLS = N_(
-    "rolling on a guide is not offered: a wheel with a fixed axis on a rack is the nearest, mechanism.racks"
+    "a wheel that rolls on a rail stands beside the links: mechanism.rolling: [{wheel: 4, carrier: 3, radius: 50 mm, "
+    "side: above}]"
 )
 BELTS = N_(
     "belts and chains within the linkage are not offered: wheels in mesh are, mechanism.wheels, and belts are stages "
@@ -432,6 +433,9 @@ class MechanismModel(Model):
     )
     racks: list[RackModel] = Field(
         default=[], max_length=8, description="racks on sliders, with their wheels"
+    )
+    rolling: list[RollingModel] = Field(
+        default=[], max_length=8, description="wheels that roll on fixed rails without slip"
     )
     assembly: dict[GroupName, Choice] = Field(
         default={},

@@ -17,8 +17,8 @@ ENGAGEMENT = N_(
 )
 Ratio = Annotated[float, quantity("number", -1e3, 1e3)]
 PLANETS = N_(
-    "a wheel whose axis moves is not offered within the linkage: satellites are stages of the block drive, or of "
-    "eccentric"
+    "the link that keeps the axes apart is the carrier; the wheel that runs round stands among the links: "
+    "{links: [0, 2], carrier: 1, radii: [60 mm, 30 mm]}; several satellites are stages of the block drive"
 )
 
 
@@ -36,14 +36,21 @@ class _Meshing(Model):
 
 
 class WheelsModel(_Meshing):
-    """Two wheels in mesh, each fixed to a link that turns about a fixed point."""
+    """Two wheels in mesh, each fixed to a link that turns about a fixed point, or about a point of the carrier."""
 
     NOT_OFFERED: ClassVar[Mapping[str, str]] = {
-        **dict.fromkeys(("carrier", "planet", "satellite"), PLANETS),
+        **dict.fromkeys(("planet", "satellite", "sun", "arm"), PLANETS),
         "friction": N_("friction in the teeth is not offered: the drive takes it by an efficiency"),
     }
 
-    links: tuple[Name, Name] = Field(description="the two links", examples=["[1, 2]"])
+    links: tuple[Name, Name] = Field(
+        description="the two links; 0, the first, with a carrier: a wheel that is fixed", examples=["[1, 2]"]
+    )
+    carrier: Name | None = Field(
+        default=None,
+        description="the moving link to which both wheels are pivoted; left out, both axes are fixed",
+        examples=["1"],
+    )
     teeth: tuple[Tooth, Tooth] | None = Field(default=None, description="numbers of teeth, in that order")
     module: Positive | None = Field(
         default=None, description="with teeth; left out, it follows from the distance of the axes"
@@ -58,10 +65,12 @@ class WheelsModel(_Meshing):
         default="external", description="internal: the larger wheel is a ring, and both turn alike"
     )
     phase: Angle | None = Field(
-        default=None, description="angle of the second link's x axis where that of the first is 0"
+        default=None,
+        description="angle of the second link's x axis where those of the first and of the carrier are 0",
     )
     angles: tuple[Angle, Angle] | None = Field(
-        default=None, description="angles of both links at one time, instead of phase"
+        default=None,
+        description="angles of both links at one time, where that of a carrier is 0, instead of phase",
     )
 
     @model_validator(mode="after")
@@ -93,12 +102,21 @@ class WheelsModel(_Meshing):
 
 
 class RackModel(_Meshing):
-    """A rack cut on a link that slides along a fixed guide, in mesh with a wheel that turns about a fixed point."""
+    """A rack cut on a link that slides along a fixed guide, or on the frame, in mesh with a wheel that turns about a
+    fixed point, or on a carrier that slides along a parallel guide."""
 
-    NOT_OFFERED: ClassVar[Mapping[str, str]] = WheelsModel.NOT_OFFERED
+    NOT_OFFERED: ClassVar[Mapping[str, str]] = {
+        "friction": WheelsModel.NOT_OFFERED["friction"],
+        **dict.fromkeys(("axle", "slides"), N_("the slider to which the wheel is pivoted is the carrier")),
+    }
 
-    slider: Name = Field(description="the link that is the rack", examples=["3"])
+    slider: Name = Field(description="the link that is the rack; 0: a fixed one", examples=["3"])
     wheel: Name = Field(description="the link that carries the wheel", examples=["4"])
+    carrier: Name | None = Field(
+        default=None,
+        description="the slider to which the wheel is pivoted; left out, it turns about a fixed point",
+        examples=["3"],
+    )
     teeth: Tooth | None = Field(default=None, description="of the wheel, with module")
     module: Positive | None = Field(default=None, description="with teeth")
     radius: Positive | None = Field(
@@ -109,7 +127,8 @@ class RackModel(_Meshing):
         description="on which side of the rack the wheel stands; left out, that of the guide on which its axis is",
     )
     phase: Angle = Field(
-        default=0.0, description="angle of the wheel's x axis where the slider is at the guide's own point"
+        default=0.0,
+        description="angle of the wheel's x axis where the slider, and the carrier, are at their guides' own points",
     )
 
     @model_validator(mode="after")
@@ -119,3 +138,35 @@ class RackModel(_Meshing):
             wrong = Message(N_("the size of the wheel is not stated in one way"))
             raise WrongValue(wrong, Message(N_("either teeth: 24 with module: 4 mm, or radius: 48 mm")))
         return self
+
+
+class RollingModel(Model):
+    """A wheel without teeth that rolls on a straight fixed rail without slip, its axle a slider along the rail."""
+
+    NOT_OFFERED: ClassVar[Mapping[str, str]] = {
+        **dict.fromkeys(
+            ("slider", "on"),
+            N_(
+                "a wheel rolls on a fixed rail, that of its carrier's guide; on a moving one it is held by teeth, "
+                "mechanism.racks with a carrier"
+            ),
+        ),
+        **dict.fromkeys(("guide", "rail"), N_("the rail runs along the guide of the carrier")),
+        **dict.fromkeys(
+            ("friction", "f", "arm", "k"),
+            N_("the friction that rolling needs is told by the note; friction of rolling stands in contacts"),
+        ),
+    }
+
+    wheel: Name = Field(description="the link that is the wheel", examples=["4"])
+    carrier: Name = Field(
+        description="its axle: a slider of one point on a fixed guide, to which the wheel is pivoted",
+        examples=["3"],
+    )
+    radius: Positive = Field(description="of the wheel")
+    side: Literal["above", "below", "left", "right"] = Field(
+        description="on which side of the rail the wheel stands"
+    )
+    phase: Angle = Field(
+        default=0.0, description="angle of the wheel's x axis where the axle is at the guide's own point"
+    )
