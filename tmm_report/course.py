@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     from tmm_report.chapters.lever.reduction import solve as reduction
     from tmm_report.chapters.lever.structure import solve as structure
     from tmm_report.chapters.lever.synthesis import solve as synthesis
+    from tmm_report.chapters.lever.translation import solve as translation
     from tmm_report.chapters.lever.transmission import solve as transmission
     from tmm_report.chapters.machine.balancing.solve import whole as balancing
     from tmm_report.chapters.machine.contacts import solve as contacts
@@ -79,6 +80,7 @@ if not TYPE_CHECKING:
     force_plans = Late("lever.force_plans.solve")
     friction = Late("lever.friction.solve")
     reduction = Late("lever.reduction.solve")
+    translation = Late("lever.translation.solve")
     transmission = Late("lever.transmission.solve")
     readings = Late("lever.readings.solve")
     methods = Late("lever.methods.solve")
@@ -109,6 +111,7 @@ class LeverGiven:
     loads: Loads | None = None
     friction: Friction | None = None
     reduction: bool = False
+    translation: str | None = None  # reduction to a link that slides, "" to the stroke of what drives
     transmission: float | None = None  # the least permitted angle, rad
     way: Way | None = None
     methods: Comparison | None = None
@@ -158,6 +161,7 @@ class LeverFound:
     force_plans: force_plans.ForcePlans | None = None
     friction: friction.FrictionFound | None = None
     reduction: reduction.Reduction | None = None
+    translation: translation.Found | None = None
     transmission: transmission.Found | None = None
     readings: readings.ReadingsFound | None = None
     methods: methods.Found | None = None
@@ -299,6 +303,7 @@ def solve_lever(given: LeverGiven, moved: Moved | None = None, flywheel: Any = N
         else None,
         friction.solve(given.friction, forces) if given.friction and forces else None,
         reduction.solve(motion, forces, drawn) if given.reduction else None,
+        translation.solve(given.translation, motion, forces) if given.translation is not None else None,
         transmission.solve(motion, given.transmission) if given.transmission else None,
     )
     if given.methods:
