@@ -54,6 +54,7 @@ if TYPE_CHECKING:
     from tmm_report.chapters.machine.governor.solve import whole as governor
     from tmm_report.chapters.machine.harmonics import solve as harmonics
     from tmm_report.chapters.machine.rotor import solve as rotor
+    from tmm_report.chapters.machine.travel import solve as travel
     from tmm_report.chapters.machine.vibration import solve as vibration
     from tmm_report.chapters.machine.wear import solve as wear
     from tmm_report.variant.model import Read, Rooms
@@ -85,6 +86,7 @@ if not TYPE_CHECKING:
     readings = Late("lever.readings.solve")
     methods = Late("lever.methods.solve")
     dynamics = Late("machine.dynamics.solve")
+    travel = Late("machine.travel.solve")
     flywheel = Late("machine.flywheel.solve")
     governor = Late("machine.governor.solve.whole")
     balancing = Late("machine.balancing.solve.whole")
@@ -126,6 +128,7 @@ class Variant:
     find: find.Given | None = None
     synthesis: synthesis.Given | None = None
     dynamics: dynamics.Given | None = None
+    travel: travel.Given | None = None
     flywheel: flywheel.Given | None = None
     governor: governor.Given | None = None
     balancing: balancing.Given | None = None
@@ -192,6 +195,7 @@ class Results:
     find: find.Found | None = None
     synthesis: synthesis.Found | None = None
     dynamics: dynamics.Found | None = None
+    travel: travel.Found | None = None
     flywheel: flywheel.Found | None = None
     governor: governor.Found | None = None
     balancing: balancing.Found | None = None
@@ -258,6 +262,7 @@ def _solved(variant: Variant, moved: Moved | None) -> Results:
         lever=lever,
         synthesis=synthesis.solve(variant.synthesis, lever) if variant.synthesis else None,
         dynamics=dynamics.solve(variant.dynamics, moving) if variant.dynamics and whole else None,
+        travel=travel.solve(variant.travel, moving) if variant.travel and whole else None,
         flywheel=flywheel.solve(variant.flywheel, moving) if variant.flywheel and whole else None,
         governor=governor.solve(variant.governor, moving) if variant.governor else None,
         balancing=balancing.solve(variant.balancing, moving) if variant.balancing and whole else None,

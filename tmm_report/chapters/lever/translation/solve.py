@@ -150,9 +150,9 @@ def _unit(motion: Motion, stroke: Stroke | None) -> _Unit:
     return _Unit(by_stroke(motion, stroke, s), 1.0, v, a)
 
 
-def by_stroke(motion: Motion, stroke: Stroke, s: Array) -> Motion:
-    """The positions at strokes s, m, with the stroke growing by 1 m/s."""
-    return moved(motion.linkage, *stroke.rates(s, 1.0, 0.0))
+def by_stroke(motion: Motion, stroke: Stroke, s: Array, speed: float = 1.0) -> Motion:
+    """The mechanism at strokes s, m, with the stroke growing uniformly by a speed, m/s."""
+    return moved(motion.linkage, *stroke.rates(s, speed, 0.0))
 
 
 def along(motion: Motion, slide: Slide) -> tuple[Array, Array, Array]:
