@@ -1,4 +1,4 @@
-"""Reduced mass and force of a link that slides: closed forms, equality of energy and power, derivative, force analysis."""
+"""Reduced mass and force of a link that slides: closed forms, energy and power, derivative, force analysis."""
 
 from dataclasses import replace
 

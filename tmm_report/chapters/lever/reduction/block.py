@@ -5,7 +5,7 @@ from typing import Annotated, TypedDict
 
 from pydantic import Field, Tag
 
-from tmm_report.chapters.lever.structure.block import names, stated, without
+from tmm_report.chapters.lever.structure.block import driven_by_stroke, names, stated, without
 from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.variant import model
 from tmm_report.variant.model import Model, Read
@@ -41,13 +41,6 @@ class Given(TypedDict):
 def given(read: Read) -> Given:
     """What drives by its stroke has a mass reduced to it in place of a moment of inertia."""
     return {"reduction": bool(read.block(Block).reduction) and not driven_by_stroke(read)}
-
-
-def driven_by_stroke(read: Read) -> bool:
-    """Whether a slider or a cylinder drives."""
-    mechanism = read.data.get("mechanism")
-    driver = mechanism.get("driver") if isinstance(mechanism, dict) else None
-    return isinstance(driver, dict) and "stroke" in driver
 
 
 def mistakes(read: Read) -> Iterator[Problem]:

@@ -4,7 +4,8 @@ from collections.abc import Iterator
 from typing import TypedDict
 
 from tmm_report.chapters.lever.reduction.block import Block as Reduction
-from tmm_report.chapters.lever.reduction.block import ToModel, driven_by_stroke
+from tmm_report.chapters.lever.reduction.block import ToModel
+from tmm_report.chapters.lever.structure.block import driven_by_stroke
 from tmm_report.problems import Problem
 from tmm_report.variant import model
 from tmm_report.variant.model import Read

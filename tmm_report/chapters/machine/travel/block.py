@@ -5,8 +5,7 @@ from typing import Annotated, Any, TypedDict
 
 from pydantic import Field, model_validator
 
-from tmm_report.chapters.lever.reduction.block import driven_by_stroke
-from tmm_report.chapters.lever.structure.block import stated
+from tmm_report.chapters.lever.structure.block import driven_by_stroke, stated
 from tmm_report.chapters.machine.travel.given import Force, Spring, Wheel
 from tmm_report.chapters.machine.travel.given import Given as Travel
 from tmm_report.mechanics.calculus.laws import ByPlace, BySpeed, ByTime, Constant
@@ -82,13 +81,16 @@ class TravelModel(Model):
 
     name: Label | None = Field(default=None, description="in the heading")
     from_: Length | None = Field(
-        default=None, alias="from", description="place at the beginning; left out, 0, or where the stroke begins"
+        default=None,
+        alias="from",
+        description="place at the beginning; left out, 0, or where the stroke begins",
     )
     to: Length | None = Field(default=None, description="place at the end", examples=["0.4 m"])
     speed: Along = Field(default=0.0, description="at the beginning, towards the end")
     mass: Mass = Field(default=0.0, description="of what slides; with a mechanism, besides its links")
     rise: Rise | None = Field(
-        default=None, description="of the motion above the horizontal, for the weight of this mass; left out, no weight"
+        default=None,
+        description="of the motion above the horizontal, for the weight of this mass; left out, no weight",
     )
     gravity: Acceleration = 9.81
     wheels: list[Stated[Wheel]] = Field(default=[], max_length=10)
@@ -142,10 +144,16 @@ def mistakes(read: Read) -> Iterator[Problem]:
             right = Message(N_("driver: {slider: 3, stroke: …}, or dynamics in place of travel"))
             yield mistake(text, ("travel",), right)
         return
+    if read.is_broken("travel"):
+        return
     if written.to is None:
-        yield mistake(N_("it is not said where the motion ends"), ("travel",), Message(N_("to: the place at the end")))
+        yield mistake(
+            N_("it is not said where the motion ends"), ("travel",), Message(N_("to: the place at the end"))
+        )
     if not written.mass and not any(one.inertia for one in written.wheels):
-        yield mistake(N_("nothing in the machine has a mass"), ("travel",), Message(N_("mass: of what slides")))
+        yield mistake(
+            N_("nothing in the machine has a mass"), ("travel",), Message(N_("mass: of what slides"))
+        )
     acts = written.driving or written.resistance or written.springs or (written.rise and written.mass)
     if not acts and not written.speed:
         text = N_("nothing moves the main link: no force acts on it and it has no speed")

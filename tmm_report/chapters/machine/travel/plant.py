@@ -1,7 +1,7 @@
 """The machine of the chapter, reduced to the link that slides, as the integrators of a shaft take it.
 
-The way x from the beginning to the end, L, is half a turn of a shaft: φ = k x with k = π/L, J = m/k², M = F/k, ω = k v, so
-that energies and times are the same. The other half goes on as at the end: an integrator may look ahead.
+The way x from the beginning to the end, L, is half a turn of a shaft: φ = k x with k = π/L, J = m/k², M = F/k, ω = k v,
+so that energies and times are the same. The other half goes on as at the end: an integrator may look ahead.
 """
 
 from __future__ import annotations
@@ -13,12 +13,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from tmm_report.chapters.lever.kinetostatics.solve.lengths import law_of, path_of, ties_of
 from tmm_report.chapters.lever.kinetostatics.solve.positions import loading
-from tmm_report.chapters.lever.kinetostatics.ties import Damper, End
 from tmm_report.chapters.lever.moving import Load, Moving, inertia_parts, inertia_slope, powers
 from tmm_report.chapters.lever.translation.solve import by_stroke
 from tmm_report.chapters.machine.travel.given import Given
-from tmm_report.mechanics.calculus.laws import NOTHING, STROKE, Constant
+from tmm_report.mechanics.calculus.laws import NOTHING, RATE, STROKE
 from tmm_report.mechanics.calculus.panels import Panels, panels
 from tmm_report.mechanics.lever.driving.stroke import Stroke
 from tmm_report.mechanics.lever.motion import Motion
@@ -29,6 +29,7 @@ from tmm_report.quantity.text import number
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
+    from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
     from tmm_report.chapters.lever.kinetostatics.given import Loads
 
 Array = Any
@@ -91,7 +92,8 @@ def whole(given: Given, moving: Moving | None) -> Whole:
     over = panels(2 * math.pi, [*inner, math.pi], WIDEST)
     s = begin + way * np.minimum(over.x / k, abs(end - begin))
     mass = np.full(over.shape, given.mass + sum(one.inertia / one.radius**2 for one in given.wheels))
-    slope, loads = np.zeros(over.shape), ()
+    slope = np.zeros(over.shape)
+    loads: tuple[Load, ...] = ()
     if moving is not None and stroke is not None:
         own, slope, loads = _of_mechanism(moving, stroke, s, way)
         mass = mass + own
@@ -129,11 +131,13 @@ def _text(value: float) -> str:
 # ---------------------------------------------------------------- the mechanism
 
 
-def _of_mechanism(moving: Moving, stroke: Stroke, s: Array, way: float) -> tuple[Array, Array, tuple[Load, ...]]:
+def _of_mechanism(
+    moving: Moving, stroke: Stroke, s: Array, way: float
+) -> tuple[Array, Array, tuple[Load, ...]]:
     """Reduced mass, its derivative by the way, the parts of the loads in the reduced force along the motion."""
     given = moving.forces.given if moving.forces else None
     if given is not None:
-        _steady(given)
+        _steady(given, moving.kinematics)
     motion = _along(moving, stroke, s.ravel(), way)
     omega = motion.omega
     mass = sum((part * omega**2 for _, part in inertia_parts(motion)), np.zeros(motion.shape))
@@ -150,23 +154,23 @@ def _along(moving: Moving, stroke: Stroke, s: Array, way: float) -> Motion:
     return by_stroke(moving.kinematics.table, stroke, s, way)
 
 
-def _steady(given: Loads) -> None:
+def _steady(given: Loads, kinematics: Kinematics) -> None:
     """Raises ProblemError for loads whose laws are read along the stated motion, which is not this one."""
     wrong = []
+    ties = ties_of(given)
+    for end in ties:
+        if law_of(end.tie, kinematics).of == RATE:
+            text = N_("a damper among the loads acts by the stated motion, and travel looks for another")
+            right = Message(N_("state it in travel: resistance: [{viscous: …}]"))
+            wrong.append(mistake(text, path_of(given, end), right))
     for key, many in (("forces", given.forces), ("moments", given.moments)):
         for k, one in enumerate(many):
-            if isinstance(one, End):
-                if isinstance(one.tie, Damper):
-                    path: tuple[str | int, ...] = ("loads", "dampers", int(one.of[1:]) - 1)
-                    text = N_("a damper among the loads acts by the stated motion, and travel looks for another")
-                    right = Message(N_("state it in travel: resistance: [{viscous: …}]"))
-                    wrong.append(mistake(text, path, right))
-            elif not isinstance(one.law, Constant):
+            if not isinstance(one, type(ties[0]) if ties else ()) and one.law.of != NOTHING:
                 text = N_("this load changes along the stated motion, and travel looks for another")
                 right = Message(N_("a constant load, or a force in travel: {by_place: …}"))
                 wrong.append(mistake(text, ("loads", key, k), right))
     if wrong:
-        raise ProblemError(list(dict.fromkeys(wrong)))
+        raise ProblemError(wrong)
 
 
 # ---------------------------------------------------------------- what is stated along the guide

@@ -24,7 +24,9 @@ INERTIA = Quantity("J", Symbol("J"), "kg·m²", Message(N_("moment of inertia of
 RADIUS = Quantity("r", Symbol("r"), "m", Message(N_("radius at which the main link turns the wheel")))
 OWN = Quantity("m", Symbol("m"), "kg", Message(N_("its mass on the main link")))
 STIFFNESS = Quantity("c", Symbol("c"), "N/m", Message(N_("stiffness of the spring")))
-FREE = Quantity("s_free", Symbol("s", "c"), "m", Message(N_("place of the main link at which the spring is free")))
+FREE = Quantity(
+    "s_free", Symbol("s", "c"), "m", Message(N_("place of the main link at which the spring is free"))
+)
 WORK = Quantity("A", Symbol("A"), "J", Message(N_("work along the way")))
 
 
@@ -49,11 +51,9 @@ def tables(found: Found) -> Iterator[Table]:
         yield Table("travel_wheels", WHEELS, (names, *columns))
     if given.springs:
         names = text_column("spring", Message(N_("spring")), [one.name or "" for one in given.springs])
-        columns = (
-            STIFFNESS.column([one.stiffness for one in given.springs]),
-            FREE.column([one.free for one in given.springs]),
-        )
-        yield Table("travel_springs", SPRINGS, (names, *columns))
+        stiffness = STIFFNESS.column([one.stiffness for one in given.springs])
+        free = FREE.column([one.free for one in given.springs])
+        yield Table("travel_springs", SPRINGS, (names, stiffness, free))
     apart = max(1, (len(found.t) - 1) // ROWS)
     yield Table("travel_motion", MOTION, tuple(_motion(found, slice(None, None, apart))))
     yield Table("travel_motion_diagram", MOTION, tuple(_motion(found, slice(None))))

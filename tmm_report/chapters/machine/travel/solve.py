@@ -2,8 +2,8 @@
 
     d(m v²/2)/dx = F;   m dv/dt + (v²/2) dm/dx = F
 
-with the reduced mass m of all that moves and the force F of all that acts along the motion, x being the way. (Artobolevsky,
-Theory of mechanisms and machines, ch. 15–16; Frolov, Theory of mechanisms and machines, ch. 9)
+with the reduced mass m of all that moves and the force F of all that acts along the motion, x being the way.
+(Artobolevsky, Theory of mechanisms and machines, ch. 15–16; Frolov, Theory of mechanisms and machines, ch. 9)
 """
 
 from __future__ import annotations
@@ -133,11 +133,19 @@ def _run(machine: Whole, speed: float) -> tuple[Run, bool]:
 def _never(machine: Whole, why: NeverReached, plant: Plant) -> ProblemError:
     """Of a motion that does not begin, or does not end."""
     if why.why == "stall":
-        force = float(plant.places(0.0)[2] + sum(float(one.at(0.0, 0.0)) for one in plant.laws)) * machine.turn
-        text = N_("the main link does not move: at the beginning the forces along the motion are %(force)s N together")
-        right = Message(N_("greater driving forces, less resistance, a speed at the beginning, or the other way"))
+        force = (
+            float(plant.places(0.0)[2] + sum(float(one.at(0.0, 0.0)) for one in plant.laws)) * machine.turn
+        )
+        text = N_(
+            "the main link does not move: at the beginning the forces along the motion are %(force)s N together"
+        )
+        right = Message(
+            N_("greater driving forces, less resistance, a speed at the beginning, or the other way")
+        )
         return ProblemError([mistake(text, ("travel",), right, force=_text(force))])
-    text = N_("the main link does not come to the end of its way, nor to rest: after %(x)s m it creeps at %(v)s m/s")
+    text = N_(
+        "the main link does not come to the end of its way, nor to rest: after %(x)s m it creeps at %(v)s m/s"
+    )
     right = Message(N_("a shorter way, or a force that drives or stops the main link"))
     values = {"x": _text(why.phi / machine.turn), "v": _text(why.omega / machine.turn)}
     return ProblemError([mistake(text, ("travel",), right, **values)])

@@ -12,7 +12,7 @@ from tmm_report.chapters.machine.travel import draw
 from tmm_report.chapters.machine.travel import quantities as q
 from tmm_report.chapters.machine.travel.plant import SPRING, WEIGHT
 from tmm_report.chapters.machine.travel.solve import Found
-from tmm_report.chapters.machine.travel.values import Motion
+from tmm_report.chapters.machine.travel.values import Motion, Values
 from tmm_report.figures.charts.graphs import Graph
 from tmm_report.figures.drawing import Drawing
 from tmm_report.problems import N_
@@ -60,6 +60,7 @@ def picture(found: Found, page: Page) -> Drawing:
 
 class TravelView(ChapterView):
     own = True
+    s: Values
 
     def __init__(self, found: Found, page: Page):
         super().__init__(page, found.s, q.tables(found))
@@ -82,7 +83,11 @@ class TravelView(ChapterView):
         """The forces along the guide in words."""
         driving, resisting = N_("%(name)s – a driving force, %(law)s"), N_("%(name)s – a resistance, %(law)s")
         return [
-            self.t(driving if one.drives else resisting, name=self.acting(f"force{k}"), law=self.t(LAWS[one.kind]))
+            self.t(
+                driving if one.drives else resisting,
+                name=self.acting(f"force{k}"),
+                law=self.t(LAWS[one.kind]),
+            )
             for k, one in enumerate(self.found.given.forces, 1)
         ]
 
@@ -102,7 +107,11 @@ class TravelView(ChapterView):
         index = int(key.lstrip("abcdefghijklmnopqrstuvwxyz"))
         if key.startswith(SPRING):
             name = given.springs[index - 1].name
-            return self.t(N_("spring: %(name)s"), name=name) if name else self.t(N_("spring %(number)s"), number=index)
+            return (
+                self.t(N_("spring: %(name)s"), name=name)
+                if name
+                else self.t(N_("spring %(number)s"), number=index)
+            )
         name = given.forces[index - 1].name
         return self.page.text(name) if name else self.t(N_("force %(number)s"), number=index)
 
@@ -139,7 +148,9 @@ class TravelView(ChapterView):
 
     def rotational(self) -> Equation:
         """I ε + I′ ω²/2 − M = 0, of the link that follows the stroke."""
-        link = [Var(Symbol(base, sub), np.nan) for base, sub in (("I", "red"), ("epsilon", ""), ("I'", "red"))]
+        link = [
+            Var(Symbol(base, sub), np.nan) for base, sub in (("I", "red"), ("epsilon", ""), ("I'", "red"))
+        ]
         omega, moment = Var(Symbol("omega"), np.nan), Var(Symbol("M", "red"), np.nan)
         return Equation(link[0] * link[1] + link[2] * omega**2 / 2 - moment, numbers=False)
 
@@ -159,7 +170,9 @@ class TravelView(ChapterView):
         found = [table.formula("F", k, self._acting(self._at))] if self.forced else []
         energy = 2 * self._at("A")
         if self.s.number("v_begin"):
-            energy = (self.s.m_red if self.found.constant_mass else self.s.m_begin) * self.s.v_begin**2 + energy
+            energy = (
+                self.s.m_red if self.found.constant_mass else self.s.m_begin
+            ) * self.s.v_begin**2 + energy
         found.append(table.formula("v", k, sqrt(energy / self._at("m_red"))))
         force = self._at("F")
         if not self.found.constant_mass:
@@ -215,7 +228,5 @@ class TravelView(ChapterView):
         if self.found.stops:
             text = N_("The main link stops after %(x)s m, in %(t)s s; its greatest speed is %(most)s m/s.")
         names = {"t": "t_end", "v": "v_end", "x": "way", "most": "v_max"}
-        values = {
-            name: self.number(key, digits=4) for name, key in names.items() if f"%({name})s" in text
-        }
+        values = {name: self.number(key, digits=4) for name, key in names.items() if f"%({name})s" in text}
         return [self.t(text, **values)]

@@ -17,11 +17,15 @@ LAW = N_("By the laws of the forces at the place, the time and the speed of the 
 EQUATION = N_("By the equation of motion at the row: m dv/dt = F − (v²/2) dm/dx.")
 ENERGY = N_("By the work of all forces from the beginning and the reduced mass of the row.")
 REDUCED = N_("From the equality of kinetic energies, by the motion of the links at the place of the row.")
-SLOPE = N_("By the accelerations of the links in a uniform motion of the main link; no differences are taken.")
+SLOPE = N_(
+    "By the accelerations of the links in a uniform motion of the main link; no differences are taken."
+)
 FOLLOWS = N_("By the triangle that the link follows the stroke by.")
 WORKS = N_("The integral of the force by the way.")
 CHECK = N_("The sum of all works less the change of the kinetic energy, by the largest of them.")
-SECOND = N_("dv/dt of the found motion by the integrator's own polynomial beside that of the equation of motion.")
+SECOND = N_(
+    "dv/dt of the found motion by the integrator's own polynomial beside that of the equation of motion."
+)
 FASTEST = N_("The greatest of the samples of the motion.")
 KINDS = {
     "speed": N_(
@@ -29,12 +33,12 @@ KINDS = {
         "on pieces between the breaks of the laws."
     ),
     "angle": N_(
-        "The force depends on the place alone: m v²/2 = T₀ + ∫F dx, t = ∫dx/v, by Gauss's formula on pieces between the "
-        "breaks of the forces."
+        "The force depends on the place alone: m v²/2 = T₀ + ∫F dx, t = ∫dx/v, by Gauss's formula on pieces between "
+        "the breaks of the forces."
     ),
     "time": N_(
-        "The force depends on the speed and on the place, or on the time: dx/dt = v, dv/dt = (F − m′v²/2)/m, integrated "
-        "step by step (LSODA)."
+        "The force depends on the speed and on the place, or on the time: dx/dt = v, dv/dt = (F − m′v²/2)/m, "
+        "integrated step by step (LSODA)."
     ),
 }
 MASS = Quantity("m", Symbol("m"), "kg", Message(N_("reduced mass at the sample")))
