@@ -13,6 +13,8 @@ from tmm_report.chapters.lever.initial_data import quantities as initial
 from tmm_report.chapters.lever.kinematics import quantities as rates
 from tmm_report.chapters.lever.kinetostatics.quantities import driving_stroke
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as statics
+from tmm_report.chapters.lever.reduction import quantities as reduction
+from tmm_report.chapters.lever.reduction.solve import Reduction
 from tmm_report.chapters.lever.translation import quantities as q
 from tmm_report.chapters.lever.translation.solve import Found
 from tmm_report.figures.charts.graphs import Graph
@@ -34,13 +36,15 @@ if TYPE_CHECKING:
 
 def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
     if lever.translation is not None:
-        yield Part("lever/translation", TranslationView(lever.translation, lever.sample, page))
+        yield Part("lever/translation", TranslationView(lever.translation, lever.reduction, lever.sample, page))
 
 
 class TranslationView(BookView):
-    def __init__(self, found: Found, position: int, page: Page):
+    """`turning`: the reduction to the driving link, None where a stroke drives."""
+
+    def __init__(self, found: Found, turning: Reduction | None, position: int, page: Page):
         super().__init__(page, page.once(q.book, found))
-        self.found = found
+        self.found, self.turning = found, turning
         self.mechanism = found.kinematics.linkage.mechanism
         self.position = self._moving(position)
 
@@ -139,6 +143,17 @@ class TranslationView(BookView):
         omega = initial.speed(self.mechanism).var()
         expression = moment.var("M_bal", self.position) * omega / self._at("reduced_mass_table", "v")
         return self.table("reduced_force_table").formula("F_dr", self.position, expression)
+
+    def by_angle(self) -> Formula | None:
+        """The balancing moment by the equation of motion in the angle of the driving link, which turns uniformly."""
+        if self.found.forces is None or self.turning is None:
+            return None
+        tables = {one.name: one for one in reduction.tables(self.turning)}
+        slope = tables["reduced_inertia_table"].var("I_red_slope", self.position)
+        moment = tables["reduced_moment_table"].var("M_red", self.position)
+        omega = initial.speed(self.mechanism).var()
+        balancing = self.page.once(statics.book, self.found.forces).tables["balancing_table"]
+        return balancing.formula("M_bal", self.position, slope * omega**2 / 2 - moment)
 
     @property
     def balancing(self) -> Markup:
