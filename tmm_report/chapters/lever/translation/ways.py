@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Expr
 from tmm_report.quantity.ways import Known, Way
@@ -18,12 +20,17 @@ MISS = N_(
 )
 
 
-def _sum(q: Known) -> Expr:
-    assert q.table is not None
-    keys = [column.key for column in q.table.columns if column.key.startswith("F_red_")]
-    total: Expr = q(keys[0])
-    for key in keys[1:]:
-        total = total + q(key)
+def _sum(prefix: str) -> Callable[[Known], Expr]:
+    """Of the parts beside it in its table."""
+
+    def total(q: Known) -> Expr:
+        assert q.table is not None
+        keys = [one.key for one in q.table.columns if one.key.startswith(prefix) and one.key != "m_red_slope"]
+        whole: Expr = q(keys[0])
+        for key in keys[1:]:
+            whole = whole + q(key)
+        return whole
+
     return total
 
 
@@ -37,10 +44,11 @@ def _needed(q: Known) -> Expr:
 WAYS = (
     Way("reduced_mass_table.s reduced_mass_table.v reduced_mass_table.a", ALONG, of="phi"),
     Way("reduced_mass_table.m_red_slope", SLOPE, of="m_red v m_red_*"),
-    Way("reduced_mass_table.m_red reduced_mass_table.m_red_*", PART, of="v masses:{0}.m masses:{0}.J"),
-    Way("reduced_force_table.F_red", by=_sum),
+    Way("reduced_mass_table.m_red", by=_sum("m_red_")),
+    Way("reduced_mass_table.m_red_*", PART, of="v masses:{0}.m masses:{0}.J"),
+    Way("reduced_force_table.F_red", by=_sum("F_red_")),
     Way("reduced_force_table.F_red_*", LOAD, of="loads_table.{0} reduced_mass_table.v"),
     Way("reduced_force_table.F_dr", by=_needed),
-    Way("m_red_min m_red_max", EXTREME),
-    Way("translation_disagreement", MISS),
+    Way("m_red_min m_red_max", EXTREME, of="omega stroke_arm"),
+    Way("translation_disagreement", MISS, of="omega F_stroke_min F_stroke_max"),
 )
