@@ -36,7 +36,9 @@ if TYPE_CHECKING:
 
 def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
     if lever.translation is not None:
-        yield Part("lever/translation", TranslationView(lever.translation, lever.reduction, lever.sample, page))
+        yield Part(
+            "lever/translation", TranslationView(lever.translation, lever.reduction, lever.sample, page)
+        )
 
 
 class TranslationView(BookView):
