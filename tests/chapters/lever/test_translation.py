@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import yaml
 from conftest import solved, stating
 from notes import VARIANTS
 
@@ -198,3 +199,12 @@ def test_something_else_than_true_or_a_link_is_told():
     with pytest.raises(ProblemError) as error:
         course.loads(CRANK.replace("{link: 3}\n", "[3]\n"))
     assert "true, or a link that slides along a guide: {link: 5}" in str(error.value)
+
+
+@pytest.mark.parametrize("name", DRIVEN)
+def test_the_force_of_a_driving_slider_and_of_a_cylinder_is_that_of_independent_solvers(name):
+    """The answers of the statements come from programs that share no code with this one."""
+    answers = yaml.safe_load(STATEMENTS.joinpath(f"{name}.answers.yaml").read_text("utf-8"))["positions"]
+    needed = statement(name).translation.table.needed
+    asked = {k: one["F_stroke"] for k, one in answers.items() if "F_stroke" in one}
+    assert asked and {k: needed[int(k)] for k in asked} == pytest.approx(asked, rel=1e-9)
