@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     from tmm_report.chapters.lever.reduction import solve as reduction
     from tmm_report.chapters.lever.structure import solve as structure
     from tmm_report.chapters.lever.synthesis import solve as synthesis
+    from tmm_report.chapters.lever.translation import solve as translation
     from tmm_report.chapters.lever.transmission import solve as transmission
     from tmm_report.chapters.machine.balancing.solve import whole as balancing
     from tmm_report.chapters.machine.contacts import solve as contacts
@@ -53,6 +54,7 @@ if TYPE_CHECKING:
     from tmm_report.chapters.machine.governor.solve import whole as governor
     from tmm_report.chapters.machine.harmonics import solve as harmonics
     from tmm_report.chapters.machine.rotor import solve as rotor
+    from tmm_report.chapters.machine.travel import solve as travel
     from tmm_report.chapters.machine.vibration import solve as vibration
     from tmm_report.chapters.machine.wear import solve as wear
     from tmm_report.variant.model import Read, Rooms
@@ -79,10 +81,12 @@ if not TYPE_CHECKING:
     force_plans = Late("lever.force_plans.solve")
     friction = Late("lever.friction.solve")
     reduction = Late("lever.reduction.solve")
+    translation = Late("lever.translation.solve")
     transmission = Late("lever.transmission.solve")
     readings = Late("lever.readings.solve")
     methods = Late("lever.methods.solve")
     dynamics = Late("machine.dynamics.solve")
+    travel = Late("machine.travel.solve")
     flywheel = Late("machine.flywheel.solve")
     governor = Late("machine.governor.solve.whole")
     balancing = Late("machine.balancing.solve.whole")
@@ -109,6 +113,7 @@ class LeverGiven:
     loads: Loads | None = None
     friction: Friction | None = None
     reduction: bool = False
+    translation: str | None = None  # reduction to a link that slides, "" to the stroke of what drives
     transmission: float | None = None  # the least permitted angle, rad
     way: Way | None = None
     methods: Comparison | None = None
@@ -123,6 +128,7 @@ class Variant:
     find: find.Given | None = None
     synthesis: synthesis.Given | None = None
     dynamics: dynamics.Given | None = None
+    travel: travel.Given | None = None
     flywheel: flywheel.Given | None = None
     governor: governor.Given | None = None
     balancing: balancing.Given | None = None
@@ -158,6 +164,7 @@ class LeverFound:
     force_plans: force_plans.ForcePlans | None = None
     friction: friction.FrictionFound | None = None
     reduction: reduction.Reduction | None = None
+    translation: translation.Found | None = None
     transmission: transmission.Found | None = None
     readings: readings.ReadingsFound | None = None
     methods: methods.Found | None = None
@@ -188,6 +195,7 @@ class Results:
     find: find.Found | None = None
     synthesis: synthesis.Found | None = None
     dynamics: dynamics.Found | None = None
+    travel: travel.Found | None = None
     flywheel: flywheel.Found | None = None
     governor: governor.Found | None = None
     balancing: balancing.Found | None = None
@@ -254,6 +262,7 @@ def _solved(variant: Variant, moved: Moved | None) -> Results:
         lever=lever,
         synthesis=synthesis.solve(variant.synthesis, lever) if variant.synthesis else None,
         dynamics=dynamics.solve(variant.dynamics, moving) if variant.dynamics and whole else None,
+        travel=travel.solve(variant.travel, moving) if variant.travel and whole else None,
         flywheel=flywheel.solve(variant.flywheel, moving) if variant.flywheel and whole else None,
         governor=governor.solve(variant.governor, moving) if variant.governor else None,
         balancing=balancing.solve(variant.balancing, moving) if variant.balancing and whole else None,
@@ -299,6 +308,7 @@ def solve_lever(given: LeverGiven, moved: Moved | None = None, flywheel: Any = N
         else None,
         friction.solve(given.friction, forces) if given.friction and forces else None,
         reduction.solve(motion, forces, drawn) if given.reduction else None,
+        translation.solve(given.translation, motion, forces) if given.translation is not None else None,
         transmission.solve(motion, given.transmission) if given.transmission else None,
     )
     if given.methods:

@@ -272,7 +272,7 @@ def not_asking(chapter: str) -> str:
 
 
 @pytest.mark.exhaustive
-@pytest.mark.parametrize("chapter", many(["reduction", "friction", "flywheel", "wear", "eccentric"]))
+@pytest.mark.parametrize("chapter", many(["translation", "friction", "flywheel", "wear", "eccentric"]))
 def test_a_chapter_taken_out_is_missed_by_nothing(chapter, tmp_path):
     """Its folder, its templates and its lines of course.py are deleted in a copy, where other chapters are solved."""
     for folder in ("tmm_report", "templates"):

@@ -34,6 +34,7 @@ EXAMPLES = [
     laws.ByPosition((5.0, 1.0, 4.0, -2.0)).by_angle(math.pi / 2).repeating(TURN),
     laws.ByTime((0.0, 1.5, 1.5, 4.0), (1.0, 2.0, 0.0, 6.0)),
     laws.BySpeed((0.0, 10.0, 50.0), (100.0, 130.0, 0.0)),
+    laws.ByPlace((0.1, 0.2, 0.2, 0.5), (800.0, 300.0, 0.0, 500.0)),
     laws.ByDisplacement(1j, *CURVES),
     laws.ByStrokes(1j, ("intake", "power", "other", "last"), (*CURVES, *CURVES[::-1])),
     laws.ByLength(1200.0, 0.24),
@@ -54,6 +55,7 @@ AXES = {
     laws.SPEED: (0.0, 150.0),
     laws.LENGTH: (0.0, 0.5),
     laws.RATE: (-3.0, 3.0),
+    laws.STROKE: (0.0, 0.6),
 }
 EVERY = pytest.mark.parametrize("law", EXAMPLES, ids=lambda law: type(law).__name__)
 

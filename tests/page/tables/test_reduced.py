@@ -13,7 +13,7 @@ from reading import LEVERS, results, wrong
 from statics import scheme
 
 CLOSE = 1e-9  # of the largest value of a column
-REDUCED = [name for name in LEVERS if "\nreduction: true" in path_of(name).read_text("utf-8")]
+REDUCED = [name for name in LEVERS if "\nreduction:" in path_of(name).read_text("utf-8")]
 
 
 def differ(name: str, one: np.ndarray, other: np.ndarray, close: float = CLOSE) -> Iterator[str]:
@@ -68,6 +68,8 @@ def wrong_plans(document: dict[str, Any], driver: str) -> Iterator[str]:
 
 
 def wrong_reduction(document: dict[str, Any], name: str) -> Iterator[str]:
+    if "reduced_inertia_table" not in document["tables"]:  # a stroke drives
+        return
     inertia = table_of(document, "reduced_inertia_table")
     omega = table_of(document, "rates_table")[f"w_{scheme(name).driver}"][0]
     parts = dict(energies(document, omega))
@@ -87,3 +89,56 @@ def wrong_reduction(document: dict[str, Any], name: str) -> Iterator[str]:
 @pytest.mark.parametrize("name", REDUCED)
 def test_reduced_moments(name):
     wrong(list(wrong_reduction(results(name), name)))
+
+
+def derivative(x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """dy/dx at the inner places, by parabolas."""
+    before, after = np.diff(x)[:-1], np.diff(x)[1:]
+    with np.errstate(invalid="ignore"):  # where the link turns back two places are one
+        left, right = np.diff(y)[:-1] / before, np.diff(y)[1:] / after
+        return (left * after + right * before) / (before + after)
+
+
+def wrong_translation(document: dict[str, Any], name: str) -> Iterator[str]:
+    """Reduced mass and force by the rates and loads of the results; the equation of motion beside the reactions."""
+    if "reduced_mass_table" not in document["tables"]:
+        return
+    mass, force = table_of(document, "reduced_mass_table"), table_of(document, "reduced_force_table")
+    v, known = mass["v"], np.isfinite(mass["m_red"]) & (np.abs(mass["v"]) > 0)
+    assert known.sum() > len(v) / 2
+    parts = dict(energies(document, 1.0))
+    v = v[known]
+    for link, part in parts.items():
+        yield from differ(f"m_red_{link}", mass[f"m_red_{link}"][known], part[known] / v**2)
+    yield from differ("m_red", mass["m_red"][known], sum(parts.values())[known] / v**2)  # type: ignore[index]
+    work = dict(powers(document, name))
+    for key, power in work.items():
+        yield from differ(f"F_red_{key}", force[f"F_red_{key}"][known], power[known] / v, 1e-8)
+    yield from differ("F_red", force["F_red"][known], sum(work.values())[known] / v, 1e-8)  # type: ignore[index]
+    rates, driver = table_of(document, "rates_table"), scheme(name).driver
+    balancing = table_of(document, "balancing_table")["M_bal"] * rates[f"w_{driver}"]
+    yield from differ("F_dr", force["F_dr"][known], balancing[known] / v, 1e-7)
+    of, a = mass["m_red"][known] * mass["a"][known], mass["m_red_slope"][known] * v**2 / 2
+    yield from differ("F_dr", force["F_dr"][known], of + a - force["F_red"][known])
+    fine = table_of(document, "reduced_mass_diagram")
+    slope, off = fine["m_red_slope"][1:-1], derivative(fine["s"], fine["m_red"])
+    smooth = np.isfinite(slope) & np.isfinite(off)
+    if np.quantile(np.abs(off - slope)[smooth], 0.7) > 0.1 * np.abs(slope[smooth]).max():
+        yield "m_red_slope is not the derivative of m_red"
+
+
+def wrong_places(document: dict[str, Any], name: str) -> Iterator[str]:
+    """The stroke is where the link is: its speed is how fast the place grows over the positions."""
+    if "reduced_mass_diagram" not in document["tables"]:
+        return
+    fine = table_of(document, "reduced_mass_diagram")
+    times = table_of(document, "outputs_diagram")["t"]
+    for key, of in (("v", "s"), ("a", "v")):
+        size = np.abs(fine[key]).max()
+        if np.quantile(np.abs(derivative(times, fine[of]) - fine[key][1:-1]), 0.8) > 0.05 * size:
+            yield f"{key} is not the derivative of {of}"
+
+
+@pytest.mark.parametrize("name", REDUCED)
+def test_reduced_mass_and_force(name):
+    wrong([*wrong_translation(results(name), name), *wrong_places(results(name), name)])

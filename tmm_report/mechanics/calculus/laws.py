@@ -9,7 +9,8 @@
     | `TRAVEL`   | displacement of a point by its stroke, 0 … 1, and   | ByDisplacement, ByStrokes                     |
     |            | which curve of the diagram holds                    |                                               |
     | `TIME`     | s                                                   | ByTime                                        |
-    | `SPEED`    | rad/s                                               | BySpeed, and the motors' of `characteristics` |
+    | `SPEED`    | rad/s; of what slides m/s                           | BySpeed, and the motors' of `characteristics` |
+    | `STROKE`   | place of what slides along its guide, m             | ByPlace                                       |
     | `LENGTH`   | distance of two points, m                           | ByLength                                      |
     | `RATE`     | its derivative by the time, m/s                     | ByRate                                        |
 
@@ -33,7 +34,7 @@ Array = Any
 Numbers = tuple[float, ...]
 Curve = tuple[tuple[float, float], ...]
 NOTHING, ANGLE, POSITION, TRAVEL, TIME, SPEED = "", "angle", "position", "travel", "time", "speed"
-LENGTH, RATE = "length", "rate"
+LENGTH, RATE, STROKE = "length", "rate", "stroke"
 
 
 class Break(NamedTuple):
@@ -310,6 +311,21 @@ class BySpeed(Lines):
 
     def points(self) -> tuple[Numbers, Numbers]:
         return self.speeds, self.values
+
+    def scaled(self, factor: float) -> Self:
+        return replace(self, values=_times(self.values, factor))
+
+
+@dataclass(frozen=True)
+class ByPlace(Lines):
+    """Values at places along a stroke, m."""
+
+    of: ClassVar[str] = STROKE
+    places: Numbers
+    values: Numbers
+
+    def points(self) -> tuple[Numbers, Numbers]:
+        return self.places, self.values
 
     def scaled(self, factor: float) -> Self:
         return replace(self, values=_times(self.values, factor))

@@ -1,22 +1,36 @@
-"""The key `reduction` of a variant: whether the masses and forces are reduced to the driving link."""
+"""The key `reduction` of a variant: whether the masses and forces are reduced to the driving link, and to a slider."""
 
 from collections.abc import Iterator
-from typing import TypedDict
+from typing import Annotated, TypedDict
 
-from pydantic import Field
+from pydantic import Field, Tag
 
-from tmm_report.chapters.lever.structure.block import stated, without
+from tmm_report.chapters.lever.structure.block import driven_by_stroke, names, stated, without
 from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.variant import model
-from tmm_report.variant.model import Read
-from tmm_report.variant.values import Flag
+from tmm_report.variant.model import Model, Read
+from tmm_report.variant.values import MAP, SCALAR, Flag, Name, by_shape
+
+
+class ToModel(Model):
+    """Reduction to a link that slides, too."""
+
+    link: Name = Field(description="a link that slides along a guide", examples=["5"])
+
+
+Asked = Annotated[
+    Annotated[Flag, Tag(SCALAR)] | Annotated[ToModel, Tag(MAP)],
+    by_shape(N_("true, or a link that slides along a guide: {link: 5}")),
+]
 
 
 class Block(model.Block):
-    """Reduced moments."""
+    """Reduced moments; reduced mass and force of a link that slides."""
 
-    reduction: Flag = Field(
-        default=False, description="true: reduced moment of inertia and reduced moment of the forces"
+    reduction: Asked = Field(
+        default=False,
+        description="true: reduced moment of inertia and reduced moment of the forces; {link: 5}: reduced mass and "
+        "force of a link that slides, too",
     )
 
 
@@ -25,15 +39,40 @@ class Given(TypedDict):
 
 
 def given(read: Read) -> Given:
-    return {"reduction": read.block(Block).reduction}
+    """What drives by its stroke has a mass reduced to it in place of a moment of inertia."""
+    return {"reduction": bool(read.block(Block).reduction) and not driven_by_stroke(read)}
 
 
 def mistakes(read: Read) -> Iterator[Problem]:
+    asked = read.block(Block).reduction
     if not stated(read):
         yield from without(read, "reduction")
-    elif read.block(Block).reduction and not _heavy(read.data):
+    elif asked and not _heavy(read.data):
         right = Message(N_("give the links their mass, mass_centre and inertia"))
         yield mistake(N_("there is nothing to reduce: no link has a mass"), ("reduction",), right)
+    if stated(read) and isinstance(asked, ToModel):
+        yield from _not_sliding(read, asked.link)
+
+
+def _not_sliding(read: Read, link: str) -> Iterator[Problem]:
+    """A link that slides along no guide has no stroke."""
+    links, path = names(read.data).points, ("reduction", "link")
+    sliding = [name for name in links if slides_in(read.data, name)]
+    if link in sliding:
+        return
+    right = Message(N_("a link that slides: %(links)s"), {"links": ", ".join(sliding)})
+    if not sliding:
+        right = Message(N_("reduction: true, to the driving link"))
+    wrong = N_("link %(name)s slides along no guide") if link in links else N_("there is no link %(name)s")
+    yield mistake(wrong, path, right, name=link)
+
+
+def slides_in(data: object, link: str) -> bool:
+    """Whether a link is stated to slide."""
+    mechanism = data.get("mechanism") if isinstance(data, dict) else None
+    links = mechanism.get("links") if isinstance(mechanism, dict) else None
+    own = links.get(link) if isinstance(links, dict) else None
+    return isinstance(own, dict) and bool(own.get("slides"))
 
 
 def _heavy(data: object) -> bool:

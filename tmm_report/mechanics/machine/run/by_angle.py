@@ -78,7 +78,8 @@ def _first(plant: Plant, first: float, phi: float, start: float, speed: float) -
         base = first + n * gain
         noise = 1e-12 * max(abs(base), abs(gain), at_edge)
         if base + least <= noise and base + greatest >= -noise:
-            roots = panels.roots(swing + base, within=True)
+            roots = panels.roots(swing + base)  # on an edge of two panels, too
+            roots = roots[roots > 0]  # where the cycle begins again there is a jump and no root
             if abs(base + gain - at_edge) <= noise:  # on the edge between two cycles
                 roots = np.append(roots, panels.period)
             later = roots[roots + n * panels.period > phi + 1e-9 * panels.period]

@@ -285,9 +285,9 @@ def _events(
 def _span(plant: Plant, start: float, goal: Goal) -> float:
     """A time that is surely enough, s: that which the moment left on an average needs to bring the speed there, many
     times over."""
-    if goal.angle is not None:
+    if goal.angle is not None or goal.speed == start:  # from rest to rest, somewhere within the cycle
         fast = level(plant.net, start) or start
-        return 1e3 * goal.angle / max(fast, start, 1e-6)
+        return 1e3 * (goal.angle or plant.panels.period) / max(fast, start, 1e-6)
     to = float(goal.near.max()) if goal.near is not None else goal.speed or 0.0
     left = float(np.abs(plant.net(np.linspace(start, to, 50))).mean()) or 1.0
     return ENOUGH * float(plant.inertia.max()) * abs(to - start) / left + 1e-6

@@ -52,7 +52,8 @@ def parts(lever: LeverFound, page: Page) -> Iterator[Part | None]:
         return
     view = _view(lever.kinetostatics, lever, page)
     yield Part("lever/kinetostatics/loads", view)
-    yield NEXT_CHAPTER  # the force plans stand between the loads and the reactions
+    if lever.force_plans is not None:
+        yield NEXT_CHAPTER  # the force plans stand between the loads and the reactions
     yield Part("lever/kinetostatics", view)
     yield from pressing_view.parts(lever.kinetostatics, page)
     yield from wheels_view.parts(lever.kinetostatics, lever.sample, page)

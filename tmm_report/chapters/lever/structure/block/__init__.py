@@ -12,6 +12,7 @@ from tmm_report.chapters.lever.structure.block.build import driver, mechanism
 from tmm_report.chapters.lever.structure.block.checks import (
     Names,
     check,
+    driven_by_stroke,
     has_cams,
     names,
     no_link,
@@ -30,8 +31,8 @@ from tmm_report.variant import model
 from tmm_report.variant.model import Read
 
 __all__ = [
-    "ASKED", "FRAME", "Block", "Given", "Names", "belongs", "doubts", "driver", "given", "has_cams", "in_vain",
-    "mistakes", "names", "no_link", "no_point", "of_friction", "stated", "without",
+    "ASKED", "FRAME", "Block", "Given", "Names", "belongs", "doubts", "driven_by_stroke", "driver", "given",
+    "has_cams", "in_vain", "mistakes", "names", "no_link", "no_point", "of_friction", "stated", "without",
 ]  # fmt: skip
 
 

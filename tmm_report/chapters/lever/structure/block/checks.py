@@ -82,6 +82,11 @@ def has_cams(read: Read) -> bool:
     return bool(_mapping(read.data.get("mechanism")).get("cams"))
 
 
+def driven_by_stroke(read: Read) -> bool:
+    """Whether a slider or a cylinder drives."""
+    return "stroke" in _mapping(_mapping(read.data.get("mechanism")).get("driver"))
+
+
 def without(read: Read, key: str) -> Found:
     """A block that speaks of a mechanism where there is none."""
     if key in read.data:

@@ -183,7 +183,7 @@ def mistakes(read: Read) -> Iterator[Problem]:
     """What does not go together with a law of the driving link, or with a stroke by which something drives."""
     right = Message(N_("leave one of the two out: with speed the driving link turns uniformly"))
     stroke = "stroke" in read.data["mechanism"].get("driver", {})
-    for key in (*ONLY, *(("drive",) if stroke else ())):
+    for key in (*(one for one in ONLY if not stroke or one != "reduction"), *(("drive",) if stroke else ())):
         if key in read.data and read.data[key] not in (None, False):
             text = N_("%(key)s reckons with a uniformly turning driving link, and a law is stated")
             yield mistake(text, (key,), right, key=key)
