@@ -9,7 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from tmm_report.chapters.lever.synthesis import points_steps
+from tmm_report.chapters.lever.synthesis import body_steps, points_steps
 from tmm_report.chapters.lever.synthesis.given import (
     Body,
     CrankRocker,
@@ -174,11 +174,11 @@ def _body(found: Design, asked: Body) -> Picture:
     s = found.s
     crank = complex(s.number("crank_pivot_x"), s.number("crank_pivot_y"))
     rocker = complex(s.number("rocker_pivot_x"), s.number("rocker_pivot_y"))
-    pins, ends = points_steps.pinned(asked)
+    pins, ends = body_steps.pinned(asked)
     chains = tuple(
         ((crank, complex(pin), complex(end), rocker),) for pin, end in zip(pins, ends, strict=True)
     )
-    named = [(f"{name}{k + 1}", complex(at[k])) for k in range(3) for name, at in (("A", pins), ("B", ends))]
+    named = [(f"{name}{k + 1}", complex(at[k])) for k in range(len(pins)) for name, at in (("A", pins), ("B", ends))]
     arcs = [
         (centre, radius, *_reach(at - centre))
         for centre, radius, at in ((crank, s.number("crank"), pins), (rocker, s.number("rocker"), ends))
@@ -188,6 +188,6 @@ def _body(found: Design, asked: Body) -> Picture:
 
 def _reach(arms: np.ndarray) -> tuple[float, float]:
     """Ends of an arc a little beyond its points, rad."""
-    middle = np.angle(arms[1])
+    middle = np.angle(arms[1]) if len(arms) == 3 else np.angle(arms.sum() if abs(arms.sum()) else 1j * arms[0])
     off = np.angle(arms * np.exp(-1j * middle))
     return float(middle + 1.6 * off.min()), float(middle + 1.6 * off.max())

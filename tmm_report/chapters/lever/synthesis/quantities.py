@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from tmm_report.chapters.lever.synthesis import points_steps, rocker_steps
-from tmm_report.chapters.lever.synthesis.given import CrankRocker, Generator, SliderCrank
+from tmm_report.chapters.lever.synthesis import body_steps, points_steps, rocker_steps
+from tmm_report.chapters.lever.synthesis.given import Body, CrankRocker, Generator, SliderCrank
 from tmm_report.chapters.lever.synthesis.solve import Found
 from tmm_report.chapters.lever.synthesis.values import Values
 from tmm_report.i18n import NP_
@@ -19,6 +19,7 @@ from tmm_report.quantity.tabulated import tabulated
 
 POINTS = 91  # of a chart of a family or of a function
 FAMILY = Message(N_("linkages that meet the demand"))
+SOLUTIONS = Message(N_("linkages that lead the body from one position to the other, the best first"))
 COURSE = Message(N_("what the linkage makes of the function"))
 PSI_WANTED = Quantity(
     "psi_wanted", Symbol("psi", NP_("index", "want")), "rad", Message(N_("wanted angle of the rocker")), "deg"
@@ -43,6 +44,10 @@ def tables(found: Found) -> Iterator[Table]:
             yield _crank_rockers(found, asked)
         case Generator() as asked:
             yield _course(found, asked)
+        case Body() as asked if design.solutions:
+            if asked.rocker is None:
+                yield _led(found, asked)
+            yield _solutions(found)
 
 
 @tabulated
@@ -88,6 +93,26 @@ def _crank_rockers(found: Found, asked: CrankRocker) -> Table:
     crank = s.number("half_chord") * np.linspace(0.01, 0.999, POINTS)
     of = rocker_steps.family(s, asked, crank)
     return _family({"crank": crank, "transmission": of.transmission, "rod": of.b, "frame": of.d})
+
+
+def _led(found: Found, asked: Body) -> Table:
+    """Over the place of the rocker's pivot on the perpendicular bisector."""
+    pins = body_steps.pinned(asked)
+    most = 1.5 * abs(found.s.number("off_B")) + found.s.number("way_B")
+    off = np.linspace(-most, most, POINTS)
+    of = body_steps.family(pins, found.s.number("off_A"), off)
+    sound = np.isfinite(of.transmission)
+    rocker, frame = np.abs(pins[1][0] - of.rocker_pivot), np.abs(of.rocker_pivot - of.crank_pivot)
+    return _family({
+        "off_B": off, "transmission": of.transmission, "rocker": np.where(sound, rocker, np.nan), "frame": frame,
+    })  # fmt: skip
+
+
+def _solutions(found: Found) -> Table:
+    """Of each side on which the pivots may stand, the best first."""
+    keys = ("off_A", "off_B", "frame", "transmission")
+    columns = zip(keys, zip(*found.design.solutions, strict=True), strict=True)
+    return Table("synthesis_solutions", SOLUTIONS, [Values.DECLARED[key].column(np.array(of)) for key, of in columns])
 
 
 def _family(columns: dict[str, np.ndarray]) -> Table:

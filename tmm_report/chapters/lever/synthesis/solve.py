@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from tmm_report.chapters.lever.synthesis import points_steps, rocker_steps, steps
+from tmm_report.chapters.lever.synthesis import body_steps, points_steps, rocker_steps, steps
 from tmm_report.chapters.lever.synthesis.given import (
     Body,
     CrankRocker,
@@ -39,12 +39,13 @@ __all__ = ["Design", "Found", "Given", "design", "offered", "solve"]
 @dataclass(frozen=True, eq=False)
 class Design:
     """`s`: the single numbers; `table`: of the points that the linkage goes through, where it goes through any; `bar`:
-    of a function."""
+    of a function; `solutions`: of two positions of a body, the one that is taken the first (`body_steps`)."""
 
     given: Synthesis
     s: Values
     table: Table | None = None
     bar: FourBar | None = None
+    solutions: tuple[tuple[float, ...], ...] = ()
 
     @property
     def lengths(self) -> list[str]:
@@ -107,7 +108,8 @@ def design(given: Synthesis) -> Design:
         case Dwell():
             return Design(given, s, points_steps.dwell(s, asked))
         case Body():
-            return Design(given, s, points_steps.body(s, asked))
+            poses, solutions = body_steps.body(s, asked)
+            return Design(given, s, poses, solutions=solutions)
     return Design(given, s)
 
 

@@ -68,6 +68,12 @@ class Values(Sheet, prefix="synthesis"):
     crank_pivot_y = Q("y_O", "m", N_("ordinate of the pivot of the crank"), "mm")
     rocker_pivot_x = Q("x_C", "m", N_("abscissa of the pivot of the rocker"), "mm")
     rocker_pivot_y = Q("y_C", "m", N_("ordinate of the pivot of the rocker"), "mm")
+    way_A = Q("k_A", "m", N_("distance between both places of the pin of the crank"), "mm")
+    way_B = Q("k_B", "m", N_("distance between both places of the pin of the rocker"), "mm")
+    off_A = Q("h_A", "m", N_("distance of the crank's pivot to the left of the way of its pin"), "mm")
+    off_B = Q("h_B", "m", N_("distance of the rocker's pivot to the left of the way of its pin"), "mm")
+    turn_A = Q("beta_A", "rad", N_("angle by which the crank turns between the positions"), "deg")
+    turn_B = Q("beta_B", "rad", N_("angle by which the rocker turns between the positions"), "deg")
     radius = Q("R", "m", N_("radius of the arc: length of the rod"), "mm")
     guide_angle = Q("alpha", "rad", N_("direction from the middle point of the arc to its centre"), "deg")
 

@@ -79,7 +79,7 @@ class SynthesisView(ChapterView):
     @property
     def free(self) -> str:
         """What was left free, and is chosen."""
-        for key in ("ratio", "crank", "frame"):
+        for key in ("off_B", "ratio", "crank", "frame"):
             left = key in self.s and getattr(self.asked, key, None) is None
             if self.has("family") and left and not self.s.has_formula(key):
                 return key
@@ -113,6 +113,14 @@ class SynthesisView(ChapterView):
 
     def poses(self, caption: Any) -> Table:
         return self.numeric(caption, "poses")
+
+    @property
+    def two(self) -> bool:
+        """Whether a body is led from one position to another."""
+        return bool(self.found.design.solutions)
+
+    def solutions(self, caption: Any) -> Table:
+        return self.numeric(caption, "solutions")
 
     def arc(self, caption: Any) -> Table:
         return self.numeric(caption, "arc")

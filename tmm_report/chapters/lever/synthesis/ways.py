@@ -9,6 +9,7 @@ from tmm_report.quantity.ways import AXIS, NAME, STATED, Known, Way
 SMALLER = N_(
     "The smaller of the angle with the crank inwards and of what that outwards lacks to half a turn."
 )
+WAY = N_("The least of the angles at the ends of the crank's way and where the crank lies along the frame on it.")
 TURNED = N_("The place of the point of the body, turned and moved with it.")
 FREE = N_(
     "Stated; or free: chosen for the least pressure angle or the best transmission angle, by a grid over the family "
@@ -26,10 +27,10 @@ ROUNDED = N_("The length as it is found; rounded to the stated step.")
 PLACED = N_("By the distances along and across the middle position of the rocker, and its direction.")
 
 
-def _pin(q: Known, pin: str) -> tuple[Var, Var]:
-    """Place of a pin in the first position of a body."""
+def _pin(q: Known, pin: str, row: int = 0) -> tuple[Var, Var]:
+    """Place of a pin in a position of a body, the first if no other is named."""
     table = q.book.tables["synthesis_poses"]
-    return table.var(f"x_{pin}", 0), table.var(f"y_{pin}", 0)
+    return table.var(f"x_{pin}", row), table.var(f"y_{pin}", row)
 
 
 def _pivot(q: Known, link: str) -> tuple[Var, Var]:
@@ -56,6 +57,11 @@ WAYS = (
     Way("synthesis_arc.*", TRACED, of="phi synthesis_point_x synthesis_point_y"),
     Way("synthesis_poses.x synthesis_poses.y synthesis_poses.angle", STATED),
     Way("synthesis_poses.*", TURNED, of="x y angle"),
+    Way("synthesis_way_A", by=lambda q: _apart(_pin(q, "A"), _pin(q, "A", 1))),
+    Way("synthesis_way_B", by=lambda q: _apart(_pin(q, "B"), _pin(q, "B", 1))),
+    Way("synthesis_off_B", FREE, of="synthesis_way_B synthesis_off_A"),
+    Way("synthesis_solutions.transmission", WAY, of="off_A off_B frame"),
+    Way("synthesis_solutions.*", FREE, of="synthesis_way_A synthesis_way_B synthesis_crank"),
     Way("synthesis_crank_pivot_* synthesis_rocker_pivot_*", CIRCLE, of="synthesis_crank synthesis_rocker"),
     Way("synthesis_family.*", FAMILY, of="synthesis_theta synthesis_stroke synthesis_rocker"),
     Way("synthesis_course.x", AXIS),
