@@ -92,7 +92,7 @@ FAULTS = (
           "return -np.cos((2 * np.arange(1, 4) - 1) * np.pi / 6)", "return np.array([-0.7, 0.0, 0.7])", FUNCTION,
           (*TOLD, *LOADED)),
     Fault("the error of a function in its points alone", SYNTHESIS + "points_steps.py",
-          "s.error = -synthesis.least(lambda x: -np.abs(", "s.error = synthesis.least(lambda x: np.abs(", FUNCTION,
+          "return -synthesis.least(lambda x: -np.abs(", "return synthesis.least(lambda x: np.abs(", FUNCTION,
           (*TOLD, *LOADED)),
     Fault("the frame by the rocker for that by the crank", SYNTHESIS + "points_steps.py",
           "s.crank = s.frame / s.k2", "s.crank = s.frame / s.k3", FUNCTION, TOLD),

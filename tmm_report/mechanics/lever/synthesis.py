@@ -47,8 +47,9 @@ def slider_cranks(stroke: float, theta: float, ratio: Array) -> SliderCranks:
 
 
 def most_ratio(theta: float) -> float:
-    """Of rod to crank: beyond it the foot of the triangle's height, e from the crank's pivot, lies within the stroke, and
-    the slider would be in another assembly at its near end: 4 a b < H². Inf where both strokes last equally long."""
+    """Of rod to crank: beyond it the foot of the triangle's height, e from the crank's pivot, lies within the stroke,
+    and the slider would be in another assembly at its near end: 4 a b < H². Inf where both strokes last equally long.
+    """
     return float(1 / np.tan(theta / 2) ** 2) if theta else np.inf
 
 
@@ -117,6 +118,54 @@ def in_step(swing: float, c: float, a: float, d: Array) -> CrankRockers:
     return CrankRockers(a, -u, c, d, u, np.zeros_like(u))
 
 
+# ---------------------------------------------------------------- what a linkage of given lengths does
+
+
+@dataclass(frozen=True, eq=False)
+class Does:
+    """`travel`: stroke, m, or swing, rad; `K`: time of the slower stroke by that of the faster; `angle`: greatest
+    pressure angle, or least transmission angle, rad. nan where the crank does not turn round."""
+
+    travel: float
+    K: float
+    angle: float
+
+
+def _time_ratio(theta: float) -> float:
+    return float((np.pi + theta) / (np.pi - theta))
+
+
+def slider_crank_does(a: float, b: float, e: float) -> Does:
+    with np.errstate(invalid="ignore", divide="ignore"):
+        far, near = np.sqrt((b + a) ** 2 - e**2), np.sqrt((b - a) ** 2 - e**2)
+        theta = np.arctan2(abs(e), near) - np.arctan2(abs(e), far)
+        return Does(float(far - near), _time_ratio(theta), float(np.arcsin((a + abs(e)) / b)))
+
+
+def crank_rocker_does(a: float, b: float, c: float, d: float) -> Does:
+    if a >= min(b, c, d):
+        return Does(np.nan, np.nan, np.nan)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        rocker = [np.arccos((d**2 + c**2 - side**2) / (2 * d * c)) for side in (b + a, b - a)]
+        line = [np.arccos((d**2 + side**2 - c**2) / (2 * d * side)) for side in (b + a, b - a)]
+        inner, outer = (np.arccos((b**2 + c**2 - side**2) / (2 * b * c)) for side in (abs(d - a), d + a))
+        least = float(np.minimum(inner, np.pi - outer))
+        return Does(float(rocker[0] - rocker[1]), _time_ratio(abs(line[0] - line[1])), least)
+
+
+def slotted_link_does(a: float, d: float, length: float, line: float, b: float) -> Does:
+    """`length` of the slotted link, its end moves a rod; the slide line stands `line` from the link's pivot."""
+    with np.errstate(invalid="ignore", divide="ignore"):
+        half = np.arcsin(a / d)
+        off = max(abs(line - length), abs(line - length * np.cos(half)))
+        return Does(float(2 * length * np.sin(half)), _time_ratio(2 * half), float(np.arcsin(off / b)))
+
+
+def turning_guide_does(a: float, d: float, arm: float, b: float) -> Does:
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return Does(2 * arm, float(np.pi / np.arccos(d / a) - 1), float(np.arcsin(arm / b)))
+
+
 # ---------------------------------------------------------------- a function by three pairs
 
 FUNCTIONS: dict[str, Callable[[Array], Array]] = {
@@ -180,7 +229,6 @@ class FourBar:
         end = self.d + self.c * self.rocker(phi)
         rod, rocker = end - self.a * np.exp(1j * np.asarray(phi)), end - self.d
         return np.arcsin(np.minimum(np.abs(np.imag(np.conj(rod) * rocker)) / abs(self.b * self.c), 1.0))
-
 
     def order(self, phi: Array) -> tuple[int, ...] | None:
         """In which order the crank, turning one way, comes to these angles without leaving a closed linkage; of a crank

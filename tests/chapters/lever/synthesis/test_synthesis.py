@@ -165,6 +165,60 @@ def test_rounded_lengths_go_to_the_mechanism_and_their_effect_is_told():
     assert s.number("stroke_met") == pytest.approx(stroke, rel=1e-9) != s.number("stroke")
 
 
+ROUNDED = {
+    "slider_crank": "stroke: 123.4 mm, K: 1.2, ratio: 3",
+    "crank_rocker": "K: 1.1, swing: 40 deg, rocker: 303 mm, middle: 90 deg",
+    "slotted_link": "stroke: 403 mm, K: 1.55, frame: 421 mm, rod_ratio: 0.25",
+    "turning_guide": "stroke: 303 mm, K: 1.8, crank: 152 mm, pressure_angle: 14 deg",
+}
+
+
+@pytest.mark.parametrize("kind", ROUNDED)
+def test_what_rounding_does_is_what_the_analysed_motion_has(kind):
+    asked = f"synthesis: {{{kind}: {{{ROUNDED[kind]}}}, round: 4 mm}}"
+    found = course.solve(course.loads(f"language: en\n{asked}\n{MECHANISMS[kind].format(side='left')}"))
+    s = found.synthesis.s
+    keys = {"swing", "transmission"} if kind == "crank_rocker" else {"stroke", "pressure"}
+    for key in ("K", *keys):
+        assert s.number(f"{key}_taken") == pytest.approx(s.number(f"{key}_met"), rel=1e-8), key
+        assert key == "stroke" or s.number(f"{key}_taken") != pytest.approx(s.number(key), rel=1e-5), key
+
+
+def test_what_rounding_leaves_open_is_told():
+    s = synthesised("body: {positions: [[0, 0, 0], [60 mm, 25 mm, 20 deg], [110 mm, 20 mm, 45 deg]], "
+                    "points: [[0, 0], [80 mm, 20 mm]]}, round: 5 mm")  # fmt: skip
+    taken, number = s.design.taken, s.s.number
+    gaps = []
+    for x, y, turned in ((0, 0, 0), (0.06, 0.025, math.radians(20)), (0.11, 0.02, math.radians(45))):
+        for key, point in (("crank", 0j), ("rocker", 0.08 + 0.02j)):
+            pivot = complex(taken(f"{key}_pivot_x"), taken(f"{key}_pivot_y"))
+            gaps.append(abs(abs(complex(x, y) + np.exp(1j * turned) * point - pivot) - taken(key)))
+    assert number("misfit") == pytest.approx(max(gaps), rel=1e-9) and 0 < max(gaps) < 0.01
+
+
+def test_of_two_cranks_of_one_offset_the_better_is_taken():
+    """Near the limit two cranks have the stroke: the one that is longer has the smaller pressure angle."""
+    s = synthesised("slider_crank: {stroke: 207 mm, ratio: 1.6, offset: 50 mm}").s
+    assert s.number("crank") > 0.0856  # the other one is between 83.4 and 85.5 mm
+    a, b = s.number("crank"), s.number("rod")
+    assert math.sqrt((b + a) ** 2 - 0.05**2) - math.sqrt((b - a) ** 2 - 0.05**2) == pytest.approx(0.207)
+
+
+def test_all_crank_rockers_of_a_demand_are_told():
+    """Both sides of the chord, and every root of a stated distance of the pivots; the one that is taken first."""
+    found = synthesised("crank_rocker: {K: 1.1, swing: 40 deg, rocker: 300 mm}")
+    (table,) = [one for one in tables(found) if one.name == "synthesis_solutions"]
+    other = synthesised("crank_rocker: {K: 1.1, swing: 40 deg, rocker: 300 mm, beyond: true}").s
+    for row, s in enumerate((found.s, other)):
+        for key in ("crank", "rod", "frame", "transmission"):
+            assert table[key].values[row] == pytest.approx(s.number(key), rel=1e-9)
+    again = synthesised(
+        f"crank_rocker: {{K: 1.1, swing: 40 deg, rocker: 300 mm, frame: {found.s.number('frame')}}}"
+    )
+    (table,) = [one for one in tables(again) if one.name == "synthesis_solutions"]
+    assert table["frame"].values == pytest.approx([found.s.number("frame")] * len(table["frame"].values))
+
+
 def test_a_function_is_met_in_its_points_and_nowhere_worse_than_told():
     found = synthesised("function: {y: log10 x, x: [1, 2], crank_from: 315 deg, crank_turn: 60 deg, "
                         "rocker_from: 180 deg, rocker_turn: -90 deg, frame: 400 mm}")  # fmt: skip
@@ -253,7 +307,11 @@ TOLD = {
     "{body: {positions: [[0, 0, 0], [1, 0, 1], [2, 1, 0]], points: [[0, 0], [0, 0]]}}": (
         "synthesis.body.points", "at one place"),
     "{body: {positions: [[0, 0, 0]], points: [[0, 0], [0, 1]]}}": ("synthesis.body.positions", "2 expected, 1 found"),
-    "{body: {positions: [[0, 0, 0], [1, 0, 1]], points: [[0, 0], [0, 1]]}}": ("synthesis.body", "the crank must be stated"),
+    "{body: {positions: [[0, 0, 0], [1, 0, 1]], points: [[0, 0], [0, 1]]}}": (
+        "synthesis.body", "the crank must be stated"),
+    "{slider_crank: {stroke: 120 mm, ratio: 4}, round: 300 mm}": ("synthesis.round", "at most 60 mm"),
+    "{crank_rocker: {K: 1.1, swing: 40 deg, rocker: 300 mm, crank: 102 mm}, round: 140 mm}": (
+        "synthesis.round", "no longer goes through its motion"),
     "{body: {positions: [[0, 0, 0], [1, 0, 1]], points: [[0, 0], [0, 1]], crank: 0.4}}": (
         "synthesis.body.crank", "at least 500 mm"),
     "{body: {positions: [[0, 0, 0], [0, 0, 1]], points: [[0, 0], [0, 1]], crank: 0.4}}": (

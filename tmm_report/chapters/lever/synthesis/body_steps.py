@@ -16,7 +16,9 @@ from tmm_report.quantity.formula import sqrt
 from tmm_report.quantity.functions import arcsin
 from tmm_report.quantity.model import Table
 
-MOST_OFF = 4.0  # coupler and ways of the pins together: the farthest from its pin's way that a free pivot is tried
+MOST_OFF = (
+    4.0  # coupler and ways of the pins together: the farthest from its pin's way that a free pivot is tried
+)
 OTHERS = N_("another point of the body, or other positions")
 SIDES = {"left": (1.0,), "right": (-1.0,), None: (1.0, -1.0)}
 
@@ -129,9 +131,13 @@ def _between_two(
         solutions += [(side * off, *one) for one in _rockers(asked, pins, side * off)]
     if not solutions:
         right = Message(
-            N_("another length of the crank, another side of a pivot, another point of the body, or other positions")
+            N_(
+                "another length of the crank, another side of a pivot, another point of the body, or other positions"
+            )
         )
-        wrong = N_("no such linkage leads the body from one position to the other: it would have to be assembled anew")
+        wrong = N_(
+            "no such linkage leads the body from one position to the other: it would have to be assembled anew"
+        )
         raise refused(wrong, "body", right=right)
     solutions.sort(key=lambda one: -one[-1])
     best = solutions[0]

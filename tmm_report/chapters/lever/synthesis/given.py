@@ -184,7 +184,8 @@ class Body:
     ]
     crank: Annotated[Positive | None, Field(description="of two positions: its length")] = None
     rocker: Annotated[
-        Positive | None, Field(description="of two positions; left out, chosen for the best transmission angle")
+        Positive | None,
+        Field(description="of two positions; left out, chosen for the best transmission angle"),
     ] = None
     crank_pivot: Annotated[
         Literal["left", "right"] | None,

@@ -99,6 +99,11 @@ def differences(asked: Generator, bar: synthesis.FourBar, x: np.ndarray) -> np.n
     return np.angle(bar.rocker(phi) * np.exp(-1j * psi))
 
 
+def greatest_error(asked: Generator, bar: synthesis.FourBar) -> float:
+    """Over the range, rad."""
+    return -synthesis.least(lambda x: -np.abs(differences(asked, bar, x)), *asked.x)[1]
+
+
 def _judged(s: Values, asked: Generator, bar: synthesis.FourBar) -> None:
     low, high = asked.x
     grid = np.linspace(low, high, 721)
@@ -107,7 +112,7 @@ def _judged(s: Values, asked: Generator, bar: synthesis.FourBar) -> None:
             N_("the linkage cannot be assembled all over the range"), "function",
             right=Message(N_("a smaller turn of the crank, or other angles")),
         )  # fmt: skip
-    s.error = -synthesis.least(lambda x: -np.abs(differences(asked, bar, x)), low, high)[1]
+    s.error = greatest_error(asked, bar)
     s.transmission = synthesis.least(lambda x: bar.transmission(angles(asked, x)[0]), low, high)[1]
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -20,6 +20,7 @@ from tmm_report.quantity.tabulated import tabulated
 POINTS = 91  # of a chart of a family or of a function
 FAMILY = Message(N_("linkages that meet the demand"))
 SOLUTIONS = Message(N_("linkages that lead the body from one position to the other, the best first"))
+ROCKERS = Message(N_("crank-rockers that meet the demand, the one that is taken the first"))
 COURSE = Message(N_("what the linkage makes of the function"))
 PSI_WANTED = Quantity(
     "psi_wanted", Symbol("psi", NP_("index", "want")), "rad", Message(N_("wanted angle of the rocker")), "deg"
@@ -40,8 +41,12 @@ def tables(found: Found) -> Iterator[Table]:
     match found.given.asked:
         case SliderCrank() as asked if asked.K > 1 and asked.offset is None and asked.ratio is None:
             yield _slider_cranks(found)
-        case CrankRocker() as asked if asked.crank is None and asked.rod is None:
-            yield _crank_rockers(found, asked)
+        case CrankRocker() as asked:
+            if asked.crank is None and asked.rod is None:
+                yield _crank_rockers(found, asked)
+            if found.s.number("theta"):
+                keys = ("crank", "rod", "frame", "transmission")
+                yield _solved(ROCKERS, keys, rocker_steps.solutions(found.s, asked))
         case Generator() as asked:
             yield _course(found, asked)
         case Body() as asked if design.solutions:
@@ -111,8 +116,12 @@ def _led(found: Found, asked: Body) -> Table:
 def _solutions(found: Found) -> Table:
     """Of each side on which the pivots may stand, the best first."""
     keys = ("off_A", "off_B", "frame", "transmission")
-    columns = zip(keys, zip(*found.design.solutions, strict=True), strict=True)
-    return Table("synthesis_solutions", SOLUTIONS, [Values.DECLARED[key].column(np.array(of)) for key, of in columns])
+    return _solved(SOLUTIONS, keys, np.array(found.design.solutions).T)
+
+
+def _solved(caption: Message, keys: Sequence[str], columns: np.ndarray) -> Table:
+    named = (Values.DECLARED[key].column(of) for key, of in zip(keys, columns, strict=True))
+    return Table("synthesis_solutions", caption, tuple(named))
 
 
 def _family(columns: dict[str, np.ndarray]) -> Table:

@@ -89,7 +89,7 @@ def _by_ratios(s: Values, asked: SliderCrank) -> None:
                 N_("no crank with this offset gives the stroke: the rod is shorter than crank and offset"),
                 "slider_crank", "offset", right=Message(N_("a greater ratio, or a smaller offset")),
             )  # fmt: skip
-        s.crank = float(found[0])
+        s.crank = float(found[-1])  # of two the longer one: its pressure angle is the smaller
         s.rod = s.ratio * s.crank
     else:
         s.offset = 0.0
@@ -108,7 +108,7 @@ def _by_time_ratio(s: Values, asked: SliderCrank) -> None:
     half = s.theta / 2
     if theta >= math.pi / 2:
         raise refused(
-            N_("no slider-crank has such a time ratio: it would have to be assembled anew between its extreme positions"),
+            N_("no slider-crank has such a time ratio: it would be assembled anew between its extreme positions"),
             "slider_crank", "K", right=Message(N_("less than 3")),
         )  # fmt: skip
     if asked.offset is not None:

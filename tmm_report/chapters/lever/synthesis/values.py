@@ -50,6 +50,19 @@ class Values(Sheet, prefix="synthesis"):
     stroke_met = Q("H_met", "m", N_("stroke of the analysed mechanism"), "mm")
     swing_met = Q("psi_met", "rad", N_("swing of the rocker of the analysed mechanism"), "deg")
     K_met = Q("K_met", "", N_("time ratio of the analysed mechanism"))
+    pressure_met = Q("gamma_met", "rad", N_("greatest pressure angle of the analysed mechanism"), "deg")
+    transmission_met = Q("mu_met", "rad", N_("least transmission angle of the analysed mechanism"), "deg")
+    stroke_taken = Q("H_r", "m", N_("stroke with the rounded lengths"), "mm")
+    swing_taken = Q("psi_r", "rad", N_("swing of the rocker with the rounded lengths"), "deg")
+    K_taken = Q("K_r", "", N_("time ratio with the rounded lengths"))
+    pressure_taken = Q("gamma_r", "rad", N_("greatest pressure angle with the rounded lengths"), "deg")
+    transmission_taken = Q("mu_r", "rad", N_("least transmission angle with the rounded lengths"), "deg")
+    error_taken = Q(
+        "Delta_r", "rad", N_("greatest difference from the function with the rounded lengths"), "deg"
+    )
+    misfit = Q(
+        "delta_r", "m", N_("greatest gap between links of the rounded lengths in the stated positions"), "mm"
+    )
     low = Q("x_0", "", N_("the variable at the beginning of its range"))
     high = Q("x_f", "", N_("the variable at the end of its range"))
     crank_from = Q("phi_0", "rad", N_("angle of the crank at the beginning of the range"), "deg")

@@ -9,7 +9,9 @@ from tmm_report.quantity.ways import AXIS, NAME, STATED, Known, Way
 SMALLER = N_(
     "The smaller of the angle with the crank inwards and of what that outwards lacks to half a turn."
 )
-WAY = N_("The least of the angles at the ends of the crank's way and where the crank lies along the frame on it.")
+WAY = N_(
+    "The least of the angles at the ends of the crank's way and where the crank lies along the frame on it."
+)
 TURNED = N_("The place of the point of the body, turned and moved with it.")
 FREE = N_(
     "Stated; or free: chosen for the least pressure angle or the best transmission angle, by a grid over the family "
@@ -22,6 +24,7 @@ GREATEST = N_("The greatest over the range, by a grid and ever finer ones.")
 LEAST = N_("The least over the range, by a grid and ever finer ones.")
 TRACED = N_("The place of the point of the coupler, by the positions of the four-bar linkage.")
 CIRCLE = N_("The circle through the three places of the point.")
+TAKEN = N_("Of the rounded lengths: the extreme positions, or the stated ones, worked out with them.")
 MET = N_("Of the analysed mechanism: between its exact extreme positions.")
 ROUNDED = N_("The length as it is found; rounded to the stated step.")
 PLACED = N_("By the distances along and across the middle position of the rocker, and its direction.")
@@ -61,7 +64,10 @@ WAYS = (
     Way("synthesis_way_B", by=lambda q: _apart(_pin(q, "B"), _pin(q, "B", 1))),
     Way("synthesis_off_B", FREE, of="synthesis_way_B synthesis_off_A"),
     Way("synthesis_solutions.transmission", WAY, of="off_A off_B frame"),
-    Way("synthesis_solutions.*", FREE, of="synthesis_way_A synthesis_way_B synthesis_crank"),
+    Way("synthesis_solutions.transmission", SMALLER, of="crank rod frame synthesis_rocker"),
+    Way("synthesis_solutions.off_*", FREE, of="synthesis_way_A synthesis_way_B synthesis_crank"),
+    Way("synthesis_solutions.crank", FREE, of="synthesis_theta synthesis_half_chord synthesis_rocker"),
+    Way("synthesis_solutions.*", FAMILY, of="synthesis_theta synthesis_rocker crank off_A off_B"),
     Way("synthesis_crank_pivot_* synthesis_rocker_pivot_*", CIRCLE, of="synthesis_crank synthesis_rocker"),
     Way("synthesis_family.*", FAMILY, of="synthesis_theta synthesis_stroke synthesis_rocker"),
     Way("synthesis_course.x", AXIS),
@@ -82,6 +88,8 @@ WAYS = (
     Way(
         "synthesis_stroke_met synthesis_swing_met synthesis_K_met", MET, of="synthesis_stroke synthesis_swing"
     ),
+    Way("synthesis_pressure_met synthesis_transmission_met", LEAST, of="synthesis_stroke synthesis_swing"),
+    Way("synthesis_*_taken synthesis_misfit", TAKEN, of="synthesis_crank synthesis_rod synthesis_frame"),
     Way("synthesis_frame_x synthesis_frame_y", PLACED, of="synthesis_along synthesis_away synthesis_rise"),
     Way("synthesis_ratio", FREE, of="synthesis_theta synthesis_stroke"),
     Way("synthesis_crank", FREE, of="synthesis_theta synthesis_half_chord"),

@@ -178,7 +178,11 @@ def _body(found: Design, asked: Body) -> Picture:
     chains = tuple(
         ((crank, complex(pin), complex(end), rocker),) for pin, end in zip(pins, ends, strict=True)
     )
-    named = [(f"{name}{k + 1}", complex(at[k])) for k in range(len(pins)) for name, at in (("A", pins), ("B", ends))]
+    named = [
+        (f"{name}{k + 1}", complex(at[k]))
+        for k in range(len(pins))
+        for name, at in (("A", pins), ("B", ends))
+    ]
     arcs = [
         (centre, radius, *_reach(at - centre))
         for centre, radius, at in ((crank, s.number("crank"), pins), (rocker, s.number("rocker"), ends))
@@ -188,6 +192,8 @@ def _body(found: Design, asked: Body) -> Picture:
 
 def _reach(arms: np.ndarray) -> tuple[float, float]:
     """Ends of an arc a little beyond its points, rad."""
-    middle = np.angle(arms[1]) if len(arms) == 3 else np.angle(arms.sum() if abs(arms.sum()) else 1j * arms[0])
+    middle = (
+        np.angle(arms[1]) if len(arms) == 3 else np.angle(arms.sum() if abs(arms.sum()) else 1j * arms[0])
+    )
     off = np.angle(arms * np.exp(-1j * middle))
     return float(middle + 1.6 * off.min()), float(middle + 1.6 * off.max())
