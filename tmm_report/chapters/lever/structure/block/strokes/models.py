@@ -26,6 +26,7 @@ from tmm_report.variant.values import Length, Number, Period, Positive, Speed, T
 
 Along = Annotated[float, quantity("acceleration")]
 KINDS = ("acceleration", "accelerations", "harmonic", "polynomial", "lengths", "phases")
+MOVES = N_("from and to that differ, or a speed or an acceleration")
 LEAST = 1e-9  # m/s and m/s²: what is less does not move
 WANTS = {"polynomial": ("time",), "phases": ("time", "rise")}
 OF = {
@@ -115,7 +116,7 @@ class StrokeModel(Model):
                 Message(text), Message(N_("for example, {from: 1.10 m, speed: 0.15 m/s, time: 3 s}"))
             )
         if not build(self).fastest >= LEAST:
-            raise WrongValue(Message(N_("by this law nothing moves")))
+            raise WrongValue(Message(N_("by this law nothing moves")), Message(MOVES))
         return self
 
 
@@ -162,7 +163,7 @@ def _uniform(model: StrokeModel, start: float) -> MotionLaw:
         speed = math.copysign(speed, model.to - start)
         time = (model.to - start) / speed
         if not time > 0:
-            raise WrongValue(Message(N_("by this law nothing moves")))
+            raise WrongValue(Message(N_("by this law nothing moves")), Message(MOVES))
     return Polynomial((start, speed), float(time or 0.0))
 
 
