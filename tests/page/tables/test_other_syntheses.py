@@ -88,6 +88,14 @@ def test_curves_are_the_columns(name):
     assert seen == set(table) - {"crank", "x", "off_B"}
 
 
+def test_the_effect_of_rounding_goes_from_what_was_asked_to_what_is_taken():
+    note, _ = made("crank-rocker, rounded")
+    (told,) = [one for one in note.root.iter("p") if "becomes" in text_of(one)]
+    marks = [one.get("data-q") for one in told.iter() if one.get("data-q")]
+    assert marks[0::2] == ["synthesis_swing", "synthesis_K", "synthesis_transmission"]
+    assert marks[1::2] == [f"{key}_taken" for key in marks[0::2]]
+
+
 def _same(curve, table, key, of):
     """Whether a curve goes through the points of a column over the first one."""
     x = table[next(iter(table))]
