@@ -43,7 +43,7 @@ EXPLAINED = ("tests/commands/test_explain_all.py",)
 DRIVEN, LIFTED = "slider_drives", "boom_by_cylinder"
 PUSHED = ("tests/mechanics/lever/driving", "tests/chapters/lever/test_strokes.py", "tests/statements")
 WHEELS = ("tests/mechanics/lever/test_wheels.py",)
-TOLD = ("tests/chapters/lever/synthesis",)
+TOLD = tuple(f"tests/chapters/lever/synthesis/test_synthesis{part}.py" for part in ("", "_twice"))
 OTHERS = ("tests/page/tables/test_other_syntheses.py",)
 FIND = "tmm_report/chapters/find/"
 BACKWARDS = ("tests/chapters/find", "tests/mechanics/calculus/test_seek.py")
@@ -130,6 +130,8 @@ FAULTS = (
           "s.misfit = max(\n", "s.misfit = min(\n", SHAPER, TOLD),
     Fault("the other solution on the same side", SYNTHESIS + "rocker_steps.py",
           "for beyond in (asked.beyond, not asked.beyond)", "for beyond in (asked.beyond, asked.beyond)", SHAPER, TOLD),
+    Fault("the pressure angle of another crank of the offset", SYNTHESIS + "quantities.py",
+          "np.arcsin((cranks + e) / rods)", "np.arcsin((cranks - e) / rods)", SHAPER, TOLD),
     Fault("the worse of two cranks of one offset", SYNTHESIS + "steps.py",
           "s.crank = float(found[-1])", "s.crank = float(found[0])", SHAPER, TOLD),
     Fault("the analysed angle at one position", SYNTHESIS + "solve.py",

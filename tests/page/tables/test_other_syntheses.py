@@ -38,6 +38,7 @@ TEXTS = {
     "crank: 70 mm}",
     "two positions, a stated rocker": "body: {positions: [[0, 0, 0], [90 mm, 40 mm, 50 deg]], "
     "points: [[0, 0], [80 mm, 20 mm]], crank: 70 mm, rocker: 120 mm}, round: 5 mm",
+    "slider-crank of two cranks": "slider_crank: {stroke: 207 mm, ratio: 1.6, offset: 50 mm}",
     "crank-rocker, rounded": "crank_rocker: {K: 1.1, swing: 40 deg, rocker: 303 mm}, round: 5 mm",
     "function, rounded": "function: {y: x^1.5, x: [1, 4], crank_from: 30 deg, crank_turn: 90 deg, rocker_from: 60 deg, "
     "rocker_turn: 90 deg, frame: 100 mm}, round: 1 mm",

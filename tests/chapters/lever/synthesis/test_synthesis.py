@@ -200,6 +200,13 @@ def test_of_two_cranks_of_one_offset_the_better_is_taken():
     """Near the limit two cranks have the stroke: the one that is longer has the smaller pressure angle."""
     s = synthesised("slider_crank: {stroke: 207 mm, ratio: 1.6, offset: 50 mm}").s
     assert s.number("crank") > 0.0856  # the other one is between 83.4 and 85.5 mm
+    found = synthesised("slider_crank: {stroke: 207 mm, ratio: 1.6, offset: 50 mm}")
+    (table,) = [one for one in tables(found) if one.name == "synthesis_solutions"]
+    for row, (a, b, sine) in enumerate(
+        zip(table["crank"].values, table["rod"].values, np.sin(table["pressure"].values), strict=True)
+    ):
+        assert (a == s.number("crank")) == (row == 0) and sine == pytest.approx((a + 0.05) / b)
+        assert math.sqrt((b + a) ** 2 - 0.05**2) - math.sqrt((b - a) ** 2 - 0.05**2) == pytest.approx(0.207)
     a, b = s.number("crank"), s.number("rod")
     assert math.sqrt((b + a) ** 2 - 0.05**2) - math.sqrt((b - a) ** 2 - 0.05**2) == pytest.approx(0.207)
 
@@ -333,6 +340,8 @@ TOLD = {
         "synthesis.slotted_link.rod", "turns back before the slotted link does; a rod longer than"),
     "{dwell: {crank: 50 mm, coupler: 125 mm, rocker: 125 mm, frame: 100 mm, point: [125 mm, 125 mm], "
     "angles: [140 deg, 220 deg, 180 deg]}}": ("synthesis.dwell.angles", "in another order"),
+    "{dwell: {crank: 50 mm, coupler: 125 mm, rocker: 125 mm, frame: 100 mm, point: [-150 mm, 75 mm], "
+    "angles: [30 deg, 90 deg, 150 deg]}}": ("synthesis.dwell.angles", "stand across the slide line"),
     "{function: {y: ln x, x: [2, 1], crank_from: 0, crank_turn: 1, rocker_from: 1, rocker_turn: 1, frame: 1 m}}": (
         "synthesis.function.x", "goes upwards"),
     "{function: {y: x^-3, x: [-1, 2], crank_from: 1, crank_turn: 1, rocker_from: 1, rocker_turn: 1, frame: 1 m}}": (

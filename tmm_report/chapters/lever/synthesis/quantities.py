@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from tmm_report.chapters.lever.synthesis import body_steps, points_steps, rocker_steps
+from tmm_report.chapters.lever.synthesis import body_steps, points_steps, rocker_steps, steps
 from tmm_report.chapters.lever.synthesis.given import Body, CrankRocker, Generator, SliderCrank
 from tmm_report.chapters.lever.synthesis.solve import Found
 from tmm_report.chapters.lever.synthesis.values import Values
@@ -20,6 +20,7 @@ from tmm_report.quantity.tabulated import tabulated
 POINTS = 91  # of a chart of a family or of a function
 FAMILY = Message(N_("linkages that meet the demand"))
 SOLUTIONS = Message(N_("linkages that lead the body from one position to the other, the best first"))
+SLIDERS = Message(N_("slider-cranks that meet the demand, the one that is taken the first"))
 ROCKERS = Message(N_("crank-rockers that meet the demand, the one that is taken the first"))
 COURSE = Message(N_("what the linkage makes of the function"))
 PSI_WANTED = Quantity(
@@ -41,6 +42,8 @@ def tables(found: Found) -> Iterator[Table]:
     match found.given.asked:
         case SliderCrank() as asked if asked.K > 1 and asked.offset is None and asked.ratio is None:
             yield _slider_cranks(found)
+        case SliderCrank() as asked if asked.K == 1 and asked.offset and asked.ratio is not None:
+            yield from _two_cranks(found, asked.ratio, asked.offset)
         case CrankRocker() as asked:
             if asked.crank is None and asked.rod is None:
                 yield _crank_rockers(found, asked)
@@ -117,6 +120,16 @@ def _solutions(found: Found) -> Table:
     """Of each side on which the pivots may stand, the best first."""
     keys = ("off_A", "off_B", "frame", "transmission")
     return _solved(SOLUTIONS, keys, np.array(found.design.solutions).T)
+
+
+def _two_cranks(found: Found, ratio: float, e: float) -> Iterator[Table]:
+    """Where two cranks have the stroke, both."""
+    cranks = steps.cranks_of(found.s.number("stroke"), ratio, e)[::-1]
+    if len(cranks) > 1:
+        rods = ratio * cranks
+        yield _solved(
+            SLIDERS, ("crank", "rod", "pressure"), np.array([cranks, rods, np.arcsin((cranks + e) / rods)])
+        )
 
 
 def _solved(caption: Message, keys: Sequence[str], columns: np.ndarray) -> Table:

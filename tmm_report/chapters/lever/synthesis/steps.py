@@ -74,16 +74,7 @@ def _by_ratios(s: Values, asked: SliderCrank) -> None:
         s.rod, s.offset = s.ratio * s.crank, s.offset_ratio * s.crank
     elif asked.offset:
         s.offset, s.ratio = asked.offset, asked.ratio
-        most = stroke / 2
-        ratio, e = s.number("ratio"), asked.offset
-
-        def miss(a: np.ndarray) -> np.ndarray:
-            with np.errstate(invalid="ignore"):
-                return (
-                    np.sqrt(((ratio + 1) * a) ** 2 - e**2) - np.sqrt(((ratio - 1) * a) ** 2 - e**2) - stroke
-                )
-
-        found = synthesis.roots(miss, e / (ratio - 1), most * (1 + SAME))
+        found = cranks_of(stroke, s.number("ratio"), asked.offset)
         if not found.size:
             raise refused(
                 N_("no crank with this offset gives the stroke: the rod is shorter than crank and offset"),
@@ -99,6 +90,17 @@ def _by_ratios(s: Values, asked: SliderCrank) -> None:
             s.rod = s.ratio * s.crank
         else:
             s.rod = s.crank / sin(s.permitted)
+
+
+def cranks_of(stroke: float, ratio: float, e: float) -> np.ndarray:
+    """Cranks of a ratio and an offset, m, ascending: near the shortest that turns round there are two."""
+
+    def miss(a: np.ndarray) -> np.ndarray:
+        with np.errstate(invalid="ignore"):
+            far, near = (np.sqrt(((ratio + sign) * a) ** 2 - e**2) for sign in (1, -1))
+            return np.asarray(far - near - stroke)
+
+    return np.asarray(synthesis.roots(miss, e / (ratio - 1), stroke / 2 * (1 + SAME)))
 
 
 def _by_time_ratio(s: Values, asked: SliderCrank) -> None:

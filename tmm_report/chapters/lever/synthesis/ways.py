@@ -12,6 +12,7 @@ SMALLER = N_(
 WAY = N_(
     "The least of the angles at the ends of the crank's way and where the crank lies along the frame on it."
 )
+PRESSURE = N_("Where the crank stands across the slide line, on its far side.")
 TURNED = N_("The place of the point of the body, turned and moved with it.")
 FREE = N_(
     "Stated; or free: chosen for the least pressure angle or the best transmission angle, by a grid over the family "
@@ -65,8 +66,13 @@ WAYS = (
     Way("synthesis_off_B", FREE, of="synthesis_way_B synthesis_off_A"),
     Way("synthesis_solutions.transmission", WAY, of="off_A off_B frame"),
     Way("synthesis_solutions.transmission", SMALLER, of="crank rod frame synthesis_rocker"),
+    Way("synthesis_solutions.pressure", PRESSURE, of="crank rod synthesis_offset"),
     Way("synthesis_solutions.off_*", FREE, of="synthesis_way_A synthesis_way_B synthesis_crank"),
-    Way("synthesis_solutions.crank", FREE, of="synthesis_theta synthesis_half_chord synthesis_rocker"),
+    Way(
+        "synthesis_solutions.crank",
+        FREE,
+        of="synthesis_theta synthesis_half_chord synthesis_rocker synthesis_stroke synthesis_ratio synthesis_offset",
+    ),
     Way("synthesis_solutions.*", FAMILY, of="synthesis_theta synthesis_rocker crank off_A off_B"),
     Way("synthesis_crank_pivot_* synthesis_rocker_pivot_*", CIRCLE, of="synthesis_crank synthesis_rocker"),
     Way("synthesis_family.*", FAMILY, of="synthesis_theta synthesis_stroke synthesis_rocker"),
@@ -78,6 +84,7 @@ WAYS = (
         of="synthesis_low synthesis_high synthesis_crank_from",
     ),
     Way("synthesis_error", GREATEST, of="synthesis_k1 synthesis_k2 synthesis_k3"),
+    Way("synthesis_transmission", WAY, of="synthesis_turn_A synthesis_off_A synthesis_off_B"),
     Way("synthesis_transmission", LEAST, of="synthesis_k1 synthesis_k2 synthesis_k3"),
     Way("synthesis_transmission", SMALLER, of="synthesis_mu_inner synthesis_mu_outer"),
     Way(

@@ -187,7 +187,18 @@ def _body(found: Design, asked: Body) -> Picture:
         (centre, radius, *_reach(at - centre))
         for centre, radius, at in ((crank, s.number("crank"), pins), (rocker, s.number("rocker"), ends))
     ]
-    return Picture(chains, (crank, rocker), (("O", crank), ("C", rocker), *named), arcs=tuple(arcs))
+    bisectors = [_bisector(pivot, at) for pivot, at in ((crank, pins), (rocker, ends)) if len(at) == 2]
+    names = (("O", crank), ("C", rocker), *named)
+    return Picture(chains, (crank, rocker), names, arcs=tuple(arcs), lines=tuple(bisectors))
+
+
+def _bisector(pivot: complex, at: np.ndarray) -> tuple[complex, complex]:
+    """From the way of a pin beyond the pivot that stands on it, a little longer on both sides."""
+    way = complex(at[1] - at[0])
+    middle, along = complex(at[0] + at[1]) / 2, 1j * way / abs(way) * 0.1 * abs(way)
+    if ((pivot - middle).conjugate() * along).real < 0:
+        along = -along
+    return middle - along, pivot + along
 
 
 def _reach(arms: np.ndarray) -> tuple[float, float]:
