@@ -12,10 +12,10 @@ from pydantic import BaseModel, ValidationError
 from tmm_report.problems import N_, Message, Problem, mistake, shown
 from tmm_report.quantity.typed.alike import difference, skeleton
 from tmm_report.quantity.units import WrongValue
-from tmm_report.variant.forms import fields_at, forms_at
+from tmm_report.variant.forms import fields_at, fields_of, forms_at
 from tmm_report.variant.leaves import leaves
 from tmm_report.variant.russian import english_key
-from tmm_report.variant.slips import elsewhere
+from tmm_report.variant.slips import elsewhere, synonyms, textbook
 from tmm_report.yamlread import Path
 
 _TEXTS = {
@@ -64,7 +64,8 @@ def _is_misspelt(error: Any, found: Sequence[Any]) -> bool:
     if isinstance(key, int):
         return any(isinstance(one["input"], str) and ";" in one["input"] for one in beside)
     unknown = [str(one["loc"][-1]) for one in beside if one["type"] == "extra_forbidden"]
-    return bool(difflib.get_close_matches(key, unknown, 1, CLOSE))
+    by_other_name = any(key in (english_key(one, [key]), synonyms.meant(one, [key])) for one in unknown)
+    return by_other_name or bool(difflib.get_close_matches(key, unknown, 1, CLOSE))
 
 
 def near(word: str, known: Sequence[str]) -> Message | None:
@@ -105,13 +106,14 @@ def _problem(
         return _not_a_word(error, path)
     right = Message(error["msg"]) if kind == "shape" else None
     if kind == "shape" and isinstance(error["input"], dict) and (named := error["input"].get("kind")):
-        return mistake(N_("kind: %(value)s is not offered"), path, right, value=shown(named))
+        near_by = textbook.nearest(str(named)) or right
+        return mistake(N_("kind: %(value)s is not offered"), path, near_by, value=shown(named))
     if kind in ("list_type", "tuple_type") and (listed := _as_list(error["input"])):
         return mistake(_TEXTS[kind], path, Message(N_("write %(text)s"), {"text": listed}))
     if kind == "list_type" and isinstance(error["input"], dict):
         return mistake(N_("a list is expected here"), path, Message(N_("begin each item with - and a space")))
     if kind in _TEXTS:
-        return mistake(_TEXTS[kind], path, right, **context)
+        return mistake(_TEXTS[kind], path, right or _example(path, roots), **context)
     return mistake(N_("the value does not fit: %(reason)s"), path, reason=shown(error["msg"], 120))
 
 
@@ -125,14 +127,22 @@ def _as_list(value: Any) -> str | None:
 
 def _missing(path: Path, roots: Roots) -> Problem:
     if isinstance(path[-1], int):
-        return mistake(N_("a value of the list is missing"), path[:-1])
-    examples = getattr(fields_at(path[:-1], roots()).get(path[-1]), "examples", None)
-    right = (
-        Message(N_("for example, %(example)s"), {"example": f"{path[-1]}: {examples[0]}"})
-        if examples
-        else None
-    )
-    return mistake(N_("the key %(key)s is missing"), path, right, key=path[-1])
+        return mistake(N_("a value of the list is missing"), path[:-1], _example(path[:-1], roots))
+    return mistake(N_("the key %(key)s is missing"), path, _example(path, roots), key=path[-1])
+
+
+def _example(path: Path, roots: Roots) -> Message | None:
+    """Of the key at a path, or of the list around it, where the format has one."""
+    while path and isinstance(path[-1], int):
+        path = path[:-1]
+    forms = forms_at(path[:-1], roots()) if path else []
+    fields = (dict(fields_of(form)).get(str(path[-1])) for form in forms)
+    examples = next((field.examples for field in fields if field is not None and field.examples), None)
+    if examples is None:
+        return None
+    first = examples[0]
+    shown_as = f"[{', '.join(map(str, first))}]" if isinstance(first, list) else first
+    return Message(N_("for example, %(example)s"), {"example": f"{path[-1]}: {shown_as}"})
 
 
 def _not_a_word(error: Any, path: Path) -> Problem:
@@ -142,6 +152,8 @@ def _not_a_word(error: Any, path: Path) -> Problem:
     right = Message(N_("one of: %(words)s"), {"words": ", ".join(words)})
     if alike := next((one for one in words if one != given and skeleton(one) == skeleton(quoted)), None):
         right = difference(quoted, alike)
+    elif (known_by_name := textbook.nearest(quoted)) is not None:
+        right = known_by_name
     return mistake(N_("%(value)s is not a word known here"), path, right, value=quoted)
 
 
@@ -163,14 +175,28 @@ def unknown(
 ) -> Message | None:
     """What would be right where a key is unknown. `own`: the keys that are known there."""
     key = str(path[-1])
+    if key == "kind" and (named := textbook.nearest(str(elsewhere.at(data, path)))) is not None:
+        return named
     if (refused := _not_offered(key, path, roots)) is not None:
         return refused
     if own is None:
         return near(key, sorted(fields_at(path[:-1], roots())))
     if (meant := english_key(key, own)) is not None:
         return Message(N_("keys are English words: %(key)s"), {"key": meant})
+    if (meant := synonyms.meant(key, own)) is not None:
+        return Message(N_("did you mean %(near)s?"), {"near": meant})
+    if (known_by_name := _textbook(key, own)) is not None:
+        return known_by_name
     alike = any(skeleton(one) == skeleton(key) for one in own)
     return (None if alike else elsewhere.right(path, data, own, roots(), stated)) or near(key, sorted(own))
+
+
+def _textbook(key: str, own: Collection[str]) -> Message | None:
+    """Of a thing that textbooks have and the program lacks; of a word that is only misspelt nothing."""
+    misspelt = difflib.get_close_matches(key, own, 1, CLOSE) or any(
+        skeleton(one) == skeleton(key) for one in own
+    )
+    return None if misspelt and not textbook.known(key) else textbook.nearest(key)
 
 
 def _not_offered(key: str, path: Path, roots: Roots) -> Message | None:
@@ -190,6 +216,8 @@ def unknown_block(key: str, data: Any, known: Sequence[str], roots: Roots) -> Me
     everywhere = {name for block in roots() for name in block.model_fields}
     if (meant := english_key(key, everywhere)) is not None:
         return Message(N_("keys are English words: %(key)s"), {"key": meant})
+    if (known_by_name := _textbook(key, known)) is not None:
+        return known_by_name
     close = difflib.get_close_matches(key, known, 1, CLOSE) or any(
         skeleton(one) == skeleton(key) for one in known
     )

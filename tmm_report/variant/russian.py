@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
+from tmm_report.variant.slips.russian_keys import MORE
+
 _TWINS: dict[str, str] = {
     "AC generator": "генератор переменного тока",
     "DC generator": "генератор постоянного тока",
@@ -189,6 +191,7 @@ _KEYS = {
     "moment": "момент",
     "name": "имя, название",
 }
+_KEYS |= dict(line.split(": ") for line in MORE.strip().splitlines())
 _KEY: dict[str, set[str]] = {}
 for _word, _twins in _KEYS.items():
     for _twin in _twins.split(", "):
@@ -220,6 +223,11 @@ def english_key(key: str, known: Collection[str]) -> str | None:
 def meant(key: str) -> bool:
     """Whether a Russian key stands for any of the format."""
     return not key.isascii() and _plain(key) in _KEY
+
+
+def keys() -> frozenset[str]:
+    """Those that have a Russian twin."""
+    return frozenset(_KEYS)
 
 
 def words() -> frozenset[str]:

@@ -34,11 +34,19 @@ TEXTS = {
     "rocker_turn: 50 deg, frame: 1 m, spacing: ends}",
     "body": "body: {positions: [[0, 0, 0], [60 mm, 25 mm, 20 deg], [110 mm, 20 mm, 45 deg]], "
     "points: [[0, 0], [80 mm, 20 mm]]}",
+    "two positions": "body: {positions: [[0, 0, 0], [90 mm, 40 mm, 50 deg]], points: [[0, 0], [80 mm, 20 mm]], "
+    "crank: 70 mm}",
+    "two positions, a stated rocker": "body: {positions: [[0, 0, 0], [90 mm, 40 mm, 50 deg]], "
+    "points: [[0, 0], [80 mm, 20 mm]], crank: 70 mm, rocker: 120 mm}, round: 5 mm",
+    "slider-crank of two cranks": "slider_crank: {stroke: 207 mm, ratio: 1.6, offset: 50 mm}",
+    "crank-rocker, rounded": "crank_rocker: {K: 1.1, swing: 40 deg, rocker: 303 mm}, round: 5 mm",
+    "function, rounded": "function: {y: x^1.5, x: [1, 4], crank_from: 30 deg, crank_turn: 90 deg, rocker_from: 60 deg, "
+    "rocker_turn: 90 deg, frame: 100 mm}, round: 1 mm",
     "dwell": "dwell: {crank: 50 mm, coupler: 125 mm, rocker: 125 mm, frame: 100 mm, point: [125 mm, 125 mm], "
     "angles: [140 deg, 180 deg, 220 deg]}",
 }
 KEYS = {"γmax": "pressure", "μmin": "transmission", "ψwant": "psi_wanted", "Δ": "error"}
-LENGTHS = {"a": "crank", "b": "rod", "e": "offset", "d": "frame"}
+LENGTHS = {"a": "crank", "b": "rod", "c": "rocker", "e": "offset", "d": "frame"}
 
 
 @cache
@@ -65,10 +73,10 @@ def test_every_printed_number_is_marked_and_every_formula_gives_what_it_prints(n
     assert "nan" not in text.split() and "None" not in text and "inf" not in text.split()
 
 
-@pytest.mark.parametrize("name", ["crank-rocker, free", "function"])
+@pytest.mark.parametrize("name", ["crank-rocker, free", "function", "two positions"])
 def test_curves_are_the_columns(name):
     note, document = made(name)
-    table = table_of(document, "synthesis_family" if "free" in name else "synthesis_course")
+    table = table_of(document, "synthesis_course" if name == "function" else "synthesis_family")
     seen = set()
     for figure in note.root.iter("figure"):
         svg = note.drawings[figure.get("id") or ""]
@@ -78,7 +86,15 @@ def test_curves_are_the_columns(name):
             drawn = [key for key in columns if key in table and _same(curve, table, key, of)]
             assert len(drawn) == 1, (text_of(figure), curve.axis.letter)
             seen |= set(drawn)
-    assert seen == set(table) - {"crank", "x"}
+    assert seen == set(table) - {"crank", "x", "off_B"}
+
+
+def test_the_effect_of_rounding_goes_from_what_was_asked_to_what_is_taken():
+    note, _ = made("crank-rocker, rounded")
+    (told,) = [one for one in note.root.iter("p") if "becomes" in text_of(one)]
+    marks = [one.get("data-q") for one in told.iter() if one.get("data-q")]
+    assert marks[0::2] == ["synthesis_swing", "synthesis_K", "synthesis_transmission"]
+    assert marks[1::2] == [f"{key}_taken" for key in marks[0::2]]
 
 
 def _same(curve, table, key, of):

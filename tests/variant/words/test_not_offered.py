@@ -20,7 +20,7 @@ SLIPS = {
     "mechanism.driver.acceleration": ("speed: 1}", "speed: 1, acceleration: 2}", "if not uniformly, stands under law"),
     "mechanism.driver.link": ("link: 1,", "link: 3,", "a driving slider is stated with its stroke"),
     "mechanism.gears": ("  assembly:", "  gears: []\n  assembly:", "mechanism.wheels"),
-    "mechanism.belts": ("  assembly:", "  belts: []\n  assembly:", "stages of the block drive"),
+    "mechanism.belts": ("  assembly:", "  belts: []\n  assembly:", "the friction of a belt drive is in contacts"),
     "mechanism.links.3.rolls": ("slides: x", "slides: x, rolls: x", "mechanism.rolling"),
     "mechanism.springs": ("  assembly:", "  springs: []\n  assembly:", "loads.springs"),
     "mechanism.links.3.rack": ("slides: x", "slides: x, rack: {module: 4 mm}", "mechanism.racks"),
@@ -40,6 +40,82 @@ def test_what_is_not_offered_says_so(key):
         course.loads(TEXT.replace(right, wrong))
     told = {problem.key: problem.text() for problem in caught.value.problems}
     assert words in told[key]
+
+
+STAGE = "drive: {{speed: 1000 rpm, stages: [{{kind: {}, ratio: 20}}]}}"
+NAMED = {
+    STAGE.format("worm"): ("drive.stages.0", "worm gears are not offered"),
+    STAGE.format("червячная"): ("drive.stages.0", "worm gears are not offered"),
+    STAGE.format("bevel"): ("drive.stages.0", "kind: spur has the same ratio"),
+    STAGE.format("hypoid"): ("drive.stages.0", "kind: spur has the same ratio"),
+    STAGE.format("коническая"): ("drive.stages.0", "kind: spur has the same ratio"),
+    STAGE.format("belt"): ("drive.stages.0", "contacts, kind: belt drive"),
+    STAGE.format("chain"): ("drive.stages.0", "its ratio and efficiency stand with a part of dynamics"),
+    STAGE.format("wave gear"): ("drive.stages.0", "kind: planetary"),
+    STAGE.format("волновая"): ("drive.stages.0", "kind: planetary"),
+    STAGE.format("rack and pinion"): ("drive.stages.0", "mechanism.racks"),
+    STAGE.format("variator"): ("drive.stages.0", "friction drives are not offered"),
+    STAGE.format("дифференциал"): ("drive.stages.0", "kind: planetary"),
+    "synthesis: {geneva: {slots: 6}}": ("synthesis.geneva", "has dwells"),
+    "synthesis: {six_bar: {}}": ("synthesis.six_bar", "slotted_link, turning_guide and dwell only"),
+    "synthesis: {cam: {}}": ("synthesis.cam", "mechanism.cams"),
+    "synthesis: {path: {}}": ("synthesis.path", "positions of a body are"),
+    "synthesis: {whitworth: {}}": ("synthesis.whitworth", "did you mean turning_guide?"),
+    "synthesis: {crank_slider: {}}": ("synthesis.crank_slider", "did you mean slider_crank?"),
+    "contacts: [{kind: clutch}]": ("contacts.0", "contacts, kind: pivot"),
+    "contacts: [{kind: band brake}]": ("contacts.0", "contacts, kind: belt"),
+    "contacts: [{kind: screw jack}]": ("contacts.0", "kind: screw"),
+    "governor: {kind: hartnell}": ("governor.kind", "bell_crank"),
+    "governor: {porter: {}}": ("governor.porter", "are arms"),
+    "dynamics: {motor: {stepper: {}}, parts: [{name: a, inertia: 1}]}": (
+        "dynamics.motor.stepper",
+        "by_speed",
+    ),
+    "dynamics: {motor: {kind: asynchronous}, parts: [{name: a, inertia: 1}]}": (
+        "dynamics.motor.kind",
+        "induction",
+    ),
+    "dynamics: {clutch: {}, parts: [{name: a, inertia: 1}]}": ("dynamics.clutch", "on and off of a regime"),
+    "мальтийский механизм: {}": ("мальтийский механизм", "Geneva wheels are not offered"),
+    "ratchets: []": ("ratchets", "ratchets are not offered"),
+    "cardan: {}": ("cardan", "law of the driving link"),
+    "spatial_linkage: {}": ("spatial_linkage", "all links move in one plane"),
+}
+
+
+@pytest.mark.parametrize("text", NAMED)
+def test_what_textbooks_have_is_known_by_its_name(text):
+    key, words = NAMED[text]
+    with pytest.raises(ProblemError) as caught:
+        course.loads(f"language: en\n{text}\n")
+    told = {problem.key: problem.text() for problem in caught.value.problems}
+    assert words in told[key]
+
+
+IN_THE_MECHANISM = {
+    "mechanism.driver.solenoid": ("link: 1,", "solenoid: 3, link: 1,", "stated by its stroke"),
+    "mechanism.driver.universal_joint": ("speed: 1}", "speed: 1, universal_joint: {}}", "law of the driving link"),
+    "mechanism.cams.K.groove": ("  assembly:", "  cams: {K: {groove: 1}}\n  assembly:", "runs outside on the cam"),
+    "mechanism.cams.K.mushroom": ("  assembly:", "  cams: {K: {mushroom: 1}}\n  assembly:", "flat: {at: B}"),
+    "mechanism.cams.K.knife": ("  assembly:", "  cams: {K: {knife: 1}}\n  assembly:", "a roller with radius: 0"),
+    "mechanism.wheels.0.mesh": (
+        "  assembly:", "  wheels: [{links: [1, 2], ratio: 2, mesh: bevel}]\n  assembly:", "its axes are parallel"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("key", IN_THE_MECHANISM)
+def test_what_a_mechanism_has_not_is_known_by_its_name(key):
+    right, wrong, words = IN_THE_MECHANISM[key]
+    with pytest.raises(ProblemError) as caught:
+        course.loads(TEXT.replace(right, wrong))
+    told = {problem.key: problem.text() for problem in caught.value.problems}
+    assert words in told[key]
+
+
+def test_a_ratio_without_a_sign_is_asked_about():
+    text = "language: en\ndrive: {speed: 1000 rpm, stages: [{kind: spur, ratio: 3, teeth: [20, 60], module: 2 mm}]}\n"
+    asked = [one.text() for one in course.doubts(course.solve(course.loads(text)))]
+    assert any("is the pair external or internal?" in one and "ratio: -3" in one for one in asked), asked
 
 
 def test_the_text_itself_is_right():

@@ -6,6 +6,7 @@ from tmm_report import course
 from tmm_report.languages import LANGUAGES
 from tmm_report.problems import ProblemError
 from tmm_report.variant import russian
+from tmm_report.variant.slips.russian_keys import SYMBOLS
 
 MECHANISM = """language: ru
 mechanism:
@@ -71,6 +72,24 @@ def enumerated(schema):
 
 def test_every_word_of_the_format_has_its_twin():
     assert enumerated(course.schema()) - russian.words() - set(LANGUAGES) == set()
+
+
+def keys_of(schema):
+    """Every key that the schema knows by name."""
+    found = set()
+    if isinstance(schema, dict):
+        properties = schema.get("properties")
+        found |= set(properties) if isinstance(properties, dict) else set()
+        schema = list(schema.values())
+    return found.union(*map(keys_of, schema)) if isinstance(schema, list) else found
+
+
+def test_every_key_of_the_format_has_its_twin_and_is_answered_by_it():
+    keys = keys_of(course.schema()) - SYMBOLS
+    assert keys - russian.keys() == set()
+    for key in keys:
+        twins = russian._KEYS[key].split(", ")
+        assert all(russian.english_key(twin, [key]) == key for twin in twins), key
 
 
 def test_no_twin_stands_for_two_words_of_one_place():

@@ -39,10 +39,18 @@ class SliderCranks:
 
 def slider_cranks(stroke: float, theta: float, ratio: Array) -> SliderCranks:
     """By the triangle of the crank's pivot and the slider's two extreme places: sides b − a, b + a and the stroke, the
-    angle theta between the first two."""
+    angle theta between the first two. nan where the linkage would have to be assembled anew between them."""
+    ratio = np.where(ratio <= most_ratio(theta), ratio, np.nan)
     a = stroke / np.sqrt((ratio - 1) ** 2 + (ratio + 1) ** 2 - 2 * (ratio**2 - 1) * np.cos(theta))
     b = ratio * a
     return SliderCranks(a, b, (b - a) * (b + a) * np.sin(theta) / stroke)
+
+
+def most_ratio(theta: float) -> float:
+    """Of rod to crank: beyond it the foot of the triangle's height, e from the crank's pivot, lies within the stroke,
+    and the slider would be in another assembly at its near end: 4 a b < H². Inf where both strokes last equally long.
+    """
+    return float(1 / np.tan(theta / 2) ** 2) if theta else np.inf
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,6 +118,54 @@ def in_step(swing: float, c: float, a: float, d: Array) -> CrankRockers:
     return CrankRockers(a, -u, c, d, u, np.zeros_like(u))
 
 
+# ---------------------------------------------------------------- what a linkage of given lengths does
+
+
+@dataclass(frozen=True, eq=False)
+class Does:
+    """`travel`: stroke, m, or swing, rad; `K`: time of the slower stroke by that of the faster; `angle`: greatest
+    pressure angle, or least transmission angle, rad. nan where the crank does not turn round."""
+
+    travel: float
+    K: float
+    angle: float
+
+
+def _time_ratio(theta: float) -> float:
+    return float((np.pi + theta) / (np.pi - theta))
+
+
+def slider_crank_does(a: float, b: float, e: float) -> Does:
+    with np.errstate(invalid="ignore", divide="ignore"):
+        far, near = np.sqrt((b + a) ** 2 - e**2), np.sqrt((b - a) ** 2 - e**2)
+        theta = np.arctan2(abs(e), near) - np.arctan2(abs(e), far)
+        return Does(float(far - near), _time_ratio(theta), float(np.arcsin((a + abs(e)) / b)))
+
+
+def crank_rocker_does(a: float, b: float, c: float, d: float) -> Does:
+    if a >= min(b, c, d):
+        return Does(np.nan, np.nan, np.nan)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        rocker = [np.arccos((d**2 + c**2 - side**2) / (2 * d * c)) for side in (b + a, b - a)]
+        line = [np.arccos((d**2 + side**2 - c**2) / (2 * d * side)) for side in (b + a, b - a)]
+        inner, outer = (np.arccos((b**2 + c**2 - side**2) / (2 * b * c)) for side in (abs(d - a), d + a))
+        least = float(np.minimum(inner, np.pi - outer))
+        return Does(float(rocker[0] - rocker[1]), _time_ratio(abs(line[0] - line[1])), least)
+
+
+def slotted_link_does(a: float, d: float, length: float, line: float, b: float) -> Does:
+    """`length` of the slotted link, its end moves a rod; the slide line stands `line` from the link's pivot."""
+    with np.errstate(invalid="ignore", divide="ignore"):
+        half = np.arcsin(a / d)
+        off = max(abs(line - length), abs(line - length * np.cos(half)))
+        return Does(float(2 * length * np.sin(half)), _time_ratio(2 * half), float(np.arcsin(off / b)))
+
+
+def turning_guide_does(a: float, d: float, arm: float, b: float) -> Does:
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return Does(2 * arm, float(np.pi / np.arccos(d / a) - 1), float(np.arcsin(arm / b)))
+
+
 # ---------------------------------------------------------------- a function by three pairs
 
 FUNCTIONS: dict[str, Callable[[Array], Array]] = {
@@ -174,6 +230,23 @@ class FourBar:
         rod, rocker = end - self.a * np.exp(1j * np.asarray(phi)), end - self.d
         return np.arcsin(np.minimum(np.abs(np.imag(np.conj(rod) * rocker)) / abs(self.b * self.c), 1.0))
 
+    def order(self, phi: Array) -> tuple[int, ...] | None:
+        """In which order the crank, turning one way, comes to these angles without leaving a closed linkage; of a crank
+        that turns all round that of its sense which begins with the first two. None where it does not come to all. Of
+        positive lengths."""
+        a, b, c, d = self.a, self.b, self.c, self.d
+        most, least = (np.array([(b - c) ** 2, (b + c) ** 2]) - a**2 - d**2) / (-2 * a * d)
+        inward, outward = most >= 1, least <= -1  # whether the crank may stand along the frame, either way
+        turn = np.angle(np.exp(1j * np.asarray(phi, float)))
+        if inward and outward:
+            turn = (turn - turn[0]) % (2 * np.pi)
+            turn = turn if turn[1] == turn[1:].min() else -turn % (2 * np.pi)
+        elif outward:
+            turn %= 2 * np.pi
+        elif not inward and np.min(turn) * np.max(turn) < 0:
+            return None
+        return tuple(int(k) for k in np.argsort(turn))
+
 
 def through_pairs(phi: Array, psi: Array, d: float) -> tuple[float, float, float]:
     """k1, k2, k3 of cos(φ − ψ) = k1 + k2 cos ψ − k3 cos φ at three pairs of angles. Raises LinAlgError where they are
@@ -181,6 +254,46 @@ def through_pairs(phi: Array, psi: Array, d: float) -> tuple[float, float, float
     rows = np.stack([np.ones(3), np.cos(psi), -np.cos(phi)], axis=1)
     k1, k2, k3 = np.linalg.solve(rows, np.cos(phi - psi))
     return float(k1), float(k2), float(k3)
+
+
+# ---------------------------------------------------------------- a body led from one position to another
+
+
+@dataclass(frozen=True, eq=False)
+class Led:
+    """Four-bar linkages whose coupler comes from one position to another, over the place of the rocker's pivot.
+    `transmission`: least acute angle of rod and rocker on the way, rad; nan where the linkage would have to be
+    assembled anew, or its crank comes to where the links do not meet."""
+
+    crank_pivot: complex
+    rocker_pivot: Array
+    transmission: Array
+
+
+def led(pins: Array, ends: Array, off_crank: float, off_rocker: Array) -> Led:
+    """`pins`, `ends`: both places of the pins of crank and rocker, complex, m. The pivots stand on the perpendicular
+    bisectors of the ways of their pins, `off_crank` and `off_rocker` to the left of the ways; the crank turns by less
+    than half a turn."""
+    pivots = []
+    for places, off in ((pins, off_crank), (ends, off_rocker)):
+        way = places[1] - places[0]
+        pivots.append((places[0] + places[1]) / 2 + 1j * way / abs(way) * off)
+    crank, rocker = complex(pivots[0]), np.asarray(pivots[1])
+    a, b = abs(pins[0] - crank), abs(ends[0] - pins[0])
+    c, frame = np.abs(ends[0] - rocker), rocker - crank
+    with np.errstate(invalid="ignore", divide="ignore"):
+        first = np.angle((pins[0] - crank) / frame)
+        turn = np.angle((pins[1] - crank) / (pins[0] - crank))
+        # the pin is nearest to the rocker's pivot and farthest from it along the frame, else at the ends of its way
+        sizes = [np.abs(place - rocker) for place in pins]
+        for along, size in ((0.0, np.abs(np.abs(frame) - a)), (np.pi, np.abs(frame) + a)):
+            on_way = (np.sign(turn) * (along - first)) % (2 * np.pi) < abs(turn)
+            sizes.append(np.where(on_way, size, sizes[0]))
+        cosines = [(b**2 + c**2 - size**2) / (2 * b * c) for size in sizes]
+        angles = np.arccos(np.abs(cosines))
+    side = [np.imag(np.conj(rocker - pin) * (end - pin)) for pin, end in zip(pins, ends, strict=True)]
+    sound = (side[0] * side[1] > 0) & (np.abs(frame) > 1e-9 * a)
+    return Led(crank, rocker, np.where(sound, np.min(angles, axis=0), np.nan))
 
 
 # ---------------------------------------------------------------- extremes and roots over a parameter

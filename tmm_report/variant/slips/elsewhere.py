@@ -20,7 +20,7 @@ def right(
     file. None if nowhere near."""
     roots = list(roots)
     around, key = path[:-1], str(path[-1])
-    beside = _at(data, around)
+    beside = at(data, around)
     if not isinstance(beside, dict):
         return None
     return (
@@ -31,7 +31,7 @@ def right(
     )
 
 
-def _at(data: Any, path: Path) -> Any:
+def at(data: Any, path: Path) -> Any:
     for part in path:
         data = data[part]
     return data

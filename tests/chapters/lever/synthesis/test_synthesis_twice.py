@@ -31,6 +31,10 @@ TEXTS = {
     "Whitworth by frame": "turning_guide: {stroke: 300 mm, K: 1.8, frame: 60 mm, pressure_angle: 20 deg}",
     "function": "function: {y: x^1.5, x: [1, 4], crank_from: 30 deg, crank_turn: 90 deg, rocker_from: 60 deg, "
     "rocker_turn: 90 deg, frame: 100 mm}",
+    "body from one position to another": "body: {positions: [[0, 0, 0], [90 mm, 40 mm, 50 deg]], "
+    "points: [[0, 0], [80 mm, 20 mm]], crank: 70 mm}",
+    "body by a rocker on the other side": "body: {positions: [[10 mm, 0, 20 deg], [90 mm, 40 mm, 50 deg]], "
+    "points: [[0, 0], [80 mm, 20 mm]], crank: 70 mm, crank_pivot: right, rocker: 90 mm}",
 }
 
 
@@ -142,7 +146,48 @@ def function(s, asked):
     return {"crank": d / s.number("k2"), "rocker": d / s.number("k3"), "rod": rods[1]}
 
 
+def body(s, asked):
+    """Each pivot is where circles of the link about both places of its pin meet; the links turn about it."""
+    ways, pivots, places = {}, {}, []
+    for name, key, point in (("A", "crank", asked.points[0]), ("B", "rocker", asked.points[1])):
+        one, other = (
+            complex(x, y) + np.exp(1j * turned) * complex(*point) for x, y, turned in asked.positions
+        )
+        pivot = complex(s.number(f"{key}_pivot_x"), s.number(f"{key}_pivot_y"))
+        off = ((pivot - one) / (other - one)).imag * abs(other - one)
+        found = met(one, s.number(key), other, s.number(key), left=off > 0)
+        assert found == pytest.approx(pivot, abs=1e-9)
+        turn = abs(np.angle((other - found) / (one - found)))
+        ways |= {
+            f"way_{name}": abs(other - one),
+            f"off_{name}": off,
+            f"turn_{name}": turn,
+            key: abs(other - found),
+        }
+        pivots[key] = pivot
+        places.append((one, other))
+    ways["frame"] = abs(pivots["rocker"] - pivots["crank"])
+    return ways | {"transmission": least_on_the_way(s, pivots, places)}
+
+
+def least_on_the_way(s, pivots, places):
+    """The crank turned by small steps from one position to the other."""
+    pins, ends = places
+    turn = np.angle((pins[1] - pivots["crank"]) / (pins[0] - pivots["crank"]))
+    side = ((ends[0] - pins[0]) / (pivots["rocker"] - pins[0])).imag > 0
+    angles = []
+    for part in np.linspace(0, 1, 4001):
+        pin = pivots["crank"] + (pins[0] - pivots["crank"]) * np.exp(1j * turn * part)
+        joint = met(pin, s.number("rod"), pivots["rocker"], s.number("rocker"), left=side)
+        angle = abs(np.angle((joint - pin) / (joint - pivots["rocker"])))
+        angles.append(min(angle, math.pi - angle))
+    assert joint == pytest.approx(ends[1], abs=1e-9)
+    told = s.number("transmission")  # as sharp as the steps are fine
+    return told if -1e-9 <= min(angles) - told <= 1e-4 else min(angles)
+
+
 WAYS = {
+    "body": body,
     "slider_crank": slider_crank,
     "crank_rocker": crank_rocker,
     "slotted_link": slotted_link,

@@ -333,7 +333,10 @@ class Force(ByOneLaw):
     by_angle: Annotated[
         AngleForces | None, Field(description="[[angle of turn, force], ...] over the whole cycle")
     ] = None
-    by_time: Annotated[TimeForces | None, Field(description=_BY_TIME)] = None
+    by_time: Annotated[
+        TimeForces | None,
+        Field(description=_BY_TIME, examples=["[[0 s, 0 N], [0.1 s, 300 N], [0.25 s, 0 N]]"]),
+    ] = None
     by_displacement: (
         Annotated[
             Annotated[Diagram, Tag("<ways>")]
@@ -385,7 +388,10 @@ class Piston(Force):
     by_angle: Annotated[
         AnglePressures | None, Field(description="[[angle of turn, pressure], ...] over the whole cycle")
     ] = None
-    by_time: Annotated[TimePressures | None, Field(description=_BY_TIME)] = None
+    by_time: Annotated[
+        TimePressures | None,
+        Field(description=_BY_TIME, examples=["[[0 s, 0 MPa], [0.1 s, 2 MPa], [0.25 s, 0 MPa]]"]),
+    ] = None
     by_displacement: (
         Annotated[
             Annotated[PressureDiagram, Tag("<ways>")]
@@ -420,7 +426,10 @@ class Moment(ByOneLaw):
     by_angle: Annotated[
         AngleMoments | None, Field(description="[[angle of turn, moment], ...] over the whole cycle")
     ] = None
-    by_time: Annotated[TimeMoments | None, Field(description=_BY_TIME)] = None
+    by_time: Annotated[
+        TimeMoments | None,
+        Field(description=_BY_TIME, examples=["[[0 s, 0 N*m], [0.1 s, 30 N*m], [0.25 s, 0 N*m]]"]),
+    ] = None
     by_displacement: Annotated[
         Annotated[
             Annotated[Swing, Tag("<ways>")] | Annotated[SharedSwing, Tag("<curve>")],

@@ -7,6 +7,7 @@ from typing import TypedDict
 from pydantic import Field
 
 from tmm_report.chapters.lever.synthesis.given import (
+    Body,
     CrankRocker,
     SliderCrank,
     SlottedLink,
@@ -97,6 +98,20 @@ def _clashes(written: Synthesis) -> Iterator[Problem]:
                 wrong = N_("a slotted link has strokes of different times: K is greater than 1")
                 right = Message(N_("for example, %(example)s"), {"example": "K: 1.5"})
                 yield mistake(wrong, (*PATH, kind, "K"), right)
+        case Body():
+            yield from _of_body(asked)
+
+
+def _of_body(asked: Body) -> Iterator[Problem]:
+    path = (*PATH, "body")
+    two = len(asked.positions) == 2
+    if two and asked.crank is None:
+        right = Message(N_("for example, %(example)s"), {"example": "crank: 100 mm"})
+        yield mistake(N_("two positions leave both pivots free: the crank must be stated"), path, right)
+    for key in ("crank", "rocker", "crank_pivot", "rocker_pivot"):
+        if not two and getattr(asked, key) is not None:
+            wrong = N_("three positions determine the linkage: this follows")
+            yield mistake(wrong, (*path, key), Message(N_("leave it out, or state two positions")))
 
 
 def _once(asked: object, keys: tuple[str, ...], kind: str, at_most: bool = False) -> Iterator[Problem]:

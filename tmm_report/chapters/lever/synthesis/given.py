@@ -166,12 +166,13 @@ class Dwell:
 
 @dataclass(frozen=True, eq=False)
 class Body:
-    """A four-bar linkage whose coupler is led through three positions; its pins are stated points of the body."""
+    """A four-bar linkage whose coupler is led through three positions, or from one to another; its pins are stated
+    points of the body."""
 
     positions: Annotated[
         list[Pose],
         Field(
-            min_length=3,
+            min_length=2,
             max_length=3,
             description="place of the body's origin and angle of its x axis: [x, y, angle]",
             examples=["[[0, 0, 0], [50 mm, 20 mm, 30 deg], [90 mm, 10 mm, 60 deg]]"],
@@ -181,6 +182,18 @@ class Body:
         list[Point],
         Field(min_length=2, max_length=2, description="pins of crank and rocker, in the axes of the body"),
     ]
+    crank: Annotated[Positive | None, Field(description="of two positions: its length")] = None
+    rocker: Annotated[
+        Positive | None,
+        Field(description="of two positions; left out, chosen for the best transmission angle"),
+    ] = None
+    crank_pivot: Annotated[
+        Literal["left", "right"] | None,
+        Field(description="of two positions: of the way of its pin from the first place to the second"),
+    ] = None
+    rocker_pivot: Annotated[
+        Literal["left", "right"] | None, Field(description="of two positions: as that of the crank")
+    ] = None
 
 
 Kind = SliderCrank | CrankRocker | SlottedLink | TurningGuide | Generator | Dwell | Body

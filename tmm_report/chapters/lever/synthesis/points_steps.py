@@ -6,10 +6,10 @@ import math
 
 import numpy as np
 
-from tmm_report.chapters.lever.synthesis.given import Body, Dwell, Generator
-from tmm_report.chapters.lever.synthesis.refused import refused
+from tmm_report.chapters.lever.synthesis.given import Dwell, Generator
+from tmm_report.chapters.lever.synthesis.refused import mm, refused
 from tmm_report.chapters.lever.synthesis.steps import SAME
-from tmm_report.chapters.lever.synthesis.values import Pairs, Path, Poses, Values
+from tmm_report.chapters.lever.synthesis.values import Pairs, Path, Values
 from tmm_report.mechanics.lever import synthesis
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.formula import sqrt
@@ -99,6 +99,11 @@ def differences(asked: Generator, bar: synthesis.FourBar, x: np.ndarray) -> np.n
     return np.angle(bar.rocker(phi) * np.exp(-1j * psi))
 
 
+def greatest_error(asked: Generator, bar: synthesis.FourBar) -> float:
+    """Over the range, rad."""
+    return -synthesis.least(lambda x: -np.abs(differences(asked, bar, x)), *asked.x)[1]
+
+
 def _judged(s: Values, asked: Generator, bar: synthesis.FourBar) -> None:
     low, high = asked.x
     grid = np.linspace(low, high, 721)
@@ -107,7 +112,7 @@ def _judged(s: Values, asked: Generator, bar: synthesis.FourBar) -> None:
             N_("the linkage cannot be assembled all over the range"), "function",
             right=Message(N_("a smaller turn of the crank, or other angles")),
         )  # fmt: skip
-    s.error = -synthesis.least(lambda x: -np.abs(differences(asked, bar, x)), low, high)[1]
+    s.error = greatest_error(asked, bar)
     s.transmission = synthesis.least(lambda x: bar.transmission(angles(asked, x)[0]), low, high)[1]
 
 
@@ -117,25 +122,47 @@ def _judged(s: Values, asked: Generator, bar: synthesis.FourBar) -> None:
 def dwell(s: Values, asked: Dwell) -> Table:
     s.crank, s.rod, s.rocker, s.frame = asked.crank, asked.coupler, asked.rocker, asked.frame
     s.point_x, s.point_y = asked.point
-    bar = linkage(asked)
-    phi = np.array(asked.angles)
-    place = traced(asked, bar, phi)
-    if not np.isfinite(place).all():
-        raise refused(
-            N_("the crank-rocker cannot be assembled at these angles of the crank"), "dwell", "angles"
-        )
+    _goes_round(asked)
+    place = traced(asked, linkage(asked), np.array(asked.angles))
     try:
         centre, radius = synthesis.circle(place)
     except ZeroDivisionError:
         right = Message(N_("other angles, or another point of the coupler"))
         raise refused(N_("the three points lie on one line"), "dwell", "angles", right=right) from None
+    _along_the_arc(np.angle((place - centre) / (place[1] - centre)))
     s.centre_x, s.centre_y, s.radius = centre.real, centre.imag, radius
     towards = centre - complex(place[1])
     s.guide_angle = math.atan2(towards.imag, towards.real)
     return Table(
         "synthesis_arc", Message(N_("points through which the arc is laid")),
-        (Path.phi.column(phi), Path.x.column(place.real), Path.y.column(place.imag)),
+        (Path.phi.column(np.array(asked.angles)), Path.x.column(place.real), Path.y.column(place.imag)),
     )  # fmt: skip
+
+
+def _goes_round(asked: Dwell) -> None:
+    near, far = abs(asked.frame - asked.crank), asked.frame + asked.crank
+    short, long = abs(asked.coupler - asked.rocker), asked.coupler + asked.rocker
+    if near < short * (1 + SAME) or far > long * (1 - SAME):
+        raise refused(
+            N_("the crank cannot turn round: its pin comes as near as %(near)s to the rocker's pivot and as far as "
+            "%(far)s from it, coupler and rocker reach from %(short)s to %(long)s"),
+            "dwell", "crank", right=Message(N_("a shorter crank, or another distance of the pivots")),
+            near=mm(near), far=mm(far), short=mm(short), long=mm(long),
+        )  # fmt: skip
+
+
+def _along_the_arc(off: np.ndarray) -> None:
+    """`off`: the places of the point about the centre of the arc, from the middle one, rad."""
+    if off[0] * off[2] >= 0:
+        raise refused(
+            N_("the point comes to its three places in another order than they lie on the arc"), "dwell", "angles",
+            right=Message(N_("angles closer together, or another point of the coupler")),
+        )  # fmt: skip
+    if np.abs(off).max() > np.pi / 2 * (1 - SAME):
+        raise refused(
+            N_("on the arc the rod would come to stand across the slide line, and the slider would not keep its way"),
+            "dwell", "angles", right=Message(N_("angles closer together, or another point of the coupler")),
+        )  # fmt: skip
 
 
 def traced(asked: Dwell, bar: synthesis.FourBar, phi: np.ndarray) -> np.ndarray:
@@ -148,51 +175,3 @@ def traced(asked: Dwell, bar: synthesis.FourBar, phi: np.ndarray) -> np.ndarray:
 def linkage(asked: Dwell) -> synthesis.FourBar:
     side = -1 if asked.rocker_joint == "left" else 1
     return synthesis.FourBar(asked.crank, asked.coupler, asked.rocker, asked.frame, side)
-
-
-# ---------------------------------------------------------------- a body through three positions
-
-
-def body(s: Values, asked: Body) -> Table:
-    """The pivots are the centres of the circles through the three places of each pin."""
-    pins = pinned(asked)
-    found = []
-    for k, name in enumerate("AB"):
-        try:
-            found.append(synthesis.circle(pins[k]))
-        except ZeroDivisionError:
-            right = Message(N_("another point of the body, or other positions"))
-            wrong = N_(
-                "the three places of the pin %(name)s lie on one line: its pivot would be infinitely far away"
-            )
-            raise refused(wrong, "body", "points", right=right, name=name) from None
-    (crank, a), (rocker, c) = found
-    s.crank_pivot_x, s.crank_pivot_y, s.rocker_pivot_x, s.rocker_pivot_y = (
-        crank.real, crank.imag, rocker.real, rocker.imag,
-    )  # fmt: skip
-    s.crank, s.rocker, s.rod, s.frame = a, c, abs(complex(pins[1][0] - pins[0][0])), abs(rocker - crank)
-    if s.number("rod") <= 0:
-        raise refused(
-            N_("both pins are at one place"), "body", "points", right=Message(N_("two points of the body"))
-        )
-    sides = np.imag(np.conj(rocker - pins[0]) * (pins[1] - pins[0]))
-    if sides.min() * sides.max() <= 0:
-        raise refused(
-            N_("the three positions are of different assemblies: the linkage cannot go from one to the next"), "body",
-            right=Message(N_("another point of the body, or other positions")),
-        )  # fmt: skip
-    x, y, angle = (np.array(part) for part in zip(*asked.positions, strict=True))
-    return Table(
-        "synthesis_poses", Message(N_("positions of the body and places of its pins")),
-        (
-            Poses.x.column(x), Poses.y.column(y), Poses.angle.column(angle), Poses.x_A.column(pins[0].real),
-            Poses.y_A.column(pins[0].imag), Poses.x_B.column(pins[1].real), Poses.y_B.column(pins[1].imag),
-        ),
-    )  # fmt: skip
-
-
-def pinned(asked: Body) -> tuple[np.ndarray, np.ndarray]:
-    """Places of both pins in the three positions, complex, m."""
-    x, y, angle = (np.array(part) for part in zip(*asked.positions, strict=True))
-    first, second = (x + 1j * y + np.exp(1j * angle) * complex(*point) for point in asked.points)
-    return first, second

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from tmm_report.chapters.lever.synthesis import points_steps, rocker_steps
-from tmm_report.chapters.lever.synthesis.given import CrankRocker, Generator, SliderCrank
+from tmm_report.chapters.lever.synthesis import body_steps, points_steps, rocker_steps, steps
+from tmm_report.chapters.lever.synthesis.given import Body, CrankRocker, Generator, SliderCrank
 from tmm_report.chapters.lever.synthesis.solve import Found
 from tmm_report.chapters.lever.synthesis.values import Values
 from tmm_report.i18n import NP_
@@ -19,6 +19,9 @@ from tmm_report.quantity.tabulated import tabulated
 
 POINTS = 91  # of a chart of a family or of a function
 FAMILY = Message(N_("linkages that meet the demand"))
+SOLUTIONS = Message(N_("linkages that lead the body from one position to the other, the best first"))
+SLIDERS = Message(N_("slider-cranks that meet the demand, the one that is taken the first"))
+ROCKERS = Message(N_("crank-rockers that meet the demand, the one that is taken the first"))
 COURSE = Message(N_("what the linkage makes of the function"))
 PSI_WANTED = Quantity(
     "psi_wanted", Symbol("psi", NP_("index", "want")), "rad", Message(N_("wanted angle of the rocker")), "deg"
@@ -39,10 +42,20 @@ def tables(found: Found) -> Iterator[Table]:
     match found.given.asked:
         case SliderCrank() as asked if asked.K > 1 and asked.offset is None and asked.ratio is None:
             yield _slider_cranks(found)
-        case CrankRocker() as asked if asked.crank is None and asked.rod is None:
-            yield _crank_rockers(found, asked)
+        case SliderCrank() as asked if asked.K == 1 and asked.offset and asked.ratio is not None:
+            yield from _two_cranks(found, asked.ratio, asked.offset)
+        case CrankRocker() as asked:
+            if asked.crank is None and asked.rod is None:
+                yield _crank_rockers(found, asked)
+            if found.s.number("theta"):
+                keys = ("crank", "rod", "frame", "transmission")
+                yield _solved(ROCKERS, keys, rocker_steps.solutions(found.s, asked))
         case Generator() as asked:
             yield _course(found, asked)
+        case Body() as asked if design.solutions:
+            if asked.rocker is None:
+                yield _led(found, asked)
+            yield _solutions(found)
 
 
 @tabulated
@@ -88,6 +101,40 @@ def _crank_rockers(found: Found, asked: CrankRocker) -> Table:
     crank = s.number("half_chord") * np.linspace(0.01, 0.999, POINTS)
     of = rocker_steps.family(s, asked, crank)
     return _family({"crank": crank, "transmission": of.transmission, "rod": of.b, "frame": of.d})
+
+
+def _led(found: Found, asked: Body) -> Table:
+    """Over the place of the rocker's pivot on the perpendicular bisector."""
+    pins = body_steps.pinned(asked)
+    most = 1.5 * abs(found.s.number("off_B")) + found.s.number("way_B")
+    off = np.linspace(-most, most, POINTS)
+    of = body_steps.family(pins, found.s.number("off_A"), off)
+    sound = np.isfinite(of.transmission)
+    rocker, frame = np.abs(pins[1][0] - of.rocker_pivot), np.abs(of.rocker_pivot - of.crank_pivot)
+    return _family({
+        "off_B": off, "transmission": of.transmission, "rocker": np.where(sound, rocker, np.nan), "frame": frame,
+    })  # fmt: skip
+
+
+def _solutions(found: Found) -> Table:
+    """Of each side on which the pivots may stand, the best first."""
+    keys = ("off_A", "off_B", "frame", "transmission")
+    return _solved(SOLUTIONS, keys, np.array(found.design.solutions).T)
+
+
+def _two_cranks(found: Found, ratio: float, e: float) -> Iterator[Table]:
+    """Where two cranks have the stroke, both."""
+    cranks = steps.cranks_of(found.s.number("stroke"), ratio, e)[::-1]
+    if len(cranks) > 1:
+        rods = ratio * cranks
+        yield _solved(
+            SLIDERS, ("crank", "rod", "pressure"), np.array([cranks, rods, np.arcsin((cranks + e) / rods)])
+        )
+
+
+def _solved(caption: Message, keys: Sequence[str], columns: np.ndarray) -> Table:
+    named = (Values.DECLARED[key].column(of) for key, of in zip(keys, columns, strict=True))
+    return Table("synthesis_solutions", caption, tuple(named))
 
 
 def _family(columns: dict[str, np.ndarray]) -> Table:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from tmm_report.chapters.lever.synthesis.refused import mm, refused
 from tmm_report.chapters.lever.synthesis.steps import SAME, between
 from tmm_report.chapters.lever.synthesis.values import Values
 from tmm_report.mechanics.lever import synthesis
-from tmm_report.problems import N_, Message
+from tmm_report.problems import N_, Message, ProblemError
 from tmm_report.quantity.formula import arccos, cos, sin, sqrt
 
 MOST_FRAME = 10.0  # times the rocker: in step the transmission angle grows with the distance of the pivots
@@ -90,8 +91,7 @@ def _free_crank(s: Values, theta: float, asked: CrankRocker) -> float:
     """Of the stated distance of the pivots, else of the best transmission angle."""
     most = s.number("half_chord") * (1 - SAME)
     if asked.frame is not None:
-        d = asked.frame
-        found = synthesis.roots(lambda a: family(s, asked, a).d - d, most * 1e-6, most)
+        found = _of_frame(s, asked, asked.frame)
         sound = [a for a in found if bool(family(s, asked, np.array([a])).sound[0])]
         if not sound:
             raise refused(
@@ -100,6 +100,40 @@ def _free_crank(s: Values, theta: float, asked: CrankRocker) -> float:
             )  # fmt: skip
         return max(sound, key=lambda a: float(family(s, asked, np.array([a])).transmission[0]))
     return _best(lambda a: family(s, asked, a).transmission, most)
+
+
+def solutions(s: Values, asked: CrankRocker) -> np.ndarray:
+    """All sound linkages of the demand, (4, N): crank, rod, distance of the pivots, least transmission angle; first
+    that which is taken, then those with the crank's pivot on the same side of the chord, then on the other one."""
+    taken = s.number("crank")
+    columns = []
+    for beyond in (asked.beyond, not asked.beyond):
+        side = replace(asked, beyond=beyond)
+        cranks = np.array([taken])
+        if asked.frame is not None:
+            cranks = _of_frame(s, side, asked.frame)
+            cranks = cranks[np.argsort(np.abs(cranks - taken))]
+        elif asked.crank is None and asked.rod is None and beyond != asked.beyond:
+            cranks = _best_of(s, side)
+        of = family(s, side, cranks)
+        columns.append(np.array([cranks, of.b, of.d, of.transmission])[:, of.sound])
+    return np.concatenate(columns, axis=1)
+
+
+def _of_frame(s: Values, asked: CrankRocker, frame: float) -> np.ndarray:
+    """Cranks with which the pivots are so far apart."""
+    most = s.number("half_chord") * (1 - SAME)
+    return np.asarray(synthesis.roots(lambda a: family(s, asked, a).d - frame, most * 1e-6, most))
+
+
+def _best_of(s: Values, asked: CrankRocker) -> np.ndarray:
+    """The crank of the best transmission angle, if any turns round."""
+    try:
+        return np.array(
+            [_best(lambda a: family(s, asked, a).transmission, s.number("half_chord") * (1 - SAME))]
+        )
+    except ProblemError:
+        return np.zeros(0)
 
 
 def _best(angle: Callable[[np.ndarray], np.ndarray], most: float, low: float = 1e-6) -> float:

@@ -10,7 +10,9 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from tmm_report.chapters.lever.synthesis import points_steps, rocker_steps, steps
+import numpy as np
+
+from tmm_report.chapters.lever.synthesis import body_steps, points_steps, rocker_steps, rounding, steps
 from tmm_report.chapters.lever.synthesis.given import (
     Body,
     CrankRocker,
@@ -23,13 +25,15 @@ from tmm_report.chapters.lever.synthesis.given import (
     TurningGuide,
 )
 from tmm_report.chapters.lever.synthesis.values import ANGLES, LENGTHS, SWING_OF_LINK, Values
+from tmm_report.mechanics.lever.dyads import Dyad
 from tmm_report.mechanics.lever.stated_masses import Synthesised
-from tmm_report.mechanics.lever.synthesis import FourBar
+from tmm_report.mechanics.lever.synthesis import FourBar, least
 from tmm_report.problems import N_, Message, Problem, doubt
 from tmm_report.quantity.model import Table
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
+    from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
     from tmm_report.chapters.lever.kinematics.solve.strokes import Travel
     from tmm_report.course import LeverFound
 
@@ -39,12 +43,13 @@ __all__ = ["Design", "Found", "Given", "design", "offered", "solve"]
 @dataclass(frozen=True, eq=False)
 class Design:
     """`s`: the single numbers; `table`: of the points that the linkage goes through, where it goes through any; `bar`:
-    of a function."""
+    of a function; `solutions`: of two positions of a body, the one that is taken the first (`body_steps`)."""
 
     given: Synthesis
     s: Values
     table: Table | None = None
     bar: FourBar | None = None
+    solutions: tuple[tuple[float, ...], ...] = ()
 
     @property
     def lengths(self) -> list[str]:
@@ -89,7 +94,14 @@ class Found:
 
 
 def design(given: Synthesis) -> Design:
-    """Raises ProblemError for what no linkage does."""
+    """Raises ProblemError for what no linkage does, nor one of lengths that are rounded."""
+    found = _exact(given)
+    if given.round is not None:
+        rounding.rounded(found)
+    return found
+
+
+def _exact(given: Synthesis) -> Design:
     asked = given.asked
     s = Values({"theta": SWING_OF_LINK} if isinstance(asked, SlottedLink) else None)
     match asked:
@@ -107,7 +119,8 @@ def design(given: Synthesis) -> Design:
         case Dwell():
             return Design(given, s, points_steps.dwell(s, asked))
         case Body():
-            return Design(given, s, points_steps.body(s, asked))
+            poses, solutions = body_steps.body(s, asked)
+            return Design(given, s, poses, solutions=solutions)
     return Design(given, s)
 
 
@@ -135,14 +148,31 @@ def solve(given: Synthesis, lever: LeverFound | None) -> Found:
         may_be = [one for one in may_be if given.output in (one.output.name, one.output.link)]
     may_be = [one for one in may_be if math.isfinite(one.stroke)]
     if len(may_be) == 1:
-        _met(found.s, may_be[0])
+        _met(found.s, may_be[0], lever)
     return Found(found, len(may_be) > 1)
 
 
-def _met(s: Values, travel: Travel) -> None:
+def _met(s: Values, travel: Travel, lever: LeverFound) -> None:
     """What the analysed mechanism makes of the demand."""
     if travel.output.kind == "slider":
         s.stroke_met = travel.stroke
     else:
         s.swing_met = travel.stroke
     s.K_met = travel.time_ratio
+    _angle_met(s, travel, lever.kinematics)
+
+
+def _angle_met(s: Values, travel: Travel, found: Kinematics) -> None:
+    """Of the dyad that moves the output: the least angle of its links, or of its link and the normal of its guide."""
+    moved_by = (one for one in found.linkage.groups if travel.output.link in one.group.links)
+    dyad = next((one for one in moved_by if isinstance(one, Dyad) and one.kind in (1, 2)), None)
+    if dyad is None or not found.cycle.closed:
+        return
+    label = dyad.group.label
+    angle = least(
+        lambda x: np.arcsin(np.minimum(found.cycle.motion(x).sines[label], 1.0)), 0.0, found.cycle.sweep
+    )[1]
+    if travel.output.kind == "slider":
+        s.pressure_met = math.pi / 2 - angle
+    else:
+        s.transmission_met = angle

@@ -74,22 +74,13 @@ def _by_ratios(s: Values, asked: SliderCrank) -> None:
         s.rod, s.offset = s.ratio * s.crank, s.offset_ratio * s.crank
     elif asked.offset:
         s.offset, s.ratio = asked.offset, asked.ratio
-        most = stroke / 2
-        ratio, e = s.number("ratio"), asked.offset
-
-        def miss(a: np.ndarray) -> np.ndarray:
-            with np.errstate(invalid="ignore"):
-                return (
-                    np.sqrt(((ratio + 1) * a) ** 2 - e**2) - np.sqrt(((ratio - 1) * a) ** 2 - e**2) - stroke
-                )
-
-        found = synthesis.roots(miss, e / (ratio - 1), most * (1 + SAME))
+        found = cranks_of(stroke, s.number("ratio"), asked.offset)
         if not found.size:
             raise refused(
                 N_("no crank with this offset gives the stroke: the rod is shorter than crank and offset"),
                 "slider_crank", "offset", right=Message(N_("a greater ratio, or a smaller offset")),
             )  # fmt: skip
-        s.crank = float(found[0])
+        s.crank = float(found[-1])  # of two the longer one: its pressure angle is the smaller
         s.rod = s.ratio * s.crank
     else:
         s.offset = 0.0
@@ -101,31 +92,50 @@ def _by_ratios(s: Values, asked: SliderCrank) -> None:
             s.rod = s.crank / sin(s.permitted)
 
 
+def cranks_of(stroke: float, ratio: float, e: float) -> np.ndarray:
+    """Cranks of a ratio and an offset, m, ascending: near the shortest that turns round there are two."""
+
+    def miss(a: np.ndarray) -> np.ndarray:
+        with np.errstate(invalid="ignore"):
+            far, near = (np.sqrt(((ratio + sign) * a) ** 2 - e**2) for sign in (1, -1))
+            return np.asarray(far - near - stroke)
+
+    return np.asarray(synthesis.roots(miss, e / (ratio - 1), stroke / 2 * (1 + SAME)))
+
+
 def _by_time_ratio(s: Values, asked: SliderCrank) -> None:
+    """Of a triangle with the crank's pivot and the extreme places of the slider. Where the foot of its height lies
+    within the stroke the slider would be on either side of the pivot: two assemblies, and the crank moves it in one."""
     theta = between(s, asked.K)
     half = s.theta / 2
+    if theta >= math.pi / 2:
+        raise refused(
+            N_("no slider-crank has such a time ratio: it would be assembled anew between its extreme positions"),
+            "slider_crank", "K", right=Message(N_("less than 3")),
+        )  # fmt: skip
     if asked.offset is not None:
         s.offset = asked.offset
+        most = s.number("stroke") / math.tan(theta)
+        if asked.offset > most:
+            _anew("offset", mm(most))
         s.difference = s.offset * s.stroke / sin(s.theta)
         squares: Expr = (s.stroke**2 + 2 * s.difference * cos(s.theta)) / 4
-        least = squares.value - s.number("difference") / 2
-        if least <= 0:
-            raise refused(
-                N_("the time ratio cannot be had with this offset: the square of the crank would be negative"),
-                "slider_crank", "offset", right=Message(N_("at most %(most)s"), {"most": mm(_most_offset(s, theta))}),
-            )  # fmt: skip
         s.crank = sqrt(squares - s.difference / 2)
         s.rod = sqrt(squares + s.difference / 2)
         return
+    if asked.ratio is not None and asked.ratio > synthesis.most_ratio(theta):
+        _anew("ratio", f"{synthesis.most_ratio(theta):.6g}")
     s.ratio = asked.ratio if asked.ratio is not None else _free_ratio(s, theta, asked)
     s.crank = s.stroke / (2 * sqrt(cos(half) ** 2 + s.ratio**2 * sin(half) ** 2))
     s.rod = s.ratio * s.crank
     s.offset = (s.rod**2 - s.crank**2) * sin(s.theta) / s.stroke
 
 
-def _most_offset(s: Values, theta: float) -> float:
-    """At which the crank shrinks to nothing: the arc through both extreme places of the slider."""
-    return s.number("stroke") / 2 / math.tan(theta / 2)
+def _anew(key: str, most: str) -> None:
+    raise refused(
+        N_("the linkage would have to be assembled anew between its extreme positions"),
+        "slider_crank", key, right=Message(N_("at most %(most)s with this time ratio"), {"most": most}),
+    )  # fmt: skip
 
 
 def _free_ratio(s: Values, theta: float, asked: SliderCrank) -> float:
@@ -134,7 +144,7 @@ def _free_ratio(s: Values, theta: float, asked: SliderCrank) -> float:
     def pressure(ratio: np.ndarray) -> np.ndarray:
         return synthesis.slider_cranks(s.number("stroke"), theta, ratio).pressure
 
-    best, least = synthesis.least(pressure, 1.0, MOST_RATIO)
+    best, least = synthesis.least(pressure, 1.0, min(MOST_RATIO, synthesis.most_ratio(theta)))
     if asked.pressure_angle is None:
         return best
     if least > asked.pressure_angle:
@@ -173,6 +183,13 @@ def slotted_link(s: Values, asked: SlottedLink) -> None:
     s.slide_line = s.link - s.sagitta / 2
     _rod(s, asked, s.link, s.sagitta / 2, "slotted_link")
     s.pressure = arcsin(s.sagitta / (2 * s.rod))
+    if s.number("pressure") + s.number("theta") / 2 >= math.pi / 2:
+        limit = s.number("sagitta") / 2 / math.cos(s.number("theta") / 2)
+        raise refused(
+            N_("with so short a rod the slider turns back before the slotted link does"), "slotted_link",
+            "rod" if asked.rod is not None else "rod_ratio" if asked.rod_ratio is not None else "pressure_angle",
+            right=Message(N_("a rod longer than %(limit)s"), {"limit": mm(limit)}),
+        )  # fmt: skip
 
 
 def turning_guide(s: Values, asked: TurningGuide) -> None:

@@ -50,6 +50,19 @@ class Values(Sheet, prefix="synthesis"):
     stroke_met = Q("H_met", "m", N_("stroke of the analysed mechanism"), "mm")
     swing_met = Q("psi_met", "rad", N_("swing of the rocker of the analysed mechanism"), "deg")
     K_met = Q("K_met", "", N_("time ratio of the analysed mechanism"))
+    pressure_met = Q("gamma_met", "rad", N_("greatest pressure angle of the analysed mechanism"), "deg")
+    transmission_met = Q("mu_met", "rad", N_("least transmission angle of the analysed mechanism"), "deg")
+    stroke_taken = Q("H_r", "m", N_("stroke with the rounded lengths"), "mm")
+    swing_taken = Q("psi_r", "rad", N_("swing of the rocker with the rounded lengths"), "deg")
+    K_taken = Q("K_r", "", N_("time ratio with the rounded lengths"))
+    pressure_taken = Q("gamma_r", "rad", N_("greatest pressure angle with the rounded lengths"), "deg")
+    transmission_taken = Q("mu_r", "rad", N_("least transmission angle with the rounded lengths"), "deg")
+    error_taken = Q(
+        "Delta_r", "rad", N_("greatest difference from the function with the rounded lengths"), "deg"
+    )
+    misfit = Q(
+        "delta_r", "m", N_("greatest gap between links of the rounded lengths in the stated positions"), "mm"
+    )
     low = Q("x_0", "", N_("the variable at the beginning of its range"))
     high = Q("x_f", "", N_("the variable at the end of its range"))
     crank_from = Q("phi_0", "rad", N_("angle of the crank at the beginning of the range"), "deg")
@@ -68,6 +81,12 @@ class Values(Sheet, prefix="synthesis"):
     crank_pivot_y = Q("y_O", "m", N_("ordinate of the pivot of the crank"), "mm")
     rocker_pivot_x = Q("x_C", "m", N_("abscissa of the pivot of the rocker"), "mm")
     rocker_pivot_y = Q("y_C", "m", N_("ordinate of the pivot of the rocker"), "mm")
+    way_A = Q("k_A", "m", N_("distance between both places of the pin of the crank"), "mm")
+    way_B = Q("k_B", "m", N_("distance between both places of the pin of the rocker"), "mm")
+    off_A = Q("h_A", "m", N_("distance of the crank's pivot to the left of the way of its pin"), "mm")
+    off_B = Q("h_B", "m", N_("distance of the rocker's pivot to the left of the way of its pin"), "mm")
+    turn_A = Q("beta_A", "rad", N_("angle by which the crank turns between the positions"), "deg")
+    turn_B = Q("beta_B", "rad", N_("angle by which the rocker turns between the positions"), "deg")
     radius = Q("R", "m", N_("radius of the arc: length of the rod"), "mm")
     guide_angle = Q("alpha", "rad", N_("direction from the middle point of the arc to its centre"), "deg")
 

@@ -79,7 +79,7 @@ class SynthesisView(ChapterView):
     @property
     def free(self) -> str:
         """What was left free, and is chosen."""
-        for key in ("ratio", "crank", "frame"):
+        for key in ("off_B", "ratio", "crank", "frame"):
             left = key in self.s and getattr(self.asked, key, None) is None
             if self.has("family") and left and not self.s.has_formula(key):
                 return key
@@ -114,6 +114,18 @@ class SynthesisView(ChapterView):
     def poses(self, caption: Any) -> Table:
         return self.numeric(caption, "poses")
 
+    @property
+    def two(self) -> bool:
+        """Whether a body is led from one position to another."""
+        return bool(self.found.design.solutions)
+
+    @property
+    def misfits(self) -> bool:
+        return "misfit" in self.s
+
+    def solutions(self, caption: Any) -> Table:
+        return self.numeric(caption, "solutions")
+
     def arc(self, caption: Any) -> Table:
         return self.numeric(caption, "arc")
 
@@ -128,14 +140,27 @@ class SynthesisView(ChapterView):
         ]
         return worded(caption, heads, rows, (2, 3, 3))
 
+    def rounded(self) -> list[Markup]:
+        """What the rounded lengths make of the demand, each beside what was found."""
+        keys = ("stroke", "swing", "K", "pressure", "transmission", "error")
+        text = N_("%(found)s becomes %(taken)s")
+        lines = [
+            self.t(text, found=self.sized(key), taken=self.sized(f"{key}_taken"))
+            for key in keys
+            if f"{key}_taken" in self.s and key in self.s
+        ]
+        return [self.page.listed(lines)] if lines else []
+
     # ------------------------------------------------------------ conclusions
 
     def conclusions(self) -> list[Markup]:
         sizes = [key for key in LENGTHS if self.s.get(key)]
         lines = [self.t(N_("Synthesis: the linkage has %(lengths)s."), lengths=self.listed(sizes))]
-        for key in ("stroke", "swing", "K"):
+        for key in ("stroke", "swing", "K", "pressure", "transmission"):
             if f"{key}_met" in self.s and key in self.s:
                 text = N_("%(asked)s was asked, the analysed mechanism has %(met)s.")
+                if key in ("pressure", "transmission"):
+                    text = N_("%(asked)s follows from the lengths, the analysed mechanism has %(met)s.")
                 lines.append(self.t(text, asked=self.sized(key), met=self.sized(f"{key}_met")))
         if "mu_permitted" in self.s:
             good = N_("The least transmission angle, %(least)s, is not less than the permitted %(most)s.")

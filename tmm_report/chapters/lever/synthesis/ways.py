@@ -9,6 +9,10 @@ from tmm_report.quantity.ways import AXIS, NAME, STATED, Known, Way
 SMALLER = N_(
     "The smaller of the angle with the crank inwards and of what that outwards lacks to half a turn."
 )
+WAY = N_(
+    "The least of the angles at the ends of the crank's way and where the crank lies along the frame on it."
+)
+PRESSURE = N_("Where the crank stands across the slide line, on its far side.")
 TURNED = N_("The place of the point of the body, turned and moved with it.")
 FREE = N_(
     "Stated; or free: chosen for the least pressure angle or the best transmission angle, by a grid over the family "
@@ -21,15 +25,16 @@ GREATEST = N_("The greatest over the range, by a grid and ever finer ones.")
 LEAST = N_("The least over the range, by a grid and ever finer ones.")
 TRACED = N_("The place of the point of the coupler, by the positions of the four-bar linkage.")
 CIRCLE = N_("The circle through the three places of the point.")
+TAKEN = N_("Of the rounded lengths: the extreme positions, or the stated ones, worked out with them.")
 MET = N_("Of the analysed mechanism: between its exact extreme positions.")
 ROUNDED = N_("The length as it is found; rounded to the stated step.")
 PLACED = N_("By the distances along and across the middle position of the rocker, and its direction.")
 
 
-def _pin(q: Known, pin: str) -> tuple[Var, Var]:
-    """Place of a pin in the first position of a body."""
+def _pin(q: Known, pin: str, row: int = 0) -> tuple[Var, Var]:
+    """Place of a pin in a position of a body, the first if no other is named."""
     table = q.book.tables["synthesis_poses"]
-    return table.var(f"x_{pin}", 0), table.var(f"y_{pin}", 0)
+    return table.var(f"x_{pin}", row), table.var(f"y_{pin}", row)
 
 
 def _pivot(q: Known, link: str) -> tuple[Var, Var]:
@@ -56,6 +61,19 @@ WAYS = (
     Way("synthesis_arc.*", TRACED, of="phi synthesis_point_x synthesis_point_y"),
     Way("synthesis_poses.x synthesis_poses.y synthesis_poses.angle", STATED),
     Way("synthesis_poses.*", TURNED, of="x y angle"),
+    Way("synthesis_way_A", by=lambda q: _apart(_pin(q, "A"), _pin(q, "A", 1))),
+    Way("synthesis_way_B", by=lambda q: _apart(_pin(q, "B"), _pin(q, "B", 1))),
+    Way("synthesis_off_B", FREE, of="synthesis_way_B synthesis_off_A"),
+    Way("synthesis_solutions.transmission", WAY, of="off_A off_B frame"),
+    Way("synthesis_solutions.transmission", SMALLER, of="crank rod frame synthesis_rocker"),
+    Way("synthesis_solutions.pressure", PRESSURE, of="crank rod synthesis_offset"),
+    Way("synthesis_solutions.off_*", FREE, of="synthesis_way_A synthesis_way_B synthesis_crank"),
+    Way(
+        "synthesis_solutions.crank",
+        FREE,
+        of="synthesis_theta synthesis_half_chord synthesis_rocker synthesis_stroke synthesis_ratio synthesis_offset",
+    ),
+    Way("synthesis_solutions.*", FAMILY, of="synthesis_theta synthesis_rocker crank off_A off_B"),
     Way("synthesis_crank_pivot_* synthesis_rocker_pivot_*", CIRCLE, of="synthesis_crank synthesis_rocker"),
     Way("synthesis_family.*", FAMILY, of="synthesis_theta synthesis_stroke synthesis_rocker"),
     Way("synthesis_course.x", AXIS),
@@ -66,6 +84,7 @@ WAYS = (
         of="synthesis_low synthesis_high synthesis_crank_from",
     ),
     Way("synthesis_error", GREATEST, of="synthesis_k1 synthesis_k2 synthesis_k3"),
+    Way("synthesis_transmission", WAY, of="synthesis_turn_A synthesis_off_A synthesis_off_B"),
     Way("synthesis_transmission", LEAST, of="synthesis_k1 synthesis_k2 synthesis_k3"),
     Way("synthesis_transmission", SMALLER, of="synthesis_mu_inner synthesis_mu_outer"),
     Way(
@@ -76,6 +95,8 @@ WAYS = (
     Way(
         "synthesis_stroke_met synthesis_swing_met synthesis_K_met", MET, of="synthesis_stroke synthesis_swing"
     ),
+    Way("synthesis_pressure_met synthesis_transmission_met", LEAST, of="synthesis_stroke synthesis_swing"),
+    Way("synthesis_*_taken synthesis_misfit", TAKEN, of="synthesis_crank synthesis_rod synthesis_frame"),
     Way("synthesis_frame_x synthesis_frame_y", PLACED, of="synthesis_along synthesis_away synthesis_rise"),
     Way("synthesis_ratio", FREE, of="synthesis_theta synthesis_stroke"),
     Way("synthesis_crank", FREE, of="synthesis_theta synthesis_half_chord"),

@@ -40,11 +40,9 @@ class Block(model.Block):
     """The lever mechanism."""
 
     ONE_SIZE = True
-    NOT_OFFERED: ClassVar[Mapping[str, str]] = {
-        **dict.fromkeys(
-            ("gears", "wheels", "worm", "belt", "chain"), N_("gears are stages of the block drive")
-        ),
-    }
+    NOT_OFFERED: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("gears", "wheels"), N_("gears are stages of the block drive")
+    )
 
     mechanism: MechanismModel = Field(default_factory=MechanismModel)
 

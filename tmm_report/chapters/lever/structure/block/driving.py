@@ -65,7 +65,7 @@ class LawModel(Model):
         examples=["2 s"],
     )
     acceleration: AngularAcceleration | None = Field(default=None, description="a constant one")
-    harmonic: HarmonicModel | None = None
+    harmonic: HarmonicModel | None = Field(default=None, examples=["{amplitude: 35 deg, frequency: 8 rad/s}"])
     polynomial: list[Number] | None = Field(
         default=None,
         min_length=1,

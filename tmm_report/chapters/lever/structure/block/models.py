@@ -48,9 +48,10 @@ ROLLS = N_(
     "side: above}]"
 )
 BELTS = N_(
-    "belts and chains within the linkage are not offered: wheels in mesh are, mechanism.wheels, and belts are stages "
-    "of the block drive"
+    "belts and chains within the linkage are not offered: wheels in mesh are, mechanism.wheels; the friction of a belt "
+    "drive is in contacts"
 )
+STROKE = N_("{slider: 3, stroke: {from: 0.35 m, to: 0.60 m, speed: 1.2 m/s}}")
 Turns = Annotated[int, whole(1, 4)]
 
 
@@ -344,7 +345,11 @@ class DriverModel(Model):
         description="rad/s or rpm, negative: clockwise; drive: that of the output shaft of the drive",
     )
     period: Period | None = Field(default=None, description="the time of one turn")
-    law: LawModel | None = Field(default=None, description="its angle by the time, instead of a speed")
+    law: LawModel | None = Field(
+        default=None,
+        description="its angle by the time, instead of a speed",
+        examples=["{speed: 10 rad/s, acceleration: 5 rad/s^2}"],
+    )
     rotation: Turn = Field(default="counter-clockwise", description="the sense of rotation")
     zero: ZeroModel | None = Field(default=None, description="position 0; left out, the angle 0")
     range: Range = Field(2 * math.pi, description="how far it turns")
@@ -355,19 +360,22 @@ class DriverModel(Model):
         default=None, description="by which the link is turned; left out, a moment"
     )
 
+    @model_validator(mode="before")
+    @classmethod
+    def has_a_stroke(cls, data: Any) -> Any:
+        """Before a speed beside the slider is called wrong."""
+        if isinstance(data, dict) and data.keys() & {"slider", "cylinder"} and "stroke" not in data:
+            raise WrongValue(Message(N_("the stroke of the slider or cylinder is missing")), Message(STROKE))
+        return data
+
     @model_validator(mode="after")
     def one_way(self) -> "DriverModel":
         if sum(way is not None for way in (self.link, self.slider, self.cylinder)) != 1:
             wrong = Message(N_("what drives must be stated once"))
             raise WrongValue(wrong, Message(N_("one of link: 1, slider: 3, cylinder: [A, B]")))
         if (self.stroke is not None) != (self.link is None):
-            text = (
-                N_("a stroke is that of a slider or of a cylinder, and a link turns")
-                if self.stroke is not None
-                else N_("the stroke of the slider or cylinder is missing")
-            )
-            right = N_("{slider: 3, stroke: {from: 0.35 m, to: 0.60 m, speed: 1.2 m/s}}")
-            raise WrongValue(Message(text), Message(right))
+            text = N_("a stroke is that of a slider or of a cylinder, and a link turns")
+            raise WrongValue(Message(text), Message(STROKE))
         return self
 
     @model_validator(mode="after")

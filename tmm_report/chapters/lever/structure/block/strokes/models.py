@@ -27,6 +27,7 @@ from tmm_report.variant.values import Length, Number, Period, Positive, Speed, T
 Along = Annotated[float, quantity("acceleration")]
 KINDS = ("acceleration", "accelerations", "harmonic", "polynomial", "lengths", "phases")
 SLIGHT = 1e-12  # of the time of running up and down: a rounding
+MOVES = N_("from and to that differ, or a speed or an acceleration")
 LEAST = 1e-9  # m/s and m/s²: what is less does not move
 WANTS = {"polynomial": ("time",), "phases": ("time", "rise")}
 OF = {
@@ -124,7 +125,7 @@ class StrokeModel(Model):
                 Message(text), Message(N_("for example, {from: 1.10 m, speed: 0.15 m/s, time: 3 s}"))
             )
         if not build(self).fastest >= LEAST:
-            raise WrongValue(Message(N_("by this law nothing moves")))
+            raise WrongValue(Message(N_("by this law nothing moves")), Message(MOVES))
         return self
 
 
@@ -171,7 +172,7 @@ def _uniform(model: StrokeModel, start: float) -> MotionLaw:
         speed = math.copysign(speed, model.to - start)
         time = (model.to - start) / speed
         if not time > 0:
-            raise WrongValue(Message(N_("by this law nothing moves")))
+            raise WrongValue(Message(N_("by this law nothing moves")), Message(MOVES))
         time += ((model.run_up or 0.0) + (model.run_down or 0.0)) / 2
     up, down = model.run_up or 0.0, model.run_down or 0.0
     if not up and not down:

@@ -9,7 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from tmm_report.chapters.lever.synthesis import points_steps
+from tmm_report.chapters.lever.synthesis import body_steps, points_steps
 from tmm_report.chapters.lever.synthesis.given import (
     Body,
     CrankRocker,
@@ -174,20 +174,37 @@ def _body(found: Design, asked: Body) -> Picture:
     s = found.s
     crank = complex(s.number("crank_pivot_x"), s.number("crank_pivot_y"))
     rocker = complex(s.number("rocker_pivot_x"), s.number("rocker_pivot_y"))
-    pins, ends = points_steps.pinned(asked)
+    pins, ends = body_steps.pinned(asked)
     chains = tuple(
         ((crank, complex(pin), complex(end), rocker),) for pin, end in zip(pins, ends, strict=True)
     )
-    named = [(f"{name}{k + 1}", complex(at[k])) for k in range(3) for name, at in (("A", pins), ("B", ends))]
+    named = [
+        (f"{name}{k + 1}", complex(at[k]))
+        for k in range(len(pins))
+        for name, at in (("A", pins), ("B", ends))
+    ]
     arcs = [
         (centre, radius, *_reach(at - centre))
         for centre, radius, at in ((crank, s.number("crank"), pins), (rocker, s.number("rocker"), ends))
     ]
-    return Picture(chains, (crank, rocker), (("O", crank), ("C", rocker), *named), arcs=tuple(arcs))
+    bisectors = [_bisector(pivot, at) for pivot, at in ((crank, pins), (rocker, ends)) if len(at) == 2]
+    names = (("O", crank), ("C", rocker), *named)
+    return Picture(chains, (crank, rocker), names, arcs=tuple(arcs), lines=tuple(bisectors))
+
+
+def _bisector(pivot: complex, at: np.ndarray) -> tuple[complex, complex]:
+    """From the way of a pin beyond the pivot that stands on it, a little longer on both sides."""
+    way = complex(at[1] - at[0])
+    middle, along = complex(at[0] + at[1]) / 2, 1j * way / abs(way) * 0.1 * abs(way)
+    if ((pivot - middle).conjugate() * along).real < 0:
+        along = -along
+    return middle - along, pivot + along
 
 
 def _reach(arms: np.ndarray) -> tuple[float, float]:
     """Ends of an arc a little beyond its points, rad."""
-    middle = np.angle(arms[1])
+    middle = (
+        np.angle(arms[1]) if len(arms) == 3 else np.angle(arms.sum() if abs(arms.sum()) else 1j * arms[0])
+    )
     off = np.angle(arms * np.exp(-1j * middle))
     return float(middle + 1.6 * off.min()), float(middle + 1.6 * off.max())

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from tmm_report.chapters.lever.synthesis.places import Picture, picture
+from tmm_report.chapters.lever.synthesis.draw.places import Picture, picture
 from tmm_report.chapters.lever.synthesis.solve import Design
 from tmm_report.figures.dimensions import span
 from tmm_report.figures.drawing import (

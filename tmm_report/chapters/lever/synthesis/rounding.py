@@ -1,0 +1,84 @@
+"""What rounding does to a found linkage: stroke, time ratio and angles of the lengths as they are taken."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tmm_report.chapters.lever.synthesis import body_steps, points_steps
+from tmm_report.chapters.lever.synthesis.given import (
+    Body,
+    CrankRocker,
+    Dwell,
+    Generator,
+    SliderCrank,
+    SlottedLink,
+    TurningGuide,
+)
+from tmm_report.chapters.lever.synthesis.refused import mm, refused
+from tmm_report.mechanics.lever import synthesis
+from tmm_report.problems import N_, Message
+
+if TYPE_CHECKING:
+    from tmm_report.chapters.lever.synthesis.solve import Design
+
+LINKS = ("crank", "rod", "rocker", "frame", "link", "arm", "radius")
+
+
+def rounded(found: Design) -> None:
+    """Adds to the numbers of the design what its rounded lengths do. Raises ProblemError where they no longer do it."""
+    step = found.given.round
+    assert step is not None
+    for key in LINKS:
+        if key in found.s and abs(found.taken(key)) < step / 2 and found.s.number(key):
+            limit = Message(N_("at most %(most)s"), {"most": mm(abs(found.s.number(key)))})
+            wrong = N_("a length of %(length)s would be rounded to nothing")
+            raise refused(wrong, "round", right=limit, length=mm(abs(found.s.number(key))))
+    s, of = found.s, found.taken
+    match asked := found.given.asked:
+        case SliderCrank():
+            does = synthesis.slider_crank_does(of("crank"), of("rod"), of("offset"))
+        case CrankRocker():
+            frame = math.hypot(of("frame_x"), of("frame_y"))
+            does = synthesis.crank_rocker_does(of("crank"), of("rod"), of("rocker"), frame)
+        case SlottedLink():
+            does = synthesis.slotted_link_does(*map(of, ("crank", "frame", "link", "slide_line", "rod")))
+        case TurningGuide():
+            does = synthesis.turning_guide_does(*map(of, ("crank", "frame", "arm", "rod")))
+        case Generator():
+            assert found.bar is not None
+            a, b, c, d = map(of, ("crank", "rod", "rocker", "frame"))
+            bar = synthesis.FourBar(a, b, c, d, found.bar.side)
+            x = np.linspace(*asked.x, synthesis.GRID + 1)
+            _whole(bool(np.isfinite(bar.rocker(points_steps.angles(asked, x)[0])).all()))
+            s.error_taken = points_steps.greatest_error(asked, bar)
+            return
+        case Dwell():
+            place = points_steps.traced(asked, points_steps.linkage(asked), np.array(asked.angles))
+            s.misfit = _misfit(place, complex(of("centre_x"), of("centre_y")), of("radius"))
+            return
+        case Body():
+            pins = body_steps.pinned(asked)
+            s.misfit = max(
+                _misfit(places, complex(of(f"{key}_pivot_x"), of(f"{key}_pivot_y")), of(key))
+                for places, key in zip(pins, ("crank", "rocker"), strict=True)
+            )
+            return
+    _whole(math.isfinite(does.travel + does.K + does.angle))
+    s.K_taken = does.K
+    if isinstance(asked, CrankRocker):
+        s.swing_taken, s.transmission_taken = does.travel, does.angle
+    else:
+        s.stroke_taken, s.pressure_taken = does.travel, does.angle
+
+
+def _misfit(places: np.ndarray, pivot: complex, length: float) -> float:
+    return float(np.abs(np.abs(places - pivot) - length).max())
+
+
+def _whole(turns: bool) -> None:
+    if not turns:
+        wrong = N_("with the lengths rounded the linkage no longer goes through its motion")
+        raise refused(wrong, "round", right=Message(N_("a smaller step, or leave it out")))

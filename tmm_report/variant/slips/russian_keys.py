@@ -1,0 +1,307 @@
+"""English keys of the format and what they may be called in Russian, beside those of `variant.russian`."""
+
+from __future__ import annotations
+
+MORE = """
+about: относительно
+absorber: гаситель, поглотитель
+acceleration: ускорение
+accelerations: ускорения
+accuracy: точность
+across: поперёк
+after: после
+allow_partial: допускать неполный цикл
+alpha: угол профиля
+alpha_w: угол зацепления
+amplitude: амплитуда
+angles: углы
+angular: угловой, угловое
+apart: раздельно
+arc: дуга
+area: площадь
+areas: площади
+arm: рычаг, плечо
+arms: рычаги, плечи
+at_length: при длине
+at_position: в положении
+axial: осевой, осевая
+back: назад, обратно
+backlash: боковой зазор
+balancing: уравновешивание
+ball_arm: плечо шара
+balls: шары
+bank: ряд цилиндров
+base: основание
+bearings: подшипники, опоры
+before: до
+begin: начало
+bell_crank: угловой рычаг
+between: между
+beyond: за хордой
+bodies: тела
+body: тело
+brake: тормоз
+bushing: втулка
+by_speed: по скорости
+cam: кулачок
+centre: центр
+centre_distance: межосевое расстояние
+choose: выбрать
+circle: окружность
+clear: просвет
+clearance: радиальный зазор
+coast: выбег
+coaxiality: соосность
+coefficient: коэффициент
+collar: буртик
+contacts: контакты, пары трения
+corrected: исправлено
+count: число, количество
+counterweights: противовесы
+couple: пара сил
+coupler: шатунная плоскость
+course: курс
+crank: кривошип
+crank_at: сторона кривошипа
+crank_from: начальный угол кривошипа
+crank_pin: палец кривошипа
+crank_pivot: ось кривошипа
+crank_radius: радиус кривошипа
+crank_rocker: кривошипно-коромысловый механизм, кривошипно-коромысловый
+crank_turn: поворот кривошипа
+cranks: кривошипы
+critical_slip: критическое скольжение
+curve: кривая
+curves: кривые
+cutter: инструмент, долбяк
+cycles: циклы
+cylinder: цилиндр, гидроцилиндр
+cylinders: цилиндры
+dampers: демпферы
+damping: демпфирование
+damping_ratio: относительное демпфирование
+dead_zone: зона нечувствительности
+decimal_sign: десятичный знак
+density: плотность
+disc: диск
+displacement: перемещение
+distance: расстояние
+driven: ведомая, ведомый
+driven_speed: скорость ведомого
+driving: ведущий
+drum: барабан
+dwell: выстой
+dynamics: динамика
+eccentric: эксцентриковый механизм, эксцентрик
+eccentricity: эксцентриситет
+efficiency: кпд
+effort: усилие
+ends: концы
+engine: двигатель внутреннего сгорания
+extension: продолжение
+external_teeth: наружные зубья
+face: торец
+fan: вентилятор
+feedback: обратная связь
+find: найти, искать
+firing: порядок работы
+first: первый
+fixed: неподвижный
+flank: боковая поверхность
+flat: плоский
+force_plan: план сил
+forward: вперёд, прямой ход
+foundation: фундамент
+free_length: свободная длина, длина без нагрузки
+frequency: частота
+from: от, из
+fulcrum: точка опоры
+full: полный
+function: функция
+gap: зазор
+gear: зубчатое колесо
+governor: регулятор
+grade: степень точности
+greatest: наибольшее
+groove: канавка
+half_cone: половина угла конуса
+hand_force: сила руки
+hands: руки
+harmonic: гармоника
+harmonics: гармоники
+height: высота
+helix: угол наклона зубьев
+highest: наивысший
+induction: асинхронный
+inline: рядный
+inner: внутренний
+input: вход
+insensitivity: нечувствительность
+isodrome: изодром
+isolators: виброизоляторы
+joints: шарниры
+journal: цапфа
+journals: цапфы
+law: закон
+least: наименьшее
+lengths: длины
+level: уровень, ровно
+lift: подъём, ход толкателя
+lifts: подъёмы
+limit: предел
+load: нагрузка
+losses_of_acceleration: потери ускорения
+lower: нижний
+lower_offset: смещение нижнего
+lowest: наинизший
+lubrication: смазка
+machine: машина
+material: материал
+materials: материалы
+max_moment: наибольший момент
+mean: средний
+mean_speed: средняя скорость
+member: звено передачи
+method: метод
+methods: методы
+middle: середина
+motor: мотор, двигатель
+moves: движет
+no_load: холостой ход
+of: от наибольшего
+offset: смещение направляющей, дезаксиал
+offset_ratio: относительное смещение
+opposed: оппозитный
+order: порядок
+outer: наружный
+output: выход
+output_share: доля выхода
+overload: перегрузка
+own: собственный
+parallel: параллельно
+part: часть
+parts: части
+phase: фаза
+phases: фазы
+pitch: шаг
+pivot: пята
+pivots: оси
+planes: плоскости
+polar: полярный
+polynomial: полином, многочлен
+power: мощность
+preload: предварительный натяг, натяг
+pressure_angle: угол давления
+pressure_angle_limit: допускаемый угол давления
+products: центробежные моменты
+profile: профиль
+pull: тянуть
+punch: пуансон
+push: толкать
+rack: рейка
+racks: рейки
+radial: радиальный
+radii: радиусы
+radius_of_gyration: радиус инерции
+range: диапазон
+ratio_weight: вес отношения
+reciprocating: возвратно-поступательный
+reduction: приведение
+remove: убрать
+resistance: сопротивление
+resisting: сопротивляющийся
+return: возвращение
+rim: обод
+ring_teeth: зубья эпицикла
+ring_up_to: эпицикл до
+rise: удаление
+rocker: коромысло
+rocker_from: начальный угол коромысла
+rocker_joint: шарнир коромысла
+rocker_pivot: ось коромысла
+rocker_turn: поворот коромысла
+rod: шатун
+rod_length: длина шатуна
+rod_ratio: относительная длина шатуна
+roller: ролик
+rotating: вращающийся
+rotor: ротор
+rotors: роторы
+round: округлить, округление
+running_in: приработка
+satellites: сателлиты
+scale: масштаб
+scheme: схема
+second: второй
+sectors: секторы
+series: последовательно
+servo: сервомотор
+shaft: вал
+share: доля
+shunt: шунтовой, параллельного возбуждения
+side: сторона
+sleeve: муфта регулятора
+sleeve_arm: плечо муфты
+slider: ползун
+slider_crank: кривошипно-ползунный механизм, кривошипно-ползунный
+sliding_limit: предел скольжения
+slope: наклон
+slotted_link: кулиса, качающаяся кулиса, кулисный механизм
+so_that: чтобы, так чтобы
+spacing: расположение
+speeds: скорости
+spokes: спицы
+spring: пружина
+springs: пружины
+stall: момент при пуске
+start: пуск, разгон
+starts: заходы
+state: состояние
+stated: задано
+stator: статор
+steady: установившееся движение
+steps: шаги
+stiffness: жёсткость
+stress: напряжение
+strokes: ходы
+swing: размах, угол размаха
+swings: размахи
+synchronous: синхронная скорость
+thickness: толщина
+throttle: дроссель
+tight: натянутая ветвь
+tilt: наклон ряда
+time: время
+tip_shortening: укорочение головки
+to: до какого
+tolerance: допуск
+torque: крутящий момент
+towards: к
+transmissibility: коэффициент передачи силы
+transmission: угол передачи, углы передачи
+turning_guide: вращающаяся кулиса, механизм витворта
+turns: обороты
+unbalance: дисбаланс
+unknown: неизвестное
+upper: верхний
+upper_offset: смещение верхнего
+value: значение
+values: значения
+varying_inertia: переменный момент инерции
+vee: развал
+velocity: линейная скорость
+vibration: колебания, вибрация
+viscosity: вязкость, коэффициент вязкого сопротивления
+viscous: вязкое сопротивление
+voltage: напряжение сети
+wear: износ, изнашивание
+wheel: колесо
+wheels: колёса
+width: ширина
+within: в пределах
+work: работа
+wrap: угол обхвата
+wrist_pin: поршневой палец
+"""
+SYMBOLS = frozenset(["K", "c*", "cos", "ha*", "sin", "t", "x", "x0", "xz", "y", "yz", "z0"])
+"""Keys that are letters in any language."""
