@@ -114,6 +114,7 @@ SETS: Mapping[str, Sequence[Keys]] = {
     "Disc": [("width",), ("diameter",), ()],
     "Rim": [("height", "width"), ("diameter", "width"), ()],
     "Eccentric": [("ratio", "eccentricity"), ("ratio", "eccentricity", "t"), ("teeth",)],
+    "MeshLoad": [("meshes", "axes"), ()],
     "Spur": [("teeth",), ("centre_distance",), ("teeth", "centre_distance")],
     "PhaseModel": [("rise", "law"), ("rise",), ("dwell",), ("return", "law")],
     "vibration.Start": [("displacement",), ("velocity",), ("displacement", "velocity")],

@@ -298,6 +298,8 @@ def test_a_pair_of_rotors_is_two_masses_that_turn():
 
 # ---------------------------------------------------------------- what is stated wrongly
 
+OPTIMUM = "methods: [optimum], counterweights: {1: {distance: 5 cm}}"
+
 
 @pytest.mark.parametrize(
     ("block", "key", "words"),
@@ -313,6 +315,9 @@ def test_a_pair_of_rotors_is_two_masses_that_turn():
         ("methods: [inertia], wheels: {8: -1}", "balancing.wheels.8", "no link 8"),
         ("methods: [inertia], wheels: {1: -1}", "balancing.wheels.1", "does not turn unevenly"),
         ("methods: [inertia], after: full", "balancing.after", "not asked for"),
+        (f"{OPTIMUM}, wheels: {{3: -1}}", "balancing.wheels", "add inertia to the methods"),
+        (f"{OPTIMUM}, {COUPLES}", "balancing.couples", "add couples to the methods"),
+        (f"{OPTIMUM}, after: optimum", "balancing.after", "no method that uses it"),
         ("methods: [inertia], after: stated", "balancing.after", "one of: none"),
     ],
 )

@@ -87,7 +87,7 @@ class Point:
 
 
 @dataclass(frozen=True)
-class Load:
+class MeshLoad:
     """The moment that loads the meshes, and how stiff they and the axes of the satellites are."""
 
     moment: Annotated[MomentValue, Field(description="positive counter-clockwise", examples=["20 N*m"])]
@@ -168,7 +168,7 @@ class Eccentric:
         None
     )
     load: Annotated[
-        Load | None, Field(description="the moment for which the forces in the meshes are found")
+        MeshLoad | None, Field(description="the moment for which the forces in the meshes are found")
     ] = None
     points: Annotated[
         dict[Name, Point],

@@ -9,7 +9,7 @@ import cmath
 import math
 from collections.abc import Iterator
 
-from tmm_report.chapters.gears.eccentric.given import Load
+from tmm_report.chapters.gears.eccentric.given import MeshLoad
 from tmm_report.chapters.gears.eccentric.paths import Traced
 from tmm_report.chapters.gears.eccentric.solve import paper
 from tmm_report.chapters.gears.eccentric.solve.mechanism import RING, SUN, Found
@@ -282,7 +282,7 @@ class Mechanism:
             s.put(key, abs(sum(forces)))
         yield from rows
 
-    def _sharing(self, number: int, of: Satellite, load: Load) -> Loaded:
+    def _sharing(self, number: int, of: Satellite, load: MeshLoad) -> Loaded:
         wheel = self.found.satellites[number].wheel
         row = Loaded("eccentric_loads", number, wheel)
         row.gamma = Computed(of.phi3 - of.phi1, scale=360.0)
@@ -292,7 +292,7 @@ class Mechanism:
             row.w = 1 / (1 + 2 * self.s.kappa * cos(self._leaning(row, load)) ** 2)
         return row
 
-    def _leaning(self, row: Loaded, load: Load) -> Expr:
+    def _leaning(self, row: Loaded, load: MeshLoad) -> Expr:
         """Between a normal force and the sum of both: the satellite leans with the moment on one side of the line of
         the axes, against it on the other."""
         half = row.gamma / 2

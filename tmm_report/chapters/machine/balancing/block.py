@@ -9,6 +9,7 @@ from tmm_report.chapters.lever.structure.block import FRAME, Names, names, no_li
 from tmm_report.chapters.machine.balancing.given import (
     COUPLES,
     FULL,
+    INERTIA,
     MOMENT,
     NONE,
     STATED,
@@ -118,6 +119,18 @@ def _against_moment(read: Read, written: Balancing, known: Names) -> Iterator[Pr
     if COUPLES in written.ways and not written.couples and not _broken(read, ("balancing", "couples")):
         right = Message(N_("for example, couples: {1: {radius: 60 mm, distance: 300 mm}}"))
         yield mistake(N_("the weights in antiphase are not stated"), ("balancing", "couples"), right)
+    used = {
+        "wheels": (written.wheels, (INERTIA,)),
+        "couples": (written.couples, (COUPLES,)),
+        "after": (written.after, MOMENT),
+    }
+    for key, (value, methods) in used.items():
+        if value and not set(methods) & set(written.ways):
+            right = Message(
+                N_("add %(method)s to the methods, or leave this key out"), {"method": methods[0]}
+            )
+            text = N_("%(key)s is stated, but no method that uses it is asked for")
+            yield mistake(text, ("balancing", key), right, key=key)
     no_way = written.after not in (None, NONE, STATED, *written.ways) or (
         written.after == STATED and not written.stated
     )
