@@ -116,7 +116,8 @@ def test_an_internal_pair_has_no_minus():
 @pytest.mark.parametrize("kind", ["belt", "worm", "bevel", "chain"])
 def test_a_stage_of_another_kind_is_named(kind):
     (line,) = lines(text=f"drive:\n  speed: 1440 rpm\n  stages: [{{kind: {kind}, ratio: 20}}]\n")
-    assert f"kind: {kind} is not offered; begin with kind: spur or kind: planetary" in line
+    nearest = "kind: spur has the same ratio" if kind == "bevel" else "stand with a part of dynamics"
+    assert f"there is no kind: {kind}; " in line and nearest in line
 
 
 @pytest.mark.parametrize("key", ["acceleration", "epsilon"])

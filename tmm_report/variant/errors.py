@@ -106,8 +106,9 @@ def _problem(
         return _not_a_word(error, path)
     right = Message(error["msg"]) if kind == "shape" else None
     if kind == "shape" and isinstance(error["input"], dict) and (named := error["input"].get("kind")):
-        near_by = textbook.nearest(str(named)) or right
-        return mistake(N_("kind: %(value)s is not offered"), path, near_by, value=shown(named))
+        if (near_by := textbook.nearest(str(named))) is not None:
+            return mistake(N_("there is no kind: %(value)s"), path, near_by, value=shown(named))
+        return mistake(N_("kind: %(value)s is not offered"), path, right, value=shown(named))
     if kind in ("list_type", "tuple_type") and (listed := _as_list(error["input"])):
         return mistake(_TEXTS[kind], path, Message(N_("write %(text)s"), {"text": listed}))
     if kind == "list_type" and isinstance(error["input"], dict):

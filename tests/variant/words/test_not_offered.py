@@ -83,7 +83,9 @@ NAMED = {
 }
 
 
-@pytest.mark.parametrize("text", NAMED)
+@pytest.mark.parametrize(
+    "text", NAMED, ids=[f"{key}-{n}".replace(" ", "_") for n, (key, _) in enumerate(NAMED.values())]
+)
 def test_what_textbooks_have_is_known_by_its_name(text):
     key, words = NAMED[text]
     with pytest.raises(ProblemError) as caught:

@@ -175,14 +175,15 @@ SLIPS = [  # text, what is replaced by what, line, key, cure
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize("text", [LOADED, DRIVEN, WHEELS, FIND])
+IDS = [f"{one[4]}-{n}" for n, one in enumerate(SLIPS)]
+
+
+@pytest.mark.parametrize("text", [LOADED, DRIVEN, WHEELS, FIND], ids=["loaded", "driven", "wheels", "find"])
 def test_the_texts_themselves_are_right(text):
     assert course.loads(text)
 
 
-@pytest.mark.parametrize(
-    ("text", "right", "wrong", "line", "key", "cure"), SLIPS, ids=[one[2] for one in SLIPS]
-)
+@pytest.mark.parametrize(("text", "right", "wrong", "line", "key", "cure"), SLIPS, ids=IDS)
 def test_a_slip_is_told_once_with_its_line_and_cure(text, right, wrong, line, key, cure):
     assert text.count(right) == 1
     with pytest.raises(ProblemError) as caught:

@@ -359,7 +359,7 @@ TOLD = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("text", TOLD)
+@pytest.mark.parametrize("text", TOLD, ids=[f"{key}-{n}" for n, (key, _) in enumerate(TOLD.values())])
 def test_what_cannot_be_is_told(text):
     path, words = TOLD[text]
     told = problems(f"synthesis: {text}\n")
