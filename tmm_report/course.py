@@ -20,6 +20,7 @@ from tmm_report.chapters.lever.kinematics.given import Positions, Way
 from tmm_report.chapters.lever.kinetostatics.given import Loads
 from tmm_report.chapters.lever.methods.given import Comparison
 from tmm_report.chapters.lever.plans.given import Drawing
+from tmm_report.chapters.lever.press.given import Press
 from tmm_report.chapters.lever.readings.given import Readings
 from tmm_report.chapters.title.given import Title
 from tmm_report.languages import DEFAULT, DecimalSign, stated_in
@@ -39,6 +40,7 @@ if TYPE_CHECKING:
     from tmm_report.chapters.lever.methods import solve as methods
     from tmm_report.chapters.lever.moving import Moving
     from tmm_report.chapters.lever.plans import solve as plans
+    from tmm_report.chapters.lever.press import solve as press
     from tmm_report.chapters.lever.readings import solve as readings
     from tmm_report.chapters.lever.reduction import solve as reduction
     from tmm_report.chapters.lever.structure import solve as structure
@@ -80,6 +82,7 @@ if not TYPE_CHECKING:
     friction = Late("lever.friction.solve")
     reduction = Late("lever.reduction.solve")
     transmission = Late("lever.transmission.solve")
+    press = Late("lever.press.solve")
     readings = Late("lever.readings.solve")
     methods = Late("lever.methods.solve")
     dynamics = Late("machine.dynamics.solve")
@@ -110,6 +113,7 @@ class LeverGiven:
     friction: Friction | None = None
     reduction: bool = False
     transmission: float | None = None  # the least permitted angle, rad
+    press: Press | None = None
     way: Way | None = None
     methods: Comparison | None = None
     accuracy: float | None = None  # relative: what the numbers are to hold
@@ -159,6 +163,7 @@ class LeverFound:
     friction: friction.FrictionFound | None = None
     reduction: reduction.Reduction | None = None
     transmission: transmission.Found | None = None
+    press: press.Found | None = None
     readings: readings.ReadingsFound | None = None
     methods: methods.Found | None = None
 
@@ -300,6 +305,7 @@ def solve_lever(given: LeverGiven, moved: Moved | None = None, flywheel: Any = N
         friction.solve(given.friction, forces) if given.friction and forces else None,
         reduction.solve(motion, forces, drawn) if given.reduction else None,
         transmission.solve(motion, given.transmission) if given.transmission else None,
+        press.solve(motion, given.press) if given.press else None,
     )
     if given.methods:
         moving = _moving(found, flywheel is None or flywheel.friction)
