@@ -201,6 +201,8 @@ def test_a_run_down_from_the_speed_of_the_start_up_is_joined_with_it():
     assert [one.name for one in found.joined.stretches] == ["start", "coast"]
     assert found.joined.samples()[0][-1] == pytest.approx(2 * 20 / 4 + 2 * 20 / 1)
     assert alone(text + "  start: {speed: 20}\n  coast: {begin: 10}\n").joined is None
+    in_vain = alone(text + "  start: {speed: 20}\n  coast: {begin: 20}\n  cycles: 3\n")
+    assert [one.path for one in in_vain.doubts] == [("dynamics", "cycles")]
 
 
 def test_cycles_that_nothing_shows_are_doubted():

@@ -181,7 +181,7 @@ class Found:
     @property
     def doubts(self) -> Iterator[Problem]:
         yield from friction_doubts(self.whole.machine, "dynamics")
-        if self.given.cycles is not None and self.joined is None:
+        if self.given.cycles is not None and not (self.joined and self.joined.cycles):
             text = N_(
                 "no steady motion is joined with a start-up or a run-down, so no cycles of it are shown"
             )

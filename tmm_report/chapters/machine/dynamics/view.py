@@ -343,7 +343,8 @@ class DynamicsView(ChapterView):
         if self.found.coast is not None:
             text = N_("The run-down of the machine takes %(t)s s.")
             lines.append(self.t(text, t=self.number("t_coast", digits=4)))
-        if self.found.joined is not None and self.found.start is not None and self.found.coast is not None:
+        joined = self.found.joined
+        if joined is not None and {"start", "coast"} <= {one.name for one in joined.stretches}:
             text = N_(
                 "From the start to the end of the run-down the main shaft turns %(turns)s times in %(t)s s."
             )
