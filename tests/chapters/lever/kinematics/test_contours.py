@@ -255,3 +255,30 @@ def test_the_slotted_link_of_a_scotch_yoke_only_translates():
     motion = found.cycle.motion(np.linspace(0, found.cycle.sweep, 200))
     assert np.abs(motion.angular_velocity("3")).max() == 0
     assert not contours(moved(read("compressor")), 0).slotted
+
+
+ON_SLIDER = """
+language: en
+mechanism:
+  frame: {O: [0, 0]}
+  guides: {x: {through: O}}
+  links:
+    1: {points: {O: 0, A: 50 mm}}
+    2: {points: {A: 0, B: 200 mm, M: 120 mm}}
+    3: {points: {B: 0, Q: [100 mm, 40 mm]}, slides: {guide: x, at: B}}
+    5: {points: {M: 0, N: [100 mm, 40 mm], S: [30 mm, -20 mm]}}
+    6: {points: {Q: 0, N: 80 mm}}
+  driver: {link: 1, speed: 60 rpm, zero: {angle: 20 deg}}
+  assembly: {B: right, N: left of M-Q}
+"""
+
+
+def test_a_link_parallel_to_a_side_of_a_slider_translates_too():
+    found = moved(course.loads(ON_SLIDER))
+    *_, written = contours(found, 1).groups
+    assert isinstance(written, Translating) and written.links == ("5",) and written.by == "3"
+    assert written.corners == ("B", "M", "N", "Q") and written.turned == ("6", "2")
+    assert off(found) < 1e-9
+    motion = found.cycle.motion(np.linspace(0.01, 6.2, 300))
+    assert np.abs(motion.angular_velocity("5")).max() < 1e-9 * found.omega
+    assert motion.velocity("S") == pytest.approx(motion.velocity("M"), abs=1e-9)
