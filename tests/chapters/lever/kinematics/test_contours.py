@@ -282,3 +282,28 @@ def test_a_link_parallel_to_a_side_of_a_slider_translates_too():
     motion = found.cycle.motion(np.linspace(0.01, 6.2, 300))
     assert np.abs(motion.angular_velocity("5")).max() < 1e-9 * found.omega
     assert motion.velocity("S") == pytest.approx(motion.velocity("M"), abs=1e-9)
+
+
+BETWEEN = """
+language: en
+mechanism:
+  frame: {O: [0, 0]}
+  guides: {x: {through: O}}
+  links:
+    1: {points: {O: 0, A: 50 mm, P: 90 mm}}
+    2: {points: {A: 0, B: 200 mm, M: 120 mm}}
+    3: {points: [B], slides: x}
+    5: {points: {P: 0, N: 120 mm}}
+    6: {points: {M: 0, N: 40 mm}}
+  driver: {link: 1, speed: 60 rpm, zero: {angle: 100 deg}}
+  assembly: {B: right, N: SIDE of P-M}
+"""
+
+
+def test_a_link_parallel_to_one_that_turns_turns_with_it():
+    found = [moved(course.loads(BETWEEN.replace("SIDE", side))) for side in ("left", "right")]
+    for one in found:
+        assert not [w for w in contours(one, 1).groups if isinstance(w, Translating)] and off(one) < 1e-9
+    motions = [one.cycle.motion(np.linspace(0, 0.5, 20)) for one in found]
+    alike = [np.allclose(m.angular_velocity("5"), m.angular_velocity("2"), rtol=1e-9) for m in motions]
+    assert any(alike)
