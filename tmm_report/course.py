@@ -20,6 +20,7 @@ from tmm_report.chapters.lever.kinematics.given import Positions, Way
 from tmm_report.chapters.lever.kinetostatics.given import Loads
 from tmm_report.chapters.lever.methods.given import Comparison
 from tmm_report.chapters.lever.plans.given import Drawing
+from tmm_report.chapters.lever.press.given import Press
 from tmm_report.chapters.lever.readings.given import Readings
 from tmm_report.chapters.title.given import Title
 from tmm_report.languages import DEFAULT, DecimalSign, stated_in
@@ -39,6 +40,7 @@ if TYPE_CHECKING:
     from tmm_report.chapters.lever.methods import solve as methods
     from tmm_report.chapters.lever.moving import Moving
     from tmm_report.chapters.lever.plans import solve as plans
+    from tmm_report.chapters.lever.press import solve as press
     from tmm_report.chapters.lever.readings import solve as readings
     from tmm_report.chapters.lever.reduction import solve as reduction
     from tmm_report.chapters.lever.structure import solve as structure
@@ -83,6 +85,7 @@ if not TYPE_CHECKING:
     reduction = Late("lever.reduction.solve")
     translation = Late("lever.translation.solve")
     transmission = Late("lever.transmission.solve")
+    press = Late("lever.press.solve")
     readings = Late("lever.readings.solve")
     methods = Late("lever.methods.solve")
     dynamics = Late("machine.dynamics.solve")
@@ -115,6 +118,7 @@ class LeverGiven:
     reduction: bool = False
     translation: str | None = None  # reduction to a link that slides, "" to the stroke of what drives
     transmission: float | None = None  # the least permitted angle, rad
+    press: Press | None = None
     way: Way | None = None
     methods: Comparison | None = None
     accuracy: float | None = None  # relative: what the numbers are to hold
@@ -166,6 +170,7 @@ class LeverFound:
     reduction: reduction.Reduction | None = None
     translation: translation.Found | None = None
     transmission: transmission.Found | None = None
+    press: press.Found | None = None
     readings: readings.ReadingsFound | None = None
     methods: methods.Found | None = None
 
@@ -310,6 +315,7 @@ def solve_lever(given: LeverGiven, moved: Moved | None = None, flywheel: Any = N
         reduction.solve(motion, forces, drawn) if given.reduction else None,
         translation.solve(given.translation, motion, forces) if given.translation is not None else None,
         transmission.solve(motion, given.transmission) if given.transmission else None,
+        press.solve(motion, given.press) if given.press else None,
     )
     if given.methods:
         moving = _moving(found, flywheel is None or flywheel.friction)

@@ -28,6 +28,8 @@ SPUR = "tmm_report/chapters/gears/spur/"
 PLANETARY = "tmm_report/chapters/gears/planetary/"
 REDUCTION = "tmm_report/chapters/lever/reduction/"
 TRANSMISSION = "tmm_report/chapters/lever/transmission/"
+PRESS, KNUCKLE = "tmm_report/chapters/lever/press/", "knuckle_press"
+PRESSED = ("tests/chapters/lever/press",)
 ECCENTRIC = "tmm_report/chapters/gears/eccentric/"
 MECHANICS = "tmm_report/mechanics/"
 PAGE = "tmm_report/report/page.py"
@@ -305,6 +307,25 @@ FAULTS = (
           "float(diameters[i]) * 1e3", "hoist_drive"),
     Fault("curves of sliding swapped", SPUR + "draw/sliding.py", "return (found.first, found.second)[i]",
           "return (found.first, found.second)[1 - i]", "hoist_drive"),
+    # --- a press ---
+    Fault("press: the permitted force by twice the torque", PRESS + "quantities.py",
+          "found.given.torque / np.where(", "2 * found.given.torque / np.where(", KNUCKLE, PRESSED),
+    Fault("press: the rated angle farthest from the dead point", PRESS + "steps.py",
+          "s.alpha_nom = float(before[0])", "s.alpha_nom = float(before[-1])", KNUCKLE, PRESSED),
+    Fault("press: dwell before the dead point for that after it", PRESS + "steps.py",
+          "float(before[0]), float(after[0])", "float(after[0]), float(before[0])", KNUCKLE, PRESSED),
+    Fault("press: the other dead point", PRESS + "solve.py",
+          "own.direction * np.sign(towards)", "-own.direction * np.sign(towards)", KNUCKLE, PRESSED),
+    Fault("press: unevenness by the greatest velocity", PRESS + "steps.py",
+          "(s.v_max - s.v_min) / s.v_mean", "(s.v_max - s.v_min) / s.v_max", KNUCKLE, PRESSED),
+    Fault("press: extremes of the velocity at the ends alone", PRESS + "steps.py",
+          "found.output.velocity(found.before([begin, *inner, end]))",
+          "found.output.velocity(found.before([begin, *(begin for _ in inner), end]))", KNUCKLE, PRESSED),
+    Fault("press: velocity for the arm", PRESS + "solve.py",
+          "return self.output.velocity(motion) / np.abs(motion.omega)", "return self.output.velocity(motion)",
+          KNUCKLE, PRESSED),
+    Fault("press: the ring on the chart beside the rated angle", PRESS + "view.py",
+          '(self.s.number("s_nom") * 1e3, least / 1e3)', '(self.s.number("s_1") * 1e3, least / 1e3)', KNUCKLE, PRESSED),
     # --- transmission angles ---
     Fault("transmission angle from the guide, not from its normal", TRANSMISSION + "view.py",
           "cosine = apart / a if", "cosine = apart / (2 * a) if", "slider_crank_offset"),

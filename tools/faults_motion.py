@@ -10,6 +10,7 @@ MOTION = (
     "tests/mechanics/machine/test_shaft_in_motion.py",
 )
 TABLES = ("tests/chapters/machine/dynamics/test_dynamics_tables.py",)
+REGIMES = ("tests/chapters/machine/dynamics/test_dynamics_joined.py",)
 LAWS = (
     "tests/mechanics/machine/test_characteristics.py",
     "tests/validation/motion/test_motion_inertia_and_start.py",
@@ -204,6 +205,17 @@ FAULTS = (
     Fault("friction of the pairs does not load the drive", "tmm_report/chapters/gears/drive/crank.py",
           "mean, ends = mean + float(lost or 0.0),", "mean, ends = mean,", "hoist_drive",
           ("tests/chapters/machine/test_drive_turns_the_link.py",)),
+    Fault("regimes: the steady motion as the work of one cycle", DYNAMICS + "joined.py",
+          "key: count * work for key", "key: work for key", "piston_pump", REGIMES),
+    Fault("regimes: the run-down begins at once after the start-up", DYNAMICS + "joined.py",
+          "rows[:2] + begin, rows[2:]", "rows[:2] + 0.9 * begin, rows[2:]", "hoist_start", REGIMES),
+    Fault("regimes: friction of the pairs among the loads", DYNAMICS + "joined.py",
+          "for kind, one in machine.acting if kind == RUBBING", "for kind, one in machine.acting if kind == MOTOR",
+          "piston_pump", REGIMES),
+    Fault("regimes: the speed at the beginning for that at the end", DYNAMICS + "quantities.py",
+          "speeds = [float(one.omega[-1]) for one", "speeds = [float(one.omega[0]) for one", "hoist_start", REGIMES),
+    Fault("regimes: the times between them at the beginnings", DYNAMICS + "draw.py",
+          'regimes["t_end"].numbers()[:-1]', 'regimes["t_begin"].numbers()[:-1]', "hoist_start", REGIMES),
     Fault("friction of the shaft that drives", DYNAMICS + "plant.py",
           '_acting(f"res{k}", one.law, -1.0, over)', '_acting(f"res{k}", one.law, 1.0, over)', "piston_pump",
           MOTION),

@@ -41,8 +41,8 @@ LETTER = re.compile(r'(?:Q\(|Symbol\()"(\w+)"')
 KEY = re.compile(r'Quantity\("(\w+)"|^\s*(\w+?)_? = Q\(')
 UNIT = re.compile(r'"(' + "|".join(re.escape(unit) for unit in UNITS) + r')"')
 
-KEYS = {"friction", "reduction", "transmission", "balancing", "harmonics", "dynamics", "flywheel", "governor", "rotor",
-        "engine", "vibration", "contacts", "efficiency", "wear", "drive", "spur", "planetary", "eccentric",
+KEYS = {"friction", "reduction", "transmission", "press", "balancing", "harmonics", "dynamics", "flywheel", "governor",
+        "rotor", "engine", "vibration", "contacts", "efficiency", "wear", "drive", "spur", "planetary", "eccentric",
         "readings", "methods"}  # fmt: skip
 """Chapters that a variant's file asks for by name."""
 

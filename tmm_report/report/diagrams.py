@@ -95,15 +95,17 @@ class Line(NamedTuple):
     most: float = math.inf
 
 
-def chart(lines: Iterable[Line], along: Column, of: Sequence[Quantity], tr: Translator) -> Graph:
+def chart(
+    lines: Iterable[Line], along: Column, of: Sequence[Quantity], tr: Translator, bounds: Sequence[float] = ()
+) -> Graph:
     """Columns over an ascending one. `of`: what each panel shows, from the top: its letter and unit are on the axis,
-    and the curves are drawn in that unit."""
+    and the curves are drawn in that unit; `bounds`: as `graph` has them."""
     drawn = [
         Curve(_below(line, of[line.panel].printed), line.name, line.panel, line.extremes) for line in lines
     ]
     panels = [(quantity.sign, quantity.printed) for quantity in of]
     unit = along.quantity.printed
-    return plot(drawn, along.numbers(unit), replace(along.quantity, unit=unit), panels, tr)
+    return plot(drawn, along.numbers(unit), replace(along.quantity, unit=unit), panels, tr, bounds)
 
 
 def cycle_chart(table: Table, keys: Sequence[str], tr: Translator) -> Graph:
@@ -131,7 +133,12 @@ def _below(line: Line, unit: str) -> Array:
 
 
 def plot(
-    curves: Sequence[Curve], x: Array, along: Quantity, of: Sequence[tuple[Symbol, str]], tr: Translator
+    curves: Sequence[Curve],
+    x: Array,
+    along: Quantity,
+    of: Sequence[tuple[Symbol, str]],
+    tr: Translator,
+    bounds: Sequence[float] = (),
 ) -> Graph:
     """Curves over any ascending quantity `along`, (P,) in its unit: the time, the speed, a frequency. `of`: symbol and
     unit of each panel, from the top."""
@@ -140,7 +147,7 @@ def plot(
     return graph(
         curves, np.asarray(x, float), letters.letter(along.sign, along.unit),
         [letters.letter(symbol, unit) for symbol, unit in of],
-        step=ticks[1] - ticks[0], comma=tr.decimal == ",", join=False,
+        step=ticks[1] - ticks[0], comma=tr.decimal == ",", join=False, bounds=bounds,
     )  # fmt: skip
 
 

@@ -186,6 +186,10 @@ SIZES: dict[str, tuple[float, float, str]] = {
     "Inline.bank": (-30, 30, "deg"),
     "Balancing.part": (0, 1, ""),
     "Balancing.highest": (2, 8, ""),
+    "Press.torque": (0.05, 5, "kN*m"),
+    "Press.rated": (1, 100, "kN"),
+    "Press.within": (0.1, 3, "mm"),
+    "Press.working": (0, 20, "mm"),
     "Harmonics.highest": (1, 8, ""),
     "Harmonics.steps": (2, 8, ""),
     # vibration

@@ -165,6 +165,7 @@ NEEDS: Mapping[str, Sequence[tuple[str, Keys]]] = {
         ("arms", ("lift", "radius", "sleeve", "balls")),
         ("bell_crank", ("lift", "radius", "balls", "spring")),
     ],
+    "Press": [("rated", ("torque",))],
     "rotor.Given": [("grade", ("speed", "mass")), ("width", ("diameter",)), ("diameter", ("width",))],
 }
 

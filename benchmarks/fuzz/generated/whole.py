@@ -43,6 +43,7 @@ BESIDE = (
 )
 UNIFORM = (
     "dynamics", "flywheel", "friction", "reduction", "harmonics", "methods", "method", "accuracy", "balancing", "wear",
+    "press",
 )  # fmt: skip
 """What reckons with a driving link that turns uniformly."""
 MARKS = ("language", "decimal_sign", "title")
@@ -110,6 +111,7 @@ def _lever(data: dict[str, Any], walk: Walk) -> None:
         "accuracy",
         "methods",
         "transmission",
+        "press",
         "readings",
         "allow_partial",
     ):
@@ -177,8 +179,39 @@ def _agreed(data: dict[str, Any]) -> None:
         for name in UNIFORM:
             data.pop(name, None)
     if "range" in data["mechanism"]["driver"]:
-        for name in ("dynamics", "flywheel", "harmonics", "balancing", "wear"):
+        for name in ("dynamics", "flywheel", "harmonics", "balancing", "wear", "press"):
             data.pop(name, None)
+    if "press" in data:
+        _pressed(data)
+
+
+def _pressed(data: dict[str, Any]) -> None:
+    """The press is a slider on a fixed guide, which leads to the side of its dead point; where there is one."""
+    guides, made = data["mechanism"].get("guides", {}), data["press"]
+    if not {"torque", "within", "working"} & set(made):
+        made["within"] = "1 mm"
+    if "working" in made:
+        made["working"] = sorted(made["working"], key=_leading, reverse=True)
+    for link, stated in data["mechanism"]["links"].items():
+        slides = stated.get("slides")
+        slides = slides.get("guide") if isinstance(slides, dict) else slides
+        guide = guides.get(slides) if isinstance(slides, str) else None
+        if guide is not None and "link" not in guide:
+            upright = str(guide.get("angle", 0)).startswith("90")
+            sides = ("up", "down") if upright else ("right", "left")
+            made["slider"] = link
+            if made.get("extreme") not in sides:
+                made["extreme"] = sides[len(link) % 2]
+            return
+    data.pop("press")
+
+
+def _leading(value: Any) -> float:
+    """The number that a text begins with; an odd one is nothing."""
+    try:
+        return float(str(value).split()[0])
+    except (ValueError, IndexError):
+        return 0.0
 
 
 def _positions(made: dict[str, Any], walk: Walk) -> None:

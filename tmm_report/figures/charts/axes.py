@@ -26,6 +26,7 @@ HEAD, NUMBERS, BELOW, RIGHT = (
     12.5,
     4.0,
 )  # mm: a row of names, numbers of positions, figures of x, margin
+REGIMES = 10.5  # mm: the x of the bounds between regimes, and over them the numbers of these
 GAP = 1.2  # between a panel and the names of the next, mm
 EVERY = 10.0  # mm between ticks of values
 TALLEST, ALONE, LEAST = (

@@ -20,6 +20,7 @@ from tmm_report.figures.charts.axes import (
     HEAD,
     NUMBERS,
     PAPER,
+    REGIMES,
     RIGHT,
     TICK,
     Panel,
@@ -86,13 +87,19 @@ class Graph:
     comma: bool
     join: bool
     title: str
+    bounds: Sequence[float] = ()
 
     @property
     def size(self) -> tuple[float, float]:
         """Width and height, mm."""
         top = self.panels[0]
         rows = sheet.rows(top, self.ylabels[0], self.of(0))
-        return top.right + RIGHT, top.top + _head(rows, self.positions > 0)
+        return top.right + RIGHT, top.top + HEAD * rows + self.over
+
+    @property
+    def over(self) -> float:
+        """Height of the numbers of the positions, and of the regimes, over the top panel, mm."""
+        return _over(self.positions, self.bounds)
 
     def of(self, number: int) -> list[tuple[Curve, Look]]:
         """The curves of a panel and how each is drawn."""
@@ -116,12 +123,14 @@ def graph(
     comma: bool = False,
     join: bool = True,
     title: str = "",
+    bounds: Sequence[float] = (),
 ) -> Graph:
     """Curves over `x` (P,), ascending, a panel for each of `ylabels`, sharing x; values at round scales.
 
     `wide`: length of the axis of x, mm; 0: what the text of a page leaves. `step`: of x between ticks; `positions`:
     how many positions the cycle is numbered with over the top, 0: none; `comma`: decimal comma; `join`: thin lines
-    join the extremes of all panels; `title` is for who cannot see it.
+    join the extremes of all panels; `title` is for who cannot see it; `bounds`: of what follows one another along x,
+    numbered by Roman figures: uprights with their x over the top.
     """
     x, curves = np.asarray(x, float), [curve.settled() for curve in curves]
     names = [_parts(label) for label in ylabels]
@@ -129,14 +138,15 @@ def graph(
     axes = [_axis(of, x) for of in own]
     bare = Panel(0.0, 1.0, (float(x[0]), float(x[-1])), (0.0, 1.0), WIDEST, wide or PAPER - WIDEST - RIGHT)
     heads = [
-        _head(sheet.rows(bare, name, list(zip(of, cycle(LOOKS), strict=False))), positions > 0 and k == 0)
+        HEAD * sheet.rows(bare, name, list(zip(of, cycle(LOOKS), strict=False)))
+        + (_over(positions, bounds) if k == 0 else 0.0)
         for k, (name, of) in enumerate(zip(names, own, strict=True))
     ]
     laid = _stacked(bare, axes, heads)
     left = _left(laid, comma)
     laid = [replace(panel, left=left, wide=wide or PAPER - left - RIGHT) for panel in laid]
     return Graph(
-        curves, x, _parts(xlabel), names, laid, step, positions, comma, join and len(names) > 1, title
+        curves, x, _parts(xlabel), names, laid, step, positions, comma, join and len(names) > 1, title, bounds
     )
 
 
@@ -156,9 +166,9 @@ def _left(laid: Sequence[Panel], comma: bool) -> float:
     return max(width((text,), FIGURE) for text in texts) + TICK + 1.8
 
 
-def _head(rows: int, numbered: bool) -> float:
-    """Height of what stands over a panel, mm."""
-    return HEAD * rows + (NUMBERS if numbered else 0.0)
+def _over(positions: int, bounds: Sequence[float]) -> float:
+    """Height of what is numbered over the top panel, mm."""
+    return (NUMBERS if positions else 0.0) + (REGIMES if len(bounds) else 0.0)
 
 
 def _stacked(bare: Panel, axes: Sequence[Values], heads: Sequence[float]) -> list[Panel]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -16,6 +17,7 @@ from tmm_report.figures.charts.axes import (
     FIGURE,
     HEAD,
     NUMBERS,
+    REGIMES,
     TICK,
     Panel,
     figure,
@@ -34,6 +36,7 @@ NAME = 3.2  # height of the names of axes, mm
 CURVE, FRAME, GRID = 0.39, 0.22, 0.13  # widths of lines, mm
 JOINED = Pen(0.16, "grey", (1.4, 1.0))
 RING, MARK = 0.85, 0.6  # radii of a ring at an extreme and of a marker, mm
+ROMAN = ("I", "II", "III", "IV", "V")
 SAMPLE, SPACE = 10.0, 4.0  # length of a sample of a line, space before the next, mm
 
 
@@ -61,6 +64,7 @@ def drawn(graph: Graph) -> Drawing:
         items += _panel(graph, panel, number)
     items += _x_axis(graph)
     items += _numbers(graph)
+    items += _regimes(graph)
     return Drawing(tuple(items), graph.title)
 
 
@@ -72,7 +76,9 @@ def _panel(graph: Graph, panel: Panel, number: int) -> Iterator[Item]:
     crowd = Crowd(panel, [panel.places(graph.x, curve.values) for curve, _ in own])
     extremes = list(_extremes(graph, crowd, own))
     if graph.join:
-        yield from _joined(graph, crowd)
+        at = {round(at, 6) for curve in graph.curves for at, _ in curve.marked(graph.x)}
+        yield from _joined(crowd, sorted(at))
+    yield from _joined(crowd, graph.bounds[1:-1])
     yield from extremes
     yield from _names(graph, panel, number)
 
@@ -129,12 +135,11 @@ def _markers(spots: Sequence[complex], look: Look) -> Iterator[Path]:
         yield Path(tuple(map(tuple, places.tolist())), None, look.pen.colour, True)
 
 
-def _joined(graph: Graph, crowd: Crowd) -> Iterator[Item]:
-    """Thin upright lines through all panels at the extremes, broken at values: the zeros of the derivative below
-    them."""
+def _joined(crowd: Crowd, at: Sequence[float]) -> Iterator[Item]:
+    """Thin upright lines through all panels, broken at values: at the extremes, the zeros of the derivative below them,
+    and between regimes."""
     panel = crowd.panel
-    at = {round(at, 6) for curve in graph.curves for at, _ in curve.marked(graph.x)}
-    for x in [panel.across(x) for x in sorted(at)]:
+    for x in [panel.across(x) for x in at]:
         foot = panel.bottom
         for _, low, _, high in sorted(crowd.over(x), key=lambda box: box[1]):
             yield line(complex(x, foot), complex(x, max(low, foot)), JOINED)
@@ -185,7 +190,7 @@ def _names(graph: Graph, panel: Panel, number: int) -> Iterator[Item]:
     """The name of an axis and those of its curves, with a sample of each line."""
     own = graph.of(number)
     samples = _samples(panel, graph.ylabels[number], own)
-    foot = panel.top + HEAD / 2 + 0.3 + (NUMBERS if graph.positions and number == 0 else 0.0)
+    foot = panel.top + HEAD / 2 + 0.3 + (graph.over if number == 0 else 0.0)
     top = foot + HEAD * max((row for row, *_ in samples), default=0)
     yield Text(complex(panel.left, top), graph.ylabels[number], NAME)
     for row, x, name, look in samples:
@@ -213,3 +218,30 @@ def _numbers(graph: Graph) -> Iterator[Item]:
     for x, name in marks:
         if name:
             yield Text(complex(x, top.top + TICK + 0.5 + FIGURE / 2), (name,), FIGURE, 0)
+
+
+def _regimes(graph: Graph) -> Iterator[Item]:
+    """The x of the bounds between regimes over the top panel, and over these the number of each."""
+    if not len(graph.bounds):
+        return
+    top = graph.panels[0]
+    foot = top.top + (NUMBERS if graph.positions else 0.0)
+    places = [top.across(x) for x in graph.bounds]
+    texts = [(figure(x, graph.comma),) for x in graph.bounds[1:]]
+    for x, at, text in zip(
+        places[1:], _apart(places[1:], [width(text, FIGURE) for text in texts]), texts, strict=True
+    ):
+        yield line(complex(x, foot), complex(at, foot + 1.6), Pen(FRAME))
+        yield Text(complex(at, foot + 2.0 + FIGURE / 2), text, FIGURE, 0)
+    names = [(roman,) for roman in ROMAN[: len(places) - 1]]
+    middles = [(a + b) / 2 for a, b in pairwise(places)]
+    for at, name in zip(_apart(middles, [width(name, FIGURE) for name in names]), names, strict=True):
+        yield Text(complex(at, foot + REGIMES - 1.4 - FIGURE / 2), name, FIGURE, 0)
+
+
+def _apart(places: Sequence[float], widths: Sequence[float]) -> list[float]:
+    """Middles of texts beside one another, each as near to its place as the next ones let it, mm."""
+    found = list(places)
+    for k in range(len(found) - 2, -1, -1):  # from the last, which stays, to the left
+        found[k] = min(found[k], found[k + 1] - (widths[k] + widths[k + 1]) / 2 - 1.5)
+    return found

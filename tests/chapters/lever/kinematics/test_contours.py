@@ -13,6 +13,7 @@ from tmm_report.chapters.lever.kinematics.contours.nodes import Bearing, Branche
 from tmm_report.chapters.lever.kinematics.contours.solve import contours
 from tmm_report.chapters.lever.kinematics.contours.solve import tables as contour_tables
 from tmm_report.chapters.lever.kinematics.contours.terms import WrittenSystem
+from tmm_report.chapters.lever.kinematics.contours.translating import Translating
 from tmm_report.chapters.lever.kinematics.solve import positions as kinematics
 from tmm_report.chapters.lever.structure import solve as structure
 from tmm_report.i18n import Translator
@@ -174,3 +175,135 @@ def test_a_sum_rather_begins_without_a_minus():
     assert Formula("x_1", total([(-1, a), (1, b)])).latex(Translator("en")).split("=")[1].strip()[0] == "b"
     assert total([(-1, a), (1, None)]).value == -2
     assert total([]).value == 0
+
+
+# --- links that only translate
+
+
+LINKED = """
+language: en
+mechanism:
+  frame: {{O: [0, 0], Q: [{x} mm, {y} mm]}}
+  links:
+    1: {{points: {{O: 0, K: 120 mm}}}}
+    7: {{points: {{K: 0, T: {rod} mm, S: [100 mm, 30 mm]}}}}
+    4: {{points: {{Q: 0, T: {rocker} mm}}}}
+  driver: {{link: 1, speed: -90 rpm, zero: {{angle: 40 deg}}}}
+  assembly: {{T: {side} of K-Q}}
+"""
+PARALLEL = {"x": 180, "y": 240, "rod": 300, "rocker": 120, "side": "right"}
+
+
+def translated(**other):
+    """The groups of a four-bar linkage that are written as having a link that only translates, and its motion."""
+    found = moved(course.loads(LINKED.format(**(PARALLEL | other))))
+    return [one for one in contours(found, 1).groups if isinstance(one, Translating)], found
+
+
+@pytest.mark.parametrize("name", ["parallelogram_drive", "press"])
+def test_a_link_kept_parallel_is_told_to_translate_and_does_not_turn_anywhere(name):
+    found = moved(read(name))
+    (written,) = [one for one in contours(found, 2).groups if isinstance(one, Translating)]
+    assert "2" in written.links and off(found) < 1e-9
+    motion = found.cycle.motion(np.linspace(0, found.cycle.sweep, 1001)[1:-1] + 1e-3)
+    assert np.abs(motion.angular_velocity("2")).max() < 1e-9 * abs(found.omega)
+    assert np.abs(motion.angular_acceleration("2")).max() < 1e-7 * found.omega**2
+    one, other = (motion.angular_velocity(link) for link in written.turned)
+    assert one == pytest.approx(other * np.ones(motion.shape), rel=1e-9)
+    a, b, c, d = (np.abs(motion.place(p) - motion.place(q)) for p, q in sides_of(written.corners))
+    assert a == pytest.approx(c * np.ones(a.shape)) and b == pytest.approx(d * np.ones(b.shape))
+    lengths = [float(one.number) for one in written.sides]
+    assert lengths[::2] == pytest.approx(lengths[1::2])
+
+
+def sides_of(corners):
+    return list(zip(corners, (*corners[1:], corners[0]), strict=True))
+
+
+@pytest.mark.parametrize(("x", "y", "side"), [(180, 240, "right"), (-300, 0, "right"), (84, -288, "left")])
+def test_a_four_bar_of_any_names_and_direction_is_told(x, y, side):
+    (written,), found = translated(x=x, y=y, side=side)
+    assert written.links == ("7",) and written.turned == ("4", "1")
+    assert written.corners == ("O", "K", "T", "Q") and written.at == "K" and not written.by
+    assert float(written.angle.number) == pytest.approx(math.atan2(y, x), abs=1e-12)
+    assert off(found) < 1e-9
+
+
+@pytest.mark.parametrize(
+    "other",
+    [{"rod": 300.001}, {"rocker": 121}, {"x": 180.5}, {"rod": 350, "rocker": 170}],
+)
+def test_what_is_no_parallelogram_turns(other):
+    written, found = translated(**other)
+    assert not written and off(found) < 1e-8
+
+
+def test_a_crossed_contour_turns():
+    """Opposite sides are equal too, but the coupler turns against the crank."""
+    first, second = (translated(side=side) for side in ("left", "right"))
+    told = [bool(written) for written, _ in (first, second)]
+    turns = [
+        np.abs(found.cycle.motion(np.linspace(0.3, 2.0, 50)).angular_velocity("7")).max() > 1e-6
+        for _, found in (first, second)
+    ]
+    assert told == [False, True] and told == [not turning for turning in turns]
+
+
+def test_the_slotted_link_of_a_scotch_yoke_only_translates():
+    found = moved(read("scotch_yoke"))
+    assert contours(found, 0).slotted == ["3"]
+    motion = found.cycle.motion(np.linspace(0, found.cycle.sweep, 200))
+    assert np.abs(motion.angular_velocity("3")).max() == 0
+    assert not contours(moved(read("compressor")), 0).slotted
+
+
+ON_SLIDER = """
+language: en
+mechanism:
+  frame: {O: [0, 0]}
+  guides: {x: {through: O}}
+  links:
+    1: {points: {O: 0, A: 50 mm}}
+    2: {points: {A: 0, B: 200 mm, M: 120 mm}}
+    3: {points: {B: 0, Q: [100 mm, 40 mm]}, slides: {guide: x, at: B}}
+    5: {points: {M: 0, N: [100 mm, 40 mm], S: [30 mm, -20 mm]}}
+    6: {points: {Q: 0, N: 80 mm}}
+  driver: {link: 1, speed: 60 rpm, zero: {angle: 20 deg}}
+  assembly: {B: right, N: left of M-Q}
+"""
+
+
+def test_a_link_parallel_to_a_side_of_a_slider_translates_too():
+    found = moved(course.loads(ON_SLIDER))
+    *_, written = contours(found, 1).groups
+    assert isinstance(written, Translating) and written.links == ("5",) and written.by == "3"
+    assert written.corners == ("B", "M", "N", "Q") and written.turned == ("6", "2")
+    assert off(found) < 1e-9
+    motion = found.cycle.motion(np.linspace(0.01, 6.2, 300))
+    assert np.abs(motion.angular_velocity("5")).max() < 1e-9 * found.omega
+    assert motion.velocity("S") == pytest.approx(motion.velocity("M"), abs=1e-9)
+
+
+BETWEEN = """
+language: en
+mechanism:
+  frame: {O: [0, 0]}
+  guides: {x: {through: O}}
+  links:
+    1: {points: {O: 0, A: 50 mm, P: 90 mm}}
+    2: {points: {A: 0, B: 200 mm, M: 120 mm}}
+    3: {points: [B], slides: x}
+    5: {points: {P: 0, N: 120 mm}}
+    6: {points: {M: 0, N: 40 mm}}
+  driver: {link: 1, speed: 60 rpm, zero: {angle: 100 deg}}
+  assembly: {B: right, N: SIDE of P-M}
+"""
+
+
+def test_a_link_parallel_to_one_that_turns_turns_with_it():
+    found = [moved(course.loads(BETWEEN.replace("SIDE", side))) for side in ("left", "right")]
+    for one in found:
+        assert not [w for w in contours(one, 1).groups if isinstance(w, Translating)] and off(one) < 1e-9
+    motions = [one.cycle.motion(np.linspace(0, 0.5, 20)) for one in found]
+    alike = [np.allclose(m.angular_velocity("5"), m.angular_velocity("2"), rtol=1e-9) for m in motions]
+    assert any(alike)

@@ -82,3 +82,14 @@ def run(found: Found, name: str, page: Page) -> Graph:
     table = _table(found, f"{name}_diagram")
     lines = [Line(table["omega"], extremes=None), *_moments(table, 1, page)]
     return chart(lines, table["t"], [table["omega"].quantity, Motion.M.quantity], page.tr)
+
+
+def joined(found: Found, page: Page) -> Graph:
+    """The angular velocity through all regimes, with the times at which they end."""
+    table, regimes = _table(found, "joined"), _table(found, "regimes")
+    bounds = [0.0, *(float(x) for x in regimes["t_end"].numbers()[:-1])]
+    times, speeds = table["t"].numbers(), table["omega"].numbers()
+    ends = [(x, float(speeds[np.searchsorted(times, x)])) for x in bounds[1:-1]]
+    return chart(
+        [Line(table["omega"], extremes=ends)], table["t"], [table["omega"].quantity], page.tr, bounds
+    )

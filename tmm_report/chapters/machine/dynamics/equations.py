@@ -145,6 +145,16 @@ class Written:
         moments = table.var("M_dr", row) - table.var("M_res", row)
         return table.formula("epsilon", row, moments / self.s.J)
 
+    # ------------------------------------------------------------ the regimes one after another
+
+    def gained(self) -> Formula:
+        """The change of the kinetic energy through all regimes, by the works."""
+        table = self.table("regimes")
+        last = len(table) - 1
+        works = [table.var(key, last) for key in q.WORKED if key in table]
+        size = 10 * sum(abs(float(one.number)) for one in works)  # they are integrals to so many digits
+        return table.formula("gained", last, total([*works]), scale=size)
+
     # ------------------------------------------------------------ the sample position of the steady motion
 
     @cached_property

@@ -132,7 +132,7 @@ class Given:
     """SI. `speed`: of the main shaft as stated, rad/s; `period`: angle of a cycle without a mechanism, rad; `varying`:
     a moment of inertia that is stated, kg m²; `passing`: whether what accelerates a part is lost in
     its gears too; `friction`: whether that of the mechanism's pairs resists, where it is stated; `steady`: None: where
-    it follows from what is stated."""
+    it follows from what is stated; `cycles`: of the steady motion between start-up and run-down, None: chosen."""
 
     parts: tuple[Part, ...] = ()
     motor: Motor | None = None
@@ -147,4 +147,5 @@ class Given:
     start: Start | None = None
     steady: bool | None = None
     coast: Coast | None = None
+    cycles: int | None = None
     name: str = field(default="")

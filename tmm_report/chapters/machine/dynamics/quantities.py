@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
 
 from tmm_report.chapters.lever.kinematics.quantities import where
+from tmm_report.chapters.machine.dynamics.joined import Joined
 from tmm_report.chapters.machine.dynamics.plant import MOTOR
 from tmm_report.chapters.machine.dynamics.solve import Found
-from tmm_report.chapters.machine.dynamics.values import GENERALISED, Motion, WithPairs, Works
+from tmm_report.chapters.machine.dynamics.values import GENERALISED, Motion, Regimes, WithPairs, Works
 from tmm_report.mechanics.machine.characteristics import Kloss
 from tmm_report.mechanics.machine.run.motion_law import SAMPLES, Run
 from tmm_report.problems import N_, Message
@@ -18,6 +19,12 @@ from tmm_report.quantity.model import Book, Column, Table, Value, text_column
 from tmm_report.quantity.tabulated import tabulated
 
 Array = Any
+WORKED = {
+    "A_dr": "motor",
+    "A_br": "brake",
+    "A_load": "load",
+    "A_fr": "friction",
+}  # columns of works, of which kind
 ROWS = 12  # of the table of a start-up or run-down
 
 CURVES = Message(N_("characteristics of the motor and of the resistances over the speed"))
@@ -26,6 +33,8 @@ RUNS = {
     "start": Message(N_("start-up of the machine")),
     "coast": Message(N_("run-down of the machine")),
 }
+JOINED = Message(N_("the regimes of the machine as one motion"))
+REGIMES = Message(N_("the regimes of the machine one after another"))
 WORKS = Message(N_("works of the forces in each regime"))
 
 
@@ -55,6 +64,10 @@ def tables(found: Found) -> Iterator[Table]:
         yield Table(f"dynamics_{name}_diagram", RUNS[name], tuple(_run(run, slice(None))))
     if found.moves:
         yield Table("dynamics_works", WORKS, tuple(_works(found)))
+    if found.joined is not None:
+        of = zip((Motion.t, Motion.phi, Motion.omega), found.joined.samples(), strict=True)
+        yield Table("dynamics_joined", JOINED, tuple(one.column(values) for one, values in of))
+        yield Table("dynamics_regimes", REGIMES, tuple(_regimes(found.joined)))
 
 
 def rows_apart(run: Run) -> int:
@@ -142,6 +155,31 @@ def _works(found: Found) -> Iterator[Column]:
     for name, (works, gained) in sets.items():
         numbers = [*(works.get(key, float("nan")) for key in names), sum(works.values()), gained]
         yield Works.DECLARED[f"A_{name}"].column(np.array(numbers))
+
+
+def _regimes(of: Joined) -> Iterator[Column]:
+    """A row for each, then one for all together."""
+    stretches = of.stretches
+
+    def all_too(values: Sequence[float]) -> Array:
+        return np.array([*values, sum(values)])
+
+    times, angles = (
+        [float(one[-1]) for one in ends] for ends in zip(*((s.t, s.phi) for s in stretches), strict=True)
+    )
+    ends = np.cumsum(times)
+    yield text_column("regime", Message(N_("regime")), [*(one.name for one in stretches), "whole"])
+    yield Regimes.t_begin.column(np.array([0.0, *ends[:-1], 0.0]))
+    yield Regimes.t_end.column(np.array([*ends, ends[-1]]))
+    yield Regimes.t.column(all_too(times))
+    yield Regimes.phi.column(all_too(angles))
+    yield Regimes.turns.column(all_too(angles) / (2 * np.pi))
+    speeds = [float(one.omega[-1]) for one in stretches]
+    yield Regimes.omega_end.column(np.array([*speeds, speeds[-1]]))
+    for column, kind in WORKED.items():
+        if any(kind in of.kinds_of(one) for one in stretches):
+            yield Regimes.DECLARED[column].column(all_too([of.work(one, kind) for one in stretches]))
+    yield Regimes.gained.column(all_too([one.gained for one in stretches]))
 
 
 assert SAMPLES % ROWS == 0

@@ -17,6 +17,7 @@ from tmm_report.chapters.lever.moving import Moving, friction_doubts
 from tmm_report.chapters.machine.dynamics import refusals, steps
 from tmm_report.chapters.machine.dynamics.given import Given
 from tmm_report.chapters.machine.dynamics.inverted import turned_round
+from tmm_report.chapters.machine.dynamics.joined import Joined, joined
 from tmm_report.chapters.machine.dynamics.parts import parts_table
 from tmm_report.chapters.machine.dynamics.plant import MOTOR, RUBBING, WEIGHT, WORK, Whole, whole
 from tmm_report.chapters.machine.dynamics.regimes import (
@@ -32,7 +33,7 @@ from tmm_report.mechanics.machine.reduced import Acting, Plant
 from tmm_report.mechanics.machine.run.by_angle import running_at
 from tmm_report.mechanics.machine.run.motion_law import Run
 from tmm_report.mechanics.machine.run.steady import Steady
-from tmm_report.problems import N_, Message, Problem, ProblemError
+from tmm_report.problems import N_, Message, Problem, ProblemError, doubt
 from tmm_report.quantity.model import Table
 from tmm_report.quantity.text import number
 from tmm_report.records import dataclass
@@ -47,7 +48,8 @@ CURVE = 72  # intervals between the speeds of the characteristics
 @dataclass(frozen=True, eq=False)
 class Found:
     """Found by `solve`. `s`: the single numbers; `turned`: angles of the table, rad; `diagram_turned`: of the diagrams;
-    `steady`: None where the motion does not become steady; `start`, `coast`: None where they are not asked for."""
+    `steady`: None where the motion does not become steady; `start`, `coast`: None where they are not asked for;
+    `joined`: the regimes one after another, None where no two follow each other."""
 
     given: Given
     whole: Whole
@@ -57,6 +59,7 @@ class Found:
     steady: Steady | None
     start: Run | None
     coast: Run | None
+    joined: Joined | None
     s: Values
 
     @cached_property
@@ -177,7 +180,13 @@ class Found:
 
     @property
     def doubts(self) -> Iterator[Problem]:
-        return friction_doubts(self.whole.machine, "dynamics")
+        yield from friction_doubts(self.whole.machine, "dynamics")
+        if self.given.cycles is not None and not (self.joined and self.joined.cycles):
+            text = N_(
+                "no steady motion is joined with a start-up or a run-down, so no cycles of it are shown"
+            )
+            right = Message(N_("state a start-up that leads to it, a run-down from it, or leave the key out"))
+            yield doubt(text, ("dynamics", "cycles"), right)
 
     def _said(self, **keys: str) -> dict[str, str]:
         return {name: number(self.s.number(key), 4, ".") for name, key in keys.items()}
@@ -213,11 +222,11 @@ def solve(given: Given, moving: Moving | None) -> Found:
     if steady is not None and steady.bends.size:
         machine, plant, steady = _moved(given, moving, steady.bends)
     turned, diagram = _angles(machine, moving)
+    started = start_up(plant, start, steady) if start is not None else None
+    coasted = run_down(machine, given.coast, steady) if given.coast is not None else None
     found = Found(
-        given, machine, moving, turned, diagram, steady,
-        start_up(plant, start, steady) if start is not None else None,
-        run_down(machine, given.coast, steady) if given.coast is not None else None,
-        sheet(given),
+        given, machine, moving, turned, diagram, steady, started, coasted,
+        joined(given, machine, plant, steady, started, coasted), sheet(given),
     )  # fmt: skip
     steps.numbers(found)
     return found

@@ -43,6 +43,8 @@ def numbers(found: Found) -> None:
         s.t_coast, s.phi_coast = float(run.t[-1]), float(run.phi[-1] - run.phi[0])
         s.turns_coast = s.phi_coast / (2 * PI)
         s.omega_coast = float(run.omega[-1])
+    if found.joined is not None:
+        s.cycles = found.joined.cycles or None
     _checks(s, found)
 
 

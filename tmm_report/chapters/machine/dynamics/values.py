@@ -12,6 +12,7 @@ from tmm_report.quantity.sheet import Q, Sheet
 from tmm_report.quantity.symbols import Symbol
 
 RES = NP_("index", "res")
+LOAD = NP_("index", "load")
 WORDS = (
     NP_("index", "red"),
     NP_("index", "dr"),
@@ -101,6 +102,24 @@ class Works(Sheet):
     A_coast = Q("A", "J", N_("work in the run-down"))
 
 
+class Regimes(Sheet):
+    """Of the regimes one after another, a row each, and of all of them together."""
+
+    t_begin = Q("t_1", "s", N_("time of the beginning"))
+    t_end = Q("t_2", "s", N_("time of the end"))
+    t = Q("Deltat", "s", N_("duration"))
+    phi = Q("phi", "rad", N_("angle turned by the main shaft"))
+    turns = Q("n", "", TURNS)
+    omega_end = Q("omega_2", "rad/s", N_("angular velocity of the main shaft at the end"))
+    A_dr = Q("A_dr", "J", N_("work of the motor"))
+    A_br = Q("A_br", "J", N_("work of the brake"))
+    A_load = Q(Symbol("A", LOAD), "J", N_("work of the loads and weights"))
+    A_fr = Q(
+        "A_fr", "J", N_("work of the friction: in pairs and gears and by the resistances of the main shaft")
+    )
+    gained = Q("DeltaT", "J", N_("change of the kinetic energy"))
+
+
 class Values(Sheet, prefix="dynamics"):
     J_parts = Q("J_0", "kg·m²", N_("moment of inertia of the parts on the main shaft"))
     M_parts = Q("M_0", "N·m", N_("resisting moment of the parts on the main shaft"))
@@ -143,6 +162,7 @@ class Values(Sheet, prefix="dynamics"):
     phi_coast = Q("phi_coast", "rad", N_("angle turned in the run-down"))
     turns_coast = Q("n_coast", "", TURNS)
     omega_coast = Q("omega_coast", "rad/s", N_("speed after the run-down"))
+    cycles = Q("N", "", N_("cycles of the steady motion that are followed"))
     balance_error = Q(None, "", N_("worst relative lack in the balance of works and kinetic energy"))
     residual = Q(
         None,

@@ -12,9 +12,11 @@ from tmm_report.chapters.lever.moving import friction_told
 from tmm_report.chapters.machine.dynamics import draw
 from tmm_report.chapters.machine.dynamics import quantities as q
 from tmm_report.chapters.machine.dynamics.equations import Written
+from tmm_report.chapters.machine.dynamics.joined import SETTLED
 from tmm_report.chapters.machine.dynamics.plant import BRAKE, MOTOR, PAIRS
 from tmm_report.chapters.machine.dynamics.solve import Found
 from tmm_report.figures.charts.graphs import Graph
+from tmm_report.figures.charts.sheet import ROMAN
 from tmm_report.figures.drawing import Drawing
 from tmm_report.mechanics.machine.reduced import LOST
 from tmm_report.problems import N_
@@ -147,6 +149,47 @@ class DynamicsView(ChapterView):
             else None
         )
 
+    def following(self) -> Markup:
+        """How the regimes follow one another."""
+        joined = self.found.joined
+        assert joined is not None  # asked for only where there is one
+        names = [one.name for one in joined.stretches]
+        said = []
+        if "settling" in names:
+            text = N_(
+                "After the start-up the machine is driven on until its speed is within %(within)s %% of the steady one."
+            )
+            varying = N_(
+                "After the start-up the machine is driven on until its speed is within %(within)s %% of the steady one "
+                "at the same position, and to the end of that cycle."
+            )
+            even = self.found.even
+            said.append(self.t(text if even else varying, within=self.page.num(100 * SETTLED)))
+        if self.found.even and "steady" in names:
+            text = N_("For %(t)s s it then moves steadily.")
+            said.append(self.t(text, t=self.page.shown(self.table("regimes"), "t", names.index("steady"))))
+        elif "steady" in names:
+            text = N_("Of the steady motion %(n)s cycles are taken.")
+            said.append(self.t(text, n=self.number("cycles")))
+        if "coast" in names:
+            said.append(self.t(N_("The run-down begins at the speed that the machine then has.")))
+        return self.page.listed(said, " ")
+
+    def joined_caption(self) -> Markup:
+        """With the numbers of the regimes."""
+        table = self.table("regimes")
+        told = {
+            "start": N_("start-up"),
+            "settling": N_("transition to the steady motion"),
+            "steady": N_("steady motion"),
+            "coast": N_("run-down"),
+        }
+        names = [
+            self.page.listed([ROMAN[k], self.t(told[key])], " – ")
+            for k, key in enumerate(table["regime"].values[:-1])
+        ]
+        return self.t(N_("Tachogram of the machine: %(regimes)s"), regimes=self.page.listed(names))
+
     # ------------------------------------------------------------ tables
 
     def parts_table(self) -> Table:
@@ -231,6 +274,35 @@ class DynamicsView(ChapterView):
             else self.t(N_("resistance of the main shaft"))
         )
 
+    def regimes(self) -> Table:
+        """A column for each regime, numbered as on the chart, and one for all together."""
+        table, page = self.table("regimes"), self.page
+        heads = {
+            "start": self.t("Start-up"),
+            "settling": self.t("Transition"),
+            "steady": self.t("Steady motion"),
+            "coast": self.t("Run-down"),
+        }
+        names = [
+            page.listed([f"{ROMAN[k]}.", heads[key]], " ") if key in heads else self.t("In all")
+            for k, key in enumerate(table["regime"].values)
+        ]
+        rows = []
+        for column in table.columns[1:]:
+            if column.key == "phi":
+                continue  # told in turns
+            size = float(np.abs(column.numbers()).max()) or 1.0
+            cells = [page.cell(table, column.key, k, scale=size) for k in range(len(table))]
+            noun = page.listed([page.message(column.meaning), page.head(column.symbol(), column.unit)])
+            rows.append([noun, *cells])
+        heading, shares = [self.t("Quantity"), *names], (6, *(3 for _ in names))
+        return worded(self.t("Regimes of the machine one after another"), heading, rows, shares)
+
+    def of_all(self, key: str) -> Markup:
+        """A number of all regimes together, in running text."""
+        table = self.table("regimes")
+        return self.page.shown(table, key, len(table) - 1, digits=4)
+
     # ------------------------------------------------------------ drawings
 
     def characteristics_graph(self) -> Graph:
@@ -241,6 +313,9 @@ class DynamicsView(ChapterView):
 
     def run_graph(self, name: str) -> Graph:
         return draw.run(self.found, name, self.page)
+
+    def joined_graph(self) -> Graph:
+        return draw.joined(self.found, self.page)
 
     # ------------------------------------------------------------ conclusions
 
@@ -268,6 +343,12 @@ class DynamicsView(ChapterView):
         if self.found.coast is not None:
             text = N_("The run-down of the machine takes %(t)s s.")
             lines.append(self.t(text, t=self.number("t_coast", digits=4)))
+        joined = self.found.joined
+        if joined is not None and {"start", "coast"} <= {one.name for one in joined.stretches}:
+            text = N_(
+                "From the start to the end of the run-down the main shaft turns %(turns)s times in %(t)s s."
+            )
+            lines.append(self.t(text, turns=self.of_all("turns"), t=self.of_all("t")))
         return lines
 
 

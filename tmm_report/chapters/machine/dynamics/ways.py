@@ -65,6 +65,15 @@ LOST = N_(
     "Of each part whose gears have an efficiency what its branch takes with the acceleration, by the flow of power, "
     "less what it takes at a constant speed and its moment of inertia by the acceleration."
 )
+JOINED = N_(
+    "The start-up, what follows it until the speed is the steady one, cycles of the steady motion and the "
+    "run-down, one after another: each by the way of its regime."
+)
+SUMMED = N_(
+    "The works of all that acts of the kind in the regime, summed; in the steady motion by its cycles."
+)
+GAINED = N_("J ω²/2 at the end of the regime less that at its beginning.")
+CYCLES = N_("As stated, else so many that they take a quarter of the time of all other regimes.")
 DRIVES = N_("The moment of the motor on the main shaft: by the ratio and the efficiency of its gear.")
 RESISTING = N_("All moments that resist, on the main shaft, summed.")
 KINDS = {
@@ -203,6 +212,13 @@ WAYS = (
     Way("dynamics_start*.M_lost dynamics_coast*.M_lost", LOST, of="epsilon M_res"),
     Way("dynamics_start*.* dynamics_coast*.*", EQUATION, of="t phi omega M_dr M_res epsilon"),
     Way("dynamics_works.*", WORKS, of="acting"),
+    Way("dynamics_joined.t", AXIS),
+    Way("dynamics_joined.*", JOINED, of="t phi omega"),
+    Way("dynamics_regimes.regime", NAME),
+    Way("dynamics_regimes.A_*", SUMMED, of="regime t turns"),
+    Way("dynamics_regimes.gained", GAINED, of="A_dr A_br A_load A_fr omega_end"),
+    Way("dynamics_regimes.*", JOINED, of="t_begin t_end t phi omega_end"),
+    Way("dynamics_cycles", CYCLES, of="dynamics_t_start dynamics_t_coast"),
     Way("dynamics_J", by=_inertia),
     Way("dynamics_M_parts", by=_moment),
     Way("dynamics_M_steady", by=_resisting),

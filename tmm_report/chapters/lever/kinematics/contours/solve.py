@@ -13,15 +13,18 @@ import numpy as np
 
 from tmm_report.chapters.lever.kinematics.contours import dyads as contour_dyads
 from tmm_report.chapters.lever.kinematics.contours import high_class as contour_systems
+from tmm_report.chapters.lever.kinematics.contours import translating as contour_translating
 from tmm_report.chapters.lever.kinematics.contours.dyads import Written
 from tmm_report.chapters.lever.kinematics.contours.known import Pose
 from tmm_report.chapters.lever.kinematics.contours.terms import WrittenSystem
+from tmm_report.chapters.lever.kinematics.contours.translating import Translating
 from tmm_report.chapters.lever.kinematics.contours.worked import CONSTANTS, TABLE, Bench
 from tmm_report.chapters.lever.kinematics.solve import points_and_links as q
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
 from tmm_report.mechanics.lever.assur_groups import Group
 from tmm_report.mechanics.lever.dyads import Dyad
 from tmm_report.mechanics.lever.high_class.newton import HigherGroup
+from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.model import Table, plain, text_column
@@ -39,9 +42,18 @@ class Contours:
     index: int
     bench: Bench
     driving: list[Formula]
-    groups: tuple[Written | WrittenSystem, ...]
+    groups: tuple[Written | WrittenSystem | Translating, ...]
     other: list[Formula] = field(default_factory=list)
     alike: tuple[str, ...] = ()
+
+    @property
+    def slotted(self) -> list[str]:
+        """Links on fixed guides that carry guides of others: they do not turn."""
+        pairs = [pair for pair in self.bench.linkage.structure.pairs if pair.kind == "P"]
+        fixed = [pair.other(FRAME) for pair in pairs if FRAME in pair.links]
+        return [
+            link for link in fixed if any(link in pair.links and FRAME not in pair.links for pair in pairs)
+        ]
 
 
 def contours(found: Kinematics, index: int) -> Contours:
@@ -67,8 +79,12 @@ def contours(found: Kinematics, index: int) -> Contours:
     return Contours(index, bench, driving, tuple(groups), other, alike)
 
 
-def _written(bench: Bench, group: Any) -> Written | WrittenSystem | None:
+def _written(bench: Bench, group: Any) -> Written | WrittenSystem | Translating | None:
     """None of a group whose position is no contour of constant lengths: its links' poses are taken as found."""
+    if type(group) is Dyad or isinstance(group, HigherGroup):
+        translating = contour_translating.write(bench, group)
+        if translating is not None:
+            return translating
     if type(group) is Dyad:
         return contour_dyads.write(bench, group)
     if isinstance(group, HigherGroup):

@@ -13,6 +13,7 @@ from tmm_report.chapters.lever.kinematics.contours.equations import Written
 from tmm_report.chapters.lever.kinematics.contours.solve import Contours, contours
 from tmm_report.chapters.lever.kinematics.contours.solve import tables as contour_tables
 from tmm_report.chapters.lever.kinematics.contours.terms import WrittenSystem
+from tmm_report.chapters.lever.kinematics.contours.translating import Translating
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
 from tmm_report.mechanics.lever.assur_groups import Group
 from tmm_report.problems import N_
@@ -82,8 +83,42 @@ class ContoursView:
     def name(self, group: Group) -> str:
         return group_name(group)
 
-    def is_system(self, written: Written | WrittenSystem) -> bool:
+    def is_system(self, written: Written | WrittenSystem | Translating) -> bool:
         return isinstance(written, WrittenSystem)
+
+    def translates(self, written: Written | WrittenSystem | Translating) -> bool:
+        return isinstance(written, Translating)
+
+    def slotted(self) -> list[Markup]:
+        """What is said of links that only translate because a fixed guide leads them."""
+        text = N_(
+            "Link %(link)s slides along a fixed guide and carries a guide of another link: it only translates. Its "
+            "angular velocity and acceleration are nil at every position, and all its points have one velocity and one "
+            "acceleration."
+        )
+        return [self.t(text, link=link) for link in self.written.slotted]
+
+    def why(self, written: Translating) -> Markup:
+        """Why the first link of a group only translates."""
+        if written.rest is not None:
+            text = N_(
+                "Opposite sides are equal and the contour does not cross, so they stay parallel at every position. "
+                "Link %(by)s slides along a fixed guide and does not turn, so link %(link)s does not either: it only "
+                "translates, and all its points have the velocity and acceleration of %(at)s."
+            )
+        elif written.by:
+            text = N_(
+                "Opposite sides are equal and the contour does not cross, so they stay parallel at every position. "
+                "Link %(by)s does not turn, so link %(link)s does not either: it only translates, and all its points "
+                "have the velocity and acceleration of %(at)s."
+            )
+        else:
+            text = N_(
+                "Opposite sides are equal and the contour does not cross, so they stay parallel at every position. "
+                "The side opposite to link %(link)s is fixed, so link %(link)s does not turn: it only translates, and "
+                "all its points have the velocity and acceleration of %(at)s."
+            )
+        return self.t(text, link=written.links[0], by=written.by, at=written.at)
 
     def conventions(self) -> list[dict[str, Any]]:
         """What the symbols mean that are alike for all points and groups."""

@@ -171,7 +171,7 @@ def _along(motion: Motion, k: int, letter: str, link: str, way: complex) -> Var:
 def _together(motion: Motion, known: Known, letter: str, link: str) -> Iterator[Line]:
     """The linear equations of a group above class II, whose unknowns are found together: k·x = b, or d."""
     group = next((g for g in motion.linkage.groups if link in g.links), None)
-    if not isinstance(group, HigherGroup) or not known.has(f"contours.k11_{group.group.label}"):
+    if not isinstance(group, HigherGroup) or not known.has(f"contours.k33_{group.group.label}"):
         return
     label = group.group.label
     unknown = [known(f"{letter}_{root}") for root in _roots(group)]

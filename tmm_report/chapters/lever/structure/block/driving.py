@@ -175,6 +175,7 @@ def _tabulated(stated: list[tuple[float, float]]) -> MotionLaw:
 
 ONLY = (
     "flywheel", "dynamics", "friction", "reduction", "harmonics", "methods", "method", "wear", "balancing", "engine",
+    "press",
 )  # fmt: skip
 """What reckons with a driving link that turns uniformly."""
 

@@ -54,6 +54,7 @@ def build(written: DynamicsModel, turn: float = 2 * math.pi) -> Stated:
         start=written.start,
         steady=written.steady,
         coast=written.coast,
+        cycles=written.cycles,
         name=written.name or "",
     )
 

@@ -27,6 +27,7 @@ from tmm_report.variant.values import (
     TurnAngle,
     Velocity,
     quantity,
+    whole,
 )
 
 MOVES = {"up": 1, "down": -1, "level": 0}
@@ -79,3 +80,7 @@ class DynamicsModel(Model):
     start: Stated[Start] | None = None
     steady: Flag | None = Field(default=None, description="left out, where the motion can become steady")
     coast: Stated[Coast] | None = None
+    cycles: Annotated[int, whole(1, 100)] | None = Field(
+        default=None,
+        description="of the steady motion between start-up and run-down on one chart; left out, chosen",
+    )
