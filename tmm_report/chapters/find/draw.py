@@ -1,4 +1,5 @@
-"""The demanded number over the range of the unknown, with what is wanted and the roots."""
+"""The demanded number over the range of the unknown, with what is wanted and the roots; of two unknowns, the lines on
+which each demand is met."""
 
 from __future__ import annotations
 
@@ -14,6 +15,7 @@ from tmm_report.figures.lettering import Parts
 Array = Any
 FIELD = (120.0, 70.0)  # mm
 SPAN = 4.0  # of the middle half of the values: what is farther off is a pole's
+PENS = (Pen(0.45, "blue"), Pen(0.45, "red", (3.0, 1.2)))
 LEVEL = Pen(0.35, "red", (3.0, 1.2))
 
 
@@ -35,7 +37,39 @@ def course(
     frame = _spread(framed([curve, np.array(ends), *lines], zero=False, field=FIELD), x)
     traces = [Trace(curve), *(Trace(one, wanted, LEVEL) for one in lines)]
     spots = [Spot(complex(at, value), (text,) if text else (), "red") for at, value, text in roots]
-    return plane(frame, traces, *axes, num, spots=spots)
+    return plane(frame, traces, axes[0], axes[1], num, spots=spots)
+
+
+def meeting(
+    places: Array,
+    rest: Array,
+    roots: Sequence[tuple[complex, str]],
+    axes: tuple[Parts, Parts],
+    names: Sequence[Parts],
+    num: Callable[[float], str],
+) -> Drawing:
+    """`places`: of the grid, (P, Q, 2), by both unknowns; `rest`: there, what the demanded numbers are less what is
+    wanted."""
+    z = places[..., 0] + 1j * places[..., 1]
+    low, high = z[0, 0], z[-1, -1]
+    frame = Frame(low, high, (high - low).real / FIELD[0], (high - low).imag / FIELD[1])
+    traces = [Trace(_zeros(z, rest[..., k]), names[k], PENS[k]) for k in (0, 1)]
+    spots = [Spot(at, (text,) if text else (), "black") for at, text in roots]
+    return plane(frame, traces, axes[0], axes[1], num, spots=spots)
+
+
+def _zeros(z: Array, f: Array) -> Array:
+    """Where a function is nought: straight pieces through the two triangles of each cell, with gaps between."""
+    pieces: list[complex] = []
+    for i, j in np.ndindex(f.shape[0] - 1, f.shape[1] - 1):
+        for corners in (((i, j), (i + 1, j), (i + 1, j + 1)), ((i, j), (i, j + 1), (i + 1, j + 1))):
+            ends = []
+            for a, b in zip(corners, (*corners[1:], corners[0]), strict=True):
+                if (f[a] < 0) != (f[b] < 0) and np.isfinite(f[a] + f[b]):
+                    ends.append(z[a] + (z[b] - z[a]) * f[a] / (f[a] - f[b]))
+            if len(ends) == 2:
+                pieces += [*ends, complex(np.nan, np.nan)]
+    return np.array(pieces, complex)
 
 
 def _spread(frame: Frame, x: Array) -> Frame:
