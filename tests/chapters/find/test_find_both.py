@@ -93,7 +93,7 @@ def test_two_demands_that_cannot_be_met_say_how_near_they_come():
     assert found.numbers[0] == pytest.approx(20)
     low, high = found.chosen.value
     assert low > found.levels[0] and high < found.levels[1]
-    assert "cannot be met" in render(results, "html")["note.html"].decode()
+    assert "cannot be met" in render(results, "html", "en")["note.html"].decode()
 
 
 # --- radii of a pivot
@@ -238,3 +238,10 @@ def test_results_and_every_format():
         assert numbers[f"find_y{last}"] - numbers[f"find_wanted{last}"] == numbers[f"find_residual{last}"]
     for fmt in ("html", "tex", "json", "csv"):
         assert all(render(results, fmt, "ru").values())
+
+
+def test_a_search_that_ends_for_want_of_solvings_says_so(monkeypatch):
+    monkeypatch.setattr("tmm_report.chapters.find.pair.MOST", 295)
+    results = results_of(SPRING, BY_SPEEDS.replace("200 kN/m", "20 kN/m") % ("970 rpm", "1030 rpm"))
+    (told,) = course.doubts(results)
+    assert "after 295 solvings" in told.text()

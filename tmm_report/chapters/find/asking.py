@@ -10,7 +10,7 @@ import numpy as np
 from tmm_report.chapters.find.given import Given
 from tmm_report.chapters.find.target import Chapter, target
 from tmm_report.mechanics.calculus.seek import PARTS
-from tmm_report.problems import N_, Message, ProblemError, mistake
+from tmm_report.problems import N_, Message, Problem, ProblemError, doubt, mistake
 
 Array = Any
 Numbers = tuple[float, ...]
@@ -29,7 +29,7 @@ class Asking:
     variant has there, two where two can be solved; `bare`: whether the numbers are the same without what is costly."""
 
     def __init__(self, given: Given, course: Course, most: int):
-        self.given, self.course, self.left = given, course, most
+        self.given, self.course, self.left, self.most = given, course, most, most
         self.reason: Message | None = None
         self.samples = self._sampled()
         self.targets = tuple(target(one, self.samples[0][1]) for one in given.demands)
@@ -54,6 +54,15 @@ class Asking:
         name = " × ".join(one.name for one in self.given.unknowns)
         path = ("find", "unknown", self.given.unknown.name)
         raise ProblemError([mistake(text, path, name=name, why=first.problems[0].said)])
+
+    @property
+    def doubts(self) -> list[Problem]:
+        """What was not tried for want of solvings."""
+        if self.left > 0:
+            return []
+        text = N_("the search ended after %(count)s solvings of the variant: there may be more roots")
+        right = Message(N_("narrow the range"))
+        return [doubt(text, ("find", "unknown"), right, count=self.most)]
 
     def _barely(self) -> bool:
         parts, whole = self.samples[0]

@@ -132,7 +132,8 @@ class Closed:
 
 def wanted_value(of: Target, level: float, last: str = "") -> Value:
     """The demanded number as it is wanted; `last`: with which its key ends."""
-    symbol = replace(of.quantity.symbol or Symbol("y"), sub=WANTED)
+    symbol = of.quantity.symbol or Symbol("y")
+    symbol = replace(symbol, sub=",".join(filter(None, (symbol.sub, WANTED))))
     meaning = Message(N_("%(of)s, as it is wanted"), {"of": of.quantity.meaning})
     return Quantity(f"find_wanted{last}", symbol, of.quantity.unit, meaning, of.quantity.shown).value(level)
 
@@ -181,13 +182,13 @@ def _more_own(k: Known, wheel: Expr) -> Expr:
 def _of_rim(k: Known) -> Expr:
     """J of a rim of the wanted mean diameter, on the main link."""
     h, b, rho = k.of("flywheel_k_h"), k.of("flywheel_k_b"), k.of("flywheel_rho")
-    own = PI * rho * b * h**2 * (1 + h**2) * k.wanted**5 / 4
     spokes = k.any("flywheel_k_s")
-    return _on_main(k, own / (1 - spokes) if spokes else own)
+    own = _on_main(k, PI * rho * b * h**2 * (1 + h**2) * k.wanted**5)
+    return own / (4 * (1 - spokes)) if spokes else own / 4
 
 
 def _of_disc(k: Known) -> Expr:
-    return _on_main(k, PI * k.of("flywheel_rho") * k.of("flywheel_k_b") * k.wanted**5 / 32)
+    return _on_main(k, PI * k.of("flywheel_rho") * k.of("flywheel_k_b") * k.wanted**5) / 32
 
 
 def _on_main(k: Known, inertia: Expr) -> Expr:

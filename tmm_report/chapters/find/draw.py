@@ -3,7 +3,7 @@ which each demand is met."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,8 @@ from tmm_report.figures.drawing import Drawing, Pen
 from tmm_report.figures.lettering import Parts
 
 Array = Any
+Corner = tuple[int, int]
+Edge = tuple[Corner, Corner]
 FIELD = (120.0, 70.0)  # mm
 SPAN = 4.0  # of the middle half of the values: what is farther off is a pole's
 PENS = (Pen(0.45, "blue"), Pen(0.45, "red", (3.0, 1.2)))
@@ -59,17 +61,37 @@ def meeting(
 
 
 def _zeros(z: Array, f: Array) -> Array:
-    """Where a function is nought: straight pieces through the two triangles of each cell, with gaps between."""
-    pieces: list[complex] = []
+    """Where a function is nought: straight pieces through the two triangles of each cell, joined end to end, with gaps
+    between lines."""
+    pieces: list[list[Edge]] = []
     for i, j in np.ndindex(f.shape[0] - 1, f.shape[1] - 1):
-        for corners in (((i, j), (i + 1, j), (i + 1, j + 1)), ((i, j), (i, j + 1), (i + 1, j + 1))):
-            ends = []
-            for a, b in zip(corners, (*corners[1:], corners[0]), strict=True):
-                if (f[a] < 0) != (f[b] < 0) and np.isfinite(f[a] + f[b]):
-                    ends.append(z[a] + (z[b] - z[a]) * f[a] / (f[a] - f[b]))
-            if len(ends) == 2:
-                pieces += [*ends, complex(np.nan, np.nan)]
-    return np.array(pieces, complex)
+        for corner in ((i + 1, j), (i, j + 1)):
+            edges: list[Edge] = [((i, j), corner), (corner, (i + 1, j + 1)), ((i, j), (i + 1, j + 1))]
+            passed = [(a, b) for a, b in edges if (f[a] < 0) != (f[b] < 0) and np.isfinite(f[a] + f[b])]
+            if len(passed) == 2:
+                pieces.append(passed)
+    points: list[complex] = []
+    for chain in _joined(pieces):
+        points += [z[a] + (z[b] - z[a]) * f[a] / (f[a] - f[b]) for a, b in chain] + [complex(np.nan, np.nan)]
+    return np.array(points, complex)
+
+
+def _joined(pieces: list[list[Edge]]) -> Iterator[list[Edge]]:
+    """Pieces that share an edge as one chain of edges."""
+    at: dict[Edge, list[int]] = {}
+    for k, piece in enumerate(pieces):
+        for edge in piece:
+            at.setdefault(edge, []).append(k)
+    left = set(range(len(pieces)))
+    while left:
+        chain = list(pieces[left.pop()])
+        for _ in range(2):  # on from its end, then, turned round, from its beginning
+            while further := left.intersection(at[chain[-1]]):
+                k = further.pop()
+                left.remove(k)
+                chain += [edge for edge in pieces[k] if edge != chain[-1]]
+            chain.reverse()
+        yield chain
 
 
 def _spread(frame: Frame, x: Array) -> Frame:

@@ -15,7 +15,7 @@ from tmm_report.chapters.find.given import Given
 from tmm_report.chapters.find.letters import letters
 from tmm_report.chapters.find.target import Target, level
 from tmm_report.mechanics.calculus.seek_two import PARTS, Asked, Root, Sought, seek, sizes, slopes
-from tmm_report.problems import N_, Message, ProblemError, mistake
+from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.quantity.model import Quantity
 from tmm_report.records import dataclass
 
@@ -32,7 +32,7 @@ class Both:
     """`levels`: the wanted numbers in the units of the results; `sought`: over parts of the ranges; `slopes`: of the
     roots, [demand][unknown] by the unknowns in SI, (roots, 2, 2); `chosen`: what the variant is solved with; `solved`:
     how many times it was solved; `reason`: why there are pairs with no results; `letters`: as the variant's own numbers
-    call the unknowns, where they do."""
+    call the unknowns, where they do; `doubts`: what was not tried."""
 
     given: Given
     targets: tuple[Target, ...]
@@ -43,6 +43,7 @@ class Both:
     solved: int
     reason: Message | None
     letters: tuple[Quantity | None, ...]
+    doubts: list[Problem]
 
     @property
     def sound(self) -> bool:
@@ -86,7 +87,8 @@ def solve(given: Given, course: Course) -> Both:
     roots = sought.roots
     chosen = roots[place(given, len(roots))] if roots else sought.nearest
     own = letters(given, asking.samples)
-    return Both(given, asking.targets, levels, sought, rates, chosen, len(asked.answers), asking.reason, own)
+    solved, told = len(asked.answers), (asking.reason, own, asking.doubts)
+    return Both(given, asking.targets, levels, sought, rates, chosen, solved, *told)
 
 
 def place(given: Given, count: int) -> int:

@@ -20,7 +20,7 @@ from tmm_report.chapters.find.letters import letters
 from tmm_report.chapters.find.pair import Both
 from tmm_report.chapters.find.target import Target, level
 from tmm_report.mechanics.calculus.seek import Asked, Root, Sought, best, seek, slopes
-from tmm_report.problems import N_, Message, ProblemError, mistake
+from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.quantity.model import Quantity
 from tmm_report.records import dataclass
 
@@ -39,7 +39,7 @@ class Found:
     `slopes`: of the roots, by the unknown in SI; `chosen`: what the variant is solved with; `solved`: how many times
     it was solved; `reason`: why there are values of the unknown with no results; `within`: the demand is met all over
     the range, though nowhere just so; `letter`: as the variant's own numbers call the unknown, where they do; `closed`:
-    what the textbook's formula gives, where it has one."""
+    what the textbook's formula gives, where it has one; `doubts`: what was not tried."""
 
     given: Given
     target: Target
@@ -52,6 +52,7 @@ class Found:
     within: bool
     letter: Quantity | None = None
     closed: Closed | None = None
+    doubts: Sequence[Problem] = ()
 
     @property
     def sound(self) -> bool:
@@ -106,8 +107,8 @@ def solve(given: Given, course: Course) -> Found | Both:
     chosen, within = _chosen(given, sought, wanted)
     (letter,) = letters(given, asking.samples)
     form = closed(given, of, wanted, asking.samples) if sought.roots else None
-    solved = len(asked.answers)
-    return Found(given, of, wanted, sought, rates, chosen, solved, asking.reason, within, letter, form)
+    told = (len(asked.answers), asking.reason, within, letter, form, asking.doubts)
+    return Found(given, of, wanted, sought, rates, chosen, *told)
 
 
 def _depends(given: Given, sought: Sought) -> None:

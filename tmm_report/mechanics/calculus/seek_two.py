@@ -30,6 +30,7 @@ HALVED = 6  # times a step that leads away
 SAME = 1e-7  # of the rectangle: two roots nearer than this are one
 VANISHES = 1e-10  # of the sizes: what is nearer to the levels is at them
 NARROW = 1e-14  # of the rectangle: a step that is none
+ROUNDS = 50  # of the search of the nearest place, eight places each
 FINEST = 1e-7  # of the rectangle, of the search of the nearest place
 AROUND = np.array([(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1) if i or j], float)
 CORNERS = np.array([(0, 0), (1, 0), (0, 1), (1, 1)])
@@ -121,7 +122,9 @@ def _starts(rest: Array) -> Iterator[tuple[Array, bool]]:
         sound = np.isfinite(corners[:, 0])
         if sound.sum() < 3:
             continue
-        spare = np.nanmax(bends[i : i + 2, j : j + 2].reshape(4, 2), axis=0)
+        spare = np.sort(bends[i : i + 2, j : j + 2].reshape(4, 2), axis=0)[
+            1
+        ]  # a pole beside bends one corner or two
         low, high = corners[sound].min(axis=0), corners[sound].max(axis=0)
         if (low > spare).any() or (high < -spare).any():
             continue
@@ -218,10 +221,12 @@ def _nearest(asked: Asked, rest: Function, x: Array, roots: list[Root]) -> Root:
     """The first root; where there is none, the place of least distance, by steps to all sides that grow shorter."""
     if roots:
         return min(roots, key=_in_order)
-    places = x.reshape(-1, 2)
+    places = np.array(list(asked.answers))
     at = places[int(np.nanargmin(_away(rest(places))))]
     step = float(x[1, 0, 0] - x[0, 0, 0]) / 2
-    while step > FINEST:
+    for _ in range(ROUNDS):
+        if step <= FINEST:
+            break
         about = np.clip(at + step * AROUND, 0, 1)
         distances = _away(rest(about))
         k = int(np.argmin(distances))
