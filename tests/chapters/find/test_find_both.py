@@ -10,6 +10,7 @@ from test_find import PIVOT, RAILS, asked, number_of, read_text, results_of
 from tmm_report import course, render, solve
 from tmm_report.problems import ProblemError
 from tmm_report.results import tables, values
+from tmm_report.stack import solve_many
 from tmm_report.yamlread import loads as data_of
 
 SERVO = read_text("governor_servo").split("  machine:")[0]
@@ -235,6 +236,7 @@ def test_results_and_every_format():
     table = next(one for one in tables(results) if one.name == "find_roots")
     for last in ("", "2"):
         assert numbers[f"find_x{last}"] == table[f"x{last}"].values[0]
+        assert numbers[f"find_residual{last}"] == table[f"residual{last}"].values[0]
         assert numbers[f"find_y{last}"] - numbers[f"find_wanted{last}"] == numbers[f"find_residual{last}"]
     for fmt in ("html", "tex", "json", "csv"):
         assert all(render(results, fmt, "ru").values())
@@ -245,3 +247,32 @@ def test_a_search_that_ends_for_want_of_solvings_says_so(monkeypatch):
     results = results_of(SPRING, BY_SPEEDS.replace("200 kN/m", "20 kN/m") % ("970 rpm", "1030 rpm"))
     (told,) = course.doubts(results)
     assert "after 295 solvings" in told.text()
+
+
+# --- a motor, and many at once
+
+
+def test_the_falling_characteristic_of_a_motor_by_two_of_its_points():
+    """M = M₀ (1 − ω/ω₀): at rest M₀ = J ε + Q, in steady motion M₀ (1 − ω/ω₀) = Q; the stated moment is at 20 rad/s."""
+    text = """language: en
+dynamics:
+  parts: [{name: disc, inertia: 2 kg*m^2, moment: 15 N*m}]
+  motor: {shunt: {moment: 40 N*m, speed: 20, no_load: 25}}
+  start: {within: 2 %}
+"""
+    find = (
+        "{unknown: {dynamics.motor.shunt.moment: 5 .. 60, dynamics.motor.shunt.no_load: 21 .. 60}, "
+        "so_that: {dynamics_start.epsilon.0: 30 rad/s^2, dynamics_omega_m: 24}}"
+    )
+    found = results_of(text, find).find
+    stall = 2 * 30 + 15
+    no_load = 24 * stall / (stall - 15)
+    right = [stall * (1 - 20 / no_load), no_load]
+    assert found.sizes(found.chosen.at) == pytest.approx(right, rel=1e-9)
+
+
+def test_many_at_once_find_what_each_finds_alone():
+    texts = [asked(SPRING, BY_SPEEDS % (low, "1030 rpm")) for low in ("970 rpm", "990 rpm")]
+    together = solve_many([course.loads(text) for text in texts])
+    alone = [solve(course.loads(text)) for text in texts]
+    assert [one.find.numbers for one in together] == [one.find.numbers for one in alone]

@@ -22,9 +22,11 @@ def test_a_circle_is_one_closed_line_on_its_radius():
 def test_where_there_are_no_values_there_is_no_line():
     places = grid((0, 0), (1, 1))
     z = places[..., 0] + 1j * places[..., 1]
-    points = _zeros(z, np.where(z.real < 0.5, np.nan, z.imag - 0.3))
-    sound = points[np.isfinite(points)]
-    assert sound.real.min() == 0.5 and sound.real.max() == 1 and np.allclose(sound.imag, 0.3)
+    for missing, ends in ((z.real < 0.5, (0.5, 1)), (z.real > 0.5, (0, 0.5))):
+        points = _zeros(z, np.where(missing, np.nan, z.imag - 0.3))
+        sound = points[np.isfinite(points)]
+        assert (sound.real.min(), sound.real.max()) == ends and np.allclose(sound.imag, 0.3)
+    assert not _zeros(z, z.real + 1).size
 
 
 def test_the_first_unknown_goes_to_the_right_and_the_second_up():

@@ -3,7 +3,7 @@ which each demand is met."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -11,10 +11,9 @@ import numpy as np
 from tmm_report.figures.charts.plane import Frame, Spot, Trace, framed, plane
 from tmm_report.figures.drawing import Drawing, Pen
 from tmm_report.figures.lettering import Parts
+from tmm_report.mechanics.calculus.isolines import isolines
 
 Array = Any
-Corner = tuple[int, int]
-Edge = tuple[Corner, Corner]
 FIELD = (120.0, 70.0)  # mm
 SPAN = 4.0  # of the middle half of the values: what is farther off is a pole's
 PENS = (Pen(0.45, "blue"), Pen(0.45, "red", (3.0, 1.2)))
@@ -61,37 +60,31 @@ def meeting(
 
 
 def _zeros(z: Array, f: Array) -> Array:
-    """Where a function is nought: straight pieces through the two triangles of each cell, joined end to end, with gaps
-    between lines."""
-    pieces: list[list[Edge]] = []
-    for i, j in np.ndindex(f.shape[0] - 1, f.shape[1] - 1):
-        for corner in ((i + 1, j), (i, j + 1)):
-            edges: list[Edge] = [((i, j), corner), (corner, (i + 1, j + 1)), ((i, j), (i + 1, j + 1))]
-            passed = [(a, b) for a, b in edges if (f[a] < 0) != (f[b] < 0) and np.isfinite(f[a] + f[b])]
-            if len(passed) == 2:
-                pieces.append(passed)
-    points: list[complex] = []
-    for chain in _joined(pieces):
-        points += [z[a] + (z[b] - z[a]) * f[a] / (f[a] - f[b]) for a, b in chain] + [complex(np.nan, np.nan)]
-    return np.array(points, complex)
+    """Where a function is nought, which goes straight between the places of the grid; a gap behind each line."""
+    parts = np.array(f.shape) - 1
 
+    def between(points: Array) -> Array:
+        """At points of the grid's own numbers, i + ij."""
+        at = np.stack([points.real, points.imag], axis=-1)
+        i, j = np.moveaxis(np.clip(np.floor(at).astype(int), 0, parts - 1), -1, 0)
+        u, v = points.real - i, points.imag - j
+        corners = (
+            (i, j, (1 - u) * (1 - v)),
+            (i, j + 1, (1 - u) * v),
+            (i + 1, j, u * (1 - v)),
+            (i + 1, j + 1, u * v),
+        )
+        return sum(
+            np.where(part == 0, 0.0, f[a, b] * part) for a, b, part in corners
+        )  # nan may stand beside a side
 
-def _joined(pieces: list[list[Edge]]) -> Iterator[list[Edge]]:
-    """Pieces that share an edge as one chain of edges."""
-    at: dict[Edge, list[int]] = {}
-    for k, piece in enumerate(pieces):
-        for edge in piece:
-            at.setdefault(edge, []).append(k)
-    left = set(range(len(pieces)))
-    while left:
-        chain = list(pieces[left.pop()])
-        for _ in range(2):  # on from its end, then, turned round, from its beginning
-            while further := left.intersection(at[chain[-1]]):
-                k = further.pop()
-                left.remove(k)
-                chain += [edge for edge in pieces[k] if edge != chain[-1]]
-            chain.reverse()
-        yield chain
+    numbers = np.arange(f.shape[0]) + 1j * np.arange(f.shape[1])[:, None]
+    low, width = z[0, 0], z[-1, -1] - z[0, 0]
+    lines = [
+        low + line.real / parts[0] * width.real + 1j * line.imag / parts[1] * width.imag
+        for line in isolines(between, numbers, f.T)
+    ]
+    return np.concatenate([part for line in lines for part in (line, [complex(np.nan, np.nan)])] or [[]])
 
 
 def _spread(frame: Frame, x: Array) -> Frame:

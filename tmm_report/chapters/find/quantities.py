@@ -116,7 +116,7 @@ def _of_one(found: Found) -> Iterator[Value]:
         yield sought(of, letter, "find_closed", text, CLOSED).value(found.closed.number)
         if (x := found.size(found.chosen.at)) and k >= 0:
             off = Message(N_("difference of the root from what the formula gives, of the root"))
-            yield Quantity("find_closed_off", Symbol("varepsilon"), "%", off).value(
+            yield Quantity("find_closed_off", Symbol("epsilon"), "%", off).value(
                 100 * (x - found.closed.number) / x
             )
     yield COUNT.value(float(len(found.sought.roots)))

@@ -27,7 +27,7 @@ WAYS = (
     Way("find_residual2", by=lambda q: q("find_y2") - q("find_wanted2")),
     Way("find_rate", RATE, of="find_x find_y"),
     Way("find_closed", FORMULA, of="find_wanted"),
-    Way("find_closed_off", by=lambda q: (q("find_x") - q("find_closed")) / q("find_x")),
+    Way("find_closed_off", by=lambda q: 100 * (q("find_x") - q("find_closed")) / q("find_x")),
     Way("find_count find_solved find_roots.number", COUNTED),
     Way("find_roots.x find_jumps.* find_lost.*", SEARCH, of="find_low find_high find_wanted"),
     Way("find_roots.x2", PAIRS, of="find_low find_high find_wanted find_low2 find_high2 find_wanted2"),
