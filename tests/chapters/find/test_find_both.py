@@ -70,9 +70,26 @@ def test_a_spring_for_two_speeds_is_that_which_the_governor_chooses(speeds):
     chosen = solve(course.loads(SERVO.replace("970 rpm, 1030 rpm", ", ".join(speeds))))
     right = [number_of(chosen, key) for key in ("governor_c", "governor_F_0")]
     assert found.sizes(found.chosen.at) == pytest.approx(right, rel=1e-9)
+    assert {k: form.number for k, form in found.closed} == pytest.approx(dict(enumerate(right)), rel=1e-9)
     assert [
         number_of(whole(SPRING, found), key) for key in ("governor_omega_0", "governor_omega_h")
     ] == pytest.approx(found.levels, rel=1e-10)
+
+
+def test_the_formulas_of_the_spring_whatever_stands_first():
+    find = BY_SPEEDS % ("970 rpm", "1030 rpm")
+    turned = (
+        "{unknown: {governor.spring.force: 100 N .. 5 kN, governor.spring.stiffness: 1 kN/m .. 200 kN/m}, "
+        "so_that: {omega_h: 1030 rpm, omega_0: 970 rpm}}"
+    )
+    one, other = results_of(SPRING, find), results_of(SPRING, turned)
+    numbers = [{key.key: key.value for key in values(results)} for results in (one, other)]
+    for last, there in (("", "2"), ("2", "")):
+        assert numbers[0][f"find_closed{last}"] == pytest.approx(numbers[1][f"find_closed{there}"], rel=1e-12)
+        assert numbers[0][f"find_x{last}"] == pytest.approx(numbers[1][f"find_x{there}"], rel=1e-9)
+        for of in numbers:
+            off = 100 * (1 - of[f"find_closed{last}"] / of[f"find_x{last}"])
+            assert of[f"find_closed_off{last}"] == pytest.approx(off, abs=1e-9)
 
 
 def test_the_sensitivities_of_the_spring_are_those_of_its_formula():
@@ -110,7 +127,7 @@ def test_radii_of_a_pivot_for_a_pressure_and_a_moment():
     both = 2 * 120 / (0.12 * 40e3)
     apart = 40e3 / (math.pi * 8e6) / both
     assert found.sizes(found.chosen.at) == pytest.approx([(both + apart) / 2, (both - apart) / 2], rel=1e-9)
-    assert found.reason is not None  # an inner radius above the outer one is no pivot
+    assert found.closed == () and found.reason is not None  # an inner radius above the outer one is no pivot
 
 
 # --- planes of two masses

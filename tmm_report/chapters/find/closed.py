@@ -14,7 +14,8 @@ from dataclasses import replace
 import numpy as np
 
 from tmm_report.chapters.find.asking import Sample
-from tmm_report.chapters.find.given import Given, Kind
+from tmm_report.chapters.find.given import Given, Kind, Unknown
+from tmm_report.chapters.find.letters import sought
 from tmm_report.chapters.find.target import Target
 from tmm_report.i18n import NP_
 from tmm_report.problems import N_, Message
@@ -24,6 +25,7 @@ from tmm_report.quantity.symbols import Symbol
 from tmm_report.records import dataclass
 
 WANTED = NP_("index", "want")
+CLOSED = NP_("index", "form")  # by a formula
 STEADY = 1e-9  # relative: by more a number depends on the unknown
 
 
@@ -138,6 +140,14 @@ def wanted_value(of: Target, level: float, last: str = "") -> Value:
     return Quantity(f"find_wanted{last}", symbol, of.quantity.unit, meaning, of.quantity.shown).value(level)
 
 
+def closed_value(
+    of: Unknown, letter: Quantity | None, number: float, last: str = "", which: str = ""
+) -> Value:
+    """The unknown as a formula gives it; `last`, `which`: with which its key and its index x end."""
+    text = N_("unknown number %(name)s by the formula")
+    return sought(of, letter, f"find_closed{last}", text, CLOSED, which).value(number)
+
+
 def closed(given: Given, of: Target, wanted: float, samples: Sequence[Sample]) -> Closed | None:
     """By the first formula that fits; None where there is none."""
     if len(samples) < 2:
@@ -153,6 +163,37 @@ def closed(given: Given, of: Target, wanted: float, samples: Sequence[Sample]) -
             if math.isfinite(found.number):
                 return found
     return None
+
+
+def closed_pair(
+    given: Given,
+    targets: Sequence[Target],
+    levels: Sequence[float],
+    letters: Sequence[Quantity | None],
+    samples: Sequence[Sample],
+) -> tuple[tuple[int, Closed], ...]:
+    """Of two unknowns: which of them, and its formula, in the order in which they are worked out; none where there is
+    no such pair of formulas."""
+    if len(samples) < 2:
+        return ()
+    books = tuple(_book(chapters) for _, chapters in samples)
+    known = Known(targets[0], (books[0], books[1]), Var("y", 0.0))
+    paths, keys = [".".join(map(str, one.path)) for one in given.unknowns], [one.key for one in targets]
+    for one in PAIRS:
+        if sorted(paths) != sorted(one.unknowns) or sorted(keys) != sorted(one.demands):
+            continue
+        places = [paths.index(name) for name in one.unknowns]
+        wanted = [keys.index(key) for key in one.demands]
+        first, second = (wanted_value(targets[k], levels[k], "2" if k else "").var() for k in wanted)
+        try:
+            found = Closed(one.first(known, first, second), "")
+            k = places[0]
+            value = closed_value(given.unknowns[k], letters[k], found.number, "2" if k else "", str(k + 1))
+            other = Closed(one.second(known, first, second, value.var()), "")
+        except NotThereError:
+            continue
+        return (k, found), (places[1], other)
+    return ()
 
 
 def _book(chapters: Sequence[tuple]) -> Book:
@@ -263,5 +304,43 @@ INVERSIONS = (
         "engine.speed",
         "engine_hammer",
         lambda k: sqrt(k.wanted / (k.of("engine_share") * k.of("engine_m") * k.of("engine_r"))),
+    ),
+)
+
+
+# --- pairs
+
+
+@dataclass(frozen=True)
+class Twofold:
+    """Two unknowns of two demands. `first`: the first of them by what is known and both wanted numbers; `second`: the
+    other one by the first besides."""
+
+    unknowns: tuple[str, str]
+    demands: tuple[str, str]
+    first: Callable[[Known, Var, Var], Expr]
+    second: Callable[[Known, Var, Var, Var], Expr]
+
+
+def _pressed(k: Known, row: int, speed: Var) -> Expr:
+    """What the spring of a governor presses with at a stop: A ω² − g (m₀ + n m y')."""
+    index, text = STOPS[row]
+    size, slope = (
+        replace(one, symbol=replace(one.sign, sub=index), meaning=Message(text, {"of": one.meaning}))
+        for one in (k.row("governor_equilibrium", key, row) for key in ("A", "dy"))
+    )
+    heavy: Expr = k.of("governor_m_0")
+    if slope.number:
+        heavy = heavy + k.of("governor_n") * k.of("governor_m") * slope
+    return size * speed**2 - k.of("governor_g") * heavy
+
+
+STOPS = {0: ("0", N_("%(of)s, at the lower stop")), -1: ("h", N_("%(of)s, at the upper stop"))}
+PAIRS = (
+    Twofold(
+        ("governor.spring.force", "governor.spring.stiffness"),
+        ("governor_omega_0", "governor_omega_h"),
+        lambda k, low, high: _pressed(k, 0, low),
+        lambda k, low, high, force: (_pressed(k, -1, high) - force) / k.of("governor_h"),
     ),
 )

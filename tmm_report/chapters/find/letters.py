@@ -1,4 +1,4 @@
-"""By which of its own numbers a variant calls an unknown: by the one that is equal to it all over its range."""
+"""How an unknown is called: as the variant's own number is that is equal to it all over its range, else x."""
 
 from __future__ import annotations
 
@@ -9,9 +9,14 @@ from dataclasses import replace
 from tmm_report.chapters.find.asking import Sample
 from tmm_report.chapters.find.given import Given, Unknown
 from tmm_report.chapters.find.target import Chapter
+from tmm_report.i18n import NP_
+from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Quantity
+from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.units import DIMENSIONS, factor
 
+SOUGHT = NP_("index", "seek")
+NAMED = N_("%(of)s: the unknown number %(name)s")
 ALIKE = 1e-12  # relative: what differs by more is another number
 ROWS = 40  # of a table: in a longer one no number is stated
 
@@ -74,6 +79,31 @@ def _same(number: object, size: float, unit: str, of: Quantity) -> bool:
     except KeyError:
         return False
     return math.isclose(float(number), size * scale, rel_tol=ALIKE)  # type: ignore[arg-type]
+
+
+def sought(
+    of: Unknown, letter: Quantity | None, key: str, text: str = "", end: str = "", which: str = ""
+) -> Quantity:
+    """An unknown in SI, by the letter that the variant's own numbers have for it; printed in the unit of its range,
+    where that is one of those that notes print."""
+    unit, own = plain(DIMENSIONS[of.dimension].unit), plain(of.unit)
+    try:
+        factor(unit, own)
+    except KeyError:
+        own = ""
+    meaning = Message(text or N_("unknown number %(name)s"), {"name": of.name})
+    if letter is not None and not text:
+        meaning = Message(NAMED, {"name": of.name, "of": letter.meaning})
+    symbol = _indexed(letter.sign, end) if letter else Symbol("x", _joined(which, end or SOUGHT))
+    return Quantity(key, symbol, unit, meaning, own if own not in ("", unit) else "")
+
+
+def _indexed(symbol: Symbol, end: str) -> Symbol:
+    return replace(symbol, sub=_joined(symbol.sub, end)) if end else symbol
+
+
+def _joined(*indices: str) -> str:
+    return ",".join(filter(None, indices))
 
 
 def plain(unit: str) -> str:

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from tmm_report.chapters.find.asking import Asking, Course, Numbers
+from tmm_report.chapters.find.closed import Closed, closed_pair
 from tmm_report.chapters.find.given import Given
 from tmm_report.chapters.find.letters import letters
 from tmm_report.chapters.find.target import Target, level
@@ -32,7 +33,8 @@ class Both:
     """`levels`: the wanted numbers in the units of the results; `sought`: over parts of the ranges; `slopes`: of the
     roots, [demand][unknown] by the unknowns in SI, (roots, 2, 2); `chosen`: what the variant is solved with; `solved`:
     how many times it was solved; `reason`: why there are pairs with no results; `letters`: as the variant's own numbers
-    call the unknowns, where they do; `doubts`: what was not tried."""
+    call the unknowns, where they do; `doubts`: what was not tried; `closed`: what the textbook's formulas
+    give, where it has them, with the number of the unknown."""
 
     given: Given
     targets: tuple[Target, ...]
@@ -44,6 +46,7 @@ class Both:
     reason: Message | None
     letters: tuple[Quantity | None, ...]
     doubts: list[Problem]
+    closed: tuple[tuple[int, Closed], ...] = ()
 
     @property
     def sound(self) -> bool:
@@ -88,7 +91,8 @@ def solve(given: Given, course: Course) -> Both:
     chosen = roots[place(given, len(roots))] if roots else sought.nearest
     own = letters(given, asking.samples)
     solved, told = len(asked.answers), (asking.reason, own, asking.doubts)
-    return Both(given, asking.targets, levels, sought, rates, chosen, solved, *told)
+    forms = closed_pair(given, asking.targets, levels, own, asking.samples)
+    return Both(given, asking.targets, levels, sought, rates, chosen, solved, *told, forms)
 
 
 def place(given: Given, count: int) -> int:

@@ -7,13 +7,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import replace
 
 import numpy as np
 
-from tmm_report.chapters.find.closed import wanted_value
+from tmm_report.chapters.find.closed import closed_value, wanted_value
 from tmm_report.chapters.find.given import Unknown
-from tmm_report.chapters.find.letters import plain
+from tmm_report.chapters.find.letters import plain, sought
 from tmm_report.chapters.find.pair import Both
 from tmm_report.chapters.find.solve import Found
 from tmm_report.chapters.find.target import Target
@@ -22,48 +21,21 @@ from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Quantity, Table, Value
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.tabulated import tabulated
-from tmm_report.quantity.units import DIMENSIONS, factor
+from tmm_report.quantity.units import DIMENSIONS
 
-SOUGHT, LOW, HIGH = NP_("index", "seek"), NP_("index", "min"), NP_("index", "max")
-CLOSED = NP_("index", "form")  # by a formula
+LOW, HIGH = NP_("index", "min"), NP_("index", "max")
 ROOTS = Message(N_("values of the unknown at which the demand is met"))
 PAIRS = Message(N_("values of the unknowns at which both demands are met"))
 COURSE = Message(N_("the demanded number over the range of the unknown"))
 GRID = Message(N_("the demanded numbers over the ranges of the unknowns"))
 LOST = Message(N_("parts of the range in which the variant has no such number"))
 JUMPS = Message(N_("values of the unknown at which the demanded number jumps over the wanted one"))
-NAMED = N_("%(of)s: the unknown number %(name)s")
 NUMBER = Quantity("number", Symbol("k"), "", Message(N_("number of the root")))
 COUNT = Quantity("find_count", Symbol("k"), "", Message(N_("number of roots in the range")))
 SOLVED = Quantity("find_solved", Symbol("N"), "", Message(N_("how many values were tried")))
 
 
 # --- what they are
-
-
-def sought(
-    of: Unknown, letter: Quantity | None, key: str, text: str = "", end: str = "", which: str = ""
-) -> Quantity:
-    """An unknown in SI, by the letter that the variant's own numbers have for it; printed in the unit of its range,
-    where that is one of those that notes print."""
-    unit, own = plain(DIMENSIONS[of.dimension].unit), plain(of.unit)
-    try:
-        factor(unit, own)
-    except KeyError:
-        own = ""
-    meaning = Message(text or N_("unknown number %(name)s"), {"name": of.name})
-    if letter is not None and not text:
-        meaning = Message(NAMED, {"name": of.name, "of": letter.meaning})
-    symbol = _indexed(letter.sign, end) if letter else Symbol("x", _joined(which, end or SOUGHT))
-    return Quantity(key, symbol, unit, meaning, own if own not in ("", unit) else "")
-
-
-def _indexed(symbol: Symbol, end: str) -> Symbol:
-    return replace(symbol, sub=_joined(symbol.sub, end)) if end else symbol
-
-
-def _joined(*indices: str) -> str:
-    return ",".join(filter(None, indices))
 
 
 def demanded(of: Target, key: str) -> Quantity:
@@ -112,15 +84,20 @@ def _of_one(found: Found) -> Iterator[Value]:
     if k >= 0 and math.isfinite(found.slopes[k]):
         yield rate(target, of, "find_rate").value(found.slopes[k])
     if found.closed is not None:
-        text = N_("unknown number %(name)s by the formula")
-        yield sought(of, letter, "find_closed", text, CLOSED).value(found.closed.number)
-        if (x := found.size(found.chosen.at)) and k >= 0:
-            off = Message(N_("difference of the root from what the formula gives, of the root"))
-            yield Quantity("find_closed_off", Symbol("epsilon"), "%", off).value(
-                100 * (x - found.closed.number) / x
-            )
+        yield from _by_formula(
+            closed_value(of, letter, found.closed.number), found.size(found.chosen.at), k >= 0
+        )
     yield COUNT.value(float(len(found.sought.roots)))
     yield SOLVED.value(float(found.solved))
+
+
+def _by_formula(value: Value, x: float, found: bool, last: str = "", which: str = "") -> Iterator[Value]:
+    """What a formula gives, and by how much the root, where there is one, differs from it."""
+    yield value
+    if found and x:
+        text = N_("difference of the root from what the formula gives, of the root")
+        off = Quantity(f"find_closed_off{last}", Symbol("epsilon", which), "%", Message(text))
+        yield off.value(100 * (x - value.value) / x)
 
 
 def _range(of: Unknown, letter: Quantity | None, last: str = "", which: str = "") -> Iterator[Value]:
@@ -140,6 +117,10 @@ def _of_both(found: Both) -> Iterator[Value]:
         yield demanded(target, f"find_y{last}").value(found.chosen.value[k])
         yield wanted_value(target, found.levels[k], last)
         yield residual(target, f"find_residual{last}", which).value(found.chosen.value[k] - found.levels[k])
+    for k, form in found.closed:
+        last, which = _ends(k)
+        value = closed_value(given.unknowns[k], found.letters[k], form.number, last, which)
+        yield from _by_formula(value, sizes[k], found.sound, last, which)
     yield COUNT.value(float(len(found.sought.roots)))
     yield SOLVED.value(float(found.solved))
 

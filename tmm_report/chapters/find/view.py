@@ -149,6 +149,10 @@ class BothView(BookView):
         assert self.found.reason is not None
         return self.page.sentence(self.found.reason)
 
+    def closed(self) -> list[Formula]:
+        """The textbook's formulas."""
+        return [self.value(f"closed{'2' if k else ''}").formula(one.form) for k, one in self.found.closed]
+
     def made(self) -> Markup:
         return self.listed(("y", "y2"))
 
