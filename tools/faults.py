@@ -101,7 +101,7 @@ FAULTS = (
     Fault("the spring's stiffness by the force at one stop", FIND + "closed.py",
           "(_pressed(k, -1, high) - force)", "(_pressed(k, -1, high) - 0 * force)", SPRING, TWO),
     Fault("the root's difference from the formula with the other sign", FIND + "quantities.py",
-          "100 * (x - found.closed.number) / x", "100 * (found.closed.number - x) / x", RIM, BY_FORMULA),
+          "100 * (x - value.value) / x", "100 * (value.value - x) / x", RIM, BY_FORMULA),
     Fault("a formula whose numbers depend on the unknown", FIND + "closed.py",
           "if not _alike(*numbers) or rows[0] != rows[1]:", "if rows[0] != rows[1]:", RIM, BY_FORMULA),
     Fault("a hammer blow of the whole mass", "tmm_report/chapters/machine/engine/steps.py",
