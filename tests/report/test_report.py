@@ -45,7 +45,7 @@ def page(form=Html, language="en") -> Page:
 def prose(text: str) -> str:
     """The words of an HTML note, without mathematics, drawings and style."""
     text = re.sub(r"<style.*?</style>|<math.*?</math>|<svg.*?</svg>", " ", text, flags=re.S)
-    return unescape(re.sub(r"<[^>]+>", " ", text))
+    return unescape(re.sub(r"<[^>]+>", " ", text.replace("<wbr/>", "")))
 
 
 # --- escaping ---

@@ -61,6 +61,8 @@ class Known:
         return self._row(table, key, [int(np.nanargmin(column)) for column in columns])
 
     def row(self, table: str, key: str, row: int) -> Var:
+        """`row`: −1 the last."""
+        row %= max(1, len(self.rows(table)))
         return self._row(table, key, [row, row])
 
     def moves(self, table: str, key: str, with_: str) -> list[int]:
