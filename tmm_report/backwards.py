@@ -1,11 +1,11 @@
-"""Questions asked backwards: a variant that leaves a number unknown is solved with the number that meets its demand.
+"""Questions asked backwards: a variant that leaves numbers unknown is solved with those that meet its demands.
 
 Above the course, for it solves whole variants; whatever takes a user's variant to its results calls this `solve`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -29,23 +29,24 @@ def solve(variant: Variant, moved: Moved | None = None, each: Each | None = None
 
 
 def _backwards(variant: Variant, asked: find.Given, each: Each) -> Results:
-    """What a variant is solved with that leaves a number unknown: the number found, in a variant that states it."""
+    """What a variant is solved with that leaves numbers unknown: those found, in a variant that states them."""
     restated = asked.restated
     assert restated is not None
 
-    def tried(numbers: Sequence[float], chapter: str) -> Iterator[find.Answer]:
-        stated = [_or_mistakes(partial(restated, number)) for number in numbers]
-        solved = iter(each([_narrowed(one, chapter) for one in stated if isinstance(one, Variant)]))
+    def tried(places: Sequence[find.Numbers], chapters: Collection[str], bare: bool) -> Iterator[find.Answer]:
+        stated = [_or_mistakes(partial(restated, numbers)) for numbers in places]
+        solved = iter(each([_narrowed(one, chapters, bare) for one in stated if isinstance(one, Variant)]))
         for one in stated:
             found = one if isinstance(one, ProblemError) else next(solved)
-            yield found if isinstance(found, ProblemError) else _told(found, chapter)
+            yield found if isinstance(found, ProblemError) else _told(found, chapters)
 
     found = course.find.solve(asked, tried)
     try:
-        results = course.solve(restated(found.number))
+        results = course.solve(restated(found.numbers))
     except ProblemError as error:
-        text = N_("the variant is not solved with what is found, %(name)s = %(x)s: see what else is told")
-        told = {"name": asked.unknown.name, "x": asked.unknown.written(found.number)}
+        text = N_("the variant is not solved with what is found, %(what)s: see what else is told")
+        pairs = zip(asked.unknowns, found.numbers, strict=True)
+        told = {"what": ", ".join(f"{one.name} = {one.written(number)}" for one, number in pairs)}
         right = Message(N_("narrow the range, or choose another root"))
         raise ProblemError([*error.problems, mistake(text, ("find",), right, **told)]) from None
     return replace(results, find=found, variant=replace(results.variant, doubts=variant.doubts))
@@ -62,20 +63,24 @@ def _or_mistakes(run: Callable[[], T]) -> T | ProblemError:
         return error
 
 
-def _narrowed(variant: Variant, chapter: str) -> Variant:
-    """What of a variant the numbers of a chapter need; all of it for ""."""
-    if not chapter:
+def _narrowed(variant: Variant, chapters: Collection[str], bare: bool) -> Variant:
+    """What of a variant the numbers of some chapters need; all of it for none. `bare`: without what is costly of these,
+    as their records say themselves."""
+    if not chapters:
         return variant
-    others: dict[str, Any] = {name: None for name in course.OTHERS if name != chapter}
+    others: dict[str, Any] = {name: None for name in course.OTHERS if name not in chapters}
+    if bare:
+        stated = {name: getattr(variant, name) for name in course.OTHERS if name in chapters}
+        others |= {name: getattr(one, "bare", one) for name, one in stated.items()}
     if (lever := variant.lever) is not None:
-        drawn = chapter in ("plans", "force_plans", "reduction", "readings")
+        drawn = not {"plans", "force_plans", "reduction", "readings"}.isdisjoint(chapters)
         positions = lever.positions if drawn else replace(lever.positions, plans=(), force_plan=())
-        methods = lever.methods if chapter == "methods" else None
+        methods = lever.methods if "methods" in chapters else None
         lever = replace(lever, positions=positions, readings={}, methods=methods)
     return replace(variant, lever=lever, **others)
 
 
-def _told(results: Results, chapter: str) -> find.Answer:
+def _told(results: Results, chapters: Collection[str]) -> find.Answer:
     """Tables and single numbers by chapters; why there are none where the mechanism does not close all round."""
     lever = results.lever
     if lever is not None and lever.partial:
@@ -84,4 +89,8 @@ def _told(results: Results, chapter: str) -> find.Answer:
     rooms = (
         (name, course.room(name, "quantities"), found) for name, found in (*own, *course.chapters(results))
     )
-    return [(name, of.tables(found), of.values(found)) for name, of, found in rooms if chapter in ("", name)]
+    return [
+        (name, of.tables(found), of.values(found))
+        for name, of, found in rooms
+        if not chapters or name in chapters
+    ]

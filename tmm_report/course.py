@@ -8,7 +8,7 @@ in its folder and is found there by the field's name, only when it is asked for:
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, fields, replace
 from functools import partial
 from importlib import import_module
@@ -197,7 +197,7 @@ class Results:
 
     variant: Variant
     lever: LeverFound | None = None
-    find: find.Found | None = None
+    find: find.Found | find.Both | None = None
     synthesis: synthesis.Found | None = None
     dynamics: dynamics.Found | None = None
     travel: travel.Found | None = None
@@ -457,10 +457,10 @@ def _variant(document: yamlread.Document, file: str, soft: list[Problem]) -> Var
     return made
 
 
-def _restated(document: yamlread.Document, file: str, asked: find.Given, number: float) -> Variant:
-    """The variant with a number in the place of the unknown. Raises ProblemError for one that may not stand there."""
-    data = asked.unknown.put(document.data, number)
-    raw = {path: text for path, text in document.raw.items() if path != asked.unknown.path}
+def _restated(document: yamlread.Document, file: str, asked: find.Given, numbers: Sequence[float]) -> Variant:
+    """The variant with numbers in the places of the unknowns. Raises ProblemError for one that may not stand there."""
+    data, paths = asked.put(document.data, numbers), {one.path for one in asked.unknowns}
+    raw = {path: text for path, text in document.raw.items() if path not in paths}
     rest = {key: value for key, value in data.items() if key != "find"}
     return _variant(replace(document, data=rest, raw=raw), file, [])
 

@@ -6,10 +6,12 @@ Each is written from what the variant states, by another way than the program's 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from typing import Any
 
 from tmm_report.chapters.machine.contacts.given import Screw
 from tmm_report.chapters.machine.efficiency.given import Module
+from tmm_report.chapters.machine.governor.given import Choose
 from tmm_report.course import Results
 from tmm_report.mechanics.machine.characteristics import Kloss, Series
 from tmm_report.mechanics.machine.governor.equilibrium import Arms, BellCrank
@@ -24,7 +26,7 @@ def machines(results: Results) -> Named:
     of = results.variant
     for given, name in (
         (of.efficiency, _efficiency), (of.rotor, _rotor), (of.engine, _engine), (of.vibration, _vibration),
-        (of.contacts, _contacts), (of.governor, _governor), (of.dynamics, _dynamics), (of.flywheel, _flywheel),
+        (of.contacts, _contacts), (_sought(results), _governor), (of.dynamics, _dynamics), (of.flywheel, _flywheel),
     ):  # fmt: skip
         if given is not None:
             yield from name(given)
@@ -91,8 +93,10 @@ def _rotor(given: Any) -> Named:
 
 
 def _engine(given: Any) -> Named:
-    r, l, rod, at = (number(x) for x in (given.radius, given.length, given.rod.mass, given.rod.centre))
-    moving = number(given.piston) + rod * at / l
+    r, l, rod, at = (
+        number(x) for x in (given.crank_radius, given.rod_length, given.rod.mass, given.rod.centre)
+    )
+    moving = number(given.reciprocating) + rod * at / l
     yield "engine_m", moving
     yield "engine_m_rot", number(given.rotating) + rod * (l - at) / l
     yield "engine_lambda", r / l
@@ -151,6 +155,18 @@ def _vibration(given: Any) -> Named:
 
 
 # ---------------------------------------------------------------- governors
+
+
+def _sought(results: Results) -> Any:
+    """The governor; one whose spring is asked backwards for two speeds, as one that chooses it for them."""
+    governor, asked = results.variant.governor, results.find
+    if (
+        governor is None
+        or asked is None
+        or [one.name for one in asked.given.demands] != ["omega_0", "omega_h"]
+    ):
+        return governor
+    return replace(governor, choose=Choose(spring=asked.levels), spring=None)
 
 
 def _governor(given: Any) -> Named:

@@ -59,3 +59,10 @@ def test_a_long_word_has_the_room_that_letters_of_tex_take_in_either_script():
         assert measure.whole(word) == pytest.approx(measure.WORDS * measure.letters(word))
     for word in ("mm", "0.1765", "−0.0047"):
         assert measure.whole(word) == pytest.approx(measure.letters(word))
+
+
+def test_a_path_of_keys_breaks_behind_its_dots_and_any_other_long_word_at_even_distances():
+    told = measure.breakable("c: governor.spring.stiffness, N/m")
+    assert told == ["c: governor.", "spring.", "stiffness, N/m"]
+    assert measure.breakable("x" * 30) == ["x" * 12, "x" * 12, "x" * 6]
+    assert [len(one) for one in measure.breakable("a." + "x" * 28)] == [12, 12, 6]

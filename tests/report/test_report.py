@@ -45,7 +45,7 @@ def page(form=Html, language="en") -> Page:
 def prose(text: str) -> str:
     """The words of an HTML note, without mathematics, drawings and style."""
     text = re.sub(r"<style.*?</style>|<math.*?</math>|<svg.*?</svg>", " ", text, flags=re.S)
-    return unescape(re.sub(r"<[^>]+>", " ", text))
+    return unescape(re.sub(r"<[^>]+>", " ", text.replace("<wbr/>", "")))
 
 
 # --- escaping ---
@@ -267,7 +267,7 @@ def own_words(name: str) -> list[str]:
     )
     own = {*astuple(variant.title), *(load.name for load in loads)}
     if (found := results(name).find) is not None:  # what is sought is named by its keys in the file
-        own.add(found.given.unknown.name)
+        own.update(one.name for one in found.given.unknowns)
     return sorted(own - {""}, key=len, reverse=True)
 
 

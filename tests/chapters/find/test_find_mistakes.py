@@ -33,9 +33,9 @@ DOOR = {
     case: (f"{{unknown: {{{key}: {span}}}, {GOOD}}}", f"find.unknown.{key}", words)
     for case, (key, span, words) in UNKNOWN.items()
 } | {
-    "two unknowns": (f"{{unknown: {{{M}, dynamics.parts.0.inertia: 1 .. 2}}, {GOOD}}}", "find.unknown", "one number"),
-    "two demands": (f"{{unknown: {{{M}}}, so_that: {{dynamics_t_start: 2 s, dynamics_J: 2}}}}", "find", "2 demands"),
-    "two kinds of demand": (f"{{unknown: {{{M}}}, {GOOD}, least: dynamics_J}}", "find", "2 demands"),
+    "two unknowns": (f"{{unknown: {{{M}, dynamics.parts.0.inertia: 1 .. 2}}, {GOOD}}}", "find", "demands: 1"),
+    "two demands": (f"{{unknown: {{{M}}}, so_that: {{dynamics_t_start: 2 s, dynamics_J: 2}}}}", "find", "demands: 2"),
+    "two kinds of demand": (f"{{unknown: {{{M}}}, {GOOD}, least: dynamics_J}}", "find", "demands: 2"),
     "no demand": (f"{{unknown: {{{M}}}}}", "find", "nothing is demanded"),
     "no unknown": (f"{{{GOOD}}}", "find.unknown", ""),
     "no value": (f"{{unknown: {{{M}}}, so_that: {{dynamics_t_start: long}}}}", "find.so_that.dynamics_t_start", "long"),

@@ -20,6 +20,7 @@ from tmm_report.yamlread import Path
 
 NAMED_BY = ("name", "at", "on", "link", "point", "slider", "guide", "pivot", "of", "kind")
 """Keys by which an item of a list is called."""
+MOST = 2  # unknowns
 NO_NUMBERS = ("integer", "boolean", "string")
 BLOCKS = ("find", "title", "language", "decimal_sign")  # in which nothing is sought
 PATH: Path = ("find", "unknown")
@@ -82,19 +83,20 @@ NameOf = Annotated[str, Field(max_length=200)]
 
 
 class FindModel(Model):
-    """One number of the file is unknown; one of the results is demanded."""
+    """One number of the file is unknown and one of the results is demanded, or two of each."""
 
     NOT_OFFERED: ClassVar[Mapping[str, str]] = {
         **dict.fromkeys(("minimum", "min", "minimize"), N_("the key for the smallest value is least")),
         **dict.fromkeys(("maximum", "max", "maximize"), N_("the key for the largest value is greatest")),
-        **dict.fromkeys(("unknowns", "also"), N_("one number is sought at a time")),
+        **dict.fromkeys(("unknowns", "also"), N_("the key for one unknown or two is unknown")),
     }
 
     unknown: dict[NameOf, Annotated[Span, Reads(_span, _EITHER)]] = Field(
-        min_length=1, description="the path of a number of this file, and the range in which it is sought"
+        min_length=1,
+        description="the path of a number of this file, and the range in which it is sought; or two",
     )
     so_that: dict[NameOf, Annotated[Level, Reads(_level, _WANTED)]] | None = Field(
-        default=None, description="a number of the results and what it is to be"
+        default=None, description="a number of the results and what it is to be; two for two unknowns"
     )
     greatest: NameOf | None = Field(
         default=None, description="the number of the results that is to be greatest"
@@ -121,11 +123,13 @@ def given(read: Read) -> Taken:
     asked = read.block(Block).find
     if asked is None:
         return {"find": None}
-    (name, span), *_ = asked.unknown.items()
-    path, dimension = _place(name, read)
     choose = {"first": 1, "last": -1}.get(str(asked.choose), asked.choose)
-    unknown = Unknown(name, path, span.low, span.high, span.unit, dimension)
-    return {"find": Given(unknown, _demands(asked)[0], int(choose))}
+    unknowns = tuple(
+        Unknown(name, path, span.low, span.high, span.unit, dimension)
+        for name, span in asked.unknown.items()
+        for path, dimension in (_place(name, read),)
+    )
+    return {"find": Given(unknowns, tuple(_demands(asked)), int(choose))}
 
 
 def _demands(asked: FindModel) -> list[Demand]:
@@ -144,18 +148,37 @@ def mistakes(read: Read) -> Iterator[Problem]:
     asked = read.block(Block).find
     if asked is None:
         return
-    if len(asked.unknown) > 1:
-        right = Message(N_("leave one of them; state the others"))
-        text = N_("%(count)s unknowns at once are not offered: one number is sought at a time")
-        yield mistake(text, PATH, right, count=len(asked.unknown))
-    if len(demands := _demands(asked)) > 1:
-        right = Message(N_("leave one of so_that, greatest, least, with one number of the results"))
-        yield mistake(N_("%(count)s demands and one unknown"), ("find",), right, count=len(demands))
+    count = len(asked.unknown)
+    if count > MOST:
+        right = Message(N_("leave one or two of them; state the others"))
+        yield mistake(N_("%(count)s unknowns at once are not offered"), PATH, right, count=count)
+    demands = _demands(asked)
+    if demands and len(demands) != count <= MOST:
+        right = Message(N_("as many demands as unknowns, each with one number of the results"))
+        text = N_("unknowns: %(count)s, demands: %(demands)s")
+        yield mistake(text, ("find",), right, count=count, demands=len(demands))
+    elif count == MOST:
+        for one in demands:
+            if one.kind != "equal":
+                right = Message(N_("so_that with both numbers as they are to be: {key: value, key: value}"))
+                yield mistake(N_("of two unknowns both demands are equalities"), one.path, right)
+        yield from _same_twice(asked, read)
     if not demands and not read.is_broken("find"):
         right = Message(N_("so_that: {key: value}, greatest: key or least: key, keys as in results.json"))
         yield mistake(N_("nothing is demanded of the results"), ("find",), right)
     for name, span in asked.unknown.items():
         yield from _of_unknown(name, span, read)
+
+
+def _same_twice(asked: FindModel, read: Read) -> Iterator[Problem]:
+    """Two names of one number."""
+    try:
+        places = [_place(name, read)[0] for name in asked.unknown]
+    except WrongValue:  # told by `_of_unknown`
+        return
+    if len(set(places)) < len(places):
+        right = Message(N_("name two numbers of the file"))
+        yield mistake(N_("both unknowns are the same number"), PATH, right)
 
 
 def _of_unknown(name: str, span: Span, read: Read) -> Iterator[Problem]:

@@ -1,8 +1,8 @@
-"""A question asked backwards: which number of the file is unknown, and what is demanded of a result."""
+"""A question asked backwards: which numbers of the file are unknown, and what is demanded of the results."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
 from tmm_report.quantity.units import parse
@@ -66,13 +66,36 @@ class Demand:
 
 @dataclass(frozen=True, eq=False)
 class Given:
-    """`choose`: which of several roots: its number, from 1; −1 the last. `restated`: the variant with a number, in the
-    unit of the range, in the place of the unknown; it raises ProblemError."""
+    """One unknown and one demand, or two of each. `choose`: which of several roots: its number, from 1; −1 the last.
+    `restated`: the variant with numbers, in the units of the ranges, in the places of the unknowns; it raises
+    ProblemError."""
 
-    unknown: Unknown
-    demand: Demand
+    unknowns: tuple[Unknown, ...]
+    demands: tuple[Demand, ...]
     choose: int = 1
-    restated: Callable[[float], Variant] | None = None
+    restated: Callable[[Sequence[float]], Variant] | None = None
+
+    @property
+    def unknown(self) -> Unknown:
+        return self.unknowns[0]
+
+    @property
+    def demand(self) -> Demand:
+        return self.demands[0]
+
+    def at(self, parts: Sequence[float]) -> tuple[float, ...]:
+        """The unknowns at parts of their ranges, in their own units."""
+        return tuple(one.at(part) for one, part in zip(self.unknowns, parts, strict=True))
+
+    def sizes(self, parts: Sequence[float]) -> tuple[float, ...]:
+        """The same in SI."""
+        return tuple(one.size(one.at(part)) for one, part in zip(self.unknowns, parts, strict=True))
+
+    def put(self, data: Any, numbers: Sequence[float]) -> Any:
+        """The data of a file with numbers in the places of the unknowns."""
+        for one, number in zip(self.unknowns, numbers, strict=True):
+            data = one.put(data, number)
+        return data
 
 
 def _put(data: Any, path: Path, value: object) -> Any:

@@ -7,22 +7,26 @@ demand is met (mechanics/calculus/seek.py).
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
 
+from tmm_report.chapters.find import pair
+from tmm_report.chapters.find.asking import Answer, Asking, Course, Numbers
+from tmm_report.chapters.find.closed import Closed, closed
 from tmm_report.chapters.find.given import Given
-from tmm_report.chapters.find.target import Chapter, Target, level, target
-from tmm_report.mechanics.calculus.seek import PARTS, Asked, Root, Sought, best, seek, slopes
-from tmm_report.problems import N_, Message, ProblemError, mistake
+from tmm_report.chapters.find.letters import letters
+from tmm_report.chapters.find.pair import Both
+from tmm_report.chapters.find.target import Target, level
+from tmm_report.mechanics.calculus.seek import Asked, Root, Sought, best, seek, slopes
+from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
+from tmm_report.quantity.model import Quantity
 from tmm_report.records import dataclass
 
+__all__ = ["Answer", "Both", "Course", "Found", "Given", "Numbers", "solve"]
+
 Array = Any
-Answer = Sequence[Chapter] | ProblemError
-Course = Callable[[Sequence[float], str], Iterable[Answer]]
-"""Values of the unknown in its own unit, the chapter that is asked for ("": all) -> of each its results, or why there
-are none."""
 
 MOST = 600  # values of the unknown at which a variant is solved
 TOLD = 12  # roots whose sensitivity is told
@@ -34,7 +38,8 @@ class Found:
     """`level`: the wanted number in the unit of the results, nan of the best value; `sought`: over parts of the range;
     `slopes`: of the roots, by the unknown in SI; `chosen`: what the variant is solved with; `solved`: how many times
     it was solved; `reason`: why there are values of the unknown with no results; `within`: the demand is met all over
-    the range, though nowhere just so."""
+    the range, though nowhere just so; `letter`: as the variant's own numbers call the unknown, where they do; `closed`:
+    what the textbook's formula gives, where it has one; `doubts`: what was not tried."""
 
     given: Given
     target: Target
@@ -45,6 +50,9 @@ class Found:
     solved: int
     reason: Message | None
     within: bool
+    letter: Quantity | None = None
+    closed: Closed | None = None
+    doubts: Sequence[Problem] = ()
 
     @property
     def sound(self) -> bool:
@@ -55,6 +63,10 @@ class Found:
     def number(self) -> float:
         """The chosen value of the unknown, in its own unit."""
         return self.given.unknown.at(self.chosen.at)
+
+    @property
+    def numbers(self) -> Numbers:
+        return (self.number,)
 
     def size(self, part: float) -> float:
         """The unknown at a part of the range, SI."""
@@ -78,10 +90,12 @@ class Found:
             yield Message(N_("find: %(unknown)s = %(x)s, where %(name)s = %(y)s; roots: %(count)s"), told)
 
 
-def solve(given: Given, course: Course) -> Found:
+def solve(given: Given, course: Course) -> Found | Both:
     """Raises ProblemError: nothing can be solved in the range; the demand names no number; no such root."""
-    asking = _Asking(given, course)
-    of, asked = asking.target, Asked(asking)
+    if len(given.unknowns) > 1:
+        return pair.solve(given, course)
+    asking = Asking(given, course, MOST)
+    of, asked = asking.targets[0], Asked(lambda parts: asking(parts[:, None])[:, 0])
     demand = given.demand
     if demand.best:
         sought, wanted = best(asked, demand.best), math.nan
@@ -91,41 +105,10 @@ def solve(given: Given, course: Course) -> Found:
     _depends(given, sought)
     rates = _rates(given, sought.roots, asked, demand.best is not None)
     chosen, within = _chosen(given, sought, wanted)
-    return Found(given, of, wanted, sought, rates, chosen, len(asked.answers), asking.reason, within)
-
-
-class _Asking:
-    """The demanded number as a function of parts of the range. `reason`: the first for which there was none."""
-
-    def __init__(self, given: Given, course: Course):
-        self.given, self.course = given, course
-        self.left = MOST
-        self.reason: Message | None = None
-        self.target = self._named()
-
-    def _named(self) -> Target:
-        """Of the first value of a coarse grid that can be solved. Raises ProblemError."""
-        first: ProblemError | None = None
-        for part in (0.5, 0.0, 1.0, *np.linspace(0, 1, PARTS // 4 + 1).tolist()):
-            (found,) = self.course([self.given.unknown.at(part)], "")
-            if not isinstance(found, ProblemError):
-                return target(self.given.demand, found)
-            first = first or found
-        assert first is not None
-        text = N_("with no value of the range %(name)s can the variant be solved: %(why)s")
-        path = ("find", "unknown", self.given.unknown.name)
-        raise ProblemError([mistake(text, path, name=self.given.unknown.name, why=first.problems[0].said)])
-
-    def __call__(self, parts: Array) -> Array:
-        numbers = [self.given.unknown.at(part) for part in parts.tolist()][: max(0, self.left)]
-        self.left -= len(numbers)
-        found = np.full(len(parts), np.nan)
-        for k, answer in enumerate(self.course(numbers, self.target.chapter)):
-            if isinstance(answer, ProblemError):
-                self.reason = self.reason or answer.problems[0].said
-            else:
-                found[k] = self.target.number(answer)
-        return found
+    (letter,) = letters(given, asking.samples)
+    form = closed(given, of, wanted, asking.samples) if sought.roots else None
+    told = (len(asked.answers), asking.reason, within, letter, form, asking.doubts)
+    return Found(given, of, wanted, sought, rates, chosen, *told)
 
 
 def _depends(given: Given, sought: Sought) -> None:
@@ -154,13 +137,7 @@ def _chosen(given: Given, sought: Sought, wanted: float) -> tuple[Root, bool]:
     """The root that is asked for; where there is none the end of a range all of which meets the demand, else the
     nearest place. Raises ProblemError."""
     if roots := sought.roots:
-        if given.choose > len(roots):
-            text = N_("there is no root %(number)s: the range has %(count)s")
-            right = Message(N_("choose from 1 to %(count)s"), {"count": len(roots)})
-            raise ProblemError(
-                [mistake(text, ("find", "choose"), right, number=given.choose, count=len(roots))]
-            )
-        return roots[given.choose - 1 if given.choose > 0 else -1], False
+        return roots[pair.place(given, len(roots))], False
     sound = np.flatnonzero([math.isfinite(y) and given.demand.met(y - wanted) for y in sought.f.tolist()])
     if sound.size:
         k = int(sound[0 if given.choose > 0 else -1])

@@ -6,13 +6,16 @@ from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import Any
 
+import numpy as np
 from markupsafe import Markup
 
-from tmm_report.chapters.find.draw import course
-from tmm_report.chapters.find.quantities import SOUGHT, WANTED, tables, values
+from tmm_report.chapters.find.draw import course, meeting
+from tmm_report.chapters.find.pair import Both
+from tmm_report.chapters.find.quantities import tables, values
 from tmm_report.chapters.find.solve import Found
 from tmm_report.figures.drawing import Drawing
 from tmm_report.problems import N_
+from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.model import Book
 from tmm_report.report.chapter_view import BookView
 from tmm_report.report.diagrams import CycleGraphs, letter
@@ -22,11 +25,12 @@ from tmm_report.report.part import Failed, Part
 
 MARKED = 12  # roots with their numbers on the chart
 
-__all__ = ["SOUGHT", "WANTED", "parts"]
 
-
-def parts(found: Found, page: Page) -> Iterator[Part]:
-    yield Part("find", FindView(found, page))
+def parts(found: Found | Both, page: Page) -> Iterator[Part]:
+    if isinstance(found, Both):
+        yield Part("find_both", BothView(found, page))
+    else:
+        yield Part("find", FindView(found, page))
 
 
 class FindView(BookView):
@@ -35,6 +39,12 @@ class FindView(BookView):
     def __init__(self, found: Found, page: Page):
         super().__init__(page, Book.of(tables(found), values(found)), "find_")
         self.found, self.demand, self.unknown = found, found.given.demand, found.given.unknown
+
+    def closed(self) -> list[Formula]:
+        """The textbook's formula."""
+        if self.found.closed is None:
+            return []
+        return [self.value("closed").formula(self.found.closed.form)]
 
     @property
     def meaning(self) -> Markup:
@@ -55,16 +65,7 @@ class FindView(BookView):
         return self.t(N_("its least value in the table")) if pick == "min" else self.t(N_("one row"))
 
     def roots(self, caption: Any) -> Table:
-        name = "roots"
-        keys = [one.key for one in self.table(name).columns]
-        singles = ("residual", "rate")
-        rest = [
-            self.page.singles(self.table(name), key, digits=3)
-            if key in singles
-            else self.column(name, key, digits=8)
-            for key in keys[1:]
-        ]
-        return numeric(caption, self.column(name, "number", digits=1), rest)
+        return _roots(self, caption, [one.key for one in self.table("roots").columns][1:])
 
     def jumps(self) -> Markup:
         return self._places("jumps", "x")
@@ -115,3 +116,87 @@ class FindView(BookView):
             return [Failed(self.t(text, what=self.meaning, name=self.unknown.name, x=x, y=y))]
         text = N_("Asked backwards, %(name)s is %(x)s; then %(y)s.")
         return [self.t(text, name=self.unknown.name, x=x, y=y)]
+
+
+class BothView(BookView):
+    own = True
+
+    def __init__(self, found: Both, page: Page):
+        super().__init__(page, Book.of(tables(found), values(found)), "find_")
+        self.found, self.unknowns = found, found.given.unknowns
+
+    def sought(self) -> Markup:
+        """Both unknowns with their ranges."""
+        text = N_("%(name)s within %(low)s … %(high)s")
+        return self.page.listed(
+            self.t(text, name=of.name, low=self.measured(f"low{last}"), high=self.measured(f"high{last}"))
+            for of, last in zip(self.unknowns, ("", "2"), strict=True)
+        )
+
+    def wanted(self) -> Markup:
+        """Both demands."""
+        return self.page.listed(
+            self.page.listed(
+                [self.page.message(of.quantity.meaning), self.page.value(self.var(f"wanted{last}"))], " "
+            )
+            for of, last in zip(self.found.targets, ("", "2"), strict=True)
+        )
+
+    def taken(self) -> Markup:
+        return self.listed(("x", "x2"))
+
+    def reason(self) -> Markup:
+        assert self.found.reason is not None
+        return self.page.sentence(self.found.reason)
+
+    def closed(self) -> list[Formula]:
+        """The textbook's formulas."""
+        return [self.value(f"closed{'2' if k else ''}").formula(one.form) for k, one in self.found.closed]
+
+    def made(self) -> Markup:
+        return self.listed(("y", "y2"))
+
+    def roots(self, caption: Any) -> Table:
+        return _roots(self, caption, ["x", "x2", "residual", "residual2"])
+
+    def rates(self, caption: Any) -> Table:
+        return _roots(
+            self, caption, [one.key for one in self.table("roots").columns if one.key[:5] == "rate_"]
+        )
+
+    @cached_property
+    def chart(self) -> Drawing:
+        found, page, names = self.found, self.page, CycleGraphs((), 0, self.page.tr)
+        axes = [self.of("course", key) for key in ("x", "x2")]
+        units = [one.quantity.printed for one in axes]
+        scales = [one.quantity.value(1.0).number(unit) for one, unit in zip(axes, units, strict=True)]
+        roots = [root.at for root in found.sought.roots] or [found.chosen.at]
+        spots = [
+            complex(*(size * scale for size, scale in zip(found.sizes(at), scales, strict=True)))
+            for at in roots
+        ]
+        several = 1 < len(spots) <= MARKED
+        marks = [(at, str(k) if several else "") for k, at in enumerate(spots, 1)]
+        places = np.stack([one.numbers(unit) for one, unit in zip(axes, units, strict=True)], axis=1)
+        wanted = [letter(self.value(key).symbol, page.tr) for key in ("wanted", "wanted2")]
+        first, second = (names.letter(of.quantity.sign, unit) for of, unit in zip(axes, units, strict=True))
+        rest = found.sought.f - np.array(found.levels)
+        return meeting(places.reshape(found.sought.x.shape), rest, marks, (first, second), wanted, page.num)
+
+    def conclusions(self) -> Sequence[Markup]:
+        if not self.found.sound:
+            text = N_("Both demands cannot be met in the ranges: nearest is %(x)s, where %(y)s.")
+            return [Failed(self.t(text, x=self.taken(), y=self.made()))]
+        return [self.t(N_("Asked backwards, %(x)s; then %(y)s."), x=self.taken(), y=self.made())]
+
+
+def _roots(view: BookView, caption: Any, keys: Sequence[str]) -> Table:
+    """Roots to many digits; what is left and sensitivities to few."""
+    table = view.table("roots")
+    columns = [
+        view.page.singles(table, key, digits=3)
+        if key.startswith(("residual", "rate"))
+        else view.column("roots", key, digits=8)
+        for key in keys
+    ]
+    return numeric(caption, view.column("roots", "number", digits=1), columns)

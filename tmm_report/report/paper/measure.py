@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cache, lru_cache
 from html import unescape
+from itertools import pairwise
 from xml.etree.ElementTree import Element, fromstring
 
 from tmm_report.quantity.ref import without_attributes
@@ -119,16 +120,20 @@ _WIDER = re.compile("[\u0400-\u04ff]|[A-Za-z]{4}")
 
 LONG = 24  # letters: no word is as long, but a name that someone made up
 _LONG = re.compile(rf"\S{{{LONG + 1},}}")
+_DOT = re.compile(r"(?<=\w)\.(?=\w)")
 
 
 def breakable(text: str) -> list[str]:
-    """A text parted where a line may break within a word that no column holds."""
+    """A text parted where a line may break within a word that no column holds: behind the dots of a path of keys, else
+    at even distances."""
     if len(text) <= LONG or not _LONG.search(text):
         return [text]
     parts, end = [], 0
     for word in _LONG.finditer(text):
-        cuts = range(word.start() + LONG // 2, word.end() - 2, LONG // 2)
-        for cut in cuts:
+        dots = [word.start() + dot.end() for dot in _DOT.finditer(word[0])]
+        longest = max(b - a for a, b in pairwise([word.start(), *dots, word.end()]))
+        even = range(word.start() + LONG // 2, word.end() - 2, LONG // 2)
+        for cut in dots if longest <= LONG else even:
             parts.append(text[end:cut])
             end = cut
     return [*parts, text[end:]]

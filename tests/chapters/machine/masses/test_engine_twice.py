@@ -62,6 +62,7 @@ def _ways(found):
             "m_cw": whole,
             "r_cw": at * whole / weight,
             "share": share + (weight - whole) * at / (r * piston),
+            "hammer": (weight * at - turning * r) * given.speed**2,
         }
     return sizes
 

@@ -41,7 +41,9 @@ def counterweight(s: Values, given: Given) -> None:
     if of.share is None:
         product: Expr = s.m_cw * s.r_cw / s.r
         s.share = (product - s.m_rot if s.get("m_rot") else product) / s.m
+        s.hammer = s.share * s.unit
         return
+    s.hammer = s.share * s.unit
     masses: Expr = s.share * s.m
     product = (s.m_rot + masses if s.get("m_rot") else masses) * s.r
     if of.mass is None:

@@ -29,6 +29,13 @@ class Values(Sheet, prefix="engine"):
     share = Q("c_cw", "", N_("part of the reciprocating mass that is balanced"))
     m_cw = Q("m_cw", "kg", N_("mass of a counterweight"))
     r_cw = Q("r_cw", "m", N_("distance of the counterweight's mass centre from the axis of the crankshaft"))
+    hammer = Q(
+        "N_cw",
+        "N",
+        N_(
+            "hammer blow of a counterweight: force across the cylinders of what balances the reciprocating mass"
+        ),
+    )
     F_along = Q(Symbol("F", "1,∥"), "N", N_("force of order 1 along the axes of the cylinders"))
     F_across = Q(Symbol("F", "1,⟂"), "N", N_("force of order 1 across the axes of the cylinders"))
     M_along = Q(Symbol("M", "1,∥"), "N·m", N_("moment of order 1 in the plane of the cylinders"))

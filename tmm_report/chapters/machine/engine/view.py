@@ -71,7 +71,7 @@ class EngineView(ChapterView):
         return equations.by_polygon(self.found, self.table("polygons"), row, self.found.stars[row])
 
     def counterweight(self) -> list[Formula]:
-        return self.formulas("share", "m_cw", "r_cw")
+        return self.formulas("share", "m_cw", "r_cw", "hammer")
 
     # ------------------------------------------------------------ tables
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import field
+from dataclasses import field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Annotated
 
@@ -273,6 +273,11 @@ class Given:
     machine: Plant | None = None
     servo: Servomotor | None = None
     brake: Brake | None = None
+
+    @property
+    def bare(self) -> Given:
+        """Without the machine, whose response to a step is costly; the governor's own numbers are the same."""
+        return replace(self, machine=None, servo=None) if self.centrifugal else self
 
     @property
     def centrifugal(self) -> bool:

@@ -41,7 +41,7 @@ def build(written: DynamicsModel, turn: float = 2 * math.pi) -> Stated:
     """`turn`: angle of a cycle that is not stated, rad."""
     period = written.period or turn
     return Stated(
-        parts=tuple(_part(one, written.speed or 1.0) for one in written.parts),
+        parts=tuple(_part(one, _ratio(one, written), written.speed or 1.0) for one in written.parts),
         motor=motor(written.motor, period) if written.motor else None,
         resistances=tuple(resistance(one, period) for one in written.resistance),
         springs=tuple(written.springs),
@@ -59,16 +59,19 @@ def build(written: DynamicsModel, turn: float = 2 * math.pi) -> Stated:
     )
 
 
-def _part(one: PartModel, speed: float) -> Part:
+def _ratio(one: PartModel, written: DynamicsModel) -> float:
+    """Its speed by that of the main shaft."""
+    return written.motor.ratio if one.on == "motor" and written.motor else abs(one.ratio)
+
+
+def _part(one: PartModel, ratio: float, speed: float) -> Part:
     """`speed`: of the main shaft, by which the arm of a mass follows from its velocity; no part states it."""
     arm = 0.0
     if one.mass or one.force:
-        arm = (
-            one.velocity / speed if one.velocity is not None else (one.radius or one.offset) * abs(one.ratio)
-        )
+        arm = one.velocity / speed if one.velocity is not None else (one.radius or one.offset) * ratio
     return Part(
         name=one.name,
-        ratio=abs(one.ratio),
+        ratio=ratio,
         inertia=one.inertia,
         moment=one.moment,
         mass=one.mass,

@@ -57,6 +57,13 @@ def _of_a_mechanism(written: DynamicsModel) -> Iterator[Problem]:
 
 
 def _of_part(part: PartModel, path: Path, written: DynamicsModel) -> Iterator[Problem]:
+    if part.on and written.motor is None:
+        yield mistake(
+            N_("there is no motor on whose shaft it could be"), (*path, "on"), Message(N_("state the motor"))
+        )
+    elif part.on and ("ratio" in part.model_fields_set or part.offset):
+        right = Message(N_("leave out ratio and offset"))
+        yield mistake(N_("the shaft of the motor has the ratio of the motor"), (*path, "on"), right)
     ways = sum(x is not None for x in (part.velocity, part.radius)) + bool(part.offset)
     if (part.mass or part.force) and ways != 1:
         right = Message(N_("exactly one of: %(words)s"), {"words": "velocity, radius, offset"})

@@ -42,6 +42,7 @@ class PartModel(Model):
     ratio: Number = Field(
         default=1.0, description="speed of this shaft by that of the main shaft", examples=[0.1]
     )
+    on: Literal["motor"] | None = Field(default=None, description="motor: this is its shaft, of its ratio")
     inertia: Inertia = Field(default=0.0, description="of the shaft")
     moment: MomentValue = Field(default=0.0, description="resisting it; below zero it drives")
     mass: Mass = Field(default=0.0, description="of what moves along")
