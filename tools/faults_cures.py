@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from faults import STATICS, Fault
+from faults import FRICTION, MECHANICS, STATICS, Fault
 
 CURES = ("tests/variant/test_cures_of_slips.py",)
 UNUSUAL = ("tests/variant/test_unusual_but_right.py",)
+LAWS = MECHANICS + "calculus/laws.py"
+SLIDING = ("tests/chapters/lever/friction/test_sliding.py",)
 FOLLOWED = ("tests/mechanics/lever/high_class/test_branch.py",)
 
 FAULTS = (
@@ -264,5 +266,73 @@ FAULTS = (
         "keys |= dict.fromkeys(places, meant)",
         "pass",
         tests=CURES,
+    ),
+    # --- coefficients of friction by the velocity of sliding ---
+    Fault(
+        "a coefficient is read at the relative angular velocity",
+        FRICTION + "solve.py",
+        "rubbing.at(arm * rate), arm * rate",
+        "rubbing.at(rate), arm * rate",
+        "hacksaw",
+    ),
+    Fault(
+        "with friction in the reactions it is read at the angular velocity",
+        FRICTION + "corrected.py",
+        "stated.at(arm * rate)",
+        "stated.at(rate)",
+        "hacksaw",
+        SLIDING,
+    ),
+    Fault(
+        "the coefficient grows from rest to motion",
+        LAWS,
+        "(self.kinetic, self.static - self.kinetic, self.speed",
+        "(self.static, self.kinetic - self.static, self.speed",
+        "hacksaw",
+    ),
+    Fault(
+        "the viscous part of a coefficient brakes less",
+        LAWS,
+        "** self.exponent)) + viscous * at",
+        "** self.exponent)) - viscous * at",
+        "hacksaw",
+    ),
+    Fault(
+        "the exponent of Stribeck's law is lost",
+        LAWS,
+        "-((at / speed) ** self.exponent)",
+        "-(at / speed)",
+        "hacksaw",
+        SLIDING,
+    ),
+    Fault(
+        "corners of a coefficient are no edges",
+        FRICTION + "solve.py",
+        "for side in (at, -at):",
+        "for side in ():",
+        "hacksaw",
+        SLIDING,
+    ),
+    Fault(
+        "velocities of sliding of the table are those of the pair after",
+        FRICTION + "sliding_quantities.py",
+        "yield sliding(loss.pair).column(loss.sliding)",
+        "yield sliding(loss.pair).column(losses[-1].sliding)",
+        "hacksaw",
+    ),
+    Fault(
+        "the printed line of a table is that before it",
+        FRICTION + "sliding_view.py",
+        "bisect_right(law.speeds, float(speed.value))",
+        "max(bisect_right(law.speeds, float(speed.value)) - 1, 0)",
+        "hacksaw",
+    ),
+    Fault(
+        "energy of friction is its power",
+        FRICTION + "solve.py",
+        "self.mean_power * self.forces.kinematics.cycle.period / abs(self.table.omega)",
+        "self.mean_power",
+        "hacksaw",
+        SLIDING,
     ),
 )

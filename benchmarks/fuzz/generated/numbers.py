@@ -63,6 +63,10 @@ SIZES: dict[str, tuple[float, float, str]] = {
     "WorkingSwing.ends": (0, 0.2, ""),
     # friction
     "PivotFriction.coefficient": (0, 0.2, ""),
+    "StribeckModel.static": (0.12, 0.2, ""),
+    "StribeckModel.kinetic": (0.05, 0.12, ""),
+    "StribeckModel.speed": (0.02, 0.5, "m/s"),
+    "StribeckModel.viscous": (0, 0.05, "s/m"),
     "GuideFriction.coefficient": (0, 0.2, ""),
     "JointFriction.coefficient": (0, 0.2, ""),
     "GuideFriction.length": (60, 300, "mm"),

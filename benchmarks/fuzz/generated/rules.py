@@ -35,6 +35,7 @@ ONE: Mapping[str, Sequence[Keys]] = {
     "LawModel": [("acceleration", "harmonic", "polynomial", "angles", "phases")],
     "MotorModel": [("constant", "shunt", "series", "induction", "by_speed", "by_angle", "by_time")],
     "ResistanceModel": [("friction", "viscous", "fan", "by_speed", "by_angle", "by_time")],
+    "SpeedModel": [("by_speed", "stribeck")],
     "Engine": [("cylinders", "inline", "vee", "opposed", "radial")],
     "governor.Given": [("arms", "bell_crank")],
     "Plane": [("radius", "mass")],
