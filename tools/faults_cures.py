@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from faults import FRICTION, MECHANICS, STATICS, Fault
+from faults_motion import GOVERNOR
 
 CURES = ("tests/variant/test_cures_of_slips.py",)
 UNUSUAL = ("tests/variant/test_unusual_but_right.py",)
 LAWS = MECHANICS + "calculus/laws.py"
+ON_ARMS = ("tests/chapters/machine/governor/test_brake_on_arms.py",)
 SLIDING = ("tests/chapters/lever/friction/test_sliding.py",)
 FOLLOWED = ("tests/mechanics/lever/high_class/test_branch.py",)
 
@@ -334,5 +336,61 @@ FAULTS = (
         "self.mean_power",
         "hacksaw",
         SLIDING,
+    ),
+    # --- the brake on arms ---
+    Fault(
+        "friction draws the shoe on that goes behind its pivot",
+        GOVERNOR + "steps.py",
+        'own, other = (on, off) if arm.ahead == "shoe"',
+        'own, other = (on, off) if arm.ahead == "pivot"',
+        "descent_brake",
+    ),
+    Fault(
+        "the record of a shoe on an arm takes the other sense",
+        GOVERNOR + "given.py",
+        'drawn_on=self.ahead == "shoe"',
+        'drawn_on=self.ahead == "pivot"',
+        "descent_brake",
+        ON_ARMS,
+    ),
+    Fault(
+        "friction acts at the radius of the drum about the pivot",
+        GOVERNOR + "steps.py",
+        "s.R - s.a * cos(s.psi)",
+        "s.R * 1",
+        "descent_brake",
+        ON_ARMS,
+    ),
+    Fault(
+        "angles of the shoe and the mass centre exchanged",
+        GOVERNOR + "steps.py",
+        "s.psi, s.psi_m, s.l_F = arm.pivot, arm.shoe, arm.mass_centre",
+        "s.psi, s.psi_m, s.l_F = arm.pivot, arm.mass_centre, arm.shoe",
+        "descent_brake",
+        ON_ARMS,
+    ),
+    Fault(
+        "a brake that locks itself is solved",
+        GOVERNOR + "solve/brake.py",
+        "if shoes.locks:",
+        "if False:",
+        "descent_brake",
+        ON_ARMS,
+    ),
+    Fault(
+        "the spring chosen for the speed of contact",
+        MECHANICS + "machine/governor/brake.py",
+        "(speed**2 - moment / self.K) / self.held_off",
+        "speed**2 / self.held_off",
+        "descent_brake",
+        ON_ARMS,
+    ),
+    Fault(
+        "pivots drawn on the other side of their shoes",
+        GOVERNOR + "draw/brake.py",
+        '-arm.shoe if arm.ahead == "shoe" else arm.shoe',
+        'arm.shoe if arm.ahead == "shoe" else -arm.shoe',
+        "descent_brake",
+        ON_ARMS,
     ),
 )
