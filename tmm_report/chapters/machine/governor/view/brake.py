@@ -85,8 +85,9 @@ class BrakeView(ChapterView):
             )
         return self.t(
             N_(
-                "The pivot goes before its shoe: the friction pushes the shoe off the drum, so that the brake is weaker "
-                "and cannot lock itself. Turned the other way, it would lock itself from this coefficient of friction on:"
+                "The pivot goes before its shoe: the friction pushes the shoe off the drum, so that the brake is "
+                "weaker and cannot lock itself. Turned the other way, it would lock itself from this coefficient of "
+                "friction on:"
             )
         )
 
