@@ -9,6 +9,7 @@ CURES = ("tests/variant/test_cures_of_slips.py",)
 UNUSUAL = ("tests/variant/test_unusual_but_right.py",)
 LAWS = MECHANICS + "calculus/laws.py"
 ON_ARMS = ("tests/chapters/machine/governor/test_brake_on_arms.py",)
+TORSION = ("tests/chapters/lever/kinetostatics/test_torsion_springs.py",)
 SLIDING = ("tests/chapters/lever/friction/test_sliding.py",)
 FOLLOWED = ("tests/mechanics/lever/high_class/test_branch.py",)
 
@@ -392,5 +393,61 @@ FAULTS = (
         'arm.shoe if arm.ahead == "shoe" else -arm.shoe',
         "descent_brake",
         ON_ARMS,
+    ),
+    # --- torsion springs ---
+    Fault(
+        "a torsion spring pushes on where it is drawn up",
+        LAWS,
+        "return self.stiffness * (self.free - at)",
+        "return self.stiffness * (self.free + at)",
+        "sprung_screen",
+        TORSION,
+    ),
+    Fault(
+        "the other link of a torsion spring takes the same preload",
+        STATICS + "ties.py",
+        "self.tie.free if self.first else -self.tie.free",
+        "self.tie.free",
+        "sprung_screen",
+        TORSION,
+    ),
+    Fault(
+        "a torsion spring turns by the link alone",
+        STATICS + "solve/twists.py",
+        "return own * np.conj(other) * np.ones(motion.shape)",
+        "return own * np.ones(motion.shape)",
+        "sprung_screen",
+        TORSION,
+    ),
+    Fault(
+        "angles of torsion springs jump at half a turn",
+        STATICS + "solve/twists.py",
+        "middle = (low + high) / 2",
+        "middle = 0.0",
+        "sprung_screen",
+        TORSION,
+    ),
+    Fault(
+        "moments of torsion springs are works, not potential",
+        "tmm_report/chapters/machine/dynamics/plant.py",
+        " or load.key in springs else WORK",
+        " else WORK",
+        "sprung_screen",
+        TORSION,
+    ),
+    Fault(
+        "potential of a torsion spring without its half",
+        STATICS + "solve/twists.py",
+        "turned(twist, kinematics, motion)) ** 2 / 2",
+        "turned(twist, kinematics, motion)) ** 2",
+        "sprung_screen",
+        TORSION,
+    ),
+    Fault(
+        "the printed angle of a torsion spring is that of the next one",
+        STATICS + "quantities/twists.py",
+        "column(turned(one, found.kinematics",
+        "column(turned(springs[-1], found.kinematics",
+        "sprung_screen",
     ),
 )

@@ -19,6 +19,7 @@ from pages import (
     driving_speed,
     last_number,
     table_of,
+    turned_link,
     value_of,
 )
 from printed import Printed
@@ -81,7 +82,7 @@ def _power(symbol: str, loads: Rows, rates: Rows, drawn: Scheme, k: int) -> floa
     kind, _, of = symbol.partition("_")
     if kind == "M":
         couple = loads[symbol] if symbol in loads else loads[f"{symbol},1"]
-        return float(couple[k] * rates[f"w_{of.removeprefix('I').split(',')[0]}"][k])
+        return float(couple[k] * rates[f"w_{turned_link(of.removeprefix('I'))}"][k])
     tied = kind == "F" and "," in of  # of a spring or damper, on its point
     point = (
         of.split(",")[1 if tied else 0] if kind == "P" or tied else drawn.mass_centres[of.removeprefix("I")]

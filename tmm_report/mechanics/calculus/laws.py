@@ -11,6 +11,7 @@
     | `TIME`     | s                                                   | ByTime                                        |
     | `SPEED`    | rad/s                                               | BySpeed, and the motors' of `characteristics` |
     | `LENGTH`   | distance of two points, m                           | ByLength                                      |
+    | `TURN`     | how far two links have turned against one another, rad | ByTurn                                     |
     | `RATE`     | its derivative by the time, m/s                     | ByRate                                        |
     | `SLIDING`  | size of the velocity of sliding, m/s                | BySliding, Stribeck                           |
 
@@ -35,7 +36,7 @@ Array = Any
 Numbers = tuple[float, ...]
 Curve = tuple[tuple[float, float], ...]
 NOTHING, ANGLE, POSITION, TRAVEL, TIME, SPEED = "", "angle", "position", "travel", "time", "speed"
-LENGTH, RATE, SLIDING = "length", "rate", "sliding"
+LENGTH, RATE, TURN, SLIDING = "length", "rate", "turn", "sliding"
 
 
 class Break(NamedTuple):
@@ -355,6 +356,22 @@ class ByRate(Law):
 
     def scaled(self, factor: float) -> Self:
         return replace(self, viscosity=self.viscosity * factor)
+
+
+@dataclass(frozen=True)
+class ByTurn(Law):
+    """A torsion spring: its moment along the turn, c (α₀ − φ), N m; `stiffness`, N m/rad, `free`: angle, rad."""
+
+    of: ClassVar[str] = TURN
+    order: ClassVar[int | None] = 1
+    stiffness: float
+    free: float
+
+    def value(self, at: Any, which: Any = 0, numbers: Arithmetic = DOUBLES) -> Any:
+        return self.stiffness * (self.free - at)
+
+    def scaled(self, factor: float) -> Self:
+        return replace(self, stiffness=self.stiffness * factor)
 
 
 # ---------------------------------------------------------------- coefficients of friction

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from tmm_report.chapters.lever.kinetostatics.given import Loads
+from tmm_report.chapters.lever.kinetostatics.solve.twists import refused
 from tmm_report.chapters.lever.kinetostatics.ties import End, Spring, Tie, apart
 from tmm_report.mechanics.calculus.laws import ByLength, Law
 from tmm_report.mechanics.calculus.vectors import NOWHERE, dot
@@ -103,8 +104,8 @@ def never(given: Loads, kinematics: Kinematics) -> Iterator[Problem]:
 
 
 def refuse(given: Loads, kinematics: Kinematics) -> None:
-    """Raises ProblemError for ties without a line."""
-    if found := list(never(given, kinematics)):
+    """Raises ProblemError for ties without a line, and torsion springs that would be wound up."""
+    if found := [*never(given, kinematics), *refused(given, kinematics)]:
         raise ProblemError(found)
 
 
