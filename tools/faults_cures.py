@@ -10,6 +10,8 @@ UNUSUAL = ("tests/variant/test_unusual_but_right.py",)
 LAWS = MECHANICS + "calculus/laws.py"
 ON_ARMS = ("tests/chapters/machine/governor/test_brake_on_arms.py",)
 TORSION = ("tests/chapters/lever/kinetostatics/test_torsion_springs.py",)
+CONTACTS = "tmm_report/chapters/machine/contacts/"
+WHEEL = ("tests/chapters/machine/pairs/test_contacts.py",)
 SLIDING = ("tests/chapters/lever/friction/test_sliding.py",)
 FOLLOWED = ("tests/mechanics/lever/high_class/test_branch.py",)
 
@@ -449,5 +451,22 @@ FAULTS = (
         "column(turned(one, found.kinematics",
         "column(turned(springs[-1], found.kinematics",
         "sprung_screen",
+    ),
+    # --- a driving wheel ---
+    Fault(
+        "a driving wheel slips only without its rolling resistance",
+        CONTACTS + "steps.py",
+        "s.M_most = (s.f * s.r + s.k) * s.N",
+        "s.M_most = (s.f * s.r - s.k) * s.N",
+        "jack_and_belt",
+        WHEEL,
+    ),
+    Fault(
+        "the load that is enough for a driving wheel leaves out rolling",
+        CONTACTS + "steps.py",
+        "s.N_need = s.M / (s.f * s.r + s.k)",
+        "s.N_need = s.M / (s.f * s.r)",
+        "jack_and_belt",
+        WHEEL,
     ),
 )

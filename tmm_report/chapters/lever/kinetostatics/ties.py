@@ -115,7 +115,12 @@ class Damper(Tie):
     """A viscous damper between two points: b dl/dt along their line."""
 
     LETTER: ClassVar = "b"
-    NOT_OFFERED: ClassVar[Mapping[str, str]] = dict.fromkeys(("by_speed", "by_velocity", "stiffness"), LINEAR)
+    NOT_OFFERED: ClassVar[Mapping[str, str]] = {
+        **dict.fromkeys(("by_speed", "by_velocity", "stiffness"), LINEAR),
+        "electromagnetic": N_(
+            "an electromagnetic damper is a viscous one: viscosity, its force by the velocity"
+        ),
+    }
 
     _: KW_ONLY
     viscosity: Annotated[float, quantity("damping", 1e-9)]
