@@ -9,7 +9,7 @@ CURES = ("tests/variant/test_cures_of_slips.py",)
 UNUSUAL = ("tests/variant/test_unusual_but_right.py",)
 LAWS = MECHANICS + "calculus/laws.py"
 ON_ARMS = ("tests/chapters/machine/governor/test_brake_on_arms.py",)
-TORSION = ("tests/chapters/lever/kinetostatics/test_torsion_springs.py",)
+TORSION = ("tests/chapters/lever/test_torsion_springs.py",)
 CONTACTS = "tmm_report/chapters/machine/contacts/"
 WHEEL = ("tests/chapters/machine/pairs/test_contacts.py",)
 SLIDING = ("tests/chapters/lever/friction/test_sliding.py",)
@@ -415,7 +415,7 @@ FAULTS = (
     ),
     Fault(
         "a torsion spring turns by the link alone",
-        STATICS + "solve/twists.py",
+        STATICS + "solve/lengths.py",
         "return own * np.conj(other) * np.ones(motion.shape)",
         "return own * np.ones(motion.shape)",
         "sprung_screen",
@@ -423,7 +423,7 @@ FAULTS = (
     ),
     Fault(
         "angles of torsion springs jump at half a turn",
-        STATICS + "solve/twists.py",
+        STATICS + "solve/lengths.py",
         "middle = (low + high) / 2",
         "middle = 0.0",
         "sprung_screen",
@@ -439,7 +439,7 @@ FAULTS = (
     ),
     Fault(
         "potential of a torsion spring without its half",
-        STATICS + "solve/twists.py",
+        STATICS + "solve/lengths.py",
         "turned(twist, kinematics, motion)) ** 2 / 2",
         "turned(twist, kinematics, motion)) ** 2",
         "sprung_screen",

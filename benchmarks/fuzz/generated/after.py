@@ -51,13 +51,6 @@ def _laws(made: Made, walk: Any) -> Made:
     return made
 
 
-def _sliding(made: Made, walk: Any) -> Made:
-    """Velocities ascend."""
-    if "by_speed" in made:
-        made["by_speed"] = [[f"{0.1 * k:.6g} m/s", one[1]] for k, one in enumerate(made["by_speed"])]
-    return made
-
-
 def _all_round(pairs: list[Any], period: float) -> list[Any]:
     """Pairs at equal steps over a cycle, the next of which begins as it did."""
     return [[f"{period * k / len(pairs):.6g} deg", one[1]] for k, one in enumerate(pairs)]
@@ -469,7 +462,6 @@ AFTER: Mapping[str, Callable[[Made, Any], Made]] = {
     "Inertia": _harmonics,
     "PartModel": _part,
     "MotorModel": _laws,
-    "SpeedModel": _sliding,
     "ResistanceModel": _laws,
     "DynamicsModel": _dynamics,
     "dynamics.Spring": _spring,

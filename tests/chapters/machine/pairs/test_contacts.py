@@ -226,11 +226,11 @@ def test_a_driving_wheel_slips_beyond_its_moment_and_what_is_told_helps():
         assert not slips(**{key: of.number(number) * (1 + more)}), key
         assert slips(**{key: of.number(number) * (1 - more)}), key
     text = "radius: 0.2 m, arm: 1 mm, load: 1 kN, coefficient: 0.2, moment: "
-    for moment, words in ((0.5, "stays at rest"), (30, "without slipping"), (50, "It would not slip with")):
+    for moment, said in ((0.5, "stays at rest"), (30, "without slipping"), (50, "It would not slip with")):
         found = course.solve(
             course.loads(f"language: en\ncontacts:\n  - {{kind: wheel, {text}{moment} N*m}}\n")
         )
-        assert words in note.render(found, "html", Translator("en"))["note.html"].decode()
+        assert said in note.render(found, "html", Translator("en"))["note.html"].decode()
     with pytest.raises(ProblemError, match="at most one of: pull, moment"):
         stated("wheel", f"{text}5 N*m, pull: 3 N")
     with pytest.raises(ProblemError, match="slips under any moment"):

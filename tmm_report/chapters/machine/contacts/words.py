@@ -172,8 +172,8 @@ def _to_roll(item: Solved, view: ChapterView) -> Iterator[Markup]:
         return
     text = N_(
         "It would roll with a coefficient of friction greater than %(roll)s, with a radius greater than %(r)s mm, or "
-        "with an arm of rolling resistance less than %(k)s mm; another load changes nothing, as both forces grow with "
-        "it."
+        "with an arm of rolling resistance less than %(k)s mm; another load changes nothing, as both forces grow "
+        "with it."
     )
     numbers = {
         "roll": view.number("f_roll"),

@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tmm_report.chapters.lever.kinetostatics.quantities.positions import moments
-from tmm_report.chapters.lever.kinetostatics.solve import twists
-from tmm_report.chapters.lever.kinetostatics.solve.lengths import energy, ties_of
+from tmm_report.chapters.lever.kinetostatics.solve.lengths import energy, ties_of, torsions_of, twist_energy
 from tmm_report.chapters.lever.kinetostatics.ties import Twist
 from tmm_report.chapters.lever.moving import Machine, Moving, machine
 from tmm_report.chapters.machine.dynamics import refusals
@@ -277,7 +276,7 @@ def _tied(moving: Moving | None, of: Machine | None, over: Panels) -> Array:
         return np.zeros(over.shape)
     given = moving.forces.given
     found = [energy(end, moving.kinematics, of.motion) for end in ties_of(given)]
-    found += [twists.energy(one, moving.kinematics, of.motion) for one in twists.springs_of(given)]
+    found += [twist_energy(one, moving.kinematics, of.motion) for one in torsions_of(given)]
     return sum((_moved(of, over, one.reshape(of.panels.shape)) for one in found), np.zeros(over.shape))
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from tmm_report.chapters.lever.kinematics.quantities import where
-from tmm_report.chapters.lever.kinetostatics.solve.twists import springs_of, turned
+from tmm_report.chapters.lever.kinetostatics.solve.lengths import torsions_of, turned
 from tmm_report.chapters.lever.kinetostatics.ties import Twist
 from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.problems import N_, Message
@@ -58,7 +58,7 @@ def _at_end(of: str, on: str, name: str) -> Quantity:
 
 
 def tables(found: Kinetostatics) -> Iterator[Table]:
-    springs = springs_of(found.given)
+    springs = torsions_of(found.given)
     if not springs:
         return
     ties = [one.tie for one in springs]

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from tmm_report.chapters.lever.kinetostatics.given import Force, Moment
 from tmm_report.chapters.lever.kinetostatics.solve.coordinates import coordinate
 from tmm_report.chapters.lever.kinetostatics.solve.indicator_strokes import travelled, under_way
-from tmm_report.chapters.lever.kinetostatics.solve.twists import turned as turned_against
+from tmm_report.chapters.lever.kinetostatics.solve.lengths import turned as turned_against
 from tmm_report.chapters.lever.kinetostatics.ties import Twist
 from tmm_report.mechanics.calculus.laws import ByPosition, ByTime, Diagram, Law
 from tmm_report.mechanics.lever.motion import Motion

@@ -6,8 +6,8 @@ from typing import Any
 
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as q
 from tmm_report.chapters.lever.kinetostatics.quantities import twists as own
+from tmm_report.chapters.lever.kinetostatics.solve.lengths import torsions_of
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
-from tmm_report.chapters.lever.kinetostatics.solve.twists import springs_of
 from tmm_report.chapters.lever.kinetostatics.ties import Twist
 from tmm_report.quantity.formula import Formula
 from tmm_report.report.chapter_view import BookView
@@ -18,7 +18,7 @@ from tmm_report.report.paper.layout import Table, worded
 class TwistsView(BookView):
     def __init__(self, found: Kinetostatics, position: int, page: Page):
         super().__init__(page, page.once(q.book, found))
-        self.found, self.springs, self.position = found, springs_of(found.given), position
+        self.found, self.springs, self.position = found, torsions_of(found.given), position
 
     def given(self, caption: Any) -> Table:
         """The stated springs: name, links, stiffness, moment at position 0, angle without a moment."""

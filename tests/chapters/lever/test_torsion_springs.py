@@ -7,7 +7,7 @@ import pytest
 from conftest import path_of
 
 from tmm_report import course
-from tmm_report.chapters.lever.kinetostatics.solve import twists
+from tmm_report.chapters.lever.kinetostatics.solve import lengths
 from tmm_report.chapters.lever.kinetostatics.solve.acting_exact import acting
 from tmm_report.mechanics.rivals.exact.moving import motion as exactly
 from tmm_report.problems import ProblemError
@@ -93,8 +93,8 @@ def test_works_powers_and_lever_agree_over_the_cycle():
     for one in (lever.table, lever.diagram):
         assert np.nanmax(one.disagreement(one.lever)) < 1e-9
         assert np.nanmax(one.disagreement(one.power)) < 1e-9
-    for k, spring in enumerate(twists.springs_of(lever.given)):
-        energy = twists.energy(spring, lever.kinematics, lever.over.motion)
+    for k, spring in enumerate(lengths.torsions_of(lever.given)):
+        energy = lengths.twist_energy(spring, lever.kinematics, lever.over.motion)
         # what the spring gives is what its potential loses: both ends together over the panels
         own = [i for i, moment in enumerate(lever.given.moments) if getattr(moment, "of", "") == f"k{k + 1}"]
         power = sum(
