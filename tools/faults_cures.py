@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
-from faults import STATICS, Fault
+from faults import FRICTION, MECHANICS, STATICS, Fault
+from faults_motion import GOVERNOR
 
 CURES = ("tests/variant/test_cures_of_slips.py",)
 UNUSUAL = ("tests/variant/test_unusual_but_right.py",)
+LAWS = MECHANICS + "calculus/laws.py"
+ON_ARMS = ("tests/chapters/machine/governor/test_brake_on_arms.py",)
+TORSION = ("tests/chapters/lever/test_torsion_springs.py",)
+CONTACTS = "tmm_report/chapters/machine/contacts/"
+WHEEL = ("tests/chapters/machine/pairs/test_contacts.py",)
+SLIDING = ("tests/chapters/lever/friction/test_sliding.py",)
 FOLLOWED = ("tests/mechanics/lever/high_class/test_branch.py",)
 
 FAULTS = (
@@ -264,5 +271,202 @@ FAULTS = (
         "keys |= dict.fromkeys(places, meant)",
         "pass",
         tests=CURES,
+    ),
+    # --- coefficients of friction by the velocity of sliding ---
+    Fault(
+        "a coefficient is read at the relative angular velocity",
+        FRICTION + "solve.py",
+        "rubbing.at(arm * rate), arm * rate",
+        "rubbing.at(rate), arm * rate",
+        "hacksaw",
+    ),
+    Fault(
+        "with friction in the reactions it is read at the angular velocity",
+        FRICTION + "corrected.py",
+        "stated.at(arm * rate)",
+        "stated.at(rate)",
+        "hacksaw",
+        SLIDING,
+    ),
+    Fault(
+        "the coefficient grows from rest to motion",
+        LAWS,
+        "(self.kinetic, self.static - self.kinetic, self.speed",
+        "(self.static, self.kinetic - self.static, self.speed",
+        "hacksaw",
+    ),
+    Fault(
+        "the viscous part of a coefficient brakes less",
+        LAWS,
+        "** self.exponent)) + viscous * at",
+        "** self.exponent)) - viscous * at",
+        "hacksaw",
+    ),
+    Fault(
+        "the exponent of Stribeck's law is lost",
+        LAWS,
+        "-((at / speed) ** self.exponent)",
+        "-(at / speed)",
+        "hacksaw",
+        SLIDING,
+    ),
+    Fault(
+        "corners of a coefficient are no edges",
+        FRICTION + "solve.py",
+        "for side in (at, -at):",
+        "for side in ():",
+        "hacksaw",
+        SLIDING,
+    ),
+    Fault(
+        "velocities of sliding of the table are those of the pair after",
+        FRICTION + "sliding_quantities.py",
+        "yield sliding(loss.pair).column(loss.sliding)",
+        "yield sliding(loss.pair).column(losses[-1].sliding)",
+        "hacksaw",
+    ),
+    Fault(
+        "the printed line of a table is that before it",
+        FRICTION + "sliding_view.py",
+        "bisect_right(law.speeds, float(speed.value))",
+        "max(bisect_right(law.speeds, float(speed.value)) - 1, 0)",
+        "hacksaw",
+    ),
+    Fault(
+        "energy of friction is its power",
+        FRICTION + "solve.py",
+        "self.mean_power * self.forces.kinematics.cycle.period / abs(self.table.omega)",
+        "self.mean_power",
+        "hacksaw",
+        SLIDING,
+    ),
+    # --- the brake on arms ---
+    Fault(
+        "friction draws the shoe on that goes behind its pivot",
+        GOVERNOR + "steps.py",
+        'own, other = (on, off) if arm.ahead == "shoe"',
+        'own, other = (on, off) if arm.ahead == "pivot"',
+        "descent_brake",
+    ),
+    Fault(
+        "the record of a shoe on an arm takes the other sense",
+        GOVERNOR + "given.py",
+        'drawn_on=self.ahead == "shoe"',
+        'drawn_on=self.ahead == "pivot"',
+        "descent_brake",
+        ON_ARMS,
+    ),
+    Fault(
+        "friction acts at the radius of the drum about the pivot",
+        GOVERNOR + "steps.py",
+        "s.R - s.a * cos(s.psi)",
+        "s.R * 1",
+        "descent_brake",
+        ON_ARMS,
+    ),
+    Fault(
+        "angles of the shoe and the mass centre exchanged",
+        GOVERNOR + "steps.py",
+        "s.psi, s.psi_m, s.l_F = arm.pivot, arm.shoe, arm.mass_centre",
+        "s.psi, s.psi_m, s.l_F = arm.pivot, arm.mass_centre, arm.shoe",
+        "descent_brake",
+        ON_ARMS,
+    ),
+    Fault(
+        "a brake that locks itself is solved",
+        GOVERNOR + "solve/brake.py",
+        "if shoes.locks:",
+        "if False:",
+        "descent_brake",
+        ON_ARMS,
+    ),
+    Fault(
+        "the spring chosen for the speed of contact",
+        MECHANICS + "machine/governor/brake.py",
+        "(speed**2 - moment / self.K) / self.held_off",
+        "speed**2 / self.held_off",
+        "descent_brake",
+        ON_ARMS,
+    ),
+    Fault(
+        "pivots drawn on the other side of their shoes",
+        GOVERNOR + "draw/brake.py",
+        '-arm.shoe if arm.ahead == "shoe" else arm.shoe',
+        'arm.shoe if arm.ahead == "shoe" else -arm.shoe',
+        "descent_brake",
+        ON_ARMS,
+    ),
+    # --- torsion springs ---
+    Fault(
+        "a torsion spring pushes on where it is drawn up",
+        LAWS,
+        "return self.stiffness * (self.free - at)",
+        "return self.stiffness * (self.free + at)",
+        "sprung_screen",
+        TORSION,
+    ),
+    Fault(
+        "the other link of a torsion spring takes the same preload",
+        STATICS + "ties.py",
+        "self.tie.free if self.first else -self.tie.free",
+        "self.tie.free",
+        "sprung_screen",
+        TORSION,
+    ),
+    Fault(
+        "a torsion spring turns by the link alone",
+        STATICS + "solve/lengths.py",
+        "return own * np.conj(other) * np.ones(motion.shape)",
+        "return own * np.ones(motion.shape)",
+        "sprung_screen",
+        TORSION,
+    ),
+    Fault(
+        "angles of torsion springs jump at half a turn",
+        STATICS + "solve/lengths.py",
+        "middle = (low + high) / 2",
+        "middle = 0.0",
+        "sprung_screen",
+        TORSION,
+    ),
+    Fault(
+        "moments of torsion springs are works, not potential",
+        "tmm_report/chapters/machine/dynamics/plant.py",
+        " or load.key in springs else WORK",
+        " else WORK",
+        "sprung_screen",
+        TORSION,
+    ),
+    Fault(
+        "potential of a torsion spring without its half",
+        STATICS + "solve/lengths.py",
+        "turned(twist, kinematics, motion)) ** 2 / 2",
+        "turned(twist, kinematics, motion)) ** 2",
+        "sprung_screen",
+        TORSION,
+    ),
+    Fault(
+        "the printed angle of a torsion spring is that of the next one",
+        STATICS + "quantities/twists.py",
+        "column(turned(one, found.kinematics",
+        "column(turned(springs[-1], found.kinematics",
+        "sprung_screen",
+    ),
+    # --- a driving wheel ---
+    Fault(
+        "a driving wheel slips only without its rolling resistance",
+        CONTACTS + "steps.py",
+        "s.M_most = (s.f * s.r + s.k) * s.N",
+        "s.M_most = (s.f * s.r - s.k) * s.N",
+        "jack_and_belt",
+        WHEEL,
+    ),
+    Fault(
+        "the load that is enough for a driving wheel leaves out rolling",
+        CONTACTS + "steps.py",
+        "s.N_need = s.M / (s.f * s.r + s.k)",
+        "s.N_need = s.M / (s.f * s.r)",
+        "jack_and_belt",
+        WHEEL,
     ),
 )

@@ -370,7 +370,7 @@ FAULTS = (
     Fault("allowed friction of the greatest supporting force", GOVERNOR + "steps.py",
           "int(np.argmin(E))", "int(np.argmax(E))", "governor_servo", GOVERNOR_PAGE),
     Fault("the brake touches at the radius of rest", MECHANICS + "machine/governor/brake.py",
-          "return self.radius + self.gap", "return self.radius", "governor_porter",
+          "centrifugal if self.lever else self.gap)", "centrifugal if self.lever else 0.0)", "governor_porter",
           GOVERNOR_PAGE),
     Fault("speed held without that of contact", MECHANICS + "machine/governor/brake.py",
           "return np.sqrt(self.contact**2 + np.asarray(moment) / self.K)",

@@ -19,7 +19,7 @@ from benchmarks.fuzz.generated import after, numbers, rules, schema
 from benchmarks.fuzz.generated.whole import text, variant
 from benchmarks.fuzz.judge import Outcome, odd_words, tried, unbalanced
 
-DRAWN, TRIED = 8000, 48
+DRAWN, TRIED = 24000, 48
 
 
 @cache

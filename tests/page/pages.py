@@ -65,6 +65,12 @@ def last_number(caption: str) -> int:
     return int(re.findall(r"\d+", caption)[-1])
 
 
+def turned_link(index: str) -> str:
+    """The link of a moment by the index of its letter: 3, 3,2 of the second, k1,3 of a torsion spring."""
+    first, _, last = index.partition(",")
+    return last if last and first.startswith("k") else first
+
+
 def table_of(document: dict[str, Any], name: str) -> dict[str, np.ndarray]:
     """The numbers of a table of results.json by their keys, None as nan; angles in radians."""
     return {

@@ -242,7 +242,7 @@ def loads(note: Note, document: dict[str, Any], drawn: Scheme, places: Places) -
     for symbol, entries in found.items():
         column = entries[0][1]
         inertia = re.fullmatch(r"([FM])_I([\d]+)", symbol)
-        stated = re.fullmatch(r"M_(\d+)(?:,\d+)?", symbol)
+        stated = re.fullmatch(r"M_(?:k\d+,)?(\d+)(?:,\d+)?", symbol)  # also of a torsion spring k1
         if inertia and inertia[1] == "F":
             point = drawn.mass_centres[inertia[2]]
             a = rates[f"a_{point}_x"] + 1j * rates[f"a_{point}_y"] if f"a_{point}_x" in rates else zeros + 0j
@@ -255,7 +255,7 @@ def loads(note: Note, document: dict[str, Any], drawn: Scheme, places: Places) -
         elif stated and len(stated[1]) == 1 and "R_" + stated[1] not in found:
             for k, (_, one) in enumerate(entries, 1):  # sizes are printed, their signs stand in the results
                 key, rows = symbol if "," in symbol else f"{symbol},{k}", len(one.values)
-                couple = one.values * np.sign(acting[key][:rows])
+                couple = np.abs(one.values) * np.sign(acting[key][:rows])
                 yield Force(key, stated[1], 0j, zeros[:rows] + 0j, zeros[:rows], couple, one.half)
         elif symbol in ("F_bal", "F_ур") and drawn.drive:
             for link, point, other in drawn.drive:

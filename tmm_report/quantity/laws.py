@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from tmm_report.mechanics.calculus.laws import Law
-from tmm_report.quantity import formula
+from tmm_report.quantity import formula, functions
 from tmm_report.quantity.formula import Expr, Number, Var
 
 
@@ -36,6 +36,10 @@ class Written:
     @staticmethod
     def sin(x: Expr) -> Expr:
         return formula.sin(x)
+
+    @staticmethod
+    def exp(x: Expr) -> Expr:
+        return functions.exp(x)
 
     def lines(self, at: Expr, x: Any, y: Any, period: float | None) -> Expr:
         places, values, near = x.tolist(), y.tolist(), self.near

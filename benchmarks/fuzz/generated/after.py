@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
-from benchmarks.fuzz.generated import driving
+from benchmarks.fuzz.generated import asked, driving
 from benchmarks.fuzz.generated.rules import RUBBING
 
 Made = dict[str, Any]
@@ -480,6 +480,7 @@ AFTER: Mapping[str, Callable[[Made, Any], Made]] = {
     "PartModel": _part,
     "MotorModel": _laws,
     "ResistanceModel": _laws,
+    "SpeedModel": asked.rising,
     "DynamicsModel": _dynamics,
     "dynamics.Spring": _spring,
     "Force": _loading,

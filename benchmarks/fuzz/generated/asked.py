@@ -15,6 +15,9 @@ def tied(data: Made, random: Random) -> None:
     """Springs and dampers hold points of two links, or of one and the frame; each spring has one datum."""
     links, frame = data["mechanism"]["links"], list(data["mechanism"]["frame"])
     loads = data.get("loads", {})
+    for one in loads.get("torsion_springs", ()):
+        last = [*links][-1]
+        one["links"] = random.choice(([last, 0], [0, last]))
     named = {name: set(link["points"]) for name, link in links.items()}
     for one in (*loads.get("springs", ()), *loads.get("dampers", ())):
         link = random.choice([*links])
@@ -30,6 +33,13 @@ def tied(data: Made, random: Random) -> None:
             one["on"] = {one["between"][0]: link}
         if "stiffness" in one:
             _datum(one, random)
+
+
+def rising(made: Made, walk: Any) -> Made:
+    """Velocities of sliding ascend."""
+    if "by_speed" in made:
+        made["by_speed"] = [[f"{k / 10} m/s", one[1]] for k, one in enumerate(made["by_speed"])]
+    return made
 
 
 def _datum(spring: Made, random: Random) -> None:

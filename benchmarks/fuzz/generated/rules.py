@@ -35,6 +35,9 @@ ONE: Mapping[str, Sequence[Keys]] = {
     "LawModel": [("acceleration", "harmonic", "polynomial", "angles", "phases")],
     "MotorModel": [("constant", "shunt", "series", "induction", "by_speed", "by_angle", "by_time")],
     "ResistanceModel": [("friction", "viscous", "fan", "by_speed", "by_angle", "by_time")],
+    "SpeedModel": [("by_speed", "stribeck")],
+    "TorsionSpring": [("preload", "free_angle")],
+    "ChooseBrake": [("mass", "spring")],
     "Engine": [("cylinders", "inline", "vee", "opposed", "radial")],
     "governor.Given": [("arms", "bell_crank")],
     "Plane": [("radius", "mass")],
@@ -141,6 +144,8 @@ APART: Mapping[str, Sequence[tuple[str, Keys]]] = {
         for name in ("Force", "kinetostatics.Moment")
     },
     "Screw": [("arm", ("hand_force",))],
+    "contacts.Wheel": [("pull", ("moment",))],
+    "Brake": [("choose", ("mass",))],
     "Linear": [
         ("friction", ("damping", "damping_ratio")),
         ("damping", ("damping_ratio",)),
@@ -183,6 +188,9 @@ RARE: Mapping[str, float] = {
     "Synthesis.output": 0.1,
     "CrankRocker.transmission": 0.3,
     "CrankRocker.beyond": 0.5,
+    "Brake.choose": 0.2,
+    "Brake.arm": 0.4,
+    "LoadsModel.torsion_springs": 0.3,
 }
 
 NAMED: Mapping[str, Sequence[Any]] = {

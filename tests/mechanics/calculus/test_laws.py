@@ -39,6 +39,10 @@ EXAMPLES = [
     laws.ByStrokes(1j, ("intake", "power", "other", "last"), (*CURVES, *CURVES[::-1])),
     laws.ByLength(1200.0, 0.24),
     laws.ByRate(300.0),
+    laws.ByTurn(40.0, 0.3),
+    laws.BySliding((0.0, 0.5, 2.0), (0.15, 0.1, 0.12)),
+    laws.Stribeck(0.15, 0.08, 0.4),
+    laws.Stribeck(0.15, 0.08, 0.4, 0.02, 2),
     ch.Linear(40.0, 100.0),
     ch.Series(5e4, 20.0),
     ch.Kloss(157.0, 60.0, 0.15),
@@ -56,6 +60,8 @@ AXES = {
     laws.LENGTH: (0.0, 0.5),
     laws.RATE: (-3.0, 3.0),
     laws.STROKE: (0.0, 0.6),
+    laws.TURN: (-3.0, 3.0),
+    laws.SLIDING: (0.0, 3.0),
 }
 EVERY = pytest.mark.parametrize("law", EXAMPLES, ids=lambda law: type(law).__name__)
 

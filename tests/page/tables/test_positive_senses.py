@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 from note import Note
-from pages import by_law, table_of, value_of
+from pages import by_law, table_of, turned_link, value_of
 from reading import LEVERS, html, results, wrong
 
 SPINS = re.compile(r"(вращается|turns) .*ω_")
@@ -81,7 +81,7 @@ def _acting(
     document: dict[str, Any], rates: dict[str, np.ndarray], key: str
 ) -> tuple[np.ndarray, np.ndarray]:
     """A force or couple, and the velocity of its point or link."""
-    loads, of = table_of(document, "loads_table"), key[2:].split(",")[0]
+    loads, of = table_of(document, "loads_table"), turned_link(key[2:])
     if key + "_x" not in loads:
         return loads[key] + 0j, rates[f"w_{of}"] + 0j
     vector = loads[key + "_x"] + 1j * loads[key + "_y"]

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 from conftest import path_of
-from pages import table_of
+from pages import table_of, turned_link
 from reading import LEVERS, results, wrong
 from statics import scheme
 
@@ -38,7 +38,7 @@ def powers(document: dict[str, Any], name: str) -> Iterator[tuple[str, np.ndarra
     tied: dict[str, np.ndarray] = {}
     for key in loads:
         kind, _, sub = key.partition("_")
-        of = sub.split(",")[0]
+        of = turned_link(sub) if kind == "M" else sub.split(",")[0]
         if kind in ("G", "P") and key + "_x" in loads:
             point = drawn.mass_centres[of] if kind == "G" else of
             yield key, sum(loads[f"{key}_{axis}"] * rates.get(f"v_{point}_{axis}", still) for axis in "xy")

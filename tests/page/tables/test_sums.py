@@ -19,6 +19,7 @@ from pages import (
     driving_speed,
     last_number,
     table_of,
+    turned_link,
     value_of,
 )
 from printed import Printed
@@ -81,7 +82,7 @@ def _power(symbol: str, loads: Rows, rates: Rows, drawn: Scheme, k: int) -> floa
     kind, _, of = symbol.partition("_")
     if kind == "M":
         couple = loads[symbol] if symbol in loads else loads[f"{symbol},1"]
-        return float(couple[k] * rates[f"w_{of.removeprefix('I').split(',')[0]}"][k])
+        return float(couple[k] * rates[f"w_{turned_link(of.removeprefix('I'))}"][k])
     tied = kind == "F" and "," in of  # of a spring or damper, on its point
     point = (
         of.split(",")[1 if tied else 0] if kind == "P" or tied else drawn.mass_centres[of.removeprefix("I")]
@@ -142,10 +143,27 @@ def wrong_rubbing(note: Note, document: dict[str, Any]) -> Iterator[str]:
             continue
         size = reactions.get(f"R_{one}{other}", reactions.get(f"R_{other}{one}"))
         turning = rates.get(f"w_{other}", 0.0) - (rates.get(f"w_{one}", 0.0) if one != "0" else 0.0)
-        power = sized(row[3]).value * size * sized(row[4]).value / 2 * np.abs(turning)
+        by_law = row[3].text == "f(v)"
+        speed = sized(row[4]).value / 2 * np.abs(turning)
+        coefficient = by_sliding(document, row[1].text, speed) if by_law else sized(row[3]).value
+        power = coefficient * size * sized(row[4]).value / 2 * np.abs(turning)
         found = lost[f"P_fr_{one}-{other}"]
         for k in np.flatnonzero(np.abs(found - power) > 1e-4 * np.nanmax(power, initial=0.0) + 1e-9):
             yield f"P_fr_{one}-{other}[{k}] is {found[k]:.6g}, f R d/2 omega is {power[k]:.6g}"
+
+
+def by_sliding(document: dict[str, Any], name: str, speed: np.ndarray) -> np.ndarray:
+    """The coefficient of a pair that depends on its velocity of sliding, by the laws of the initial data."""
+    for table in ("friction_points", "friction_stribeck"):
+        texts = document["tables"].get(table, {"columns": [{"values": []}]})["columns"][0]["values"]
+        rows = [k for k, names in enumerate(texts) if name in names.split(", ")]
+        if rows:
+            own = {key: values[rows] for key, values in table_of(document, table).items()}
+            break
+    if "v" in own:
+        return np.interp(speed, own["v"], own["f"])
+    fall = np.exp(-((speed / own["v_s"]) ** own["n"]))
+    return own["f_k"] * (1 - fall) + own["f_s"] * fall + own["k_v"] * speed
 
 
 def wrong_efficiency(eta: Series, drive: Series, total: Series) -> Iterator[str]:

@@ -12,7 +12,9 @@
     | `SPEED`    | rad/s; of what slides m/s                           | BySpeed, and the motors' of `characteristics` |
     | `STROKE`   | place of what slides along its guide, m             | ByPlace                                       |
     | `LENGTH`   | distance of two points, m                           | ByLength                                      |
+    | `TURN`     | how far two links have turned against one another, rad | ByTurn                                     |
     | `RATE`     | its derivative by the time, m/s                     | ByRate                                        |
+    | `SLIDING`  | size of the velocity of sliding, m/s                | BySliding, Stribeck                           |
 
 A law says its value anywhere, in doubles or in other numbers (`Arithmetic`), and its breaks; between them it is a
 polynomial of degree `order`, or smooth (None). tests/mechanics/calculus/test_laws.py holds every law to that.
@@ -24,6 +26,7 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from functools import cached_property
+from itertools import pairwise
 from typing import Any, ClassVar, NamedTuple, Protocol, Self
 
 import numpy as np
@@ -34,7 +37,7 @@ Array = Any
 Numbers = tuple[float, ...]
 Curve = tuple[tuple[float, float], ...]
 NOTHING, ANGLE, POSITION, TRAVEL, TIME, SPEED = "", "angle", "position", "travel", "time", "speed"
-LENGTH, RATE, STROKE = "length", "rate", "stroke"
+LENGTH, RATE, STROKE, TURN, SLIDING = "length", "rate", "stroke", "turn", "sliding"
 
 
 class Break(NamedTuple):
@@ -57,6 +60,8 @@ class Arithmetic(Protocol):
 
     def sin(self, x: Any) -> Any: ...
 
+    def exp(self, x: Any) -> Any: ...
+
     def lines(self, at: Any, x: Array, y: Array, period: float | None) -> Any:
         """Straight lines between points that ascend, at two of the same place the later one: constant beyond them, or
         within one `period` and the last joined to the first of the next one."""
@@ -72,7 +77,7 @@ class Doubles:
     def full(amount: float, at: Array) -> Array:
         return amount if np.ndim(at) == 0 else np.full(np.shape(at), amount)
 
-    cos, sin = np.cos, np.sin
+    cos, sin, exp = np.cos, np.sin, np.exp
 
     @staticmethod
     def lines(at: Array, x: Array, y: Array, period: float | None) -> Array:
@@ -367,6 +372,81 @@ class ByRate(Law):
 
     def scaled(self, factor: float) -> Self:
         return replace(self, viscosity=self.viscosity * factor)
+
+
+@dataclass(frozen=True)
+class ByTurn(Law):
+    """A torsion spring: its moment along the turn, c (α₀ − φ), N m; `stiffness`, N m/rad, `free`: angle, rad."""
+
+    of: ClassVar[str] = TURN
+    order: ClassVar[int | None] = 1
+    stiffness: float
+    free: float
+
+    def value(self, at: Any, which: Any = 0, numbers: Arithmetic = DOUBLES) -> Any:
+        return self.stiffness * (self.free - at)
+
+    def scaled(self, factor: float) -> Self:
+        return replace(self, stiffness=self.stiffness * factor)
+
+
+# ---------------------------------------------------------------- coefficients of friction
+
+
+@dataclass(frozen=True)
+class BySliding(Lines):
+    """Coefficients of friction at velocities of sliding, m/s, that ascend."""
+
+    of: ClassVar[str] = SLIDING
+    speeds: Numbers
+    values: Numbers
+
+    def points(self) -> tuple[Numbers, Numbers]:
+        return self.speeds, self.values
+
+    @property
+    def resolving(self) -> Numbers:
+        """Velocities at which it has a corner; none of a table that is constant."""
+        slopes = [0.0, *self.slope(np.array(self.speeds))]
+        return tuple(
+            at for at, (one, other) in zip(self.speeds, pairwise(slopes), strict=True) if at and one != other
+        )
+
+    def scaled(self, factor: float) -> Self:
+        return replace(self, values=_times(self.values, factor))
+
+
+@dataclass(frozen=True)
+class Stribeck(Law):
+    """A coefficient of friction that falls from rest to motion and grows again with a viscous part,
+    f_k + (f_s − f_k) exp(−(v/v_s)ⁿ) + k_v v. `speed`: v_s, m/s; `viscous`: k_v, s/m; `exponent`: n, 1 or 2
+    (Armstrong-Hélouvry, Dupont, Canudas de Wit, Automatica 30 (1994), p. 1083)."""
+
+    of: ClassVar[str] = SLIDING
+    static: float
+    kinetic: float
+    speed: float
+    viscous: float = 0.0
+    exponent: int = 1
+
+    def value(self, at: Any, which: Any = 0, numbers: Arithmetic = DOUBLES) -> Any:
+        moving, falls, speed, viscous = (
+            numbers.full(one, at)
+            for one in (self.kinetic, self.static - self.kinetic, self.speed, self.viscous)
+        )
+        return moving + falls * numbers.exp(-((at / speed) ** self.exponent)) + viscous * at
+
+    @property
+    def resolving(self) -> Numbers:
+        """Velocities between which the exponential is next to a polynomial."""
+        return _times((1.0, 2.5, 6.0, 14.0), self.speed)
+
+    def scaled(self, factor: float) -> Self:
+        static, kinetic, viscous = _times((self.static, self.kinetic, self.viscous), factor)
+        return replace(self, static=static, kinetic=kinetic, viscous=viscous)
+
+
+Rubs = BySliding | Stribeck
 
 
 # ---------------------------------------------------------------- indicator diagrams

@@ -47,8 +47,16 @@ TEXTS = {
     + "  servo: {time: 0.3 s, isodrome: {time: 1 s, feedback: 0.4}}\n",
     "brake": "  brake: {mass: 1 kg, radius: 60 mm, gap: 2 mm, drum: 80 mm, friction: 0.3, "
     "spring: {stiffness: 20 kN/m, force: 3 N}, moment: 10 N*m, inertia: 2 kg*m^2}\n",
+    "brake on arms": "  brake: {mass: 1 kg, radius: 60 mm, gap: 2 mm, drum: 80 mm, friction: 0.3, "
+    "spring: {stiffness: 20 kN/m, force: 3 N}, moment: 10 N*m, inertia: 2 kg*m^2, "
+    "arm: {pivot: 50 mm, shoe: 70 deg, mass_centre: 90 deg, spring: 40 mm, ahead: pivot}}\n",
+    "mass of a brake": "  brake: {radius: 60 mm, gap: 2 mm, drum: 80 mm, friction: 0.3, "
+    "spring: {stiffness: 20 kN/m, force: 3 N}, moment: 10 N*m, choose: {mass: 40 rad/s}, "
+    "arm: {pivot: 50 mm, shoe: 70 deg, mass_centre: 90 deg, spring: 40 mm, ahead: shoe}}\n",
+    "spring of a brake": "  brake: {mass: 3 kg, radius: 60 mm, gap: 2 mm, drum: 80 mm, friction: 0.3, "
+    "spring: {stiffness: 20 kN/m}, moment: 10 N*m, choose: {spring: 60 rad/s}}\n",
 }  # fmt: skip
-NAMES = [*TEXTS, "governor_porter", "governor_servo"]
+NAMES = [*TEXTS, "governor_porter", "governor_servo", "descent_brake"]
 
 
 def found_of(name):
@@ -155,4 +163,26 @@ def _braking(found):
         "spread": (held - shoes.contact) / shoes.contact, "power": given.moment * held,
         "pressing": given.moment / (given.count * given.friction * given.drum),  # all shoes hold the moment
         "contact_time": shoes.time_to(0.0, given.moment, given.inertia) if given.inertia else None,
+        **_on_arms(shoes, given), **_chosen(shoes, given),
+    }  # fmt: skip
+
+
+def _chosen(shoes, given):
+    if given.choose is None:
+        return {}
+    name, value = ("m", shoes.mass) if given.choose.mass else ("F_0", shoes.preload)
+    return {name: value}
+
+
+def _on_arms(shoes, given):
+    """Distances from the pivot by cross products of the directions of the forces."""
+    if given.arm is None:
+        return {}
+    pivot, lever = given.arm.pivot, shoes.lever
+    at, centre = (np.exp(1j * angle) for angle in (given.arm.shoe, given.arm.mass_centre))
+    tangent = abs(((given.drum * at - pivot).conjugate() * 1j * at).imag)
+    back = shoes.turned_back()
+    return {
+        "l_C": abs((pivot * centre).imag), "l_N": abs((pivot * at).imag), "l_T": tangent, "theta": shoes.swing,
+        "f_lock": lever.normal / tangent, "back": None if back.locks else float(back.held(given.moment)),
     }  # fmt: skip

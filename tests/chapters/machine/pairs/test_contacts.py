@@ -10,12 +10,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tmm_report import course
+from tmm_report import course, note
 from tmm_report.chapters.machine.contacts import given as state
 from tmm_report.chapters.machine.contacts import quantities, solve, words
 from tmm_report.chapters.machine.contacts.draw_turning import SKETCHES
 from tmm_report.chapters.machine.contacts.given import Given
 from tmm_report.figures.drawing import Arrow, Circle, Text
+from tmm_report.i18n import Translator
 from tmm_report.mechanics.pairs import friction as law
 from tmm_report.problems import ProblemError
 
@@ -207,6 +208,38 @@ def test_a_belt_carries_most_at_its_best_speed():
 def test_equal_pulleys_are_held_over_half_a_turn():
     assert law.open_wrap(0.2, 0.2, 1.0) == pytest.approx(math.pi)
     assert law.open_wrap(0.2, 0.4, 1.0) == law.open_wrap(0.4, 0.2, 1.0) < math.pi
+
+
+def test_a_driving_wheel_slips_beyond_its_moment_and_what_is_told_helps():
+    """What the note tells to be enough is enough, and a little less is not."""
+
+    def slips(**changes):
+        stated_ = {"coefficient": 0.2, "radius": 0.2, "arm": 0.001, "load": 1000.0, "moment": 50.0} | changes
+        of = solved(state.Wheel(kind="wheel", **stated_)).s
+        return of.number("M") > of.number("M_most")
+
+    of = solved(state.Wheel(kind="wheel", coefficient=0.2, radius=0.2, arm=0.001, load=1000.0, moment=50.0)).s
+    assert slips()
+    helps = {"coefficient": "f_need", "load": "N_need", "radius": "r_need", "moment": "M_most"}
+    for key, number in helps.items():
+        more = -1e-9 if key == "moment" else 1e-9
+        assert not slips(**{key: of.number(number) * (1 + more)}), key
+        assert slips(**{key: of.number(number) * (1 - more)}), key
+    text = "radius: 0.2 m, arm: 1 mm, load: 1 kN, coefficient: 0.2, moment: "
+    for moment, said in ((0.5, "stays at rest"), (30, "without slipping"), (50, "It would not slip with")):
+        found = course.solve(
+            course.loads(f"language: en\ncontacts:\n  - {{kind: wheel, {text}{moment} N*m}}\n")
+        )
+        assert said in note.render(found, "html", Translator("en"))["note.html"].decode()
+    with pytest.raises(ProblemError, match="at most one of: pull, moment"):
+        stated("wheel", f"{text}5 N*m, pull: 3 N")
+    with pytest.raises(ProblemError, match="slips under any moment"):
+        stated("wheel", f"{text}5 N*m".replace("0.2,", "0,"))
+    slow = {"coefficient": 0.2, "radius": 0.002, "arm": 0.001, "load": 1000.0}
+    of = solved(state.Wheel(kind="wheel", **slow)).s
+    for key, enough in (("radius", 1.001 * of.number("r_least")), ("arm", 0.999 * of.number("k_most"))):
+        assert not solved(state.Wheel(kind="wheel", **slow)).rolls
+        assert solved(state.Wheel(kind="wheel", **(slow | {key: enough}))).rolls
 
 
 @pytest.mark.parametrize(("f", "rolls"), [(0.0051, True), (0.0049, False)])

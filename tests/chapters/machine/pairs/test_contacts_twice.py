@@ -31,6 +31,9 @@ TEXTS = (
     f"kind: belt drive, driving: 0.1 m, driven: 0.3 m, {PULLEYS}, density: 1000 kg/m^3",
     f"kind: belt drive, driven: 0.1 m, driven_speed: 1800 rpm, {PULLEYS}",
     "kind: wheel, radius: 0.2 m, arm: 1 mm, load: 1 kN, coefficient: 0.2, pull: 20 N",
+    "kind: wheel, radius: 0.2 m, arm: 1 mm, load: 1 kN, coefficient: 0.2, moment: 50 N*m",
+    "kind: wheel, radius: 2 mm, arm: 1 mm, load: 1 kN, coefficient: 0.2",
+    "kind: wheel, radius: 2 mm, arm: 1 mm, load: 1 kN, coefficient: 0.2, moment: 1.2 N*m",
     "kind: journal, diameter: 50 mm, load: 2 kN, coefficient: 0.1, speed: 600 rpm",
     f"kind: crank, force: 1 kN, crank: 50 mm, rod: 200 mm, angle: 60 deg, coefficient: 0.1, {JOURNALS}",
     f"kind: crank, force: 1 kN, crank: 50 mm, rod: 200 mm, angle: 130 deg, coefficient: 0.1, {JOURNALS}",
@@ -136,8 +139,30 @@ def _belt_drive(of):
 def _wheel(of):
     moment = law.rolling_moment(of.load, of.arm)
     roll = moment / of.radius / of.load
-    return {"M_roll": moment, "F_roll": moment / of.radius, "F_slide": of.f * of.load, "f_roll": roll,
+    ways = {"M_roll": moment, "F_roll": moment / of.radius, "F_slide": of.f * of.load, "f_roll": roll,
             "phi_roll": law.angle(roll), "phi": law.angle(of.f)}  # fmt: skip
+    if of.moment is None:
+        return ways | ({"r_least": of.arm / of.f, "k_most": of.f * of.radius} if of.f <= roll else {})
+
+    def asked(load, radius):
+        """Coefficient that the moments about the axle ask for: M = T r + k N, T = f N."""
+        return (of.moment - of.arm * load) / radius / load
+
+    low = {key: _root(of.f, at) for key, at in (
+        ("N_need", lambda x: asked(x, of.radius)), ("r_need", lambda x: asked(of.load, x)))}  # fmt: skip
+    return ways | low | {
+        "T": asked(of.load, of.radius) * of.load, "f_need": asked(of.load, of.radius),
+        "M_most": of.f * of.load * of.radius + moment,
+    }  # fmt: skip
+
+
+def _root(wanted, of):
+    """Where a falling function of a positive number is what is wanted, by bisection."""
+    low, high = 1e-9, 1e9
+    for _ in range(200):
+        middle = math.sqrt(low * high)
+        low, high = (middle, high) if of(middle) > wanted else (low, middle)
+    return middle
 
 
 def _journal(of):

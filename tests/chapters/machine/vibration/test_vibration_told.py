@@ -13,6 +13,7 @@ from tmm_report.chapters.machine.vibration import quantities
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.masses import vibration as vib
 from tmm_report.mechanics.masses.vibration import Body
+from tmm_report.problems import ProblemError
 
 
 def page(text: str) -> str:
@@ -105,3 +106,11 @@ def test_table_of_the_absorbers_has_the_machine_and_the_absorber_each_in_its_col
         main, hung = vib.pair(found.body, one.hung, 90.0, (600.0, 0.0))
         assert table["amplitude"].values[row] == pytest.approx(abs(main), abs=1e-12)
         assert table["absorber_swing"].values[row] == pytest.approx(abs(hung), rel=1e-9)
+
+
+@pytest.mark.parametrize("key", ["damper", "electromagnetic"])
+def test_an_electromagnetic_damper_is_told_to_be_a_viscous_one(key):
+    with pytest.raises(ProblemError, match="every damper here is a viscous one"):
+        course.loads(
+            f"language: en\nvibration: {{mass: 10 kg, stiffness: 1 kN/m, {key}: {{electromagnetic: 3}}}}\n"
+        )

@@ -161,7 +161,11 @@ def _corrected(
     pairs = motion.linkage.structure.pairs
     rates = {pair.key: reactions_with_friction.signed_rate(motion, pair) for pair in pairs}
     senses = _senses(pairs, rates)
-    rubs = [_rub(pair, stated, senses[pair.key]) for pair in pairs if (stated := rubbing_of(pair))]
+    rubs = [
+        _rub(pair, stated, senses[pair.key], rates[pair.key])
+        for pair in pairs
+        if (stated := rubbing_of(pair))
+    ]
     if not rubs:
         raise ProblemError([_idle()])
     rubbed = reactions_with_friction.solve(motion, resultants(found.given, motion, solved.loading), rubs)
@@ -182,10 +186,10 @@ def _senses(pairs: Sequence[Pair], rates: Mapping[str, Array]) -> dict[str, Arra
     return {p.key: np.where(np.abs(rates[p.key]) <= least[p.kind], 0.0, np.sign(rates[p.key])) for p in pairs}
 
 
-def _rub(pair: Pair, stated: Rubbing, sense: Array) -> Rub:
-    if pair.kind == "R":
-        return Rub(pair, stated.coefficient, sense, (stated.diameter or 0.0) / 2)
-    return Rub(pair, stated.coefficient, sense, half=stated.half)
+def _rub(pair: Pair, stated: Rubbing, sense: Array, rate: Array) -> Rub:
+    arm = stated.arm(pair.kind)
+    coefficient = stated.at(arm * rate)
+    return Rub(pair, coefficient, sense, arm, stated.half if pair.kind == "P" else None)
 
 
 def _losses(rubs: Sequence[Rub], rubbed: Rubbed, rates: Mapping[str, Array]) -> list[Loss]:

@@ -131,7 +131,7 @@ def materials(pairs: Sequence[tuple[Pair, Rubbing]]) -> Iterator[Table]:
             text_column("lubrication", Message(N_("dry or semi-fluid")), [s.lubrication for s in stocks]),
             LOW.column([low for low, _ in moving]),
             HIGH.column([high for _, high in moving]),
-            CONE.column([math.degrees(math.atan(of.coefficient)) for _, of, _ in known]),
+            CONE.column([math.degrees(math.atan(of.at(0.0))) for _, of, _ in known]),
             REST_LOW.column([low for low, _ in rest]),
             REST_HIGH.column([high for _, high in rest]),
         ),

@@ -11,6 +11,7 @@ from markupsafe import Markup
 from tmm_report.chapters.lever.friction import corrected_quantities as c
 from tmm_report.chapters.lever.friction import quantities as q
 from tmm_report.chapters.lever.friction.corrected import STILL, Correction, Loss
+from tmm_report.chapters.lever.friction.sliding_view import SlidingView
 from tmm_report.chapters.lever.friction.solve import FrictionFound, PairLoss
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as forces
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
@@ -21,7 +22,6 @@ from tmm_report.quantity.model import Book
 from tmm_report.quantity.model import Table as Numbers
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol
-from tmm_report.report.chapter_view import BookView
 from tmm_report.report.diagrams import Line
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Column, Table
@@ -44,7 +44,7 @@ def tilted(loss: PairLoss | Loss) -> Any:
     return np.flatnonzero(more > STILL * np.nanmax(loss.pressing, initial=0.0))
 
 
-class CorrectedView(BookView):
+class CorrectedView(SlidingView):
     def __init__(
         self,
         found: FrictionFound,
@@ -114,7 +114,7 @@ class CorrectedView(BookView):
         pair, k, stated = loss.pair, self.position, self.table("friction_given")
         diameter = self.found.table.pairs[row].rubbing.diameter
         rate = self.table("friction_table").var(q.rate(pair).key, k)
-        friction: Expr = stated.var("f", row)
+        friction = self.friction_at(row, self.found.table.pairs[row])
         if pair.kind == "R":
             arm = stated.var("d", row) if diameter else Var("d", 0.0, "m", ref=stated.ref("d", row))
             friction = friction * self.reactions.var(c.corrected_reaction(pair).key, k) * (arm / 2)

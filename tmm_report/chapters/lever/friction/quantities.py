@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from tmm_report.chapters.lever.friction import corrected_quantities
+from tmm_report.chapters.lever.friction import corrected_quantities, sliding_quantities
 from tmm_report.chapters.lever.friction.solve import FrictionFound, Losses, PairLoss
 from tmm_report.chapters.lever.kinematics.quantities import where
 from tmm_report.chapters.lever.kinetostatics.quantities.positions import both, guide_moment, reaction
@@ -83,6 +83,7 @@ def tables(found: FrictionFound) -> Iterator[Table]:
         ("diagram", found.diagram, found.diagram_turned),
     ):
         yield Table(f"friction_{name}", LOSSES, (*where(turned), *_losses(losses)))
+    yield from sliding_quantities.tables(found.table.pairs)
     yield from corrected_quantities.materials([(loss.pair, loss.rubbing) for loss in found.table.pairs])
     if found.corrected is not None:
         yield from corrected_quantities.tables(found.corrected, (found.turned, found.diagram_turned))
@@ -100,7 +101,7 @@ def _given(losses: tuple[PairLoss, ...]) -> Table:
             text_column("links", Message(N_("its links")), ["–".join(pair.links) for pair in pairs]),
             text_column("name", Message(N_("point or guide")), [pair.name for pair in pairs]),
             text_column("kind", Message(N_("R: revolute, P: prismatic")), [pair.kind for pair in pairs]),
-            COEFFICIENT.column([loss.rubbing.coefficient for loss in losses]),
+            COEFFICIENT.column([sliding_quantities.stated_coefficient(loss.rubbing) for loss in losses]),
             DIAMETER.column(diameters),
             *sliders,
         ),
@@ -121,11 +122,14 @@ def _losses(losses: Losses) -> Iterator[Column]:
             yield couple(loss.pair).column(loss.couple)
             yield pressing(loss.pair).column(loss.pressing)
         yield rate(loss.pair).column(loss.rate)
+    yield from sliding_quantities.columns(losses.pairs)
 
 
 @tabulated
 def values(found: FrictionFound) -> Iterator[Value]:
     yield MEAN_POWER.value(found.mean_power)
     yield MEAN_EFFICIENCY.value(found.mean_efficiency)
+    if sliding_quantities.laws(found.table.pairs):
+        yield sliding_quantities.WORK.value(found.work)
     if found.corrected is not None:
         yield from corrected_quantities.values(found.corrected)

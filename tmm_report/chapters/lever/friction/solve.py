@@ -37,8 +37,8 @@ APART = 1e-6  # of the period: kinks nearer than this are one
 @dataclass(frozen=True, eq=False)
 class PairLoss:
     """Friction in one pair at some positions: `reaction` N, `rate` the relative rad/s or m/s, `power` W; `pressing`: N,
-    of a slider that tilts the sum of both its ends; `couple`: size of the moment of a guide about the middle of a
-    slider of stated length, N m, None of all else; (..., P)."""
+    of a slider that tilts the sum of both its ends; `coefficient`: of friction, `sliding`: m/s; `couple`: size of the
+    moment of a guide about the middle of a slider of stated length, N m, None of all else; (..., P)."""
 
     pair: Pair
     rubbing: Rubbing
@@ -46,6 +46,8 @@ class PairLoss:
     rate: Array
     power: Array
     pressing: Array
+    coefficient: Array
+    sliding: Array
     couple: Array | None = None
 
 
@@ -127,6 +129,11 @@ class FrictionFound:
         driving = self._mean(lambda losses: losses.driving)
         return driving / (driving + self.mean_power) if driving > 0 else float("nan")
 
+    @cached_property
+    def work(self) -> float:
+        """That friction takes over the cycle, J."""
+        return self.mean_power * self.forces.kinematics.cycle.period / abs(self.table.omega)
+
     def _mean(self, of: Callable[[Losses], Array]) -> float:
         """Over the whole cycle; of the diagram positions where some position has no forces (the last of a full turn
         repeats the first); nan of a mechanism that makes no cycle."""
@@ -163,6 +170,7 @@ def _whole(given: Friction, kinetostatics: Kinetostatics) -> Whole | None:
     faces = (over.on(of) for reaction in reactions for of in _faces(given, reaction))
     # what is rounding passes through zero wherever it likes
     known += [np.where(np.abs(of) > least, of, 0.0) for of in faces]
+    known += [over.on(of) for of in _resolving(given, over.motion)]
     kinks = np.concatenate(over.panels.roots_of(np.stack([*known, over.balancing])))
     cuts = _apart(over.panels, kinks)
     for _ in range(CUTS):
@@ -230,6 +238,19 @@ def _faces(given: Friction, reaction: Reaction) -> Iterator[Array]:
         yield from (couple, normal - couple, normal + couple)
 
 
+def _resolving(given: Friction, motion: Motion) -> Iterator[Array]:
+    """What passes through zero where the coefficient of a pair, a law of its sliding, has a corner or bends much."""
+    for pair in motion.linkage.structure.pairs:
+        rubbing = rubbing_of(given, pair)
+        if rubbing is None or rubbing.law is None:
+            continue
+        sliding = rubbing.arm(pair.kind) * relative_rate(motion, pair)
+        for at in rubbing.law.resolving:
+            for side in (at, -at):
+                off = sliding - side
+                yield np.where(np.abs(off) > NOTHING * at, off, 0.0)  # of a constant velocity it is rounding
+
+
 def _losses(given: Friction, motion: Motion, statics: Statics) -> Losses:
     losses = []
     for reaction in statics.reactions.values():
@@ -238,10 +259,14 @@ def _losses(given: Friction, motion: Motion, statics: Statics) -> Losses:
             size = np.abs(_wide(reaction.force, motion.shape))
             presses = _wide(pressing(reaction, rubbing.half), motion.shape)
             rate = np.abs(relative_rate(motion, reaction.pair))
-            arm = (rubbing.diameter or 0.0) / 2 if reaction.pair.kind == "R" else 1.0
-            power = rubbing.coefficient * presses * arm * rate
+            arm = rubbing.arm(reaction.pair.kind)
+            coefficient, sliding = rubbing.at(arm * rate), arm * rate
+            power = coefficient * presses * arm * rate
             couple = np.abs(_wide(reaction.moment, motion.shape)) if rubbing.half else None
-            losses.append(PairLoss(reaction.pair, rubbing, size, rate, power, presses, couple))
+            every = np.broadcast_to(coefficient, motion.shape)
+            losses.append(
+                PairLoss(reaction.pair, rubbing, size, rate, power, presses, every, sliding, couple)
+            )
     order = [pair.key for pair in motion.linkage.structure.pairs]
     losses.sort(key=lambda loss: order.index(loss.pair.key))
     omega = float(motion.omega)

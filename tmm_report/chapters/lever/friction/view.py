@@ -10,6 +10,7 @@ from markupsafe import Markup
 
 from tmm_report.chapters.lever.friction import quantities as q
 from tmm_report.chapters.lever.friction.corrected_view import CorrectedView, tilted, tilting
+from tmm_report.chapters.lever.friction.sliding_view import SlidingView
 from tmm_report.chapters.lever.friction.solve import FrictionFound, PairLoss
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as forces
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
@@ -21,7 +22,6 @@ from tmm_report.quantity.formula import Expr, Formula, Var
 from tmm_report.quantity.model import Book
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol
-from tmm_report.report.chapter_view import BookView
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Cell, Table, worded
 from tmm_report.report.part import Part
@@ -53,7 +53,7 @@ def _view(lever: LeverFound, page: Page) -> FrictionView | None:
     return page.once(FrictionView, lever.friction, lever.kinetostatics, lever.sample, page)
 
 
-class FrictionView(BookView):
+class FrictionView(SlidingView):
     def __init__(self, found: FrictionFound, kinetostatics: Kinetostatics, position: int, page: Page):
         super().__init__(page, Book.of(q.tables(found), q.values(found)))
         self.found, self.position, self.kinetostatics = found, position, kinetostatics
@@ -88,7 +88,7 @@ class FrictionView(BookView):
             [
                 self.page.word("–".join(pair.links), table, "links", row),
                 self.page.word(pair.name, table, "name", row), self.t(PAIR_KINDS[pair.kind]),
-                self.page.cell(table, "f", row), *([self._diameter(table, row, pair)] if journals else []),
+                self._coefficient(table, row), *([self._diameter(table, row, pair)] if journals else []),
             ]
             for row, pair in enumerate(loss.pair for loss in self.found.table.pairs)
         ]  # fmt: skip
@@ -141,6 +141,10 @@ class FrictionView(BookView):
         keys = (low,) if of[0] == of[1] else (low, high)
         return self.page.listed([self.page.shown(table, key, row) for key in keys], "–")
 
+    def _coefficient(self, table: Any, row: int) -> Cell | str:
+        by_law = self.found.table.pairs[row].rubbing.law is not None
+        return "f(v)" if by_law else self.page.cell(table, "f", row)
+
     def _diameter(self, table: Any, row: int, pair: Pair) -> Cell:
         known = bool(self.found.table.pairs[row].rubbing.diameter)
         return self.page.cell(table, "d", row) if known else Cell("—", table.ref("d", row))
@@ -186,7 +190,7 @@ class FrictionView(BookView):
     def _loss(self, row: int, loss: PairLoss) -> Formula:
         pair, k, stated = loss.pair, self.position, self.stated
         presses = q.borne if loss.couple is None else q.pressing
-        friction = stated.var("f", row) * self.lost.var(presses(pair).key, k)
+        friction = self.friction_at(row, loss) * self.lost.var(presses(pair).key, k)
         if pair.kind == "R":
             arm = (
                 stated.var("d", row)

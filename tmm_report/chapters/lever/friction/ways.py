@@ -23,10 +23,13 @@ RELATIVE = N_(
     "The difference of the rates of the two links: in a pivot of their angular velocities, in a "
     "guide of their velocities."
 )
+SLIDES = N_("The relative angular velocity of the links times the radius of the journal.")
+BY_LAW = N_("The stated law of the coefficient at the velocity of sliding of the position.")
 MEAN = N_(
     "The mean over the whole cycle: the integral by the angle on the smooth pieces between "
     "kinks, by the angle of the cycle."
 )
+WORK = N_("The mean power of friction times the time of the cycle.")
 WHOLE = N_("The work of the balancing moment by the sum of it and of the work of friction over the cycle.")
 NEWTON = N_(
     "The equations of equilibrium with friction, in which the friction follows the reactions, "
@@ -60,6 +63,11 @@ WAYS = (
     Way("friction_given.f", TABLE, of="name kind"),
     Way("friction_given.*", STATED),
     Way("friction_materials.f* friction_materials.phi_fr", BOOK, of="materials lubrication"),
+    Way("friction_stribeck.names friction_points.names", NAME),
+    Way("friction_stribeck.* friction_points.*", STATED),
+    Way("friction_table.v_sl_*", SLIDES, of="w_rel_{0} friction_given.d"),
+    Way("friction_table.f_*", BY_LAW, of="v_sl_{0} v_rel_{0} friction_stribeck.f_s friction_points.f"),
+    Way("E_fr", WORK, of="P_fr_mean"),
     Way("friction_table.P_fr", by=_total),
     Way("friction_table.P_fr_*", PAIR, of="R_{0} N_{0} v_rel_{0} w_rel_{0}"),
     Way("friction_table.M_*", TILTING, of="R_{0} N_{0}"),

@@ -17,6 +17,7 @@ FORCE = N_(
     "Of a spring its stiffness by what it is longer than free, of a damper its coefficient by the rate."
 )
 GIVEN = N_("The force by the rate of the length: what takes its points apart takes power from the mechanism.")
+FREE_ANGLE = N_("Stated, or the moment at position 0 by the stiffness.")
 AT_END = N_("The force along the line from its point to the other one.")
 
 
@@ -76,7 +77,12 @@ def _projection(axis: str) -> Callable[[Known], Expr]:
     return part
 
 
+TURNS = N_("The angle of one link less that of the other, from position 0 on.")
 TIES = (
+    Way("torsion_springs.key torsion_springs.name torsion_springs.one torsion_springs.other", NAME),
+    Way("torsion_springs.alpha_0", FREE_ANGLE, of="c M_0"),
+    Way("torsion_springs.*", STATED),
+    Way("twists_table.phi_*", TURNS, of="phi"),
     Way("springs.key springs.name dampers.key dampers.name *.one *.other *.link_one *.link_other", NAME),
     Way(
         "springs.l_F",

@@ -7,8 +7,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import KW_ONLY, field
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
-from tmm_report.chapters.lever.kinetostatics.given import Force, Towards
-from tmm_report.mechanics.calculus.laws import ByLength, ByRate, Law
+from tmm_report.chapters.lever.kinetostatics.given import Force, Moment, Towards
+from tmm_report.mechanics.calculus.laws import ByLength, ByRate, ByTurn, Law
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.units import WrongValue
 from tmm_report.records import dataclass
@@ -16,7 +16,17 @@ from tmm_report.records import dataclass
 if TYPE_CHECKING:
     from pydantic import Field
 
-    from tmm_report.variant.values import Distance, ForceValue, Label, Name, Position, Positive, quantity
+    from tmm_report.variant.values import (
+        Angle,
+        Distance,
+        ForceValue,
+        Label,
+        MomentValue,
+        Name,
+        Position,
+        Positive,
+        quantity,
+    )
 
 _BETWEEN = "its two points: of moving links, or one of them fixed"
 _ON = (
@@ -105,7 +115,12 @@ class Damper(Tie):
     """A viscous damper between two points: b dl/dt along their line."""
 
     LETTER: ClassVar = "b"
-    NOT_OFFERED: ClassVar[Mapping[str, str]] = dict.fromkeys(("by_speed", "by_velocity", "stiffness"), LINEAR)
+    NOT_OFFERED: ClassVar[Mapping[str, str]] = {
+        **dict.fromkeys(("by_speed", "by_velocity", "stiffness"), LINEAR),
+        "electromagnetic": N_(
+            "an electromagnetic damper is a viscous one: viscosity, its force by the velocity"
+        ),
+    }
 
     _: KW_ONLY
     viscosity: Annotated[float, quantity("damping", 1e-9)]
@@ -161,3 +176,79 @@ def together(forces: Sequence[Force]) -> list[list[int]]:
     """Numbers of the forces whose powers are told as one: each by itself, both ends of a tie together."""
     own, tied = apart(forces)
     return [*([k] for k in range(len(own))), *tied]
+
+
+@dataclass(frozen=True)
+class TorsionSpring:
+    """A linear torsion spring between two links, or a link and the frame: c (α₀ − φ), φ turned from position 0."""
+
+    LETTER: ClassVar = "k"
+    NOT_OFFERED: ClassVar[Mapping[str, str]] = {
+        "between": N_("a torsion spring turns links against one another: links: [3, 0]"),
+        "at_position": N_("the preload of a torsion spring is that at position 0"),
+    }
+
+    _: KW_ONLY
+    name: Annotated[Label | None, Field(description="for the tables; left out, k1, k2, …")] = None
+    links: Annotated[
+        tuple[Name, Name],
+        Field(
+            description="the link that takes its moment, and the one that takes the opposite",
+            examples=["[3, 0]"],
+        ),
+    ]
+    stiffness: Annotated[float, quantity("torsional stiffness", 1e-9)]
+    preload: Annotated[
+        MomentValue | None,
+        Field(description="its moment on the first link at position 0, above zero counter-clockwise"),
+    ] = None
+    free_angle: Annotated[
+        Angle | None,
+        Field(
+            description="in place of preload: where the first link, turned so far from position 0, has no moment"
+        ),
+    ] = None
+
+    def __post_init__(self) -> None:
+        if (self.preload is None) == (self.free_angle is None):
+            both = N_("a torsion spring has a free angle or a preload, not both")
+            neither = N_("a torsion spring needs its preload or its free angle")
+            right = Message(N_("either preload: 5 N*m, its moment at position 0, or free_angle: 20 deg"))
+            raise WrongValue(Message(neither if self.preload is None else both), right)
+
+    @property
+    def free(self) -> float:
+        """α₀ = M₀/c: angle from position 0 at which it has no moment, rad."""
+        return (self.preload or 0.0) / self.stiffness if self.free_angle is None else self.free_angle
+
+
+@dataclass(frozen=True)
+class Twist(Moment):
+    """The moment of a torsion spring on one of its links, `other` is the other one; `of`: how it is called, k1."""
+
+    _: KW_ONLY
+    direction: Any = 1
+    tie: TorsionSpring
+    of: str
+    other: str
+
+    def __post_init__(self) -> None:
+        """Its magnitude is stated by the spring."""
+
+    @property
+    def first(self) -> bool:
+        """Whether its link is the first of the spring's."""
+        return self.on == self.tie.links[0]
+
+    @property
+    def law(self) -> ByTurn:  # type: ignore[override]
+        return ByTurn(self.tie.stiffness, self.tie.free if self.first else -self.tie.free)
+
+
+def twists(springs: Sequence[TorsionSpring], frame: str) -> Iterator[Twist]:
+    """The moments of torsion springs on moving links, in their order."""
+    for k, tie in enumerate(springs, 1):
+        of = f"{tie.LETTER}{k}"
+        for on, other in (tie.links, tie.links[::-1]):
+            if on != frame:
+                yield Twist(name=tie.name or of, on=on, tie=tie, of=of, other=other)

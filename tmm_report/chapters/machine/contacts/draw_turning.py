@@ -29,8 +29,11 @@ from tmm_report.figures.schemes.marks import block, fixed_guide, ground, support
 
 
 def wheel(item: Solved, title: str) -> Drawing:
-    """The reaction of the ground goes through a place ahead of the wheel's middle by the arm k."""
+    """The reaction of the ground goes through a place ahead of the wheel's middle by the arm k; friction brakes a wheel
+    that is pulled and pushes on one that is driven."""
     radius, arm = 20.0, 5.0
+    driving = "M" in item.s
+    letter = "T" if driving else "F"
     centre = 1j * radius
     items: list[Item] = [
         *ground(-30 + 0j, 34 + 0j, -1j),
@@ -46,13 +49,14 @@ def wheel(item: Solved, title: str) -> Drawing:
     ]
     arrows = [
         force(centre, -1j * 14, "N", -1),
-        force(centre, FORCE + 0j, "F", 1j),
+        force(centre, -FORCE + 0j if driving else FORCE + 0j, letter, 1j),
         force(complex(arm), 17j, "N", 1),
-        force(-1 + 0.8j, -14 + 0j, "F", 1j),
+        force(1 + 0.8j, 14 + 0j, letter, -1j) if driving else force(-1 + 0.8j, -14 + 0j, letter, 1j),
     ]
     tags = [
         tag("k", complex(arm + 8, -9), 1),
         tag("r", centre + cmath.rect(0.6 * radius, math.radians(205)), 1j),
+        *([tag("M", centre + 1j * (radius + 7), 1)] if driving else []),
         *(one for _, one in arrows),
     ]
     return drawing([*items, *(arrow for arrow, _ in arrows)], tags, title)

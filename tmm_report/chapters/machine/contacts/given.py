@@ -241,6 +241,19 @@ class Wheel(Rough):
     pull: Annotated[
         Annotated[float, quantity("force", 1e-12)] | None, Field(description="level force at the axle")
     ] = None
+    moment: Annotated[
+        Annotated[float, quantity("moment", 1e-12)] | None,
+        Field(description="that drives the wheel, in place of pull"),
+    ] = None
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.pull is not None and self.moment is not None:
+            wrong = Message(N_("a wheel is pulled at its axle or driven by a moment, not both"))
+            raise WrongValue(wrong, Message(N_("at most one of: %(words)s"), {"words": "pull, moment"}))
+        if self.moment is not None and self.f == 0:
+            wrong = Message(N_("without friction a driving wheel slips under any moment"))
+            raise WrongValue(wrong, Message(N_("for example, coefficient: 0.2")))
 
 
 @dataclass(frozen=True)

@@ -174,6 +174,22 @@ def wheel(s: v.Wheel, of: state.Wheel) -> None:
     s.f_roll = s.k / s.r
     s.phi_roll = arctan(s.f_roll)
     s.phi = arctan(s.f)
+    if of.moment is not None:
+        _driving(s, of)
+    elif of.f and s.number("f") <= s.number("f_roll"):
+        s.r_least = s.k / s.f
+        s.k_most = s.f * s.r
+
+
+def _driving(s: v.Wheel, of: state.Wheel) -> None:
+    """A wheel that is driven by a moment, in steady motion: what the ground must bear, and what would be enough."""
+    s.M = of.moment
+    s.M_most = (s.f * s.r + s.k) * s.N
+    if s.number("M") > s.number("M_roll"):
+        s.T = (s.M - s.M_roll) / s.r
+        s.f_need = s.T / s.N
+        s.N_need = s.M / (s.f * s.r + s.k)
+        s.r_need = (s.M - s.M_roll) / s.F_slide
 
 
 def journal(s: v.Journal, of: state.Journal) -> None:

@@ -23,7 +23,7 @@ KINDS = {
 WORDS = (
     NP_("index", "raise"), NP_("index", "lower"), NP_("index", "red"), NP_("index", "best"),
     NP_("index", "thread"), NP_("index", "collar"), NP_("index", "hand"), NP_("index", "worn"),
-    NP_("index", "even"), NP_("index", "roll"), NP_("index", "slide"), NP_("index", "mean"),
+    NP_("index", "even"), NP_("index", "roll"), NP_("index", "slide"), NP_("index", "mean"), NP_("index", "need"),
     NP_("index", "ideal"), NP_("index", "drive"), NP_("index", "hold"),
 )  # fmt: skip
 
@@ -178,6 +178,14 @@ class Wheel(Row):
     phi_roll = Number("phi_roll", "deg", N_("slope on which the wheel begins to roll"))
     phi = Number("phi", "deg", N_("angle of friction"))
     F = Number("F", "N", N_("force stated at the axle"))
+    r_least = Number("r_min", "m", N_("radius above which the wheel rolls"), "mm")
+    k_most = Number("k_max", "m", N_("arm of rolling resistance below which the wheel rolls"), "mm")
+    M = Number("M", "N·m", N_("moment that drives the wheel"))
+    M_most = Number("M_max", "N·m", N_("greatest moment at which the driving wheel does not slip"))
+    T = Number("T", "N", N_("force on the ground that the moment asks for in steady motion"))
+    f_need = Number("f_need", "", N_("coefficient of friction that is enough for the moment"))
+    N_need = Number("N_need", "N", N_("load on the wheel that is enough for the moment"))
+    r_need = Number("r_need", "m", N_("radius of the wheel that is enough for the moment"), "mm")
 
 
 class Journal(Row):

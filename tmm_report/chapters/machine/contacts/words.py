@@ -146,6 +146,9 @@ def _screw(item: Solved, view: ChapterView) -> Iterator[Markup]:
 
 
 def _wheel(item: Solved, view: ChapterView) -> Iterator[Markup]:
+    if "M" in item.s:
+        yield from _driven(item, view)
+        return
     values = {"f": view.number("f"), "roll": view.number("f_roll")}
     if item.rolls:
         text = N_(
@@ -156,8 +159,58 @@ def _wheel(item: Solved, view: ChapterView) -> Iterator[Markup]:
             "The coefficient of friction, %(f)s, is not greater than k/r = %(roll)s: the wheel slides before it rolls."
         )
     yield view.t(text, **values)
+    if not item.rolls:
+        yield from _to_roll(item, view)
     if "F" in item.s:
         yield view.t(_pulled(item), force=view.number("F"))
+
+
+def _to_roll(item: Solved, view: ChapterView) -> Iterator[Markup]:
+    """What would make a wheel roll that slides; the load does not matter."""
+    if "r_least" not in item.s:
+        yield view.t(N_("Without friction no wheel rolls."))
+        return
+    text = N_(
+        "It would roll with a coefficient of friction greater than %(roll)s, with a radius greater than %(r)s mm, or "
+        "with an arm of rolling resistance less than %(k)s mm; another load changes nothing, as both forces grow "
+        "with it."
+    )
+    numbers = {
+        "roll": view.number("f_roll"),
+        "r": view.number("r_least", "mm"),
+        "k": view.number("k_most", "mm"),
+    }
+    yield view.t(text, **numbers)
+
+
+def _driven(item: Solved, view: ChapterView) -> Iterator[Markup]:
+    """Whether a driving wheel slips, and what would help."""
+    values = {"moment": view.number("M"), "most": view.number("M_most")}
+    if "T" not in item.s:
+        text = N_(
+            "The moment of %(moment)s N·m does not overcome the rolling resistance: the wheel stays at rest."
+        )
+        yield view.t(text, **values)
+        return
+    if item.s.number("M") <= item.s.number("M_most"):
+        text = N_(
+            "The moment of %(moment)s N·m is not greater than %(most)s N·m: the driving wheel rolls without slipping "
+            "and pulls with %(force)s N in steady motion."
+        )
+        yield view.t(text, **values, force=view.number("T"))
+        return
+    text = N_(
+        "The moment of %(moment)s N·m is greater than %(most)s N·m: the driving wheel slips and pulls with no more "
+        "than %(force)s N."
+    )
+    yield view.t(text, **values, force=view.number("F_slide"))
+    text = N_(
+        "It would not slip with a coefficient of friction of %(f)s (sand, a rougher tyre), with %(load)s N on the "
+        "wheel (more of the weight on the driving axle, ballast), with a radius of %(r)s mm, or if it is started more "
+        "gently, with no more than %(most)s N·m."
+    )
+    numbers = {"f": view.number("f_need"), "load": view.number("N_need"), "r": view.number("r_need", "mm")}
+    yield view.t(text, **numbers, most=view.number("M_most"))
 
 
 def _pulled(item: Solved) -> str:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import field
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 from tmm_report.mechanics.calculus.laws import ByAngle
 from tmm_report.mechanics.machine.characteristics import Characteristic
+from tmm_report.problems import N_
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
@@ -57,6 +59,10 @@ class Part:
 @dataclass(frozen=True)
 class Spring:
     """A spring from a fixed point to a point of the mechanism, or to a pin on the main shaft."""
+
+    NOT_OFFERED: ClassVar[Mapping[str, str]] = {
+        "links": N_("a torsion spring between two links stands in loads.torsion_springs, and acts here, too")
+    }
 
     stiffness: Stiffness
     length: Annotated[Distance, Field(description="free")]

@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmm_report.chapters.lever.kinetostatics.solve.lengths import energy, ties_of
+from tmm_report.chapters.lever.kinetostatics.quantities.positions import moments
+from tmm_report.chapters.lever.kinetostatics.solve.lengths import energy, ties_of, torsions_of, twist_energy
+from tmm_report.chapters.lever.kinetostatics.ties import Twist
 from tmm_report.chapters.lever.moving import Machine, Moving, machine
 from tmm_report.chapters.machine.dynamics import refusals
 from tmm_report.chapters.machine.dynamics.given import Given, Part, Spring, Supply
@@ -124,7 +126,7 @@ def whole(given: Given, moving: Moving | None, bends: Sequence[float] = ()) -> W
     if not np.all(inertia + added > 0):
         text = N_("nothing in the machine has a moment of inertia or a mass")
         raise ProblemError([mistake(text, ("dynamics",), Message(N_("state inertia or mass of the parts")))])
-    acting = [*_loads(of, over), *_of_parts(parts, over, given.gravity)]
+    acting = [*_loads(of, over, _turning(moving)), *_of_parts(parts, over, given.gravity)]
     acting += [*_springs(given, of, over), *_laws(given, over)]
     pull = moving.forces.given.gravity if moving and moving.forces else 0j
     potential = _of_links(of, over, pull) + _potential(given, of, over) + _tied(moving, of, over)
@@ -194,11 +196,17 @@ def _acting(key: str, law: Characteristic, sign: float, over: Panels, reverse: b
     return Acting(key, law=law, sign=sign)
 
 
-def _loads(of: Machine | None, over: Panels) -> Iterator[tuple[str, Acting]]:
+def _turning(moving: Moving | None) -> set[str]:
+    """The moments of torsion springs, by their keys."""
+    given = moving.forces.given.moments if moving and moving.forces else ()
+    return {of.key for of, one in zip(moments(given), given, strict=True) if isinstance(one, Twist)}
+
+
+def _loads(of: Machine | None, over: Panels, springs: set[str]) -> Iterator[tuple[str, Acting]]:
+    """`springs`: keys of the moments that have a potential."""
     for load, values in of.moments if of else ():
-        kind = (
-            WEIGHT if load.key.startswith(("G_", "F_")) else WORK
-        )  # springs between points are F_c1, F_c2, …
+        # springs between points are F_c1, F_c2, …
+        kind = WEIGHT if load.key.startswith(("G_", "F_")) or load.key in springs else WORK
         yield kind, Acting(load.key, values=_moved(of, over, values))  # type: ignore[arg-type]
     if of is not None and of.friction is not None and of.friction.moment is not None:
         yield RUBBING, Acting(PAIRS, values=_moved(of, over, of.rubbing))
@@ -263,10 +271,12 @@ def _of_links(of: Machine | None, over: Panels, pull: complex) -> Array:
 
 
 def _tied(moving: Moving | None, of: Machine | None, over: Panels) -> Array:
-    """Potential of the springs among the loads of the mechanism, by their lengths."""
+    """Potential of the springs among the loads of the mechanism, by their lengths and angles."""
     if moving is None or moving.forces is None or of is None:
         return np.zeros(over.shape)
-    found = [energy(end, moving.kinematics, of.motion) for end in ties_of(moving.forces.given)]
+    given = moving.forces.given
+    found = [energy(end, moving.kinematics, of.motion) for end in ties_of(given)]
+    found += [twist_energy(one, moving.kinematics, of.motion) for one in torsions_of(given)]
     return sum((_moved(of, over, one.reshape(of.panels.shape)) for one in found), np.zeros(over.shape))
 
 

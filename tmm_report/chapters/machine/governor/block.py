@@ -5,7 +5,7 @@ from typing import TypedDict
 
 from pydantic import Field
 
-from tmm_report.chapters.machine.governor.given import Given
+from tmm_report.chapters.machine.governor.given import Brake, Given
 from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.variant import model
 from tmm_report.variant.model import Read
@@ -112,3 +112,18 @@ def _needs(written: Given, centrifugal: bool, broken_machine: bool) -> Iterator[
     if written.servo and not (written.machine or broken_machine):
         right = Message(N_("state the machine, too"))
         yield mistake(N_("a servomotor governs nothing without a machine"), (*PATH, "servo"), right)
+    if written.brake:
+        yield from _brake(written.brake)
+
+
+def _brake(written: Brake) -> Iterator[Problem]:
+    """What is chosen is not stated, and the mass is one of them."""
+    choose, path = written.choose, (*PATH, "brake")
+    if written.mass is None and (choose is None or choose.mass is None):
+        right = Message(N_("state their mass, or choose: {mass: 300 rpm}"))
+        yield mistake(N_("the shoes have no mass"), (*path, "mass"), right)
+    stated = {"mass": written.mass, "spring": written.spring.force or None}
+    for key, value in stated.items():
+        if choose is not None and getattr(choose, key) is not None and value is not None:
+            right = Message(N_("state it or have it chosen, not both"))
+            yield mistake(N_("what is chosen is stated, too"), (*path, "choose", key), right)

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import field, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from tmm_report.mechanics.machine.governor import brake, equilibrium, stability
 from tmm_report.mechanics.machine.governor.equilibrium import GRAVITY, Geometry, Weights
@@ -222,11 +223,55 @@ class Servomotor:
 
 
 @dataclass(frozen=True)
+class ShoeArm:
+    """The arm of a shoe, which swings about a pivot on the disc that turns."""
+
+    pivot: Annotated[Positive, Field(description="its distance from the axis", examples=["25 mm"])]
+    shoe: Annotated[
+        Annotated[float, quantity("angle", math.radians(1), math.radians(175), "1 … 175 deg")],
+        Field(description="at the axis, from the pivot to the middle of the shoe", examples=["100 deg"]),
+    ]
+    mass_centre: Annotated[
+        Annotated[float, quantity("angle", math.radians(1), math.radians(175), "1 … 175 deg")],
+        Field(description="at the axis, from the pivot to the mass centre", examples=["80 deg"]),
+    ]
+    spring: Annotated[Positive, Field(description="distance of the line of the spring from the pivot")]
+    ahead: Annotated[
+        Literal["pivot", "shoe"], Field(description="which of them goes before the other as the disc turns")
+    ]
+
+    @property
+    def lever(self) -> brake.Lever:
+        return brake.Lever(
+            pivot=self.pivot,
+            shoe=self.shoe,
+            mass_centre=self.mass_centre,
+            spring=self.spring,
+            drawn_on=self.ahead == "shoe",
+        )
+
+
+@dataclass(frozen=True)
+class ChooseBrake:
+    """What of the brake is found instead of stated, for the speed that it holds."""
+
+    mass: Annotated[Speed | None, Field(description="of a shoe", examples=["300 rpm"])] = None
+    spring: Annotated[Speed | None, Field(description="the force of the spring of a shoe at rest")] = None
+
+    def __post_init__(self) -> None:
+        if (self.mass is None) == (self.spring is None):
+            right = Message(N_("exactly one of: %(words)s"), {"words": "mass, spring"})
+            raise WrongValue(Message(N_("one thing can be chosen")), right)
+
+
+@dataclass(frozen=True)
 class Brake:
-    """A centrifugal brake: shoes on springs in a drum."""
+    """A centrifugal brake: shoes on springs in a drum, sliding outwards or on pivoted arms."""
 
     count: Annotated[Annotated[int, whole(1, 12)], Field(description="of the shoes")] = 2
-    mass: Annotated[PositiveMass, Field(description="of a shoe")] = field(kw_only=True)
+    mass: Annotated[
+        PositiveMass | None, Field(description="of a shoe with its arm; left out where it is chosen")
+    ] = None
     radius: Annotated[
         Positive, Field(description="of the mass centre of a shoe at rest", examples=["60 mm"])
     ] = field(kw_only=True)
@@ -240,11 +285,16 @@ class Brake:
     inertia: Annotated[
         PositiveInertia | None, Field(description="on the shaft of the brake, for the start")
     ] = None
+    arm: Annotated[
+        ShoeArm | None, Field(description="on which a shoe swings; left out, it slides along the radius")
+    ] = None
+    choose: ChooseBrake | None = None
 
     @property
     def shoes(self) -> brake.Brake:
+        """What is chosen is nought."""
         return brake.Brake(
-            mass=self.mass,
+            mass=self.mass or 0.0,
             radius=self.radius,
             gap=self.gap,
             drum=self.drum,
@@ -252,6 +302,7 @@ class Brake:
             stiffness=self.spring.stiffness,
             preload=self.spring.force,
             count=self.count,
+            lever=self.arm.lever if self.arm else None,
         )
 
 

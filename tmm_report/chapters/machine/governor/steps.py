@@ -12,7 +12,7 @@ from tmm_report.chapters.machine.governor.quantities import places, steady
 from tmm_report.chapters.machine.governor.rows import added, at, held, taken
 from tmm_report.chapters.machine.governor.values import OF_CRANK, Brake, Values
 from tmm_report.mechanics.machine.governor.equilibrium import Equilibrium
-from tmm_report.quantity.formula import Expr, sqrt
+from tmm_report.quantity.formula import Expr, cos, sin, sqrt
 from tmm_report.quantity.sheet import Computed
 
 if TYPE_CHECKING:
@@ -164,17 +164,67 @@ def _servo(found: LoopFound) -> None:
 
 def brake(given: stated.Brake) -> Brake:
     s = Brake()
-    s.n, s.m, s.f, s.R = given.count, given.mass, given.friction, given.drum
-    s.rho, s.gap, s.c, s.F_0 = given.radius, given.gap, given.spring.stiffness, given.spring.force
+    choose = given.choose
+    s.n, s.f, s.R = given.count, given.friction, given.drum
+    s.m = None if choose and choose.mass else given.mass
+    s.rho, s.gap, s.c = given.radius, given.gap, given.spring.stiffness
+    s.F_0 = None if choose and choose.spring else given.spring.force
     s.M, s.J = given.moment, given.inertia
-    s.rho_contact = s.rho + s.gap
-    s.F = s.F_0 + s.c * s.gap
-    s.contact = sqrt(s.F / (s.m * s.rho_contact))
-    s.K = s.n * s.f * s.m * s.rho_contact * s.R
-    s.held = sqrt(s.contact**2 + s.M / s.K)
-    s.spread = s.held / s.contact - 1
-    s.pressing = s.m * s.rho_contact * (s.held**2 - s.contact**2)
+    s.wanted = (choose.mass or choose.spring) if choose else None
+    if given.arm is None:
+        _sliding(s, choose)
+    else:
+        _on_arms(s, choose, given.arm)
     s.power = s.M * s.held
     if given.inertia:
         s.contact_time = s.J * s.contact / s.M
     return s
+
+
+def _sliding(s: Brake, choose: stated.ChooseBrake | None) -> None:
+    """Shoes that move along their radius."""
+    s.rho_contact = s.rho + s.gap
+    if choose and choose.spring:
+        s.K = s.n * s.f * s.m * s.rho_contact * s.R
+        s.F = s.m * s.rho_contact * (s.wanted**2 - s.M / s.K)
+        s.F_0 = s.F - s.c * s.gap
+    else:
+        s.F = s.F_0 + s.c * s.gap
+        if choose:
+            s.m = (s.F / s.rho_contact + s.M / (s.n * s.f * s.rho_contact * s.R)) / s.wanted**2
+    s.contact = sqrt(s.F / (s.m * s.rho_contact))
+    if "K" not in s:
+        s.K = s.n * s.f * s.m * s.rho_contact * s.R
+    _held(s)
+    s.pressing = s.m * s.rho_contact * (s.held**2 - s.contact**2)
+
+
+def _on_arms(s: Brake, choose: stated.ChooseBrake | None, arm: stated.ShoeArm) -> None:
+    """Moments about the pivot of an arm; friction draws a shoe on that goes before its pivot."""
+    s.a, s.psi, s.psi_m, s.l_F = arm.pivot, arm.shoe, arm.mass_centre, arm.spring
+    s.l_C, s.l_N, s.l_T = s.a * sin(s.psi_m), s.a * sin(s.psi), s.R - s.a * cos(s.psi)
+    s.theta = s.gap / s.l_N
+    s.rho_contact = s.rho + s.theta * s.l_C
+    on, off = s.l_N - s.f * s.l_T, s.l_N + s.f * s.l_T
+    own, other = (on, off) if arm.ahead == "shoe" else (off, on)
+    if choose and choose.spring:
+        s.K = s.n * s.f * s.m * s.rho_contact * s.R * s.l_C / own
+        s.F = s.m * s.rho_contact * s.l_C * (s.wanted**2 - s.M / s.K) / s.l_F
+        s.F_0 = s.F - s.c * s.theta * s.l_F
+    else:
+        s.F = s.F_0 + s.c * s.theta * s.l_F
+        if choose:
+            s.m = (s.F * s.l_F + s.M * own / (s.n * s.f * s.R)) / (s.rho_contact * s.l_C * s.wanted**2)
+    s.contact = sqrt(s.F * s.l_F / (s.m * s.rho_contact * s.l_C))
+    if "K" not in s:
+        s.K = s.n * s.f * s.m * s.rho_contact * s.R * s.l_C / own
+    _held(s)
+    s.pressing = s.m * s.rho_contact * s.l_C * (s.held**2 - s.contact**2) / own
+    s.f_lock = s.l_N / s.l_T
+    if arm.ahead == "shoe" or s.number("f") < s.number("f_lock"):
+        s.back = sqrt(s.contact**2 + s.M * other / (s.n * s.f * s.m * s.rho_contact * s.R * s.l_C))
+
+
+def _held(s: Brake) -> None:
+    s.held = sqrt(s.contact**2 + s.M / s.K)
+    s.spread = s.held / s.contact - 1

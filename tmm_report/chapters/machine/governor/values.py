@@ -138,6 +138,17 @@ class Brake(Sheet, prefix="governor_brake"):
     power = Q("P", "W", N_("power that the brake turns into heat"))
     contact_time = Q(f"t_{CONTACT}", "s", N_("time from rest to contact"))
     settled = Q("t_h", "s", N_("time from rest to 99 %% of the held speed"))
+    a = Q("a", "m", N_("distance of the pivot of an arm from the axis"), "mm")
+    psi = Q("psi", "rad", N_("angle at the axis from the pivot of an arm to the middle of its shoe"), "deg")
+    psi_m = Q("psi_m", "rad", N_("angle at the axis from the pivot of an arm to its mass centre"), "deg")
+    l_F = Q("l_F", "m", N_("distance of the spring from the pivot of the arm"), "mm")
+    l_C = Q("l_C", "m", N_("distance of the centrifugal force from the pivot of the arm"), "mm")
+    l_N = Q("l_N", "m", N_("distance of the normal force of the drum from the pivot of the arm"), "mm")
+    l_T = Q("l_T", "m", N_("distance of the friction from the pivot of the arm"), "mm")
+    theta = Q("theta", "rad", N_("angle by which an arm swings until its shoe touches"))
+    f_lock = Q("f_lim", "", N_("coefficient of friction at which the shoe would lock itself"))
+    wanted = Q("omega_w", "rad/s", N_("speed that the brake is to hold"))
+    back = Q("omega'_h", "rad/s", N_("speed that the brake holds when it turns the other way"))
 
 
 # --- columns of tables

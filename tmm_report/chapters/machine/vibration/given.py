@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import field
 from typing import TYPE_CHECKING, Annotated, ClassVar
 
+from tmm_report.problems import N_
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
@@ -126,6 +128,14 @@ class TurningStart:
 @dataclass(frozen=True, eq=False)
 class Common:
     """What both kinds state alike."""
+
+    NOT_OFFERED: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("damper", "dampers", "electromagnetic", "electromagnetic_damper", "eddy_current"),
+        N_(
+            "every damper here is a viscous one, an electromagnetic (eddy-current) one too, whose force is in "
+            "proportion to the velocity: damping, its coefficient, or damping_ratio"
+        ),
+    )
 
     name: Annotated[Label | None, Field(description="of the machine, in the heading")] = None
     isolators: Annotated[

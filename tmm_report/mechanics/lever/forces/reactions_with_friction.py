@@ -33,12 +33,13 @@ PARTS = 32  # in which friction is put on where the whole of it at once is too m
 
 @dataclass(frozen=True, eq=False)
 class Rub:
-    """What rubs in a pair. `radius`: of the journal, m, 0 in guides; `half`: half the length of the slider, m, None
-    where it is not stated: its moment then presses nothing. `sense`: of the motion of `pair.links[1]` relative to
-    `pair.links[0]` (turning, or sliding along the guide), +1, −1, and 0 at a stop, (..., P)."""
+    """What rubs in a pair. `coefficient`: one, or at every position; `radius`: of the journal, m; `half`: half the
+    length of the slider, m, None where it is not stated: its moment then presses nothing. `sense`: of the motion of
+    `pair.links[1]` relative to `pair.links[0]` (turning, or sliding along the guide), +1, −1, and 0 at a stop,
+    (..., P)."""
 
     pair: Pair
-    coefficient: float
+    coefficient: Array
     sense: Array
     radius: float = 0.0
     half: float | None = None

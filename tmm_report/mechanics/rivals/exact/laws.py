@@ -31,6 +31,10 @@ class Digits:
     def sin(x: Number) -> Number:
         return context().sin(x)
 
+    @staticmethod
+    def exp(x: Number) -> Number:
+        return context().exp(x)
+
     def lines(self, at: Number, x: Array, y: Array, period: float | None) -> Number:
         places, values, near = [exact(a) for a in x], [exact(v) for v in y], self.near
         if period is not None:

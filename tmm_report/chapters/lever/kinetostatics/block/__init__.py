@@ -10,7 +10,7 @@ from tmm_report.chapters.lever.kinetostatics.block.checks import check
 from tmm_report.chapters.lever.kinetostatics.block.doubts import doubts as odd
 from tmm_report.chapters.lever.kinetostatics.block.models import LoadsModel
 from tmm_report.chapters.lever.kinetostatics.given import Force, Loads, Moment, SharedDiagram
-from tmm_report.chapters.lever.kinetostatics.ties import End, ends
+from tmm_report.chapters.lever.kinetostatics.ties import End, ends, twists
 from tmm_report.chapters.lever.structure.block import FRAME, names, stated, without
 from tmm_report.problems import Problem
 from tmm_report.variant import model
@@ -23,7 +23,15 @@ class Block(model.Block):
     """Loads."""
 
     ONE_SIZE = True
-    HOLES = frozenset({("loads", "forces"), ("loads", "moments"), ("loads", "springs"), ("loads", "dampers")})
+    HOLES = frozenset(
+        {
+            ("loads", "forces"),
+            ("loads", "moments"),
+            ("loads", "springs"),
+            ("loads", "dampers"),
+            ("loads", "torsion_springs"),
+        }
+    )
 
     loads: LoadsModel | None = None
 
@@ -38,7 +46,8 @@ def given(read: Read) -> Given:
         return {"loads": None}
     forces = tuple(_drawn(one, written) for one in written.forces if one)
     moments = tuple(_drawn(one, written) for one in written.moments if one)
-    return {"loads": Loads(written.pull, (*forces, *_ends(written, read)), moments)}
+    turning = twists([one for one in written.torsion_springs if one], FRAME)
+    return {"loads": Loads(written.pull, (*forces, *_ends(written, read)), (*moments, *turning))}
 
 
 def _ends(written: LoadsModel, read: Read) -> Iterator[End]:

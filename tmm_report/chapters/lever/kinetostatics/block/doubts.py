@@ -23,7 +23,8 @@ def doubts(written: LoadsModel | None, read: Read) -> Iterator[Problem]:
             text = N_("the links have masses and there is no block loads: no force analysis is made")
             yield doubt(text, ("mechanism", "links", *heavy), ASKED)
         return
-    if not (heavy or written.forces or written.moments or written.springs or written.dampers):
+    ties = [*written.springs, *written.dampers, *written.torsion_springs]
+    if not (heavy or written.forces or written.moments or ties):
         text = N_("nothing acts on the mechanism: no link has a mass, no force and no moment is stated")
         right = Message(N_("masses of the links, forces or moments; without them all reactions are zero"))
         yield doubt(text, ("loads",), right)

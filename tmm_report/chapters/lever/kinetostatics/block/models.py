@@ -14,7 +14,7 @@ from tmm_report.chapters.lever.kinetostatics.given import (
     Vector,
     by_strokes,
 )
-from tmm_report.chapters.lever.kinetostatics.ties import Damper, Spring
+from tmm_report.chapters.lever.kinetostatics.ties import Damper, Spring, TorsionSpring
 from tmm_report.problems import N_
 from tmm_report.variant.model import Model
 from tmm_report.variant.stated import Stated
@@ -58,8 +58,11 @@ class LoadsModel(Model):
     NOT_OFFERED: ClassVar[Mapping[str, str]] = {
         **dict.fromkeys(("spring", "damper"), N_("springs and dampers stand in lists: springs, dampers")),
         **dict.fromkeys(
-            ("torsional_springs", "torsional_dampers"),
-            N_("springs and dampers that turn are not offered: a moment on a link by_displacement is"),
+            ("torsional_springs", "torsion_spring"),
+            N_("springs that turn links stand in the list torsion_springs"),
+        ),
+        "torsional_dampers": N_(
+            "dampers that turn links are not offered: a moment on a link by_displacement is"
         ),
     }
 
@@ -77,6 +80,10 @@ class LoadsModel(Model):
     )
     dampers: list[Stated[Damper] | None] = Field(
         default=[], max_length=24, description="between two points each"
+    )
+
+    torsion_springs: list[Stated[TorsionSpring] | None] = Field(
+        default=[], max_length=24, description="between two links each, or a link and the frame"
     )
 
     @property

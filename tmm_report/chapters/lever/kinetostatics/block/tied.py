@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tmm_report.chapters.lever.kinematics.block import beyond_the_table
 from tmm_report.chapters.lever.kinetostatics.block.models import LoadsModel
-from tmm_report.chapters.lever.kinetostatics.ties import Damper, Spring, Tie
+from tmm_report.chapters.lever.kinetostatics.ties import Damper, Spring, Tie, TorsionSpring
 from tmm_report.chapters.lever.structure.block import FRAME, Names, names, no_link, no_point
 from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.variant.errors import near
@@ -20,6 +20,26 @@ def check(written: LoadsModel, read: Read) -> Iterator[Problem]:
         for index, tie in enumerate(ties):
             if tie:
                 yield from _of_tie(tie, ("loads", key, index), known, read)
+    for index, spring in enumerate(written.torsion_springs):
+        if spring:
+            yield from _of_torsion(spring, ("loads", "torsion_springs", index), known)
+
+
+def _of_torsion(tie: TorsionSpring, path: Path, known: Names) -> Iterator[Problem]:
+    """Between two links of the mechanism."""
+    unknown = [
+        found
+        for k, link in enumerate(tie.links)
+        if link != FRAME
+        for found in no_link(link, (*path, "links", k), known)
+    ]
+    yield from unknown
+    one, other = tie.links
+    if not unknown and one == other:
+        text = N_("both ends are on link %(link)s: a torsion spring is between two links")
+        others = [name for name in known.points if name != one]
+        right = Message(N_("another link: %(words)s"), {"words": ", ".join(others)})
+        yield mistake(text, (*path, "links"), right, link=one)
 
 
 def _of_tie(tie: Tie, path: Path, known: Names, read: Read) -> Iterator[Problem]:

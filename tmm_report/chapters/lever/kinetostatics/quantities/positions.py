@@ -18,6 +18,7 @@ from tmm_report.chapters.lever.kinetostatics.quantities import cycle
 from tmm_report.chapters.lever.kinetostatics.quantities import driving_gear as gear_quantities
 from tmm_report.chapters.lever.kinetostatics.quantities import driving_stroke as stroke_quantities
 from tmm_report.chapters.lever.kinetostatics.quantities import ties as tie_quantities
+from tmm_report.chapters.lever.kinetostatics.quantities import twists as twist_quantities
 from tmm_report.chapters.lever.kinetostatics.quantities import wheels as wheel_quantities
 from tmm_report.chapters.lever.kinetostatics.quantities.cycle import Row
 from tmm_report.chapters.lever.kinetostatics.quantities.driving_gear import ANGLE as ANGLE
@@ -26,7 +27,7 @@ from tmm_report.chapters.lever.kinetostatics.quantities.driving_gear import FORC
 from tmm_report.chapters.lever.kinetostatics.quantities.driving_gear import PITCH_RADIUS as PITCH_RADIUS
 from tmm_report.chapters.lever.kinetostatics.quantities.strokes import strokes_table
 from tmm_report.chapters.lever.kinetostatics.solve.acting_forces import loaded_link
-from tmm_report.chapters.lever.kinetostatics.ties import End, apart
+from tmm_report.chapters.lever.kinetostatics.ties import End, Twist, apart
 from tmm_report.mechanics.lever.assur_groups import Pair
 from tmm_report.mechanics.lever.forces.reactions import Reaction
 from tmm_report.problems import N_, Message
@@ -112,12 +113,14 @@ def _force(at: str, name: str, index: str) -> Quantity:
 
 
 def moments(given: Sequence[Moment]) -> list[Quantity]:
-    """The stated moments in their order: M_3; several on one link are numbered in the symbol, M_3,1, M_3,2."""
-    on = [moment.on for moment in given]
-    return [
+    """The stated moments in their order: M_3; several on one link are numbered in the symbol, M_3,1, M_3,2. Then those
+    of torsion springs on their links: M_k1,3."""
+    on = [moment.on for moment in given if not isinstance(moment, Twist)]
+    own = [
         _moment(link, name, k, link if on.count(link) == 1 else f"{link},{k}")
-        for k, (link, name) in enumerate(zip(on, names(given), strict=True), 1)
+        for k, (link, name) in enumerate(zip(on, names(given), strict=False), 1)
     ]
+    return [*own, *(twist_quantities.at_end(one) for one in given if isinstance(one, Twist))]
 
 
 @kept
@@ -202,6 +205,7 @@ def tables(found: Kinetostatics) -> Iterator[Table]:
         yield _stated(found)
         yield Table("stated_table", STATED, (*table, *_along(found, found.table)))
     yield from tie_quantities.tables(found)
+    yield from twist_quantities.tables(found)
     yield from strokes_table(found, [force.key for force in forces(given.forces)])
     if found.followed:
         yield Table("stated_diagram", STATED, (*diagram, *_along(found, found.diagram)))

@@ -15,8 +15,9 @@ from tmm_report.chapters.lever.kinetostatics.solve.acting_forces import loaded_l
 from tmm_report.chapters.lever.kinetostatics.solve.coordinates import Coordinate, coordinate
 from tmm_report.chapters.lever.kinetostatics.solve.indicator_strokes import reach
 from tmm_report.chapters.lever.kinetostatics.solve.law_arguments import reading
-from tmm_report.chapters.lever.kinetostatics.ties import End, Spring
+from tmm_report.chapters.lever.kinetostatics.ties import End, Spring, Twist
 from tmm_report.mechanics.calculus.laws import Diagram
+from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.mechanics.lever.motion import Motion
 from tmm_report.mechanics.rivals.exact.forces import Acting
 from tmm_report.mechanics.rivals.exact.laws import Digits
@@ -115,7 +116,9 @@ def _magnitudes(
 ) -> Numbers:
     read = reading(load, kinematics, motion, turned)
     near, which = (np.broadcast_to(row, np.shape(turned)).tolist() for row in (read.at, read.which))
-    if isinstance(load.law, Diagram):
+    if isinstance(load, Twist):
+        places = _turned(load, kinematics, near, found)
+    elif isinstance(load.law, Diagram):
         places = _travelled(coordinate(load, kinematics.cycle), kinematics, found)
     else:
         places = [exact(x) for x in near]
@@ -123,6 +126,24 @@ def _magnitudes(
         None if x is None else read.law.value(x, curve, Digits(rough))
         for x, rough, curve in zip(places, near, which, strict=True)
     ]
+
+
+def _turned(load: Twist, kinematics: Kinematics, near: list[float], found: Exact) -> Numbers:
+    """How far a link has turned against the other from position 0, by the exact directions; `near`: in doubles."""
+    begin = _against(load, at(kinematics.cycle, float(kinematics.table.phi[0])))[0]
+    angle = context().arg
+    ways = zip(_against(load, found), near, strict=True)
+    return [
+        None if way is None else exact(rough) + angle(way / begin * context().expj(-exact(rough)))
+        for way, rough in ways
+    ]
+
+
+def _against(load: Twist, found: Exact) -> Numbers:
+    def own(pose: Any, link: str) -> Number:
+        return exact(1.0) if link == FRAME else pose[link].u
+
+    return [None if pose is None else own(pose, load.on) / own(pose, load.other) for pose in found.poses]
 
 
 def _travelled(of: Coordinate, kinematics: Kinematics, found: Exact) -> Numbers:

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from tmm_report.chapters.lever.kinetostatics.given import Force, Moment
 from tmm_report.chapters.lever.kinetostatics.solve.coordinates import coordinate
 from tmm_report.chapters.lever.kinetostatics.solve.indicator_strokes import travelled, under_way
+from tmm_report.chapters.lever.kinetostatics.solve.lengths import turned as turned_against
+from tmm_report.chapters.lever.kinetostatics.ties import Twist
 from tmm_report.mechanics.calculus.laws import ByPosition, ByTime, Diagram, Law
 from tmm_report.mechanics.lever.motion import Motion
 
@@ -31,6 +33,8 @@ class Reading(NamedTuple):
 def reading(load: Force | Moment, kinematics: Kinematics, motion: Motion, turned: Array) -> Reading:
     """Of a load at angles `turned`, rad."""
     law = load.law
+    if isinstance(load, Twist):
+        return Reading(law, turned_against(load, kinematics, motion), 0)
     if not isinstance(law, Diagram):
         return Reading(over_cycle(law, kinematics), turned, 0)
     of = coordinate(load, kinematics.cycle)

@@ -24,6 +24,7 @@ from tmm_report.chapters.lever.kinetostatics.view.curves import CurvesView
 from tmm_report.chapters.lever.kinetostatics.view.cycle import CycleView
 from tmm_report.chapters.lever.kinetostatics.view.diagrams import balancing_diagram, graphs_of, load_diagrams
 from tmm_report.chapters.lever.kinetostatics.view.ties import TiesView
+from tmm_report.chapters.lever.kinetostatics.view.twists import TwistsView
 from tmm_report.chapters.lever.plans.solve import Plans
 from tmm_report.problems import N_
 from tmm_report.quantity.definition import Definition
@@ -92,6 +93,7 @@ class KinetostaticsView(BookView):
         self.followed = load_diagrams(found, at, self.graphs)
         self.ties = TiesView(found, position, page)
         self.tied = self.ties.diagrams(at, self.graphs)
+        self.twists = TwistsView(found, position, page)
 
     def conclusions(self) -> list[Markup]:
         found = self.found

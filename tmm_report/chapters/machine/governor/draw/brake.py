@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 
+from tmm_report.chapters.machine.governor.given import ShoeArm
 from tmm_report.chapters.machine.governor.solve.brake import BrakeFound
 from tmm_report.figures.dimensions import span
 from tmm_report.figures.drawing import (
@@ -40,6 +41,7 @@ def brake(found: BrakeFound, title: str = "") -> Drawing:
     items += [line(-40 + 0j, 40 + 0j, AXIS), line(-40j, 40j, AXIS)]
     for k in range(count):
         items += _shoe(cmath.rect(1.0, k * step), min(0.5, 0.4 * step))
+        items += _arm(cmath.rect(1.0, k * step), found.given.arm, found.given.drum) if found.given.arm else []
     radius = cmath.rect(INNER, step / 2)
     items += [Arrow(0j, radius, THIN), *_dimension(), *turning(0j, 9.0, 1.5 * step - 0.35, 0.7)]
     tags = [
@@ -48,9 +50,22 @@ def brake(found: BrakeFound, title: str = "") -> Drawing:
         Tag((Symbol("s"),), (37 + 7j,), 0.0),
         Tag((Symbol("c"),), (12.5 - 3j,), 1.0, -1j),
         Tag((Symbol("ρ", "0"),), (complex(CENTRE / 2, LOW),), 1.0, 1j),
+        *([Tag((Symbol("A"),), (_pivot(arm, found.given.drum),), 2.0)] if (arm := found.given.arm) else []),
         Tag((Symbol("ω"),), (cmath.rect(12.0, 1.5 * step),), 0.4),
     ]
     return Drawing(tuple(items), title).labelled(tags)
+
+
+def _pivot(arm: ShoeArm, drum: float) -> complex:
+    """Of the first shoe: a shoe that goes before its pivot has it behind; all turn counter-clockwise."""
+    angle = -arm.shoe if arm.ahead == "shoe" else arm.shoe
+    return cmath.rect(min(max(INNER * arm.pivot / drum, SHAFT + 4), BACK - 2), angle)
+
+
+def _arm(turn: complex, arm: ShoeArm, drum: float) -> list[Item]:
+    """The arm from its pivot to its shoe."""
+    pivot = turn * _pivot(arm, drum)
+    return [line(pivot, turn * BACK), Circle(pivot, 1.4, NORMAL, "white")]
 
 
 def _dimension() -> list[Item]:

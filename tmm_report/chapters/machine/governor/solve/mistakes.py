@@ -179,3 +179,41 @@ def no_friction() -> ProblemError:
     text = N_("without friction the shoes brake nothing, and the speed grows without end")
     right = Message(N_("for example, friction: 0.3"))
     return error(mistake(text, (*PATH, "brake", "friction"), right))
+
+
+def pivot_outside(pivot: float, drum: float) -> ProblemError:
+    text = N_("the pivot of an arm, at %(a)s mm from the axis, is not within the drum of the radius %(R)s mm")
+    right = Message(N_("a pivot nearer to the axis"))
+    return error(mistake(text, (*PATH, "brake", "arm", "pivot"), right, a=mm(pivot), R=mm(drum)))
+
+
+def swings_far(angle: float, gap: float) -> ProblemError:
+    text = N_("an arm swings by %(angle)s° until its shoe touches: too far for the formulas of small swings")
+    right = Message(N_("a gap of %(gap)s mm at most"), {"gap": mm(gap)})
+    return error(mistake(text, (*PATH, "brake", "gap"), right, angle=f"{math.degrees(angle):.3g}"))
+
+
+def locks(most: float) -> ProblemError:
+    text = N_(
+        "the brake locks itself: the shoe goes before its pivot, and its friction draws it on to the drum more than "
+        "the drum pushes it off, so that it does not let go at any speed"
+    )
+    right = Message(
+        N_("friction below %(most)s, a pivot farther from the axis, or ahead: pivot"), {"most": f"{most:.4g}"}
+    )
+    return error(mistake(text, (*PATH, "brake", "arm", "ahead"), right))
+
+
+def light_shoes(speed: float, least: float) -> ProblemError:
+    text = N_("at %(speed)s rpm the shoes do not brake the driving moment even without springs")
+    right = Message(N_("shoes of more than %(mass)s kg, or a higher speed"), {"mass": f"{least:.4g}"})
+    return error(mistake(text, (*PATH, "brake", "choose", "spring"), right, speed=rpm(speed)))
+
+
+def slack_spring(force: float, drawn: float) -> ProblemError:
+    text = N_(
+        "the spring would be slack at rest: at contact it may have %(force)s N only, %(drawn)s mm drawn out"
+    )
+    right = Message(N_("a stiffness below %(c)s N/mm"), {"c": f"{force / drawn / 1e3:.4g}"})
+    values = {"force": f"{force:.4g}", "drawn": mm(drawn)}
+    return error(mistake(text, (*PATH, "brake", "spring", "stiffness"), right, **values))

@@ -9,6 +9,7 @@ import numpy as np
 from markupsafe import Markup
 
 from tmm_report.chapters.machine.governor.draw import brake
+from tmm_report.chapters.machine.governor.given import ShoeArm
 from tmm_report.chapters.machine.governor.quantities import of_brake
 from tmm_report.chapters.machine.governor.solve.brake import BrakeFound
 from tmm_report.figures.charts.graphs import Curve, Graph
@@ -20,8 +21,11 @@ from tmm_report.report.diagrams import Line, chart, plot
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Table, numeric
 
-GIVEN = ("n", "m", "rho", "gap", "R", "f", "c", "F_0", "M", "J")
-FOUND = ("rho_contact", "F", "contact", "K", "held", "spread", "pressing", "power", "contact_time")
+GIVEN = ("n", "m", "rho", "gap", "R", "f", "a", "psi", "psi_m", "l_F", "c", "F_0", "M", "J", "wanted")
+FOUND = (
+    "l_C", "l_N", "l_T", "theta", "rho_contact", "F", "contact", "K", "held", "spread", "pressing", "power",
+    "contact_time",
+)  # fmt: skip
 ROW = 10  # of the table, whose moment is written out
 
 
@@ -35,14 +39,64 @@ class BrakeView(ChapterView):
         return self.listed(self._given())
 
     def _given(self) -> list[str]:
-        return [key for key in GIVEN if self.s.get(key)]
+        return [key for key in GIVEN if self.s.get(key) and not self.s.has_formula(key)]
 
     def explained_given(self) -> list[dict[str, Any]]:
         return self.explained(*self._given())
 
     def explained_found(self) -> list[dict[str, Any]]:
         """Of what the formulas find: letters of the brake stand for other things than those of the governor."""
-        return self.explained(*FOUND)
+        chosen = [key for key in ("m", "F_0") if self.s.has_formula(key)]
+        return self.explained(*chosen, *FOUND)
+
+    @property
+    def arm(self) -> ShoeArm | None:
+        return self.found.given.arm
+
+    def touching(self) -> list[Formula]:
+        """Up to contact; what of the mass and the spring is chosen, among them."""
+        return self.formulas(
+            "l_C", "l_N", "l_T", "theta", "rho_contact", *(("F", "m") if self.s.has_formula("m") else ())
+        )
+
+    def at_contact(self) -> list[Formula]:
+        """From the spring to the speed of contact, in the order in which they are found."""
+        if self.s.has_formula("F_0"):
+            return self.formulas("K", "F", "F_0", "contact")
+        return self.formulas("contact") if self.s.has_formula("m") else self.formulas("F", "contact")
+
+    def chosen(self) -> Markup | None:
+        """What is found for the speed that is to be held; None where all is stated."""
+        if self.found.given.choose is None:
+            return None
+        text = N_("The force of the spring at rest is found so that the brake holds %(speed)s rpm.")
+        if self.s.has_formula("m"):
+            text = N_("The mass of a shoe is found so that the brake holds %(speed)s rpm.")
+        return self.t(text, speed=self.number("wanted", "rpm"))
+
+    def sense(self) -> Markup:
+        """What the sense of rotation does to shoes on arms, and what they would do when it turns the other way."""
+        if self.arm is not None and self.arm.ahead == "shoe":
+            return self.t(
+                N_(
+                    "The shoe goes before its pivot: the friction draws it on to the drum, so that the brake is "
+                    "stronger. It would lock itself from this coefficient of friction on:"
+                )
+            )
+        return self.t(
+            N_(
+                "The pivot goes before its shoe: the friction pushes the shoe off the drum, so that the brake is "
+                "weaker and cannot lock itself. Turned the other way, it would lock itself from this coefficient of "
+                "friction on:"
+            )
+        )
+
+    def other_way(self) -> Markup:
+        if "back" not in self.s:
+            return self.t(
+                N_("That of its shoes is not below it: the brake is for this sense of rotation alone.")
+            )
+        return self.t(N_("Turned the other way, the same brake holds the speed:"))
 
     def moment(self) -> Formula:
         """At one of the speeds of the table."""
