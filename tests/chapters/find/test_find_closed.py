@@ -2,10 +2,17 @@
 
 import math
 
+import numpy as np
 import pytest
 from test_find import ACCELERATION, CASES, PIVOT, number_of, results_of, text_of
 
 from tmm_report import course, render, solve
+from tmm_report.chapters.find.closed import Known, NotThereError
+from tmm_report.chapters.find.target import Target
+from tmm_report.problems import Message
+from tmm_report.quantity.formula import Var
+from tmm_report.quantity.model import Book, Quantity, Table
+from tmm_report.quantity.symbols import Symbol
 from tmm_report.results import values
 
 HOIST = """language: en
@@ -178,3 +185,35 @@ def test_an_unknown_without_a_number_of_its_own_is_called_x():
     results = results_of(text.replace("start: {speed: 20}", "start: {within: 2 %}"), find)
     (found,) = [one for one in values(results) if one.key == "find_x"]
     assert str(found.quantity.symbol) == "x_seek"
+
+
+# --- what a formula may take
+
+
+def known(first, second):
+    """Of a variant with one single number and one table of two rows, at two values of the unknown."""
+    unit, meaning = Quantity("n", Symbol("n"), "N", Message("n")), Message("t")
+    books = [
+        Book.of([Table("t_1", meaning, (unit.column(np.array([3.0, of])),))], [unit.value(of)])
+        for of in (first, second)
+    ]
+    return Known(Target("t", "t_1.y", unit, "1", meaning), (books[0], books[1]), Var("y", 1.0))
+
+
+TAKEN = {
+    "a single number": lambda k: k.of("n"),
+    "one that may be missing": lambda k: k.any("n"),
+    "beside the demanded one": lambda k: k.beside("n"),
+    "the least": lambda k: k.least("t_1", "n"),
+    "the last row": lambda k: k.row("t_1", "n", -1),
+}
+
+
+@pytest.mark.parametrize("case", TAKEN)
+def test_a_formula_takes_no_number_that_depends_on_the_unknown(case):
+    assert TAKEN[case](known(2.0, 2.0)).number == 2.0
+    with pytest.raises(NotThereError):
+        TAKEN[case](known(2.0, 2.001))
+    with pytest.raises(NotThereError):
+        known(2.0, 2.0).of("m")
+    assert known(2.0, 2.0).any("m") is None and known(0.0, 0.0).any("n") is None

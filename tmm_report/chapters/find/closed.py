@@ -1,7 +1,7 @@
 """The textbook's way: formulas by which an unknown follows from a demanded number, beside the root found by trials.
 
 A formula is taken where its numbers stand in the results and do not themselves depend on the unknown: seen at two
-values of it. Sources: Artobolevsky, Theory of mechanisms and machines, ch. 19 (flywheel), 20 (governor), 11 (pivot).
+values of it. Sources: Artobolevsky, Theory of mechanisms and machines, ch. 19 (flywheel), 20 (governor).
 """
 
 from __future__ import annotations
