@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from faults import KIN, MECHANICS, STATICS, Fault
+from faults import KIN, LIFTED, MECHANICS, STATICS, Fault
 
 DYNAMICS = "tmm_report/chapters/machine/dynamics/"
 MOTION = (
@@ -37,6 +37,9 @@ MOTION_LAWS = ("tests/mechanics/calculus/test_motion_laws.py",)
 PARTS = ("tests/chapters/lever/kinetostatics/test_parts_of_the_greatest.py",)
 INSTANTS = ("tests/chapters/lever/kinematics/test_instants.py",)
 DRIVING = ("tests/chapters/lever/kinematics/test_driving_law.py",)
+TRANSLATION, TRAVEL = "tmm_report/chapters/lever/translation/", "tmm_report/chapters/machine/travel/"
+PUMP, HAMMER = "piston_pump", "steam_hammer"
+SLID, TRAVELLED = ("tests/chapters/lever/test_translation.py",), ("tests/chapters/machine/travel",)
 
 FAULTS = (
     # --- a driving link that moves by a law of the time ---
@@ -393,4 +396,52 @@ FAULTS = (
           GOVERNOR_PAGE),
     Fault("the conclusion passes over friction", GOVERNOR + "view/in_loop.py",
           '"final" if self.found.short', '"static" if self.found.short', "governor_porter", GOVERNOR_PAGE),
+    # --- a main link that slides ---
+    Fault("the derivative of a reduced mass without that of the speed", TRANSLATION + "solve.py",
+          "(unit.slope - 2 * whole * du / by) / by**3", "unit.slope / by**3", PUMP, SLID),
+    Fault("a reduced mass by the speed alone", TRANSLATION + "solve.py",
+          "{name: part / by**2 for", "{name: part / np.abs(by) for", PUMP, SLID),
+    Fault("the needed force without what the mass takes", TRANSLATION + "solve.py",
+          "self.whole_mass * self.a + self.v**2", "self.v**2", PUMP, SLID),
+    Fault("a place along a guide against it", TRANSLATION + "solve.py",
+          "e = state.u[on] * guide.direction", "e = -state.u[on] * guide.direction", PUMP, SLID),
+    Fault("Coriolis left out along a guide", TRANSLATION + "solve.py",
+          "dot(a, e) + 2 * dot(v, turning)", "dot(a, e) + dot(v, turning)", PUMP, SLID),
+    Fault("a reduced mass where the link stands still", TRANSLATION + "solve.py",
+          "by = np.where(slow, np.nan, u)", "by = np.where(slow, 1.0, u)", PUMP, SLID),
+    Fault("the balancing moment by the speed the other way up", TRANSLATION + "view.py",
+          'moment.var("M_bal", self.position) * omega / self._at("reduced_mass_table", "v")',
+          'moment.var("M_bal", self.position) * self._at("reduced_mass_table", "v") / omega', PUMP),
+    Fault("the chart of the reduced force shows the needed one", TRANSLATION + "view.py",
+          'force = "F_red" if self.loaded else "F_dr"', 'force = "F_dr"', PUMP),
+    Fault("the least reduced mass is the greatest", TRANSLATION + "quantities.py",
+          "low, high = found.extremes", "high, low = found.extremes", LIFTED, SLID),
+    Fault("a resistance drives what slides", TRAVEL + "given.py",
+          "return 1.0 if self.drives else -1.0", "return 1.0", HAMMER, TRAVELLED),
+    Fault("a weight down an incline lifts", TRAVEL + "plant.py",
+          "pull = -given.mass * given.gravity", "pull = given.mass * given.gravity", HAMMER, TRAVELLED),
+    Fault("a spring along the guide pushes the wrong way", TRAVEL + "plant.py",
+          "-way * one.stiffness * (s - one.free)", "way * one.stiffness * (s - one.free)", HAMMER, TRAVELLED),
+    Fault("a wheel by its radius alone", TRAVEL + "plant.py",
+          "sum(one.inertia / one.radius**2 for", "sum(one.inertia / one.radius for", HAMMER, TRAVELLED),
+    Fault("the derivative of the mass of a travelling link left out", TRAVEL + "plant.py",
+          "self.mass / k**2, self.slope / k**3,", "self.mass / k**2, 0 * self.slope,", LIFTED, TRAVELLED),
+    Fault("a force by the speed of the shaft that stands for it", TRAVEL + "plant.py",
+          "law=Geared(force.law, 1 / k)", "law=Geared(force.law, 1.0)", HAMMER, TRAVELLED),
+    Fault("breaks of a force by the place forgotten", TRAVEL + "plant.py",
+          "[*inner, math.pi]", "[math.pi]", HAMMER, TRAVELLED),
+    Fault("a motion that goes back from its end", TRAVEL + "plant.py",
+          "return math.copysign(1.0, self.end - self.begin)", "return 1.0", HAMMER, TRAVELLED),
+    Fault("driving and reduced forces exchanged", TRAVEL + "quantities.py",
+          'Motion.F_dr.column(forces[DRIVING][rows])', 'Motion.F_dr.column(forces[REDUCED][rows])', HAMMER, TRAVELLED),
+    Fault("resistances printed along the motion", TRAVEL + "quantities.py",
+          "Motion.F_res.column(-forces[RESISTING]", "Motion.F_res.column(forces[RESISTING]", HAMMER, TRAVELLED),
+    Fault("axes of the speed and the acceleration exchanged", TRAVEL + "draw.py",
+          "[table[key].quantity for key in keys]", '[table[key].quantity for key in ("s", "a", "v")]', HAMMER),
+    Fault("a moment of inertia by the speed the other way up", TRAVEL + "quantities.py",
+          "found.mass[rows] / transfer**2", "found.mass[rows] * transfer**2", LIFTED, TRAVELLED),
+    Fault("a speed of closed form without that at the beginning", TRAVEL + "steps.py",
+          "s.v_begin**2 + 2 * s.a * s.way", "2 * s.a * s.way", HAMMER, TRAVELLED),
+    Fault("a root of the energy on an edge of the panels lost", MECHANICS + "machine/run/by_angle.py",
+          "roots = panels.roots(swing + base)", "roots = panels.roots(swing + base, within=True)", HAMMER, TRAVELLED),
 )  # fmt: skip

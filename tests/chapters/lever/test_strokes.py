@@ -168,7 +168,7 @@ REFUSED = {
         "positions.at.0",
     ),
     "no beginning": (with_stroke(SLIDER, "{to: 0.6 m, speed: 1 m/s}"), "needs the key from", "stroke"),
-    "uniform rotation": (SLIDER + "reduction: true\n", "uniformly turning", "reduction"),
+    "uniform rotation": (SLIDER + "balancing: {methods: [full]}\n", "uniformly turning", "balancing"),
 }
 
 

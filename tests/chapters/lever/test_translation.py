@@ -208,3 +208,16 @@ def test_the_force_of_a_driving_slider_and_of_a_cylinder_is_that_of_independent_
     needed = statement(name).translation.table.needed
     asked = {k: one["F_stroke"] for k, one in answers.items() if "F_stroke" in one}
     assert asked and {k: needed[int(k)] for k in asked} == pytest.approx(asked, rel=1e-9)
+
+
+def test_a_piston_of_an_engine_of_two_turns_and_a_follower_that_dwells():
+    """Every position in which the link stands still is left out, and the others hold against the reactions."""
+    for name, link, still in (
+        ("engine_four_stroke", "3", [0, 6, 12, 18, 24]),
+        ("cam_press", "4", [0, 5, 10, 11, 12]),
+    ):
+        found = course.solve_lever(
+            stating(solved(name).variant, translation=link, readings={}, methods=None).lever
+        )
+        assert found.translation.still == still
+        assert found.translation.disagreement < 1e-9

@@ -121,6 +121,10 @@ def wrong_translation(document: dict[str, Any], name: str) -> Iterator[str]:
     of, a = mass["m_red"][known] * mass["a"][known], mass["m_red_slope"][known] * v**2 / 2
     yield from differ("F_dr", force["F_dr"][known], of + a - force["F_red"][known])
     fine = table_of(document, "reduced_mass_diagram")
+    values = {one["key"]: one["value"] for one in document["values"]}
+    for key, most in (("m_red_min", np.nanmin), ("m_red_max", np.nanmax)):
+        if key in values and abs(values[key] - most(fine["m_red"])) > CLOSE * values[key]:
+            yield f"{key} is {values[key]}, of the diagram {most(fine['m_red'])}"
     slope, off = fine["m_red_slope"][1:-1], derivative(fine["s"], fine["m_red"])
     smooth = np.isfinite(slope) & np.isfinite(off)
     if np.quantile(np.abs(off - slope)[smooth], 0.7) > 0.1 * np.abs(slope[smooth]).max():

@@ -59,6 +59,16 @@ def test_friction_stops_it_on_the_way():
     assert found.s.number("t_end") == pytest.approx(0.25, rel=1e-12)
 
 
+def test_a_force_that_ends_on_the_way():
+    """A jump of the force by the place: the work up to it, and no more."""
+    found = travel(
+        "  driving: [{by_place: [[0 m, 500 N], [0.131 m, 500 N], [0.131 m, 0 N], [0.4 m, 0 N]]}]\n"
+    )
+    v = math.sqrt(2 * 500 * 0.131 / 25)
+    assert found.s.number("v_end") == pytest.approx(v, rel=1e-12)
+    assert found.s.number("t_end") == pytest.approx(2 * 0.131 / v + (0.4 - 0.131) / v, rel=1e-10)
+
+
 def test_a_spring_is_a_quarter_of_a_harmonic():
     """From rest at the greatest deflection to the middle: v = A ω, t = π/(2ω)."""
     found = travel("  springs: [{stiffness: 2 kN/m, free: 0.4 m}]\n")

@@ -167,7 +167,7 @@ def along(motion: Motion, slide: Slide) -> tuple[Array, Array, Array]:
     v = state.velocity(link, own) - state.velocity(on, base)
     a = state.acceleration(link, own) - state.acceleration(on, base)
     turning, growing = state.iw[on] * e, state.ie[on] * e
-    found = (dot(r, e), dot(v, e) + dot(r, turning), dot(a, e) + 2 * dot(v, turning) + dot(r, growing))
+    found = (dot(r, e), dot(v, e), dot(a, e) + 2 * dot(v, turning) + dot(r, growing))
     s, v, a = (np.broadcast_to(one, motion.shape) for one in found)
     return s, v, a
 
