@@ -33,6 +33,8 @@ TEXTS = {
     "rocker_turn: 90 deg, frame: 100 mm}",
     "body from one position to another": "body: {positions: [[0, 0, 0], [90 mm, 40 mm, 50 deg]], "
     "points: [[0, 0], [80 mm, 20 mm]], crank: 70 mm}",
+    "body whose crank passes the frame": "body: {positions: [[0, 0, 0], [90 mm, 40 mm, 50 deg]], "
+    "points: [[0, 0], [80 mm, 20 mm]], crank: 55 mm, crank_pivot: right, rocker: 70 mm, rocker_pivot: left}",
     "body by a rocker on the other side": "body: {positions: [[10 mm, 0, 20 deg], [90 mm, 40 mm, 50 deg]], "
     "points: [[0, 0], [80 mm, 20 mm]], crank: 70 mm, crank_pivot: right, rocker: 90 mm}",
 }
