@@ -44,7 +44,7 @@ def found_of(text):
     return course.solve(course.loads(f"language: en\nsynthesis: {{{text}}}\n")).synthesis
 
 
-@pytest.mark.parametrize("name", TEXTS)
+@pytest.mark.parametrize("name", TEXTS, ids=lambda name: name.replace(" ", "_"))
 def test_every_formula_agrees_with_the_second_way(name):
     found = found_of(TEXTS[name])
     assert disagreements(found.s, WAYS[found.given.kind](found.s, found.given.asked), 1e-8) == []
