@@ -288,6 +288,12 @@ def test_between_two_positions_the_best_transmission_angle_is_taken():
     (table,) = [one for one in tables(found) if one.name == "synthesis_solutions"]
     angles = [*table["transmission"].values]
     assert angles == sorted(angles, reverse=True) and angles[0] == best
+    (table,) = [one for one in tables(found) if one.name == "synthesis_family"]
+    for row in (60, 80):
+        size = table["rocker"].values[row]
+        one = synthesised(f"{poses}, rocker: {size}, crank_pivot: left, rocker_pivot: left}}").s
+        for key in ("off_B", "frame", "transmission"):
+            assert one.number(key) == pytest.approx(table[key].values[row], rel=1e-9), key
 
 
 # ---------------------------------------------------------------- what is told
