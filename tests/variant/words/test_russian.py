@@ -6,7 +6,7 @@ from tmm_report import course
 from tmm_report.languages import LANGUAGES
 from tmm_report.problems import ProblemError
 from tmm_report.variant import russian
-from tmm_report.variant.slips.russian_keys import SYMBOLS
+from tmm_report.variant.russian.keys import SYMBOLS
 
 MECHANISM = """language: ru
 mechanism:

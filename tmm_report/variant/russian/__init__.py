@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from tmm_report.variant.slips.russian_keys import MORE
+from tmm_report.variant.russian.keys import MORE
 
 _TWINS: dict[str, str] = {
     "AC generator": "генератор переменного тока",
