@@ -269,6 +269,33 @@ def test_a_body_goes_through_its_three_positions():
     assert met > 5
 
 
+def test_between_two_positions_the_best_transmission_angle_is_taken():
+    """On every side that is stated, and with every other rocker, it is worse."""
+    poses = "body: {positions: [[0, 0, 0], [90 mm, 40 mm, 50 deg]], points: [[0, 0], [80 mm, 20 mm]], crank: 70 mm"
+    found = synthesised(f"{poses}}}")
+    best, rocker = found.s.number("transmission"), found.s.number("rocker")
+    others = []
+    for part in (0.8, 0.99, 1.01, 1.2):
+        others.append(synthesised(f"{poses}, rocker: {part * rocker}}}").s.number("transmission"))
+    for crank in ("left", "right"):
+        for side in ("left", "right"):
+            one = synthesised(f"{poses}, crank_pivot: {crank}, rocker_pivot: {side}}}").s
+            assert (one.number("off_A") > 0) == (crank == "left") and (one.number("off_B") >= 0) == (
+                side == "left"
+            )
+            others.append(one.number("transmission"))
+    assert max(others) == pytest.approx(best, rel=1e-9) and min(others) < 0.9 * best
+    (table,) = [one for one in tables(found) if one.name == "synthesis_solutions"]
+    angles = [*table["transmission"].values]
+    assert angles == sorted(angles, reverse=True) and angles[0] == best
+    (table,) = [one for one in tables(found) if one.name == "synthesis_family"]
+    for row in (60, 80):
+        size = table["rocker"].values[row]
+        one = synthesised(f"{poses}, rocker: {size}, crank_pivot: left, rocker_pivot: left}}").s
+        for key in ("off_B", "frame", "transmission"):
+            assert one.number(key) == pytest.approx(table[key].values[row], rel=1e-9), key
+
+
 # ---------------------------------------------------------------- what is told
 
 CRANK = "crank_rocker: {K: 1.1, swing: 32 deg, rocker: 0.6 m"

@@ -99,7 +99,7 @@ WAYS = (
     Way("synthesis_*_taken synthesis_misfit", TAKEN, of="synthesis_crank synthesis_rod synthesis_frame"),
     Way("synthesis_frame_x synthesis_frame_y", PLACED, of="synthesis_along synthesis_away synthesis_rise"),
     Way("synthesis_ratio", FREE, of="synthesis_theta synthesis_stroke"),
-    Way("synthesis_crank", FREE, of="synthesis_theta synthesis_half_chord"),
+    Way("synthesis_crank", FREE, of="synthesis_theta synthesis_half_chord synthesis_stroke synthesis_ratio"),
     Way("synthesis_frame", FREE, of="synthesis_half_chord synthesis_rocker"),
     Way("synthesis_*", STATED),
 )
