@@ -285,7 +285,9 @@ def test_at_random(kind, seed):
     found = course.solve(course.loads(text(made))).lever
     motion, forces = found.kinematics.table, found.kinetostatics
     assert forces.worst_lever < 1e-9 and forces.worst_power < 1e-9
-    for one in (each for plan in found.plans.drawn for each in plan.comparison):  # the plans read what is computed
+    for one in (
+        each for plan in found.plans.drawn for each in plan.comparison
+    ):  # the plans read what is computed
         room = max(0.01 * abs(one.analytic), 20 * one.floor, 1e-12)
         assert abs(one.graph - one.analytic) <= room, one.key
     phi, h = np.asarray(motion.phi), 1e-4
