@@ -265,7 +265,7 @@ class StructureView(BookView):
         """What of the reaction in every pair is known beforehand, and what is to be found."""
         rolling = {one.contact.key for one in self.coupled if one.mesh.rolls}
         known = {pair.key: KNOWN[pair.kind] for pair in self.found.pairs}
-        known |= {key: (FRICTION, KNOWN["H"][1]) for key in rolling}
+        known |= dict.fromkeys(rolling, (FRICTION, KNOWN["H"][1]))
         rows = [
             [f"{'–'.join(pair.links)} ({pair.name})", *(self.t(words) for words in known[pair.key])]
             for pair in self.found.pairs
