@@ -307,12 +307,22 @@ def _moved_by_meshes(mechanism: Mechanism, known: list[str], done: list[Coupled]
         if len(bearings) != 1 or (bearings[0].kind == "P" and bearings[0].links[0] != FRAME):
             raise ProblemError([_twice_moved(mesh)])
         contact = Pair("H", mesh.pole, (mesh.other(link), link), {})
-        moved = coupled(mesh, link, bearings[0], contact, done, mechanism.driver.link)
+        bearing = _on_carrier(mechanism, mesh, link, bearings[0])
+        moved = coupled(mesh, link, bearing, contact, done, mechanism.driver.link)
         if (wrong := _not_repeated(mechanism, moved)) is not None:
             raise ProblemError([wrong])
         done.append(moved)
         found.append(moved)
         known.append(link)
+
+
+def _on_carrier(mechanism: Mechanism, mesh: Mesh, link: str, bearing: Pair) -> Pair:
+    """The pivot of a wheel on its carrier, where several moving links share it."""
+    points = mechanism.links[mesh.carrier].points
+    if FRAME in (mesh.carrier, bearing.links[0]) or bearing.name not in points:
+        return bearing
+    at = {mesh.carrier: points[bearing.name], link: bearing.at[link]}
+    return Pair("R", bearing.name, (mesh.carrier, link), at)
 
 
 def _is_ready(mesh: Mesh, known: list[str]) -> bool:
