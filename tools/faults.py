@@ -475,6 +475,8 @@ FAULTS = (
           'one + other if mesh.kind == "external" else one - other', "one + other", "cardan_drive", PLANETS),
     Fault("planets: in a plan their axis stands still", "tmm_report/chapters/lever/plans/drafting/wheels.py",
           "Image(carrier.of(axis), axis,", "Image(0j, axis,", "cardan_drive"),
+    Fault("planets: a rate written out without the carrier's", KIN + "contours/wheels.py",
+          "relative = by - carrier if by", "relative = by if by", "sun_and_planet"),
     Fault("rolling: it turns with its way", MECHANICS + "lever/wheels/mesh.py",
           "return -self.ratio * float(np.sign", "return self.ratio * float(np.sign", "roller_on_rail", PLANETS),
     Fault("rolling: the rail pulls", STATICS + "quantities/wheels.py",

@@ -269,6 +269,16 @@ def test_an_unknown_carrier_is_a_mesh_within_a_group():
     assert "within a group" in told and "and the carrier" in told
 
 
+def test_a_wheel_that_turns_too_often_is_refused():
+    chain = "3: {points: {P: 0}}\n    2: {points: {A: 0}}"
+    text = PLANET.replace("2: {points: {A: 0, D: 30 mm}}", chain).replace(
+        "{O: [0, 0]}", "{O: [0, 0], P: [1, 0], Q: [2, 0]}"
+    )
+    text = text.replace("    3:", "    4: {points: {Q: 0}}\n    3:")
+    wheels = "wheels:\n    - {links: [1, 3], ratio: 0.001}\n    - {links: [3, 4], ratio: 0.001}"
+    assert "more than 100000 turns" in refused(text.replace("wheels:", wheels))
+
+
 def test_a_wheel_moved_by_two_meshes_is_redundant():
     text = PLANET.replace("2: {points: {A: 0, D: 30 mm}}", "2: {points: {A: 0}}\n    3: {points: {O: 0}}")
     twice = "mesh: internal}\n    - {links: [3, 2], carrier: 1, ratio: 2}\n    - {links: [1, 3], ratio: 2}"

@@ -337,6 +337,12 @@ class View:
         if body.bars:
             a, b = max(body.bars, key=lambda bar: abs(bar[1] - bar[0]))
             return self._off_points(name, [a + share * (b - a) for share in (0.5, 0.4, 0.6, 0.3, 0.7)])
+        if not body.blocks and any(name in mesh.links for mesh in self.mechanism.meshes):  # a wheel by itself
+            rim = body.outlines[0]
+            middle = sum(rim[1:]) / len(rim[1:])
+            return tuple(
+                self.at(name, 0.4 * middle + 0.6 * rim[k]) for k in range(0, len(rim), len(rim) // 8)
+            )
         corners = [self.block, self.block.conjugate(), -self.block, -self.block.conjugate()]
         return tuple(
             self.at(name, centre + corner * along) for centre, along in body.blocks for corner in corners

@@ -25,6 +25,7 @@ DYAD_KINDS: dict[tuple[str, str], int] = {
     ("P", "PR"): 5,
 }
 KIND_NAMES = {1: "RRR", 2: "RRP", 3: "RPR", 4: "PRP", 5: "RPP"}
+MOST_TURNS = 1e5  # of a wheel for one turn of another link
 MOST_SETS = 20_000  # sets of links that are tried for the next group
 ROMAN = {1: "I", 2: "II", 3: "III", 4: "IV", 5: "V", 6: "VI"}
 
@@ -306,12 +307,22 @@ def _moved_by_meshes(mechanism: Mechanism, known: list[str], done: list[Coupled]
         if len(bearings) != 1 or (bearings[0].kind == "P" and bearings[0].links[0] != FRAME):
             raise ProblemError([_twice_moved(mesh)])
         contact = Pair("H", mesh.pole, (mesh.other(link), link), {})
-        moved = coupled(mesh, link, bearings[0], contact, done, mechanism.driver.link)
+        bearing = _on_carrier(mechanism, mesh, link, bearings[0])
+        moved = coupled(mesh, link, bearing, contact, done, mechanism.driver.link)
         if (wrong := _not_repeated(mechanism, moved)) is not None:
             raise ProblemError([wrong])
         done.append(moved)
         found.append(moved)
         known.append(link)
+
+
+def _on_carrier(mechanism: Mechanism, mesh: Mesh, link: str, bearing: Pair) -> Pair:
+    """The pivot of a wheel on its carrier, where several moving links share it."""
+    points = mechanism.links[mesh.carrier].points
+    if FRAME in (mesh.carrier, bearing.links[0]) or bearing.name not in points:
+        return bearing
+    at = {mesh.carrier: points[bearing.name], link: bearing.at[link]}
+    return Pair("R", bearing.name, (mesh.carrier, link), at)
 
 
 def _is_ready(mesh: Mesh, known: list[str]) -> bool:
@@ -345,8 +356,15 @@ def _in_a_group(mesh: Mesh, rest: Sequence[str]) -> Problem:
 
 
 def _not_repeated(mechanism: Mechanism, moved: Coupled) -> Problem | None:
-    """A wheel with joints, or a rack, that a full turn of the driving link does not bring back."""
+    """A wheel with joints, or a rack, that a full turn of the driving link does not bring back, or a wheel whose angle
+    would be lost in rounding."""
     turns, driver, own = moved.by_turns, mechanism.driver, mechanism.links[moved.link]
+    if any(root.way is None and abs(root.rate) > MOST_TURNS for root in moved.roots):
+        text = N_(
+            "link %(link)s makes more than %(most)s turns for one of another link: its angle is not told so far"
+        )
+        right = Message(N_("ratios that do not multiply to so many turns"))
+        return mistake(text, _mesh_path(moved.mesh), right, link=moved.link, most=f"{MOST_TURNS:.0f}")
     if not driver.goes_round:
         return None
     if moved.slides and abs(turns) > 1e-12:

@@ -57,15 +57,18 @@ def index_of(mesh: Mesh) -> str:
 
 
 @kept
-def _radius(link: str, index: str, symbol: str) -> Quantity:
-    meaning = Message(N_("working pitch radius of the wheel on link %(link)s"), {"link": link})
+def _radius(link: str, index: str, symbol: str, rolls: bool) -> Quantity:
+    text = (
+        N_("radius of wheel %(link)s") if rolls else N_("working pitch radius of the wheel on link %(link)s")
+    )
+    meaning = Message(text, {"link": link})
     return Quantity(f"r_{link}_{index}", Symbol("r", symbol), "m", meaning)
 
 
 def pitch_radius(linkage: Linkage, mesh: Mesh, link: str) -> Quantity:
     """The radius r_2 of the wheel on link 2; of several on one link r_2,12 and r_2,23."""
     several = sum(link in one.links for one in linkage.mechanism.meshes) > 1
-    return _radius(link, index_of(mesh), f"{link},{index_of(mesh)}" if several else link)
+    return _radius(link, index_of(mesh), f"{link},{index_of(mesh)}" if several else link, mesh.rolls)
 
 
 @kept

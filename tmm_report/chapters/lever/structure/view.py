@@ -43,6 +43,9 @@ KNOWN = {
     "P": (N_("direction (across the guide)"), N_("magnitude and point")),
     "H": (N_("point (of contact) and direction (the common normal n–n)"), N_("magnitude")),
 }
+FRICTION = N_(
+    "point (of contact) and direction (along the rail; the guide of the axle bears the normal force)"
+)
 MESHES = {
     "external": N_("wheels of links %(one)s and %(other)s in external mesh, pitch point %(point)s"),
     "internal": N_("wheels of links %(one)s and %(other)s in internal mesh, pitch point %(point)s"),
@@ -185,6 +188,14 @@ class StructureView(BookView):
         """Those whose axes move."""
         return [mesh for mesh in self.found.linkage.mechanism.meshes if mesh.carrier != FRAME]
 
+    def turning(self) -> bool:
+        """Whether there are carriers that turn."""
+        return any(mesh.carried is None for mesh in self.carried())
+
+    def toothed(self) -> bool:
+        """Whether not all higher pairs are those of rolling wheels without teeth."""
+        return not all(mesh.rolls for mesh in self.found.linkage.mechanism.meshes)
+
     def ratios(self) -> list[Formula]:
         """The ratio of every mesh by its radii; of a wheel that runs on a fixed one that to its carrier, too."""
         found, made = self.found.linkage, []
@@ -252,8 +263,11 @@ class StructureView(BookView):
 
     def reactions(self, caption: Any) -> Table:
         """What of the reaction in every pair is known beforehand, and what is to be found."""
+        rolling = {one.contact.key for one in self.coupled if one.mesh.rolls}
+        known = {pair.key: KNOWN[pair.kind] for pair in self.found.pairs}
+        known |= dict.fromkeys(rolling, (FRICTION, KNOWN["H"][1]))
         rows = [
-            [f"{'–'.join(pair.links)} ({pair.name})", *(self.t(words) for words in KNOWN[pair.kind])]
+            [f"{'–'.join(pair.links)} ({pair.name})", *(self.t(words) for words in known[pair.key])]
             for pair in self.found.pairs
         ]
         heads = [self.t("Pair"), self.t("Known of the reaction"), self.t("Unknown of it")]

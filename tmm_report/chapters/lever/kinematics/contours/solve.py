@@ -14,6 +14,7 @@ import numpy as np
 from tmm_report.chapters.lever.kinematics.contours import dyads as contour_dyads
 from tmm_report.chapters.lever.kinematics.contours import high_class as contour_systems
 from tmm_report.chapters.lever.kinematics.contours import translating as contour_translating
+from tmm_report.chapters.lever.kinematics.contours import wheels
 from tmm_report.chapters.lever.kinematics.contours.dyads import Written
 from tmm_report.chapters.lever.kinematics.contours.known import Pose
 from tmm_report.chapters.lever.kinematics.contours.terms import WrittenSystem
@@ -36,8 +37,9 @@ CONSTANT = Message(N_("constant numbers of the closed contours of the groups"))
 
 @dataclass(frozen=True, eq=False)
 class Contours:
-    """All that is written out at position `index`. `driving`: points of the driving link; `other`: one of the other
-    points of the links, and `alike` those that are found likewise."""
+    """All that is written out at position `index`. `driving`: points of the driving link; `led`, `meshed`: rates of the
+    links that meshes with it and with links of the groups move; `other`: one of the other points of the links, and
+    `alike` those that are found likewise."""
 
     index: int
     bench: Bench
@@ -45,6 +47,8 @@ class Contours:
     groups: tuple[Written | WrittenSystem | Translating, ...]
     other: list[Formula] = field(default_factory=list)
     alike: tuple[str, ...] = ()
+    led: list[Formula] = field(default_factory=list)
+    meshed: list[Formula] = field(default_factory=list)
 
     @property
     def slotted(self) -> list[str]:
@@ -61,10 +65,9 @@ def contours(found: Kinematics, index: int) -> Contours:
     with np.errstate(invalid="ignore", divide="ignore"):
         bench = Bench(found, index)
         done = _driver(bench)
-        for wheel in found.linkage.structure.wheels:
-            bench.take_pose(wheel.link)
         driving = bench.taken()
-        groups = []
+        led = wheels.rates(bench, found.linkage.structure.wheels)
+        groups, meshed = [], []
         for group in found.linkage.groups:
             _joints(bench, group.group, done)
             before = bench.taken()
@@ -73,10 +76,9 @@ def contours(found: Kinematics, index: int) -> Contours:
                 written.points[:0] = before
                 groups.append(written)
             done |= {pair.name for pair in group.group.inner if pair.kind == "R"}
-            for wheel in group.group.wheels:
-                bench.take_pose(wheel.link)
+            meshed += wheels.rates(bench, group.group.wheels)
         other, alike = _others(bench, done, any(one.points for one in groups))
-    return Contours(index, bench, driving, tuple(groups), other, alike)
+    return Contours(index, bench, driving, tuple(groups), other, alike, led, meshed)
 
 
 def _written(bench: Bench, group: Any) -> Written | WrittenSystem | Translating | None:

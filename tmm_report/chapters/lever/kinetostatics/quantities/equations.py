@@ -53,6 +53,7 @@ OF_WHEEL = N_(
     "Equations of equilibrium of link %(link)s, which a mesh moves, at this position, in symbols and with numbers:"
 )
 OF_MESH = N_("the force in the teeth of %(point)s lies on the line of action:")
+OF_RAIL = N_("the friction in %(point)s acts along the rail:")
 OF_LINK = N_("link %(link)s: ΣF_x = 0, ΣF_y = 0, ΣM = 0 about point %(point)s:")
 OF_GUIDE = N_("guide %(guide)s bears no force along itself:")
 OF_TEETH = N_("the force in the teeth lies on the line of action:")
@@ -294,7 +295,9 @@ class _Writer:
         x, y = reaction(*one.pair.links).components
         alpha = Var(reaction_angle(*one.pair.links).sign, float(np.angle(force)), "deg")
         body = self._unknown(x, force.real) * sin(alpha) - self._unknown(y, force.imag) * cos(alpha)
-        return Message(OF_MESH, {"point": one.pair.name}), [body]
+        coupled = self.motion.linkage.structure.coupled
+        rolls = any(wheel.mesh.rolls for wheel in coupled if wheel.contact.key == one.pair.key)
+        return Message(OF_RAIL if rolls else OF_MESH, {"point": one.pair.name}), [body]
 
     def _unknown(self, of: Quantity, number: float) -> Unknown:
         self.unknown.setdefault(of.key, Input(of, number, of.unit, of.symbol))
