@@ -20,8 +20,10 @@ from tmm_report.chapters.lever.kinetostatics.solve.positions import (
 )
 from tmm_report.mechanics.calculus.panels import Panels, panels
 from tmm_report.mechanics.calculus.vectors import dot
+from tmm_report.mechanics.lever.driving.stroke import Stroke
 from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.mechanics.lever.motion import Motion
+from tmm_report.mechanics.lever.motion import solve as moved
 from tmm_report.problems import N_, Message, Problem, ProblemError, doubt, mistake
 from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.sheet import Q, Sheet
@@ -204,6 +206,11 @@ def friction_doubts(found: Machine | None, block: str) -> Iterator[Problem]:
 
 
 # ---------------------------------------------------------------- what the energy and the powers are made of
+
+
+def by_stroke(motion: Motion, stroke: Stroke, s: Array, speed: float = 1.0) -> Motion:
+    """The mechanism at strokes s, m, with the stroke growing uniformly by a speed, m/s."""
+    return moved(motion.linkage, *stroke.rates(s, speed, 0.0))
 
 
 def inertia_parts(motion: Motion) -> Iterator[tuple[str, Array]]:

@@ -18,13 +18,12 @@ import numpy as np
 
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics, Solved
-from tmm_report.chapters.lever.moving import Load, inertia_parts, inertia_slope, powers
+from tmm_report.chapters.lever.moving import Load, by_stroke, inertia_parts, inertia_slope, powers
 from tmm_report.mechanics.calculus.vectors import dot
 from tmm_report.mechanics.lever.cycle import Extreme, least_and_greatest
 from tmm_report.mechanics.lever.driving.stroke import Stroke
 from tmm_report.mechanics.lever.mechanism import FRAME, Guide, Mechanism, Slide
 from tmm_report.mechanics.lever.motion import Motion
-from tmm_report.mechanics.lever.motion import solve as moved
 from tmm_report.problems import N_, Message, ProblemError, mistake
 from tmm_report.records import dataclass
 
@@ -148,11 +147,6 @@ def _unit(motion: Motion, stroke: Stroke | None) -> _Unit:
         return _Unit(motion, motion.omega, motion.omega, 0.0)
     s, v, a = stroke.law.of_phase(motion.phase)
     return _Unit(by_stroke(motion, stroke, s), 1.0, v, a)
-
-
-def by_stroke(motion: Motion, stroke: Stroke, s: Array, speed: float = 1.0) -> Motion:
-    """The mechanism at strokes s, m, with the stroke growing uniformly by a speed, m/s."""
-    return moved(motion.linkage, *stroke.rates(s, speed, 0.0))
 
 
 def along(motion: Motion, slide: Slide) -> tuple[Array, Array, Array]:

@@ -15,8 +15,7 @@ import numpy as np
 
 from tmm_report.chapters.lever.kinetostatics.solve.lengths import law_of, path_of, ties_of
 from tmm_report.chapters.lever.kinetostatics.solve.positions import loading
-from tmm_report.chapters.lever.moving import Load, Moving, inertia_parts, inertia_slope, powers
-from tmm_report.chapters.lever.translation.solve import by_stroke
+from tmm_report.chapters.lever.moving import Load, Moving, by_stroke, inertia_parts, inertia_slope, powers
 from tmm_report.chapters.machine.travel.given import Given
 from tmm_report.mechanics.calculus.laws import NOTHING, RATE, STROKE
 from tmm_report.mechanics.calculus.panels import Panels, panels
