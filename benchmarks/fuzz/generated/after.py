@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
-from benchmarks.fuzz.generated import asked, driving
+from benchmarks.fuzz.generated import asked, balancing, driving
 from benchmarks.fuzz.generated.rules import RUBBING
 
 Made = dict[str, Any]
@@ -414,34 +414,6 @@ def _wear(made: Made, walk: Any) -> Made:
     return made
 
 
-def _balancing(made: Made, walk: Any) -> Made:
-    """Counterweights stand on links with a fixed pivot."""
-    pivoted = list(walk.names.of.get("pivoted", ())) or ["1"]
-    for key in ("counterweights", "stated"):
-        if key in made:
-            made[key] = dict(zip(pivoted, made[key].values(), strict=False))
-    if "wheels" in made:
-        made["wheels"] = dict(zip(pivoted[1:], made["wheels"].values(), strict=False))
-    for key in ("rotors", "couples"):
-        if key in made:
-            made[key] = {str(k): one for k, one in enumerate(list(made[key].values())[:2], 1)}
-        elif "methods" in made:
-            made["methods"] = [one for one in made["methods"] if one != key] or ["full"]
-    for key, method in (("wheels", "inertia"), ("couples", "couples")):
-        if method not in made.get("methods", (method,)) or not made.get(key):
-            made.pop(key, None)
-    if not {"inertia", "couples"} & {*made.get("methods", ()), *made}:
-        made.pop("after", None)
-    if made.get("after") not in (
-        None,
-        "none",
-        *made.get("methods", ()),
-        *(("stated",) if "stated" in made else ()),
-    ):
-        made["after"] = "none"
-    return made
-
-
 def _sides(made: Made, walk: Any) -> Made:
     return {
         key: sorted(one, key=lambda p: _value(p[0])) if isinstance(one, list) else one
@@ -507,7 +479,7 @@ AFTER: Mapping[str, Callable[[Made, Any], Made]] = {
     "WearModel": _wear,
     "Sides": _sides,
     "Halves": _sides,
-    "Balancing": _balancing,
+    "Balancing": balancing.made_right,
     "TwoFaces": _sides,
     "Linear": _swung,
     "Turning": _swung,
