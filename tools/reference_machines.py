@@ -170,7 +170,11 @@ def _sought(results: Results) -> Any:
 
 
 def _governor(given: Any) -> Named:
-    """Speeds of equilibrium in the lowest and highest positions, or the spring that two speeds ask for."""
+    """Speeds of equilibrium in the lowest and highest positions, or the spring that two speeds ask for; of a brake on
+    arms that stands alone the force of its spring at rest and the speed of contact."""
+    if not given.centrifugal:
+        yield from _brake(given.brake)
+        return
     own, geometry = context(), given.geometry
     weights, low = given.weights, number(given.lowest)
     pull, sleeve = weights.count * number(weights.ball), number(weights.sleeve) * number(weights.gravity)
@@ -195,6 +199,22 @@ def _governor(given: Any) -> Named:
             pressed.append(pull * r * ratio * number(speed) ** 2 - held)
         yield "governor_F_0", pressed[0]
         yield "governor_c", (pressed[1] - pressed[0]) / number(given.lift)
+
+
+def _brake(of: Any) -> Named:
+    """M_b = n f N R, N (l_N ∓ f l_T) = (m ρ ω² l_C − F l_F), whose spring is chosen for a speed."""
+    own, arm = context(), of.arm
+    a, f, drum = number(arm.pivot), number(of.friction), number(of.drum)
+    at_c, at_n = a * own.sin(number(arm.mass_centre)), a * own.sin(number(arm.shoe))
+    side = -1 if arm.ahead == "shoe" else 1
+    closes = at_n + side * f * (drum - a * own.cos(number(arm.shoe)))
+    swing = number(of.gap) / at_n
+    mass = number(of.mass) * (number(of.radius) + swing * at_c)
+    normal = number(of.moment) / (of.count * f * drum)
+    held = (mass * number(of.choose.spring) ** 2 * at_c - normal * closes) / number(arm.spring)
+    yield "governor_brake_F_0", held - number(of.spring.stiffness) * swing * number(arm.spring)
+    yield "governor_brake_contact", own.sqrt(held * number(arm.spring) / (mass * at_c))
+    yield "governor_brake_pressing", normal
 
 
 # ---------------------------------------------------------------- start-up and run-down, flywheel

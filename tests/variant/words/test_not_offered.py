@@ -26,7 +26,8 @@ SLIPS = {
     "mechanism.links.3.rack": ("slides: x", "slides: x, rack: {module: 4 mm}", "mechanism.racks"),
     "mechanism.links.3.teeth": ("slides: x", "slides: x, teeth: 20", "mechanism.wheels"),
     "loads.spring": ("loads:\n", "loads:\n  spring: {}\n", "stand in lists"),
-    "loads.torsional_springs": ("loads:\n", "loads:\n  torsional_springs: []\n", "that turn are not offered"),
+    "loads.torsional_springs": ("loads:\n", "loads:\n  torsional_springs: []\n", "in the list torsion_springs"),
+    "loads.torsional_dampers": ("loads:\n", "loads:\n  torsional_dampers: []\n", "that turn links are not offered"),
     "loads.moments.0.by_velocity": ("clockwise, constant: 1", "clockwise, by_velocity: [[0, 1]]", "by the speed"),
     "gears": ("loads:\n", "gears: [20, 40]\nloads:\n", "stages of the block drive"),
 }  # fmt: skip

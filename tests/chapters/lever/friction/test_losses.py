@@ -5,6 +5,7 @@ import pytest
 
 from tmm_report.chapters.lever.friction import solve as friction
 from tmm_report.chapters.lever.friction.given import Friction, Rubbing
+from tmm_report.mechanics.calculus.laws import BySliding, Stribeck
 from tmm_report.mechanics.lever.mechanism import FRAME
 
 STEP = 1e-4
@@ -32,6 +33,16 @@ def rubbing_speed(results, loss) -> np.ndarray:
     return np.abs(slope * results.lever.kinematics.omega)
 
 
+def rubs(coefficient, sliding):
+    """A coefficient: a number, a table of the velocity of sliding, or Stribeck's law of it."""
+    match coefficient:
+        case BySliding(speeds=speeds, values=values):
+            return np.interp(sliding, speeds, values)
+        case Stribeck(static=rest, kinetic=moving, speed=fall, viscous=viscous, exponent=n):
+            return moving + (rest - moving) / np.exp((sliding / fall) ** n) + viscous * sliding
+    return coefficient
+
+
 def test_power_by_hand(results):
     """f·R·(d/2)·|ω| in pivots, f·N·|v| in guides, every pair of the mechanism once; N: the reaction, and of a slider of
     stated length that its moment tilts the forces at both its ends, 2·|M|/l."""
@@ -44,7 +55,8 @@ def test_power_by_hand(results):
         arm = (stated.diameter or 0) / 2 if loss.pair.kind == "R" else 1.0
         reaction = np.abs(forces.force(loss.pair.links[1], by=loss.pair.links[0]))
         tilt = 2 * np.abs(forces.reactions[loss.pair.key].moment) / stated.length if stated.length else 0.0
-        power = stated.coefficient * np.maximum(reaction, tilt) * arm * rubbing_speed(results, loss)
+        rate = rubbing_speed(results, loss)
+        power = rubs(stated.coefficient, arm * rate) * np.maximum(reaction, tilt) * arm * rate
         np.testing.assert_allclose(loss.power, power, rtol=1e-6, atol=1e-6 * np.abs(power).max() + 1e-12)
         total = total + power
     np.testing.assert_allclose(found.table.total, total, rtol=1e-6)
