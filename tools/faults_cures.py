@@ -8,8 +8,9 @@ from faults_motion import GOVERNOR
 CURES = ("tests/variant/test_cures_of_slips.py",)
 UNUSUAL = ("tests/variant/test_unusual_but_right.py",)
 LAWS = MECHANICS + "calculus/laws.py"
+COEFFICIENTS = MECHANICS + "pairs/coefficients.py"
 ON_ARMS = ("tests/chapters/machine/governor/test_brake_on_arms.py",)
-TORSION = ("tests/chapters/lever/test_torsion_springs.py",)
+TORSION = ("tests/chapters/lever/ties/test_torsion_springs.py",)
 CONTACTS = "tmm_report/chapters/machine/contacts/"
 WHEEL = ("tests/chapters/machine/pairs/test_contacts.py",)
 SLIDING = ("tests/chapters/lever/friction/test_sliding.py",)
@@ -290,21 +291,21 @@ FAULTS = (
     ),
     Fault(
         "the coefficient grows from rest to motion",
-        LAWS,
+        COEFFICIENTS,
         "(self.kinetic, self.static - self.kinetic, self.speed",
         "(self.static, self.kinetic - self.static, self.speed",
         "hacksaw",
     ),
     Fault(
         "the viscous part of a coefficient brakes less",
-        LAWS,
+        COEFFICIENTS,
         "** self.exponent)) + viscous * at",
         "** self.exponent)) - viscous * at",
         "hacksaw",
     ),
     Fault(
         "the exponent of Stribeck's law is lost",
-        LAWS,
+        COEFFICIENTS,
         "-((at / speed) ** self.exponent)",
         "-(at / speed)",
         "hacksaw",

@@ -5,7 +5,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, Field, Tag, model_validator
 
-from tmm_report.mechanics.calculus.laws import BySliding, Rubs, Stribeck
+from tmm_report.mechanics.pairs.coefficients import BySliding, Rubs, Stribeck
 from tmm_report.mechanics.pairs.materials import Stock, mean, stated
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.units import WrongValue

@@ -136,8 +136,11 @@ def _shared(loads: dict[str, Any]) -> None:
         diagram = one.get("by_displacement")
         if isinstance(diagram, dict) and "curve" in diagram:
             name = diagram["curve"] = next(iter(curves), "gas")
-            stated = curves.get(name, parts)
-            taken[name] = {way: [[0, 0.2], *stated[way][1:-1], [1, 0.9]] for way in ("forward", "back")}
+            stated = curves.get(name, {})  # one of strokes becomes one of two ways, which moments take, too
+            diagram.pop("first", None)
+            taken[name] = {
+                way: [[0, 0.2], *stated.get(way, points)[1:-1], [1, 0.9]] for way, points in parts.items()
+            }
     if taken:
         loads["curves"] = {
             name: {way: [[x, _part(y)] for x, y in points] for way, points in curve.items()}

@@ -16,6 +16,7 @@ from tmm_report.mechanics.calculus import laws
 from tmm_report.mechanics.calculus.laws import Law
 from tmm_report.mechanics.calculus.panels import panels
 from tmm_report.mechanics.machine import characteristics as ch
+from tmm_report.mechanics.pairs import coefficients
 from tmm_report.mechanics.rivals.exact.laws import Digits
 from tmm_report.mechanics.rivals.exact.numbers import exact
 from tmm_report.quantity.formula import Formula, Var
@@ -40,9 +41,9 @@ EXAMPLES = [
     laws.ByLength(1200.0, 0.24),
     laws.ByRate(300.0),
     laws.ByTurn(40.0, 0.3),
-    laws.BySliding((0.0, 0.5, 2.0), (0.15, 0.1, 0.12)),
-    laws.Stribeck(0.15, 0.08, 0.4),
-    laws.Stribeck(0.15, 0.08, 0.4, 0.02, 2),
+    coefficients.BySliding((0.0, 0.5, 2.0), (0.15, 0.1, 0.12)),
+    coefficients.Stribeck(0.15, 0.08, 0.4),
+    coefficients.Stribeck(0.15, 0.08, 0.4, 0.02, 2),
     ch.Linear(40.0, 100.0),
     ch.Series(5e4, 20.0),
     ch.Kloss(157.0, 60.0, 0.15),

@@ -54,6 +54,7 @@ SECTIONS = {
     "reduction": N_("Reduction of masses and forces"),
     "translation": N_("Reduction to a link that slides"),
     "transmission": N_("Transmission angles"),
+    "press": N_("The press"),
     "methods": N_("Choice of method"),
     "dynamics": N_("The machine in motion"),
     "travel": N_("Motion of the main link along its guide"),

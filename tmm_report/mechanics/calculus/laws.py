@@ -14,7 +14,7 @@
     | `LENGTH`   | distance of two points, m                           | ByLength                                      |
     | `TURN`     | how far two links have turned against one another, rad | ByTurn                                     |
     | `RATE`     | its derivative by the time, m/s                     | ByRate                                        |
-    | `SLIDING`  | size of the velocity of sliding, m/s                | BySliding, Stribeck                           |
+    | `SLIDING`  | size of the velocity of sliding, m/s                | those of `pairs.coefficients`                 |
 
 A law says its value anywhere, in doubles or in other numbers (`Arithmetic`), and its breaks; between them it is a
 polynomial of degree `order`, or smooth (None). tests/mechanics/calculus/test_laws.py holds every law to that.
@@ -26,7 +26,6 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from functools import cached_property
-from itertools import pairwise
 from typing import Any, ClassVar, NamedTuple, Protocol, Self
 
 import numpy as np
@@ -260,7 +259,7 @@ class ByAngle(Lines):
         return replace(self, period=period)
 
     def scaled(self, factor: float) -> Self:
-        return replace(self, values=_times(self.values, factor))
+        return replace(self, values=times(self.values, factor))
 
 
 @dataclass(frozen=True)
@@ -279,7 +278,7 @@ class ByPosition(Lines):
         return ByAngle(tuple((np.arange(len(self.values)) * step).tolist()), self.values)
 
     def scaled(self, factor: float) -> Self:
-        return replace(self, values=_times(self.values, factor))
+        return replace(self, values=times(self.values, factor))
 
 
 @dataclass(frozen=True)
@@ -303,7 +302,7 @@ class ByTime(Lines):
         return self.times, self.values
 
     def scaled(self, factor: float) -> Self:
-        return replace(self, values=_times(self.values, factor))
+        return replace(self, values=times(self.values, factor))
 
 
 @dataclass(frozen=True)
@@ -318,7 +317,7 @@ class BySpeed(Lines):
         return self.speeds, self.values
 
     def scaled(self, factor: float) -> Self:
-        return replace(self, values=_times(self.values, factor))
+        return replace(self, values=times(self.values, factor))
 
 
 @dataclass(frozen=True)
@@ -333,10 +332,10 @@ class ByPlace(Lines):
         return self.places, self.values
 
     def scaled(self, factor: float) -> Self:
-        return replace(self, values=_times(self.values, factor))
+        return replace(self, values=times(self.values, factor))
 
 
-def _times(values: Numbers, factor: float) -> Numbers:
+def times(values: Numbers, factor: float) -> Numbers:
     return tuple(value * factor for value in values)
 
 
@@ -391,62 +390,6 @@ class ByTurn(Law):
 
 
 # ---------------------------------------------------------------- coefficients of friction
-
-
-@dataclass(frozen=True)
-class BySliding(Lines):
-    """Coefficients of friction at velocities of sliding, m/s, that ascend."""
-
-    of: ClassVar[str] = SLIDING
-    speeds: Numbers
-    values: Numbers
-
-    def points(self) -> tuple[Numbers, Numbers]:
-        return self.speeds, self.values
-
-    @property
-    def resolving(self) -> Numbers:
-        """Velocities at which it has a corner; none of a table that is constant."""
-        slopes = [0.0, *self.slope(np.array(self.speeds))]
-        return tuple(
-            at for at, (one, other) in zip(self.speeds, pairwise(slopes), strict=True) if at and one != other
-        )
-
-    def scaled(self, factor: float) -> Self:
-        return replace(self, values=_times(self.values, factor))
-
-
-@dataclass(frozen=True)
-class Stribeck(Law):
-    """A coefficient of friction that falls from rest to motion and grows again with a viscous part,
-    f_k + (f_s − f_k) exp(−(v/v_s)ⁿ) + k_v v. `speed`: v_s, m/s; `viscous`: k_v, s/m; `exponent`: n, 1 or 2
-    (Armstrong-Hélouvry, Dupont, Canudas de Wit, Automatica 30 (1994), p. 1083)."""
-
-    of: ClassVar[str] = SLIDING
-    static: float
-    kinetic: float
-    speed: float
-    viscous: float = 0.0
-    exponent: int = 1
-
-    def value(self, at: Any, which: Any = 0, numbers: Arithmetic = DOUBLES) -> Any:
-        moving, falls, speed, viscous = (
-            numbers.full(one, at)
-            for one in (self.kinetic, self.static - self.kinetic, self.speed, self.viscous)
-        )
-        return moving + falls * numbers.exp(-((at / speed) ** self.exponent)) + viscous * at
-
-    @property
-    def resolving(self) -> Numbers:
-        """Velocities between which the exponential is next to a polynomial."""
-        return _times((1.0, 2.5, 6.0, 14.0), self.speed)
-
-    def scaled(self, factor: float) -> Self:
-        static, kinetic, viscous = _times((self.static, self.kinetic, self.viscous), factor)
-        return replace(self, static=static, kinetic=kinetic, viscous=viscous)
-
-
-Rubs = BySliding | Stribeck
 
 
 # ---------------------------------------------------------------- indicator diagrams

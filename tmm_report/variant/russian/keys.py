@@ -10,6 +10,7 @@ accelerations: ускорения
 accuracy: точность
 across: поперёк
 after: после
+ahead: впереди
 allow_partial: допускать неполный цикл
 alpha: угол профиля
 alpha_w: угол зацепления
@@ -24,6 +25,7 @@ arm: рычаг, плечо
 arms: рычаги, плечи
 at_length: при длине
 at_position: в положении
+axes: оси
 axial: осевой, осевая
 back: назад, обратно
 backlash: боковой зазор
@@ -42,8 +44,10 @@ bodies: тела
 body: тело
 brake: тормоз
 bushing: втулка
+by_place: по месту
 by_speed: по скорости
 cam: кулачок
+carrier: водило
 centre: центр
 centre_distance: межосевое расстояние
 choose: выбрать
@@ -60,6 +64,7 @@ count: число, количество
 counterweights: противовесы
 couple: пара сил
 coupler: шатунная плоскость
+couples: пары сил
 course: курс
 crank: кривошип
 crank_at: сторона кривошипа
@@ -98,6 +103,7 @@ efficiency: кпд
 effort: усилие
 ends: концы
 engine: двигатель внутреннего сгорания
+exponent: показатель
 extension: продолжение
 external_teeth: наружные зубья
 face: торец
@@ -112,6 +118,8 @@ flat: плоский
 force_plan: план сил
 forward: вперёд, прямой ход
 foundation: фундамент
+free: свободно
+free_angle: свободный угол
 free_length: свободная длина, длина без нагрузки
 frequency: частота
 from: от, из
@@ -142,6 +150,7 @@ isolators: виброизоляторы
 joints: шарниры
 journal: цапфа
 journals: цапфы
+kinetic: кинетический
 law: закон
 least: наименьшее
 lengths: длины
@@ -162,6 +171,7 @@ max_moment: наибольший момент
 mean: средний
 mean_speed: средняя скорость
 member: звено передачи
+meshes: зацепления
 method: метод
 methods: методы
 middle: середина
@@ -191,6 +201,7 @@ polar: полярный
 polynomial: полином, многочлен
 power: мощность
 preload: предварительный натяг, натяг
+press: пресс
 pressure_angle: угол давления
 pressure_angle_limit: допускаемый угол давления
 products: центробежные моменты
@@ -204,6 +215,7 @@ radial: радиальный
 radii: радиусы
 radius_of_gyration: радиус инерции
 range: диапазон
+rated: номинальный, номинальная
 ratio_weight: вес отношения
 reciprocating: возвратно-поступательный
 reduction: приведение
@@ -224,10 +236,13 @@ rod: шатун
 rod_length: длина шатуна
 rod_ratio: относительная длина шатуна
 roller: ролик
+rolling: качение
 rotating: вращающийся
 rotor: ротор
 rotors: роторы
 round: округлить, округление
+run_down: торможение
+run_up: разгон
 running_in: приработка
 satellites: сателлиты
 scale: масштаб
@@ -253,16 +268,19 @@ speeds: скорости
 spokes: спицы
 spring: пружина
 springs: пружины
+square: квадрат
 stall: момент при пуске
 start: пуск, разгон
 starts: заходы
 state: состояние
 stated: задано
+static: статический
 stator: статор
 steady: установившееся движение
 steps: шаги
 stiffness: жёсткость
 stress: напряжение
+stribeck: Штрибек
 strokes: ходы
 swing: размах, угол размаха
 swings: размахи
@@ -276,9 +294,11 @@ tip_shortening: укорочение головки
 to: до какого
 tolerance: допуск
 torque: крутящий момент
+torsion_springs: пружины кручения
 towards: к
 transmissibility: коэффициент передачи силы
 transmission: угол передачи, углы передачи
+travel: движение по направляющей
 turning_guide: вращающаяся кулиса, механизм витворта
 turns: обороты
 unbalance: дисбаланс
@@ -300,6 +320,7 @@ wheels: колёса
 width: ширина
 within: в пределах
 work: работа
+working: рабочий участок
 wrap: угол обхвата
 wrist_pin: поршневой палец
 """

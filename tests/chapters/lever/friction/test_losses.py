@@ -5,8 +5,8 @@ import pytest
 
 from tmm_report.chapters.lever.friction import solve as friction
 from tmm_report.chapters.lever.friction.given import Friction, Rubbing
-from tmm_report.mechanics.calculus.laws import BySliding, Stribeck
 from tmm_report.mechanics.lever.mechanism import FRAME
+from tmm_report.mechanics.pairs.coefficients import BySliding, Stribeck
 
 STEP = 1e-4
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import field
 from typing import Any
 
-from tmm_report.mechanics.calculus.laws import Rubs
+from tmm_report.mechanics.pairs.coefficients import Rubs
 from tmm_report.mechanics.pairs.materials import Stock
 from tmm_report.records import dataclass
 

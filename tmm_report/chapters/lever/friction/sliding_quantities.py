@@ -8,8 +8,8 @@ from collections.abc import Iterator, Sequence
 from tmm_report.chapters.lever.friction.given import Rubbing
 from tmm_report.chapters.lever.friction.solve import PairLoss
 from tmm_report.chapters.lever.kinetostatics.quantities.positions import both
-from tmm_report.mechanics.calculus.laws import BySliding, Rubs, Stribeck
 from tmm_report.mechanics.lever.assur_groups import Pair
+from tmm_report.mechanics.pairs.coefficients import BySliding, Rubs, Stribeck
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, text_column
 from tmm_report.quantity.symbols import Symbol

@@ -11,7 +11,7 @@ from markupsafe import Markup
 from tmm_report.chapters.lever.friction import quantities as q
 from tmm_report.chapters.lever.friction import sliding_quantities as own
 from tmm_report.chapters.lever.friction.solve import FrictionFound, PairLoss
-from tmm_report.mechanics.calculus.laws import BySliding, Stribeck
+from tmm_report.mechanics.pairs.coefficients import BySliding, Stribeck
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Expr, Formula, Var
 from tmm_report.quantity.functions import exp
