@@ -280,7 +280,7 @@ steady: установившееся движение
 steps: шаги
 stiffness: жёсткость
 stress: напряжение
-stribeck: Штрибек
+stribeck: штрибек
 strokes: ходы
 swing: размах, угол размаха
 swings: размахи
