@@ -7,6 +7,7 @@ from random import Random
 from typing import Any
 
 from benchmarks.fuzz.generated.asked import backwards, tied
+from benchmarks.fuzz.generated.later import later
 from benchmarks.fuzz.generated.levers import mechanism
 from benchmarks.fuzz.generated.walk import Names, Walk
 
@@ -95,6 +96,7 @@ def variant(seed: str) -> dict[str, Any]:
         data["mechanism"]["driver"].pop("period", None)
     if random.random() < ASKED:
         backwards(data, random)
+    later(data, Random(f"later {seed}"))
     return data
 
 

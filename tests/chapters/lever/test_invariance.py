@@ -102,7 +102,12 @@ def renamed(v: Variant, points: dict[str, str], links: dict[str, str], guides: d
     scales = v.lever.drawing.force
     scales = {group(key): x for key, x in scales.items()} if isinstance(scales, dict) else scales
     drawing = replace(v.lever.drawing, force=scales)
-    named = stating(v, mechanism=mechanism, loads=loads, friction=friction, drawing=drawing, readings={})
+    press = v.lever.press and replace(v.lever.press, slider=links[v.lever.press.slider])
+    translation = v.lever.translation and links[v.lever.translation]
+    named = stating(
+        v, mechanism=mechanism, loads=loads, friction=friction, drawing=drawing, readings={},
+        press=press, translation=translation,
+    )  # fmt: skip
     return replace(named, **dict.fromkeys(course.OTHERS))  # they name links by the names of before
 
 

@@ -8,6 +8,7 @@ from tmm_report.mechanics.calculus.motion_laws import (
     Phased,
     Pieces,
     Polynomial,
+    RunUp,
     Tabulated,
     accelerated,
     time_of,
@@ -28,6 +29,7 @@ LAWS = {
     "table": Tabulated((0.0, 0.2, 0.4, 0.7, 1.0), (0.1, 1.3, 2.2, 3.6, 0.1 + FULL_TURN)),
     "open table": Tabulated((0.0, 0.2, 0.4, 0.7, 1.0), (0.1, 0.4, 1.2, 1.0, 0.3)),
     "phases": Phased(PHASES, 0.3, 2.0),
+    "run up": RunUp(1.1, 0.0, (0.4, 2.0, 0.6), (0.375, 0.0, -0.25), 0.15, 0.4, 0.6),
     "pieces": Pieces(1.1, 0.0, (0.4, 2.0, 0.6), (0.375, 0.0, -0.2)),
 }
 every = pytest.mark.parametrize("law", LAWS.values(), ids=LAWS)
@@ -59,6 +61,7 @@ def test_which_laws_repeat():
         "accelerated",
         "turning back",
         "open table",
+        "run up",
         "pieces",
     ]
 

@@ -264,6 +264,16 @@ class Pieces(MotionLaw):
         return q[k] + (v[k] + a * gone / 2) * gone, v[k] + a * gone, a
 
 
+@dataclass(frozen=True, eq=False)
+class RunUp(Pieces):
+    """A constant speed, `steady`, run up to from rest evenly in the time `up` and down to rest in the time `down`, s; 0
+    where it is there from the beginning, or to the end."""
+
+    steady: float = 0.0
+    up: float = 0.0
+    down: float = 0.0
+
+
 def accelerated(start: float, speed: float, acceleration: float, time: float) -> Polynomial:
     """With constant acceleration: rad, rad/s, rad/s², over a time, s."""
     return Polynomial((start, speed, acceleration / 2), time)

@@ -18,6 +18,13 @@ RELATIVE = 1e-10  # tolerance of a step, of each unknown's size
 ABSOLUTE = 1e-12
 
 
+CLOSER = (
+    1.0,
+    0.5,
+    0.25,
+)  # of the relative error: where the steps of one do not do, those of the next are others
+
+
 @dataclass(frozen=True, eq=False)
 class Trajectory:
     """`x` (P,) and the unknowns `y` (N, P); `ended`: the number of the event that ended it, None where the span did;
@@ -50,10 +57,18 @@ def integrate(
 
     for event in events:
         event.terminal = True  # type: ignore[attr-defined]
-    found = solve_ivp(
-        rate, span, start, method=method, rtol=relative, atol=absolute, events=list(events) or None,
-        dense_output=True, max_step=longest,
-    )  # fmt: skip
+    for closer in CLOSER:
+        try:
+            found = solve_ivp(
+                rate, span, start, method=method, rtol=closer * relative, atol=absolute, events=list(events) or None,
+                dense_output=True, max_step=longest,
+            )  # fmt: skip
+            if found.status >= 0:
+                break
+        except ValueError as error:
+            # an event at the very end of a step: scipy sees it in the unknowns there and not in their interpolant
+            if "different signs" not in str(error) or closer == CLOSER[-1]:
+                raise
     if found.status < 0:
         raise ArithmeticError(found.message)
     hit = next((k for k, places in enumerate(found.t_events or ()) if len(places)), None)

@@ -27,6 +27,7 @@ LOADS = N_(
     "The circumferential force that the satellite has of the sum that the moment needs; from it the normal force, and "
     "the force on its axis."
 )
+STIFF = N_("The stated stiffness of a mesh by that of the axis of a satellite.")
 AXES = N_("The forces of all the satellites on the wheel, added as vectors.")
 TURNS = N_("After as many turns of the axes both wheels have turned whole times: by their teeth.")
 
@@ -53,7 +54,8 @@ WAYS = (
     ),
     Way("eccentric_masses.*", MASS, of="t eccentric_density eccentric_b"),
     Way("eccentric_loads.*", LOADS, of="wheel gamma eccentric_F_sum eccentric_kappa"),
-    Way("eccentric_R_*", AXES, of="eccentric_loads.F_n eccentric_satellites.phi1 eccentric_satellites.phi3"),
+    Way("eccentric_R_1 eccentric_R_3", AXES, of="eccentric_F_sum eccentric_alpha"),
+    Way("eccentric_kappa", STIFF, of="eccentric_F_sum"),
     Way("eccentric_z* eccentric_satellites", TEETH, of="eccentric_t eccentric_E"),
     Way(
         "eccentric_e",

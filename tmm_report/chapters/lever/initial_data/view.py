@@ -42,6 +42,9 @@ STROKES = {
     "Tabulated": N_("it is stated by a table and goes along the cubic spline through its points"),
     "Phased": N_("it goes through phases of rise, dwell and return, as a cam's follower does"),
     "Pieces": N_("it goes with constant accelerations one after another"),
+    "RunUp": N_(
+        "it goes at a constant speed, up to which it is run from rest, or down from it to rest, evenly"
+    ),
 }
 UNIFORM = N_("it changes at a constant speed")
 

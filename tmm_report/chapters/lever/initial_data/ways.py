@@ -33,7 +33,11 @@ WAYS = (
     Way("T_turn turns", STATED),
     Way("omega", SPEED, of="n_1 T_turn drive_omega_out"),
     Way("law_time", LAW_TIME, of="law_frequency law_speed law_acceleration"),
-    Way("law_time", STROKE_TIME, of="law_stroke law_stroke_speed law_stroke_acceleration law_part_time_1"),
+    Way(
+        "law_time",
+        STROKE_TIME,
+        of="law_stroke law_stroke_speed law_stroke_acceleration law_part_time_1 law_stroke_steady law_run_up",
+    ),
     Way("law_*", STATED),
     Way("phi_cycle", by=lambda q: 2 * PI * q("turns")),
     Way("T_cycle", by=lambda q: q("phi_cycle") / abs(q("omega"))),

@@ -10,8 +10,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tmm_report.chapters.lever.kinetostatics.quantities.positions import moments
-from tmm_report.chapters.lever.kinetostatics.solve.lengths import energy, ties_of, torsions_of, twist_energy
-from tmm_report.chapters.lever.kinetostatics.ties import Twist
+from tmm_report.chapters.lever.kinetostatics.solve.lengths import (
+    energy,
+    is_torsion,
+    ties_of,
+    torsions_of,
+    twist_energy,
+)
 from tmm_report.chapters.lever.moving import Machine, Moving, machine
 from tmm_report.chapters.machine.dynamics import refusals
 from tmm_report.chapters.machine.dynamics.given import Given, Part, Spring, Supply
@@ -199,7 +204,7 @@ def _acting(key: str, law: Characteristic, sign: float, over: Panels, reverse: b
 def _turning(moving: Moving | None) -> set[str]:
     """The moments of torsion springs, by their keys."""
     given = moving.forces.given.moments if moving and moving.forces else ()
-    return {of.key for of, one in zip(moments(given), given, strict=True) if isinstance(one, Twist)}
+    return {of.key for of, one in zip(moments(given), given, strict=True) if is_torsion(one)}
 
 
 def _loads(of: Machine | None, over: Panels, springs: set[str]) -> Iterator[tuple[str, Acting]]:

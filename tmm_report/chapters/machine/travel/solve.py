@@ -122,6 +122,8 @@ def _run(machine: Whole, speed: float) -> tuple[Run, bool]:
         return run(plant, start, Goal(angle=machine.length * machine.turn)), False
     except NeverReached as never:
         stalled = never
+    except ArithmeticError:  # it would turn back at the very beginning, which no step gets beyond
+        stalled = NeverReached("stall", start)
     if stalled.why == "stall" and stalled.phi > AT_ONCE:
         try:
             return run(plant, start, Goal(speed=0.0)), True

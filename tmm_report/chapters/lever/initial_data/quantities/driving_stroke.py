@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from tmm_report.chapters.lever.initial_data.quantities.driving_law import FREQUENCY, LEAD, POWERS, TIME
-from tmm_report.mechanics.calculus.motion_laws import Harmonic, MotionLaw, Phased, Pieces, Polynomial
+from tmm_report.mechanics.calculus.motion_laws import Harmonic, MotionLaw, Phased, Pieces, Polynomial, RunUp
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.formula import Expr, Negative, Var, cos, expr, sin
 from tmm_report.quantity.model import Quantity, Value
@@ -24,6 +24,15 @@ ACCELERATION = Quantity(
 )
 AMPLITUDE = Quantity(
     "law_stroke_amplitude", Symbol("A"), "m", Message(N_("amplitude of the stroke's harmonic"))
+)
+STEADY = Quantity(
+    "law_stroke_steady", Symbol("v", "1"), "m/s", Message(N_("speed that the stroke is run up to"))
+)
+UP = Quantity(
+    "law_run_up", Symbol("t", "1"), "s", Message(N_("time in which the stroke is run up to its speed"))
+)
+DOWN = Quantity(
+    "law_run_down", Symbol("t", "2"), "s", Message(N_("time in which the stroke is run down to rest"))
 )
 RISE = Quantity("law_stroke_rise", Symbol("h"), "m", Message(N_("rise of the stroke by its phases")))
 
@@ -49,6 +58,10 @@ def values(law: MotionLaw) -> Iterator[Value]:
         case Polynomial(coefficients=(start, *others)):
             yield START.value(start)
             yield from (_factor(k).value(c) for k, c in enumerate(others, 1) if c)
+        case RunUp():
+            yield START.value(law.start)
+            yield STEADY.value(law.steady)
+            yield from (of.value(time) for of, time in ((UP, law.up), (DOWN, law.down)) if time)
         case Pieces():
             yield from _pieces(law)
         case Phased():

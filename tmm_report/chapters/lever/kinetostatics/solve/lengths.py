@@ -167,6 +167,11 @@ def twist_energy(twist: Twist, kinematics: Kinematics, motion: Motion) -> Array:
     return law.stiffness * (law.free - turned(twist, kinematics, motion)) ** 2 / 2
 
 
+def is_torsion(load: object) -> bool:
+    """Whether a load is the moment of a torsion spring."""
+    return isinstance(load, Twist)
+
+
 def torsions_of(given: Loads) -> list[Twist]:
     """The first end of every torsion spring, in their order."""
     found: dict[str, Twist] = {}

@@ -14,6 +14,7 @@ from tmm_report.mechanics.calculus.motion_laws import (
     Phased,
     Pieces,
     Polynomial,
+    RunUp,
     Tabulated,
     accelerated,
     time_of,
@@ -185,7 +186,7 @@ def _uniform(model: StrokeModel, start: float) -> MotionLaw:
         )
     pieces = [(up, speed / up if up else 0.0), (steady, 0.0), (down, -speed / down if down else 0.0)]
     times, values = zip(*((t, a) for t, a in pieces if t > SLIGHT * (up + down)), strict=True)
-    return Pieces(start, 0.0 if up else speed, times, values)
+    return RunUp(start, 0.0 if up else speed, times, values, speed, up, down)
 
 
 def _accelerated(model: StrokeModel, start: float) -> MotionLaw:
