@@ -6,6 +6,7 @@ backward differences; it is compiled, so that a step costs little more than the 
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -59,10 +60,12 @@ def integrate(
         event.terminal = True  # type: ignore[attr-defined]
     for closer in CLOSER:
         try:
-            found = solve_ivp(
-                rate, span, start, method=method, rtol=closer * relative, atol=absolute, events=list(events) or None,
-                dense_output=True, max_step=longest,
-            )  # fmt: skip
+            with warnings.catch_warnings():  # what scipy warns of is told by its status, too
+                warnings.filterwarnings("ignore", message="lsoda:")
+                found = solve_ivp(
+                    rate, span, start, method=method, rtol=closer * relative, atol=absolute,
+                    events=list(events) or None, dense_output=True, max_step=longest,
+                )  # fmt: skip
             if found.status >= 0:
                 break
         except ValueError as error:

@@ -352,3 +352,15 @@ def test_a_mechanism_whose_driving_link_turns_has_dynamics():
     error = told(TURNS)
     assert [one.path for one in error.problems] == [("travel",)]
     assert "its driving link turns" in str(error) and "dynamics in place of travel" in str(error)
+
+
+def test_a_main_link_that_would_turn_back_at_once_is_said_not_to_move(recwarn):
+    """No step of the integration gets beyond the beginning; nothing of the library's own is told."""
+    text = """
+travel:
+  {mass: 110.7 kg, to: 1.2 m, from: 109 mm, rise: 20 deg, gravity: 9.81 m/s^2, driving: [{viscous: 8.98 N*s/m}],
+   springs: [{stiffness: 586 N/m, free: 400 mm}]}
+"""
+    with pytest.raises(ProblemError, match="does not move"):
+        course.solve(course.loads(text))
+    assert not recwarn.list
