@@ -79,8 +79,7 @@ def test_formulas_are_as_wide_as_they_are_reckoned(quick):
     off = []
     for text, wide in maths:
         plain = re.sub(r' xmlns="[^"]*"', "", text).replace("&nbsp;", "\N{NO-BREAK SPACE}")
-        # one that is reckoned too wide is only broken the sooner: powers of fractions are
-        if wide > 20 and not 0.98 < measure.mathematics(plain) / wide < 1.25:
+        if wide > 20 and not 0.98 < measure.mathematics(plain) / wide < 1.15:
             off.append((measure.mathematics(plain), wide, plain[:300]))
     assert len(maths) > (50 if quick else 5000) and off == []
     assert sum(wide > 20 for _, wide in maths) > (2 if quick else 20)

@@ -156,8 +156,9 @@ _BRACKETS = frozenset("()[]{}|")
 _ROOT, _TALL = 1.2, 1.9  # em of the sign of a root; a bracket as tall as what is in it against a low one
 
 
-def mathml(node: Element, level: int = 0) -> float:
-    """An element of MathML; `level`: how deep among indices."""
+def mathml(node: Element, level: int = 0, within: bool = False) -> float:
+    """An element of MathML; `level`: how deep among indices; `within`: a fraction or an index, where the terms of a
+    fraction are as small as indices are."""
     size = _INDEX[min(level, 2)]
     match node.tag:
         case "mi" | "mn" | "mtext":
@@ -173,16 +174,17 @@ def mathml(node: Element, level: int = 0) -> float:
             wide = float((node.get("width") or "0em").removesuffix("em"))
             return size * (max(wide, _THICK) if wide else 0.0)
         case "mfrac":
-            return max(mathml(child, level) for child in node) + 0.1
+            return max(mathml(child, level + within, True) for child in node) + 0.1
         case "msub" | "msup" | "msubsup":
             base, *indices = node
-            return mathml(base, level) + max(mathml(one, level + 1) for one in indices) + _AFTER_INDEX
+            smaller = max(mathml(one, level + 1, True) for one in indices)
+            return mathml(base, level, within) + smaller + _AFTER_INDEX
         case "munder" | "mover":
             base, *others = node
-            return max(mathml(base, level), *(mathml(one, level + 1) for one in others))
+            return max(mathml(base, level, within), *(mathml(one, level + 1, True) for one in others))
         case "msqrt":
-            return sum(mathml(child, level) for child in node) + size * _ROOT
-    return sum(mathml(child, level) for child in node)
+            return sum(mathml(child, level, within) for child in node) + size * _ROOT
+    return sum(mathml(child, level, within) for child in node)
 
 
 def spaces(sign: str) -> float:
@@ -230,37 +232,40 @@ def latex(text: str) -> float:
     return wide
 
 
-def _row(tokens: list[str], at: int, level: int, upright: bool = False) -> tuple[float, int]:
+def _row(
+    tokens: list[str], at: int, level: int, upright: bool = False, within: bool = False
+) -> tuple[float, int]:
     """What stands from a token up to the closing brace, and where that is. Indices of one letter stand above one
     another."""
     wide, indices = 0.0, [0.0]
     while at < len(tokens) and tokens[at] != "}":
         if tokens[at] in "_^":
-            one, at = _one(tokens, at + 1, level + 1, upright)
+            one, at = _one(tokens, at + 1, level + 1, upright, True)
             indices.append(one + _AFTER_INDEX)
         else:
-            one, at = _one(tokens, at, level, upright)
+            one, at = _one(tokens, at, level, upright, within)
             wide, indices = wide + max(indices) + one, [0.0]
     return wide + max(indices), at
 
 
-def _one(tokens: list[str], at: int, level: int, upright: bool) -> tuple[float, int]:
+def _one(tokens: list[str], at: int, level: int, upright: bool, within: bool) -> tuple[float, int]:
     """A group, a command with what it is of, or a letter; and the token behind it."""
     if at >= len(tokens):
         return 0.0, at
     token, size = tokens[at].rstrip() or " ", _INDEX[min(level, 2)]
     if token == "{":
-        wide, end = _row(tokens, at + 1, level, upright)
+        wide, end = _row(tokens, at + 1, level, upright, within)
         return wide, end + 1
     if not token.startswith("\\"):
         return size * _sign(token, upright), at + 1
     name = token[1:]
     if name in ("frac", "underset"):
-        above, at = _one(tokens, at + 1, level if name == "frac" else level + 1, upright)
-        below, at = _one(tokens, at, level, upright)
+        deeper = level + within
+        above, at = _one(tokens, at + 1, deeper if name == "frac" else level + 1, upright, True)
+        below, at = _one(tokens, at, deeper if name == "frac" else level, upright, within or name == "frac")
         return max(above, below) + (0.1 if name == "frac" else 0.0), at
     if name in ("sqrt", "overline", "underline", *_UPRIGHT):
-        wide, at = _one(tokens, at + 1, level, upright or name in _UPRIGHT)
+        wide, at = _one(tokens, at + 1, level, upright or name in _UPRIGHT, within)
         return wide + (size * _ROOT if name == "sqrt" else 0.0), at
     if name in ("left", "right"):
         return size * letters(tokens[at + 1] if at + 1 < len(tokens) else "", "math") * _TALL, at + 2
