@@ -33,7 +33,6 @@ VARIANTS = Path(__file__).parents[2] / "variants"
 ASKED = ("rates_table", "reactions_table", "balancing_table")
 MARKUP = re.compile(r"[<>{}\\$&]|data-")
 _RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
-DIGITS = re.compile(r"[0-9]+(?:,[0-9]+)?")
 
 
 @cache
@@ -138,11 +137,7 @@ def test_every_formula_of_a_note_is_plain_text_that_ends_in_its_value(name):
             expected = spoken.item.written
             shown = number_of(line)
             shown = np.radians(shown) if spoken.item.unit == "deg" else shown
-            # a difference of works that is nothing is a rounding beside them
-            largest = max((float(x.replace(",", ".")) for x in DIGITS.findall(line)), default=0.0)
-            assert shown == pytest.approx(expected, rel=6e-5, abs=max(1e-9, 1e-8 * largest), nan_ok=True), (
-                line
-            )
+            assert shown == pytest.approx(expected, rel=6e-5, abs=1e-9, nan_ok=True), line
 
 
 # ---------------------------------------------------------------- what leads to what

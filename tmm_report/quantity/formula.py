@@ -382,6 +382,8 @@ class Formula:
     def written(self) -> float:
         """The printed result at the sample position, rounded to `digits`, in SI (rad for "deg")."""
         value = at(self.shown, self.index)
+        if self.scale is not None and abs(value) <= ZERO * self.scale:  # printed as nothing beside its terms
+            return 0.0
         if self.unit == "deg":
             return math.radians(round_significant(math.degrees(value), self.digits))
         return float(round_significant(value, self.digits))
