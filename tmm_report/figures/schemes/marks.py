@@ -94,14 +94,6 @@ def cylinder(start: complex, end: complex, least: float, most: float) -> list[It
     return [*items, *joint(start), *joint(end)]
 
 
-def arrow(start: complex, end: complex) -> list[Item]:
-    """A straight arrow of a velocity."""
-    back = (start - end) / abs(start - end) * min(2.5, abs(start - end))
-    base = end + back
-    head = polygon((end, base + 0.17j * back, base - 0.17j * back), None, THIN.colour)
-    return [line(start, base, THIN), head]
-
-
 def weld(corner: complex, one: complex, other: complex) -> list[Item]:
     """A filled corner between two bars that are one piece."""
     legs = [corner + 2.2 * (end - corner) / abs(end - corner) for end in (one, other)]

@@ -14,6 +14,7 @@ from tmm_report.figures.drawing import (
     NORMAL,
     THICK,
     THIN,
+    Arrow,
     Circle,
     Item,
     Pen,
@@ -223,8 +224,7 @@ class View:
         if stroke is None or not {*stroke.names} <= self.points.keys():
             return None
         pin, far = (self.points[name] for name in stroke.names[1:])
-        s = stroke.law.of_phase(2 * math.pi * self.position / max(1, self.motion.count - 1))[0]
-        along = complex(np.ravel(stroke.along(np.ravel(s)))[0])
+        along = stroke.way if stroke.slides else (pin - far) / abs(pin - far)
         sense = 1 if float(np.ravel(stroke.law.of_phase(0.01)[1])[0]) >= 0 else -1
         middle = far if stroke.slides else (pin + far) / 2
         middle += (BLOCK.imag + 2.5) * 1j * along * (1 if (1j * along).imag >= 0 else -1)
@@ -233,7 +233,7 @@ class View:
 
     def driving(self) -> list[Item]:
         """The arrow of the stroke that drives, else of the driver's rotation."""
-        return marks.arrow(*self._travel) if self._travel else self.rotation()
+        return [Arrow(*self._travel, THIN)] if self._travel else self.rotation()
 
     def driving_tags(self) -> list[Tag]:
         if self._travel is None:
