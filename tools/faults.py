@@ -215,6 +215,10 @@ FAULTS = (
           "yield lost(loss.pair, pairs).column(loss.power)",
           "yield lost(pairs[-1 - pairs.index(loss.pair)], pairs).column(loss.power)"),
     # --- drawings ---
+    Fault("the arrow of a driving stroke points backwards", "tmm_report/figures/schemes/view.py",
+          "[1])[0]) >= 0 else -1\n        middle", "[1])[0]) < 0 else -1\n        middle", DRIVEN, PUSHED),
+    Fault("the barrel of a driving cylinder hangs on its rod's pin", "tmm_report/figures/schemes/view.py",
+          "return (far, pin) if {far, pin}", "return (pin, far) if {far, pin}", DRIVEN, PUSHED),
     Fault("vertices of a plan mislettered", "tmm_report/chapters/lever/plans/draw.py",
           "plan(vectors, drawn.vertices,",
           "plan(vectors, dict(zip(drawn.vertices, reversed(drawn.vertices.values()))),"),

@@ -9,6 +9,8 @@ from tmm_report import course
 from tmm_report.chapters.lever.kinetostatics.quantities import tables as kinetostatics_tables
 from tmm_report.chapters.lever.kinetostatics.quantities import values as kinetostatics_values
 from tmm_report.chapters.lever.structure.naming import link_name
+from tmm_report.figures.schemes import marks
+from tmm_report.figures.schemes.view import view_of
 from tmm_report.mechanics.calculus.vectors import cross, dot
 from tmm_report.problems import ProblemError
 
@@ -279,3 +281,58 @@ def _reactions(lever):
     for table in kinetostatics_tables(lever.kinetostatics):
         if table.name in ("reactions_table", "drive_table"):
             yield from ((column.key, column.values) for column in table.columns)
+
+
+def view(text):
+    """Position 0 of a mechanism as it is drawn, at 5 mm of it per mm of paper."""
+    motion = (lever := solved(text)).kinematics.table
+    mechanism = lever.kinematics.linkage.mechanism
+    places = {point: np.broadcast_to(motion.place(point), motion.shape) for point in mechanism.point_names}
+    turns = {link: np.broadcast_to(motion.turn(link), motion.shape) for link in mechanism.moving}
+    return view_of(mechanism, places, turns, 0.005, 0)
+
+
+BACKWARDS = "{from: 1.15 m, speed: -0.12 m/s, run_up: 0.3 s, time: 1.2 s}"
+EXTENDS = "{from: 0.9 m, speed: 0.2 m/s, run_up: 0.2 s, time: 1.5 s}"
+
+
+@pytest.mark.parametrize(
+    ("text", "way"),
+    [
+        (BUCKET, 1),
+        (BUCKET.replace(EXTENDS, BACKWARDS), -1),
+        (TIPPER, 1),
+        (SLIDER, 1),
+        (with_stroke(SLIDER, "{from: 0.6 m, to: 0.35 m, speed: 1 m/s}"), -1),
+    ],
+)
+def test_the_arrow_of_what_drives_points_as_it_begins_to_move(text, way):
+    seen = view(text)
+    stroke = seen.mechanism.driver.stroke
+    (arrow,) = seen.driving()
+    pin, far = (seen.points[name] for name in stroke.names[1:])
+    along = stroke.way if stroke.slides else (pin - far) / abs(pin - far)
+    pointed = (arrow.end - arrow.start) / abs(arrow.end - arrow.start)
+    assert pointed == pytest.approx(way * along, abs=1e-12)
+    middle = far if stroke.slides else (pin + far) / 2
+    assert abs((arrow.start + arrow.end) / 2 - middle) < 6  # mm, beside the slider or the cylinder
+
+
+def test_a_cylinder_without_links_is_drawn_between_its_points():
+    """Barrel from the fixed point on, rod to the pin, the piston on both their axis and within the barrel."""
+    seen, other = view(BUCKET), view(TIPPER)
+    assert (seen.cylinder, other.cylinder) == (("A", "B"), None)
+    start, end = seen.points["A"], seen.points["B"]
+    along = (end - start) / abs(end - start)
+    barrel, piston, rod, *joints = marks.cylinder(start, end, *seen.lengths)
+    assert [one.centre for one in joints] == pytest.approx([start, end])
+    corners = (np.array(barrel.strokes[0]) - start) / along
+    assert corners.imag == pytest.approx([-marks.BARREL, -marks.BARREL, marks.BARREL, marks.BARREL])
+    at = [(np.array(one.strokes[0]) - start) / along for one in (piston, rod)]
+    assert at[1].imag == pytest.approx([0, 0], abs=1e-12) and at[1].real[1] == pytest.approx(abs(end - start))
+    assert at[0].real == pytest.approx([at[1].real[0]] * 2)
+    assert corners.real.min() < at[1].real[0] < corners.real.max()
+    drawn = [item for item in seen.links() if getattr(item, "strokes", None) == barrel.strokes]
+    assert len(drawn) == 1
+    low, high = solved(BUCKET).kinematics.linkage.mechanism.driver.stroke.law.reach
+    assert seen.lengths == pytest.approx((low / 0.005, high / 0.005))

@@ -142,7 +142,7 @@ class View:
         items += [item for point in joints for item in self.joint_mark(point)]
         if names is None and self.cylinder:
             items += marks.cylinder(
-                self.points[self.cylinder[0]], self.points[self.cylinder[1]], *self._lengths
+                self.points[self.cylinder[0]], self.points[self.cylinder[1]], *self.lengths
             )
         centres = {self.mechanism.links[name].mass_centre for name in chosen}
         single = [p for name in chosen for p in self.mechanism.links[name].points if p not in self.joints]
@@ -210,7 +210,7 @@ class View:
         return (far, pin) if {far, pin} <= self.points.keys() else None
 
     @cached_property
-    def _lengths(self) -> tuple[float, float]:
+    def lengths(self) -> tuple[float, float]:
         """The least and the greatest length of the cylinder over the motion, mm."""
         stroke = self.mechanism.driver.stroke
         assert stroke is not None
