@@ -378,9 +378,6 @@ class ByTurn(Law):
         return replace(self, stiffness=self.stiffness * factor)
 
 
-# ---------------------------------------------------------------- coefficients of friction
-
-
 # ---------------------------------------------------------------- indicator diagrams
 
 
