@@ -194,10 +194,14 @@ def unknown(
 
 def _textbook(key: str, own: Collection[str]) -> Message | None:
     """Of a thing that textbooks have and the program lacks; of a word that is only misspelt nothing."""
-    misspelt = difflib.get_close_matches(key, own, 1, CLOSE) or any(
-        skeleton(one) == skeleton(key) for one in own
+    return None if _is_slip_of(key, own) and not textbook.known(key) else textbook.nearest(key)
+
+
+def _is_slip_of(key: str, known: Collection[str]) -> bool:
+    """Whether a key is one of those that are known, but for a letter or the look of one."""
+    return bool(difflib.get_close_matches(key, known, 1, CLOSE)) or any(
+        skeleton(one) == skeleton(key) for one in known
     )
-    return None if misspelt and not textbook.known(key) else textbook.nearest(key)
 
 
 def _not_offered(key: str, path: Path, roots: Roots) -> Message | None:
@@ -219,7 +223,5 @@ def unknown_block(key: str, data: Any, known: Sequence[str], roots: Roots) -> Me
         return Message(N_("keys are English words: %(key)s"), {"key": meant})
     if (known_by_name := _textbook(key, known)) is not None:
         return known_by_name
-    close = difflib.get_close_matches(key, known, 1, CLOSE) or any(
-        skeleton(one) == skeleton(key) for one in known
-    )
-    return (None if close else elsewhere.anywhere(key, data[key], data, roots())) or near(key, sorted(known))
+    slip = _is_slip_of(key, known)
+    return (None if slip else elsewhere.anywhere(key, data[key], data, roots())) or near(key, sorted(known))

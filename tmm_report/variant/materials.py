@@ -10,7 +10,16 @@ from tmm_report.mechanics.pairs.materials import Stock, mean, stated
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.model import Model
-from tmm_report.variant.values import MAP, SCALAR, Coefficient, Label, by_shape, quantity, whole
+from tmm_report.variant.values import (
+    MAP,
+    SCALAR,
+    Coefficient,
+    Label,
+    UnsignedVelocity,
+    by_shape,
+    quantity,
+    whole,
+)
 
 
 def _faster(points: Any) -> Any:
@@ -20,9 +29,8 @@ def _faster(points: Any) -> Any:
     return points
 
 
-Sliding = Annotated[float, quantity("velocity", 0.0)]
 Points = Annotated[
-    list[tuple[Sliding, Coefficient]], Field(min_length=2, max_length=100), AfterValidator(_faster)
+    list[tuple[UnsignedVelocity, Coefficient]], Field(min_length=2, max_length=100), AfterValidator(_faster)
 ]
 
 

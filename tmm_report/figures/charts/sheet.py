@@ -28,6 +28,7 @@ from tmm_report.figures.charts.axes import (
 from tmm_report.figures.charts.peaks import Crowd, placed
 from tmm_report.figures.drawing import Circle, Drawing, Item, Path, Pen, Text, line, polygon
 from tmm_report.figures.lettering import Parts, width
+from tmm_report.mechanics.lever.assur_groups import ROMAN
 
 if TYPE_CHECKING:
     from tmm_report.figures.charts.graphs import Curve, Graph
@@ -36,7 +37,6 @@ NAME = 3.2  # height of the names of axes, mm
 CURVE, FRAME, GRID = 0.39, 0.22, 0.13  # widths of lines, mm
 JOINED = Pen(0.16, "grey", (1.4, 1.0))
 RING, MARK = 0.85, 0.6  # radii of a ring at an extreme and of a marker, mm
-ROMAN = ("I", "II", "III", "IV", "V")
 SAMPLE, SPACE = 10.0, 4.0  # length of a sample of a line, space before the next, mm
 
 
@@ -233,7 +233,7 @@ def _regimes(graph: Graph) -> Iterator[Item]:
     ):
         yield line(complex(x, foot), complex(at, foot + 1.6), Pen(FRAME))
         yield Text(complex(at, foot + 2.0 + FIGURE / 2), text, FIGURE, 0)
-    names = [(roman,) for roman in ROMAN[: len(places) - 1]]
+    names = [(ROMAN[k],) for k in range(1, len(places))]
     middles = [(a + b) / 2 for a, b in pairwise(places)]
     for at, name in zip(_apart(middles, [width(name, FIGURE) for name in names]), names, strict=True):
         yield Text(complex(at, foot + REGIMES - 1.4 - FIGURE / 2), name, FIGURE, 0)

@@ -184,6 +184,7 @@ class Lines(Law):
     value, or with a `period` the line from the last to the first of the next one."""
 
     order: ClassVar[int | None] = 1
+    values: Numbers
     period: float | None = None
 
     def points(self) -> tuple[Numbers, Numbers]:
@@ -222,6 +223,9 @@ class Lines(Law):
         turns = range(1 if end is None else math.ceil(end / self.period - 1e-9))
         return tuple(_moved(one, turn * self.period) for turn in turns for one in found)
 
+    def scaled(self, factor: float) -> Self:
+        return replace(self, values=times(self.values, factor))  # type: ignore[type-var]  # each of them is one
+
 
 def _corners(points: Iterable[tuple[float, float]], which: int = 0) -> list[Break]:
     """Of points that ascend; those of the same place are one."""
@@ -258,9 +262,6 @@ class ByAngle(Lines):
     def repeating(self, period: float) -> ByAngle:
         return replace(self, period=period)
 
-    def scaled(self, factor: float) -> Self:
-        return replace(self, values=times(self.values, factor))
-
 
 @dataclass(frozen=True)
 class ByPosition(Lines):
@@ -276,9 +277,6 @@ class ByPosition(Lines):
     def by_angle(self, step: float) -> ByAngle:
         """The same over the angle turned; `step`: from position to position, rad."""
         return ByAngle(tuple((np.arange(len(self.values)) * step).tolist()), self.values)
-
-    def scaled(self, factor: float) -> Self:
-        return replace(self, values=times(self.values, factor))
 
 
 @dataclass(frozen=True)
@@ -301,9 +299,6 @@ class ByTime(Lines):
     def points(self) -> tuple[Numbers, Numbers]:
         return self.times, self.values
 
-    def scaled(self, factor: float) -> Self:
-        return replace(self, values=times(self.values, factor))
-
 
 @dataclass(frozen=True)
 class BySpeed(Lines):
@@ -316,9 +311,6 @@ class BySpeed(Lines):
     def points(self) -> tuple[Numbers, Numbers]:
         return self.speeds, self.values
 
-    def scaled(self, factor: float) -> Self:
-        return replace(self, values=times(self.values, factor))
-
 
 @dataclass(frozen=True)
 class ByPlace(Lines):
@@ -330,9 +322,6 @@ class ByPlace(Lines):
 
     def points(self) -> tuple[Numbers, Numbers]:
         return self.places, self.values
-
-    def scaled(self, factor: float) -> Self:
-        return replace(self, values=times(self.values, factor))
 
 
 def times(values: Numbers, factor: float) -> Numbers:
@@ -387,9 +376,6 @@ class ByTurn(Law):
 
     def scaled(self, factor: float) -> Self:
         return replace(self, stiffness=self.stiffness * factor)
-
-
-# ---------------------------------------------------------------- coefficients of friction
 
 
 # ---------------------------------------------------------------- indicator diagrams

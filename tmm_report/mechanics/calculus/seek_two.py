@@ -194,19 +194,19 @@ def _better(rest: Function, x: Array, r: Array, step: Array) -> tuple[Array, Arr
     return x, r
 
 
-def slopes(f: Function, x: Array, step: float = STEP) -> Array:
+def slopes(f: Function, x: Array) -> Array:
     """Derivatives at a place, [function, number], by a difference of fourth order; at an edge, or where there are no
     values beside, of second order to the side that there is; nan where there is neither."""
-    return np.stack([_slope(f, x, np.eye(2)[k], step) for k in (0, 1)], axis=-1)
+    return np.stack([_slope(f, x, np.eye(2)[k]) for k in (0, 1)], axis=-1)
 
 
-def _slope(f: Function, x: Array, along: Array, step: float) -> Array:
+def _slope(f: Function, x: Array, along: Array) -> Array:
     at = float(x @ along)
-    if 2 * step <= at <= 1 - 2 * step:
-        a, b, c, d = f(x + np.outer((-2, -1, 1, 2), along) * step)
-        if np.isfinite(found := (a - 8 * b + 8 * c - d) / (12 * step)).all():
+    if 2 * STEP <= at <= 1 - 2 * STEP:
+        a, b, c, d = f(x + np.outer((-2, -1, 1, 2), along) * STEP)
+        if np.isfinite(found := (a - 8 * b + 8 * c - d) / (12 * STEP)).all():
             return found
-    for h in (step / 10, -step / 10):
+    for h in (STEP / 10, -STEP / 10):
         if 0 <= at + 2 * h <= 1:
             a, b = f(x + np.outer((1, 2), along) * h)
             if np.isfinite(found := (4 * a - b - 3 * f(x)) / (2 * h)).all():

@@ -31,9 +31,6 @@ class BySliding(Lines):
             at for at, (one, other) in zip(self.speeds, pairwise(slopes), strict=True) if at and one != other
         )
 
-    def scaled(self, factor: float) -> Self:
-        return replace(self, values=times(self.values, factor))
-
 
 @dataclass(frozen=True)
 class Stribeck(Law):

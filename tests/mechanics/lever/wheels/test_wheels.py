@@ -211,7 +211,7 @@ def test_the_forces_of_the_teeth_do_no_work(chain):
     """Both wheels of a mesh have one velocity in the pitch point, so its force has no power."""
     motion, found = chain.kinematics.table, chain.kinetostatics.table.statics
     for wheel in chain.structure.linkage.structure.coupled:
-        force, at = found.reactions[wheel.contact.key].force, wheel.mesh.pitch_point
+        force, at = found.reactions[wheel.contact.key].force, wheel.mesh.touches(motion.state)
         ends = [motion.state.velocity(x, at - motion.state.r[x]) for x in (wheel.link, wheel.by)]
         along = ends[0] - ends[1]
         size = np.nanmax(np.abs(force)) * np.nanmax(np.abs(ends[0]))
@@ -233,6 +233,6 @@ def test_moments_of_the_teeth_are_those_of_the_force_about_each_axis(chain):
     for wheel in chain.structure.linkage.structure.coupled:
         force = solved.statics.reactions[wheel.contact.key].force
         for link, moment in moments_of(wheel, solved):
-            arm = wheel.mesh.pitch_point - wheel.mesh.axes[wheel.mesh.links.index(link)]
+            arm = wheel.mesh.touches(solved.motion.state) - wheel.mesh.axes[wheel.mesh.links.index(link)]
             by_force = (np.conj(arm) * (force if link == wheel.link else -force)).imag
             assert moment == pytest.approx(by_force, rel=1e-12, abs=1e-9)

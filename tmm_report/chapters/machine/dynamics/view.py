@@ -16,7 +16,6 @@ from tmm_report.chapters.machine.dynamics.joined import SETTLED
 from tmm_report.chapters.machine.dynamics.plant import BRAKE, MOTOR, PAIRS
 from tmm_report.chapters.machine.dynamics.solve import Found
 from tmm_report.figures.charts.graphs import Graph
-from tmm_report.figures.charts.sheet import ROMAN
 from tmm_report.figures.drawing import Drawing
 from tmm_report.mechanics.machine.reduced import LOST
 from tmm_report.problems import N_
@@ -25,6 +24,7 @@ from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.part import Part
+from tmm_report.report.words import roman
 
 WAYS = {
     "speed": N_(
@@ -185,8 +185,8 @@ class DynamicsView(ChapterView):
             "coast": N_("run-down"),
         }
         names = [
-            self.page.listed([ROMAN[k], self.t(told[key])], " – ")
-            for k, key in enumerate(table["regime"].values[:-1])
+            self.page.listed([roman(k), self.t(told[key])], " – ")
+            for k, key in enumerate(table["regime"].values[:-1], 1)
         ]
         return self.t(N_("Tachogram of the machine: %(regimes)s"), regimes=self.page.listed(names))
 
@@ -284,8 +284,8 @@ class DynamicsView(ChapterView):
             "coast": self.t("Run-down"),
         }
         names = [
-            page.listed([f"{ROMAN[k]}.", heads[key]], " ") if key in heads else self.t("In all")
-            for k, key in enumerate(table["regime"].values)
+            page.listed([f"{roman(k)}.", heads[key]], " ") if key in heads else self.t("In all")
+            for k, key in enumerate(table["regime"].values, 1)
         ]
         rows = []
         for column in table.columns[1:]:

@@ -24,12 +24,12 @@ from tmm_report.variant.values import (
     PlaceForces,
     SpeedForces,
     TimeForces,
+    UnsignedVelocity,
     quantity,
 )
 
 PositiveForce = Annotated[float, quantity("force", 1e-12)]
 AtSpeed = Annotated[float, quantity("velocity", 1e-12)]
-Along = Annotated[float, quantity("velocity", 0.0)]
 Rise = Annotated[float, quantity("angle", -1.5708, 1.5708, "−90 … 90 deg")]
 KINDS = ("constant", "by_place", "by_time", "by_speed", "viscous", "square")
 
@@ -86,7 +86,7 @@ class TravelModel(Model):
         description="place at the beginning; left out, 0, or where the stroke begins",
     )
     to: Length | None = Field(default=None, description="place at the end", examples=["0.4 m"])
-    speed: Along = Field(default=0.0, description="at the beginning, towards the end")
+    speed: UnsignedVelocity = Field(default=0.0, description="at the beginning, towards the end")
     mass: Mass = Field(default=0.0, description="of what slides; with a mechanism, besides its links")
     rise: Rise | None = Field(
         default=None,

@@ -7,7 +7,7 @@ moments about its axis (of a rack, forces along its guide) give the tangential f
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import field
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -67,7 +67,7 @@ class Coupled:
     bearing: Pair
     contact: Pair
     zero: float = 0.0
-    roots: tuple[Root, ...] = field(default_factory=tuple)
+    roots: tuple[Root, ...] = ()
 
     @property
     def group_class(self) -> int:
@@ -187,5 +187,5 @@ def coupled(
         for root in of:
             key = (root.link, root.way is None)
             so_far = roots[key].rate if key in roots else 0.0
-            roots[key] = Root(root.link, so_far + rate * root.rate, root.way, root.leads, root.middle)
-    return Coupled(mesh, link, bare.by, bearing, contact, zero, tuple(roots.values()))
+            roots[key] = replace(root, rate=so_far + rate * root.rate)
+    return replace(bare, zero=zero, roots=tuple(roots.values()))

@@ -99,13 +99,6 @@ class Mesh:
     def radius(self, link: str) -> float:
         return self.radii[self.links.index(link)]
 
-    @property
-    def pitch_point(self) -> complex:
-        """Where the pitch circles touch, m: it stands still in the axes of the carrier; of a rack in the directions of
-        the drawing."""
-        second = self.links[1]
-        return self.axes[1] + self.radii[1] * self.outward(second)
-
     def turn(self, s: State) -> Array:
         """From the axes of `outward` to those of the drawing, unit complex, (..., P)."""
         return 1.0 if self.kind == "rack" else s.u[self.carrier]
