@@ -89,7 +89,7 @@ FAULTS = (
     Fault("the unknown by the letter of any number", FIND + "letters.py",
           "rel_tol=ALIKE", "rel_tol=1e9", RIM, BY_FORMULA),
     Fault("the formula of the flywheel without the machine's own inertia", FIND + "closed.py",
-          "        wheel = wheel + one", "        wheel = wheel + 0 * one", RIM, BY_FORMULA),
+          "sum(_own(k), wheel)", "wheel", RIM, BY_FORMULA),
     Fault("the formula of a rim without its spokes", FIND + "closed.py",
           "return own / (4 * (1 - spokes))", "return own / (4 * (1 + spokes))", RIM, BY_FORMULA),
     Fault("the formula of a motor without what resists", FIND + "closed.py",

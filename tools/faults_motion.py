@@ -211,7 +211,7 @@ FAULTS = (
     Fault("regimes: the steady motion as the work of one cycle", DYNAMICS + "joined.py",
           "key: count * work for key", "key: work for key", "piston_pump", REGIMES),
     Fault("regimes: the run-down begins at once after the start-up", DYNAMICS + "joined.py",
-          "rows[:2] + begin, rows[2:]", "rows[:2] + 0.9 * begin, rows[2:]", "hoist_start", REGIMES),
+          "t[-1] + one.t[1:] - one.t[0]", "0.9 * t[-1] + one.t[1:] - one.t[0]", "hoist_start", REGIMES),
     Fault("regimes: friction of the pairs among the loads", DYNAMICS + "joined.py",
           "for kind, one in machine.acting if kind == RUBBING", "for kind, one in machine.acting if kind == MOTOR",
           "piston_pump", REGIMES),

@@ -8,7 +8,8 @@ from typing import Any, ClassVar, Literal, Protocol, TypeVar, get_args, get_orig
 
 from pydantic import BaseModel, ConfigDict, model_validator
 
-from tmm_report.problems import Problem
+from tmm_report.problems import N_, Message, Problem
+from tmm_report.quantity.units import WrongValue
 from tmm_report.records import dataclass
 from tmm_report.variant.russian import english
 from tmm_report.variant.russian import words as russian_words
@@ -33,6 +34,13 @@ class Model(BaseModel):
             return data
         words = _words_of(cls)
         return {key: _in_english(value, words.get(key, frozenset())) for key, value in data.items()}
+
+
+def one_of(model: Any, names: tuple[str, ...], text: str) -> Any:
+    """A model that states one of these keys. Raises WrongValue, with the text, where it states none or several."""
+    if sum(getattr(model, name) is not None for name in names) != 1:
+        raise WrongValue(Message(text), Message(N_("exactly one of: %(words)s"), {"words": ", ".join(names)}))
+    return model
 
 
 def _plain(value: object) -> bool:

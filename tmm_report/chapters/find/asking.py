@@ -42,9 +42,10 @@ class Asking:
         first: ProblemError | None = None
         for parts in self._places():
             (answer,) = self.course([self.given.at(parts)], (), False)
-            if not isinstance(answer, ProblemError):
-                found.append((parts, answer))
-            first = first or (answer if isinstance(answer, ProblemError) else None)
+            if isinstance(answer, ProblemError):
+                first = first or answer
+                continue
+            found.append((parts, answer))
             if len(found) == 2:
                 break
         if found:

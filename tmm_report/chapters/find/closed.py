@@ -16,7 +16,7 @@ import numpy as np
 from tmm_report.chapters.find.asking import Sample
 from tmm_report.chapters.find.given import Given, Kind, Unknown
 from tmm_report.chapters.find.letters import sought
-from tmm_report.chapters.find.target import Target
+from tmm_report.chapters.find.target import Chapter, Target
 from tmm_report.i18n import NP_
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.formula import PI, Expr, Var, sqrt
@@ -154,8 +154,7 @@ def closed(given: Given, of: Target, wanted: float, samples: Sequence[Sample]) -
     """By the first formula that fits; None where there is none."""
     if len(samples) < 2:
         return None
-    books = tuple(_book(chapters) for _, chapters in samples)
-    known = Known(of, (books[0], books[1]), wanted_value(of, wanted).var())
+    known = Known(of, _books(samples), wanted_value(of, wanted).var())
     for one in INVERSIONS:
         if one.fits(given, of):
             try:
@@ -178,8 +177,7 @@ def closed_pair(
     no such pair of formulas."""
     if len(samples) < 2:
         return ()
-    books = tuple(_book(chapters) for _, chapters in samples)
-    known = Known(targets[0], (books[0], books[1]), Var("y", 0.0))
+    known = Known(targets[0], _books(samples), Var("y", 0.0))
     paths, keys = [".".join(map(str, one.path)) for one in given.unknowns], [one.key for one in targets]
     for one in PAIRS:
         if sorted(paths) != sorted(one.unknowns) or sorted(keys) != sorted(one.demands):
@@ -198,7 +196,12 @@ def closed_pair(
     return ()
 
 
-def _book(chapters: Sequence[tuple]) -> Book:
+def _books(samples: Sequence[Sample]) -> tuple[Book, Book]:
+    first, second = (_book(chapters) for _, chapters in samples)
+    return first, second
+
+
+def _book(chapters: Sequence[Chapter]) -> Book:
     return Book.of(
         [table for _, tables, _ in chapters for table in tables],
         [value for _, _, values in chapters for value in values],
@@ -208,18 +211,15 @@ def _book(chapters: Sequence[tuple]) -> Book:
 # --- the formulas
 
 
+def _own(k: Known) -> list[Var]:
+    """Moments of inertia of the machine without its flywheel."""
+    return [one for key in ("flywheel_J_own", "flywheel_J_mean") if (one := k.any(key))]
+
+
 def _less_own(k: Known, all_of_it: Expr) -> Expr:
-    own = [one for key in ("flywheel_J_own", "flywheel_J_mean") if (one := k.any(key))]
-    for one in own:
+    for one in _own(k):
         all_of_it = all_of_it - one
     return all_of_it
-
-
-def _more_own(k: Known, wheel: Expr) -> Expr:
-    own = [one for key in ("flywheel_J_own", "flywheel_J_mean") if (one := k.any(key))]
-    for one in own:
-        wheel = wheel + one
-    return wheel
 
 
 def _of_rim(k: Known) -> Expr:
@@ -240,7 +240,7 @@ def _on_main(k: Known, inertia: Expr) -> Expr:
 
 
 def _delta(k: Known, wheel: Expr) -> Expr:
-    return k.of("flywheel_A_ex") / (_more_own(k, wheel) * k.of("flywheel_omega_m") ** 2)
+    return k.of("flywheel_A_ex") / (sum(_own(k), wheel) * k.of("flywheel_omega_m") ** 2)
 
 
 def _moment(k: Known) -> Expr:

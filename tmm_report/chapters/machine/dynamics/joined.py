@@ -49,16 +49,11 @@ class Stretch:
     @classmethod
     def of(cls, name: str, runs: Sequence[Run]) -> Stretch:
         """Runs one after another."""
-        t, phi, omega = runs[0].t, runs[0].phi - runs[0].phi[0], runs[0].omega
-        for one in runs[1:]:
-            t = np.concatenate([t, t[-1] + one.t[1:] - one.t[0]])
-            phi = np.concatenate([phi, phi[-1] + one.phi[1:] - one.phi[0]])
-            omega = np.concatenate([omega, one.omega[1:]])
         works: dict[str, float] = {}
         for one in runs:
             for key, work in one.works.items():
                 works[key] = works.get(key, 0.0) + work
-        return cls(name, t, phi, omega, works, sum(one.gained for one in runs))
+        return cls(name, *_end_to_end(runs), works, sum(one.gained for one in runs))
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,13 +69,7 @@ class Joined:
 
     def samples(self) -> tuple[Array, Array, Array]:
         """t, φ and ω of all of it, (P,)."""
-        found: list[Array] = []
-        for one in self.stretches:
-            begin = found[-1][:2, -1:] if found else np.zeros((2, 1))
-            rows = np.array([one.t, one.phi, one.omega])[:, 1 if found else 0 :]
-            found.append(np.concatenate([rows[:2] + begin, rows[2:]]))
-        t, phi, omega = np.concatenate(found, axis=1)
-        return t, phi, omega
+        return _end_to_end(self.stretches)
 
     def kind(self, key: str) -> str:
         """Of what acts: "load" of what is none of the others."""
@@ -92,6 +81,17 @@ class Joined:
     def work(self, one: Stretch, kind: str) -> float:
         """Of all of a kind, J."""
         return float(sum(work for key, work in one.works.items() if self.kind(key) == kind))
+
+
+def _end_to_end(motions: Sequence[Run | Stretch]) -> tuple[Array, Array, Array]:
+    """t, φ and ω of motions one after another, φ from the beginning of the first, (P,)."""
+    first, *others = motions
+    t, phi, omega = first.t, first.phi - first.phi[0], first.omega
+    for one in others:
+        t = np.concatenate([t, t[-1] + one.t[1:] - one.t[0]])
+        phi = np.concatenate([phi, phi[-1] + one.phi[1:] - one.phi[0]])
+        omega = np.concatenate([omega, one.omega[1:]])
+    return t, phi, omega
 
 
 def joined(
@@ -128,7 +128,7 @@ def _led(plant: Plant, steady: Steady | None, start: Run) -> Iterator[Stretch]:
 def _closed(settling: Stretch, steady: Steady) -> Stretch:
     """With what is left of the kinetic energy of the steady motion, as the work of what drives most."""
     inertia = float(steady.plant.panels.at(steady.plant.inertia, np.zeros(1))[0])
-    left = inertia * (_speed(steady, 0.0) ** 2 - float(settling.omega[-1]) ** 2) / 2
+    left = inertia * (steady.speed(0.0) ** 2 - float(settling.omega[-1]) ** 2) / 2
     most = max(settling.works, key=lambda key: settling.works[key])
     works = settling.works | {most: settling.works[most] + left}
     return replace(settling, works=works, gained=settling.gained + left)
@@ -137,7 +137,7 @@ def _closed(settling: Stretch, steady: Steady) -> Stretch:
 def _settling(plant: Plant, steady: Steady, start: Run) -> Iterator[Run]:
     """Raises NeverReached."""
     phi, omega, period = float(start.phi[-1]), float(start.omega[-1]), plant.panels.period
-    lacks = omega / _speed(steady, phi) - 1
+    lacks = omega / steady.speed(phi) - 1
     if abs(lacks) > SETTLED and not plant.of:
         raise NeverReached("away", omega)
     if plant.even:
@@ -152,7 +152,7 @@ def _settling(plant: Plant, steady: Steady, start: Run) -> Iterator[Run]:
         found = run(plant, omega, Goal(angle=to * period - phi), phi)
         yield found
         phi, omega = float(found.phi[-1]), float(found.omega[-1])
-        lacks = omega / _speed(steady, 0.0) - 1
+        lacks = omega / steady.speed(0.0) - 1
 
 
 def _needed(lacks: float, steady: Steady) -> int:
@@ -161,15 +161,10 @@ def _needed(lacks: float, steady: Steady) -> int:
     return max(1, math.ceil(math.log(SETTLED / abs(lacks)) / rate)) if rate < 0 else TURNS + 1
 
 
-def _speed(steady: Steady, phi: float) -> float:
-    """ω of the steady motion at an angle, rad/s."""
-    return float(steady.plant.panels.at(steady.omega, np.array([phi]))[0])
-
-
 def _follows(coast: Run, plant: Plant, steady: Steady | None, start: Run | None) -> bool:
     """Whether the run-down begins at position 0 of the steady motion, or where the start-up ends."""
     if steady is not None:
-        before = _speed(steady, 0.0)
+        before = steady.speed(0.0)
     elif start is not None and plant.even and coast.plant.even and TIME not in plant.of | coast.plant.of:
         before = float(start.omega[-1])
     else:

@@ -185,7 +185,7 @@ def run_down(machine: Whole, coast: Coast, steady: Steady | None) -> Run:
     plant = machine.plant(coast.motor, coast.brake or 0.0, coast.load)
     begin = coast.begin
     if begin is None and steady is not None:
-        begin = float(machine.panels.at(steady.omega, np.zeros(1))[0])
+        begin = steady.speed(0.0)
     if coast.speed >= float(begin or 0.0):
         raise refusals.not_slower()
     try:

@@ -172,34 +172,32 @@ def brake(given: stated.Brake) -> Brake:
     s.M, s.J = given.moment, given.inertia
     s.wanted = (choose.mass or choose.spring) if choose else None
     if given.arm is None:
-        _sliding(s, choose)
+        _sliding(s)
     else:
-        _on_arms(s, choose, given.arm)
+        _on_arms(s, given.arm)
     s.power = s.M * s.held
     if given.inertia:
         s.contact_time = s.J * s.contact / s.M
     return s
 
 
-def _sliding(s: Brake, choose: stated.ChooseBrake | None) -> None:
-    """Shoes that move along their radius."""
+def _sliding(s: Brake) -> None:
+    """Shoes that move along their radius; the mass or the force of the spring, where it is chosen, is not there yet."""
     s.rho_contact = s.rho + s.gap
-    if choose and choose.spring:
-        s.K = s.n * s.f * s.m * s.rho_contact * s.R
+    if "F_0" in s:
+        s.F = s.F_0 + s.c * s.gap
+    if "m" not in s:
+        s.m = (s.F / s.rho_contact + s.M / (s.n * s.f * s.rho_contact * s.R)) / s.wanted**2
+    s.K = s.n * s.f * s.m * s.rho_contact * s.R
+    if "F_0" not in s:
         s.F = s.m * s.rho_contact * (s.wanted**2 - s.M / s.K)
         s.F_0 = s.F - s.c * s.gap
-    else:
-        s.F = s.F_0 + s.c * s.gap
-        if choose:
-            s.m = (s.F / s.rho_contact + s.M / (s.n * s.f * s.rho_contact * s.R)) / s.wanted**2
     s.contact = sqrt(s.F / (s.m * s.rho_contact))
-    if "K" not in s:
-        s.K = s.n * s.f * s.m * s.rho_contact * s.R
     _held(s)
     s.pressing = s.m * s.rho_contact * (s.held**2 - s.contact**2)
 
 
-def _on_arms(s: Brake, choose: stated.ChooseBrake | None, arm: stated.ShoeArm) -> None:
+def _on_arms(s: Brake, arm: stated.ShoeArm) -> None:
     """Moments about the pivot of an arm; friction draws a shoe on that goes before its pivot."""
     s.a, s.psi, s.psi_m, s.l_F = arm.pivot, arm.shoe, arm.mass_centre, arm.spring
     s.l_C, s.l_N, s.l_T = s.a * sin(s.psi_m), s.a * sin(s.psi), s.R - s.a * cos(s.psi)
@@ -207,17 +205,15 @@ def _on_arms(s: Brake, choose: stated.ChooseBrake | None, arm: stated.ShoeArm) -
     s.rho_contact = s.rho + s.theta * s.l_C
     on, off = s.l_N - s.f * s.l_T, s.l_N + s.f * s.l_T
     own, other = (on, off) if arm.ahead == "shoe" else (off, on)
-    if choose and choose.spring:
-        s.K = s.n * s.f * s.m * s.rho_contact * s.R * s.l_C / own
+    if "F_0" in s:
+        s.F = s.F_0 + s.c * s.theta * s.l_F
+    if "m" not in s:
+        s.m = (s.F * s.l_F + s.M * own / (s.n * s.f * s.R)) / (s.rho_contact * s.l_C * s.wanted**2)
+    s.K = s.n * s.f * s.m * s.rho_contact * s.R * s.l_C / own
+    if "F_0" not in s:
         s.F = s.m * s.rho_contact * s.l_C * (s.wanted**2 - s.M / s.K) / s.l_F
         s.F_0 = s.F - s.c * s.theta * s.l_F
-    else:
-        s.F = s.F_0 + s.c * s.theta * s.l_F
-        if choose:
-            s.m = (s.F * s.l_F + s.M * own / (s.n * s.f * s.R)) / (s.rho_contact * s.l_C * s.wanted**2)
     s.contact = sqrt(s.F * s.l_F / (s.m * s.rho_contact * s.l_C))
-    if "K" not in s:
-        s.K = s.n * s.f * s.m * s.rho_contact * s.R * s.l_C / own
     _held(s)
     s.pressing = s.m * s.rho_contact * s.l_C * (s.held**2 - s.contact**2) / own
     s.f_lock = s.l_N / s.l_T

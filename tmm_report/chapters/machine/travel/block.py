@@ -11,9 +11,8 @@ from tmm_report.chapters.machine.travel.given import Given as Travel
 from tmm_report.mechanics.calculus.laws import ByPlace, BySpeed, ByTime, Constant
 from tmm_report.mechanics.machine.characteristics import Characteristic, Power
 from tmm_report.problems import N_, Message, Problem, mistake
-from tmm_report.quantity.units import WrongValue
 from tmm_report.variant import model
-from tmm_report.variant.model import Model, Read
+from tmm_report.variant.model import Model, Read, one_of
 from tmm_report.variant.stated import Stated
 from tmm_report.variant.values import (
     Acceleration,
@@ -54,10 +53,7 @@ class ForceModel(Model):
 
     @model_validator(mode="after")
     def one(self) -> Any:
-        if sum(getattr(self, kind) is not None for kind in KINDS) != 1:
-            right = Message(N_("exactly one of: %(words)s"), {"words": ", ".join(KINDS)})
-            raise WrongValue(Message(N_("the force must be stated by one law")), right)
-        return self
+        return one_of(self, KINDS, N_("the force must be stated by one law"))
 
     @property
     def kind(self) -> str:

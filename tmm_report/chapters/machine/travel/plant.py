@@ -13,14 +13,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmm_report.chapters.lever.kinetostatics.solve.lengths import law_of, path_of, ties_of
+from tmm_report.chapters.lever.kinetostatics.solve.lengths import is_tie, law_of, path_of, ties_of
 from tmm_report.chapters.lever.kinetostatics.solve.positions import loading
 from tmm_report.chapters.lever.moving import Load, Moving, by_stroke, inertia_parts, inertia_slope, powers
 from tmm_report.chapters.machine.travel.given import Given
 from tmm_report.mechanics.calculus.laws import NOTHING, RATE, STROKE
 from tmm_report.mechanics.calculus.panels import Panels, panels
 from tmm_report.mechanics.lever.driving.stroke import Stroke
-from tmm_report.mechanics.lever.motion import Motion
 from tmm_report.mechanics.machine.characteristics import Geared
 from tmm_report.mechanics.machine.reduced import Acting, Plant
 from tmm_report.problems import N_, Message, ProblemError, mistake
@@ -40,8 +39,7 @@ WEIGHT, SPRING = "weight", "spring"
 @dataclass(frozen=True, eq=False)
 class Whole:
     """`way`: +1 where the place grows; `mass` and `slope`: m, kg, and dm/dx, kg/m, at the points of the panels, (K, n);
-    `acting`: all that acts, with its kind; `loads`: what the loads of the mechanism are; `motion`: of the mechanism at
-    all the points in a row, at the speed 1 m/s."""
+    `acting`: all that acts, with its kind; `loads`: what the loads of the mechanism are."""
 
     begin: float
     end: float
@@ -137,7 +135,7 @@ def _of_mechanism(
     given = moving.forces.given if moving.forces else None
     if given is not None:
         _steady(given, moving.kinematics)
-    motion = _along(moving, stroke, s.ravel(), way)
+    motion = by_stroke(moving.kinematics.table, stroke, s.ravel(), way)  # at 1 m/s along the motion
     omega = motion.omega
     mass = sum((part * omega**2 for _, part in inertia_parts(motion)), np.zeros(motion.shape))
     slope = inertia_slope(motion) * omega**3
@@ -148,23 +146,17 @@ def _of_mechanism(
     return mass.reshape(s.shape), slope.reshape(s.shape), loads
 
 
-def _along(moving: Moving, stroke: Stroke, s: Array, way: float) -> Motion:
-    """At places s with the speed 1 m/s along the motion."""
-    return by_stroke(moving.kinematics.table, stroke, s, way)
-
-
 def _steady(given: Loads, kinematics: Kinematics) -> None:
     """Raises ProblemError for loads whose laws are read along the stated motion, which is not this one."""
     wrong = []
-    ties = ties_of(given)
-    for end in ties:
+    for end in ties_of(given):
         if law_of(end.tie, kinematics).of == RATE:
             text = N_("a damper among the loads acts by the stated motion, and travel looks for another")
             right = Message(N_("state it in travel: resistance: [{viscous: …}]"))
             wrong.append(mistake(text, path_of(given, end), right))
     for key, many in (("forces", given.forces), ("moments", given.moments)):
         for k, one in enumerate(many):
-            if not isinstance(one, type(ties[0]) if ties else ()) and one.law.of != NOTHING:
+            if not is_tie(one) and one.law.of != NOTHING:
                 text = N_("this load changes along the stated motion, and travel looks for another")
                 right = Message(N_("a constant load, or a force in travel: {by_place: …}"))
                 wrong.append(mistake(text, ("loads", key, k), right))

@@ -49,6 +49,10 @@ class Steady:
         """Angular velocity, rad/s, (K, n)."""
         return np.sqrt(2 * self.energy / self.plant.inertia)
 
+    def speed(self, phi: float) -> float:
+        """Angular velocity at an angle, rad/s."""
+        return float(self.plant.panels.at(self.omega, np.array([phi]))[0])
+
     @cached_property
     def moment(self) -> Array:
         """Of all that acts, N m, (K, n)."""

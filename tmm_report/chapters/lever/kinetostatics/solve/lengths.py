@@ -87,6 +87,11 @@ def ties_of(given: Loads) -> list[End]:
     return [given.forces[own[0]] for own in apart(given.forces)[1]]  # type: ignore[misc]
 
 
+def is_tie(load: object) -> bool:
+    """Whether a load is the force of a spring or damper."""
+    return isinstance(load, End)
+
+
 def path_of(given: Loads, end: End) -> tuple[str | int, ...]:
     """Where a tie stands in the file."""
     return "loads", "springs" if isinstance(end.tie, Spring) else "dampers", int(end.of[1:]) - 1

@@ -54,7 +54,7 @@ def _wheels(case: Case) -> Table:
 
 
 def _harmonics(found: Found, cases: Sequence[Case]) -> Table:
-    highest = len(found.harmonics) // 2
+    highest = found.given.highest
     base = cases[0].base
     assert base is not None
     states = (found.original, base, cases[-1])

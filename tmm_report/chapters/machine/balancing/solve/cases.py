@@ -114,9 +114,10 @@ class Case:
         """All wheels, those of the case before too."""
         return (*(self.base.geared if self.base else ()), *self.wheels)
 
-    def at(self, number: int) -> Shaken:
-        """At the positions of a motion of `Ground`."""
-        return (self.table, self.diagram, self.cycle)[number]
+    @property
+    def shaken(self) -> tuple[Shaken, Shaken, Shaken]:
+        """At the positions of each motion of `Ground`."""
+        return self.table, self.diagram, self.cycle
 
 
 @dataclass(frozen=True, eq=False)
@@ -145,7 +146,7 @@ class Ground:
         weights = [one.weight for one in placed]
         shaken = []
         for motion, turned, before, arm in zip(
-            self.motions, self.turned, self._before, self.arms, strict=True
+            self.motions, self.turned, self.original.shaken, self.arms, strict=True
         ):
             force, moment = added(motion, weights, self.about)
             force = force + rotating(rotors, turned, self.cycle.sense, self.omega)
@@ -159,10 +160,9 @@ class Ground:
     ) -> Case:
         """A case with wheels geared to its links, or with weights in antiphase: both leave its force as it is."""
         shaken = []
-        for number, (motion, turned, arm) in enumerate(
-            zip(self.motions, self.turned, self.arms, strict=True)
+        for motion, turned, before, arm in zip(
+            self.motions, self.turned, base.shaken, self.arms, strict=True
         ):
-            before = base.at(number)
             moment = geared(motion, wheels) + moment_of(couples, self.cycle.sense * turned, self.omega)
             shaken.append(Shaken(before.force, self.settled(before.moment + moment, arm)))
         table, diagram, fine = shaken
@@ -170,10 +170,6 @@ class Ground:
         if couples or base.check is None:
             return found
         return replace(found, check=self.checked(base.weights, table, found.geared))
-
-    @property
-    def _before(self) -> tuple[Shaken, Shaken, Shaken]:
-        return self.original.table, self.original.diagram, self.original.cycle
 
     def checked(self, weights: list[Weight], shaken: Shaken, wheels: tuple[Wheel, ...] = ()) -> float:
         """The forces found again with the counterweights as parts of the links, which move as before, and with wheels

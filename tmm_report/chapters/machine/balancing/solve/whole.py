@@ -179,7 +179,7 @@ def _checked(ground: Ground) -> Ground:
     check = disagreement(ground.motions[0], of.table, ground.about, ground.size)
     table, diagram, fine = (
         Shaken(shaken.force, ground.settled(shaken.moment, arm))
-        for shaken, arm in zip((of.table, of.diagram, of.cycle), ground.arms, strict=True)
+        for shaken, arm in zip(of.shaken, ground.arms, strict=True)
     )
     return replace(ground, original=Case(ORIGINAL, (), (), table, diagram, fine, check))
 

@@ -9,7 +9,7 @@ from tmm_report.mechanics.calculus.laws import ByAngle, BySpeed, ByTime, Constan
 from tmm_report.mechanics.machine import characteristics as ch
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.units import WrongValue
-from tmm_report.variant.model import Model
+from tmm_report.variant.model import Model, one_of
 from tmm_report.variant.values import (
     AngleMoments,
     Fraction,
@@ -30,12 +30,6 @@ Curve = (Field(min_length=2, max_length=1000),)
 SpeedMoments = Annotated[list[tuple[FromRest, MomentValue]], *Curve]
 TimeMoments = Annotated[list[tuple[Time, MomentValue]], *Curve]
 PLATE = "power or moment, speed"
-
-
-def _one_of(model: Any, names: tuple[str, ...], text: str) -> Any:
-    if sum(getattr(model, name) is not None for name in names) != 1:
-        raise WrongValue(Message(text), Message(N_("exactly one of: %(words)s"), {"words": ", ".join(names)}))
-    return model
 
 
 def _complete(model: Any, *sets: tuple[str, ...]) -> tuple[str, ...]:
@@ -175,7 +169,7 @@ class MotorModel(Model):
 
     @model_validator(mode="after")
     def one(self) -> Any:
-        return _one_of(self, MOTORS, N_("the motor must be stated by one characteristic"))
+        return one_of(self, MOTORS, N_("the motor must be stated by one characteristic"))
 
 
 class FanModel(Model):
@@ -201,7 +195,7 @@ class ResistanceModel(Model):
 
     @model_validator(mode="after")
     def one(self) -> Any:
-        return _one_of(self, RESISTANCES, N_("the resistance must be stated by one law"))
+        return one_of(self, RESISTANCES, N_("the resistance must be stated by one law"))
 
 
 # ---------------------------------------------------------------- what they state
