@@ -1,6 +1,7 @@
 """A main link that slides: closed forms, own integration in t, another coordinate, works, what cannot be."""
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -8,6 +9,7 @@ from scipy.integrate import solve_ivp
 
 from tmm_report import course
 from tmm_report.problems import ProblemError
+from tmm_report.results import tables
 
 SLIDER = """
 travel:
@@ -15,6 +17,8 @@ travel:
   to: {end} m
   mass: 25 kg
 """
+
+BOOM = (Path(__file__).parents[3] / "cases" / "explain" / "boom_by_cylinder.yaml").read_text("utf-8")
 
 
 def travel(more: str, begin: float = 0.0, end: float = 0.4):
@@ -364,3 +368,19 @@ travel:
     with pytest.raises(ProblemError, match="does not move"):
         course.solve(course.loads(text))
     assert not recwarn.list
+
+
+def test_a_torsion_spring_among_the_loads_works_by_its_energy():
+    """c/2 of the square of what is left to its free angle, which counts from position 0 of the stated motion; the angle
+    of the boom by the theorem of cosines."""
+    spring = "  torsion_springs: [{links: [1, 0], stiffness: 60 N*m/rad, free_angle: 10 deg}]\n"
+    variant = course.loads(BOOM.replace("  forces:\n", spring + "  forces:\n", 1))
+    found = course.solve(variant)
+    works = next(table for table in tables(found) if table.name == "travel_works")
+    by_name = dict(zip(works["acting"].values, works["A"].values, strict=True))
+    stated = variant.lever.mechanism.driver.stroke.law.at(np.zeros(1))[0][0]
+    ends = np.array([stated, 0.5, 0.64])
+    pin, far = abs(0.5 + 0.15j), 0.5
+    phi = np.arccos((pin**2 + far**2 - ends**2) / (2 * pin * far))  # but for what is constant
+    left = math.radians(10) - (phi[1:] - phi[0])
+    assert by_name["M_k1,1"] == pytest.approx(30 * (left[0] ** 2 - left[1] ** 2), rel=1e-9)

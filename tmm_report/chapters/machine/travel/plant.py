@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmm_report.chapters.lever.kinetostatics.solve.lengths import is_tie, law_of, path_of, ties_of
+from tmm_report.chapters.lever.kinetostatics.solve.lengths import is_tie, is_torsion, law_of, path_of, ties_of
 from tmm_report.chapters.lever.kinetostatics.solve.positions import loading
 from tmm_report.chapters.lever.moving import Load, Moving, by_stroke, inertia_parts, inertia_slope, powers
 from tmm_report.chapters.machine.travel.given import Given
@@ -156,7 +156,7 @@ def _steady(given: Loads, kinematics: Kinematics) -> None:
             wrong.append(mistake(text, path_of(given, end), right))
     for key, many in (("forces", given.forces), ("moments", given.moments)):
         for k, one in enumerate(many):
-            if not is_tie(one) and one.law.of != NOTHING:
+            if not is_tie(one) and not is_torsion(one) and one.law.of != NOTHING:
                 text = N_("this load changes along the stated motion, and travel looks for another")
                 right = Message(N_("a constant load, or a force in travel: {by_place: …}"))
                 wrong.append(mistake(text, ("loads", key, k), right))

@@ -22,6 +22,7 @@ SLOPE = N_(
 )
 FOLLOWS = N_("By the triangle that the link follows the stroke by.")
 WORKS = N_("The integral of the force by the way.")
+GAINED = N_("The kinetic energy at the end less that at the beginning: of the reduced mass and the speed.")
 CHECK = N_("The sum of all works less the change of the kinetic energy, by the largest of them.")
 SECOND = N_(
     "dv/dt of the found motion by the integrator's own polynomial beside that of the equation of motion."
@@ -91,7 +92,7 @@ WAYS = (
     Way("travel_v_max", FASTEST, of="travel_v_end"),
     Way("travel_m_red travel_m_begin", REDUCED, of="travel_mass travel_wheels travel_begin"),
     Way("travel_force", LAW, of="travel_a"),
-    Way("travel_gained", CHECK, of="travel_v_begin travel_v_end"),
+    Way("travel_gained", GAINED, of="travel_v_begin travel_v_end"),
     Way("travel_balance_error", CHECK, of="travel_gained"),
     Way("travel_residual", SECOND, of="travel_t_end"),
     Way("travel_*", STATED),
