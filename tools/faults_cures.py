@@ -277,8 +277,8 @@ FAULTS = (
     Fault(
         "a coefficient is read at the relative angular velocity",
         FRICTION + "solve.py",
-        "rubbing.at(arm * rate), arm * rate",
-        "rubbing.at(rate), arm * rate",
+        "rubbing.at(sliding)",
+        "rubbing.at(rate)",
         "hacksaw",
     ),
     Fault(

@@ -80,6 +80,19 @@ def _pattern(name: str) -> re.Pattern[str]:
     return re.compile("([^.]*)".join(re.escape(part) for part in name.split("*")))
 
 
+def summed(prefix: str, but: str = "") -> Callable[[Known], Expr]:
+    """The sum of what stands beside a number in its table, by the beginning of the keys; `but`: a key that is no
+    part of it."""
+
+    def total(q: Known) -> Expr:
+        assert q.table is not None
+        keys = [one.key for one in q.table.columns if one.key.startswith(prefix) and one.key != but]
+        first, *others = [q(key) for key in keys]
+        return sum(others, first)
+
+    return total
+
+
 def own_ways(ways: Iterable[Way], name: str) -> Iterator[tuple[Way, tuple[str, ...]]]:
     """The ways that fit a number, in their order, and what their stars stand for."""
     table, _, key = name.rpartition(".")

@@ -266,10 +266,8 @@ class Mechanism:
         s.M_H = -(s.M_1 + s.M_3)
         rows = [self._sharing(row, of, load) for row, of in enumerate(self.satellites)]
         if load.yielding is not None:
-            total: Expr = rows[0].w
-            for row in rows[1:]:
-                total = total + row.w
-            s.share_sum = total
+            first, *others = (row.w for row in rows)
+            s.share_sum = sum(others, first)
         for row in rows:
             row.F_t = (
                 s.F_sum * row.w / s.share_sum if load.yielding is not None else s.F_sum / s.var("satellites")

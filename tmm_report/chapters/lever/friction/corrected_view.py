@@ -114,7 +114,7 @@ class CorrectedView(SlidingView):
         pair, k, stated = loss.pair, self.position, self.table("friction_given")
         diameter = self.found.table.pairs[row].rubbing.diameter
         rate = self.table("friction_table").var(q.rate(pair).key, k)
-        friction = self.friction_at(row, self.found.table.pairs[row])
+        friction = self.friction_at(row)
         if pair.kind == "R":
             arm = stated.var("d", row) if diameter else Var("d", 0.0, "m", ref=stated.ref("d", row))
             friction = friction * self.reactions.var(c.corrected_reaction(pair).key, k) * (arm / 2)

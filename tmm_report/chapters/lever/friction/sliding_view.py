@@ -65,16 +65,14 @@ class SlidingView(BookView):
 
     def coefficients(self, caption: Any) -> Table:
         """Velocity of sliding and coefficient of every pair by positions."""
-        pairs = [loss.pair for loss in self.found.table.pairs]
-        keys = [
-            key
-            for loss in self.by_law
-            for key in (self._velocity(loss), own.coefficient(loss.pair, pairs).key)
-        ]
+        keys = [key for loss in self.by_law for key in (self._velocity(loss), self._at_velocity(loss))]
         return self.by_positions(caption, "friction_table", keys)
 
     def _velocity(self, loss: PairLoss) -> str:
         return (own.sliding(loss.pair) if loss.pair.kind == "R" else q.rate(loss.pair)).key
+
+    def _at_velocity(self, loss: PairLoss) -> str:
+        return own.coefficient(loss.pair, [one.pair for one in self.found.table.pairs]).key
 
     def sliding_sample(self) -> list[Formula]:
         """Velocity of sliding and coefficient of each pair at the position written out."""
@@ -86,14 +84,14 @@ class SlidingView(BookView):
         law, k = loss.rubbing.law, self.position
         if law is None:
             return
-        lost, pairs = self.table("friction_table"), [one.pair for one in self.found.table.pairs]
+        lost = self.table("friction_table")
         if loss.pair.kind == "R":
             half = self.table("friction_given").var("d", row) / 2
             rate = lost.var(q.rate(loss.pair).key, k)
             yield lost.formula(self._velocity(loss), k, rate * half, scale=float(loss.sliding.max()))
         speed = lost.var(self._velocity(loss), k)
         expression = self._curve(law, speed) if isinstance(law, Stribeck) else self._line(law, speed)
-        yield lost.formula(own.coefficient(loss.pair, pairs).key, k, expression)
+        yield lost.formula(self._at_velocity(loss), k, expression)
 
     def _curve(self, law: Stribeck, speed: Var) -> Expr:
         table = self.table("friction_stribeck")
@@ -116,12 +114,12 @@ class SlidingView(BookView):
         )
         return start + (end - start) * (speed - low) / (high - low)
 
-    def friction_at(self, row: int, loss: PairLoss) -> Expr:
+    def friction_at(self, row: int) -> Expr:
         """The coefficient of a pair at the position written out, for its formulas."""
+        loss = self.found.table.pairs[row]
         if loss.rubbing.law is None:
             return self.table("friction_given").var("f", row)
-        pairs = [one.pair for one in self.found.table.pairs]
-        return self.table("friction_table").var(own.coefficient(loss.pair, pairs).key, self.position)
+        return self.table("friction_table").var(self._at_velocity(loss), self.position)
 
     def work(self) -> Markup | None:
         """Energy that friction takes over the cycle, with its sentence; None without a law, or without a cycle."""

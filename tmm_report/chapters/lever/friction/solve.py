@@ -260,7 +260,8 @@ def _losses(given: Friction, motion: Motion, statics: Statics) -> Losses:
             presses = _wide(pressing(reaction, rubbing.half), motion.shape)
             rate = np.abs(relative_rate(motion, reaction.pair))
             arm = rubbing.arm(reaction.pair.kind)
-            coefficient, sliding = rubbing.at(arm * rate), arm * rate
+            sliding = arm * rate
+            coefficient = rubbing.at(sliding)
             power = coefficient * presses * arm * rate
             couple = np.abs(_wide(reaction.moment, motion.shape)) if rubbing.half else None
             every = np.broadcast_to(coefficient, motion.shape)

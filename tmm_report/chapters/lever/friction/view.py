@@ -190,7 +190,7 @@ class FrictionView(SlidingView):
     def _loss(self, row: int, loss: PairLoss) -> Formula:
         pair, k, stated = loss.pair, self.position, self.stated
         presses = q.borne if loss.couple is None else q.pressing
-        friction = self.friction_at(row, loss) * self.lost.var(presses(pair).key, k)
+        friction = self.friction_at(row) * self.lost.var(presses(pair).key, k)
         if pair.kind == "R":
             arm = (
                 stated.var("d", row)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Expr, Var
 from tmm_report.quantity.symbols import Symbol
-from tmm_report.quantity.ways import NAME, STATED, Known, Way
+from tmm_report.quantity.ways import NAME, STATED, Known, Way, summed
 
 BOOK = N_("From the table of materials, by the two that rub and their lubrication.")
 TABLE = N_("Stated, or the middle of the range in the table of materials by the two that rub.")
@@ -39,15 +39,6 @@ NEWTON = N_(
 MISS = N_("The balancing moment by the forces with friction beside that by the powers.")
 
 
-def _total(q: Known) -> Expr:
-    assert q.table is not None
-    keys = [c.key for c in q.table.columns if c.key.startswith("P_fr_")]
-    total: Expr = q(keys[0])
-    for key in keys[1:]:
-        total = total + q(key)
-    return total
-
-
 def _pressed(q: Known) -> Expr:
     """2|M|/l where that is more than the reaction."""
     pair = q.parts[0]
@@ -68,7 +59,7 @@ WAYS = (
     Way("friction_table.v_sl_*", SLIDES, of="w_rel_{0} friction_given.d"),
     Way("friction_table.f_*", BY_LAW, of="v_sl_{0} v_rel_{0} friction_stribeck.f_s friction_points.f"),
     Way("E_fr", WORK, of="P_fr_mean"),
-    Way("friction_table.P_fr", by=_total),
+    Way("friction_table.P_fr", by=summed("P_fr_")),
     Way("friction_table.P_fr_*", PAIR, of="R_{0} N_{0} v_rel_{0} w_rel_{0}"),
     Way("friction_table.M_*", TILTING, of="R_{0} N_{0}"),
     Way("friction_table.N_*", PRESSED, by=_pressed, of="R_{0} M_{0}"),

@@ -14,7 +14,7 @@ from tmm_report.problems import N_
 from tmm_report.quantity.formula import Expr, Var, cos, sin, sqrt
 from tmm_report.quantity.laws import written
 from tmm_report.quantity.symbols import Symbol
-from tmm_report.quantity.ways import NAME, STATED, Known, Way
+from tmm_report.quantity.ways import NAME, STATED, Known, Way, summed
 
 GROUPS = N_(
     "Found analytically, group by group in the order opposite to that of assembly: the "
@@ -126,17 +126,6 @@ def _by_law(q: Known) -> Expr:
     return size if own * float(size.value) >= 0 else -size
 
 
-def _summed(q: Known) -> Expr:
-    assert q.table is not None
-    terms = [
-        q(column.key) for column in q.table.columns if column.key.startswith("N_") and column.key != "N_sum"
-    ]
-    total: Expr = terms[0]
-    for one in terms[1:]:
-        total = total + one
-    return total
-
-
 def _omega(q: Known) -> Var:
     """Angular velocity of the driving link: one number, or that of the position."""
     kinematics = q.found.kinematics
@@ -229,7 +218,7 @@ WAYS = (
     Way("loads_table.P_*_y", LAW, of="stated_table.P_{0} P_{0}_x"),
     Way("loads_table.P_*", LAW, of="stated_table.P_{0} P_{0}_x P_{0}_y", by=_by_law),
     Way("loads_table.M_*", LAW, of="stated_table.M_{0} phi", by=_by_law),
-    Way("powers_table.N_sum", by=_summed),
+    Way("powers_table.N_sum", by=summed("N_", but="N_sum")),
     Way("powers_table.N_*", POWER, of="phi", by=_power),
     Way("reactions_table.R_*_x", GROUPS, worked=worked, by=_part(cos), beside=True),
     Way("reactions_table.R_*_y", GROUPS, worked=worked, by=_part(sin), beside=True),

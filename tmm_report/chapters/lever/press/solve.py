@@ -8,6 +8,7 @@ forming handbook, ch. 3)
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -62,6 +63,11 @@ class Found:
         roots = cycle.roots(level)
         before, after = (np.sort(np.mod(x, cycle.sweep)) for x in (self.dead - roots, roots - self.dead))
         return before[before <= self.begins + SAME], after
+
+    @cached_property
+    def peaks(self) -> Array:
+        """Angles before the dead point at which the slider goes fastest or slowest within the stroke, rad."""
+        return self.where(self.output.acceleration)[0]
 
     def at_path(self, path: float) -> float:
         """Angle before the dead point at which so much is left, rad; nan where the stroke is shorter."""

@@ -32,8 +32,7 @@ def worked(found: Found) -> Found:
 def _forces(found: Found, torque: float) -> bool:
     """Whether the rated force is permitted over the whole stroke."""
     s = found.s
-    peaks, _ = found.where(found.output.acceleration)
-    s.torque, s.h_max = torque, float(found.arm(found.before([0.0, *peaks])).max())
+    s.torque, s.h_max = torque, float(found.arm(found.before([0.0, *found.peaks])).max())
     s.F_least = s.torque / s.h_max
     if found.given.rated is None:
         return False
@@ -64,10 +63,9 @@ def _works(found: Found, first: float, last: float) -> None:
     s.s_1, s.s_2, s.alpha_1, s.alpha_2 = first, last, begin, end
     s.t_working = (s.alpha_1 - s.alpha_2) / s.omega
     s.v_mean = (s.s_1 - s.s_2) / s.t_working
-    peaks, _ = found.where(found.output.acceleration)
-    inner = peaks[(peaks > end) & (peaks < begin)]
-    speeds = found.output.velocity(found.before([begin, *inner, end]))
-    speeds = np.where(np.array([begin, *inner, end]) == 0, 0.0, speeds)  # in the dead point itself
+    inner = found.peaks[(found.peaks > end) & (found.peaks < begin)]
+    alpha = np.array([begin, *inner, end])
+    speeds = np.where(alpha == 0, 0.0, found.output.velocity(found.before(alpha)))  # in the dead point itself
     s.v_max, s.v_min = float(speeds.max()), float(speeds.min())
     s.peak = s.v_max / s.v_mean
     s.unevenness = (s.v_max - s.v_min) / s.v_mean

@@ -1,7 +1,7 @@
 """The key `reduction` of a variant: whether the masses and forces are reduced to the driving link, and to a slider."""
 
 from collections.abc import Iterator
-from typing import Annotated, TypedDict
+from typing import Annotated, Any, TypedDict
 
 from pydantic import Field, Tag
 
@@ -47,17 +47,19 @@ def mistakes(read: Read) -> Iterator[Problem]:
     asked = read.block(Block).reduction
     if not stated(read):
         yield from without(read, "reduction")
-    elif asked and not _heavy(read.data):
+        return
+    if asked and not _heavy(read.data):
         right = Message(N_("give the links their mass, mass_centre and inertia"))
         yield mistake(N_("there is nothing to reduce: no link has a mass"), ("reduction",), right)
-    if stated(read) and isinstance(asked, ToModel):
+    if isinstance(asked, ToModel):
         yield from _not_sliding(read, asked.link)
 
 
 def _not_sliding(read: Read, link: str) -> Iterator[Problem]:
     """A link that slides along no guide has no stroke."""
     links, path = names(read.data).points, ("reduction", "link")
-    sliding = [name for name in links if slides_in(read.data, name)]
+    written = _links(read.data)
+    sliding = [name for name in links if written.get(name, {}).get("slides")]
     if link in sliding:
         return
     right = Message(N_("a link that slides: %(links)s"), {"links": ", ".join(sliding)})
@@ -67,17 +69,14 @@ def _not_sliding(read: Read, link: str) -> Iterator[Problem]:
     yield mistake(wrong, path, right, name=link)
 
 
-def slides_in(data: object, link: str) -> bool:
-    """Whether a link is stated to slide."""
-    mechanism = data.get("mechanism") if isinstance(data, dict) else None
-    links = mechanism.get("links") if isinstance(mechanism, dict) else None
-    own = links.get(link) if isinstance(links, dict) else None
-    return isinstance(own, dict) and bool(own.get("slides"))
-
-
 def _heavy(data: object) -> bool:
     """Whether a link has a mass or a moment of inertia."""
+    return any(link.get("mass") or link.get("inertia") for link in _links(data).values())
+
+
+def _links(data: object) -> dict[str, dict[str, Any]]:
+    """As they are written, those that are described."""
     mechanism = data.get("mechanism") if isinstance(data, dict) else None
     links = mechanism.get("links") if isinstance(mechanism, dict) else None
-    written = links.values() if isinstance(links, dict) else ()
-    return any(isinstance(link, dict) and (link.get("mass") or link.get("inertia")) for link in written)
+    written = links.items() if isinstance(links, dict) else ()
+    return {name: link for name, link in written if isinstance(link, dict)}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Expr, expr
-from tmm_report.quantity.ways import Known, Way
+from tmm_report.quantity.ways import Known, Way, summed
 
 PART = N_("From the equality of kinetic energies: m(v_S/ω)² + J(ω_i/ω)², by the link's own motion.")
 LOAD = N_("From the equality of powers: that of the load by the angular velocity of the driving link.")
@@ -43,19 +43,10 @@ def _power(q: Known) -> Expr:
     return expr(q("powers_table.N_{0}") / q("omega"))
 
 
-def _sum(q: Known) -> Expr:
-    assert q.table is not None
-    keys = [column.key for column in q.table.columns if column.key.startswith("M_red_")]
-    total: Expr = q(keys[0])
-    for key in keys[1:]:
-        total = total + q(key)
-    return total
-
-
 WAYS = (
     Way("reduced_inertia_table.I_red_slope", SLOPE, of="I_red omega I_*"),
     Way("reduced_inertia_table.I_*", PART, of="phi masses:{0}.m masses:{0}.J", by=_part),
-    Way("reduced_moment_table.M_red", by=_sum),
+    Way("reduced_moment_table.M_red", by=summed("M_red_")),
     Way("reduced_moment_table.M_red_*", LOAD, of="loads_table.{0} omega", by=_power),
     Way("I_red_min I_red_max", EXTREME, of="omega"),
     Way("reduction_plans.I_red_graph", GRAPH, of="vq_* u_*"),

@@ -163,7 +163,6 @@ def _rockers(
     if asked.rocker is not None:
         half = abs(complex(pins[1][1] - pins[1][0])) / 2
         offs = np.array(sides) * math.sqrt(asked.rocker**2 - half**2)
-        of = family(pins, off_crank, offs)
     else:
         most = farthest(pins)
         low, high = (most if side in sides else 0.0 for side in (-1.0, 1.0))
@@ -171,8 +170,8 @@ def _rockers(
             best = synthesis.least(lambda h: -family(pins, off_crank, h).transmission, -low, high)[0]
         except ValueError:
             return []
-        of = family(pins, off_crank, np.array([best]))
         offs = np.array([best])
+    of = family(pins, off_crank, offs)
     rows = zip(offs, np.abs(of.rocker_pivot - of.crank_pivot), of.transmission, strict=True)
     return [tuple(map(float, row)) for row in rows if math.isfinite(row[2])]  # type: ignore[misc]
 
@@ -184,7 +183,8 @@ def _written(
     of = family(pins, off_crank, np.array([off_rocker]))
     s.way_A, s.way_B = ways
     s.crank = asked.crank
-    s.off_A = sqrt(s.crank**2 - s.way_A**2 / 4) if off_crank >= 0 else -sqrt(s.crank**2 - s.way_A**2 / 4)
+    size = sqrt(s.crank**2 - s.way_A**2 / 4)
+    s.off_A = size if off_crank >= 0 else -size
     if asked.rocker is not None:
         s.rocker = asked.rocker
         size = sqrt(s.rocker**2 - s.way_B**2 / 4)

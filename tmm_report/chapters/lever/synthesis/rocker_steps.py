@@ -89,7 +89,6 @@ def family(s: Values, asked: CrankRocker, crank: np.ndarray) -> synthesis.CrankR
 
 def _free_crank(s: Values, theta: float, asked: CrankRocker) -> float:
     """Of the stated distance of the pivots, else of the best transmission angle."""
-    most = s.number("half_chord") * (1 - SAME)
     if asked.frame is not None:
         found = _of_frame(s, asked, asked.frame)
         sound = [a for a in found if bool(family(s, asked, np.array([a])).sound[0])]
@@ -99,7 +98,7 @@ def _free_crank(s: Values, theta: float, asked: CrankRocker) -> float:
                 "crank_rocker", "frame", right=Message(N_("leave it out: the best transmission angle chooses")),
             )  # fmt: skip
         return max(sound, key=lambda a: float(family(s, asked, np.array([a])).transmission[0]))
-    return _best(lambda a: family(s, asked, a).transmission, most)
+    return _best_crank(s, asked)
 
 
 def solutions(s: Values, asked: CrankRocker) -> np.ndarray:
@@ -114,7 +113,10 @@ def solutions(s: Values, asked: CrankRocker) -> np.ndarray:
             cranks = _of_frame(s, side, asked.frame)
             cranks = cranks[np.argsort(np.abs(cranks - taken))]
         elif asked.crank is None and asked.rod is None and beyond != asked.beyond:
-            cranks = _best_of(s, side)
+            try:
+                cranks = np.array([_best_crank(s, side)])
+            except ProblemError:  # none turns round
+                cranks = np.zeros(0)
         of = family(s, side, cranks)
         columns.append(np.array([cranks, of.b, of.d, of.transmission])[:, of.sound])
     return np.concatenate(columns, axis=1)
@@ -122,18 +124,17 @@ def solutions(s: Values, asked: CrankRocker) -> np.ndarray:
 
 def _of_frame(s: Values, asked: CrankRocker, frame: float) -> np.ndarray:
     """Cranks with which the pivots are so far apart."""
-    most = s.number("half_chord") * (1 - SAME)
+    most = _longest_crank(s)
     return np.asarray(synthesis.roots(lambda a: family(s, asked, a).d - frame, most * 1e-6, most))
 
 
-def _best_of(s: Values, asked: CrankRocker) -> np.ndarray:
-    """The crank of the best transmission angle, if any turns round."""
-    try:
-        return np.array(
-            [_best(lambda a: family(s, asked, a).transmission, s.number("half_chord") * (1 - SAME))]
-        )
-    except ProblemError:
-        return np.zeros(0)
+def _best_crank(s: Values, asked: CrankRocker) -> float:
+    """That of the best transmission angle. Raises ProblemError where none turns round."""
+    return _best(lambda a: family(s, asked, a).transmission, _longest_crank(s))
+
+
+def _longest_crank(s: Values) -> float:
+    return s.number("half_chord") * (1 - SAME)
 
 
 def _best(angle: Callable[[np.ndarray], np.ndarray], most: float, low: float = 1e-6) -> float:

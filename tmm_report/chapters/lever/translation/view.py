@@ -18,6 +18,7 @@ from tmm_report.chapters.lever.reduction.solve import Reduction
 from tmm_report.chapters.lever.translation import quantities as q
 from tmm_report.chapters.lever.translation.solve import Found
 from tmm_report.figures.charts.graphs import Graph
+from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.mechanics.lever.vector_equations import moving_points, turning_links
 from tmm_report.problems import N_
 from tmm_report.quantity import model
@@ -59,7 +60,7 @@ class TranslationView(BookView):
     @property
     def carried(self) -> bool:
         """Whether the guide moves."""
-        return self.found.guide is not None and self.found.guide.link != "0"
+        return self.found.guide is not None and self.found.guide.link != FRAME
 
     @property
     def still(self) -> str:
@@ -86,10 +87,8 @@ class TranslationView(BookView):
 
     def mass(self) -> Formula:
         """The reduced mass, link by link."""
-        total, *others = self._terms()
-        for term in others:
-            total = total + term
-        return self.table("reduced_mass_table").formula("m_red", self.position, total)
+        first, *others = self._terms()
+        return self.table("reduced_mass_table").formula("m_red", self.position, sum(others, first))
 
     def _terms(self) -> Iterator[Expr]:
         """m (v_S/v)² and J (ω/v)² of every link that moves so."""
@@ -118,10 +117,8 @@ class TranslationView(BookView):
         keys = [one.key for one in self.table("reduced_force_table").columns if one.key.startswith("F_red_")]
         if len(keys) < 2:
             return None
-        total: Expr = self._at("reduced_force_table", keys[0])
-        for key in keys[1:]:
-            total = total + self._at("reduced_force_table", key)
-        return self.table("reduced_force_table").formula("F_red", self.position, total)
+        first, *others = (self._at("reduced_force_table", key) for key in keys)
+        return self.table("reduced_force_table").formula("F_red", self.position, sum(others, first))
 
     def needed(self) -> Formula:
         """The driving force by the equation of motion."""

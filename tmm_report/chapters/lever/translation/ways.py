@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Expr
-from tmm_report.quantity.ways import Known, Way
+from tmm_report.quantity.ways import Known, Way, summed
 
 PART = N_("From the equality of kinetic energies: m(v_S/v)² + J(ω/v)², by the link's own motion.")
 LOAD = N_("From the equality of powers: that of the load by the speed of the stroke.")
@@ -20,20 +18,6 @@ MISS = N_(
 )
 
 
-def _sum(prefix: str) -> Callable[[Known], Expr]:
-    """Of the parts beside it in its table."""
-
-    def total(q: Known) -> Expr:
-        assert q.table is not None
-        keys = [one.key for one in q.table.columns if one.key.startswith(prefix) and one.key != "m_red_slope"]
-        whole: Expr = q(keys[0])
-        for key in keys[1:]:
-            whole = whole + q(key)
-        return whole
-
-    return total
-
-
 def _needed(q: Known) -> Expr:
     v = q("reduced_mass_table.v")
     total = q("reduced_mass_table.m_red") * q("reduced_mass_table.a")
@@ -44,9 +28,9 @@ def _needed(q: Known) -> Expr:
 WAYS = (
     Way("reduced_mass_table.s reduced_mass_table.v reduced_mass_table.a", ALONG, of="phi"),
     Way("reduced_mass_table.m_red_slope", SLOPE, of="m_red v m_red_*"),
-    Way("reduced_mass_table.m_red", by=_sum("m_red_")),
+    Way("reduced_mass_table.m_red", by=summed("m_red_", but="m_red_slope")),
     Way("reduced_mass_table.m_red_*", PART, of="v masses:{0}.m masses:{0}.J"),
-    Way("reduced_force_table.F_red", by=_sum("F_red_")),
+    Way("reduced_force_table.F_red", by=summed("F_red_")),
     Way("reduced_force_table.F_red_*", LOAD, of="loads_table.{0} reduced_mass_table.v"),
     Way("reduced_force_table.F_dr", by=_needed),
     Way("m_red_min m_red_max", EXTREME, of="omega stroke_arm"),

@@ -83,14 +83,10 @@ def contours(found: Kinematics, index: int) -> Contours:
 
 def _written(bench: Bench, group: Any) -> Written | WrittenSystem | Translating | None:
     """None of a group whose position is no contour of constant lengths: its links' poses are taken as found."""
-    if type(group) is Dyad or isinstance(group, HigherGroup):
-        translating = contour_translating.write(bench, group)
-        if translating is not None:
-            return translating
     if type(group) is Dyad:
-        return contour_dyads.write(bench, group)
+        return contour_translating.write(bench, group) or contour_dyads.write(bench, group)
     if isinstance(group, HigherGroup):
-        return contour_systems.write(bench, group)
+        return contour_translating.write(bench, group) or contour_systems.write(bench, group)
     for link in group.links:
         bench.take_pose(link)
     return None

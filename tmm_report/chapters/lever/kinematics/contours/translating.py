@@ -181,8 +181,7 @@ def _of_class_iv(
     bench: Bench, group: HigherGroup, hung: Hung, turns: Mapping[str, Turn]
 ) -> Translating | None:
     """Link e hangs on a known link; rods g and h join it with f, which slides along a guide that stands."""
-    f = next((link for link, (parent, _) in hung.items() if parent not in group.group.links), "")
-    e = f
+    e = next(link for link, (parent, _) in hung.items() if parent not in group.group.links)
     known, of_e = hung[e]
     f = next(link for link in hung if hung[link][0] not in (known, e))
     g = hung[f][0]

@@ -195,7 +195,7 @@ def _body(found: Design, asked: Body) -> Picture:
 def _bisector(pivot: complex, at: np.ndarray) -> tuple[complex, complex]:
     """From the way of a pin beyond the pivot that stands on it, a little longer on both sides."""
     way = complex(at[1] - at[0])
-    middle, along = complex(at[0] + at[1]) / 2, 1j * way / abs(way) * 0.1 * abs(way)
+    middle, along = complex(at[0] + at[1]) / 2, 0.1j * way
     if ((pivot - middle).conjugate() * along).real < 0:
         along = -along
     return middle - along, pivot + along

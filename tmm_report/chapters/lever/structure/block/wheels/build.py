@@ -4,6 +4,7 @@ first."""
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -80,16 +81,15 @@ def gear_pair(k: int, model: WheelsModel, built: Mechanism) -> Mesh:
         text = N_("the wheels have one axis, and can't be in mesh")
         raise Wrong("links", Message(text), Message(N_("wheels of one shaft are one link")))
     radii = _radii(model, apart, model.mesh == "internal")
-    ratio = -radii[0] / radii[1] if model.mesh == "external" else radii[0] / radii[1]
-    phase = model.phase or 0.0
-    if model.angles is not None:
-        if first == FRAME and model.angles[0]:
-            raise Wrong("angles.0", Message(N_("the frame does not turn")), Message(N_("0 of the frame")))
-        phase = model.angles[1] - ratio * model.angles[0]
-    return Mesh(
-        f"wheels {k}", (first, second), model.mesh, radii, (axes[0], axes[1]), phase, model.pressure_angle,
-        teeth=model.teeth, module=model.module, carrier=carrier, points=points,
+    made = Mesh(
+        f"wheels {k}", (first, second), model.mesh, radii, (axes[0], axes[1]), model.phase or 0.0,
+        model.pressure_angle, teeth=model.teeth, module=model.module, carrier=carrier, points=points,
     )  # fmt: skip
+    if model.angles is None:
+        return made
+    if first == FRAME and model.angles[0]:
+        raise Wrong("angles.0", Message(N_("the frame does not turn")), Message(N_("0 of the frame")))
+    return replace(made, phase=model.angles[1] - made.ratio * model.angles[0])
 
 
 def _radii(model: WheelsModel, apart: float, internal: bool) -> tuple[float, float]:
