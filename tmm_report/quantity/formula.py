@@ -352,10 +352,9 @@ class Formula:
     """`result` = expression in symbols = in numbers = value, unit.
 
     `index`: the position printed where values are arrays (..., P). Unit "deg": the value is in rad, printed
-    in degrees. `hand`: the printed value is computed from the numbers as printed, so that a reader's
-    calculator agrees. `scale`: the size against which a value is noise (1e-9 of it prints 0); None: the
-    largest, at least 1. `ref`: where the value stands in the results;
-    `meaning`: of the result, for a list of symbols.
+    in degrees. `hand`: the printed value is computed from the numbers as printed, so that a reader's calculator
+    agrees. `scale`: the size against which a value is noise (1e-9 of it prints 0); None: the largest, at least 1.
+    `ref`: where the value stands in the results; `meaning`: of the result, for a list of symbols.
     """
 
     result: Symbol | str
