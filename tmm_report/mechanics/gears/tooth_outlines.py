@@ -365,7 +365,9 @@ def _met(flank: Array, turns: Array, centre: float, base: float, alpha: float) -
     turn, aside, middle = np.exp(1j * (turns + alpha)), centre * np.exp(1j * alpha), flank.mean()
     near = np.nonzero(np.abs((aside + turn * middle).real - base) <= np.abs(flank - middle).max())[0]
     turn = turn[near]  # of a million vertices a third, and of those only the x
-    x = np.stack([turn.real, -turn.imag], axis=1) @ np.stack([flank.real, flank.imag])
+    # not by matmul: threads of its library, once woken, wait busily and cost more than all the rest of a note
+    x = np.multiply.outer(turn.real, flank.real)
+    x -= np.multiply.outer(turn.imag, flank.imag)
     behind = x < base - aside.real
     crosses = behind[:, :-1] != behind[:, 1:]
     met, side = np.nonzero(crosses.any(axis=1))[0], np.argmax(crosses, axis=1)
