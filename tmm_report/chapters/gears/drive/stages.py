@@ -22,9 +22,10 @@ def solve_all(given: tuple[Given, ...]) -> tuple[Stage, ...]:
     return _all(given)
 
 
-@lru_cache(maxsize=1)
+@lru_cache(maxsize=8)
 def _all(given: tuple[Given, ...]) -> tuple[Stage, ...]:
-    """The last drive is kept: the speed of a link that it turns is asked for before it is solved in its turn."""
+    """The last ones are kept: the speed of a link that a drive turns is asked for before it is solved in its turn, and
+    students of one class share the columns of a table of drives."""
     check_search(given)
     found: list[Stage] = []
     problems: list[Problem] = []

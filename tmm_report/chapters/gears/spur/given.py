@@ -86,7 +86,7 @@ class Cutter(cutting.Cutter):
     ] = 0.0
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class Spur:
     """A pair of wheels on fixed axes; the driving one is named first."""
 

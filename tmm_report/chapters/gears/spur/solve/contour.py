@@ -15,18 +15,26 @@ Array = Any
 
 @dataclass(frozen=True, eq=False)
 class Contour:
-    """Points are x1 + i x2. `chosen`: the shifts taken; `lacks`: the limits that they break; `nearest`: the feasible
-    point nearest to them, `same_distance` the nearest of the same centre distance; None where there is none.
-
-    The lines of the plane serve the picture alone and take some ten times as long as all the rest: they are found when
-    it is drawn.
-    """
+    """Points are x1 + i x2; `chosen`: the shifts taken. All else is found when it is asked for, the lines of the plane,
+    some ten times as long as all the rest, when it is drawn."""
 
     blocking: Blocking
     chosen: complex
-    lacks: tuple[Lack, ...]
-    nearest: complex | None
-    same_distance: complex | None
+
+    @cached_property
+    def lacks(self) -> tuple[Lack, ...]:
+        """The limits that the chosen shifts break."""
+        return self.blocking.lacks(self.chosen)
+
+    @cached_property
+    def nearest(self) -> complex | None:
+        """The feasible point nearest to the chosen one; None where there is none."""
+        return self.blocking.nearest(self.chosen)
+
+    @cached_property
+    def same_distance(self) -> complex | None:
+        """The nearest feasible point of the same centre distance; None where there is none."""
+        return self.blocking.nearest_at_distance(self.chosen)
 
     @property
     def feasible(self) -> bool:
@@ -55,11 +63,4 @@ def contour_of(pair: Pair, sliding: float) -> Contour:
         z1, z2, pair.m, pair.rack, pair.beta, bool(pair.internal), POINTING, CONTACT, sliding=sliding,
         shortened=pair.shortened, trimmed=pair.trimmed, cutter=pair.cutter,
     )  # fmt: skip
-    chosen = complex(float(pair.x1), float(pair.x2))
-    return Contour(
-        blocking,
-        chosen,
-        blocking.lacks(chosen),
-        blocking.nearest(chosen),
-        blocking.nearest_at_distance(chosen),
-    )
+    return Contour(blocking, complex(float(pair.x1), float(pair.x2)))

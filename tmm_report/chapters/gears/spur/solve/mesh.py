@@ -39,6 +39,15 @@ def round_scale(largest: float) -> float:
     return next(n * power for n in ROUND if n * power >= largest / TALL * (1 - 1e-9))
 
 
+@dataclass(frozen=True)
+class Proof:
+    """Of the outlines over a full pitch: largest overlap, m², smallest clearance, m, and contact ratio, counted."""
+
+    overlap: float
+    clearance: float
+    ratio: float
+
+
 @dataclass(frozen=True, eq=False)
 class Mesh:
     """A pair as it is drawn: wheels 0 and 1 of `pair`. `places`: radii of curvature of wheel 0 at A, C, P, D, B, m."""
@@ -82,6 +91,14 @@ class Mesh:
     def radius(self, diameters: tuple[Array, Array], i: int) -> float:
         """Half of one of the pair's diameters on paper, mm."""
         return self.length(diameters[i]) / 2
+
+    @cached_property
+    def proof(self) -> Proof:
+        """By the outlines over a full pitch: as long as ten solutions, so it is made when it is asked for."""
+        wheels = self.wheels[self.small], self.wheels[1 - self.small]
+        distance = float(self.pair.a_w)
+        shared, apart = tooth_outlines.over_pitch(*wheels, distance)
+        return Proof(float(shared.max()), float(apart.min()), tooth_outlines.contact_ratio(*wheels, distance))
 
     # ------------------------------------------------------------ wheels
 

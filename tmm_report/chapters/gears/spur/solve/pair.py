@@ -13,12 +13,12 @@ from tmm_report.chapters.gears.spur.given import EQUAL, Given
 from tmm_report.chapters.gears.spur.solve.conditions import BY_ASSEMBLY, conditions_of
 from tmm_report.chapters.gears.spur.solve.contour import Contour, contour_of
 from tmm_report.chapters.gears.spur.solve.cutter import Cut, cutters_of
-from tmm_report.chapters.gears.spur.solve.mesh import Mesh, round_scale
+from tmm_report.chapters.gears.spur.solve.mesh import Mesh, Proof, round_scale
 from tmm_report.chapters.gears.spur.solve.mistakes import check, check_pair, check_teeth
 from tmm_report.chapters.gears.spur.solve.motion import WIDEST, Motion, motion_of, sliding_limit
 from tmm_report.chapters.gears.spur.solve.path import Path, path_of
 from tmm_report.chapters.gears.spur.solve.phase import Phase, phase_of
-from tmm_report.chapters.gears.spur.solve.readings import Proof, Reading, prove, read_off
+from tmm_report.chapters.gears.spur.solve.readings import Reading, read_off
 from tmm_report.chapters.gears.spur.solve.sizes import ROUNDED, Teeth, choose_shifts, choose_teeth
 from tmm_report.chapters.gears.spur.words import CONDITIONS
 from tmm_report.mechanics.gears import meshing, shift_sharing, trains
@@ -240,10 +240,10 @@ class Found:
         p = self.pair
         return float(meshing.shift_sum(p.z1, p.z2, p.m, p.rack, p.beta, p.a_w, p.internal))
 
-    @cached_property
+    @property
     def proof(self) -> Proof:
-        """By the outlines over a full pitch: as long as ten solutions, so it is made when it is asked for."""
-        return prove(self.mesh)
+        """By the outlines over a full pitch."""
+        return self.mesh.proof
 
 
 def solve(given: Given) -> Found:

@@ -1,4 +1,4 @@
-"""What is read off the drawing of a mesh, against what was computed; and the proof of the mesh by its outlines."""
+"""What is read off the drawing of a mesh, against what was computed."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ import math
 from collections.abc import Callable, Iterator
 
 from tmm_report.chapters.gears.spur.solve.mesh import Mesh
-from tmm_report.mechanics.gears import tooth_outlines
 from tmm_report.quantity.paper import rounded
 from tmm_report.records import dataclass
 
@@ -31,15 +30,6 @@ class Reading:
     def error(self) -> float:
         """Relative difference by the course's formula 2 (a − b)/(a + b), as a share of the mean; its size."""
         return 2 * abs(self.computed - self.drawn) / (abs(self.computed) + abs(self.drawn))
-
-
-@dataclass(frozen=True)
-class Proof:
-    """Of the outlines over a full pitch: largest overlap, m², smallest clearance, m, and contact ratio, counted."""
-
-    overlap: float
-    clearance: float
-    ratio: float
 
 
 def read_off(mesh: Mesh, accuracy: float) -> tuple[Reading, ...]:
@@ -76,11 +66,3 @@ def _angles(mesh: Mesh, i: int, read: Read) -> Iterator[Reading]:
     yield Reading("angle", i, contact, exact * ratio)
     yield Reading("pitch", i, pitch, exact)
     yield Reading("ratio", i, contact / pitch, ratio)
-
-
-def prove(mesh: Mesh) -> Proof:
-    """The outlines turned over a full pitch."""
-    wheels = mesh.wheels[mesh.small], mesh.wheels[1 - mesh.small]
-    distance = float(mesh.pair.a_w)
-    shared, apart = tooth_outlines.over_pitch(*wheels, distance)
-    return Proof(float(shared.max()), float(apart.min()), tooth_outlines.contact_ratio(*wheels, distance))

@@ -47,7 +47,9 @@ class KnownPart:
         rows = self.solved(nodes)
         quintics = _quintics(rows, step)
         between = self.solved(nodes[:-1] + step / 2)[0]
-        middle = sum(0.5**k * quintics[k] for k in range(len(quintics)))  # not by tensordot, which wakes threads
+        middle = sum(
+            0.5**k * quintics[k] for k in range(len(quintics))
+        )  # not by tensordot, which wakes threads
         off = np.abs(middle - between).max(axis=0, initial=0.0)
         with np.errstate(invalid="ignore"):
             size = max(1.0, float(np.nanmax(np.abs(rows[0]), initial=0.0)))
