@@ -21,7 +21,7 @@ from tmm_report.mechanics.machine.run.steady import advanced, moment_at
 from tmm_report.records import dataclass
 
 Array = Any
-RELATIVE, ABSOLUTE = 1e-9, 1e-11
+RELATIVE, ABSOLUTE = 1e-11, 1e-13
 PER_TURN = 24  # samples
 PILOT = 8.0
 MOST_CALLS = 100_000  # evaluations of the moments: a machine so stiff for its load is not followed
