@@ -158,6 +158,7 @@ level: уровень, ровно
 lift: подъём, ход толкателя
 lifts: подъёмы
 limit: предел
+line: прямая, отрезок прямой
 load: нагрузка
 losses_of_acceleration: потери ускорения
 lower: нижний
@@ -214,6 +215,7 @@ racks: рейки
 radial: радиальный
 radii: радиусы
 radius_of_gyration: радиус инерции
+ramp: скос
 range: диапазон
 rated: номинальный, номинальная
 ratio_weight: вес отношения
@@ -255,6 +257,7 @@ shaft: вал
 share: доля
 shunt: шунтовой, параллельного возбуждения
 side: сторона
+sine: четверть синусоиды
 sleeve: муфта регулятора
 sleeve_arm: плечо муфты
 slider: ползун

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 import numpy as np
@@ -10,6 +11,8 @@ from tmm_report.chapters.lever.cam.solve import CamFound, Cams, Lifted
 from tmm_report.chapters.lever.kinematics.quantities import where
 from tmm_report.i18n import NP_
 from tmm_report.mechanics.cams.cam import Sliding, Swinging
+from tmm_report.mechanics.cams.follower_laws import Phase
+from tmm_report.mechanics.cams.shapes import Parabolic
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
 from tmm_report.quantity.symbols import Symbol
@@ -19,6 +22,7 @@ PHASES = Message(N_("phases of the cam's turn"))
 SAMPLES = Message(N_("positions of which the laws of the cam are written out"))
 MOTION = Message(N_("displacement of the follower, its derivatives by the angle turned, pressure angle"))
 JUMPS = Message(N_("angles at which derivatives of the follower's displacement jump"))
+PIECES = Message(N_("pieces of the graphs of acceleration by which phases go, for a lift and a phase of 1"))
 PROFILE = Message(N_("polar coordinates of the profile and of the pitch curve in the cam's axes"))
 KINDS = {"rise": N_("rise"), "dwell": N_("dwell"), "return": N_("return")}
 SHOCKS = {True: N_("hard"), False: N_("soft")}
@@ -28,8 +32,15 @@ LAWS = {
     "sine": N_("sine"),
     "polynomial": N_("polynomial 3-4-5"),
     "uniform": N_("uniform"),
-    "": N_("none"),
+    "decreasing": N_("linearly decreasing"),
+    "trapezoid": N_("trapezoidal"),
+    "modified_trapezoid": N_("modified trapezoidal"),
+    "modified_sine": N_("modified sine"),
+    "polynomial_4567": N_("polynomial 4-5-6-7"),
+    "stated": N_("stated"),
 }
+NONE = N_("none")
+FORMS = {"line": N_("straight"), "sine": N_("quarter of a sine")}
 RISE, RETURN, LIMIT = NP_("index", "rise"), NP_("index", "ret"), NP_("index", "lim")
 PITCH = NP_("index", "pc")  # of the pitch curve
 MAX, MIN = NP_("index", "max"), NP_("index", "min")
@@ -44,6 +55,15 @@ WITHIN = Quantity(
 )
 BETA = Quantity("delta", Symbol("delta"), "rad", Message(N_("angle of the phase")))
 SHARE = Quantity("tau", Symbol("tau"), "", Message(N_("share of the phase that is over")))
+RATIO = Quantity("ratio", Symbol("n"), "", Message(N_("acceleration of the law over its deceleration")))
+BEGINS = Quantity(
+    "begins", Symbol("tau", "i"), "", Message(N_("share of the phase at which the piece begins"))
+)
+WIDTH = Quantity("width", Symbol("Deltatau", "i"), "", Message(N_("share of the phase that the piece takes")))
+REACHED = Quantity("f", Symbol("f", "i"), "", Message(N_("share of the lift reached where the piece begins")))
+SLOPE = Quantity("f1", Symbol("f′", "i"), "", Message(N_("first derivative of that share by τ there")))
+BEND = Quantity("f2", Symbol("f′′", "i"), "", Message(N_("second derivative where the piece begins")))
+NEXT = Quantity("f2_end", Symbol("f′′", "i+1"), "", Message(N_("second derivative where the piece ends")))
 
 
 def unit(found: CamFound) -> str:
@@ -98,7 +118,9 @@ def tables(found: Cams) -> Iterator[Table]:
         name = one.cam.name
         if one.phases:
             yield Table(f"cam_phases_{name}", PHASES, _phases(one))
-            yield Table(f"cam_law_{name}", SAMPLES, _samples(one))
+            yield Table(f"cam_law_{name}", SAMPLES, tuple(_samples(one)))
+        if one.pieces:
+            yield Table(f"cam_pieces_{name}", PIECES, _pieces(one))
         if one.shocks:
             yield Table(f"cam_shocks_{name}", JUMPS, _shocks(one))
         for which, lifted in (("table", one.table), ("diagram", one.diagram)):
@@ -113,21 +135,40 @@ def _phases(found: CamFound) -> tuple[Column, ...]:
     return (
         NUMBER.column(list(range(1, len(phases) + 1))),
         text_column("phase", Message(N_("what the follower does")), [KINDS[phase.kind] for phase in phases]),
-        text_column("law", Message(N_("its law")), [LAWS[phase.law] for phase in phases]),
+        text_column("law", Message(N_("its law")), [law_word(phase) for phase in phases]),
         START.column(np.degrees(edges)),
         ANGLE.column(np.degrees([phase.angle for phase in phases])),
     )
 
 
-def _samples(found: CamFound) -> tuple[Column, ...]:
+def law_word(phase: Phase) -> str:
+    return LAWS[phase.law.name] if phase.law else NONE
+
+
+def _samples(found: CamFound) -> Iterator[Column]:
     samples = found.samples
+    yield Quantity("at", None, "", Message(N_("table position"))).column([s.position for s in samples])
+    yield text_column("phase", Message(N_("what the follower does")), [KINDS[s.phase.kind] for s in samples])
+    yield text_column("law", Message(N_("its law")), [law_word(s.phase) for s in samples])
+    yield WITHIN.column([s.within for s in samples])
+    yield BETA.column([s.phase.angle for s in samples])
+    yield SHARE.column([s.share for s in samples])
+    ratios = [s.phase.law.ratio if isinstance(s.phase.law, Parabolic) else math.nan for s in samples]
+    if any(ratio != 1 and ratio == ratio for ratio in ratios):
+        yield RATIO.column(ratios)
+
+
+def _pieces(found: CamFound) -> tuple[Column, ...]:
+    laid = [one.laid for one in found.pieces]
     return (
-        Quantity("at", None, "", Message(N_("table position"))).column([s.position for s in samples]),
-        text_column("phase", Message(N_("what the follower does")), [KINDS[s.phase.kind] for s in samples]),
-        text_column("law", Message(N_("its law")), [LAWS[s.phase.law] for s in samples]),
-        WITHIN.column([s.within for s in samples]),
-        BETA.column([s.phase.angle for s in samples]),
-        SHARE.column([s.share for s in samples]),
+        NUMBER.column([one.phase + 1 for one in found.pieces]),
+        text_column("form", Message(N_("its form")), [FORMS[one.form] for one in laid]),
+        BEGINS.column([one.at for one in laid]),
+        WIDTH.column([one.width for one in laid]),
+        REACHED.column([one.f for one in laid]),
+        SLOPE.column([one.slope for one in laid]),
+        BEND.column([one.start for one in laid]),
+        NEXT.column([one.end for one in laid]),
     )
 
 

@@ -24,6 +24,7 @@ from tmm_report.chapters.lever.cam.lifting import (
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
 from tmm_report.mechanics.cams.cam import ByLaw, Cam, Sliding
 from tmm_report.mechanics.cams.follower_laws import FULL_TURN, Phase, Phases
+from tmm_report.mechanics.cams.shapes import Graph, Laid, Shape
 from tmm_report.mechanics.lever.cams.replacing_dyad import rests
 from tmm_report.mechanics.lever.cycle import Extreme
 from tmm_report.records import dataclass
@@ -42,6 +43,14 @@ class Sample:
     phase: Phase
     within: float
     share: float
+
+
+@dataclass(frozen=True)
+class PieceOf:
+    """A piece of the graph of acceleration by which a phase, counted from 0, goes."""
+
+    phase: int
+    laid: Laid
 
 
 @dataclass(frozen=True)
@@ -91,7 +100,7 @@ class CamFound:
         largest = [max(abs(end.value) for end in ends) for ends in self.ends[1:]]
         hard, soft = np.abs(first) > SHOCK * largest[0], np.abs(second) > SHOCK * largest[1]
         return tuple(
-            Shock(float(turned[k]), float(first[k]), float(second[k]), bool(hard[k]))
+            Shock(float(turned[k]), float(first[k]) if hard[k] else 0.0, float(second[k]), bool(hard[k]))
             for k in np.flatnonzero(hard | soft)
         )
 
@@ -115,7 +124,7 @@ class CamFound:
     @cached_property
     def samples(self) -> tuple[Sample, ...]:
         """The first table position of every law of a rise and of a return that is strictly within its phase."""
-        found: dict[tuple[str, str], Sample] = {}
+        found: dict[tuple[str, Shape | None], Sample] = {}
         for position, turned in enumerate(self.table.turned):
             sample = self._sample(position, float(turned))
             if sample is not None:
@@ -130,8 +139,26 @@ class CamFound:
         k = min(int(np.searchsorted(edges, theta, side="right")) - 1, len(self.phases) - 1)
         phase, within = self.phases[k], theta - float(edges[k])
         share = within / phase.angle
-        inside = 1e-6 < share < 1 - 1e-6 and abs(share - 0.5) > 1e-6
-        return Sample(position, phase, within, share) if inside and phase.kind != "dwell" else None
+        if phase.law is None:
+            return None
+        inside = min(abs(share - one) for one in (0.0, 1.0, *phase.law.breaks)) > 1e-6
+        return Sample(position, phase, within, share) if inside else None
+
+    @cached_property
+    def pieces(self) -> tuple[PieceOf, ...]:
+        """Of all phases that go by a graph."""
+        return tuple(
+            PieceOf(k, laid)
+            for k, phase in enumerate(self.phases)
+            if isinstance(phase.law, Graph)
+            for laid in phase.law.laid
+        )
+
+    def number_of(self, sample: Sample) -> int:
+        """The piece, among `pieces`, in which a sample is."""
+        assert isinstance(sample.phase.law, Graph)
+        first = next(k for k, one in enumerate(self.pieces) if self.phases[one.phase] is sample.phase)
+        return first + sample.phase.law.piece_at(sample.share)
 
     @property
     def alike(self) -> bool:

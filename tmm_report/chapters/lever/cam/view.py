@@ -101,7 +101,7 @@ class CamView(BookView):
         rows = [
             [
                 page.cell(table, "number", k), page.word(self.t(q.KINDS[phase.kind]), table, "phase", k),
-                page.word(self.t(q.LAWS[phase.law]), table, "law", k), page.cell(table, "start", k),
+                page.word(self.t(q.law_word(phase)), table, "law", k), page.cell(table, "start", k),
                 page.cell(table, "angle", k),
             ]
             for k, phase in enumerate(self.found.phases)
@@ -112,6 +112,20 @@ class CamView(BookView):
         ]  # fmt: skip
         return worded(caption, heads, rows, (1, 3, 4, 2, 2))
 
+    def pieces(self, caption: Any) -> Table:
+        """The graphs of acceleration, piece by piece."""
+        table, page = self.table(f"cam_pieces_{self.name}"), self.page
+        keys = [one.key for one in (q.BEGINS, q.WIDTH, q.REACHED, q.SLOPE, q.BEND, q.NEXT)]
+        rows = [
+            [
+                page.cell(table, "number", k), page.word(self.t(q.FORMS[one.laid.form]), table, "form", k),
+                *(page.cell(table, key, k) for key in keys),
+            ]
+            for k, one in enumerate(self.found.pieces)
+        ]  # fmt: skip
+        heads = [self.t("Phase"), self.t("Form"), *(page.head(table[key].symbol(), "") for key in keys)]
+        return worded(caption, heads, rows, (1, 3, 2, 2, 2, 2, 2, 2))
+
     def laws(self) -> list[Written]:
         return formulas.laws(self.found, self.book)
 
@@ -121,7 +135,7 @@ class CamView(BookView):
         return {
             "k": self.page.shown(self.table(f"cam_law_{self.name}"), "at", row),
             "phase": self.t(q.KINDS[phase.kind]),
-            "law": self.t(q.LAWS[phase.law]),
+            "law": self.t(q.law_word(phase)),
         }
 
     def shocks(self, caption: Any) -> Table:

@@ -15,6 +15,10 @@ PROFILE = N_(
     "follower's place, turned back by the cam."
 )
 EXTREME = N_("Over the whole turn, sought between the positions of the table too; law by law.")
+GRAPH = N_(
+    "The stated graph of acceleration: widths made shares of the phase, ordinates below zero scaled to equal "
+    "areas, all ordinates to the lift, then integrated twice, piece by piece."
+)
 JUMP = N_("Where two phases meet: the difference of the derivatives on both sides.")
 APART = N_("By the places of both pivots that the variant states.")
 LIFT = N_("The greatest displacement of the law less the least.")
@@ -23,7 +27,11 @@ WAYS = (
     Way("cam_*.phase cam_*.law cam_*.shock", NAME),
     Way("cam_phases_*.number", COUNTED),
     Way("cam_phases_*.*", PHASE, of="phase law start angle"),
+    Way("cam_law_*.ratio", STATED),
     Way("cam_law_*.*", LAW, of="phase law theta delta tau"),
+    Way("cam_pieces_*.number", COUNTED),
+    Way("cam_pieces_*.form", NAME),
+    Way("cam_pieces_*.*", GRAPH, of="number form"),
     Way("cam_shocks_*.*", JUMP, of="phi shock"),
     Way("cam_motion_*_table.*", LAW, of="phi cam_S_* cam_lift_{0}"),
     Way("cam_profile_*.*", PROFILE, of="phi cam_base_{0} cam_roller_{0}"),
