@@ -7,7 +7,11 @@ from faults import ECCENTRIC, FRICTION, KIN, MECHANICS, PLANETARY, SPUR, STATICS
 FORCES = "tmm_report/chapters/lever/force_plans/"
 PLANS = "tmm_report/chapters/lever/plans/"
 CAM = "tmm_report/chapters/lever/cam/"
-SHAPES, LAW_WRITTEN = MECHANICS + "cams/shapes.py", CAM + "formulas.py"
+SHAPES, LEAST, LAW_WRITTEN = (
+    MECHANICS + "cams/shapes.py",
+    MECHANICS + "cams/least_size.py",
+    CAM + "formulas.py",
+)
 CAMS = ("tests/mechanics/cams", "tests/chapters/lever/cams")
 STRUCTURE = "tmm_report/chapters/lever/structure/"
 FIGURES = "tmm_report/figures/"
@@ -232,13 +236,24 @@ FAULTS = (
           "cam_press", ("tests/mechanics/cams/test_cam.py",)),
     Fault("acceleration of the sine law", SHAPES, "2 * np.pi * np.sin(turned)", "np.pi * np.sin(turned)", "cam_press",
           ("tests/mechanics/cams/test_cam_laws.py",)),
+    Fault("the least cam of the rise alone", LEAST, 'Line("return", self.of_return.b, 1 / tan(self.back))',
+          'Line("return", self.of_return.b, 1 / tan(self.rise))', "cam_press", CAMS),
+    Fault("dwells that hold no cam", LEAST, 'Line("dwell", 0.0, 1 / tan(self.rise))', 'Line("dwell", -1.0, 0.0)',
+          "cam_press", CAMS),
+    Fault("the smallest radius rounded down", "tmm_report/chapters/lever/structure/block/cam_build.py",
+          "step * math.ceil(radius / step - 1e-9)", "step * math.floor(radius / step - 1e-9)", "cam_press", CAMS),
+    Fault("best offset of the least cam", CAM + "sizing.py", "(inverse[0] + inverse[1])", "(inverse[0] - inverse[1])",
+          "cam_press", CAMS),
+    Fault("the return's pressure angle against the rise's limit", CAM + "solve.py", "self.back.value > self.cam.back",
+          "self.back.value > self.cam.limit", "cam_press", CAMS),
     Fault("areas of a graph of acceleration the wrong way", SHAPES, "_scaled(one, above / below)",
           "_scaled(one, below / above)", "cam_press", CAMS),
-    Fault("area of a quarter of a sine", SHAPES, "(low + (high - low) * 2 / pi)", "(low + (high - low) / 2)", "cam_press",
-          CAMS),
+    Fault("area of a quarter of a sine", SHAPES, "(low + (high - low) * 2 / pi)", "(low + (high - low) / 2)",
+          "cam_press", CAMS),
     Fault("a1/a2 on both halves of a parabolic law", SHAPES, "1 + 1 / self.ratio", "1 + self.ratio", "cam_press", CAMS),
     Fault("breaks of a law before its phase", MECHANICS + "cams/follower_laws.py", "start + phase.angle * share",
-          "start - phase.angle * share", "cam_press", (*CAMS, "tests/chapters/lever/kinetostatics/test_cam_pressing.py")),
+          "start - phase.angle * share", "cam_press",
+          (*CAMS, "tests/chapters/lever/kinetostatics/test_cam_pressing.py")),
     Fault("displacement of a slanting piece", LAW_WRITTEN, "rate / 6 * x**3", "rate / 3 * x**3", "cam_press", CAMS),
     Fault("a quarter of a sine that grows the other way", LAW_WRITTEN, "(start, end) if grows else (end, start)",
           "(end, start) if grows else (start, end)", "cam_press", CAMS),

@@ -221,7 +221,9 @@ def _law(one: Data, swings: bool, base: float, random: Random) -> None:
         )
         one["profile"] = random.choice(shapes)
         return
-    one["base"] = mm(base)
+    one["base"] = "smallest" if random.random() < 0.15 else mm(base)
+    if one["base"] == "smallest" and random.random() < 0.5:
+        one |= {"round": "1 mm", "return_angle_limit": "45 deg"}
     high = random.uniform(5, 15)
     if kind == "phases":
         one["swing" if swings else "lift"] = f"{high:.4g} deg" if swings else mm(high)

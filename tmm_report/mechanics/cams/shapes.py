@@ -32,7 +32,7 @@ from tmm_report.records import dataclass
 
 Array = Any
 Three = tuple[Array, Array, Array]  # a function and its first two derivatives
-EDGE = 1e-9  # of a phase: a share as near as this before a break belongs to what follows it
+EDGE = 1e-12  # of a phase: a share as near as this before a break belongs to what follows it
 Form = Literal["line", "sine"]
 
 

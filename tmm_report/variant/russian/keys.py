@@ -225,6 +225,7 @@ remove: убрать
 resistance: сопротивление
 resisting: сопротивляющийся
 return: возвращение
+return_angle_limit: допускаемый угол давления при возвращении
 rim: обод
 ring_teeth: зубья эпицикла
 ring_up_to: эпицикл до

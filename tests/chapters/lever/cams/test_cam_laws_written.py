@@ -1,4 +1,4 @@
-"""Laws of a cam as the note writes them out: every piece of a graph, every shape, in a rise and in a return."""
+"""Laws and least sizes of a cam as the note writes them out: every piece of a graph, every shape, every case."""
 
 import json
 from pathlib import Path
@@ -11,8 +11,10 @@ from test_against_results import wrong_cells, wrong_formulas
 from tmm_report import render
 from tmm_report.course import loads, solve
 from tmm_report.mechanics.cams.shapes import NAMED
+from tmm_report.problems import ProblemError
 
 TEXT = Path(__file__).parents[3].joinpath("cases/explain/graph_cam.yaml").read_text("utf-8")
+SIZED = Path(__file__).parents[3].joinpath("statements/cam_from_pressure_angles.yaml").read_text("utf-8")
 STARTS = (18, 42, 66, 72, 88, 102)  # deg of the law at position 0
 GRAPH = TEXT[TEXT.index("        - rise:") : TEXT.index("        - {dwell: 40 deg}")]
 
@@ -48,3 +50,65 @@ def test_every_shape(law):
     text = TEXT.replace(GRAPH, f"        - {{rise: 110 deg, law: {law}}}\n")
     text = text.replace("law: parabolic, ratio: 1.8", f"law: {law}")
     assert [one.phase.law.name for one in written(text).samples] == [law, law]
+
+
+SIZES = {
+    "as stated": {},
+    "in line": {"[-12 mm, 0]": "[0, 0]"},
+    "on the other side": {"[-12 mm, 0]": "[9 mm, 0]"},
+    "far aside, held by the dwells": {"[-12 mm, 0]": "[-80 mm, 0]"},
+    "a return without a limit": {"      return_angle_limit: 45 deg\n": ""},
+    "held by the return": {"return_angle_limit: 45": "return_angle_limit: 12"},
+    "the best by both returns and dwells": {"return_angle_limit: 45": "return_angle_limit: 75"},
+    "an edge": {"{at: B, radius: 21 mm}": "{at: B}"},
+    "not rounded": {"      round: 1 mm\n": ""},
+}
+
+
+@pytest.mark.parametrize("case", SIZES)
+def test_least_sizes(case):
+    text = SIZED
+    for old, new in SIZES[case].items():
+        assert old in text
+        text = text.replace(old, new)
+    found = written(text)
+    low, zone = found.pitch_base, found.zone
+    step = 1e-3 if "round" in text else 1e-9
+    assert zone.at(found.offset).radius <= low * (1 + 1e-12) < zone.at(found.offset).radius + step
+    assert found.rise.value <= found.cam.limit + 1e-7
+    assert found.cam.back is None or found.back.value <= found.cam.back + 1e-7
+    assert not found.exceeds and not found.exceeds_back
+
+
+WRONG = {
+    "round: 1 mm": ("base: smallest", "base: 60 mm", "only the smallest base circle is rounded"),
+    "flat": ("roller: {at: B, radius: 21 mm}", "flat: {at: B}", "found of a roller or an edge that slides"),
+    "roller": ("radius: 21 mm", "radius: 90 mm", "is larger than the least radius of its centre"),
+    "return": ("return_angle_limit: 45 deg", "return_angle_limit: 95 deg", "95 deg"),
+    "ratio": ("law: cosine", "law: cosine, ratio: 2", "ratio belongs to the law parabolic"),
+    "ramp": ("law: cosine", "law: trapezoid, ramp: 0.4", "0.4"),
+    "two ways": ("law: cosine", "law: cosine, velocity: [0, 1, 0]", "a rise and a return have a law"),
+    "one sign": ("law: cosine", "acceleration: [0, 1, 2, 0]", "both sides of zero"),
+    "back": ("law: cosine", "velocity: [0, 2, -1, 0]", "turns back"),
+    "mixed": ("law: cosine", "acceleration: [1, {constant: -1}]", "by ordinates or by pieces"),
+    "no form": (
+        "law: cosine",
+        "acceleration: [{width: 1}, {constant: -1}]",
+        "a piece of a graph has one form",
+    ),
+    "through zero": (
+        "law: cosine",
+        "acceleration: [{sine: [1, -1]}, {constant: -1}]",
+        "does not pass through zero",
+    ),
+}
+
+
+@pytest.mark.parametrize("slip", WRONG)
+def test_slips(slip):
+    old, new, told = WRONG[slip]
+    assert old in SIZED
+    with pytest.raises(ProblemError) as caught:
+        loads(SIZED.replace(old, new))
+    (problem,) = caught.value.problems
+    assert told in problem.wrong.text % problem.wrong.values and problem.line

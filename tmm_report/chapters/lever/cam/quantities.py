@@ -11,7 +11,8 @@ from tmm_report.chapters.lever.cam.solve import CamFound, Cams, Lifted
 from tmm_report.chapters.lever.kinematics.quantities import where
 from tmm_report.i18n import NP_
 from tmm_report.mechanics.cams.cam import Sliding, Swinging
-from tmm_report.mechanics.cams.follower_laws import Phase
+from tmm_report.mechanics.cams.follower_laws import Kind, Phase
+from tmm_report.mechanics.cams.least_size import Demand, Zone
 from tmm_report.mechanics.cams.shapes import Parabolic
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
@@ -43,7 +44,20 @@ NONE = N_("none")
 FORMS = {"line": N_("straight"), "sine": N_("quarter of a sine")}
 RISE, RETURN, LIMIT = NP_("index", "rise"), NP_("index", "ret"), NP_("index", "lim")
 PITCH = NP_("index", "pc")  # of the pitch curve
-MAX, MIN = NP_("index", "max"), NP_("index", "min")
+MAX, MIN, BEST = NP_("index", "max"), NP_("index", "min"), NP_("index", "best")
+
+LEAST = Message(N_("what the permitted pressure angles ask of the size of the cam"))
+AT = Quantity("theta", Symbol("theta"), "deg", Message(N_("angle of the cam from the beginning of its law")))
+ASKED_S = Quantity("S", Symbol("s"), "m", Message(N_("displacement at which most is asked")))
+ASKED_SLOPE_MEANING = Message(
+    N_("first derivative of the displacement by the angle of the cam at the same place")
+)
+ASKED_SLOPE = Quantity("S1", Symbol("s′"), "m", ASKED_SLOPE_MEANING)
+
+ASKS = {
+    "rise": N_("distance of the axis below the lowest place that the rise asks without an offset"),
+    "return": N_("distance of the axis below the lowest place that the return asks without an offset"),
+}
 
 NUMBER = Quantity("number", None, "", Message(N_("its number")))
 START = Quantity(
@@ -121,6 +135,8 @@ def tables(found: Cams) -> Iterator[Table]:
             yield Table(f"cam_law_{name}", SAMPLES, tuple(_samples(one)))
         if one.pieces:
             yield Table(f"cam_pieces_{name}", PIECES, _pieces(one))
+        if one.zone is not None:
+            yield Table(f"cam_least_{name}", LEAST, _demands(one.zone))
         if one.shocks:
             yield Table(f"cam_shocks_{name}", JUMPS, _shocks(one))
         for which, lifted in (("table", one.table), ("diagram", one.diagram)):
@@ -172,6 +188,22 @@ def _pieces(found: CamFound) -> tuple[Column, ...]:
     )
 
 
+def demands(zone: Zone) -> dict[Kind, Demand]:
+    """What the rise asks, and the return where it is limited."""
+    asked: dict[Kind, Demand] = {"rise": zone.of_rise}
+    return asked | ({"return": zone.of_return} if zone.of_return is not None else {})
+
+
+def _demands(zone: Zone) -> tuple[Column, ...]:
+    asked = demands(zone)
+    return (
+        text_column("phase", Message(N_("what the follower does")), [KINDS[kind] for kind in asked]),
+        AT.column([math.degrees(demand.theta) for demand in asked.values()]),
+        ASKED_S.column([demand.S for demand in asked.values()]),
+        ASKED_SLOPE.column([demand.slope for demand in asked.values()]),
+    )
+
+
 def _shocks(found: CamFound) -> tuple[Column, ...]:
     shocks, letter_ = found.shocks, letter(found)
     own = unit(found) if found.slides else ""
@@ -212,6 +244,8 @@ def _profile(found: CamFound, lifted: Lifted) -> Iterator[Column]:
 def values(found: Cams) -> Iterator[Value]:
     for one in found.cams:
         yield from _sizes(one)
+        if one.zone is not None:
+            yield from _least(one, one.zone)
         yield from _limits(one)
 
 
@@ -252,7 +286,7 @@ def _sizes(found: CamFound) -> Iterator[Value]:
             text = N_(
                 "offset of follower %(follower)s, above zero where it lessens the pressure angle of a rise"
             )
-            yield of(found, "cam_offset", Symbol("e"), "m", text).value(found.sense * motion.offset)
+            yield of(found, "cam_offset", Symbol("e"), "m", text).value(found.offset)
             text = N_(
                 "lowest distance of the follower's point from the foot of the perpendicular from the cam's axis"
             )
@@ -267,7 +301,39 @@ def _sizes(found: CamFound) -> Iterator[Value]:
             yield of(found, "cam_start", Symbol("beta", "0"), "rad", text).value(found.start)
 
 
+def _least(found: CamFound, zone: Zone) -> Iterator[Value]:
+    """What is asked, the least size with the stated offset, and with the best one."""
+    for kind, demand in demands(zone).items():
+        index = RISE if kind == "rise" else RETURN
+        asked = of(found, f"cam_b_{kind}", Symbol("b", index), "m", ASKS[kind])
+        yield asked.value(demand.b)
+    places = {"": zone.at(found.offset), "best": zone.best}
+    texts = {
+        "": (
+            "", N_("least distance of the lowest place from the foot of the perpendicular"),
+            N_("least radius of the pitch curve by the pressure angles"),
+        ),
+        "best": (
+            N_("offset at which the cam is smallest"),
+            N_("least distance of the lowest place with the best offset"),
+            N_("least radius of the pitch curve with the best offset"),
+        ),
+    }  # fmt: skip
+    for which, place in places.items():
+        index = BEST if which else MIN
+        offset, start, radius = texts[which]
+        if which:
+            yield of(found, "cam_e_best", Symbol("e", index), "m", offset).value(place.e)
+        key = f"_{which}" if which else ""
+        yield of(found, f"cam_s0_least{key}", Symbol("s", f"0,{index}"), "m", start).value(place.s0)
+        yield of(found, f"cam_r0_least{key}", Symbol("R", f"0,{index}"), "m", radius).value(place.radius)
+
+
 def _limits(found: CamFound) -> Iterator[Value]:
+    if found.cam.back is not None:
+        text = N_("allowed pressure angle of the return of follower %(follower)s")
+        limit = of(found, "cam_alpha_back", Symbol("alpha", f"{LIMIT},{RETURN}"), "deg", text)
+        yield limit.value(np.degrees(found.cam.back))
     text = N_("allowed pressure angle of cam %(cam)s and follower %(follower)s")
     yield of(found, "cam_alpha_limit", Symbol("alpha", LIMIT), "deg", text).value(np.degrees(found.cam.limit))
     for key, index, at, text in (

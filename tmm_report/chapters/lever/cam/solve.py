@@ -24,6 +24,7 @@ from tmm_report.chapters.lever.cam.lifting import (
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
 from tmm_report.mechanics.cams.cam import ByLaw, Cam, Sliding
 from tmm_report.mechanics.cams.follower_laws import FULL_TURN, Phase, Phases
+from tmm_report.mechanics.cams.least_size import Zone
 from tmm_report.mechanics.cams.shapes import Graph, Laid, Shape
 from tmm_report.mechanics.lever.cams.replacing_dyad import rests
 from tmm_report.mechanics.lever.cycle import Extreme
@@ -199,6 +200,26 @@ class CamFound:
     def exceeds(self) -> bool:
         """Whether the pressure angle of a rise is above the limit."""
         return self.rise.value > self.cam.limit + 1e-9
+
+    @property
+    def exceeds_back(self) -> bool:
+        """Whether that of a return is above its limit."""
+        return self.cam.back is not None and self.back.value > self.cam.back + 1e-9
+
+    @cached_property
+    def zone(self) -> Zone | None:
+        """Where the axis of the cam may stand; None of a cam whose size is stated."""
+        return Zone(self.law.law, self.cam.limit, self.cam.back) if self.cam.smallest and self.law else None
+
+    @property
+    def pitch_base(self) -> float:
+        """Least radius of the pitch curve; of an edge or a flat face that of the profile, m."""
+        return self.cam.base + (self.cam.roller or 0.0)
+
+    @property
+    def offset(self) -> float:
+        """Of a sliding follower, m, above zero where it lessens the pressure angle of a rise."""
+        return float(self.sense * getattr(self.cam.motion, "offset", 0.0))
 
     @property
     def lift(self) -> float:

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from markupsafe import Markup
 
-from tmm_report.chapters.lever.cam import draw, formulas
+from tmm_report.chapters.lever.cam import draw, draw_zone, formulas
 from tmm_report.chapters.lever.cam import quantities as q
 from tmm_report.chapters.lever.cam.formulas import Written
+from tmm_report.chapters.lever.cam.sizing import Sizing
 from tmm_report.chapters.lever.cam.solve import CamFound, Cams
 from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.drawing import Drawing
@@ -73,6 +74,9 @@ class CamView(BookView):
         names = {"cam": self.cam.cam, "follower": self.cam.follower}
         if self.found.exceeds:
             yield Failed(self.t(N_("The pressure angle of cam %(cam)s is greater than is allowed."), **names))
+        if self.found.exceeds_back:
+            text = N_("The pressure angle of the return of cam %(cam)s is greater than is allowed.")
+            yield Failed(self.t(text, **names))
         if self.hard:
             text = N_(
                 "The law of follower %(follower)s has hard shocks: there its acceleration and the forces of cam "
@@ -92,9 +96,38 @@ class CamView(BookView):
         return [self.page.explained(one.key, one, one.quantity.printed) for one in values]
 
     def of_base(self) -> list[Formula]:
-        """The pitch circle and the follower's lowest position."""
-        found = (formulas.pitch_base(self.found, self.book), formulas.start(self.found, self.book))
-        return [one for one in found if one is not None]
+        """The pitch circle, where it does not come first, and the follower's lowest position."""
+        pitch = formulas.pitch_base(self.found, self.book) if self.sizing is None else None
+        return [one for one in (pitch, formulas.start(self.found, self.book)) if one is not None]
+
+    # ------------------------------------------------------------ the least cam
+
+    @cached_property
+    def sizing(self) -> Sizing | None:
+        return Sizing(self.found, self.found.zone, self.book) if self.found.zone is not None else None
+
+    def zone_scale(self) -> Var:
+        assert self.found.zone is not None
+        return scale_of("mu_l", draw_zone.scale(self.found, self.found.zone), "m/mm")
+
+    def zone(self) -> Drawing:
+        assert self.found.zone is not None
+        mu = draw_zone.scale(self.found, self.found.zone)
+        return draw_zone.drawing(self.found, self.found.zone, mu)
+
+    def asked(self, caption: Any) -> Table:
+        """What rise and return ask."""
+        table, page = self.table(f"cam_least_{self.name}"), self.page
+        units = {q.AT.key: "", q.ASKED_S.key: "mm", q.ASKED_SLOPE.key: "mm"}
+        rows = [
+            [
+                page.word(self.t(word), table, "phase", k),
+                *(page.cell(table, key, k, unit) if unit else page.cell(table, key, k) for key, unit in units.items()),
+            ]
+            for k, word in enumerate(table["phase"].values)
+        ]  # fmt: skip
+        heads = [page.head(table[key].symbol(), unit or table[key].unit) for key, unit in units.items()]
+        return worded(caption, [self.t("Phase"), *heads], rows, (2, 2, 2, 2))
 
     def phases(self, caption: Any) -> Table:
         table, page = self.table(f"cam_phases_{self.name}"), self.page

@@ -19,6 +19,9 @@ GRAPH = N_(
     "The stated graph of acceleration: widths made shares of the phase, ordinates below zero scaled to equal "
     "areas, all ordinates to the lift, then integrated twice, piece by piece."
 )
+ASKED = N_(
+    "Where S' ctg α − S of the rise, −S' ctg α − S of the return, is greatest: sought over the law, piece by piece."
+)
 JUMP = N_("Where two phases meet: the difference of the derivatives on both sides.")
 APART = N_("By the places of both pivots that the variant states.")
 LIFT = N_("The greatest displacement of the law less the least.")
@@ -32,6 +35,8 @@ WAYS = (
     Way("cam_pieces_*.number", COUNTED),
     Way("cam_pieces_*.form", NAME),
     Way("cam_pieces_*.*", GRAPH, of="number form"),
+    Way("cam_least_*.phase", NAME),
+    Way("cam_least_*.*", ASKED, of="phase"),
     Way("cam_shocks_*.*", JUMP, of="phi shock"),
     Way("cam_motion_*_table.*", LAW, of="phi cam_S_* cam_lift_{0}"),
     Way("cam_profile_*.*", PROFILE, of="phi cam_base_{0} cam_roller_{0}"),
@@ -40,6 +45,6 @@ WAYS = (
     ),
     Way("cam_lift_*", LIFT, of="cam_base_{0}"),
     Way("cam_apart_*", APART, of="cam_base_{0} cam_arm_{0}"),
-    Way("cam_alpha_limit_* cam_arm_* cam_base_* cam_roller_* cam_offset_*", STATED),
+    Way("cam_alpha_limit_* cam_alpha_back_* cam_arm_* cam_base_* cam_roller_* cam_offset_*", STATED),
     Way("cam_*", EXTREME, of="cam_base_* cam_lift_*"),
 )

@@ -31,6 +31,7 @@ from tmm_report.variant.values import (
     Number,
     Point,
     Positive,
+    Reads,
     by_shape,
     quantity,
 )
@@ -212,6 +213,21 @@ class ProfileModel(Model):
         return self
 
 
+def _base(written: object) -> float | Literal["smallest"]:
+    return "smallest" if written == "smallest" else _RADIUS.value(written)
+
+
+_RADIUS = quantity("length", 1e-9)
+Base = Annotated[
+    float | Literal["smallest"],
+    Reads(
+        _base,
+        {"anyOf": [{"enum": ["smallest"]}, dict(_RADIUS.schema)], "examples": ["40 mm", "smallest"]},
+        "length",
+    ),
+]
+
+
 class CamModel(Model):
     """A cam pair: the follower's link touches the cam by a roller or a flat face."""
 
@@ -219,7 +235,13 @@ class CamModel(Model):
     follower: Name = Field(description="a link that slides on a fixed guide or swings about a fixed point")
     roller: RollerModel | None = None
     flat: FlatModel | None = None
-    base: Positive | None = Field(default=None, description="least radius of the profile", examples=["40 mm"])
+    base: Base | None = Field(
+        default=None, description="least radius of the profile; smallest: by the permitted pressure angles"
+    )
+    round: Positive | None = Field(
+        default=None, description="to which the smallest radius is rounded up: that of the pitch curve of a roller",
+        examples=["1 mm"],
+    )  # fmt: skip
     lift: Positive | None = Field(default=None, description="of a sliding follower", examples=["30 mm"])
     swing: PhaseAngle | None = Field(default=None, description="of a swinging follower", examples=["20 deg"])
     phases: list[PhaseModel] = Field(default=[], max_length=24, description="the law, phase by phase")
@@ -243,6 +265,9 @@ class CamModel(Model):
     pressure_angle_limit: PressureLimit | None = Field(
         default=None, description="left out, 30 deg of a sliding, 45 deg of a swinging follower"
     )
+    return_angle_limit: PressureLimit | None = Field(
+        default=None, description="of the return; left out, none: a spring or a weight drives it"
+    )
 
     @model_validator(mode="after")
     def one_end(self) -> "CamModel":
@@ -260,6 +285,13 @@ class CamModel(Model):
             wrong = Message(N_("the follower's law is not stated in one way"))
             right = Message(N_("phases with lift or swing, a table lifts or swings, or the cam's profile"))
             raise WrongValue(wrong, right)
+        return self
+
+    @model_validator(mode="after")
+    def rounds(self) -> "CamModel":
+        if self.round is not None and self.base != "smallest":
+            wrong = Message(N_("only the smallest base circle is rounded"))
+            raise WrongValue(wrong, Message(N_("base: smallest, or leave out round")))
         return self
 
     @property
