@@ -7,7 +7,7 @@ import pytest
 from exhaustive import many
 
 from tmm_report.mechanics.cams.follower_laws import FULL_TURN, Phase, Phases
-from tmm_report.mechanics.cams.least_size import Zone
+from tmm_report.mechanics.cams.least_size import Lever, Zone, under_face
 from tmm_report.mechanics.cams.shapes import NAMED, Parabolic, named
 
 SMOOTH = [name for name in NAMED if name != "uniform"]
@@ -78,3 +78,59 @@ def test_a_course_with_unequal_accelerations():
     )
     assert zone.at(0.0).radius == pytest.approx(0.0732438524868, rel=1e-9)
     assert zone.at(0.012).radius == pytest.approx(0.0538142374724, rel=1e-9)
+
+
+def lever(seed):
+    random = np.random.default_rng(5000 + seed)
+    angles = np.radians([random.uniform(60, 140), random.uniform(0.5, 60), random.uniform(60, 120)])
+    law = Phases(
+        (
+            Phase("rise", angles[0], named(random.choice(SMOOTH))), Phase("dwell", angles[1]),
+            Phase("return", angles[2], named(random.choice(SMOOTH))), Phase("dwell", FULL_TURN - angles.sum()),
+        ),
+        math.radians(random.uniform(8, 30)),
+    )  # fmt: skip
+    apart = random.uniform(0.1, 0.25)
+    back = None if random.random() < 0.3 else math.radians(random.uniform(30, 65))
+    arm, alike = apart * random.uniform(0.6, 1.15), bool(random.random() < 0.5)
+    return Lever(law, arm, apart, alike, math.radians(random.uniform(30, 55)), back)
+
+
+def leans(lever, lowest, over=FINE):
+    """Whether all angles of a lever's cam are permitted; (…) of the lowest angle."""
+    S, slope, _ = lever.law.of(over)
+    turned = np.asarray(lowest)[..., None] + S
+    k = -1 if lever.alike else 1
+    tangent = (lever.arm * (1 + k * slope) - lever.apart * np.cos(turned)) / (lever.apart * np.sin(turned))
+    inside = (turned > 0) & (turned < math.pi)
+    good = np.all(
+        inside & np.where(slope >= 0, np.abs(tangent) <= math.tan(lever.rise) + 1e-7, True), axis=-1
+    )
+    if lever.back is not None:
+        good &= np.all(np.where(slope <= 0, np.abs(tangent) <= math.tan(lever.back) + 1e-7, True), axis=-1)
+    return good
+
+
+@pytest.mark.parametrize("seed", many(range(300), 12))
+def test_the_least_lever_cam_is_permitted_and_none_is_smaller(seed):
+    one = lever(seed)
+    tried = np.linspace(1e-3, math.pi - 1e-3, 601)
+    permitted = leans(one, tried, COARSE)
+    if one.lowest is None:
+        assert not permitted.any()
+        return
+    assert leans(one, one.lowest.least)
+    assert not permitted[tried < one.lowest.least - 1e-5].any()
+    assert one.radius(one.lowest.least) == pytest.approx(
+        abs(one.apart - one.arm * np.exp(1j * one.lowest.least)), rel=1e-12
+    )
+
+
+@pytest.mark.parametrize("name", SMOOTH)
+def test_least_cam_under_a_flat_face(name):
+    rise, back = Phase("rise", 1.6, named(name)), Phase("return", 1.2, named(name))
+    law = Phases((rise, Phase("dwell", 0.4), back, Phase("dwell", FULL_TURN - 3.2)), 0.02)
+    found = under_face(law, 0.005)
+    S, _, bend = law.of(FINE)
+    assert found.b >= np.max(0.005 - S - bend) - 1e-12
+    assert found.b == pytest.approx(np.max(0.005 - S - bend), rel=2e-4)

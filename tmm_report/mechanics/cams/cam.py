@@ -123,7 +123,8 @@ class Cam:
 
     `axis`: O, world, m; `roller`: radius, m, 0 of a knife edge, None of a flat face whose direction in the follower's
     axes is `face`; `guide`: name of the line that replaces a flat face; `limit`: of the pressure angle, rad, `back`: of
-    that of a return, where it is limited; `smallest`: whether the base circle is the least that keeps them.
+    that of a return, where it is limited; `smallest`: whether the base circle is the least that keeps them, or, under a
+    flat face, the least radius of `curvature`, m.
     """
 
     name: str
@@ -141,6 +142,7 @@ class Cam:
     guide: str = ""
     back: float | None = None
     smallest: bool = False
+    curvature: float = 0.0
 
     @property
     def flat(self) -> bool:

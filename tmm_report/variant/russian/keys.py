@@ -153,6 +153,7 @@ journals: цапфы
 kinetic: кинетический
 law: закон
 least: наименьшее
+least_curvature: наименьший радиус кривизны
 lengths: длины
 level: уровень, ровно
 lift: подъём, ход толкателя

@@ -3,6 +3,7 @@
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 from note import read
 from reading import wrong
@@ -80,9 +81,69 @@ def test_least_sizes(case):
     assert not found.exceeds and not found.exceeds_back
 
 
+LEVER, FLAT = (
+    Path(__file__).parents[3].joinpath(f"cases/explain/smallest_{name}_cam.yaml").read_text("utf-8")
+    for name in ("lever", "flat")
+)
+LEVERS = {
+    "as stated": {},
+    "the other way round": {"zero: {angle: 0 deg}": "rotation: clockwise, zero: {angle: 0 deg}"},
+    "held by the return": {"return_angle_limit: 60": "return_angle_limit: 35"},
+    "the far side": {"swing: 20 deg": "swing: 8 deg", "B: 120 mm": "B: 150 mm"},
+    "without a limit of the return": {"      return_angle_limit: 60 deg\n": ""},
+}
+
+
+@pytest.mark.parametrize("case", LEVERS)
+def test_least_sizes_of_levers(case):
+    text = LEVER
+    for old, new in LEVERS[case].items():
+        assert old in text
+        text = text.replace(old, new)
+    found = written(text)
+    least = found.lever.radius(found.lever.lowest.least)
+    assert least <= found.pitch_base * (1 + 1e-12) < least + 0.5e-3
+    exact = solve(loads(text.replace("      round: 0.5 mm\n", ""))).lever.cam.cams[0]
+    asked = {"rise": exact.cam.limit, "return": exact.cam.back}[exact.lever.lowest.way]
+    reached = {"rise": exact.rise, "return": exact.back}[exact.lever.lowest.way].value
+    assert reached == pytest.approx(asked, abs=1e-8)  # nowhere more than is permitted, and once as much
+    assert not exact.exceeds and not exact.exceeds_back
+
+
+def test_least_size_under_a_face():
+    found = written(FLAT)
+    assert found.least.value == pytest.approx(8e-3, rel=1e-9)
+    assert written(
+        FLAT.replace("least_curvature: 8 mm", "least_curvature: 8 mm\n      round: 1 mm")
+    ).cam.base == (pytest.approx(1e-3 * np.ceil(found.cam.base * 1e3)))
+
+
+WRONG_SIZES = {
+    "no curvature": (FLAT, "      least_curvature: 8 mm\n", "", "follows from the least radius of curvature"),
+    "slanting face": (FLAT, "{at: B}", "{at: B, angle: 10 deg}", "slides across its face"),
+    "curvature of a roller": (LEVER, "round: 0.5 mm", "least_curvature: 3 mm", "under a flat face"),
+    "angles too small": (
+        LEVER,
+        "pressure_angle_limit: 40 deg",
+        "pressure_angle_limit: 8 deg",
+        "no cam keeps",
+    ),
+}
+
+
+@pytest.mark.parametrize("slip", WRONG_SIZES)
+def test_slips_of_sizes(slip):
+    text, old, new, told = WRONG_SIZES[slip]
+    assert old in text
+    with pytest.raises(ProblemError) as caught:
+        loads(text.replace(old, new))
+    (problem,) = caught.value.problems
+    assert told in problem.wrong.text % problem.wrong.values and problem.line
+
+
 WRONG = {
     "round: 1 mm": ("base: smallest", "base: 60 mm", "only the smallest base circle is rounded"),
-    "flat": ("roller: {at: B, radius: 21 mm}", "flat: {at: B}", "found of a roller or an edge that slides"),
+    "flat": ("roller: {at: B, radius: 21 mm}", "flat: {at: B}", "follows from the least radius of curvature"),
     "roller": ("radius: 21 mm", "radius: 90 mm", "is larger than the least radius of its centre"),
     "return": ("return_angle_limit: 45 deg", "return_angle_limit: 95 deg", "95 deg"),
     "ratio": ("law: cosine", "law: cosine, ratio: 2", "ratio belongs to the law parabolic"),

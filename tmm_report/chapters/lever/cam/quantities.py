@@ -12,7 +12,7 @@ from tmm_report.chapters.lever.kinematics.quantities import where
 from tmm_report.i18n import NP_
 from tmm_report.mechanics.cams.cam import Sliding, Swinging
 from tmm_report.mechanics.cams.follower_laws import Kind, Phase
-from tmm_report.mechanics.cams.least_size import Demand, Zone
+from tmm_report.mechanics.cams.least_size import Demand, Lever, Zone
 from tmm_report.mechanics.cams.shapes import Parabolic
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
@@ -48,11 +48,10 @@ MAX, MIN, BEST = NP_("index", "max"), NP_("index", "min"), NP_("index", "best")
 
 LEAST = Message(N_("what the permitted pressure angles ask of the size of the cam"))
 AT = Quantity("theta", Symbol("theta"), "deg", Message(N_("angle of the cam from the beginning of its law")))
-ASKED_S = Quantity("S", Symbol("s"), "m", Message(N_("displacement at which most is asked")))
 ASKED_SLOPE_MEANING = Message(
     N_("first derivative of the displacement by the angle of the cam at the same place")
 )
-ASKED_SLOPE = Quantity("S1", Symbol("s′"), "m", ASKED_SLOPE_MEANING)
+ASKED_BEND = Quantity("S2", Symbol("s′′"), "m", Message(N_("its second derivative there")))
 
 ASKS = {
     "rise": N_("distance of the axis below the lowest place that the rise asks without an offset"),
@@ -135,8 +134,8 @@ def tables(found: Cams) -> Iterator[Table]:
             yield Table(f"cam_law_{name}", SAMPLES, tuple(_samples(one)))
         if one.pieces:
             yield Table(f"cam_pieces_{name}", PIECES, _pieces(one))
-        if one.zone is not None:
-            yield Table(f"cam_least_{name}", LEAST, _demands(one.zone))
+        if one.cam.smallest:
+            yield Table(f"cam_least_{name}", LEAST, tuple(_demands(one)))
         if one.shocks:
             yield Table(f"cam_shocks_{name}", JUMPS, _shocks(one))
         for which, lifted in (("table", one.table), ("diagram", one.diagram)):
@@ -188,20 +187,45 @@ def _pieces(found: CamFound) -> tuple[Column, ...]:
     )
 
 
-def demands(zone: Zone) -> dict[Kind, Demand]:
-    """What the rise asks, and the return where it is limited."""
-    asked: dict[Kind, Demand] = {"rise": zone.of_rise}
-    return asked | ({"return": zone.of_return} if zone.of_return is not None else {})
+def demands(found: CamFound) -> dict[Kind, Demand]:
+    """What decides the size: of a sliding roller what the rise asks, and the return where it is limited."""
+    if found.zone is not None:
+        back = found.zone.of_return
+        asked: dict[Kind, Demand] = {"rise": found.zone.of_rise}
+        return asked | ({"return": back} if back is not None else {})
+    if found.lever is not None and found.lever.lowest is not None:
+        return {found.lever.lowest.way: found.lever.lowest.asked}
+    return {_way(found, found.under_face): found.under_face} if found.under_face is not None else {}
 
 
-def _demands(zone: Zone) -> tuple[Column, ...]:
-    asked = demands(zone)
-    return (
-        text_column("phase", Message(N_("what the follower does")), [KINDS[kind] for kind in asked]),
-        AT.column([math.degrees(demand.theta) for demand in asked.values()]),
-        ASKED_S.column([demand.S for demand in asked.values()]),
-        ASKED_SLOPE.column([demand.slope for demand in asked.values()]),
+def _way(found: CamFound, asked: Demand) -> Kind:
+    """What the follower does at an angle of its law; at the end of a phase what it did."""
+    edges = np.cumsum([phase.angle for phase in found.phases])
+    return found.phases[int(np.searchsorted(edges, asked.theta - 1e-6))].kind if found.phases else "rise"
+
+
+def asked_S(found: CamFound) -> Quantity:
+    shown = "" if found.slides else "deg"
+    return Quantity(
+        "S", Symbol(letter(found)), unit(found), Message(N_("displacement at which most is asked")), shown
     )
+
+
+def asked_slope(found: CamFound) -> Quantity:
+    own = "m" if found.slides else ""
+    return Quantity("S1", Symbol(letter(found) + "′"), own, ASKED_SLOPE_MEANING)
+
+
+def _demands(found: CamFound) -> Iterator[Column]:
+    asked = demands(found)
+    yield text_column("phase", Message(N_("what the follower does")), [KINDS[kind] for kind in asked])
+    yield AT.column([math.degrees(demand.theta) for demand in asked.values()])
+    yield asked_S(found).column([demand.S for demand in asked.values()])
+    if found.under_face is None:
+        yield asked_slope(found).column([demand.slope for demand in asked.values()])
+    else:
+        bend = found.cam.curvature - found.under_face.b - found.under_face.S
+        yield ASKED_BEND.column([bend])
 
 
 def _shocks(found: CamFound) -> tuple[Column, ...]:
@@ -246,6 +270,10 @@ def values(found: Cams) -> Iterator[Value]:
         yield from _sizes(one)
         if one.zone is not None:
             yield from _least(one, one.zone)
+        elif one.lever is not None and one.lever.lowest is not None:
+            yield from _least_lever(one, one.lever, one.lever.lowest.least)
+        elif one.under_face is not None:
+            yield from _least_face(one, one.under_face)
         yield from _limits(one)
 
 
@@ -303,7 +331,7 @@ def _sizes(found: CamFound) -> Iterator[Value]:
 
 def _least(found: CamFound, zone: Zone) -> Iterator[Value]:
     """What is asked, the least size with the stated offset, and with the best one."""
-    for kind, demand in demands(zone).items():
+    for kind, demand in demands(found).items():
         index = RISE if kind == "rise" else RETURN
         asked = of(found, f"cam_b_{kind}", Symbol("b", index), "m", ASKS[kind])
         yield asked.value(demand.b)
@@ -327,6 +355,24 @@ def _least(found: CamFound, zone: Zone) -> Iterator[Value]:
         key = f"_{which}" if which else ""
         yield of(found, f"cam_s0_least{key}", Symbol("s", f"0,{index}"), "m", start).value(place.s0)
         yield of(found, f"cam_r0_least{key}", Symbol("R", f"0,{index}"), "m", radius).value(place.radius)
+
+
+def _least_lever(found: CamFound, lever: Lever, lowest: float) -> Iterator[Value]:
+    text = N_("least angle between the arm of follower %(follower)s and the line of the pivots")
+    least = of(found, "cam_start_least", Symbol("beta", f"0,{MIN}"), "rad", text, "deg")
+    yield least.value(lowest)
+    text = N_("least radius of the pitch curve by the pressure angles")
+    yield of(found, "cam_r0_least", Symbol("R", f"0,{MIN}"), "m", text).value(lever.radius(lowest))
+
+
+def _least_face(found: CamFound, asked: Demand) -> Iterator[Value]:
+    text = N_("least permitted radius of curvature of the profile")
+    yield of(found, "cam_curvature", Symbol("rho", LIMIT), "m", text, "mm").value(found.cam.curvature)
+    text = N_("least radius of the base circle by the curvature")
+    yield of(found, "cam_r0_least", Symbol("R", f"0,{MIN}"), "m", text).value(asked.b)
+    text = N_("greatest distance of the contact from the axis of the follower along its face")
+    ends = (abs(end.value) for end in found.ends[1])
+    yield of(found, "cam_reach", Symbol("b"), "m", text, "mm").value(max(ends))
 
 
 def _limits(found: CamFound) -> Iterator[Value]:

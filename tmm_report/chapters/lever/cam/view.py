@@ -12,7 +12,7 @@ from markupsafe import Markup
 from tmm_report.chapters.lever.cam import draw, draw_zone, formulas
 from tmm_report.chapters.lever.cam import quantities as q
 from tmm_report.chapters.lever.cam.formulas import Written
-from tmm_report.chapters.lever.cam.sizing import Sizing
+from tmm_report.chapters.lever.cam.sizing import Sizing, sizing
 from tmm_report.chapters.lever.cam.solve import CamFound, Cams
 from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.drawing import Drawing
@@ -104,7 +104,7 @@ class CamView(BookView):
 
     @cached_property
     def sizing(self) -> Sizing | None:
-        return Sizing(self.found, self.found.zone, self.book) if self.found.zone is not None else None
+        return sizing(self.found, self.book)
 
     def zone_scale(self) -> Var:
         assert self.found.zone is not None
@@ -118,7 +118,8 @@ class CamView(BookView):
     def asked(self, caption: Any) -> Table:
         """What rise and return ask."""
         table, page = self.table(f"cam_least_{self.name}"), self.page
-        units = {q.AT.key: "", q.ASKED_S.key: "mm", q.ASKED_SLOPE.key: "mm"}
+        own = [column.quantity for column in table.columns[1:]]
+        units = {one.key: "mm" if one.unit == "m" else one.shown for one in own}
         rows = [
             [
                 page.word(self.t(word), table, "phase", k),

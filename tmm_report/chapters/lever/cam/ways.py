@@ -20,7 +20,12 @@ GRAPH = N_(
     "areas, all ordinates to the lift, then integrated twice, piece by piece."
 )
 ASKED = N_(
-    "Where S' ctg α − S of the rise, −S' ctg α − S of the return, is greatest: sought over the law, piece by piece."
+    "Where the law asks most of the size: sought over it, piece by piece; of a roller by the permitted pressure "
+    "angles, under a flat face where s + s'' is least."
+)
+BASE = N_("Stated; or the smallest that the law asks for, rounded up to the stated step.")
+REACH = N_(
+    "The contact is as far along a flat face as the first derivative of the displacement: its greatest size."
 )
 JUMP = N_("Where two phases meet: the difference of the derivatives on both sides.")
 APART = N_("By the places of both pivots that the variant states.")
@@ -45,6 +50,11 @@ WAYS = (
     ),
     Way("cam_lift_*", LIFT, of="cam_base_{0}"),
     Way("cam_apart_*", APART, of="cam_base_{0} cam_arm_{0}"),
-    Way("cam_alpha_limit_* cam_alpha_back_* cam_arm_* cam_base_* cam_roller_* cam_offset_*", STATED),
+    Way("cam_base_*", BASE, of="cam_r0_least_{0}"),
+    Way("cam_reach_*", REACH, of="cam_lift_{0}"),
+    Way(
+        "cam_alpha_limit_* cam_alpha_back_* cam_curvature_* cam_arm_* cam_roller_* cam_offset_*",
+        STATED,
+    ),
     Way("cam_*", EXTREME, of="cam_base_* cam_lift_*"),
 )

@@ -228,6 +228,9 @@ Base = Annotated[
 ]
 
 
+Step = Annotated[float, quantity("length", 1e-6, 0.1, "0.001 … 100 mm")]
+
+
 class CamModel(Model):
     """A cam pair: the follower's link touches the cam by a roller or a flat face."""
 
@@ -238,7 +241,7 @@ class CamModel(Model):
     base: Base | None = Field(
         default=None, description="least radius of the profile; smallest: by the permitted pressure angles"
     )
-    round: Positive | None = Field(
+    round: Step | None = Field(
         default=None, description="to which the smallest radius is rounded up: that of the pitch curve of a roller",
         examples=["1 mm"],
     )  # fmt: skip
@@ -264,6 +267,11 @@ class CamModel(Model):
     centre: KeyName | None = Field(default=None, description="name of the centre of curvature; left out, K")
     pressure_angle_limit: PressureLimit | None = Field(
         default=None, description="left out, 30 deg of a sliding, 45 deg of a swinging follower"
+    )
+    least_curvature: Positive | None = Field(
+        default=None,
+        description="of the profile under a flat face, for its smallest base circle",
+        examples=["5 mm"],
     )
     return_angle_limit: PressureLimit | None = Field(
         default=None, description="of the return; left out, none: a spring or a weight drives it"
@@ -292,6 +300,9 @@ class CamModel(Model):
         if self.round is not None and self.base != "smallest":
             wrong = Message(N_("only the smallest base circle is rounded"))
             raise WrongValue(wrong, Message(N_("base: smallest, or leave out round")))
+        if self.least_curvature is not None and (self.base != "smallest" or self.flat is None):
+            wrong = Message(N_("the least curvature is of the smallest base circle under a flat face"))
+            raise WrongValue(wrong, Message(N_("leave it out")))
         return self
 
     @property
