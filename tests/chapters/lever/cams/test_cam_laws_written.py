@@ -10,6 +10,7 @@ from reading import wrong
 from test_against_results import wrong_cells, wrong_formulas
 
 from tmm_report import render
+from tmm_report.chapters.lever.cam.quantities import demands
 from tmm_report.course import loads, solve
 from tmm_report.mechanics.cams.shapes import NAMED
 from tmm_report.problems import ProblemError
@@ -113,6 +114,7 @@ def test_least_sizes_of_levers(case):
 def test_least_size_under_a_face():
     found = written(FLAT)
     assert found.least.value == pytest.approx(8e-3, rel=1e-9)
+    assert list(demands(found)) == ["return"]  # where it begins, at the end of a dwell
     assert written(
         FLAT.replace("least_curvature: 8 mm", "least_curvature: 8 mm\n      round: 1 mm")
     ).cam.base == (pytest.approx(1e-3 * np.ceil(found.cam.base * 1e3)))

@@ -199,9 +199,11 @@ def demands(found: CamFound) -> dict[Kind, Demand]:
 
 
 def _way(found: CamFound, asked: Demand) -> Kind:
-    """What the follower does at an angle of its law; at the end of a phase what it did."""
-    edges = np.cumsum([phase.angle for phase in found.phases])
-    return found.phases[int(np.searchsorted(edges, asked.theta - 1e-6))].kind if found.phases else "rise"
+    """What the follower does at an angle of its law; where a phase begins, what it does there."""
+    edges = np.cumsum([phase.angle for phase in found.phases])[:-1]
+    return (
+        found.phases[int(np.searchsorted(edges, asked.theta, side="right"))].kind if found.phases else "rise"
+    )
 
 
 def asked_S(found: CamFound) -> Quantity:
