@@ -25,6 +25,7 @@ MOTION = Message(N_("displacement of the follower, its derivatives by the angle 
 JUMPS = Message(N_("angles at which derivatives of the follower's displacement jump"))
 PIECES = Message(N_("pieces of the graphs of acceleration by which phases go, for a lift and a phase of 1"))
 PROFILE = Message(N_("polar coordinates of the profile and of the pitch curve in the cam's axes"))
+ROUNDING = 1e-9  # rad: an angle so little below a whole turn is none
 KINDS = {"rise": N_("rise"), "dwell": N_("dwell"), "return": N_("return")}
 SHOCKS = {True: N_("hard"), False: N_("soft")}
 LAWS = {
@@ -257,6 +258,15 @@ def _profile(found: CamFound, lifted: Lifted) -> Iterator[Column]:
     yield of(found, "cam_R", Symbol("R"), "m", text).column(lifted.radius)
     text = N_("polar angle of the profile of cam %(cam)s in its axes")
     yield of(found, "cam_gamma", Symbol("gamma"), "deg", text).column(np.degrees(lifted.direction))
+    text = N_("angle of the profile from its first radius, against the turn of cam %(cam)s")
+    turned = found.sense * (lifted.direction[0] - lifted.direction)
+    delta = of(found, "cam_delta", Symbol("delta"), "deg", text)
+    yield delta.column(np.degrees(np.mod(turned + ROUNDING, 2 * np.pi) - ROUNDING))
+    for key, part, text in (
+        ("x", np.cos, N_("abscissa of the profile of cam %(cam)s in its axes")),
+        ("y", np.sin, N_("ordinate of the profile of cam %(cam)s in its axes")),
+    ):
+        yield of(found, f"cam_{key}", Symbol(key), "m", text).column(lifted.radius * part(lifted.direction))
     if found.cam.roller:
         text = N_("polar radius of the pitch curve of cam %(cam)s")
         yield of(found, "cam_R_pitch", Symbol("R", PITCH), "m", text).column(lifted.pitch)
