@@ -23,6 +23,8 @@ TABLES = (
     "drive_table",
     "mesh_table",
     "rolling_table",
+    "cam_motion_k_table",
+    "cam_profile_k",
 )
 
 

@@ -5,7 +5,16 @@ from __future__ import annotations
 from typing import Any
 
 Made = Any
-LAWS = ("parabolic", "cosine", "sine", "polynomial")
+LAWS = (
+    "parabolic",
+    "decreasing",
+    "cosine",
+    "sine",
+    "trapezoid",
+    "modified_trapezoid",
+    "modified_sine",
+    "polynomial",
+)
 
 
 def law(made: Made, walk: Any) -> Made:

@@ -19,7 +19,10 @@ from benchmarks.fuzz.generated.synthesised import SYNTHESES
 from benchmarks.fuzz.generated.walk import Names, Walk
 
 Data = dict[str, Any]
-LAWS = ("parabolic", "cosine", "sine", "polynomial", "uniform")
+LAWS = (
+    "parabolic", "decreasing", "cosine", "sine", "trapezoid", "modified_trapezoid", "modified_sine", "polynomial",
+    "polynomial_4567", "uniform",
+)  # fmt: skip
 LEVEL, UPRIGHT = ("left", "right"), ("up", "down")
 
 
@@ -218,13 +221,17 @@ def _law(one: Data, swings: bool, base: float, random: Random) -> None:
         )
         one["profile"] = random.choice(shapes)
         return
-    one["base"] = mm(base)
+    one["base"] = "smallest" if random.random() < 0.15 else mm(base)
+    if one["base"] == "smallest" and random.random() < 0.5:
+        one |= {"round": "1 mm", "return_angle_limit": "45 deg"}
     high = random.uniform(5, 15)
     if kind == "phases":
         one["swing" if swings else "lift"] = f"{high:.4g} deg" if swings else mm(high)
         rise, back = {"rise": "110 deg"}, {"return": "110 deg"}
         for phase in (rise, back):
-            if random.random() < 0.98:
+            if random.random() < 0.2:
+                phase["acceleration"] = graph(random)
+            elif random.random() < 0.98:
                 phase["law"] = random.choice(LAWS)
         one["phases"] = [rise, {"dwell": "50 deg"}, back, {"dwell": "90 deg"}]
         return
@@ -232,6 +239,18 @@ def _law(one: Data, swings: bool, base: float, random: Random) -> None:
     unit = "deg" if swings else "mm"
     one["swings" if swings else "lifts"] = [
         [f"{t} deg", f"{h:.6g} {unit}"] for t, h in zip(turned, heights, strict=True)
+    ]
+
+
+def graph(random: Random) -> list[Any]:
+    """Of acceleration, to any scale: ordinates, or pieces."""
+    if random.random() < 0.5:
+        return [0, round(random.uniform(0.5, 3), 2), 1, 0, -1, round(-random.uniform(0.5, 3), 2), 0]
+    return [
+        {"width": 1, "sine": [0, 2]},
+        {"width": round(random.uniform(0.3, 3), 2), "constant": 2},
+        {"line": [2, round(-random.uniform(0.5, 3), 2)]},
+        {"width": 2, "sine": [-1, 0]},
     ]
 
 

@@ -6,7 +6,16 @@ from random import Random
 from typing import Any
 
 Data = dict[str, Any]
-LAWS = ("parabolic", "cosine", "sine", "polynomial")
+LAWS = (
+    "parabolic",
+    "decreasing",
+    "cosine",
+    "sine",
+    "trapezoid",
+    "modified_trapezoid",
+    "modified_sine",
+    "polynomial",
+)
 
 
 def mm(length: float) -> str:

@@ -15,10 +15,16 @@ from tmm_report.mechanics.calculus.motion_laws import (
 )
 from tmm_report.mechanics.calculus.roots import slope
 from tmm_report.mechanics.cams.follower_laws import Phase, Phases
+from tmm_report.mechanics.cams.shapes import named
 
 FULL_TURN = 2 * np.pi
 PHASES = Phases(
-    (Phase("rise", 2.5, "sine"), Phase("dwell", 0.7), Phase("return", FULL_TURN - 3.2, "polynomial")), 1.1
+    (
+        Phase("rise", 2.5, named("sine")),
+        Phase("dwell", 0.7),
+        Phase("return", FULL_TURN - 3.2, named("polynomial")),
+    ),
+    1.1,
 )
 LAWS = {
     "rocker": Harmonic(1.5, 0.0, 0.6, 8.0, 0.3),

@@ -122,7 +122,9 @@ class Cam:
     """A cam pair. `name`: of the link that replaces it, `point` B and `centre` K: what that link joins.
 
     `axis`: O, world, m; `roller`: radius, m, 0 of a knife edge, None of a flat face whose direction in the follower's
-    axes is `face`; `guide`: name of the line that replaces a flat face; `limit`: of the pressure angle, rad.
+    axes is `face`; `guide`: name of the line that replaces a flat face; `limit`: of the pressure angle, rad, `back`: of
+    that of a return, where it is limited; `smallest`: whether the base circle is the least that keeps them, or, under a
+    flat face, the least radius of `curvature`, m.
     """
 
     name: str
@@ -138,6 +140,9 @@ class Cam:
     base: float
     face: complex = 1.0
     guide: str = ""
+    back: float | None = None
+    smallest: bool = False
+    curvature: float = 0.0
 
     @property
     def flat(self) -> bool:

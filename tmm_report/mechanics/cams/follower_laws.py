@@ -1,81 +1,34 @@
 """Laws of a follower's motion over a turn of its cam: phases of rise, dwell and return, or a table of lifts.
 
 A phase of the angle β lifts by h·f(τ), τ = θ/β, so that S' = h f'/β and S'' = h f''/β²; a return lowers by the same.
-
-    law         f                          greatest S'      greatest S''
-    parabolic   2τ², 1 − 2(1 − τ)²         2 h/β            4 h/β²
-    cosine      (1 − cos πτ)/2             1.571 h/β        4.935 h/β²
-    sine        τ − sin 2πτ/(2π)           2 h/β            6.283 h/β²
-    polynomial  10τ³ − 15τ⁴ + 6τ⁵          1.875 h/β        5.774 h/β²
-    uniform     τ                          h/β              0, infinite at both ends
+The shapes f stand in `shapes.py`.
 
 Source: Artobolevsky, Theory of mechanisms and machines, ch. 26; Frolov (ed.), Theory of mechanisms, ch. 15.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import cached_property
 from typing import Any, Literal
 
 import numpy as np
 
+from tmm_report.mechanics.cams.shapes import Shape, Three
 from tmm_report.records import dataclass
 
 Array = Any
 Kind = Literal["rise", "dwell", "return"]
-Three = tuple[Array, Array, Array]  # a function and its first two derivatives
 FULL_TURN = 2 * np.pi
 EDGE = 1e-9  # rad: an angle as near as this before the end of a phase belongs to the next
 
 
-def _parabolic(t: Array) -> Three:
-    first = t < 0.5 - EDGE  # in the middle itself the second half holds
-    return (
-        np.where(first, 2 * t * t, 1 - 2 * (1 - t) ** 2),
-        np.where(first, 4 * t, 4 * (1 - t)),
-        np.where(first, 4.0, -4.0),
-    )
-
-
-def _cosine(t: Array) -> Three:
-    turned = np.pi * t
-    return (1 - np.cos(turned)) / 2, np.pi / 2 * np.sin(turned), np.pi**2 / 2 * np.cos(turned)
-
-
-def _sine(t: Array) -> Three:
-    turned = FULL_TURN * t
-    return t - np.sin(turned) / FULL_TURN, 1 - np.cos(turned), FULL_TURN * np.sin(turned)
-
-
-def _polynomial(t: Array) -> Three:
-    return (
-        t**3 * (10 - 15 * t + 6 * t * t),
-        30 * t * t * (1 - t) ** 2,
-        60 * t * (1 - t) * (1 - 2 * t),
-    )
-
-
-def _uniform(t: Array) -> Three:
-    return t, np.ones_like(t), np.zeros_like(t)
-
-
-LAWS: dict[str, Callable[[Array], Three]] = {
-    "parabolic": _parabolic,
-    "cosine": _cosine,
-    "sine": _sine,
-    "polynomial": _polynomial,
-    "uniform": _uniform,
-}
-
-
 @dataclass(frozen=True)
 class Phase:
-    """A part of the cam's turn of `angle`, rad, by a law of `LAWS`; a dwell has none."""
+    """A part of the cam's turn of `angle`, rad, by the shape of its law; a dwell has none."""
 
     kind: Kind
     angle: float
-    law: str = ""
+    law: Shape | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,11 +45,12 @@ class Phases:
 
     @cached_property
     def breaks(self) -> tuple[float, ...]:
-        """Angles at which the acceleration may jump, rad."""
+        """Angles at which the acceleration, or its rate, may jump, rad."""
         inside = [
-            start + phase.angle / 2
+            start + phase.angle * share
             for start, phase in zip(self.edges, self.phases, strict=False)
-            if phase.law == "parabolic"
+            if phase.law is not None
+            for share in phase.law.breaks
         ]
         return tuple(sorted([*(float(x) for x in self.edges[:-1]), *map(float, inside)]))
 
@@ -114,11 +68,11 @@ class Phases:
         return found  # type: ignore[return-value]
 
     def _phase(self, k: int, phase: Phase, theta: Array) -> Three:
-        if phase.kind == "dwell":
+        if phase.law is None:
             high = self.level(k)
             return np.full_like(theta, high), np.zeros_like(theta), np.zeros_like(theta)
         t = np.clip((theta - self.edges[k]) / phase.angle, 0.0, 1.0)
-        f, slope, bend = LAWS[phase.law](t)
+        f, slope, bend = phase.law.of(t)
         h, way = self.lift, 1 if phase.kind == "rise" else -1
         start = 0.0 if way > 0 else h
         return start + way * h * f, way * h * slope / phase.angle, way * h * bend / phase.angle**2
@@ -194,10 +148,3 @@ class Tabled:
 
 
 Law = Phases | Tabled
-
-
-def greatest(law: str) -> tuple[float, float]:
-    """The greatest f' and f'' of a law, by which S' and S'' are judged: coefficients of h/β and h/β²."""
-    fine = np.linspace(0.0, 1.0, 4001)
-    _, slope, bend = LAWS[law](fine)
-    return float(np.max(np.abs(slope))), float(np.max(np.abs(bend)))

@@ -153,11 +153,13 @@ journals: цапфы
 kinetic: кинетический
 law: закон
 least: наименьшее
+least_curvature: наименьший радиус кривизны
 lengths: длины
 level: уровень, ровно
 lift: подъём, ход толкателя
 lifts: подъёмы
 limit: предел
+line: прямая, отрезок прямой
 load: нагрузка
 losses_of_acceleration: потери ускорения
 lower: нижний
@@ -214,6 +216,7 @@ racks: рейки
 radial: радиальный
 radii: радиусы
 radius_of_gyration: радиус инерции
+ramp: скос
 range: диапазон
 rated: номинальный, номинальная
 ratio_weight: вес отношения
@@ -223,6 +226,7 @@ remove: убрать
 resistance: сопротивление
 resisting: сопротивляющийся
 return: возвращение
+return_angle_limit: допускаемый угол давления при возвращении
 rim: обод
 ring_teeth: зубья эпицикла
 ring_up_to: эпицикл до
@@ -255,6 +259,7 @@ shaft: вал
 share: доля
 shunt: шунтовой, параллельного возбуждения
 side: сторона
+sine: четверть синусоиды
 sleeve: муфта регулятора
 sleeve_arm: плечо муфты
 slider: ползун

@@ -3,16 +3,17 @@ angle and the sizes follow."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
 from tmm_report.chapters.lever.cam import quantities as q
 from tmm_report.chapters.lever.cam.solve import CamFound, Sample
+from tmm_report.mechanics.cams.shapes import Graph, Laid, Parabolic, rising
 from tmm_report.quantity.formula import PI, Expr, Formula, Number, cos, expr, sin, sqrt
 from tmm_report.quantity.formula import arccos as angle_of
 from tmm_report.quantity.functions import arctan
-from tmm_report.quantity.model import Book
+from tmm_report.quantity.model import Book, Table
 from tmm_report.records import dataclass
 
 Three = tuple[Expr, Expr, Expr]
@@ -36,7 +37,7 @@ def _law(found: CamFound, book: Book, row: int) -> Iterator[Formula]:
     h = book[q.lift(found).key].var()
     theta, beta, tau = (table.var(key, row) for key in (q.WITHIN.key, q.BETA.key, q.SHARE.key))
     yield table.formula(q.SHARE.key, row, theta / beta)
-    f, slope, bend = _shape(sample.phase.law, tau, sample.share)
+    f, slope, bend = _shape(found, book, row, tau)
     rises = sample.phase.kind == "rise"
     motion = book.tables[f"cam_motion_{found.cam.name}_table"]
     steps: list[Expr] = [h * f if rises else h * (1 - f)]
@@ -46,24 +47,116 @@ def _law(found: CamFound, book: Book, row: int) -> Iterator[Formula]:
         yield motion.formula(key, sample.position, step)
 
 
-def _shape(law: str, tau: Expr, share: float) -> Three:
-    """f, f', f'' of a law; of the parabolic one by the half of the phase."""
-    if law == "parabolic":
-        if share < 0.5:
-            return 2 * tau**2, 4 * tau, Number(4.0)
-        return 1 - 2 * (1 - tau) ** 2, 4 * (1 - tau), Number(-4.0)
-    if law == "cosine":
-        return (1 - cos(PI * tau)) / 2, PI / 2 * sin(PI * tau), PI**2 / 2 * cos(PI * tau)
-    if law == "sine":
-        turned = 2 * PI * tau
-        return tau - sin(turned) / (2 * PI), 1 - cos(turned), 2 * PI * sin(turned)
-    if law == "polynomial":
-        return (
-            10 * tau**3 - 15 * tau**4 + 6 * tau**5,
-            30 * tau**2 - 60 * tau**3 + 30 * tau**4,
-            60 * tau - 180 * tau**2 + 120 * tau**3,
-        )
+def _shape(found: CamFound, book: Book, row: int, tau: Expr) -> Three:
+    """f, f', f'' of the law of a sample; of one made of pieces that in which the sample is."""
+    sample = found.samples[row]
+    law = sample.phase.law
+    if isinstance(law, Parabolic):
+        n: Expr = expr(1)
+        if law.ratio != 1:
+            n = book.tables[f"cam_law_{found.cam.name}"].var(q.RATIO.key, row)
+        return _parabolic(tau, n, sample.share < law.switch, law.ratio == 1)
+    if isinstance(law, Graph):
+        number = found.number_of(sample)
+        return _piece(found.pieces[number].laid, book.tables[f"cam_pieces_{found.cam.name}"], number, tau)
+    return WHOLE[law.name](tau) if law else (expr(0), expr(0), expr(0))
+
+
+def _parabolic(tau: Expr, n: Expr, first: bool, even: bool) -> Three:
+    """`even`: as long an acceleration as a deceleration, n = 1."""
+    if first:
+        up = expr(2) if even else 1 + n
+        return up * tau**2, (Number(4.0) if even else 2 * up) * tau, Number(4.0) if even else 2 * up
+    down = expr(2) if even else 1 + 1 / n
+    left = 1 - tau
+    return (
+        1 - down * left**2,
+        (Number(4.0) if even else 2 * down) * left,
+        Number(-4.0) if even else -(2 * down),
+    )
+
+
+def _decreasing(tau: Expr) -> Three:
+    return 3 * tau**2 - 2 * tau**3, 6 * tau - 6 * tau**2, 6 - 12 * tau
+
+
+def _cosine(tau: Expr) -> Three:
+    return (1 - cos(PI * tau)) / 2, PI / 2 * sin(PI * tau), PI**2 / 2 * cos(PI * tau)
+
+
+def _sine(tau: Expr) -> Three:
+    turned = 2 * PI * tau
+    return tau - sin(turned) / (2 * PI), 1 - cos(turned), 2 * PI * sin(turned)
+
+
+def _polynomial(tau: Expr) -> Three:
+    return (
+        10 * tau**3 - 15 * tau**4 + 6 * tau**5,
+        30 * tau**2 - 60 * tau**3 + 30 * tau**4,
+        60 * tau - 180 * tau**2 + 120 * tau**3,
+    )
+
+
+def _polynomial_4567(tau: Expr) -> Three:
+    return (
+        35 * tau**4 - 84 * tau**5 + 70 * tau**6 - 20 * tau**7,
+        140 * tau**3 - 420 * tau**4 + 420 * tau**5 - 140 * tau**6,
+        420 * tau**2 - 1680 * tau**3 + 2100 * tau**4 - 840 * tau**5,
+    )
+
+
+def _uniform(tau: Expr) -> Three:
     return tau, expr(1), expr(0)
+
+
+WHOLE: dict[str, Callable[[Expr], Three]] = {
+    "uniform": _uniform,
+    "decreasing": _decreasing,
+    "cosine": _cosine,
+    "sine": _sine,
+    "polynomial": _polynomial,
+    "polynomial_4567": _polynomial_4567,
+}
+
+
+def _piece(one: Laid, table: Table, row: int, tau: Expr) -> Three:
+    """f, f', f'' of a piece of a graph: its acceleration integrated twice from where it begins."""
+    begins, width, f, slope, start, end = (
+        table.var(key.key, row) for key in (q.BEGINS, q.WIDTH, q.REACHED, q.SLOPE, q.BEND, q.NEXT)
+    )
+    x = tau - begins if one.at else tau
+    if one.form == "line":
+        rate = None if one.start == one.end else (end - start if one.start else end) / width
+        level, from_level = (
+            (start if one.start else None),
+            ((None, None, None) if rate is None else (rate / 6 * x**3, rate / 2 * x**2, rate * x)),
+        )
+    else:
+        reach = 2 * width / PI  # 1/k of sin kx
+        turned = PI * x / (2 * width)
+        grows = rising(one)
+        low, high = (start, end) if grows else (end, start)
+        small = one.start if grows else one.end
+        size = high - low if small else high
+        level = low if small else None
+        from_level = (
+            (reach * size * (x - reach * sin(turned)), reach * size * (1 - cos(turned)), size * sin(turned))
+            if grows
+            else (reach**2 * size * (1 - cos(turned)), reach * size * sin(turned), size * cos(turned))
+        )
+    return (
+        _sum(
+            f if one.f else None, slope * x if one.slope else None, level and level / 2 * x**2, from_level[0]
+        ),
+        _sum(slope if one.slope else None, level and level * x, from_level[1]),
+        _sum(level, from_level[2]),
+    )
+
+
+def _sum(*terms: Expr | None) -> Expr:
+    """Of the terms that there are."""
+    found = [term for term in terms if term is not None]
+    return sum(found[1:], start=found[0]) if found else expr(0)
 
 
 # ---------------------------------------------------------------- sizes

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 import numpy as np
@@ -10,6 +11,9 @@ from tmm_report.chapters.lever.cam.solve import CamFound, Cams, Lifted
 from tmm_report.chapters.lever.kinematics.quantities import where
 from tmm_report.i18n import NP_
 from tmm_report.mechanics.cams.cam import Sliding, Swinging
+from tmm_report.mechanics.cams.follower_laws import Kind, Phase
+from tmm_report.mechanics.cams.least_size import Demand, Lever, Zone
+from tmm_report.mechanics.cams.shapes import Parabolic
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
 from tmm_report.quantity.symbols import Symbol
@@ -19,7 +23,9 @@ PHASES = Message(N_("phases of the cam's turn"))
 SAMPLES = Message(N_("positions of which the laws of the cam are written out"))
 MOTION = Message(N_("displacement of the follower, its derivatives by the angle turned, pressure angle"))
 JUMPS = Message(N_("angles at which derivatives of the follower's displacement jump"))
+PIECES = Message(N_("pieces of the graphs of acceleration by which phases go, for a lift and a phase of 1"))
 PROFILE = Message(N_("polar coordinates of the profile and of the pitch curve in the cam's axes"))
+ROUNDING = 1e-9  # rad: an angle so little below a whole turn is none
 KINDS = {"rise": N_("rise"), "dwell": N_("dwell"), "return": N_("return")}
 SHOCKS = {True: N_("hard"), False: N_("soft")}
 LAWS = {
@@ -28,11 +34,30 @@ LAWS = {
     "sine": N_("sine"),
     "polynomial": N_("polynomial 3-4-5"),
     "uniform": N_("uniform"),
-    "": N_("none"),
+    "decreasing": N_("linearly decreasing"),
+    "trapezoid": N_("trapezoidal"),
+    "modified_trapezoid": N_("modified trapezoidal"),
+    "modified_sine": N_("modified sine"),
+    "polynomial_4567": N_("polynomial 4-5-6-7"),
+    "stated": N_("stated"),
 }
+NONE = N_("none")
+FORMS = {"line": N_("straight"), "sine": N_("quarter of a sine")}
 RISE, RETURN, LIMIT = NP_("index", "rise"), NP_("index", "ret"), NP_("index", "lim")
 PITCH = NP_("index", "pc")  # of the pitch curve
-MAX, MIN = NP_("index", "max"), NP_("index", "min")
+MAX, MIN, BEST = NP_("index", "max"), NP_("index", "min"), NP_("index", "best")
+
+LEAST = Message(N_("what the permitted pressure angles ask of the size of the cam"))
+AT = Quantity("theta", Symbol("theta"), "deg", Message(N_("angle of the cam from the beginning of its law")))
+ASKED_SLOPE_MEANING = Message(
+    N_("first derivative of the displacement by the angle of the cam at the same place")
+)
+ASKED_BEND = Quantity("S2", Symbol("s′′"), "m", Message(N_("its second derivative there")))
+
+ASKS = {
+    "rise": N_("distance of the axis below the lowest place that the rise asks without an offset"),
+    "return": N_("distance of the axis below the lowest place that the return asks without an offset"),
+}
 
 NUMBER = Quantity("number", None, "", Message(N_("its number")))
 START = Quantity(
@@ -44,6 +69,15 @@ WITHIN = Quantity(
 )
 BETA = Quantity("delta", Symbol("delta"), "rad", Message(N_("angle of the phase")))
 SHARE = Quantity("tau", Symbol("tau"), "", Message(N_("share of the phase that is over")))
+RATIO = Quantity("ratio", Symbol("n"), "", Message(N_("acceleration of the law over its deceleration")))
+BEGINS = Quantity(
+    "begins", Symbol("tau", "i"), "", Message(N_("share of the phase at which the piece begins"))
+)
+WIDTH = Quantity("width", Symbol("Deltatau", "i"), "", Message(N_("share of the phase that the piece takes")))
+REACHED = Quantity("f", Symbol("f", "i"), "", Message(N_("share of the lift reached where the piece begins")))
+SLOPE = Quantity("f1", Symbol("f′", "i"), "", Message(N_("first derivative of that share by τ there")))
+BEND = Quantity("f2", Symbol("f′′", "i"), "", Message(N_("second derivative where the piece begins")))
+NEXT = Quantity("f2_end", Symbol("f′′", "i+1"), "", Message(N_("second derivative where the piece ends")))
 
 
 def unit(found: CamFound) -> str:
@@ -98,7 +132,11 @@ def tables(found: Cams) -> Iterator[Table]:
         name = one.cam.name
         if one.phases:
             yield Table(f"cam_phases_{name}", PHASES, _phases(one))
-            yield Table(f"cam_law_{name}", SAMPLES, _samples(one))
+            yield Table(f"cam_law_{name}", SAMPLES, tuple(_samples(one)))
+        if one.pieces:
+            yield Table(f"cam_pieces_{name}", PIECES, _pieces(one))
+        if one.cam.smallest:
+            yield Table(f"cam_least_{name}", LEAST, tuple(_demands(one)))
         if one.shocks:
             yield Table(f"cam_shocks_{name}", JUMPS, _shocks(one))
         for which, lifted in (("table", one.table), ("diagram", one.diagram)):
@@ -113,22 +151,84 @@ def _phases(found: CamFound) -> tuple[Column, ...]:
     return (
         NUMBER.column(list(range(1, len(phases) + 1))),
         text_column("phase", Message(N_("what the follower does")), [KINDS[phase.kind] for phase in phases]),
-        text_column("law", Message(N_("its law")), [LAWS[phase.law] for phase in phases]),
+        text_column("law", Message(N_("its law")), [law_word(phase) for phase in phases]),
         START.column(np.degrees(edges)),
         ANGLE.column(np.degrees([phase.angle for phase in phases])),
     )
 
 
-def _samples(found: CamFound) -> tuple[Column, ...]:
+def law_word(phase: Phase) -> str:
+    return LAWS[phase.law.name] if phase.law else NONE
+
+
+def _samples(found: CamFound) -> Iterator[Column]:
     samples = found.samples
+    yield Quantity("at", None, "", Message(N_("table position"))).column([s.position for s in samples])
+    yield text_column("phase", Message(N_("what the follower does")), [KINDS[s.phase.kind] for s in samples])
+    yield text_column("law", Message(N_("its law")), [law_word(s.phase) for s in samples])
+    yield WITHIN.column([s.within for s in samples])
+    yield BETA.column([s.phase.angle for s in samples])
+    yield SHARE.column([s.share for s in samples])
+    ratios = [s.phase.law.ratio if isinstance(s.phase.law, Parabolic) else math.nan for s in samples]
+    if any(ratio != 1 and ratio == ratio for ratio in ratios):
+        yield RATIO.column(ratios)
+
+
+def _pieces(found: CamFound) -> tuple[Column, ...]:
+    laid = [one.laid for one in found.pieces]
     return (
-        Quantity("at", None, "", Message(N_("table position"))).column([s.position for s in samples]),
-        text_column("phase", Message(N_("what the follower does")), [KINDS[s.phase.kind] for s in samples]),
-        text_column("law", Message(N_("its law")), [LAWS[s.phase.law] for s in samples]),
-        WITHIN.column([s.within for s in samples]),
-        BETA.column([s.phase.angle for s in samples]),
-        SHARE.column([s.share for s in samples]),
+        NUMBER.column([one.phase + 1 for one in found.pieces]),
+        text_column("form", Message(N_("its form")), [FORMS[one.form] for one in laid]),
+        BEGINS.column([one.at for one in laid]),
+        WIDTH.column([one.width for one in laid]),
+        REACHED.column([one.f for one in laid]),
+        SLOPE.column([one.slope for one in laid]),
+        BEND.column([one.start for one in laid]),
+        NEXT.column([one.end for one in laid]),
     )
+
+
+def demands(found: CamFound) -> dict[Kind, Demand]:
+    """What decides the size: of a sliding roller what the rise asks, and the return where it is limited."""
+    if found.zone is not None:
+        back = found.zone.of_return
+        asked: dict[Kind, Demand] = {"rise": found.zone.of_rise}
+        return asked | ({"return": back} if back is not None else {})
+    if found.lever is not None and found.lever.lowest is not None:
+        return {found.lever.lowest.way: found.lever.lowest.asked}
+    return {_way(found, found.under_face): found.under_face} if found.under_face is not None else {}
+
+
+def _way(found: CamFound, asked: Demand) -> Kind:
+    """What the follower does at an angle of its law; where a phase begins, what it does there."""
+    edges = np.cumsum([phase.angle for phase in found.phases])[:-1]
+    return (
+        found.phases[int(np.searchsorted(edges, asked.theta, side="right"))].kind if found.phases else "rise"
+    )
+
+
+def asked_S(found: CamFound) -> Quantity:
+    shown = "" if found.slides else "deg"
+    return Quantity(
+        "S", Symbol(letter(found)), unit(found), Message(N_("displacement at which most is asked")), shown
+    )
+
+
+def asked_slope(found: CamFound) -> Quantity:
+    own = "m" if found.slides else ""
+    return Quantity("S1", Symbol(letter(found) + "′"), own, ASKED_SLOPE_MEANING)
+
+
+def _demands(found: CamFound) -> Iterator[Column]:
+    asked = demands(found)
+    yield text_column("phase", Message(N_("what the follower does")), [KINDS[kind] for kind in asked])
+    yield AT.column([math.degrees(demand.theta) for demand in asked.values()])
+    yield asked_S(found).column([demand.S for demand in asked.values()])
+    if found.under_face is None:
+        yield asked_slope(found).column([demand.slope for demand in asked.values()])
+    else:
+        bend = found.cam.curvature - found.under_face.b - found.under_face.S
+        yield ASKED_BEND.column([bend])
 
 
 def _shocks(found: CamFound) -> tuple[Column, ...]:
@@ -158,6 +258,15 @@ def _profile(found: CamFound, lifted: Lifted) -> Iterator[Column]:
     yield of(found, "cam_R", Symbol("R"), "m", text).column(lifted.radius)
     text = N_("polar angle of the profile of cam %(cam)s in its axes")
     yield of(found, "cam_gamma", Symbol("gamma"), "deg", text).column(np.degrees(lifted.direction))
+    text = N_("angle of the profile from its first radius, against the turn of cam %(cam)s")
+    turned = found.sense * (lifted.direction[0] - lifted.direction)
+    delta = of(found, "cam_delta", Symbol("delta"), "deg", text)
+    yield delta.column(np.degrees(np.mod(turned + ROUNDING, 2 * np.pi) - ROUNDING))
+    for key, part, text in (
+        ("x", np.cos, N_("abscissa of the profile of cam %(cam)s in its axes")),
+        ("y", np.sin, N_("ordinate of the profile of cam %(cam)s in its axes")),
+    ):
+        yield of(found, f"cam_{key}", Symbol(key), "m", text).column(lifted.radius * part(lifted.direction))
     if found.cam.roller:
         text = N_("polar radius of the pitch curve of cam %(cam)s")
         yield of(found, "cam_R_pitch", Symbol("R", PITCH), "m", text).column(lifted.pitch)
@@ -171,6 +280,12 @@ def _profile(found: CamFound, lifted: Lifted) -> Iterator[Column]:
 def values(found: Cams) -> Iterator[Value]:
     for one in found.cams:
         yield from _sizes(one)
+        if one.zone is not None:
+            yield from _least(one, one.zone)
+        elif one.lever is not None and one.lever.lowest is not None:
+            yield from _least_lever(one, one.lever, one.lever.lowest.least)
+        elif one.under_face is not None:
+            yield from _least_face(one, one.under_face)
         yield from _limits(one)
 
 
@@ -211,7 +326,7 @@ def _sizes(found: CamFound) -> Iterator[Value]:
             text = N_(
                 "offset of follower %(follower)s, above zero where it lessens the pressure angle of a rise"
             )
-            yield of(found, "cam_offset", Symbol("e"), "m", text).value(found.sense * motion.offset)
+            yield of(found, "cam_offset", Symbol("e"), "m", text).value(found.offset)
             text = N_(
                 "lowest distance of the follower's point from the foot of the perpendicular from the cam's axis"
             )
@@ -226,7 +341,57 @@ def _sizes(found: CamFound) -> Iterator[Value]:
             yield of(found, "cam_start", Symbol("beta", "0"), "rad", text).value(found.start)
 
 
+def _least(found: CamFound, zone: Zone) -> Iterator[Value]:
+    """What is asked, the least size with the stated offset, and with the best one."""
+    for kind, demand in demands(found).items():
+        index = RISE if kind == "rise" else RETURN
+        asked = of(found, f"cam_b_{kind}", Symbol("b", index), "m", ASKS[kind])
+        yield asked.value(demand.b)
+    places = {"": zone.at(found.offset), "best": zone.best}
+    texts = {
+        "": (
+            "", N_("least distance of the lowest place from the foot of the perpendicular"),
+            N_("least radius of the pitch curve by the pressure angles"),
+        ),
+        "best": (
+            N_("offset at which the cam is smallest"),
+            N_("least distance of the lowest place with the best offset"),
+            N_("least radius of the pitch curve with the best offset"),
+        ),
+    }  # fmt: skip
+    for which, place in places.items():
+        index = BEST if which else MIN
+        offset, start, radius = texts[which]
+        if which:
+            yield of(found, "cam_e_best", Symbol("e", index), "m", offset).value(place.e)
+        key = f"_{which}" if which else ""
+        yield of(found, f"cam_s0_least{key}", Symbol("s", f"0,{index}"), "m", start).value(place.s0)
+        yield of(found, f"cam_r0_least{key}", Symbol("R", f"0,{index}"), "m", radius).value(place.radius)
+
+
+def _least_lever(found: CamFound, lever: Lever, lowest: float) -> Iterator[Value]:
+    text = N_("least angle between the arm of follower %(follower)s and the line of the pivots")
+    least = of(found, "cam_start_least", Symbol("beta", f"0,{MIN}"), "rad", text, "deg")
+    yield least.value(lowest)
+    text = N_("least radius of the pitch curve by the pressure angles")
+    yield of(found, "cam_r0_least", Symbol("R", f"0,{MIN}"), "m", text).value(lever.radius(lowest))
+
+
+def _least_face(found: CamFound, asked: Demand) -> Iterator[Value]:
+    text = N_("least permitted radius of curvature of the profile")
+    yield of(found, "cam_curvature", Symbol("rho", LIMIT), "m", text, "mm").value(found.cam.curvature)
+    text = N_("least radius of the base circle by the curvature")
+    yield of(found, "cam_r0_least", Symbol("R", f"0,{MIN}"), "m", text).value(asked.b)
+    text = N_("greatest distance of the contact from the axis of the follower along its face")
+    ends = (abs(end.value) for end in found.ends[1])
+    yield of(found, "cam_reach", Symbol("b"), "m", text, "mm").value(max(ends))
+
+
 def _limits(found: CamFound) -> Iterator[Value]:
+    if found.cam.back is not None:
+        text = N_("allowed pressure angle of the return of follower %(follower)s")
+        limit = of(found, "cam_alpha_back", Symbol("alpha", f"{LIMIT},{RETURN}"), "deg", text)
+        yield limit.value(np.degrees(found.cam.back))
     text = N_("allowed pressure angle of cam %(cam)s and follower %(follower)s")
     yield of(found, "cam_alpha_limit", Symbol("alpha", LIMIT), "deg", text).value(np.degrees(found.cam.limit))
     for key, index, at, text in (

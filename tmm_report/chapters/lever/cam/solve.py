@@ -22,8 +22,10 @@ from tmm_report.chapters.lever.cam.lifting import (
     side_of,
 )
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
-from tmm_report.mechanics.cams.cam import ByLaw, Cam, Sliding
+from tmm_report.mechanics.cams.cam import ByLaw, Cam, Sliding, Swinging
 from tmm_report.mechanics.cams.follower_laws import FULL_TURN, Phase, Phases
+from tmm_report.mechanics.cams.least_size import Demand, Lever, Zone, under_face
+from tmm_report.mechanics.cams.shapes import Graph, Laid, Shape
 from tmm_report.mechanics.lever.cams.replacing_dyad import rests
 from tmm_report.mechanics.lever.cycle import Extreme
 from tmm_report.records import dataclass
@@ -42,6 +44,14 @@ class Sample:
     phase: Phase
     within: float
     share: float
+
+
+@dataclass(frozen=True)
+class PieceOf:
+    """A piece of the graph of acceleration by which a phase, counted from 0, goes."""
+
+    phase: int
+    laid: Laid
 
 
 @dataclass(frozen=True)
@@ -91,7 +101,7 @@ class CamFound:
         largest = [max(abs(end.value) for end in ends) for ends in self.ends[1:]]
         hard, soft = np.abs(first) > SHOCK * largest[0], np.abs(second) > SHOCK * largest[1]
         return tuple(
-            Shock(float(turned[k]), float(first[k]), float(second[k]), bool(hard[k]))
+            Shock(float(turned[k]), float(first[k]) if hard[k] else 0.0, float(second[k]), bool(hard[k]))
             for k in np.flatnonzero(hard | soft)
         )
 
@@ -115,7 +125,7 @@ class CamFound:
     @cached_property
     def samples(self) -> tuple[Sample, ...]:
         """The first table position of every law of a rise and of a return that is strictly within its phase."""
-        found: dict[tuple[str, str], Sample] = {}
+        found: dict[tuple[str, Shape | None], Sample] = {}
         for position, turned in enumerate(self.table.turned):
             sample = self._sample(position, float(turned))
             if sample is not None:
@@ -130,8 +140,26 @@ class CamFound:
         k = min(int(np.searchsorted(edges, theta, side="right")) - 1, len(self.phases) - 1)
         phase, within = self.phases[k], theta - float(edges[k])
         share = within / phase.angle
-        inside = 1e-6 < share < 1 - 1e-6 and abs(share - 0.5) > 1e-6
-        return Sample(position, phase, within, share) if inside and phase.kind != "dwell" else None
+        if phase.law is None:
+            return None
+        inside = min(abs(share - one) for one in (0.0, 1.0, *phase.law.breaks)) > 1e-6
+        return Sample(position, phase, within, share) if inside else None
+
+    @cached_property
+    def pieces(self) -> tuple[PieceOf, ...]:
+        """Of all phases that go by a graph."""
+        return tuple(
+            PieceOf(k, laid)
+            for k, phase in enumerate(self.phases)
+            if isinstance(phase.law, Graph)
+            for laid in phase.law.laid
+        )
+
+    def number_of(self, sample: Sample) -> int:
+        """The piece, among `pieces`, in which a sample is."""
+        assert isinstance(sample.phase.law, Graph)
+        first = next(k for k, one in enumerate(self.pieces) if self.phases[one.phase] is sample.phase)
+        return first + sample.phase.law.piece_at(sample.share)
 
     @property
     def alike(self) -> bool:
@@ -172,6 +200,43 @@ class CamFound:
     def exceeds(self) -> bool:
         """Whether the pressure angle of a rise is above the limit."""
         return self.rise.value > self.cam.limit + 1e-9
+
+    @property
+    def exceeds_back(self) -> bool:
+        """Whether that of a return is above its limit."""
+        return self.cam.back is not None and self.back.value > self.cam.back + 1e-9
+
+    @cached_property
+    def zone(self) -> Zone | None:
+        """Where the axis of the smallest cam with a sliding roller may stand."""
+        if not self.cam.smallest or self.law is None or self.cam.flat or not self.slides:
+            return None
+        return Zone(self.law.law, self.cam.limit, self.cam.back)
+
+    @cached_property
+    def lever(self) -> Lever | None:
+        """The smallest cam with a swinging roller."""
+        if not self.cam.smallest or self.law is None or not isinstance(self.cam.motion, Swinging):
+            return None
+        arm, apart = abs(self.cam.motion.arm), abs(self.pivot)
+        return Lever(self.law.law, arm, apart, self.alike, self.cam.limit, self.cam.back)
+
+    @cached_property
+    def under_face(self) -> Demand | None:
+        """The smallest base circle under a flat face, and where it is asked."""
+        if not self.cam.smallest or self.law is None or not self.cam.flat:
+            return None
+        return under_face(self.law.law, self.cam.curvature)
+
+    @property
+    def pitch_base(self) -> float:
+        """Least radius of the pitch curve; of an edge or a flat face that of the profile, m."""
+        return self.cam.base + (self.cam.roller or 0.0)
+
+    @property
+    def offset(self) -> float:
+        """Of a sliding follower, m, above zero where it lessens the pressure angle of a rise."""
+        return float(self.sense * getattr(self.cam.motion, "offset", 0.0))
 
     @property
     def lift(self) -> float:

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from markupsafe import Markup
 
-from tmm_report.chapters.lever.cam import draw, formulas
+from tmm_report.chapters.lever.cam import draw, draw_zone, formulas
 from tmm_report.chapters.lever.cam import quantities as q
 from tmm_report.chapters.lever.cam.formulas import Written
+from tmm_report.chapters.lever.cam.sizing import Sizing, sizing
 from tmm_report.chapters.lever.cam.solve import CamFound, Cams
 from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.drawing import Drawing
@@ -73,6 +74,9 @@ class CamView(BookView):
         names = {"cam": self.cam.cam, "follower": self.cam.follower}
         if self.found.exceeds:
             yield Failed(self.t(N_("The pressure angle of cam %(cam)s is greater than is allowed."), **names))
+        if self.found.exceeds_back:
+            text = N_("The pressure angle of the return of cam %(cam)s is greater than is allowed.")
+            yield Failed(self.t(text, **names))
         if self.hard:
             text = N_(
                 "The law of follower %(follower)s has hard shocks: there its acceleration and the forces of cam "
@@ -92,16 +96,46 @@ class CamView(BookView):
         return [self.page.explained(one.key, one, one.quantity.printed) for one in values]
 
     def of_base(self) -> list[Formula]:
-        """The pitch circle and the follower's lowest position."""
-        found = (formulas.pitch_base(self.found, self.book), formulas.start(self.found, self.book))
-        return [one for one in found if one is not None]
+        """The pitch circle, where it does not come first, and the follower's lowest position."""
+        pitch = formulas.pitch_base(self.found, self.book) if self.sizing is None else None
+        return [one for one in (pitch, formulas.start(self.found, self.book)) if one is not None]
+
+    # ------------------------------------------------------------ the least cam
+
+    @cached_property
+    def sizing(self) -> Sizing | None:
+        return sizing(self.found, self.book)
+
+    def zone_scale(self) -> Var:
+        assert self.found.zone is not None
+        return scale_of("mu_l", draw_zone.scale(self.found, self.found.zone), "m/mm")
+
+    def zone(self) -> Drawing:
+        assert self.found.zone is not None
+        mu = draw_zone.scale(self.found, self.found.zone)
+        return draw_zone.drawing(self.found, self.found.zone, mu)
+
+    def asked(self, caption: Any) -> Table:
+        """What rise and return ask."""
+        table, page = self.table(f"cam_least_{self.name}"), self.page
+        own = [column.quantity for column in table.columns[1:]]
+        units = {one.key: "mm" if one.unit == "m" else one.shown for one in own}
+        rows = [
+            [
+                page.word(self.t(word), table, "phase", k),
+                *(page.cell(table, key, k, unit) if unit else page.cell(table, key, k) for key, unit in units.items()),
+            ]
+            for k, word in enumerate(table["phase"].values)
+        ]  # fmt: skip
+        heads = [page.head(table[key].symbol(), unit or table[key].unit) for key, unit in units.items()]
+        return worded(caption, [self.t("Phase"), *heads], rows, (2, 2, 2, 2))
 
     def phases(self, caption: Any) -> Table:
         table, page = self.table(f"cam_phases_{self.name}"), self.page
         rows = [
             [
                 page.cell(table, "number", k), page.word(self.t(q.KINDS[phase.kind]), table, "phase", k),
-                page.word(self.t(q.LAWS[phase.law]), table, "law", k), page.cell(table, "start", k),
+                page.word(self.t(q.law_word(phase)), table, "law", k), page.cell(table, "start", k),
                 page.cell(table, "angle", k),
             ]
             for k, phase in enumerate(self.found.phases)
@@ -112,6 +146,20 @@ class CamView(BookView):
         ]  # fmt: skip
         return worded(caption, heads, rows, (1, 3, 4, 2, 2))
 
+    def pieces(self, caption: Any) -> Table:
+        """The graphs of acceleration, piece by piece."""
+        table, page = self.table(f"cam_pieces_{self.name}"), self.page
+        keys = [one.key for one in (q.BEGINS, q.WIDTH, q.REACHED, q.SLOPE, q.BEND, q.NEXT)]
+        rows = [
+            [
+                page.cell(table, "number", k), page.word(self.t(q.FORMS[one.laid.form]), table, "form", k),
+                *(page.cell(table, key, k) for key in keys),
+            ]
+            for k, one in enumerate(self.found.pieces)
+        ]  # fmt: skip
+        heads = [self.t("Phase"), self.t("Form"), *(page.head(table[key].symbol(), "") for key in keys)]
+        return worded(caption, heads, rows, (1, 3, 2, 2, 2, 2, 2, 2))
+
     def laws(self) -> list[Written]:
         return formulas.laws(self.found, self.book)
 
@@ -121,7 +169,7 @@ class CamView(BookView):
         return {
             "k": self.page.shown(self.table(f"cam_law_{self.name}"), "at", row),
             "phase": self.t(q.KINDS[phase.kind]),
-            "law": self.t(q.LAWS[phase.law]),
+            "law": self.t(q.law_word(phase)),
         }
 
     def shocks(self, caption: Any) -> Table:

@@ -55,6 +55,8 @@ TEETH = N_(
 )
 RAIL = N_("By the reaction of the guide of the axle across it: what it bears, the rail does.")
 SLIP = N_("The friction of the rail by its normal force, the greatest of the positions.")
+CLOSURE = N_("The least reaction of the cam along the normal, with the other sign.")
+PARTING = N_("Where the reaction of the cam along the normal passes through zero: between them it is below.")
 PRESS = N_("The reaction of the cam on its follower by the component along the common normal.")
 
 
@@ -265,4 +267,6 @@ WAYS = (
     Way("f_max_*", SLIP, of="omega"),
     Way("cam_press_table.*", PRESS, of="phi reactions_table.R_*"),
     Way("cam_press_max_* cam_press_min_*", EXTREME, of="omega"),
+    Way("cam_closure_*", CLOSURE, of="cam_press_min_{0}"),
+    Way("cam_parting_*.*", PARTING, of="cam_press_min_{0}"),
 )

@@ -12,6 +12,8 @@ import numpy as np
 
 from tmm_report.mechanics.cams.cam import FLATTEST, ByLaw, Cam, Sliding
 from tmm_report.mechanics.cams.follower_laws import EDGE, FULL_TURN, Phases
+from tmm_report.mechanics.cams.shapes import EDGE as SHARE
+from tmm_report.mechanics.cams.shapes import Graph, Parabolic, Shape
 from tmm_report.mechanics.lever.cams.replacing_dyad import CamDyad
 from tmm_report.mechanics.lever.motion import Linkage
 from tmm_report.mechanics.rivals.exact import cam_profiles
@@ -129,36 +131,90 @@ def _phases(law: Phases, theta: Number, rough: float) -> Three:
     theta = theta - 2 * own.pi * own.nint((theta - near) / (2 * own.pi))
     k = int(np.clip(np.searchsorted(law.edges - EDGE, near, side="right") - 1, 0, len(law.phases) - 1))
     phase = law.phases[k]
-    if phase.kind == "dwell":
+    if phase.law is None:
         return Three(exact(law.level(k)), own.mpf(0), own.mpf(0))
     angle, h = exact(phase.angle), exact(law.lift)
     t = (theta - exact(law.edges[k])) / angle
-    half = (near - law.edges[k]) / phase.angle < 0.5 - EDGE
-    f = _law(phase.law, t, half)
+    f = _shape(phase.law, t, float((near - law.edges[k]) / phase.angle))
     way = 1 if phase.kind == "rise" else -1
     return Three((0 if way > 0 else h) + way * h * f.z, way * h * f.d / angle, way * h * f.dd / angle**2)
 
 
-def _law(name: str, t: Number, first_half: bool) -> Three:
-    """f, f', f'' of the laws of `cam_laws`."""
+def _shape(shape: Shape, t: Number, near: float) -> Three:
+    """f, f', f'' of the shapes of `shapes.py`; `near`: t in doubles, by which its piece is known."""
     own = context()
-    one, pi = own.mpf(1), own.pi
-    if name == "parabolic":
-        return (
-            Three(2 * t * t, 4 * t, 4 * one)
-            if first_half
-            else Three(1 - 2 * (1 - t) ** 2, 4 * (1 - t), -4 * one)
-        )
-    if name == "cosine":
-        c, s = own.cos(pi * t), own.sin(pi * t)
-        return Three((1 - c) / 2, pi * s / 2, pi**2 * c / 2)
-    if name == "sine":
-        c, s = own.cos(2 * pi * t), own.sin(2 * pi * t)
-        return Three(t - s / (2 * pi), 1 - c, 2 * pi * s)
-    if name == "polynomial":
-        return Three(
-            10 * t**3 - 15 * t**4 + 6 * t**5,
-            30 * t**2 - 60 * t**3 + 30 * t**4,
-            60 * t - 180 * t**2 + 120 * t**3,
-        )
-    return Three(t, one, 0 * one)
+    pi = own.pi
+    match shape:
+        case Parabolic():
+            n, left = exact(shape.ratio), 1 - t
+            if near < shape.switch - SHARE:
+                return Three((1 + n) * t * t, 2 * (1 + n) * t, 2 * (1 + n))
+            down = 1 + 1 / n
+            return Three(1 - down * left**2, 2 * down * left, -2 * down)
+        case Graph():
+            return _graph(shape, t, shape.piece_at(near))
+    match shape.name:
+        case "cosine":
+            c, s = own.cos(pi * t), own.sin(pi * t)
+            return Three((1 - c) / 2, pi * s / 2, pi**2 * c / 2)
+        case "sine":
+            c, s = own.cos(2 * pi * t), own.sin(2 * pi * t)
+            return Three(t - s / (2 * pi), 1 - c, 2 * pi * s)
+    rows = [list(POWERS[shape.name])]
+    for _ in range(2):
+        rows.append([k * c for k, c in enumerate(rows[-1])][1:])
+    return Three(*(sum((c * t**k for k, c in enumerate(row)), own.mpf(0)) for row in rows))
+
+
+def _graph(graph: Graph, t: Number, number: int) -> Three:
+    """A graph of acceleration, from its pieces as they are stated: areas and moments of areas."""
+    own = context()
+    pieces = [(exact(p.width), exact(p.start), exact(p.end), p.form) for p in graph.pieces]
+    whole = sum(width for width, *_ in pieces)
+    pieces = [(width / whole, a, b, form) for width, a, b, form in pieces]
+    if graph.begin is None:
+        areas = [_swept(p, p[0])[1] for p in pieces]
+        above, below = (sum(way * x for x in areas if way * x > 0) for way in (1, -1))
+        pieces = [
+            (w, a, b, form) if x > 0 else (w, a * above / below, b * above / below, form)
+            for (w, a, b, form), x in zip(pieces, areas, strict=True)
+        ]
+
+    def over(until: Number, last: int) -> Three:
+        """Displacement, velocity and acceleration from the beginning on, to a share in piece `last`."""
+        s, v, a, at = own.mpf(0), exact(graph.begin or 0.0), own.mpf(0), own.mpf(0)
+        for k, piece in enumerate(pieces[: last + 1]):
+            x = until - at if k == last else piece[0]
+            moved, gained, a = _swept(piece, x)
+            s, v, at = s + v * x + moved, v + gained, at + piece[0]
+        return Three(s, v, a)
+
+    lift = over(own.mpf(1), len(pieces) - 1).z
+    here = over(t, number)
+    return Three(here.z / lift, here.d / lift, here.dd / lift)
+
+
+def _swept(piece: tuple[Number, Number, Number, str], x: Number) -> tuple[Number, Number, Number]:
+    """Of a piece over x of it from rest: displacement, velocity, acceleration."""
+    own, (width, a, b, form) = context(), piece
+    if form == "line":
+        bend = (b - a) / width
+        return a * x * x / 2 + bend * x**3 / 6, a * x + bend * x * x / 2, a + bend * x
+    k = own.pi / 2 / width
+    # a wave of cosines from its level end: ψ counts from there
+    level, other, psi0 = (b, a, -own.pi / 2) if abs(b) > abs(a) else (a, b, own.mpf(0))
+    size = level - other
+
+    def wave(at: Number) -> tuple[Number, Number]:
+        return size * own.sin(psi0 + k * at) / k, -size * own.cos(psi0 + k * at) / k**2
+
+    (v0, s0), (v1, s1) = wave(own.mpf(0)), wave(x)
+    return other * x * x / 2 + s1 - s0 - v0 * x, other * x + v1 - v0, other + size * own.cos(psi0 + k * x)
+
+
+POWERS = {
+    "uniform": (0, 1),
+    "decreasing": (0, 0, 3, -2),
+    "polynomial": (0, 0, 0, 10, -15, 6),
+    "polynomial_4567": (0, 0, 0, 0, 35, -84, 70, -20),
+}

@@ -22,6 +22,7 @@ from tmm_report.mechanics.cams.cam import (
     lowest_swinging,
 )
 from tmm_report.mechanics.cams.follower_laws import FULL_TURN
+from tmm_report.mechanics.cams.least_size import Lever, Zone, under_face
 from tmm_report.mechanics.cams.stated_profile import ByProfile
 from tmm_report.mechanics.lever.mechanism import FRAME, Guide, Link, Slide, ZeroAngle
 from tmm_report.problems import N_, Message
@@ -51,12 +52,14 @@ def cam(
     motion = _motion(model, follower, links[FRAME], pivot, axis, guides, slides)
     face = _face(model.flat, motion) if model.flat else 1 + 0j
     roller = model.roller.radius if model.roller else None
-    given = _given(model, motion, roller, face, sense, zero)
-    limit = model.pressure_angle_limit or LIMITS[type(motion)]
-    base = model.base or _least(given)
+    limit, back = model.pressure_angle_limit or LIMITS[type(motion)], model.return_angle_limit
+    smallest = _smallest(model, motion, roller, face, sense, limit) if model.base == "smallest" else None
+    base = smallest or (model.base if isinstance(model.base, float) else None)
+    given = _given(model, motion, roller, face, sense, zero, base)
     made = Cam(
-        name, body.name, follower.name, model.at, model.centre or "K", axis, motion, given, roller, limit, base,
-        face, f"{name}t" if model.flat else "",
+        name, body.name, follower.name, model.at, model.centre or "K", axis, motion, given, roller, limit,
+        base or _least(given), face, f"{name}t" if model.flat else "", back, smallest is not None,
+        model.least_curvature or 0.0,
     )  # fmt: skip
     must_touch(made)
     return made
@@ -69,6 +72,7 @@ def _given(
     face: complex,
     sense: int,
     zero: object,
+    base: float | None,
 ) -> ByLaw | ByProfile:
     """The follower's motion; a law begins at `start`, left out at the angle of position 0 if that is stated."""
     if model.profile:
@@ -76,7 +80,7 @@ def _given(
     begins = zero.angle if isinstance(zero, ZeroAngle) else 0.0
     start = model.start if model.start is not None else begins
     side = motion.side if isinstance(motion, Swinging) else 1
-    low = _lowest(model, motion, roller, face)
+    low = _lowest(base, motion, roller, face)
     return ByLaw(law(model, isinstance(motion, Swinging)), low, side, start, sense)
 
 
@@ -143,14 +147,65 @@ def _swinging(model: c.CamModel, follower: Link, centre: str, frame: Link, pivot
 # ---------------------------------------------------------------- the base circle
 
 
-def _lowest(model: c.CamModel, motion: Sliding | Swinging, roller: float | None, face: complex) -> float:
+def _smallest(
+    model: c.CamModel,
+    motion: Sliding | Swinging,
+    roller: float | None,
+    face: complex,
+    sense: int,
+    limit: float,
+) -> float:
+    """Least radius of the profile, rounded up, m."""
+    if model.profile:
+        raise Wrong("base", Message(N_("this follows from the profile of the cam")))
+    if roller is None:
+        return _rounded(model, _under_face(model, motion, face))
+    if isinstance(motion, Sliding):
+        radius = Zone(law(model, False), limit, model.return_angle_limit).at(sense * motion.offset).radius
+    else:
+        lever = Lever(
+            law(model, True), abs(motion.arm), abs(motion.pivot), motion.side * sense > 0, limit,
+            model.return_angle_limit,
+        )  # fmt: skip
+        if lever.lowest is None:
+            text = N_("no cam keeps the pressure angles with these pivots and this lever")
+            right = N_("a longer phase, a smaller swing, another distance of the pivots, greater angles")
+            raise Wrong("base", Message(text), Message(right))
+        radius = lever.radius(lever.lowest.least)
+    pitch = _rounded(model, radius)
+    if pitch <= roller:
+        text = N_("the roller, %(roller)s m, is larger than the least radius of its centre, %(radius)s m")
+        told = {"roller": f"{roller:.4g}", "radius": f"{pitch:.4g}"}
+        raise Wrong("base", Message(text, told), Message(N_("a smaller roller, or state it: base: 40 mm")))
+    return pitch - roller
+
+
+def _rounded(model: c.CamModel, radius: float) -> float:
+    step = model.round
+    return radius if step is None else step * math.ceil(radius / step - 1e-9)
+
+
+def _under_face(model: c.CamModel, motion: Sliding | Swinging, face: complex) -> float:
+    """Least base circle by the curvature, m."""
+    if isinstance(motion, Swinging) or abs((face * motion.turn * motion.along.conjugate()).real) > 1e-9:
+        text = N_("the smallest cam under a flat face is found of one that slides across its face")
+        raise Wrong("base", Message(text), Message(N_("state it: base: 40 mm")))
+    if model.least_curvature is None:
+        text = N_("under a flat face the smallest cam follows from the least radius of curvature")
+        raise Wrong(
+            "base",
+            Message(text),
+            Message(N_("for example, %(example)s"), {"example": "least_curvature: 5 mm"}),
+        )
+    return max(under_face(law(model, False), model.least_curvature).b, model.least_curvature)
+
+
+def _lowest(base: float | None, motion: Sliding | Swinging, roller: float | None, face: complex) -> float:
     """The follower's coordinate on the base circle."""
-    if model.base is None:
+    if base is None:
         raise Wrong("base", Message(N_("the key %(key)s is missing"), {"key": "base"}))
     low, text, values = (
-        _lowest_face(model.base, motion, face)
-        if roller is None
-        else _lowest_roller(model.base + roller, motion)
+        _lowest_face(base, motion, face) if roller is None else _lowest_roller(base + roller, motion)
     )
     if low is None:
         raise Wrong("base", Message(text, values))

@@ -47,7 +47,7 @@ def phase_of(model: c.PhaseModel) -> Phase:
         ("rise", model.rise), ("dwell", model.dwell), ("return", model.return_),
     )  # fmt: skip
     kind, angle = next((kind, angle) for kind, angle in kinds if angle is not None)
-    return Phase(kind, angle, model.law or "")
+    return Phase(kind, angle, model.shape())
 
 
 def must_fill(stated: Sequence[c.PhaseModel]) -> None:

@@ -17,4 +17,5 @@ def radius(cam: CamModel, arm: float) -> float:
         return max(radii, default=0.0)
     lift = max([cam.lift or 0.0, *(lift for _, lift in cam.lifts)])
     swing = max([cam.swing or 0.0, *(swing for _, swing in cam.swings)])
-    return (cam.base or 0.0) + lift + swing * arm
+    base = cam.base if isinstance(cam.base, float) else 0.0
+    return base + lift + swing * arm
