@@ -125,7 +125,7 @@ REFUSED = {
     "unknown slider": (SLIDER.replace("slider: 3", "slider: 7"), "no link 7", "driver.slider"),
     "both ends fixed": (
         TIPPER.replace("cylinder: [A, B]", "cylinder: [A, O]"),
-        "O and A are both fixed",
+        "A and O are both fixed",
         "cylinder",
     ),
     "both ends of one link": (

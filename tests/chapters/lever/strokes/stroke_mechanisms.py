@@ -183,6 +183,24 @@ def two_sliders(rng):
     return made.text({"slider": "1"}, abs(z["C"] - z["U"]), "B")
 
 
+def rocking(lengths, angle, base, speed):
+    """A four-bar linkage put together at an angle of its first link, a cylinder from a fixed point to its coupler."""
+    one, two, three = lengths
+    z = {"O": 0j, "D": 1 + 0j, "A": one * cmath.exp(1j * angle), "G": base}
+    way = z["D"] - z["A"]
+    corner = math.acos((two**2 + abs(way) ** 2 - three**2) / (2 * two * abs(way)))
+    along = way / abs(way) * cmath.exp(1j * corner)
+    z |= {"B": z["A"] + two * along, "K": z["A"] + (0.3 + 0.2j) * along}
+    made = Made(np.random.default_rng(1), z)
+    made.fixed("O", "D", "G")
+    made.link("1", "O", "A")
+    made.link("2", "A", "B", "K")
+    made.link("3", "D", "B")
+    whole = yaml.safe_load(made.text({"cylinder": ["G", "K"]}, abs(z["K"] - base), "K"))
+    whole["mechanism"]["driver"]["stroke"] |= {"speed": speed, "time": 1.0}
+    return yaml.safe_dump(whole, sort_keys=False)
+
+
 KINDS = {of.__name__: of for of in (coupler, between, stated_cylinder, six_bar, scissor, slot, two_sliders)}
 
 

@@ -113,3 +113,58 @@ def test_the_work_of_the_force_is_gained_as_energy(kind):
     angle = np.radians(float(one["direction"].split()[0]))
     energy -= one["constant"] * (np.exp(-1j * angle) * way).real
     assert work == pytest.approx(energy, rel=1e-9)
+
+
+@pytest.mark.parametrize("kind", ["scissor", "two_sliders"])
+def test_the_reduced_mass_has_the_energy_of_all_links(kind):
+    """m v²/2 = T, by the rates of the constraints."""
+    text = going(kind, 2)
+    solver, lever = Solver(text), course.solve(course.loads(text + "reduction: true\n")).lever
+    table = lever.kinematics.table
+    for k in (1, 4):
+        motion = solver.motion(solver.period * k / 6, coordinates(solver, table, k))
+        energy = 0.0
+        for name, link in solver.links.items():
+            if "mass" in link:
+                _, v, _ = solver.of_point(motion, name, solver.points[name][link["mass_centre"]])
+                omega = motion[1][3 * solver.names.index(name) + 2]
+                energy += (link["mass"] * abs(v) ** 2 + link.get("inertia", 0) * omega**2) / 2
+        assert lever.translation.table.whole_mass[k] == pytest.approx(2 * energy / solver.speed**2, rel=1e-9)
+
+
+def test_the_motion_along_the_stroke_under_forces():
+    """A scissor pushed by a constant force between its arms: the energy gained is the work of all that acts."""
+    text, needed = next(
+        (text, force)
+        for text in (going("scissor", seed) for seed in SEEDS)
+        if (force := course.solve(course.loads(text)).lever.kinetostatics.table.statics.driving).min() > 0
+    )
+    data = yaml.safe_load(text)
+    low, high = sorted(course.loads(text).lever.mechanism.driver.stroke.law.reach)
+    push = 1.3 * float(needed.max())
+    data["travel"] = {"from": low, "to": high, "driving": [{"name": "oil", "constant": f"{push!r} N"}]}
+    lever = course.solve(course.loads(yaml.safe_dump(data, sort_keys=False)))
+    found = lever.travel
+    assert found.v[-1] > 0
+    solver = Solver(text)
+    motions = []
+    for s, v in ((low, 0.0), (high, float(found.v[-1]))):
+        solver.start, solver.speed = s, v
+        near = lever.lever.kinematics.table
+        k = int(np.argmin(np.abs(lever.lever.kinematics.stroke.law.of_phase(near.phase)[0] - s)))
+        motions.append(solver.motion(0, coordinates(solver, near, k)))
+    energy = []
+    force = data["loads"]["forces"][0]
+    along = np.exp(1j * np.radians(float(force["direction"].split()[0])))
+    for motion in motions:
+        total = (
+            -force["constant"] * (np.conj(along) * solver.of_point(motion, *solver.at(force["at"]))[0]).real
+        )
+        for name, link in solver.links.items():
+            if "mass" in link:
+                place, v, _ = solver.of_point(motion, name, solver.points[name][link["mass_centre"]])
+                omega = motion[1][3 * solver.names.index(name) + 2]
+                total += link["mass"] * (abs(v) ** 2 / 2 + 9.81 * place.imag)
+                total += link.get("inertia", 0) * omega**2 / 2
+        energy.append(total)
+    assert energy[1] - energy[0] == pytest.approx(push * (high - low), rel=1e-7)

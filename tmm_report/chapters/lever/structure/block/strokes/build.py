@@ -10,6 +10,7 @@ import numpy as np
 from tmm_report.chapters.lever.structure.block.strokes.models import StrokeModel
 from tmm_report.chapters.lever.structure.block.strokes.models import build as law_of
 from tmm_report.chapters.lever.structure.block.strokes.parts import Refused as Refused
+from tmm_report.chapters.lever.structure.block.strokes.parts import must_change
 from tmm_report.chapters.lever.structure.block.strokes.reverse import moves_dyads, reversed_of
 from tmm_report.chapters.lever.structure.block.strokes.triangle import triangle_of
 from tmm_report.mechanics.lever.driving.stroke import Stroke, Turned
@@ -27,6 +28,8 @@ def led(
     on its link, else by reversing the motion of the `whole` mechanism, its wheels among it. Raises Refused,
     ProblemError."""
     law, ends = law_of(stroke), cylinder or ("", "")
+    if cylinder is not None:
+        must_change(built, cylinder)
     triangle = triangle_of(built, law, slider, ends)
     found: Stroke
     if triangle is not None and moves_dyads(whole(), triangle[0].link):

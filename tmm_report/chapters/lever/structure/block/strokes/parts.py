@@ -18,6 +18,8 @@ DRIVER: Path = ("mechanism", "driver")
 class Refused(WrongValue):
     """What drives so that the mechanism cannot be solved, or not by this program."""
 
+    reached = 0.0  # how far of the stroke the mechanism goes before it, m
+
     def __init__(self, wrong: Message, right: Message | None, path: Path):
         super().__init__(wrong, right)
         self.problem = Problem(wrong, right, path)
@@ -37,6 +39,21 @@ def on_frame(built: Mechanism, slider: str) -> tuple[Slide, Guide]:
 def pivot_of(built: Mechanism, link: str) -> str | None:
     """The fixed point about which a link turns."""
     return next((point for point in built.links[link].points if point in built.links[FRAME].points), None)
+
+
+def must_change(built: Mechanism, between: tuple[str, str]) -> None:
+    """Raises Refused for a cylinder between two points whose distance nothing changes."""
+    fixed = built.links[FRAME].points
+    one, other = sorted(between, key=lambda point: point not in fixed)
+    told, path = {"one": one, "other": other}, (*DRIVER, "cylinder")
+    if other in fixed:
+        text = N_("%(one)s and %(other)s are both fixed: the cylinder between them moves nothing")
+        right = Message(N_("fixed points: %(words)s"), {"words": ", ".join(fixed)})
+        raise Refused(Message(text, told), right, path)
+    if {*built.links_at(one)} & {*built.links_at(other)}:
+        text = N_("%(one)s and %(other)s are points of one link: the cylinder between them moves nothing")
+        right = Message(N_("two points of different links, or a fixed one and one that moves"))
+        raise Refused(Message(text, told), right, path)
 
 
 def cylinder_links(built: Mechanism, start: str, end: str) -> tuple[str, str]:

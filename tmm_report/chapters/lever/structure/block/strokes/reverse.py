@@ -57,7 +57,10 @@ def reversed_of(
     tries = [Try(whole, law, drive, link) for link in _main_links(whole, drive)]
     if not tries:
         text = N_("no link turns about a fixed point: a mechanism of such links is not driven by a stroke")
-        right = N_("a point of the frame on one of the links, or link: …, speed: … for a link that turns")
+        right = N_(
+            "a link that is pivoted to the frame: of an elliptic trammel the crank to the middle of its rod, in place "
+            "of one of the sliders"
+        )
         raise Refused(Message(text), Message(right), (*DRIVER, drive.key))
     for step in (Try.take_apart, Try.put_together, Try.begin, Try.go):
         tries = _passed(tries, step)
@@ -74,8 +77,10 @@ def moves_dyads(whole: Mechanism, link: str) -> bool:
 
 
 def _passed(tries: Sequence[Try], step: Callable[[Try], None]) -> list[Try]:
-    """Those that take the step; what keeps the first one from it is raised where none does."""
-    passed, errors = [], []
+    """Those that take the step; what keeps the first one from it, or the one that gets farthest, is raised where none
+    does."""
+    passed: list[Try] = []
+    errors: list[Refused | ProblemError] = []
     for one in tries:
         try:
             step(one)
@@ -84,7 +89,7 @@ def _passed(tries: Sequence[Try], step: Callable[[Try], None]) -> list[Try]:
         else:
             passed.append(one)
     if not passed:
-        raise errors[0]
+        raise max(errors, key=lambda error: getattr(error, "reached", 0.0))
     return passed
 
 
@@ -102,16 +107,6 @@ def _slider(built: Mechanism, slider: str) -> Drive:
 def _cylinder(built: Mechanism, between: tuple[str, str]) -> Drive:
     fixed = built.links[FRAME].points
     start, end = sorted(between, key=lambda point: point not in fixed)
-    told = {"one": start, "other": end}
-    if end in fixed:
-        text = N_("%(one)s and %(other)s are both fixed: the cylinder between them moves nothing")
-        right = Message(N_("fixed points: %(words)s"), {"words": ", ".join(fixed)})
-        raise Refused(Message(text, told), right, (*DRIVER, "cylinder"))
-    together = [link for link in built.links_at(start) if link in built.links_at(end)]
-    if start == end or together:
-        text = N_("%(one)s and %(other)s are points of one link: the cylinder between them moves nothing")
-        right = Message(N_("two points of different links, or a fixed one and one that moves"))
-        raise Refused(Message(text, told), right, (*DRIVER, "cylinder"))
     barrel, rod = cylinder_links(built, start, end)
     takes = [Taken(rod or _carrier(built, end), end, 1)]
     if start not in fixed or barrel:
@@ -211,7 +206,9 @@ class Try:
             )
         before = Message(N_("a stroke that ends before it"))
         right = before if self.drive.way else _between(branch.s[0], branch.s[-1])
-        raise Refused(Message(text, told), right, (*DRIVER, "stroke"))
+        refused = Refused(Message(text, told), right, (*DRIVER, "stroke"))
+        refused.reached = abs(met - float(self.law.at(np.zeros(1))[0][0]))
+        raise refused
 
     def _strokes(self) -> Message:
         """Between which strokes it can be."""

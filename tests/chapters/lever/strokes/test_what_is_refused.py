@@ -1,0 +1,173 @@
+"""What a driving slider or cylinder asks of a mechanism, in words; another main link where the first one cannot go on."""
+
+from math import hypot
+from pathlib import Path
+
+import numpy as np
+import pytest
+from stroke_constraints import Solver
+from stroke_mechanisms import rocking
+from test_reversed_strokes import coordinates
+
+from tmm_report import course
+from tmm_report.figures.schemes import marks
+from tmm_report.figures.schemes.view import view_of
+from tmm_report.problems import ProblemError
+
+TESTS = Path(__file__).parents[3]
+LIFT = (TESTS / "statements" / "scissor_between_arms.yaml").read_text("utf-8")
+TIPPER = (TESTS / "statements" / "tipper_by_cylinder.yaml").read_text("utf-8")
+LAW = "{from: 0.36 m, to: 0.56 m, speed: 0.05 m/s, run_up: 0.5 s, run_down: 0.5 s}"
+LONGEST = 1e3 * (hypot(0.2, 0.06) + hypot(0.5, 0.05))  # C, on the line between the pins
+SHORTEST = 1e3 * (hypot(0.5, 0.05) - hypot(0.2, 0.06))
+TRAMMEL = """
+mechanism:
+  frame: {O: [0, 0]}
+  guides: {x: {through: O, angle: 0 deg}, y: {through: O, angle: 90 deg}}
+  links:
+    1: {points: [A], slides: x}
+    2: {points: {A: 0, B: 300 mm}}
+    3: {points: [B], slides: y}
+  driver: {slider: 1, stroke: {from: 100 mm, to: 200 mm, speed: 0.1 m/s}}
+  assembly: {B: up}
+"""
+PRESS = """
+mechanism:
+  frame: {O: [0, 0]}
+  guides: {y: {through: O, angle: 90 deg}}
+  links:
+    1: {points: {O: 0, B: 40 mm}}
+    2: {points: {C: 0, E: 135 mm, B: {from: {C: 90 mm, E: 90 mm}, side: left}}}
+    3: {points: {D: 0, C: 185 mm, K: 90 mm}}
+    4: {points: {F: 0, E: 185 mm}}
+    5: {points: {S: 0, F: 67.5 mm, D: -67.5 mm}, slides: {guide: y, at: S, angle: 90 deg}}
+  driver: {cylinder: [B, K], stroke: {from: 100 mm, to: 101 mm, speed: 1 mm/s}}
+  sketch: {B: [0, 40 mm], C: [-70 mm, -20 mm], E: [70 mm, -20 mm], D: [-70 mm, -200 mm], F: [70 mm, -200 mm]}
+"""
+
+
+def stroke(law):
+    return LIFT.replace(LAW, law)
+
+
+REFUSED = {
+    "one link": (LIFT.replace("[Q, P]", "[O, P]"), "O and P are points of one link", "driver.cylinder"),
+    "no pivot": (TRAMMEL, "the crank to the middle of its rod", "driver.slider"),
+    "a higher group": (PRESS, "a group above class II is left (from link 1, IV(2,3,4,5))", "driver.cylinder"),
+    "too long": (stroke("{from: 0.36 m, to: 0.75 m, speed: 0.1 m/s}"), f"beyond {LONGEST:.6g} mm", "stroke"),
+    "too short": (stroke("{from: 0.36 m, to: 0.2 m, speed: 0.1 m/s}"), f"beyond {SHORTEST:.6g} mm", "stroke"),
+    "its range": (
+        stroke("{from: 0.36 m, to: 0.75 m, speed: 0.1 m/s}"),
+        f"a stroke between {SHORTEST:.6g} and {LONGEST:.6g} mm",
+        "stroke",
+    ),
+    "begins beyond": (
+        stroke("{from: 0.8 m, speed: 0.1 m/s, time: 1 s}"),
+        "where the stroke begins, at 800",
+        "stroke",
+    ),
+    "two ways": (LIFT.replace("C: up, ", ""), "in 2 ways", "assembly"),
+    "how to say it": (LIFT.replace("C: up, ", ""), "assembly: {C: up} or {C: down}", "assembly"),
+    "not told": (LIFT.replace("C: up", "C: +"), "does not tell where C lies", "assembly.C"),
+    "against itself": (
+        LIFT.replace("C: up", "C: up, K: right of O-D").replace("P: [1", "K: [0.5 m, 0], P: [1"),
+        "cannot stand so that K is on this side",
+        "assembly.K",
+    ),
+    "no such group": (LIFT.replace("C: up", "C: up, 1-5: +"), "1-5 names no group", "assembly.1-5"),
+    "its groups": (LIFT.replace(", 4-5: +", ""), "group II2(4,5) can be assembled in two ways", "assembly"),
+    "too free": (LIFT.replace(", slides: table", ""), "mobility is W", "links"),
+    "farthest": (rocking((0.7, 0.5, 0.6), 1.1, -0.5 + 0.3j, -0.5), "cannot go beyond", "stroke"),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_what_is_refused_is_said_once_with_its_key(name):
+    text, wrong, key = REFUSED[name]
+    with pytest.raises(ProblemError) as error:
+        course.loads(text)
+    (problem,) = error.value.problems
+    assert wrong in problem.text()
+    assert key in problem.key
+
+
+@pytest.mark.parametrize("way", ["C: up", "C: down", "K: left of O-D", "K: right of O-D"])
+def test_the_side_that_is_stated_is_taken(way):
+    text = LIFT.replace("C: up", way).replace("P: [1.0", "K: [0.5 m, 0], P: [1.0")
+    found = course.solve(course.loads(text)).lever.kinematics.table
+    up = "up" in way or "left" in way
+    assert (found.place("C").imag > 0).all() == up and (found.place("C").imag < 0).all() == (not up)
+
+
+@pytest.mark.parametrize(
+    ("lengths", "angle", "base", "speed"),
+    [((0.9, 0.5, 0.35), 0.4, -0.5 + 0.3j, -0.3), ((0.7, 0.5, 0.6), 1.2, 0.5 + 1.5j, 0.3)],
+)
+def test_a_link_that_turns_back_leaves_its_place_to_another(lengths, angle, base, speed):
+    """Link 1 stops and turns back while the cylinder goes on: the motion is found from link 3, through that place."""
+    text = rocking(lengths, angle, base, speed)
+    lever, solver = course.solve(course.loads(text)).lever, Solver(text)
+    table = lever.kinematics.table
+    assert lever.kinematics.stroke.link == "3"
+    turning = lever.kinematics.diagram.angular_velocity("1")
+    assert turning.min() < 0 < turning.max()
+    for k in (1, 3, 5):
+        motion = solver.motion(solver.period * k / 6, coordinates(solver, table, k))
+        for name in solver.names:
+            omega = motion[1][3 * solver.names.index(name) + 2]
+            assert float(table.angular_velocity(name)[k]) == pytest.approx(omega, rel=1e-8)
+        assert lever.kinetostatics.table.statics.driving[k] == pytest.approx(
+            solver.by_power(motion), rel=1e-8
+        )
+
+
+def test_two_fingers_in_mesh_are_pushed_apart():
+    """A gripper whose fingers are geared together, the cylinder between them: s = c − 2 r cos(φ + α)."""
+    text = """
+mechanism:
+  frame: {O: [0, 0], Q: [80 mm, 0]}
+  links:
+    1: {points: {O: 0, A: [20 mm, 90 mm]}, inertia: 0.004 kg*m^2}
+    2: {points: {Q: 0, B: [-20 mm, 90 mm]}, inertia: 0.004 kg*m^2}
+  wheels: [{links: [1, 2], ratio: 1}]
+  driver: {cylinder: [A, B], stroke: {from: 50 mm, to: 70 mm, speed: 0.1 m/s}}
+  assembly: {A: up}
+loads: {moments: [{on: 1, direction: clockwise, constant: 3 N*m}]}
+positions: {table: 6}
+"""
+    lever = course.solve(course.loads(text)).lever
+    s = np.linspace(0.05, 0.07, 7)
+    arm = hypot(0.02, 0.09)
+    angle = np.arccos((0.08 - s) / 2 / arm) - np.arctan2(0.09, 0.02)  # by which A has turned
+    assert lever.kinematics.table.phi == pytest.approx(angle, abs=1e-12)
+    slope = 2 * arm * np.sin(angle + np.arctan2(0.09, 0.02))  # ds/dφ
+    rate = 0.1 / slope
+    sudden = -2 * arm * np.cos(angle + np.arctan2(0.09, 0.02)) * rate**2 / slope
+    assert lever.kinetostatics.table.statics.driving == pytest.approx(
+        (2 * 0.004 * sudden + 3) / slope, rel=1e-9
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "groups"),
+    [(LIFT, ["III2(1,2,3,QP)", "II2(4,5)"]), (TIPPER, ["II2(3,1+2)"])],
+)
+def test_groups_with_the_cylinder_held(text, groups):
+    """Its length fixed, the mechanism is a truss: of each group 3n = 2p."""
+    found = course.solve(course.loads(text)).lever.structure.by_cylinder
+    assert [group.label for group in found] == groups
+    for group in found:
+        assert 3 * len(group.links) == 2 * (len(group.inner) + len(group.outer))
+
+
+def test_a_cylinder_between_links_has_no_support():
+    """Of the lift the frame bears O alone; the barrel is drawn between Q and P, wherever they are."""
+    lever = course.solve(course.loads(LIFT)).lever
+    motion, mechanism = lever.kinematics.table, lever.kinematics.linkage.mechanism
+    places = {point: motion.place(point) for point in mechanism.point_names}
+    turns = {link: motion.turn(link) for link in mechanism.moving}
+    seen = view_of(mechanism, places, turns, 0.01, 3)
+    assert seen.cylinder == ("Q", "P")
+    supports = {point: marks.support(seen.points[point]) for point in ("O", "Q")}
+    assert all(item in seen.frame() for item in supports["O"])
+    assert not any(item in seen.frame() for item in supports["Q"])
