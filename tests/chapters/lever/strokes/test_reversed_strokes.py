@@ -69,8 +69,8 @@ def test_motion_and_forces_are_those_of_the_constraints(kind, seed):
             _, omega, epsilon = (part[3 * solver.names.index(name) + 2] for part in motion)
             assert float(table.angular_velocity(name)[k]) == pytest.approx(omega, abs=1e-9 * fast)
             assert float(table.angular_acceleration(name)[k]) == pytest.approx(epsilon, abs=1e-8 * sudden)
-            for point, at in solver.points[name].items():
-                place, v, a = solver.of_point(motion, name, at)
+            for point, own in solver.points[name].items():
+                place, v, a = solver.of_point(motion, name, own)
                 assert complex(table.place(point)[k]) == pytest.approx(place, abs=1e-11)
                 assert complex(table.velocity(point)[k]) == pytest.approx(v, abs=1e-9 * fast)
                 assert complex(table.acceleration(point)[k]) == pytest.approx(a, abs=1e-8 * sudden)

@@ -1,12 +1,13 @@
-"""What a driving slider or cylinder asks of a mechanism, in words; another main link where the first one cannot go on."""
+"""What a driving slider or cylinder asks of a mechanism, in words; another main link where the first one stops."""
 
 from math import hypot
 from pathlib import Path
 
 import numpy as np
 import pytest
+import yaml
 from stroke_constraints import Solver
-from stroke_mechanisms import rocking
+from stroke_mechanisms import Made, rocking
 from test_reversed_strokes import coordinates
 
 from tmm_report import course
@@ -171,3 +172,50 @@ def test_a_cylinder_between_links_has_no_support():
     supports = {point: marks.support(seen.points[point]) for point in ("O", "Q")}
     assert all(item in seen.frame() for item in supports["O"])
     assert not any(item in seen.frame() for item in supports["Q"])
+
+
+def slider_between_cranks(rng, keys, short=0.25 + 0.02j, slider=0.28 + 0.6j):
+    """A slider with two rods: on one side a short crank and the rod across the guide at the beginning."""
+    z = {"O": 0j, "A": short, "B": slider, "U": slider - 1, "C": 0.9 + 0.7j, "Q": 0.6 + 0.1j}
+    made = Made(rng, z)
+    made.fixed("O", "U", "Q")
+    made.guide("x", "U")
+    made.link("1", "O", "A")
+    made.link("2", "A", "B")
+    made.link("3", "B", slides="x")
+    made.link("4", "B", "C")
+    made.link("5", "Q", "C")
+    whole = yaml.safe_load(made.text({"slider": "3"}, abs(z["B"] - z["U"]), "C"))
+    whole["mechanism"]["driver"]["stroke"] |= {"speed": -0.1, "time": 1.0}
+    whole["mechanism"]["assembly"] = keys
+    return yaml.safe_dump(whole, sort_keys=False)
+
+
+@pytest.mark.parametrize("keys", [{}, {"A": "right of O-B"}])
+def test_a_triangle_that_stops_leaves_its_place_to_another_link(keys):
+    """The rod AB comes to stand across the guide, where link 1 turns back: link 5 is found first."""
+    text = slider_between_cranks(np.random.default_rng(3), keys)
+    lever, solver = course.solve(course.loads(text)).lever, Solver(text)
+    assert lever.kinematics.stroke.link == "5"
+    turning = lever.kinematics.diagram.angular_velocity("1")
+    assert turning.min() < 0 < turning.max()
+    for k in (0, 3, 6):
+        motion = solver.motion(solver.period * k / 6, coordinates(solver, lever.kinematics.table, k))
+        assert lever.kinetostatics.table.statics.driving[k] == pytest.approx(
+            solver.by_power(motion), rel=1e-8
+        )
+
+
+def test_a_triangle_that_falls_flat_stops_the_mechanism():
+    """Crank and rod come into one line: no other link helps."""
+    text = slider_between_cranks(np.random.default_rng(3), {"A": "left of O-B"}, 0.25j, 0.02 + 0.95j)
+    with pytest.raises(ProblemError, match="O, A and B come into one line"):
+        course.loads(text)
+
+
+def test_the_side_of_a_triangle_by_the_sketch():
+    lines = TIPPER.replace("  assembly: {B: left of O-A}", "  sketch: {B: SKETCHED, A: [1.5 m, -0.4 m]}")
+    stated = course.solve(course.loads(TIPPER)).lever.kinematics.table
+    for sketched, same in (("[0.8 m, 0.6 m]", True), ("[0.4 m, -0.9 m]", False)):
+        found = course.solve(course.loads(lines.replace("SKETCHED", sketched))).lever.kinematics.table
+        assert np.allclose(found.place("B"), stated.place("B")) == same

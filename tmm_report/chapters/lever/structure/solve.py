@@ -54,6 +54,8 @@ class Structure:
         mechanism, dyads = self.linkage.mechanism, [g for g in self.linkage.groups if isinstance(g, Dyad)]
         stated = {one.key for one in mechanism.assembly}
         asked = any(d.two_roots and not stated & set(keys_of(d)) for d in dyads)
+        if mechanism.driver.stroke is not None:  # it may tell on which side what drives begins
+            return ()
         if not mechanism.sketch or asked or len(dyads) < len(self.linkage.groups):
             return ()
         text = N_("the sketch has no effect: every group has one assembly or is stated in the key assembly")

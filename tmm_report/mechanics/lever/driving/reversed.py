@@ -186,6 +186,12 @@ class Reversed(Stroke):
         omega = v / first
         return phi, omega, (a - second * omega**2) / first
 
+    @property
+    def closes(self) -> bool:
+        """Whether the whole mechanism can be assembled all over the law, so far as samples tell."""
+        phi = self.angle(np.linspace(*self.law.reach, STEPS + 1))
+        return bool(solve(self.function.linkage, phi, 1.0).closes.all())
+
     def limit(self) -> float | None:
         """Of the strokes that the law goes over one beyond which the mechanism cannot go on, m; None: it can."""
         of = self.branch

@@ -22,7 +22,7 @@ from tmm_report.chapters.lever.structure.block.strokes.parts import (
     straight,
 )
 from tmm_report.mechanics.calculus.motion_laws import MotionLaw
-from tmm_report.mechanics.calculus.vectors import dot
+from tmm_report.mechanics.calculus.vectors import cross, dot
 from tmm_report.mechanics.lever.driving.stroke import Taken
 from tmm_report.mechanics.lever.driving.triangle import Triangle
 from tmm_report.mechanics.lever.mechanism import FRAME, Assembly, Mechanism
@@ -45,12 +45,12 @@ class Joined:
 def triangle_of(
     built: Mechanism, law: MotionLaw, slider: str | None, cylinder: tuple[str, str]
 ) -> tuple[Triangle, tuple[Assembly, ...]] | None:
-    """The triangle, and what is then stated of the groups; None where there is none. Raises Refused."""
+    """The triangle, and what is then stated of the groups; None where there is none. Raises Refused; how far
+    it goes says its `limit`."""
     found = _of_slider(built, slider, law) if slider is not None else _of_cylinder(built, cylinder, law)
     if found is None:
         return None
     sided = replace(found, side=_side(built, found))
-    _goes(sided)
     return sided, tuple(_assembled(built, sided))
 
 
@@ -121,6 +121,8 @@ def _side(built: Mechanism, stroke: Triangle) -> int:
     )
     path: Path = ("mechanism", "assembly")
     stated = next((one for one in built.assembly if one.key == pin), None)
+    if stated is None and (side := _sketched(built, stroke)):
+        return side
     if stated is None:
         text = N_(
             "%(point)s may lie on either side of the line %(a)s–%(c)s, and the key assembly does not say on which"
@@ -133,6 +135,15 @@ def _side(built: Mechanism, stroke: Triangle) -> int:
         text = N_("this does not tell on which side of the line %(a)s–%(c)s %(point)s lies")
         raise Refused(Message(text, {"point": pin, "a": pivot, "c": far}), right, (*path, pin))
     return 1 if first > second else -1
+
+
+def _sketched(built: Mechanism, stroke: Triangle) -> int:
+    """The side in the sketch; 0 where that does not tell it."""
+    known = {**built.sketch, **built.links[FRAME].points}
+    if not {*stroke.names} <= known.keys():
+        return 0
+    pivot, pin, far = (known[name] for name in stroke.names)
+    return int(np.sign(cross(far - pivot, pin - pivot)))
 
 
 def _assembled(built: Mechanism, stroke: Triangle) -> Iterator[Assembly]:
@@ -170,18 +181,15 @@ def _own(built: Mechanism, stroke: Triangle) -> Assembly | None:
 # ---------------------------------------------------------------- how far it goes
 
 
-def _goes(stroke: Triangle) -> None:
-    """Raises Refused where the law leads through a position in which the mechanism cannot go on."""
-    met = stroke.limit()
-    if met is None:
-        return
+def stopped(stroke: Triangle, met: float) -> Refused:
+    """What is said where the law leads through a position, at a stroke, in which the triangle cannot go on."""
     pivot, pin, far = stroke.names
     told = {"s": f"{met * 1e3:.5g}", "link": stroke.link, "a": pivot, "b": pin, "c": far}
     text = N_(
         "at %(s)s mm of the stroke the mechanism cannot go on: %(a)s, %(b)s and %(c)s come into one line, or link "
         "%(link)s stops and would turn back"
     )
-    raise Refused(Message(text, told), _within(stroke), (*DRIVER, "stroke"))
+    return Refused(Message(text, told), _within(stroke), (*DRIVER, "stroke"))
 
 
 def _within(stroke: Triangle) -> Message:
