@@ -1,4 +1,4 @@
-"""What a driving slider or cylinder asks of a mechanism, in words; another main link where the first one stops."""
+"""What a driving slider or cylinder asks of a mechanism, in words; other main links; structure, scheme, equations."""
 
 from math import hypot
 from pathlib import Path
@@ -11,6 +11,7 @@ from stroke_mechanisms import Made, rocking
 from test_reversed_strokes import coordinates
 
 from tmm_report import course
+from tmm_report.chapters.lever.kinetostatics.quantities.equations import system
 from tmm_report.figures.schemes import marks
 from tmm_report.figures.schemes.view import view_of
 from tmm_report.problems import ProblemError
@@ -219,3 +220,14 @@ def test_the_side_of_a_triangle_by_the_sketch():
     for sketched, same in (("[0.8 m, 0.6 m]", True), ("[0.4 m, -0.9 m]", False)):
         found = course.solve(course.loads(lines.replace("SKETCHED", sketched))).lever.kinematics.table
         assert np.allclose(found.place("B"), stated.place("B")) == same
+
+
+@pytest.mark.parametrize("links", [("1",), ("2", "3"), ("4", "5")])
+def test_the_equations_of_equilibrium_hold_the_force_on_both_links(links):
+    """As `explain` writes them: with the numbers of the solution each is nothing, beside the force of the cylinder."""
+    forces = course.solve(course.loads(LIFT)).lever.kinetostatics
+    written = system(forces, forces.table, links, 3)
+    size = float(forces.table.statics.driving[3])
+    sums = [float(one.value) for _, lines in written.lines for one in lines]
+    assert len(sums) >= 3 * len(links)
+    assert sums == pytest.approx([0.0] * len(sums), abs=1e-9 * size)
