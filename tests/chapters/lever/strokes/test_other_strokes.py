@@ -231,3 +231,36 @@ def test_the_equations_of_equilibrium_hold_the_force_on_both_links(links):
     sums = [float(one.value) for _, lines in written.lines for one in lines]
     assert len(sums) >= 3 * len(links)
     assert sums == pytest.approx([0.0] * len(sums), abs=1e-9 * size)
+
+
+SHAPER = """
+mechanism:
+  frame: {O: [0, 0], E: [-0.2, -0.31], Q: [0, 0.27], G: [0.4, 0.1]}
+  guides: {x: {through: Q}, k: {through: C, link: 3}}
+  links:
+    1: {points: {O: [0, 0], A: [0.095, 0]}, inertia: 0.03}
+    2: {points: {A: [0, 0]}, slides: k, mass: 0.9, mass_centre: A}
+    3: {points: {C: [0, 0], D: [0.6, 0], S3: [0.31, 0]}, mass: 11, mass_centre: S3, inertia: 0.36}
+    4: {points: {E: [0, 0], C: [0.2, 0], S4: [0.1, 0]}, mass: 2.4, mass_centre: S4, inertia: 0.01}
+    5: {points: {D: [0, 0]}, slides: x, mass: 28, mass_centre: D}
+  driver: {cylinder: [G, A], stroke: {from: 0.4, speed: 0.1, time: 0.2}}
+  sketch: {A: [0, 0.095], C: [0, -0.33], D: [0, 0.27]}
+loads: {gravity: 9.81}
+positions: {table: 6}
+"""
+
+
+def test_a_link_that_leaves_a_group_of_class_iii_is_not_found_first():
+    """A cylinder on the crank of a shaper whose slotted link swings on a rocker: by the triangle of the crank the rest
+    is a group of class III, from the rocker on dyads."""
+    lever, solver = course.solve(course.loads(SHAPER)).lever, Solver(SHAPER)
+    assert lever.structure.formula == "I(0,4) → II2(3,5) → II2(1,2)"
+    assert lever.kinetostatics.agrees
+    for k in (0, 3, 6):
+        motion = solver.motion(solver.period * k / 6, coordinates(solver, lever.kinematics.table, k))
+        for name in solver.names:
+            omega = motion[1][3 * solver.names.index(name) + 2]
+            assert float(lever.kinematics.table.angular_velocity(name)[k]) == pytest.approx(omega, abs=1e-9)
+        assert lever.kinetostatics.table.statics.driving[k] == pytest.approx(
+            solver.by_power(motion), rel=1e-8
+        )
