@@ -42,6 +42,8 @@ STATEMENTS = [
         "cases/explain/law_accelerated",
         "cases/explain/sprung_screen",
         "statements/slider_drives",
+        "cases/explain/slot_by_slider",
+        "cases/explain/scissor_lift",
         "cases/explain/boom_by_cylinder",
         "statements/cardan_drive",
         "statements/sun_and_planet",

@@ -41,7 +41,50 @@ TRANSLATION, TRAVEL = "tmm_report/chapters/lever/translation/", "tmm_report/chap
 PUMP, HAMMER = "piston_pump", "steam_hammer"
 SLID, TRAVELLED = ("tests/chapters/lever/test_translation.py",), ("tests/chapters/machine/travel",)
 
+INVERTED, SLOT, LIFT = "tmm_report/mechanics/lever/driving/reversed.py", "slot_by_slider", "scissor_lift"
+CHOSEN = "tmm_report/chapters/lever/structure/block/strokes/reverse.py"
+BY_FUNCTION = ("tests/chapters/lever/strokes",)
+
 FAULTS = (
+    # --- a stroke that no triangle follows ---
+    Fault("the turning of a cylinder between links left out of s″", INVERTED,
+          "np.abs(d.velocity) ** 2 + dot(d.place, d.acceleration) - first**2", "dot(d.place, d.acceleration)",
+          LIFT, BY_FUNCTION),
+    Fault("one end of a cylinder between links stands still", INVERTED,
+          "(motion.place, motion.velocity, motion.acceleration)):", "(motion.place,)):", LIFT, BY_FUNCTION),
+    Fault("the link that follows a stroke turns without s″", INVERTED,
+          "(a - second * omega**2) / first", "a / first", LIFT, BY_FUNCTION),
+    Fault("a stroke goes on beyond its extreme", INVERTED, "if not off.min() > NEAR:", "if off.min() < 0:", LIFT,
+          BY_FUNCTION),
+    Fault("the place of a driving slider across its guide", INVERTED,
+          "dot(d.place, self.way), dot(d.velocity, self.way)", "dot(d.place, 1j * self.way), dot(d.velocity, self.way)",
+          SLOT, BY_FUNCTION),
+    Fault("a cylinder between links pushes one of them alone", CHOSEN, "if start not in fixed or barrel:",
+          "if barrel:", LIFT, BY_FUNCTION),
+    Fault("a cylinder between links pulls both the same way", CHOSEN, "start), start, -1))", "start), start, 1))", LIFT,
+          BY_FUNCTION),
+    Fault("the beginning of a stroke on the other side", CHOSEN, "abs(side - most) <=", "abs(side - most) >", LIFT,
+          BY_FUNCTION),
+    Fault("a link that turns back is kept as the first", CHOSEN, "    if not passed:\n", "    if errors:\n", LIFT,
+          BY_FUNCTION),
+    Fault("a held cylinder keeps its sliding pair", MECHANICS + "lever/assur_groups.py",
+          "for slide in mechanism.slides\n            if slide.guide not in inner", "for slide in mechanism.slides",
+          LIFT, BY_FUNCTION),
+    Fault("the force of a cylinder on its barrel printed with the other sign", STATICS + "quantities/equations.py",
+          "taken.point), sign=taken.sign)", "taken.point), sign=1)", LIFT, BY_FUNCTION),
+    Fault("the derivative of the stroke printed for its reciprocal", KIN + "stroke.py",
+          "yield TRANSFER, 1 / first", "yield TRANSFER, first", LIFT, BY_FUNCTION),
+    Fault("derivatives of the vector of the stroke by the time", KIN + "stroke.py",
+          "d = stroke.function.relative(unit)", "d = stroke.function.relative(motion)", LIFT, BY_FUNCTION),
+    Fault("a triangle that falls flat is gone through by another link", CHOSEN.replace("reverse", "build"),
+          "if not found[0].closes:", "if found[0].closes is None:", LIFT, BY_FUNCTION),
+    Fault("a triangle that stops is taken", CHOSEN.replace("reverse", "build"), ".limit()) is None:",
+          ".limit()) is not ...:", LIFT, BY_FUNCTION),
+    Fault("the side of a triangle against its sketch", CHOSEN.replace("reverse", "triangle"), "return int(np.sign(",
+          "return -int(np.sign(", LIFT, BY_FUNCTION),
+    Fault("a foot that moves is drawn on a support", "tmm_report/figures/schemes/view.py",
+          "self.cylinder and self._fixed(self.cylinder[0]) and self.cylinder[0]", "self.cylinder and self.cylinder[0]",
+          LIFT, BY_FUNCTION),
     # --- a driving link that moves by a law of the time ---
     Fault("a harmonic's acceleration without its minus", LAW_OF_TIME, "-size * self.frequency**2 * np.sin(x)",
           "size * self.frequency**2 * np.sin(x)", "law_rocker", MOTION_LAWS),

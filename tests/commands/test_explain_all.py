@@ -162,7 +162,16 @@ def size(target):
     if target.table is not None and target.quantity.key.endswith(("_x", "_y")):
         vector = target.quantity.key[:-2]
         every += [target.table[vector]] if vector in target.table else []
-    return max(float(np.nanmax(np.abs(np.asarray(c.values, dtype=float)), initial=0.0)) for c in every) or 1.0
+    found = max(map(largest, every))
+    first = target.quantity.key[1:]  # dpsi_2 of ddpsi_2, which is but rounding where the link turns evenly
+    if target.quantity.key.startswith("dd") and target.table is not None and first in target.table:
+        even = largest(target.table[first])
+        found = even if found <= 1e-12 * even else found
+    return found or 1.0
+
+
+def largest(column):
+    return float(np.nanmax(np.abs(np.asarray(column.values, dtype=float)), initial=0.0))
 
 
 def not_stated(target, told, values_of_file):

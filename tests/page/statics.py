@@ -128,13 +128,12 @@ def driving(
     if not cylinder:
         return []
     far, pin = sorted(cylinder, key=lambda p: p not in frame)
-    ends = [
-        (link, end, other)
-        for end, other in ((pin, far), (far, pin))
-        for link in points
-        if end in points[link]
-    ]
-    return [one for one in ends if one[0] != led]
+    found = []
+    for end, other in ((pin, far), (far, pin)):
+        there = [link for link in points if end in points[link]]
+        own = [link for link in there if link != led]  # the cylinder's, where it is stated as links
+        found += [(link, end, other) for link in own or there]
+    return found
 
 
 def pitch_point(gear: dict[str, str] | None) -> complex | None:

@@ -113,6 +113,7 @@ def test_the_printed_chain():
         (Var("a", 1.0) * (Var("b", 2.0) + 3), r"a\cdot \left(b+3\right)", r"1\cdot \left(2+3\right)"),
         (Var("a", -3.0) ** 2, "a^{2}", r"\left(-3\right)^{2}"),
         (Var("a_B^n", 3.0) ** 2, r"\left(a_{B}^{n}\right)^{2}", "3^{2}"),
+        (Var("s′", 3.0) ** 2, r"\left(s{}^{\prime}\right)^{2}", "3^{2}"),
         (
             (Var("a", 3.0) / Var("b", 4.0)) ** 2,
             r"\left(\frac{a}{b}\right)^{2}",

@@ -19,7 +19,7 @@ from tmm_report.commands.pdf import compile_pdf
 from tmm_report.course import loads
 from tmm_report.languages import LANGUAGES
 
-NOTES = many(["eccentric-en", "compressor-ru", "shaper-ru", "hoist_drive-ru"], quick=0)
+NOTES = many(["eccentric-en", "compressor-ru", "shaper-ru", "hoist_drive-ru", "scissor_lift-ru"], quick=0)
 
 
 def texts(name: str, language: str) -> dict[str, bytes]:

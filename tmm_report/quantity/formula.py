@@ -191,7 +191,7 @@ class Var(Expr):
     def piece(self, page: Page) -> Piece:
         if page.numbers:
             return page.number(self.number, self.digits or page.digits, self.unit == "deg", ref=self.ref)
-        return Piece(page.notation.symbol(self.sign), POWER if self.sign.sup else ATOM)
+        return Piece(page.notation.symbol(self.sign), POWER if self.sign.raised else ATOM)
 
 
 def seg(ends: str, length: Value) -> Var:

@@ -101,6 +101,11 @@ class Symbol:
     bar: bool = False
     kind: Literal["symbol", "segment"] = "symbol"
 
+    @property
+    def raised(self) -> bool:
+        """Whether something stands above its base, an index or a prime, so that a power needs brackets."""
+        return bool(self.sup) or self.base.endswith(("'", "′"))
+
     def __str__(self) -> str:
         """In plain text, v_BA: for results.json and messages."""
         return "_".join(part for part in (self.base, self.sub, self.sup) if part)
@@ -379,4 +384,4 @@ def notation(format: Literal["latex", "mathml"], tr: Translator) -> Latex | Math
 @lru_cache(maxsize=4096)
 def with_power(symbol: Symbol, exponent: str) -> Symbol | None:
     """The symbol with a power in the place of its upper index, or None where that place is taken."""
-    return replace(symbol, sup=exponent) if not symbol.sup and symbol.kind == "symbol" else None
+    return replace(symbol, sup=exponent) if not symbol.raised and symbol.kind == "symbol" else None

@@ -108,7 +108,7 @@ class Unknown(Var):
     """An unknown of an equation: a symbol among the numbers."""
 
     def piece(self, page: Page) -> Piece:
-        return Piece(page.notation.symbol(self.sign), POWER if self.sign.sup else ATOM)
+        return Piece(page.notation.symbol(self.sign), POWER if self.sign.raised else ATOM)
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,6 +12,8 @@ from tmm_report.chapters.lever.structure.naming import link_name
 from tmm_report.figures.schemes import marks
 from tmm_report.figures.schemes.view import view_of
 from tmm_report.mechanics.calculus.vectors import cross, dot
+from tmm_report.mechanics.lever.driving.reversed import Reversed
+from tmm_report.mechanics.lever.driving.triangle import Triangle
 from tmm_report.problems import ProblemError
 
 STATEMENTS = Path(__file__).parents[2] / "statements"
@@ -123,12 +125,12 @@ REFUSED = {
     "unknown slider": (SLIDER.replace("slider: 3", "slider: 7"), "no link 7", "driver.slider"),
     "both ends fixed": (
         TIPPER.replace("cylinder: [A, B]", "cylinder: [A, O]"),
-        "between a fixed",
+        "A and O are both fixed",
         "cylinder",
     ),
-    "both ends moving": (
-        TIPPER.replace("cylinder: [A, B]", "cylinder: [S1, B]"),
-        "between a fixed",
+    "both ends of one link": (
+        TIPPER.replace("cylinder: [A, B]", "cylinder: [B, S3]"),
+        "B and S3 are points of one link",
         "cylinder",
     ),
     "a link that slides": (
@@ -185,14 +187,16 @@ def test_what_is_not_offered_is_said_with_its_key(name):
     assert key in error.value.problems[0].key
 
 
-def test_a_slider_in_a_slot_is_refused():
-    slotted = (
-        (SLIDER.replace("B: 0.45 m, ", "").replace("2: {points: {A: 0,", "2: {points: {A: 0, D: 0.4 m,"))
-        .replace("inertia: m*l_AB^2/12", "inertia: 0.05 kg*m^2")
-        .replace("S2: 0.5*l_AB", "S2: 0.2 m")
-    )
-    with pytest.raises(ProblemError, match="no rod joins slider 3"):
-        course.loads(slotted)
+def test_a_point_of_the_barrel_does_for_its_pivot():
+    """The cylinder from S1, which lies on its axis 0.3 m from A: by reversing, the forces of the triangle."""
+    text = TIPPER.replace("cylinder: [A, B]", "cylinder: [S1, B]").replace("from: 1.10 m", "from: 0.80 m")
+    one, other = solved(TIPPER).kinetostatics, solved(text).kinetostatics
+    assert isinstance(one.kinematics.stroke, Triangle) and isinstance(other.kinematics.stroke, Reversed)
+    assert other.table.statics.driving == pytest.approx(one.table.statics.driving, rel=1e-10)
+    assert other.table.motion.phi == pytest.approx(one.table.motion.phi, abs=1e-12)
+    for joint in ("0-3", "0-1"):
+        of, like = (found.table.statics.reactions[joint].force for found in (other, one))
+        assert of == pytest.approx(like, rel=1e-9)
 
 
 @pytest.mark.parametrize("text", [SLIDER, TIPPER])

@@ -95,7 +95,7 @@ class View:
         items += fixed(self.motion)
         for point, names in self.joints.items():
             items += marks.support(self.points[point]) if FRAME in names else []
-        bare = self.cylinder and self.cylinder[0]
+        bare = self.cylinder and self._fixed(self.cylinder[0]) and self.cylinder[0]
         items += marks.support(self.points[bare]) if bare and bare not in self.joints else []
         guiding = [p for p in self.points if self._fixed(p) and p not in self.joints and p != bare]
         return items + [item for p in guiding for item in marks.place(self.points[p])]
@@ -206,7 +206,7 @@ class View:
         stroke = self.mechanism.driver.stroke
         if stroke is None or stroke.slides or stroke.by:
             return None
-        _, pin, far = stroke.names
+        far, pin = stroke.ends
         return (far, pin) if {far, pin} <= self.points.keys() else None
 
     @cached_property
@@ -221,9 +221,9 @@ class View:
     def _travel(self) -> tuple[complex, complex] | None:
         """Ends of the arrow by which a driving stroke begins, beside the slider or the cylinder."""
         stroke = self.mechanism.driver.stroke
-        if stroke is None or not {*stroke.names} <= self.points.keys():
+        if stroke is None or not {*stroke.ends} <= self.points.keys():
             return None
-        pin, far = (self.points[name] for name in stroke.names[1:])
+        far, pin = (self.points[name] for name in (stroke.ends[0], stroke.ends[-1]))
         along = stroke.way if stroke.slides else (pin - far) / abs(pin - far)
         sense = 1 if float(np.ravel(stroke.law.of_phase(0.01)[1])[0]) >= 0 else -1
         middle = far if stroke.slides else (pin + far) / 2

@@ -10,7 +10,7 @@ from dataclasses import field, replace
 from itertools import combinations, islice
 from typing import Literal
 
-from tmm_report.mechanics.lever.mechanism import FRAME, Mechanism, Scalar
+from tmm_report.mechanics.lever.mechanism import FRAME, Link, Mechanism, Scalar
 from tmm_report.mechanics.lever.wheels.coupled import Coupled, coupled
 from tmm_report.mechanics.lever.wheels.mesh import Mesh
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake, shown
@@ -195,6 +195,41 @@ def _alternative(mechanism: Mechanism, link: str) -> Alternative:
         return Alternative(link, decompose(driven, sliding=True))
     except ProblemError as error:
         return Alternative(link, None, error.problems[0].wrong)
+
+
+def with_cylinder_held(mechanism: Mechanism, ends: Sequence[str], links: Sequence[str]) -> tuple[Group, ...]:
+    """The groups of a mechanism that a cylinder between two points drives: its length held, it is one link, and all
+    links hang on the frame. `links`: barrel and rod, where they are links of the mechanism. Raises ProblemError.
+    """
+    name = "+".join(links) or "".join(ends)
+    cylinder = Link(name, {point: at for link in links for point, at in mechanism.links[link].points.items()})
+    if not links:
+        cylinder = Link(name, {ends[0]: 0.0, ends[1]: 1.0})
+    inner = {
+        slide.guide
+        for slide in mechanism.slides
+        if {slide.link, mechanism.guides[slide.guide].link} == {*links}
+    }
+    one = replace(
+        mechanism,
+        links={**{key: link for key, link in mechanism.links.items() if key not in links}, name: cylinder},
+        slides=tuple(
+            replace(slide, link=name if slide.link in links else slide.link)
+            for slide in mechanism.slides
+            if slide.guide not in inner
+        ),
+        guides={
+            key: replace(guide, link=name if guide.link in links else guide.link)
+            for key, guide in mechanism.guides.items()
+            if key not in inner
+        },
+    )
+    known, found = [FRAME], list[Group]()
+    while rest := [link for link in one.moving if link not in known]:
+        group = _next_group(one, known, rest)
+        found.append(_group(one, known, group))
+        known += group
+    return tuple(found)
 
 
 def _driver_pair(mechanism: Mechanism, kinds: str) -> Pair:

@@ -1,19 +1,22 @@
 """A driving slider or cylinder: the link that follows it, by the triangle, by differences in time, at its limits."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 from tmm_report.mechanics.calculus.motion_laws import Harmonic, Pieces, Polynomial
 from tmm_report.mechanics.calculus.roots import slope
-from tmm_report.mechanics.lever.driving.stroke import Stroke, Turned
+from tmm_report.mechanics.lever.driving.stroke import Turned
+from tmm_report.mechanics.lever.driving.triangle import Triangle
 
 
 def slider(law, side=1, way=1 + 0j, start=0.05j, pin=0.2 + 0j):
-    return Stroke(law, "1", 0j, pin, start, way, 0.45, side, ("O", "A", "B"), ("3",), ())
+    return Triangle(law, "1", 0j, pin, start, way, 0.45, side, ("O", "A", "B"), ("3",), ())
 
 
 def cylinder(law, side=1, pin=1 + 0j):
-    return Stroke(law, "3", 0j, pin, 1.5 - 0.4j, 0j, 0.0, side, ("O", "B", "A"), ("1", "2"), ())
+    return Triangle(law, "3", 0j, pin, 1.5 - 0.4j, 0j, 0.0, side, ("O", "B", "A"), ("1", "2"), ())
 
 
 SWAY = Harmonic(0.45, 0.0, 0.12, 7.0, 0.4)
@@ -64,7 +67,9 @@ def test_the_stroke_grows_along_its_direction(stroke):
     if stroke.slides:
         assert ((moved - stroke.way) * np.conj(c)).real == pytest.approx(np.zeros(s.shape), abs=1e-12)
     else:
-        assert (moved * np.conj(stroke.along(s))).real == pytest.approx(np.ones(s.shape))
+        ends = dict(zip(stroke.ends, (stroke.far(s), stroke.arms(s)[0]), strict=True))
+        along = stroke.along(SimpleNamespace(place=ends.get, shape=s.shape))
+        assert (moved * np.conj(along)).real == pytest.approx(np.ones(s.shape))
 
 
 def test_none_of_these_comes_to_a_limit():
@@ -82,7 +87,7 @@ def test_limits_are_where_the_triangle_falls_flat():
 
 def test_a_slider_stops_its_link_where_the_rod_stands_across_the_guide():
     """A long arm and a short rod: there the link turns back, and its angle is no coordinate of the mechanism."""
-    stroke = Stroke(
+    stroke = Triangle(
         Polynomial((0.1, 1.0), 0.4), "1", 0j, 0.5 + 0j, 0.6j, 1 + 0j, 0.25, -1, ("O", "A", "B"), ("3",), ()
     )
     across = stroke.limit()

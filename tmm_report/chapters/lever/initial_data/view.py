@@ -74,6 +74,24 @@ class InitialData(BookView):
 
     # ------------------------------------------------------------ the driving link
 
+    def cylinder(self) -> dict[str, Any]:
+        """The points of a driving cylinder and links that they belong to; whether the first one is fixed."""
+        stroke, links_at = self.stroke, self.mechanism.links_at
+        assert stroke is not None
+        one, other = stroke.ends
+        first, second = (
+            next(
+                (
+                    link
+                    for link in (stroke.link, *links_at(point))
+                    if link in links_at(point) and link not in stroke.by
+                ),
+                "",
+            )
+            for point in stroke.ends
+        )
+        return {"one": one, "other": other, "first": first, "link": second, "fixed": FRAME in links_at(one)}
+
     @property
     def pivot(self) -> str:
         """The fixed point about which the driving link turns."""

@@ -35,6 +35,11 @@ AT = N_("As at the positions of the table, at the instant that the variant asks 
 LAW = N_("The law of the driving link at this time.")
 STROKE = N_("The law of the stroke at this time.")
 TRIANGLE = N_("From the places of the points of the triangle at this stroke.")
+VECTOR = N_(
+    "From the places of the ends of the stroke, and from their velocities and accelerations where the link that is "
+    "found first turns at 1 rad/s."
+)
+POSITION_FUNCTION = N_("Derivative of the stroke by the angle of the link that is found first.")
 SIDES = N_("By the places of the points in their links, and of the guide, as the variant states them.")
 ZERO = N_("Stated, or the angle at which the output that is named is in its extreme position.")
 STROKES = N_(
@@ -116,6 +121,9 @@ WAYS = (
     Way("analogues_table.dpsi_*", by=lambda q: _analogue(q, "outputs_table.omega_{0}", 1)),
     Way("analogues_table.ddpsi_*", by=lambda q: _analogue(q, "outputs_table.epsilon_{0}", 2)),
     Way("stroke_table.stroke stroke_table.stroke_v stroke_table.stroke_a", STROKE, of="law_* t"),
+    Way("stroke_table.stroke_d*_*", VECTOR, of="stroke phi_law"),
+    Way("stroke_table.stroke_s*", POSITION_FUNCTION, of="stroke stroke_gamma stroke_d*_*"),
+    Way("stroke_table.stroke_transfer", by=lambda q: 1 / q("stroke_table.stroke_s1")),
     Way("stroke_table.*", TRIANGLE, of="stroke stroke_v stroke_arm stroke_rod"),
     Way("stroke_at.phi", INSTANT, of="t"),
     Way("stroke_at.t", INSTANT, of="phi"),

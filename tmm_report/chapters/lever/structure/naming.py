@@ -62,8 +62,10 @@ def _by_stroke(stroke: Stroke, link: str, turning: str) -> str | None:
         return N_("driven crank") if turning == ROTATION else N_("rocker")
     if stroke.slides:
         return N_("driving slider") if link in stroke.by else None
-    sign = next((one.sign for one in stroke.takes if one.link == link), 0)
-    return {1: N_("rod of the cylinder"), -1: N_("barrel of the cylinder")}.get(sign)
+    if link not in stroke.by:
+        return None
+    sign = next(one.sign for one in stroke.takes if one.link == link)
+    return N_("rod of the cylinder") if sign > 0 else N_("barrel of the cylinder")
 
 
 def _wheel(found: Structure, link: str, slides: bool) -> str | None:

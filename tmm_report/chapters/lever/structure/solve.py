@@ -6,12 +6,19 @@ from functools import cached_property
 
 from tmm_report.mechanics.cams.cam import Cam
 from tmm_report.mechanics.lever.assembly.stated import assemble, keys_of
-from tmm_report.mechanics.lever.assur_groups import Alternative, Group, Pair, alternatives, mobility
+from tmm_report.mechanics.lever.assur_groups import (
+    Alternative,
+    Group,
+    Pair,
+    alternatives,
+    mobility,
+    with_cylinder_held,
+)
 from tmm_report.mechanics.lever.assur_groups import Structure as Decomposed
 from tmm_report.mechanics.lever.dyads import Dyad
 from tmm_report.mechanics.lever.mechanism import Mechanism
 from tmm_report.mechanics.lever.motion import Linkage
-from tmm_report.problems import N_, Message, Problem, doubt
+from tmm_report.problems import N_, Message, Problem, ProblemError, doubt
 from tmm_report.records import dataclass
 
 
@@ -47,10 +54,25 @@ class Structure:
         mechanism, dyads = self.linkage.mechanism, [g for g in self.linkage.groups if isinstance(g, Dyad)]
         stated = {one.key for one in mechanism.assembly}
         asked = any(d.two_roots and not stated & set(keys_of(d)) for d in dyads)
+        if mechanism.driver.stroke is not None:  # it may tell on which side what drives begins
+            return ()
         if not mechanism.sketch or asked or len(dyads) < len(self.linkage.groups):
             return ()
         text = N_("the sketch has no effect: every group has one assembly or is stated in the key assembly")
         return (doubt(text, ("mechanism", "sketch"), Message(N_("leave one of the two"))),)
+
+    @cached_property
+    def by_cylinder(self) -> tuple[Group, ...]:
+        """Of a driving cylinder the groups that hang on the frame while its length is held; none where they cannot be
+        told apart, or something else drives."""
+        mechanism = self.linkage.mechanism
+        stroke = mechanism.driver.stroke
+        if stroke is None or stroke.slides or mechanism.meshes:
+            return ()
+        try:
+            return with_cylinder_held(mechanism, stroke.ends, stroke.by)
+        except ProblemError:
+            return ()
 
     @cached_property
     def alternatives(self) -> list[Alternative]:

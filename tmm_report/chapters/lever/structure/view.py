@@ -15,6 +15,7 @@ from tmm_report.chapters.lever.structure.solve import Structure
 from tmm_report.figures.schemes.scheme import Drawn
 from tmm_report.mechanics.cams.cam import Cam
 from tmm_report.mechanics.lever.assur_groups import Group, Pair
+from tmm_report.mechanics.lever.driving.reversed import Reversed
 from tmm_report.mechanics.lever.driving.stroke import Stroke
 from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.mechanics.lever.motion import Motion
@@ -93,6 +94,29 @@ class StructureView(BookView):
     def stroke(self) -> Stroke | None:
         """Of a driving slider or cylinder."""
         return self.found.linkage.mechanism.driver.stroke
+
+    @property
+    def reversed(self) -> bool:
+        """Whether the motion is found by reversing it."""
+        return isinstance(self.stroke, Reversed)
+
+    @property
+    def cylinder_only_reversed(self) -> bool:
+        """Whether the groups with the cylinder as what drives are not known."""
+        return self.reversed and self.stroke is not None and not self.stroke.slides
+
+    def held(self) -> str:
+        """The cylinder as one link."""
+        stroke = self.found.linkage.mechanism.driver.stroke
+        assert stroke is not None
+        return "+".join(stroke.by) or "".join(stroke.ends)
+
+    def with_the_cylinder(self) -> str:
+        """The structural formula with the cylinder as what drives."""
+        return " → ".join(["0", *map(group_name, self.found.by_cylinder)])
+
+    def class_with_the_cylinder(self) -> str:
+        return roman(max(group.group_class for group in self.found.by_cylinder))
 
     @property
     def class_(self) -> str:

@@ -1,31 +1,24 @@
-"""A mechanism that a slider or a hydraulic cylinder drives: from the law of its stroke to that of a link that turns.
+"""A mechanism that a slider or a hydraulic cylinder drives: what is common to the ways of solving it.
 
-    slider                       cylinder
-          P                            P
-        /   \\ d                      /  \\ d = s
-      r/      \\                    r/     \\
-      O        Q → e               O        Q (fixed)
-
-The link OP turns about the fixed point O; its pin P is at the distance d from Q. Of a slider Q moves along its guide,
-Q = Q₀ + s e, and d is the rod; of a cylinder Q is fixed, and d = s is its length. So the triangle OPQ gives the angle
-of the link, and |P − Q|² = d², differentiated once and twice, its rates. The groups behind are then those of a
-mechanism that this link, the first to be known, would drive. Source: Artobolevsky, Theory of mechanisms and machines,
-ch. 4.
+The stroke s goes by a law of the time: the place of the slider along its guide, or the length of the cylinder. A link
+that turns about a fixed point follows it, the first to be known; behind it the groups are those of a mechanism that
+this link would drive. How it follows the stroke says `triangle` in closed form, and of any mechanism `reversed`.
 """
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from tmm_report.mechanics.calculus.motion_laws import MotionLaw, Three
-from tmm_report.mechanics.calculus.vectors import cross, dot, unit
+from tmm_report.mechanics.calculus.vectors import unit
 from tmm_report.records import dataclass
 
+if TYPE_CHECKING:
+    from tmm_report.mechanics.lever.motion import Motion
+
 Array = Any
-SAMPLES = 2000  # of a stroke, between which its limits are looked for
-NEAR = 1e-6  # sine of an angle of the triangle below which the mechanism is in a limit position
 
 
 @dataclass(frozen=True)
@@ -37,25 +30,18 @@ class Taken:
     sign: int
 
 
-@dataclass(frozen=True, eq=False)
 class Stroke:
-    """What drives, and the triangle by which the link OP, `link`, follows it; lengths in m, places in the axes of the
-    frame. `law`: of the stroke by the time, m. `pin`: P from O in the axes of the link; `start`, `way`: Q₀ and e, of a
-    cylinder Q and 0; `rod`: d, of a cylinder 0; `side`: +1 where P is to the left of the way from O to Q.
+    """What drives, and how the link `link` follows it; lengths in m, places in the axes of the frame.
 
-    `names`: of the points O, P, Q; `by`: the slider, or the links of the cylinder that are stated; `takes`: where its
-    force acts on moving links.
+    `law`: of the stroke by the time, m. `ends`: of a slider its guided point; of a cylinder the point from which and
+    that towards which it pushes. `way`: of a slider the direction of its guide, unit complex, of a cylinder 0. `by`:
+    the slider, or the links of the cylinder that are stated; `takes`: where its force acts on moving links.
     """
 
     law: MotionLaw
     link: str
-    pivot: complex
-    pin: complex
-    start: complex
+    ends: tuple[str, ...]
     way: complex
-    rod: float
-    side: int
-    names: tuple[str, str, str]
     by: tuple[str, ...]
     takes: tuple[Taken, ...]
 
@@ -64,73 +50,25 @@ class Stroke:
         """Whether a slider drives, and not a cylinder."""
         return self.way != 0
 
-    @property
-    def crank(self) -> float:
-        """r, m."""
-        return abs(self.pin)
-
-    def far(self, s: Array) -> Array:
-        """Q from O at strokes s, complex, m."""
-        return self.start + self.way * np.asarray(s, dtype=float) - self.pivot
-
-    def distance(self, s: Array) -> Array:
-        """d = |PQ| at strokes s, m."""
-        return self.rod + 0 * s if self.slides else np.asarray(s, dtype=float)
-
-    def cosine(self, s: Array) -> Array:
-        """Of the angle QOP; beyond −1 … 1 there is no such triangle."""
-        far, d = np.abs(self.far(s)), self.distance(s)
-        return (self.crank**2 + far**2 - d**2) / (2 * self.crank * far)
-
-    def angle(self, s: Array) -> Array:
-        """Angle of the link's x axis from that of the frame, without jumps over the stroke, rad."""
-        start = self.far(self.law.at(np.zeros(1))[0])[0]
-        base = np.angle(start) + np.angle(self.far(s) / start)
-        return base + self.side * np.arccos(self.cosine(s)) - np.angle(self.pin)
-
-    def arms(self, s: Array) -> tuple[Array, Array]:
-        """P from O and P from Q at strokes s, complex, m."""
-        p = self.pin * np.exp(1j * self.angle(s))
-        return p, p - self.far(s)
-
     def rates(self, s: Array, v: Array, a: Array) -> Three:
         """Angle of the link, its angular velocity and acceleration at strokes s with the rates v, m/s, and a, m/s²."""
-        p, c = self.arms(s)
-        d, grows = self.distance(s), 0.0 if self.slides else 1.0
-        arm = dot(c, 1j * p)
-        omega = (d * grows * v + dot(c, self.way * v)) / arm
-        turned = 1j * omega * p - self.way * v
-        square = (grows * v) ** 2 + d * grows * a - np.abs(turned) ** 2
-        epsilon = (square + omega**2 * dot(c, p) + dot(c, self.way * a)) / arm
-        return self.angle(s), omega, epsilon
+        raise NotImplementedError
+
+    def limit(self) -> float | None:
+        """Of the strokes that the law goes over one beyond which the mechanism cannot go on, m; None: it can."""
+        raise NotImplementedError
 
     def transfer(self, s: Array) -> Array:
         """dφ/ds, rad/m, by which the moment on the link becomes the force along the stroke."""
         return self.rates(s, 1.0, 0.0)[1]
 
-    def limit(self) -> float | None:
-        """Of the strokes that the law goes over the first one, from its beginning, in which the mechanism cannot go on,
-        m: P, O and Q in one line, or, of a slider, the rod across its guide, where the link stops and turns back."""
-        begin = float(self.law.at(np.zeros(1))[0][0])
-        for end in self.law.reach:
-            s = np.linspace(begin, end, SAMPLES + 1)
-            with np.errstate(invalid="ignore"):
-                p, c = self.arms(s)
-                sine = np.abs(cross(unit(p), unit(c)))
-                along = dot(unit(c), self.way) if self.slides else np.ones(s.shape)
-            lost = ~(sine > NEAR) | ~(np.abs(along) > NEAR) | (along * along[0] < 0)
-            if lost.any():
-                return float(s[np.flatnonzero(lost)[0]])
-        return None
-
-    def place(self, s: float) -> tuple[complex, complex]:
-        """P and Q at a stroke, complex, m."""
-        p, c = self.arms(np.array([s]))
-        return complex(self.pivot + p[0]), complex(self.pivot + p[0] - c[0])
-
-    def along(self, s: Array) -> Array:
-        """Direction in which the stroke grows: along the guide, of a cylinder from Q to P, unit complex."""
-        return self.way + 0j * s if self.slides else unit(self.arms(s)[1])
+    def along(self, motion: Motion) -> Array:
+        """Direction in which the stroke grows: along the guide, or from one end of the cylinder to the other, unit
+        complex, (..., P)."""
+        if self.slides:
+            return self.way + np.zeros(motion.shape)
+        start, end = (motion.place(point) for point in self.ends)
+        return unit(end - start)
 
 
 @dataclass(frozen=True, eq=False)

@@ -120,7 +120,7 @@ def _by_stroke(stroke: Stroke, motion: Motion, loads: Mapping[str, Load]) -> Sta
     s = stroke.law.of_phase(motion.phase)[0]
     moment = -by_groups(motion, loads)[1][stroke.link].moment
     force = moment * stroke.transfer(s)
-    along = stroke.along(s)
+    along = stroke.along(motion)
     loaded = dict(loads)
     for taken in stroke.takes:
         push, own = taken.sign * force * along, loaded[taken.link]

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 
-from tmm_report.chapters.lever.initial_data.quantities.driving_law import FREQUENCY, LEAD, POWERS, TIME
+from tmm_report.chapters.lever.initial_data.quantities import driving_law
+from tmm_report.chapters.lever.initial_data.quantities.driving_law import POWERS, TIME
 from tmm_report.mechanics.calculus.motion_laws import Harmonic, MotionLaw, Phased, Pieces, Polynomial, RunUp
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.formula import Expr, Negative, Var, cos, expr, sin
@@ -25,6 +27,8 @@ ACCELERATION = Quantity(
 AMPLITUDE = Quantity(
     "law_stroke_amplitude", Symbol("A"), "m", Message(N_("amplitude of the stroke's harmonic"))
 )
+FREQUENCY = replace(driving_law.FREQUENCY, meaning=Message(N_("angular frequency of the stroke's harmonic")))
+LEAD = replace(driving_law.LEAD, meaning=Message(N_("phase of the stroke's harmonic in position 0")))
 STEADY = Quantity(
     "law_stroke_steady", Symbol("v", "1"), "m/s", Message(N_("speed that the stroke is run up to"))
 )

@@ -77,10 +77,14 @@ def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
     working = working_of(lever)
     view = KinematicsView(found, schemes_of(lever, page), k, lever.partial, working, page)
     yield Part("lever/kinematics", view)
-    if found.linkage.mechanism.driver.stroke is not None:
-        from tmm_report.chapters.lever.kinematics.view.stroke import StrokeView
+    if (stroke := found.stroke) is not None:
+        from tmm_report.chapters.lever.kinematics.view.stroke import ReversedView, TriangleView
+        from tmm_report.mechanics.lever.driving.triangle import Triangle
 
-        yield Part("lever/kinematics/stroke", StrokeView(found, k, page))
+        if isinstance(stroke, Triangle):
+            yield Part("lever/kinematics/stroke", TriangleView(found, k, page))
+        else:
+            yield Part("lever/kinematics/reversed", ReversedView(found, k, page))
     elif found.cycle.law is not None:
         from tmm_report.chapters.lever.kinematics.view.driving import DrivingView
 

@@ -8,6 +8,7 @@ conditions are taken from the loads and places alone, not from the order in whic
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -237,11 +238,11 @@ class _Writer:
             if loaded_link(self.motion, stated) == link:
                 yield self._push(quantity, force, stated.at)
         if self.stroke is not None:
-            along = self.stroke.along(self.stroke.law.of_phase(self.motion.phase)[0])
+            along = self.stroke.along(self.motion)
             for taken in self.stroke.takes:
                 if taken.link == link:
-                    force = taken.sign * self.solved.statics.driving * along
-                    yield self._push(DRIVING, force, taken.point)
+                    force = self.solved.statics.driving * along
+                    yield replace(self._push(DRIVING, force, taken.point), sign=taken.sign)
 
     def _push(self, of: Quantity, force: Any, point: str) -> Push:
         x, y = of.components

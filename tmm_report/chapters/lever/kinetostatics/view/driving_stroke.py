@@ -12,6 +12,7 @@ from tmm_report.chapters.lever.kinetostatics.quantities import driving_stroke as
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as q
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
 from tmm_report.figures.charts.graphs import Graph
+from tmm_report.mechanics.lever.driving.triangle import Triangle
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Expr, Formula, cos, sin
 from tmm_report.report.chapter_view import BookView
@@ -41,19 +42,33 @@ class StrokeForceView(BookView):
         )
         return [self.t(text, low=self.number("F_stroke_min"), high=self.number("F_stroke_max"))]
 
+    @property
+    def triangle(self) -> bool:
+        """Whether the link follows the stroke by a triangle."""
+        return isinstance(self.stroke, Triangle)
+
+    def both(self) -> str:
+        """The links on which both its ends act; none where one of them is fixed."""
+        return ", ".join(one.link for one in self.stroke.takes) if len(self.stroke.takes) > 1 else ""
+
     def formulas(self) -> list[Formula]:
         """The analogue of the link's angular velocity by the stroke, and the force, at the sample position."""
         table, k = self.motion.table("stroke_table"), self.position
+        moment = self.table("balancing_table").var("M_bal", k)
+        return [
+            table.formula(
+                "stroke_transfer", k, self._by_triangle() if self.triangle else 1 / table.var("stroke_s1", k)
+            ),
+            self.table("drive_table").formula("F_stroke", k, moment * table.var("stroke_transfer", k)),
+        ]
+
+    def _by_triangle(self) -> Expr:
+        table, k = self.motion.table("stroke_table"), self.position
         phi, psi = table.var("stroke_phi", k), table.var("stroke_psi", k)
-        under = self.motion.value("stroke_arm").var() * sin(psi - phi)
         over: Expr | int = 1
         if self.stroke.slides:
             over = cos(psi - self.motion.value("stroke_gamma").var("deg"))
-        moment = self.table("balancing_table").var("M_bal", k)
-        return [
-            table.formula("stroke_transfer", k, over / under),
-            self.table("drive_table").formula("F_stroke", k, moment * table.var("stroke_transfer", k)),
-        ]
+        return over / (self.motion.value("stroke_arm").var() * sin(psi - phi))
 
     def forces(self, caption: Any) -> Table:
         """The force by three ways."""

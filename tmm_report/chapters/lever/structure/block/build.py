@@ -35,9 +35,7 @@ from tmm_report.variant.values import SENSES, SIDES, unit_vector
 
 
 def mechanism(model: m.MechanismModel, synthesis: Taken = None) -> Mechanism:
-    built = without_cams(model, synthesis)
-    if model.wheels or model.racks or model.rolling:
-        built = replace(built, meshes=tuple(meshes(model, built)))
+    built = with_wheels(model, without_cams(model, synthesis))
     if not model.cams:
         return built
     cams = tuple(cam_of(name, one, built) for name, one in model.cams.items())
@@ -73,7 +71,15 @@ def without_cams(model: m.MechanismModel, synthesis: Taken = None) -> Mechanism:
         sketch={name: complex(*place) for name, place in model.sketch.items()},
     )
     of = model.driver
-    return led(built, of.stroke, of.slider, of.cylinder) if of and of.stroke else built
+    if not (of and of.stroke):
+        return built
+    return led(built, of.stroke, of.slider, of.cylinder, lambda: with_wheels(model, built))
+
+
+def with_wheels(model: m.MechanismModel, built: Mechanism) -> Mechanism:
+    if not (model.wheels or model.racks or model.rolling):
+        return built
+    return replace(built, meshes=tuple(meshes(model, built)))
 
 
 def frame(model: m.MechanismModel, synthesis: Taken = None) -> dict[str, complex]:

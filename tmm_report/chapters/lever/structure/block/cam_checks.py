@@ -9,7 +9,7 @@ from tmm_report.chapters.lever.structure.block import build
 from tmm_report.chapters.lever.structure.block import models as m
 from tmm_report.chapters.lever.structure.block.cam_build import Wrong
 from tmm_report.chapters.lever.structure.block.synthesised import offered
-from tmm_report.problems import N_, Message, Problem, mistake
+from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.errors import near
 from tmm_report.variant.model import Read
@@ -29,7 +29,7 @@ def check(mechanism: m.MechanismModel, read: Read, known: Names) -> Found:
         return
     try:
         built = build.without_cams(mechanism, offered(read))
-    except (WrongValue, KeyError):  # the links have mistakes of their own
+    except (WrongValue, KeyError, ProblemError):  # the links have mistakes of their own
         return
     for name, cam in mechanism.cams.items():
         try:

@@ -19,7 +19,7 @@ from tmm_report.chapters.lever.structure.block.synthesised import (
 from tmm_report.chapters.lever.structure.block.weights import Weights, in_the_middle
 from tmm_report.chapters.lever.structure.block.wheels import checks as wheel_checks
 from tmm_report.mechanics.lever.mechanism import FRAME, Mechanism
-from tmm_report.problems import N_, Message, Problem, mistake
+from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.quantity.units import WrongValue
 from tmm_report.records import dataclass
 from tmm_report.variant.errors import near
@@ -128,7 +128,7 @@ def _built(mechanism: m.MechanismModel, synthesis: Taken) -> Mechanism | None:
         return None
     try:
         return build.without_cams(mechanism, synthesis)
-    except (WrongValue, KeyError):
+    except (WrongValue, KeyError, ProblemError):
         return None
 
 
@@ -399,6 +399,8 @@ def _stroke(mechanism: m.MechanismModel, driver: m.DriverModel, read: Read, know
         build.without_cams(mechanism, offered(read))
     except Refused as error:
         yield error.problem
+    except ProblemError as error:  # of the structure and the assembly, which the stroke needs
+        yield from error.problems
     except (WrongValue, KeyError):  # told by the links themselves
         return
 
