@@ -251,16 +251,24 @@ def _ascending(pairs: Any) -> Any:
     if any(a > b for a, b in pairwise(firsts)) or any(
         a == b for a, b in zip(firsts, firsts[2:], strict=False)
     ):
-        raise WrongValue(Message(N_("the first numbers of the pairs must ascend")))
+        right = Message(N_("from the least to the greatest; two pairs at one place are a jump"))
+        raise WrongValue(Message(N_("the first numbers of the pairs must ascend")), right)
     jumps = [False, *(a == b for a, b in pairwise(firsts))]
     return [
         (math.nextafter(x, math.inf) if jump else x, y) for (x, y), jump in zip(pairs, jumps, strict=True)
     ]
 
 
+def _along_the_stroke(pairs: Any) -> Any:
+    """Pairs in ascending order, or in that in which the point comes back."""
+    back = len(pairs) > 1 and pairs[0][0] > pairs[-1][0]
+    return _ascending(pairs[::-1] if back else pairs)
+
+
 _NAME = {"type": ["string", "integer"], "pattern": f"^{NAME}$", "examples": ["A"]}
 _WORDS = {"type": ["string", "number"]}
 _CURVE = (Field(min_length=1, max_length=1000), AfterValidator(_ascending))
+_STROKE = (Field(min_length=1, max_length=1000), AfterValidator(_along_the_stroke))
 
 _CALLED = re.compile(r"(log10|lg|ln|exp|sqrt|sin|cos|tan|tg)\s*(?:x|\(\s*x\s*\))")
 _OTHERWISE = {"lg": "log10", "tg": "tan"}
@@ -328,6 +336,7 @@ ForceValue = Annotated[float, quantity("force")]
 MomentValue = Annotated[float, quantity("moment")]
 Pressure = Annotated[float, quantity("pressure")]
 Velocity = Annotated[float, quantity("velocity")]
+PositiveVelocity = Annotated[float, quantity("velocity", 1e-9)]
 UnsignedVelocity = Annotated[float, quantity("velocity", 0.0)]
 Power = Annotated[float, quantity("power", 0.0)]
 Work = Annotated[float, quantity("work")]
@@ -362,10 +371,10 @@ TimeMoments = Annotated[list[tuple[Time, MomentValue]], *_CURVE]
 TimePressures = Annotated[list[tuple[Time, Pressure]], *_CURVE]
 PlaceForces = Annotated[list[tuple[Length, ForceValue]], *_CURVE]
 SpeedForces = Annotated[list[tuple[UnsignedVelocity, ForceValue]], *_CURVE]
-StrokeForces = Annotated[list[tuple[Coefficient, ForceValue]], *_CURVE]
-StrokeMoments = Annotated[list[tuple[Coefficient, MomentValue]], *_CURVE]
-StrokeParts = Annotated[list[tuple[Coefficient, Number]], *_CURVE]
-StrokePressures = Annotated[list[tuple[Coefficient, Pressure]], *_CURVE]
+StrokeForces = Annotated[list[tuple[Coefficient, ForceValue]], *_STROKE]
+StrokeMoments = Annotated[list[tuple[Coefficient, MomentValue]], *_STROKE]
+StrokeParts = Annotated[list[tuple[Coefficient, Number]], *_STROKE]
+StrokePressures = Annotated[list[tuple[Coefficient, Pressure]], *_STROKE]
 
 _TO = "right, left, up, down or an angle"
 Direction = Annotated[

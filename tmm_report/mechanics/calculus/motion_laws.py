@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import cached_property
 from typing import Any, Protocol
 
@@ -49,6 +50,10 @@ class MotionLaw:
         # the end of the period itself belongs to it, but where it is the beginning again
         q, v, a = self.at((theta - whole * FULL_TURN) * (self.period / FULL_TURN))
         return q + whole * self.advance, v, a
+
+    def moved(self, by: float) -> MotionLaw:
+        """The same law about another place, m or rad."""
+        raise NotImplementedError
 
     @cached_property
     def advance(self) -> float:
@@ -143,6 +148,9 @@ class Harmonic(MotionLaw):
             -size * self.frequency**2 * np.sin(x),
         )
 
+    def moved(self, by: float) -> Harmonic:
+        return replace(self, start=self.start + by)
+
 
 @dataclass(frozen=True, eq=False)
 class Polynomial(MotionLaw):
@@ -160,6 +168,10 @@ class Polynomial(MotionLaw):
     def at(self, t: Array) -> Three:
         own = np.polynomial.Polynomial(self.coefficients)
         return own(t), own.deriv()(t), own.deriv(2)(t)
+
+    def moved(self, by: float) -> Polynomial:
+        start, *others = self.coefficients
+        return replace(self, coefficients=(start + by, *others))
 
 
 @dataclass(frozen=True, eq=False)
@@ -197,6 +209,9 @@ class Tabulated(MotionLaw):
         t = np.asarray(t, dtype=float)
         return spline(t) + steady * t, spline(t, 1) + steady, spline(t, 2)
 
+    def moved(self, by: float) -> Tabulated:
+        return replace(self, angles=tuple(angle + by for angle in self.angles))
+
 
 class Lifts(Protocol):
     """A follower's law over a turn: of the angle its lift and both derivatives by it; `lift`: the greatest, rad."""
@@ -226,6 +241,9 @@ class Phased(MotionLaw):
         rate = FULL_TURN / self.period
         s, d, dd = self.lifts.of(np.asarray(t, dtype=float) * rate)
         return self.start + s, d * rate, dd * rate**2
+
+    def moved(self, by: float) -> Phased:
+        return replace(self, start=self.start + by)
 
 
 @dataclass(frozen=True, eq=False)

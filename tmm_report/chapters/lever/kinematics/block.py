@@ -121,9 +121,9 @@ def mistakes(read: Read) -> Iterator[Problem]:
 def _beyond_the_cycle(written: PositionsModel, read: Read) -> Iterator[Problem]:
     """Instants that the cycle has not; of a speed that the drive gives only angles are judged."""
     driver = read.block(structure.Block).mechanism.driver
-    if driver is None or not written.at:
+    built = structure.driver(read) if written.at else None
+    if driver is None or built is None:
         return
-    built = structure.driver(driver)
     whole = built.sweep * built.turns
     for index, (value, by) in enumerate(written.at):
         path, timed = ("positions", "at", index), by == "time"

@@ -9,6 +9,7 @@ from pydantic import Field
 from tmm_report.chapters.lever.synthesis.given import (
     Body,
     CrankRocker,
+    Permits,
     SliderCrank,
     SlottedLink,
     Synthesis,
@@ -77,7 +78,11 @@ def _clashes(written: Synthesis) -> Iterator[Problem]:
         right = Message(N_("exactly one of: %(words)s"), {"words": ", ".join(KINDS)})
         yield mistake(N_("the kind of the linkage must be stated by one key"), PATH, right)
         return
-    match asked := written.asked:
+    asked = written.asked
+    if isinstance(asked, Permits) and None not in (asked.pressure_angle, asked.transmission):
+        wrong = N_("the pressure angle and the transmission angle make 90° together: one of them is stated")
+        yield mistake(wrong, (*PATH, written.kind, "transmission"), Message(N_("leave one of the two")))
+    match asked:
         case SliderCrank():
             yield from _of_slider_crank(asked)
         case CrankRocker():
@@ -93,7 +98,7 @@ def _clashes(written: Synthesis) -> Iterator[Problem]:
         case SlottedLink() | TurningGuide():
             kind = written.kind
             yield from _once(asked, ("frame", "crank"), kind)
-            yield from _once(asked, ("rod", "rod_ratio"), kind, at_most=asked.pressure_angle is not None)
+            yield from _once(asked, ("rod", "rod_ratio"), kind, at_most=asked.permitted is not None)
             if asked.K == 1:
                 wrong = N_("a slotted link has strokes of different times: K is greater than 1")
                 right = Message(N_("for example, %(example)s"), {"example": "K: 1.5"})
@@ -124,12 +129,18 @@ def _once(asked: object, keys: tuple[str, ...], kind: str, at_most: bool = False
 
 def _of_slider_crank(asked: SliderCrank) -> Iterator[Problem]:
     path = (*PATH, "slider_crank")
-    if (asked.stroke is None) == (asked.mean_speed is None):
-        right = Message(N_("stroke: 120 mm, or mean_speed: 0.8 m/s with speed: 120 rpm"))
+    right = Message(
+        N_(
+            "stroke, alone or with mean_speed, which give the speed; or mean_speed: 0.8 m/s and speed: 120 rpm"
+        )
+    )
+    if asked.stroke is None and asked.mean_speed is None:
         yield mistake(N_("the stroke must be stated once"), path, right)
-    elif (asked.mean_speed is None) != (asked.speed is None):
-        right = Message(N_("stroke: 120 mm, or mean_speed: 0.8 m/s with speed: 120 rpm"))
+    elif asked.stroke is None and asked.speed is None:
         yield mistake(N_("the mean speed and the speed of the crank go together"), path, right)
+    elif asked.stroke is not None and asked.speed is not None:
+        wrong = N_("of the stroke, the mean speed and the speed of the crank one follows from the two others")
+        yield mistake(wrong, (*path, "speed"), right)
     if asked.offset is not None and asked.offset_ratio is not None:
         yield mistake(N_("the offset is stated twice"), (*path, "offset_ratio"), Message(N_("leave it out")))
     if asked.K > 1:
@@ -139,6 +150,6 @@ def _of_slider_crank(asked: SliderCrank) -> Iterator[Problem]:
         elif asked.offset is not None and asked.ratio is not None:
             wrong = N_("stroke, time ratio and offset determine the linkage: its ratio follows")
             yield mistake(wrong, (*path, "ratio"), Message(N_("leave it out")))
-    elif asked.ratio is None and (asked.pressure_angle is None or asked.offset or asked.offset_ratio):
+    elif asked.ratio is None and (asked.permitted is None or asked.offset or asked.offset_ratio):
         right = Message(N_("ratio: 4, or pressure_angle: 12 deg of a slider in line with the crank"))
         yield mistake(N_("nothing says how long the rod is"), path, right)
