@@ -86,6 +86,25 @@ def test_refuses_naming_both_units(written, dimension, wrong):
     assert str(caught.value.right) == f"for example, {units.DIMENSIONS[dimension].example}"
 
 
+@pytest.mark.parametrize(
+    ("written", "dimension", "cure"),
+    [
+        ("50 kg", "force", "did you mean 50 kgf?"),
+        ("1,5 кГ", "force", "did you mean 1.5 кгс?"),
+        ("6 кг/см²", "pressure", "did you mean 6 кгс/см2?"),
+        ("5 kg*m", "moment", "did you mean 5 kgf*m?"),
+        ("3 kgf", "mass", "3 kgf is the weight of a mass of 3 kg"),
+        ("2 kN", "mass", "2 kN is the weight of a mass of 203.943243 kg"),
+        ("3 kgf", "length", "for example, 300 mm"),
+        ("3 g", "force", "for example, 2 kN"),
+    ],
+)
+def test_kilograms_of_force_and_of_mass_are_told_apart(written, dimension, cure):
+    with pytest.raises(units.WrongValue) as caught:
+        units.parse(written, dimension)
+    assert str(caught.value.right) == cure
+
+
 @pytest.mark.parametrize("dimension", units.DIMENSIONS)
 def test_every_dimension_reads_its_own_example_and_unit(dimension):
     about = units.DIMENSIONS[dimension]

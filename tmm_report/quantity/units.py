@@ -306,7 +306,22 @@ def _other_dimension(value: object, unit: str, exponents: Exponents, wanted: Dim
     else:
         text = N_("%(value)s is %(is)s (%(given)s); expected: %(name)s (%(unit)s)")
         wrong = Message(text, {**values, "is": Message(names[0])})
-    return WrongValue(wrong, _example(wanted))
+    return WrongValue(wrong, _weight(str(value), unit, exponents, wanted.exponents) or _example(wanted))
+
+
+def _weight(text: str, unit: str, given: Exponents, wanted: Exponents) -> Message | None:
+    """What is meant by kilograms in place of a force, as old collections print it, or by the weight of a mass."""
+    free_fall = (1, 0, -2, 0)
+    if given == _FORCE and wanted == (0, 1, 0, 0):
+        mass = parse(text, "force") / UNITS["kgf"][0]
+        return Message(
+            N_("%(weight)s is the weight of a mass of %(mass)s"),
+            {"weight": shown(text), "mass": f"{mass:.9g} kg"},
+        )
+    if _sum(given, free_fall) == wanted and (kilogram := re.search("kg|к[гГ]", unit)):
+        force = unit.replace(kilogram[0], "kgf" if kilogram[0] == "kg" else "кгс", 1)
+        return Message(N_("did you mean %(near)s?"), {"near": shown(f"{measured(text)[0]:.15g} {force}")})
+    return None
 
 
 def _naming(wanted: Dimension, value: str) -> dict[str, object]:

@@ -259,10 +259,34 @@ def _ascending(pairs: Any) -> Any:
     ]
 
 
+class Measured(list[tuple[float, float]]):
+    """Pairs whose places are lengths of the stroke, m, or angles of the swing, rad, and not parts of it."""
+
+
+class _Place(float):
+    """A place that is written with its unit."""
+
+
+def _place(value: object, dimension: str) -> float:
+    """A part of the stroke, or a length of it, or an angle of a swing."""
+    try:
+        return _quantity(value, "number", 0.0, 1.0, "0 … 1")
+    except WrongValue as error:
+        try:
+            return _Place(_quantity(value, dimension, 0.0, math.inf, ""))
+        except WrongValue:
+            raise error from None
+
+
 def _along_the_stroke(pairs: Any) -> Any:
     """Pairs in ascending order, or in that in which the point comes back."""
+    measured = {isinstance(x, _Place) for x, _ in pairs if x}
+    if len(measured) > 1:
+        right = Message(N_("all of them as parts, 0 … 1, or all with a unit"))
+        raise WrongValue(Message(N_("some places are parts of the stroke, others have a unit")), right)
     back = len(pairs) > 1 and pairs[0][0] > pairs[-1][0]
-    return _ascending(pairs[::-1] if back else pairs)
+    found = _ascending(pairs[::-1] if back else pairs)
+    return Measured(found) if True in measured else found
 
 
 _NAME = {"type": ["string", "integer"], "pattern": f"^{NAME}$", "examples": ["A"]}
@@ -331,6 +355,12 @@ Turned = Annotated[float, quantity("angle", 0.0, 48 * math.pi, "0 … 360 deg of
 Range = Annotated[float, quantity("angle", 1e-6, 2 * math.pi, "0 … 360 deg")]
 Number = Annotated[float, quantity("number")]
 Coefficient = Annotated[float, quantity("number", 0.0, 1.0, "0 … 1")]
+StrokePlace = Annotated[
+    float, Reads(partial(_place, dimension="length"), quantity("number", 0.0, 1.0, "0 … 1").schema)
+]
+SwingPlace = Annotated[
+    float, Reads(partial(_place, dimension="angle"), quantity("number", 0.0, 1.0, "0 … 1").schema)
+]
 Scale = Annotated[float, quantity("number", 1e-12)]
 ForceValue = Annotated[float, quantity("force")]
 MomentValue = Annotated[float, quantity("moment")]
@@ -371,10 +401,10 @@ TimeMoments = Annotated[list[tuple[Time, MomentValue]], *_CURVE]
 TimePressures = Annotated[list[tuple[Time, Pressure]], *_CURVE]
 PlaceForces = Annotated[list[tuple[Length, ForceValue]], *_CURVE]
 SpeedForces = Annotated[list[tuple[UnsignedVelocity, ForceValue]], *_CURVE]
-StrokeForces = Annotated[list[tuple[Coefficient, ForceValue]], *_STROKE]
-StrokeMoments = Annotated[list[tuple[Coefficient, MomentValue]], *_STROKE]
-StrokeParts = Annotated[list[tuple[Coefficient, Number]], *_STROKE]
-StrokePressures = Annotated[list[tuple[Coefficient, Pressure]], *_STROKE]
+StrokeForces = Annotated[list[tuple[StrokePlace, ForceValue]], *_STROKE]
+StrokeMoments = Annotated[list[tuple[SwingPlace, MomentValue]], *_STROKE]
+StrokeParts = Annotated[list[tuple[StrokePlace, Number]], *_STROKE]
+StrokePressures = Annotated[list[tuple[StrokePlace, Pressure]], *_STROKE]
 
 _TO = "right, left, up, down or an angle"
 Direction = Annotated[

@@ -106,6 +106,16 @@ class MotionLaw:
         on = (off == 0) & np.concatenate([[True], off[:-1] != 0])
         return distinct(np.concatenate([found, t[on]]))
 
+    def turned_by(self, angle: float) -> float:
+        """When it has gone on by an angle, rad, from the beginning, s; nan of one that turns back, or does not come so
+        far."""
+        low, high = self.reach
+        if high - low > abs(self.advance) + SAME * FULL_TURN:
+            return math.nan
+        start = float(self.at(np.zeros(1))[0][0])
+        found = self.times_at(start + math.copysign(angle, self.advance))
+        return float(found[0]) if len(found) else math.nan
+
     def when(self, angles: Sequence[float] | Array) -> Array:
         """Phases, ascending, rad, at which the link makes one of some angles, or that but for whole turns."""
         t = np.union1d(self._sampled[0], self.stops)

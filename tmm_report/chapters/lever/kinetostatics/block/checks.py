@@ -9,6 +9,7 @@ from typing import Any
 from tmm_report.chapters.lever.kinematics.block import table_of, turns_of
 from tmm_report.chapters.lever.kinetostatics.block import tied
 from tmm_report.chapters.lever.kinetostatics.block.models import LoadsModel
+from tmm_report.chapters.lever.kinetostatics.block.stroke_parts import curves
 from tmm_report.chapters.lever.kinetostatics.given import (
     Carried,
     Force,
@@ -26,6 +27,7 @@ from tmm_report.quantity.units import DIMENSIONS
 from tmm_report.variant.errors import near
 from tmm_report.variant.gaps import not_all_round, not_to_the_end
 from tmm_report.variant.model import Read
+from tmm_report.variant.values import Measured
 from tmm_report.yamlread import Path
 
 TURN = 2 * math.pi
@@ -83,8 +85,9 @@ def _curves(written: LoadsModel, read: Read) -> Iterator[Problem]:
         here: Path = ("loads", "curves", name)
         if name not in used:
             yield mistake(N_("no load has the curve %(name)s"), here, name=name)
-        for way, points in _ways(curve).items():
-            yield from not_to_the_end(points, (*here, *way), 1.0)
+        for way, points in curves(curve).items():
+            if not isinstance(points, Measured):  # judged when the stroke is known
+                yield from not_to_the_end(points, (*here, *way), 1.0)
             if max(abs(value) for _, value in points) > 1 + 1e-9:
                 text = N_("the values of a curve are parts of the greatest one, at most 1")
                 yield mistake(text, (*here, *way))
@@ -219,15 +222,9 @@ def _whole_strokes(load: Force | Moment, path: Path) -> Iterator[Problem]:
     path = (*path, "by_displacement")
     if isinstance(diagram, SharedDiagram):
         return
-    for key, curve in _ways(diagram).items():
-        yield from not_to_the_end(curve, (*path, *key), 1.0)
-
-
-def _ways(diagram: Any) -> dict[Path, list[tuple[float, float]]]:
-    """The curves of a diagram, by the keys under which they stand."""
-    if isinstance(diagram, StrokesDiagram | StatedStrokes):
-        return {("strokes", name): list(curve) for name, curve in diagram.strokes.items()}
-    return {("forward",): list(diagram.forward), ("back",): list(diagram.back)}
+    for key, curve in curves(diagram).items():
+        if not isinstance(curve, Measured):
+            yield from not_to_the_end(curve, (*path, *key), 1.0)
 
 
 def _of_strokes(load: Force) -> Any:

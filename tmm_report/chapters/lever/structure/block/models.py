@@ -13,7 +13,6 @@ from tmm_report.chapters.lever.structure.block.strokes.models import StrokeModel
 from tmm_report.chapters.lever.structure.block.wheels.models import RackModel, RollingModel, WheelsModel
 from tmm_report.mechanics.lever.stated_masses import Statement, Synthesised
 from tmm_report.problems import N_, Message, shown
-from tmm_report.quantity import units
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant import closed
 from tmm_report.variant.model import Model
@@ -62,30 +61,15 @@ def _stated(dimension: str, low: float, read: Callable[[str], Statement], exampl
     def value(written: object) -> float | Statement:
         try:
             return plain.value(written)
-        except WrongValue as error:
+        except WrongValue:
             if isinstance(written, str) and closed.looks_closed(written):
                 return read(written)
-            if dimension == "mass" and (meant := _weighed(written)) is not None:
-                raise WrongValue(error.wrong, meant) from None
             raise
 
     # what is no number with a unit is read as a statement, whatever its letters
     texts = {"type": "string", "pattern": r"^[^;:#{}]*$", "maxLength": closed.LONGEST}
     shown = {"anyOf": [{"type": "number"}, texts], "examples": [*plain.schema["examples"], *examples]}
     return Reads(value, {**plain.schema, **shown}, dimension)
-
-
-G = units.parse("1 kgf", "force")  # of a mass of 1 kg
-
-
-def _weighed(written: object) -> Message | None:
-    """The mass whose weight is stated in place of it."""
-    try:
-        weight = units.parse(written, "force")
-    except WrongValue:
-        return None
-    values = {"weight": shown(written), "mass": f"{weight / G:.9g} kg"}
-    return Message(N_("%(weight)s is the weight of a mass of %(mass)s"), values)
 
 
 _SYNTHESISED = re.compile(r"\s*synthesis\.([a-z_]+)\s*")
