@@ -273,9 +273,13 @@ def _place(value: object, dimension: str) -> float:
         return _quantity(value, "number", 0.0, 1.0, "0 … 1")
     except WrongValue as error:
         try:
-            return _Place(_quantity(value, dimension, 0.0, math.inf, ""))
+            found = _Place(_quantity(value, dimension, 0.0, math.inf, ""))
+            _, unit = units.measured(value)
         except WrongValue:
             raise error from None
+        if not unit:
+            raise
+        return found
 
 
 def _along_the_stroke(pairs: Any) -> Any:

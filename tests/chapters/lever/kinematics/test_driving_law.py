@@ -295,3 +295,9 @@ def test_phases_may_end_where_they_lift_to(swing):
     assert not motion.kinematics.cycle.closed
     backwards = "angle: 60 deg, phases: [{return: 360 deg, law: polynomial}], swing: 80 deg, time: 0.8 s"
     assert any("beginning with a rise;" in f"{one};" for one in told(backwards))
+
+
+def test_a_law_of_a_mechanism_that_is_not_assembled_yet_may_be_looked_at():
+    text = TEXT.replace("LAW}", "LAW}, zero: {link: 3, extreme: clockwise}").replace("B: left of A-C, ", "")
+    with pytest.raises(ProblemError, match="can be assembled in two ways"):
+        course.solve(variant("accelerated", text))

@@ -96,9 +96,28 @@ def test_what_cannot_be_is_told(forward, cure):
     assert cure in line
 
 
+def test_a_point_that_does_not_move_that_way_has_no_stroke():
+    (line,) = told(drawn(FORCE.replace("left", "up"), "[[0, 0], [90 mm, 1 kN]]", "[[0, 0], [1, 0]]"))
+    assert line.startswith("loads.forces.0.by_displacement.zero") and "does not move that way" in line
+
+
+def test_a_bare_number_is_a_part():
+    (line,) = told(drawn(FORCE, "[[0, 0], [2, 1 kN]]", "[[0, 0], [1, 0]]"))
+    assert "2 is out of range: a plain number from 0 … 1" in line
+
+
 def test_a_rounded_end_is_the_end():
     """A printed stroke is rounded: 119.5 mm of 120 mm, and 120.9 mm."""
     for end in ("119.5 mm", "120.9 mm"):
         found = loaded(drawn(FORCE, f"[[0, 1 kN], [{end}, 1 kN]]", "[[0, 0], [1, 0]]")).kinetostatics
         plain = loaded(drawn(FORCE, "[[0, 1 kN], [1, 1 kN]]", "[[0, 0], [1, 0]]")).kinetostatics
         assert found.table.balancing == pytest.approx(plain.table.balancing, rel=1e-9, abs=1e-9)
+
+
+def test_a_mechanism_that_is_not_assembled_yet_may_be_looked_at():
+    """Its ways of assembly are asked for before the stroke is known."""
+    text = TEXT.replace("FORCE", drawn(FORCE, "[[0, 0], [120 mm, 1 kN]]", "[[0, 0], [1, 0]]"))
+    text = text.replace("MOMENT", NO).replace("CURVES", "  curves: {}").replace("B: right, ", "")
+    variant = course.loads(text)
+    with pytest.raises(ProblemError, match="can be assembled in two ways"):
+        course.solve(variant)

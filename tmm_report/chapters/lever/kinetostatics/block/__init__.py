@@ -51,10 +51,19 @@ def given(read: Read) -> Given:
     forces = [_drawn(one, written) for one in written.forces if one]
     moments = [_drawn(one, written) for one in written.moments if one]
     if any(is_measured(one) for one in forces) or any(is_measured(one) for one in moments):
-        cycle = cycle_of(assemble(structure.given(read)["mechanism"]))
-        forces, moments = _in_parts("forces", forces, cycle), _in_parts("moments", moments, cycle)
+        cycle = _cycle(read)
+        if cycle is not None:
+            forces, moments = _in_parts("forces", forces, cycle), _in_parts("moments", moments, cycle)
     turning = twists([one for one in written.torsion_springs if one], FRAME)
     return {"loads": Loads(written.pull, (*forces, *_ends(written, read)), (*moments, *turning))}
+
+
+def _cycle(read: Read) -> Cycle | None:
+    """None of a mechanism that is not solved either: what it lacks is told, or shown, by who asks for it."""
+    try:
+        return cycle_of(assemble(structure.given(read)["mechanism"]))
+    except ProblemError:
+        return None
 
 
 def _in_parts(key: str, loads: list[AnyLoad], cycle: Cycle) -> list[AnyLoad]:

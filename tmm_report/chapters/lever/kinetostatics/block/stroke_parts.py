@@ -20,6 +20,7 @@ from tmm_report.variant.values import Measured
 from tmm_report.yamlread import Path
 
 AnyLoad = TypeVar("AnyLoad", Force, Moment)
+NONE = 1e-9  # of the distance: a way as short as this is none
 ROUNDED = 0.01  # of the stroke: by so much a table that ends with it may miss its end
 
 
@@ -42,6 +43,10 @@ def in_parts(load: AnyLoad, path: Path, cycle: Cycle) -> AnyLoad:
     Raises ProblemError where a curve goes beyond the stroke, or does not reach its end."""
     low, high = reach(cycle, coordinate(load, cycle))[1]
     whole = high.value - low.value
+    if not whole > NONE * max(abs(high.value), abs(low.value)):
+        text = N_("%(name)s does not move that way: its diagram has no stroke")
+        name = load.at if isinstance(load, Force) else load.on
+        raise ProblemError([mistake(text, (*path, "by_displacement", "zero"), name=name)])
     drawn = _divided(load.by_displacement, whole, (*path, "by_displacement"), isinstance(load, Moment))
     return replace(load, by_displacement=drawn)
 

@@ -25,7 +25,7 @@ from tmm_report.mechanics.cams.follower_laws import Phases
 from tmm_report.mechanics.lever.assembly.stated import assemble
 from tmm_report.mechanics.lever.cycle import cycle_of
 from tmm_report.mechanics.lever.mechanism import Driver, Mechanism, ZeroAngle
-from tmm_report.problems import N_, Message, Problem, mistake
+from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.model import Model, Read
 from tmm_report.variant.values import Angle, Number, Period, SignedSpeed, Speed, Time, quantity
@@ -147,7 +147,11 @@ def begun(built: Mechanism) -> Mechanism:
     if isinstance(driver.zero, ZeroAngle):
         angle = float(driver.zero.angle)
     else:
-        angle = cycle_of(assemble(replace(built, driver=Driver(driver.link, 1.0, driver.zero)))).zero
+        try:
+            linkage = assemble(replace(built, driver=Driver(driver.link, 1.0, driver.zero)))
+        except ProblemError:  # what is to be put together is told, or shown, by who asks for it
+            return built
+        angle = cycle_of(linkage).zero
     law = driver.law.moved(angle - float(driver.law.of_phase(0.0)[0]))
     return replace(built, driver=replace(driver, law=law))
 
