@@ -428,6 +428,8 @@ FAULTS += (
     # --- what collections state beside: transmission angles, mean speeds, where a law begins, lengths in statements ---
     Fault("the transmission angle for the pressure angle", SYNTHESIS + "steps.py",
           "s.transmission = RIGHT - s.pressure", "s.transmission = 1 * s.pressure", SHAPER, TOLD),
+    Fault("the swing of crank and frame once", SYNTHESIS + "steps.py",
+          "s.theta = 2 * arcsin(s.crank / s.frame)", "s.theta = 1 * arcsin(s.crank / s.frame)", SHAPER, TOLD),
     Fault("both strokes as long as the working one", SYNTHESIS + "steps.py",
           "s.working_speed * s.K / (s.stroke * (s.K + 1))", "s.working_speed / (s.stroke * 2)", SHAPER, TOLD),
     Fault("a mean speed of one stroke a turn", SYNTHESIS + "steps.py",

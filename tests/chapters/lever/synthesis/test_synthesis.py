@@ -308,6 +308,10 @@ TOLD = {
         "synthesis.slider_crank.speed", "one follows from the two others; stroke, alone or with"),
     "{slotted_link: {stroke: 1 m, K: 1.5, frame: 1 m, pressure_angle: 9 deg, transmission: 80 deg}}": (
         "synthesis.slotted_link.transmission", "make 90° together"),
+    "{slotted_link: {stroke: 1 m, crank: 1 m, frame: 1 m, rod_ratio: 2}}": (
+        "synthesis.slotted_link.crank", "turning_guide is such a mechanism; less than 1000 mm"),
+    "{slotted_link: {stroke: 1 m, K: 1.5, swing: 1 rad, rod_ratio: 2}}": (
+        "synthesis.slotted_link", "K or swing, with crank or frame; or crank and frame"),
     "{turning_guide: {stroke: 1 m, K: 1.5, frame: 1 m, rod_ratio: 2, transmission: 70 deg}}": (
         "synthesis.turning_guide.transmission", "30 deg"),
     "{slider_crank: {stroke: 1 m}}": ("synthesis.slider_crank", "nothing says how long the rod is"),

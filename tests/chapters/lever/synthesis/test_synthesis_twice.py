@@ -28,6 +28,8 @@ TEXTS = {
     "crank-rocker in step by frame": "crank_rocker: {swing: 60 deg, rocker: 300 mm, frame: 500 mm}",
     "shaper": "slotted_link: {stroke: 400 mm, K: 1.5, frame: 420 mm, rod_ratio: 0.25}",
     "shaper by crank": "slotted_link: {stroke: 400 mm, K: 1.5, crank: 130 mm, pressure_angle: 7 deg}",
+    "shaper by swing": "slotted_link: {stroke: 400 mm, swing: 40 deg, frame: 420 mm, rod_ratio: 0.25}",
+    "shaper by crank and frame": "slotted_link: {stroke: 400 mm, crank: 130 mm, frame: 420 mm, pressure_angle: 7 deg}",
     "shaper by transmission angle": "slotted_link: {stroke: 400 mm, K: 1.5, crank: 130 mm, transmission: 80 deg, "
     "working_speed: 0.4 m/s}",
     "Whitworth of a working speed": "turning_guide: {stroke: 300 mm, K: 1.8, crank: 150 mm, transmission: 70 deg, "
@@ -127,7 +129,10 @@ def crank_rocker(s, asked):
 
 def slotted_link(s, asked):
     """The crank's circle is touched by the slotted link in its extreme positions."""
-    theta = math.pi * (asked.K - 1) / (asked.K + 1)
+    if asked.K is None:
+        theta = asked.swing or 2 * math.atan2(asked.crank, math.sqrt(asked.frame**2 - asked.crank**2))
+    else:
+        theta = math.pi * (asked.K - 1) / (asked.K + 1)
     d = asked.frame or asked.crank / abs(np.sin(theta / 2))
     end = asked.stroke / 2 / math.tan(theta / 2) * 1j + asked.stroke / 2
     top, low = abs(end), end.imag
@@ -136,8 +141,10 @@ def slotted_link(s, asked):
     rod = abs(end) * asked.rod_ratio if asked.rod_ratio else off / math.sin(asked.permitted)
     reach = np.linspace(-theta / 2, theta / 2, 4001)
     pressure = np.max(np.abs(np.arcsin((top * np.cos(reach) - line) / rod)))
+    # over the arc outside of its tangents the pin goes forth, over the one inside back
+    ratio = (2 * math.pi - 2 * math.acos(math.sin(theta / 2))) / (2 * math.acos(math.sin(theta / 2)))
     return {
-        "theta": theta, "crank": abs((np.conj(end) * 1j * d).imag) / top, "frame": d, "link": top,
+        "K": ratio, "theta": theta, "crank": abs((np.conj(end) * 1j * d).imag) / top, "frame": d, "link": top,
         "sagitta": top - low, "slide_line": line, "rod": rod, "pressure": pressure, **transmits(pressure, asked),
     }  # fmt: skip
 

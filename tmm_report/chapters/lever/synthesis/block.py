@@ -15,6 +15,7 @@ from tmm_report.chapters.lever.synthesis.given import (
     Synthesis,
     TurningGuide,
 )
+from tmm_report.chapters.lever.synthesis.refused import mm
 from tmm_report.chapters.lever.synthesis.solve import design, offered
 from tmm_report.mechanics.lever.stated_masses import Synthesised
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
@@ -97,7 +98,10 @@ def _clashes(written: Synthesis) -> Iterator[Problem]:
                 yield mistake(wrong, (*PATH, "crank_rocker", "crank_at"), right)
         case SlottedLink() | TurningGuide():
             kind = written.kind
-            yield from _once(asked, ("frame", "crank"), kind)
+            if isinstance(asked, SlottedLink):
+                yield from _of_slotted_link(asked)
+            else:
+                yield from _once(asked, ("frame", "crank"), kind)
             yield from _once(asked, ("rod", "rod_ratio"), kind, at_most=asked.permitted is not None)
             if asked.K == 1:
                 wrong = N_("a slotted link has strokes of different times: K is greater than 1")
@@ -105,6 +109,24 @@ def _clashes(written: Synthesis) -> Iterator[Problem]:
                 yield mistake(wrong, (*PATH, kind, "K"), right)
         case Body():
             yield from _of_body(asked)
+
+
+def _of_slotted_link(asked: SlottedLink) -> Iterator[Problem]:
+    """Its swing is stated by the time ratio, by itself, or by the crank and the distance of the pivots."""
+    path = (*PATH, "slotted_link")
+    stated = [key for key in ("K", "swing") if getattr(asked, key) is not None]
+    lengths = [key for key in ("frame", "crank") if getattr(asked, key) is not None]
+    if len(stated) == 1:
+        yield from _once(asked, ("frame", "crank"), "slotted_link")
+    elif stated or len(lengths) < 2:
+        wrong = N_("crank, distance of the pivots and swing follow from two of them")
+        right = Message(N_("K or swing, with crank or frame; or crank and frame"))
+        yield mistake(wrong, path, right)
+    elif (asked.crank or 0.0) >= (asked.frame or 0.0):
+        wrong = N_("with so long a crank the slotted link turns all round: turning_guide is such a mechanism")
+        yield mistake(
+            wrong, (*path, "crank"), Message(N_("less than %(limit)s"), {"limit": mm(asked.frame or 0.0)})
+        )
 
 
 def _of_body(asked: Body) -> Iterator[Problem]:

@@ -107,11 +107,17 @@ class SlottedLink(Permits):
     """A crank that drives a swinging slotted link, a rod and a slider: a shaper."""
 
     stroke: Annotated[Positive, Field(description="of the slider", examples=["400 mm"])]
-    K: Annotated[TimeRatio, Field(description="time of the working stroke by that of the return")]
+    K: Annotated[
+        TimeRatio | None,
+        Field(description="time of the working stroke by that of the return", examples=[1.5]),
+    ] = None
+    swing: Annotated[
+        Swing | None, Field(description="of the slotted link, in place of K; or both crank and frame")
+    ] = None
     frame: Annotated[
         Positive | None, Field(description="distance of the fixed pivots", examples=["420 mm"])
     ] = None
-    crank: Annotated[Positive | None, Field(description="in place of the frame")] = None
+    crank: Annotated[Positive | None, Field(description="in place of the frame, or of K")] = None
     rod: Positive | None = None
     rod_ratio: Annotated[
         Annotated[float, quantity("number", 1e-3, 1000.0, "0.001 … 1000")] | None,

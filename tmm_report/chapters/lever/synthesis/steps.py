@@ -191,15 +191,23 @@ def angle_key(asked: Permits) -> str:
 
 
 def slotted_link(s: Values, asked: SlottedLink) -> None:
-    between(s, asked.K)
+    if asked.K is not None:
+        between(s, asked.K)
+    elif asked.swing is not None:
+        s.theta = asked.swing
+        s.K = (HALF + s.theta) / (HALF - s.theta)
+    else:
+        s.crank, s.frame = asked.crank, asked.frame
+        s.theta = 2 * arcsin(s.crank / s.frame)
+        s.K = (HALF + s.theta) / (HALF - s.theta)
     half = s.theta / 2
     s.stroke = asked.stroke
     _permits(s, asked)
     _driven(s, asked)
-    if asked.frame is not None:
+    if asked.crank is None:
         s.frame = asked.frame
         s.crank = s.frame * sin(half)
-    else:
+    elif asked.frame is None:
         s.crank = asked.crank
         s.frame = s.crank / sin(half)
     s.link = s.stroke / (2 * sin(half))

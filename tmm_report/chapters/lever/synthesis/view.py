@@ -28,9 +28,9 @@ from tmm_report.report.paper.layout import Table, worded
 from tmm_report.report.part import Failed, Part
 
 STATED = (
-    "stroke", "mean_speed", "working_speed", "speed", "K", "swing", "ratio", "offset_ratio", "offset", "rod_ratio",
-    "crank", "rod", "rocker", "frame", "permitted", "mu_permitted", "crank_from", "crank_turn", "rocker_from",
-    "rocker_turn", "point_x", "point_y",
+    "stroke", "mean_speed", "working_speed", "speed", "K", "theta", "swing", "ratio", "offset_ratio", "offset",
+    "rod_ratio", "crank", "rod", "rocker", "frame", "permitted", "mu_permitted", "crank_from", "crank_turn",
+    "rocker_from", "rocker_turn", "point_x", "point_y",
 )  # fmt: skip
 
 
