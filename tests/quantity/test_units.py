@@ -28,6 +28,7 @@ GOOD = [
     ("1200 об./мин", "speed", 40 * math.pi), ("1200 об/мин.", "speed", 40 * math.pi), ("3 м/сек", "velocity", 3),
     ("1200 1/мин", "speed", 40 * math.pi), ("1200 мин⁻¹", "speed", 40 * math.pi), ("5 с-1", "speed", 5),
     ("1200 r/min", "speed", 40 * math.pi), ("0.05 сек", "time", 0.05),
+    ("1/5", "number", 0.2), ("1 / 4,5", "number", 1 / 4.5), ("-0.3/2", "number", -0.15),
 ]  # fmt: skip
 
 BAD = [
@@ -37,6 +38,9 @@ BAD = [
     ("20 rad", "number", "20 rad is an angle (rad); expected: a plain number (1)"),
     ("20 dB", "speed", "unknown unit dB; expected: an angular velocity (rad/s)"),
     ("1 m/s/s", "acceleration", "unknown unit m/s/s; expected: an acceleration (m/s^2)"),
+    ("1/0", "number", "unknown unit /0; expected: a plain number (1)"),
+    ("1/2/3", "number", "unknown unit /2/3; expected: a plain number (1)"),
+    ("1/5", "length", "unknown unit /5; expected: a length (m)"),
     ("12:30", "time", "unknown unit :30; expected: a time (s)"),
     (".nan", "length", ".nan is not a number; expected: a length (m)"),
     ("inf", "length", "inf is not a number; expected: a length (m)"),
@@ -80,6 +84,25 @@ def test_refuses_naming_both_units(written, dimension, wrong):
         units.parse(written, dimension)
     assert str(caught.value.wrong) == wrong
     assert str(caught.value.right) == f"for example, {units.DIMENSIONS[dimension].example}"
+
+
+@pytest.mark.parametrize(
+    ("written", "dimension", "cure"),
+    [
+        ("50 kg", "force", "did you mean 50 kgf?"),
+        ("1,5 кГ", "force", "did you mean 1.5 кгс?"),
+        ("6 кг/см²", "pressure", "did you mean 6 кгс/см2?"),
+        ("5 kg*m", "moment", "did you mean 5 kgf*m?"),
+        ("3 kgf", "mass", "3 kgf is the weight of a mass of 3 kg"),
+        ("2 kN", "mass", "2 kN is the weight of a mass of 203.943243 kg"),
+        ("3 kgf", "length", "for example, 300 mm"),
+        ("3 g", "force", "for example, 2 kN"),
+    ],
+)
+def test_kilograms_of_force_and_of_mass_are_told_apart(written, dimension, cure):
+    with pytest.raises(units.WrongValue) as caught:
+        units.parse(written, dimension)
+    assert str(caught.value.right) == cure
 
 
 @pytest.mark.parametrize("dimension", units.DIMENSIONS)

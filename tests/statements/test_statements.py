@@ -17,6 +17,7 @@ TABLES = (
     "outputs_table",
     "rates_table",
     "loads_table",
+    "ties_table",
     "reactions_table",
     "balancing_table",
     "stroke_table",
@@ -77,4 +78,7 @@ def test_instants(name):
         assert {key: table[key][row] for key in asked} == pytest.approx(asked, rel=DIGITS)
 
 
-BY_TIME = ("uneven_crank", "slider_drives", "tipper_by_cylinder")
+BY_TIME = (
+    "uneven_crank", "slider_drives", "tipper_by_cylinder", "excavator_bucket", "four_bar_run_up",
+    "shears_by_polynomial", "slotted_link_by_table",
+)  # fmt: skip

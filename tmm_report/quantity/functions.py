@@ -36,4 +36,4 @@ class Degrees(Expr):
         return page.number(self.angle, 10, degrees=True, scale=0.0)
 
 
-FULL, HALF = Degrees(2 * math.pi), Degrees(math.pi)
+FULL, HALF, RIGHT = Degrees(2 * math.pi), Degrees(math.pi), Degrees(math.pi / 2)

@@ -124,6 +124,7 @@ def factor(given: str, wanted: str) -> float:
 
 
 _NUMBER = re.compile(r"([-+]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][-+]?[0-9]+)?)\s*(.*)")
+_QUOTIENT = re.compile(r"([^/]*[0-9])\s*/\s*([0-9][0-9.,]*)")  # 1/5, of a plain number
 _FACTOR = re.compile(r"([^\W\d_]+|[°%])(?:\^?([-+]?[0-9]))?")
 _TIMES = re.compile(r"\s*[*.]\s*|\s+|(?<=[^\W\d_])-(?=[^\W\d_])")  # N*m, N.m, N m, N-m
 _PLAIN = str.maketrans("−·⋅∙•×⁻⁰¹²³⁴", "-*****-01234", "\N{NO-BREAK SPACE}\N{NARROW NO-BREAK SPACE}")
@@ -132,12 +133,16 @@ _PLAIN = str.maketrans("−·⋅∙•×⁻⁰¹²³⁴", "-*****-01234", "\N{NO
 def parse(value: object, dimension: str) -> float:
     """The value in SI: a number, or a text "number unit" of the dimension, one of `DIMENSIONS`.
 
-    A decimal comma is a decimal point. Raises WrongValue for what is no number, is not finite, or has another
-    dimension; the error names both units.
+    A decimal comma is a decimal point; a plain number may be a quotient: 1/4.5.
+    Raises WrongValue for what is no number, is not finite, or has another dimension; the error names both units.
     """
     wanted = DIMENSIONS[dimension]
     if isinstance(value, bool) or not isinstance(value, int | float | str):
         raise _not_a_number(value, wanted)
+    if dimension == "number" and isinstance(value, str) and (parts := _QUOTIENT.fullmatch(value.strip())):
+        over, under = (_split(part, wanted) for part in parts.groups())
+        if not (over[1] or under[1]) and under[0]:
+            return over[0] / under[0]
     number, unit = _split(value, wanted) if isinstance(value, str) else (_float(value), "")
     try:
         factor, exponents = _unit(unit, wanted) if unit else (1.0, wanted.exponents)
@@ -301,7 +306,22 @@ def _other_dimension(value: object, unit: str, exponents: Exponents, wanted: Dim
     else:
         text = N_("%(value)s is %(is)s (%(given)s); expected: %(name)s (%(unit)s)")
         wrong = Message(text, {**values, "is": Message(names[0])})
-    return WrongValue(wrong, _example(wanted))
+    return WrongValue(wrong, _weight(str(value), unit, exponents, wanted.exponents) or _example(wanted))
+
+
+def _weight(text: str, unit: str, given: Exponents, wanted: Exponents) -> Message | None:
+    """What is meant by kilograms in place of a force, as old collections print it, or by the weight of a mass."""
+    free_fall = (1, 0, -2, 0)
+    if given == _FORCE and wanted == (0, 1, 0, 0):
+        mass = parse(text, "force") / UNITS["kgf"][0]
+        return Message(
+            N_("%(weight)s is the weight of a mass of %(mass)s"),
+            {"weight": shown(text), "mass": f"{mass:.9g} kg"},
+        )
+    if _sum(given, free_fall) == wanted and (kilogram := re.search("kg|к[гГ]", unit)):
+        force = unit.replace(kilogram[0], "kgf" if kilogram[0] == "kg" else "кгс", 1)
+        return Message(N_("did you mean %(near)s?"), {"near": shown(f"{measured(text)[0]:.15g} {force}")})
+    return None
 
 
 def _naming(wanted: Dimension, value: str) -> dict[str, object]:

@@ -1,8 +1,9 @@
 """The small closed grammar of masses and moments of inertia: `30 kg/m`, `0.3*m2`, `m*l^2/12`, `0,17 m l_AB²`.
 
-Numbers, `m` and `l` of the link itself, `m2` (or m_2) of another link, `l2` of its length, `l_AB` of a segment,
-`synthesis.crank` of what the synthesis finds; sums, products, quotients, whole powers, brackets; a product's sign may
-be left out. Nothing else is read, nothing is run.
+Numbers, lengths and masses with their units (`m*(90 mm)^2/2`), `m` and `l` of the link itself, `m2` (or m_2) of another
+link, `l2` of its length, `l_AB` of a segment, `synthesis.crank` of what the synthesis finds; sums, products, quotients,
+whole powers, brackets, a minus before the first; a product's sign may be left out. Nothing else is read, nothing is
+run.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from tmm_report.mechanics.lever.stated_masses import (
     Combined,
     LengthOf,
     MassOf,
+    Negative,
     Number,
     PerLength,
     Power,
@@ -31,6 +33,9 @@ _TOKEN = re.compile(
     rf"""\s*(?:
     synthesis\.(?P<found>[a-z_]+)
     |(?P<per>[0-9]+(?:[.,][0-9]+)?\s*(?:kg|кг|g|г|t|т)\s*/\s*(?:mm|мм|cm|см|m|м)(?!{_NAME}|[_^]))
+    |(?P<measured>[0-9]+(?:[.,][0-9]+)?\s*(?:mm|мм|cm|см|in)(?!{_NAME}|_)
+        |\(\s*[0-9]+(?:[.,][0-9]+)?\s*[mм]\s*\)(?=\s*\^))
+    |(?P<heavy>[0-9]+(?:[.,][0-9]+)?\s*(?:kg|кг)(?!{_NAME}|_))
     |(?P<number>[0-9]+(?:[.,][0-9]+)?(?:[eE][-+]?[0-9]+)?)
     |(?P<own>ml(?!{_NAME}|_))
     |(?P<letter>[mlмl](?:_?{_NAME}+)?)
@@ -48,7 +53,7 @@ _PLAIN = str.maketrans(
     }
 )
 _SIZES = {"kg": 1.0, "кг": 1.0, "g": 1e-3, "г": 1e-3, "t": 1e3, "т": 1e3}
-_METRES = {"m": 1.0, "м": 1.0, "cm": 1e-2, "см": 1e-2, "mm": 1e-3, "мм": 1e-3}
+_METRES = {"m": 1.0, "м": 1.0, "cm": 1e-2, "см": 1e-2, "mm": 1e-3, "мм": 1e-3, "in": 0.0254}
 MASS, INERTIA, LENGTH = (1, 0), (1, 2), (0, 1)
 
 
@@ -60,12 +65,16 @@ def looks_closed(text: str) -> bool:
     """Whether a text is meant to be of this grammar: all of it is known, and a letter of it is none of a unit, as the
     m of 5 m and the мм of 1 400 мм are."""
     try:
-        return any(
-            kind in ("per", "own", "found") or (kind == "letter" and _MEANT.match(text))
-            for kind, text in _tokens(text)
-        )
+        tokens = _tokens(text)
     except Unread:
         return False
+    kinds = {kind for kind, _ in tokens}
+    if {"measured", "letter"} <= kinds:
+        return True
+    return any(
+        kind in ("per", "own", "found") or (kind == "letter" and _MEANT.match(letter))
+        for kind, letter in tokens
+    )
 
 
 def mass(text: str) -> Statement:
@@ -164,7 +173,8 @@ class _Reader:
         return ""
 
     def sum(self) -> Statement:
-        found = self.product()
+        found: Statement
+        found = Negative(self.product()) if self.next("-") else self.product()
         while sign := self.next("+-"):
             found = Combined(sign, found, self.product())
         return found
@@ -175,7 +185,8 @@ class _Reader:
             if sign := self.next("*/"):
                 found = Combined(sign, found, self.power())
             elif self.at < len(self.tokens) and (
-                self.tokens[self.at][0] in ("letter", "own", "per", "found") or self.tokens[self.at][1] == "("
+                self.tokens[self.at][0] in ("letter", "own", "per", "found", "measured")
+                or self.tokens[self.at][1] == "("
             ):
                 found = Combined("*", found, self.power())  # m l², with its sign left out
             else:
@@ -200,6 +211,8 @@ class _Reader:
         kind, text = self.take()
         if kind == "number":
             return Number(_number(text))
+        if kind in ("measured", "heavy"):
+            return _measured(text)
         if kind == "per":
             return _per_length(text)
         if kind == "found":
@@ -221,6 +234,15 @@ class _Reader:
 
 def _number(text: str) -> float:
     return float(text.replace(",", "."))
+
+
+def _measured(text: str) -> Number:
+    """A length or a mass with its unit."""
+    match = re.fullmatch(r"\(?\s*([0-9.,]+)\s*(\w+)\s*\)?", text)
+    assert match is not None
+    if match[2] in _METRES:
+        return Number(_number(match[1]) * _METRES[match[2]], LENGTH)
+    return Number(_number(match[1]) * _SIZES[match[2]], MASS)
 
 
 def _per_length(text: str) -> PerLength:

@@ -14,7 +14,7 @@ from tmm_report.quantity.typed.alike import difference, skeleton
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.forms import fields_at, fields_of, forms_at
 from tmm_report.variant.leaves import leaves
-from tmm_report.variant.russian import english_key
+from tmm_report.variant.russian import english_key, twin
 from tmm_report.variant.slips import elsewhere, synonyms, textbook
 from tmm_report.yamlread import Path
 
@@ -150,7 +150,11 @@ def _not_a_word(error: Any, path: Path) -> Problem:
     words = re.findall(r"'([^']*)'", error["ctx"]["expected"])
     given = error["input"]
     quoted = shown(given) if isinstance(given, str | int | float) else "[…]"
+    cyrillic = isinstance(given, str) and re.search("[а-яё]", given.casefold())
     right = Message(N_("one of: %(words)s"), {"words": ", ".join(words)})
+    if cyrillic:
+        twins = {"words": ", ".join(words), "twins": ", ".join(map(twin, words))}
+        right = Message(N_("one of: %(words)s (%(twins)s)"), twins)
     if alike := next((one for one in words if one != given and skeleton(one) == skeleton(quoted)), None):
         right = difference(quoted, alike)
     elif (known_by_name := textbook.nearest(quoted)) is not None:

@@ -251,16 +251,52 @@ def _ascending(pairs: Any) -> Any:
     if any(a > b for a, b in pairwise(firsts)) or any(
         a == b for a, b in zip(firsts, firsts[2:], strict=False)
     ):
-        raise WrongValue(Message(N_("the first numbers of the pairs must ascend")))
+        right = Message(N_("from the least to the greatest; two pairs at one place are a jump"))
+        raise WrongValue(Message(N_("the first numbers of the pairs must ascend")), right)
     jumps = [False, *(a == b for a, b in pairwise(firsts))]
     return [
         (math.nextafter(x, math.inf) if jump else x, y) for (x, y), jump in zip(pairs, jumps, strict=True)
     ]
 
 
+class Measured(list[tuple[float, float]]):
+    """Pairs whose places are lengths of the stroke, m, or angles of the swing, rad, and not parts of it."""
+
+
+class _Place(float):
+    """A place that is written with its unit."""
+
+
+def _place(value: object, dimension: str) -> float:
+    """A part of the stroke, or a length of it, or an angle of a swing."""
+    try:
+        return _quantity(value, "number", 0.0, 1.0, "0 … 1")
+    except WrongValue as error:
+        try:
+            found = _Place(_quantity(value, dimension, 0.0, math.inf, ""))
+            _, unit = units.measured(value)
+        except WrongValue:
+            raise error from None
+        if not unit:
+            raise
+        return found
+
+
+def _along_the_stroke(pairs: Any) -> Any:
+    """Pairs in ascending order, or in that in which the point comes back."""
+    measured = {isinstance(x, _Place) for x, _ in pairs if x}
+    if len(measured) > 1:
+        right = Message(N_("all of them as parts, 0 … 1, or all with a unit"))
+        raise WrongValue(Message(N_("some places are parts of the stroke, others have a unit")), right)
+    back = len(pairs) > 1 and pairs[0][0] > pairs[-1][0]
+    found = _ascending(pairs[::-1] if back else pairs)
+    return Measured(found) if True in measured else found
+
+
 _NAME = {"type": ["string", "integer"], "pattern": f"^{NAME}$", "examples": ["A"]}
 _WORDS = {"type": ["string", "number"]}
 _CURVE = (Field(min_length=1, max_length=1000), AfterValidator(_ascending))
+_STROKE = (Field(min_length=1, max_length=1000), AfterValidator(_along_the_stroke))
 
 _CALLED = re.compile(r"(log10|lg|ln|exp|sqrt|sin|cos|tan|tg)\s*(?:x|\(\s*x\s*\))")
 _OTHERWISE = {"lg": "log10", "tg": "tan"}
@@ -323,11 +359,18 @@ Turned = Annotated[float, quantity("angle", 0.0, 48 * math.pi, "0 … 360 deg of
 Range = Annotated[float, quantity("angle", 1e-6, 2 * math.pi, "0 … 360 deg")]
 Number = Annotated[float, quantity("number")]
 Coefficient = Annotated[float, quantity("number", 0.0, 1.0, "0 … 1")]
+StrokePlace = Annotated[
+    float, Reads(partial(_place, dimension="length"), quantity("number", 0.0, 1.0, "0 … 1").schema)
+]
+SwingPlace = Annotated[
+    float, Reads(partial(_place, dimension="angle"), quantity("number", 0.0, 1.0, "0 … 1").schema)
+]
 Scale = Annotated[float, quantity("number", 1e-12)]
 ForceValue = Annotated[float, quantity("force")]
 MomentValue = Annotated[float, quantity("moment")]
 Pressure = Annotated[float, quantity("pressure")]
 Velocity = Annotated[float, quantity("velocity")]
+PositiveVelocity = Annotated[float, quantity("velocity", 1e-9)]
 UnsignedVelocity = Annotated[float, quantity("velocity", 0.0)]
 Power = Annotated[float, quantity("power", 0.0)]
 Work = Annotated[float, quantity("work")]
@@ -362,10 +405,10 @@ TimeMoments = Annotated[list[tuple[Time, MomentValue]], *_CURVE]
 TimePressures = Annotated[list[tuple[Time, Pressure]], *_CURVE]
 PlaceForces = Annotated[list[tuple[Length, ForceValue]], *_CURVE]
 SpeedForces = Annotated[list[tuple[UnsignedVelocity, ForceValue]], *_CURVE]
-StrokeForces = Annotated[list[tuple[Coefficient, ForceValue]], *_CURVE]
-StrokeMoments = Annotated[list[tuple[Coefficient, MomentValue]], *_CURVE]
-StrokeParts = Annotated[list[tuple[Coefficient, Number]], *_CURVE]
-StrokePressures = Annotated[list[tuple[Coefficient, Pressure]], *_CURVE]
+StrokeForces = Annotated[list[tuple[StrokePlace, ForceValue]], *_STROKE]
+StrokeMoments = Annotated[list[tuple[SwingPlace, MomentValue]], *_STROKE]
+StrokeParts = Annotated[list[tuple[StrokePlace, Number]], *_STROKE]
+StrokePressures = Annotated[list[tuple[StrokePlace, Pressure]], *_STROKE]
 
 _TO = "right, left, up, down or an angle"
 Direction = Annotated[

@@ -147,6 +147,8 @@ def test_a_statement_is_worth_what_its_letters_make(written):
     [
         ("ml²/12", 2.5 * 0.09 / 12), ("0,17 m l_AB²", 0.17 * 2.5 * 0.09), ("1/12 m l^2", 2.5 * 0.09 / 12),
         ("m·(l_AB/2)²", 2.5 * 0.0225), ("m_2*l2**2/3", 2.5 * 0.09 / 3), ("2 m2 l l_AB", 2 * 2.5 * 0.09),
+        ("m*(90 mm)^2/2", 2.5 * 0.0081 / 2), ("0.5 m (0,04 m)^2", 0.5 * 2.5 * 0.0016), ("m*(2 in)^2", 2.5 * 0.0508**2),
+        ("-m*l^2 + m*(60 см)²", 2.5 * (0.36 - 0.09)), ("0.5*m2*12 in*l", 0.5 * 2.5 * 0.3048 * 0.3),
         ("м·l²/12", 2.5 * 0.09 / 12), ("(m + m2)*l^2/3", 5 * 0.09 / 3),
     ],
 )  # fmt: skip
@@ -161,6 +163,7 @@ def test_moments_of_inertia_as_they_are_printed(written, value):
     [
         ("30 kg/m", 30 * 0.3), ("30 кг/м", 30 * 0.3), ("3 g/mm", 3 * 0.3), ("0,03 т/м * l_AB", 30 * 0.3),
         ("m2/4", 2.5 / 4), ("0,3·m₂", 0.3 * 2.5), ("m2 + 2 m3", 3 * 2.5), ("30 kg/m (l_AB + l_BC)", 30 * 0.6),
+        ("0.3*m2 + 6 kg", 0.3 * 2.5 + 6), ("2 кг/м * l_AB + 1,5 кг", 2 * 0.3 + 1.5), ("6 kg - m2", 6 - 2.5),
     ],
 )  # fmt: skip
 def test_masses_as_they_are_printed(written, value):
@@ -263,3 +266,27 @@ def test_a_name_that_is_taken_leaves_the_mass_centre_to_be_stated():
 def test_a_load_may_act_at_the_middle():
     force = "forces: [{at: S3, direction: down, constant: 5 N}], moments"
     assert loads(text().replace("moments", force)).lever.loads.forces[0].at == "S3"
+
+
+def test_a_weight_in_place_of_a_mass_is_told_with_the_mass():
+    for weight, mass in (
+        ("3 kgf", "a mass of 3 kg"),
+        ("2 кгс", "a mass of 2 kg"),
+        ("9.80665 N", "a mass of 1 kg"),
+    ):
+        with pytest.raises(ProblemError) as caught:
+            loads(text(rod=weight, of_rod="0"))
+        assert [problem.key for problem in caught.value.problems] == ["mechanism.links.2.mass"]
+        assert mass in caught.value.problems[0].text()
+
+
+def test_a_link_with_a_free_end_is_told_how_to_state_its_middle():
+    free = text().replace(
+        "C: [200 mm, 20 mm]}", "C: [200 mm, 20 mm]}\n  guides: {g: {through: C, link: 4}}", 1
+    )
+    free = free.replace(
+        "  driver", "    4: {points: {C: 0, E: 90 mm}, mass: 3 kg}\n    5: {points: [B], slides: g}\n  driver"
+    )
+    with pytest.raises(ProblemError) as caught:
+        loads(free)
+    assert "S4: 0.5*l_CE in points, mass_centre: S4" in caught.value.problems[0].text()

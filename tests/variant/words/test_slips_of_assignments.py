@@ -77,7 +77,7 @@ SLIPS = [  # text, what is replaced by what, line, key, cure
     (LOADED, "components: [400 N, -260 N]", "components: [400 N, -260 N], direction: left",
      14, "loads.forces.0.direction", "the components state the force and its"),
     (LOADED, "[400 N, -260 N]", "[400 kg, -260 N]",
-     14, "loads.forces.0.components.0", "expected: a force (N); for example, 2 kN"),
+     14, "loads.forces.0.components.0", "expected: a force (N); did you mean 400 kgf?"),
     (LOADED, "[400 N, -260 N]", "[400 кгс, -260 Н], по_y: 3",
      14, "loads.forces.0.по_y", "known: at, components, name, on, stroke"),
     (LOADED, "[[0 s, 0 N], [0.1 s", "[[0 s, 0 N], [100 deg",

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import cached_property
 from typing import Any, Protocol
 
@@ -49,6 +50,10 @@ class MotionLaw:
         # the end of the period itself belongs to it, but where it is the beginning again
         q, v, a = self.at((theta - whole * FULL_TURN) * (self.period / FULL_TURN))
         return q + whole * self.advance, v, a
+
+    def moved(self, by: float) -> MotionLaw:
+        """The same law about another place, m or rad."""
+        raise NotImplementedError
 
     @cached_property
     def advance(self) -> float:
@@ -101,6 +106,16 @@ class MotionLaw:
         on = (off == 0) & np.concatenate([[True], off[:-1] != 0])
         return distinct(np.concatenate([found, t[on]]))
 
+    def turned_by(self, angle: float) -> float:
+        """When it has gone on by an angle, rad, from the beginning, s; nan of one that turns back, or does not come so
+        far."""
+        low, high = self.reach
+        if high - low > abs(self.advance) + SAME * FULL_TURN:
+            return math.nan
+        start = float(self.at(np.zeros(1))[0][0])
+        found = self.times_at(start + math.copysign(angle, self.advance))
+        return float(found[0]) if len(found) else math.nan
+
     def when(self, angles: Sequence[float] | Array) -> Array:
         """Phases, ascending, rad, at which the link makes one of some angles, or that but for whole turns."""
         t = np.union1d(self._sampled[0], self.stops)
@@ -143,6 +158,9 @@ class Harmonic(MotionLaw):
             -size * self.frequency**2 * np.sin(x),
         )
 
+    def moved(self, by: float) -> Harmonic:
+        return replace(self, start=self.start + by)
+
 
 @dataclass(frozen=True, eq=False)
 class Polynomial(MotionLaw):
@@ -160,6 +178,10 @@ class Polynomial(MotionLaw):
     def at(self, t: Array) -> Three:
         own = np.polynomial.Polynomial(self.coefficients)
         return own(t), own.deriv()(t), own.deriv(2)(t)
+
+    def moved(self, by: float) -> Polynomial:
+        start, *others = self.coefficients
+        return replace(self, coefficients=(start + by, *others))
 
 
 @dataclass(frozen=True, eq=False)
@@ -197,6 +219,9 @@ class Tabulated(MotionLaw):
         t = np.asarray(t, dtype=float)
         return spline(t) + steady * t, spline(t, 1) + steady, spline(t, 2)
 
+    def moved(self, by: float) -> Tabulated:
+        return replace(self, angles=tuple(angle + by for angle in self.angles))
+
 
 class Lifts(Protocol):
     """A follower's law over a turn: of the angle its lift and both derivatives by it; `lift`: the greatest, rad."""
@@ -226,6 +251,9 @@ class Phased(MotionLaw):
         rate = FULL_TURN / self.period
         s, d, dd = self.lifts.of(np.asarray(t, dtype=float) * rate)
         return self.start + s, d * rate, dd * rate**2
+
+    def moved(self, by: float) -> Phased:
+        return replace(self, start=self.start + by)
 
 
 @dataclass(frozen=True, eq=False)

@@ -33,7 +33,8 @@ class Phase:
 
 @dataclass(frozen=True, eq=False)
 class Phases:
-    """A follower's law by phases that fill a turn, from and back to the lowest position. `lift`: m or rad."""
+    """A follower's law by phases that fill a turn, from the lowest position and back to it; of a driving link the
+    last may end in the high one. `lift`: m or rad."""
 
     phases: tuple[Phase, ...]
     lift: float
@@ -56,7 +57,9 @@ class Phases:
 
     def of(self, theta: Array) -> Three:
         """S, dS/dθ, d²S/dθ² at cam angles from the beginning of the first phase, rad; m or rad."""
-        theta = np.mod(np.asarray(theta, dtype=float) + EDGE, FULL_TURN) - EDGE
+        theta = np.asarray(theta, dtype=float)
+        if not self.level(len(self.phases)):
+            theta = np.mod(theta + EDGE, FULL_TURN) - EDGE
         number = np.clip(np.searchsorted(self.edges - EDGE, theta, side="right") - 1, 0, len(self.phases) - 1)
         found = tuple(np.zeros(np.shape(theta)) for _ in range(3))
         for k, phase in enumerate(self.phases):

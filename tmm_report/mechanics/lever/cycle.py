@@ -187,10 +187,10 @@ def cycle_of(linkage: Linkage) -> Cycle:
     Raises ProblemError if position 0 does not exist.
     """
     zero, law = linkage.mechanism.driver.zero, linkage.mechanism.driver.law
+    if law is not None:  # wherever position 0 is: the law begins there
+        zero = ZeroAngle(float(law.of_phase(0.0)[0]))
     match zero:
         case ZeroAngle(angle):
-            if law is not None:
-                angle = float(law.of_phase(0.0)[0])
             smooth, critical = criticals(linkage, angle)
         case ZeroExtreme():
             smooth, critical = criticals(linkage, 0.0, begins=False)

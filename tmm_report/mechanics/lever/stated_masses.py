@@ -15,7 +15,10 @@ from tmm_report.records import dataclass
 
 @dataclass(frozen=True)
 class Number:
+    """A number; `measures`: exponents of kilogram and metre of one that is written with its unit, SI."""
+
     value: float
+    measures: tuple[int, int] = (0, 0)
 
 
 @dataclass(frozen=True)
@@ -71,8 +74,13 @@ class Power:
     exponent: int
 
 
+@dataclass(frozen=True)
+class Negative:
+    of: Statement
+
+
 Letter = Union[PerLength, MassOf, LengthOf, Segment, Synthesised]  # noqa: UP007
-Statement = Union[Number, Letter, Combined, Power]  # noqa: UP007
+Statement = Union[Number, Letter, Combined, Power, Negative]  # noqa: UP007
 
 _SIGNS: dict[str, Callable[[Any, Any], Any]] = {
     "+": lambda a, b: a + b,
@@ -91,6 +99,8 @@ def worked(statement: Statement, of: Callable[[Letter], Any]) -> Any:
             return _SIGNS[sign](worked(left, of), worked(right, of))
         case Power(base, exponent):
             return worked(base, of) ** exponent
+        case Negative(inner):
+            return -worked(inner, of)
         case _:
             return of(statement)
 
@@ -104,6 +114,8 @@ def lettered(statement: Statement, of: Callable[[Letter], Letter]) -> Statement:
             return Combined(sign, lettered(left, of), lettered(right, of))
         case Power(base, exponent):
             return Power(lettered(base, of), exponent)
+        case Negative(inner):
+            return Negative(lettered(inner, of))
         case _:
             return of(statement)
 
@@ -116,7 +128,7 @@ def letters(statement: Statement) -> Iterator[Letter]:
         case Combined(_, left, right):
             yield from letters(left)
             yield from letters(right)
-        case Power(base, _):
+        case Power(base, _) | Negative(base):
             yield from letters(base)
         case _:
             yield statement
@@ -126,13 +138,15 @@ def dimension(statement: Statement) -> tuple[int, int] | None:
     """Exponents of kilogram and metre; None of a sum of what measures different things."""
     match statement:
         case Number():
-            return 0, 0
+            return statement.measures
         case PerLength():
             return 1, -1
         case MassOf():
             return 1, 0
         case LengthOf() | Segment() | Synthesised():
             return 0, 1
+        case Negative(inner):
+            return dimension(inner)
         case Power(base, exponent):
             found = dimension(base)
             return None if found is None else (found[0] * exponent, found[1] * exponent)

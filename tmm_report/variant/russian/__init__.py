@@ -37,7 +37,7 @@ _TWINS: dict[str, str] = {
     "crank": "кривошип",
     "crusher": "дробилка",
     "differences": "разности",
-    "down": "вниз, снизу",
+    "down": "вниз, снизу, внизу, нижнее, крайнее нижнее",
     "drawing 0.01": "чертёж 0.01",
     "drawing 0.1": "чертёж 0.1",
     "drawing 0.5": "чертёж 0.5",
@@ -61,7 +61,7 @@ _TWINS: dict[str, str] = {
     "journal": "цапфа",
     "largest": "наибольший, наибольшая",
     "last": "последний, последнее",
-    "left": "влево, слева",
+    "left": "влево, слева, левое, крайнее левое",
     "level": "уровень",
     "limit": "предел",
     "machine tool": "станок",
@@ -89,7 +89,7 @@ _TWINS: dict[str, str] = {
     "pump": "насос",
     "rest": "покой",
     "reversed": "обратный",
-    "right": "вправо, справа",
+    "right": "вправо, справа, правое, крайнее правое",
     "ring": "эпицикл",
     "root finder": "поиск корней",
     "rotors": "роторы",
@@ -112,7 +112,7 @@ _TWINS: dict[str, str] = {
     "trapezoid": "трапецеидальный",
     "trial": "подбор",
     "uniform": "равномерный, равномерная",
-    "up": "вверх, сверху",
+    "up": "вверх, сверху, вверху, верхнее, крайнее верхнее",
     "wedge": "клин",
     "wheel": "колесо",
     "wheel1": "колесо1",
@@ -221,6 +221,11 @@ def english(value: object, words: Collection[str]) -> object:
         return value
     found = _ENGLISH.get(_plain(value), set()) & set(words)
     return next(iter(found)) if len(found) == 1 else value
+
+
+def twin(word: str) -> str:
+    """The first Russian twin of a word of the format; the word itself of one that has none."""
+    return _TWINS.get(word, word).split(", ")[0]
 
 
 def english_key(key: str, known: Collection[str]) -> str | None:

@@ -192,9 +192,7 @@ def test_slips(law):
     assert SLIPS[law] in line
 
 
-@pytest.mark.parametrize(
-    "key", ["speed: 5 rad/s", "rotation: clockwise", "zero: {angle: 5 deg}", "turns: 2", "range: 90 deg"]
-)
+@pytest.mark.parametrize("key", ["speed: 5 rad/s", "rotation: clockwise", "turns: 2", "range: 90 deg"])
 def test_what_the_law_says_itself_is_not_stated_beside_it(key):
     (line,) = told("rocker", TEXT.replace("{link: 1,", f"{{link: 1, {key},"))
     assert line.startswith("mechanism.driver")
@@ -253,3 +251,53 @@ def test_a_rocker_drives_a_rack():
 def test_a_crank_that_goes_round_drives_no_rack():
     (line,) = told("harmonic", GEARED)
     assert "the rack on link 2 runs away" in line
+
+
+@pytest.mark.parametrize("law", [name for name in LAWS if "angle:" not in LAWS[name]])
+@pytest.mark.parametrize("zero", ["point: D, extreme: right", "link: 3, extreme: clockwise"])
+def test_a_law_begins_in_an_extreme_position(law, zero):
+    """There the output stands with a driving link that turns uniformly; what goes on differs by the law alone."""
+    begun = TEXT.replace("LAW}", f"LAW}}, zero: {{{zero}}}")
+    moving = course.solve(variant(law, begun)).lever.kinematics
+    uniform = course.solve(course.loads(begun.replace("law: {LAW}", "speed: 12 rad/s"))).lever.kinematics
+    angle = moving.cycle.law.of_phase(0.0)[0]
+    assert np.cos(angle - uniform.cycle.zero) == pytest.approx(1.0, abs=1e-15)
+    plain = found(law).kinematics.cycle.law
+    theta = np.linspace(0.0, 6.0, 7)
+    for own, other in zip(moving.cycle.law.of_phase(theta)[1:], plain.of_phase(theta)[1:], strict=True):
+        assert own == pytest.approx(other, rel=1e-12, abs=1e-12)
+    motion = moving.cycle.motion(np.zeros(1))
+    rate = motion.velocity("D") if "point" in zero else motion.angular_velocity("3")
+    assert np.abs(rate) == pytest.approx([0.0], abs=1e-9)
+
+
+def test_where_a_law_begins_is_stated_once_and_is_there():
+    twice = TEXT.replace("LAW}", "LAW}, zero: {angle: 5 deg}")
+    assert any("stated twice, by zero" in one for one in told("slowing", twice))
+    begun = variant("accelerated", twice).lever.mechanism.driver.law
+    assert float(begun.of_phase(0.0)[0]) == pytest.approx(np.radians(5), rel=1e-15)
+    nowhere = TEXT.replace("LAW}", "LAW}, zero: {point: A, extreme: right}").replace(
+        "A: [100 mm, 0]", "A: [1e-12, 0]"
+    )
+    assert told("accelerated", nowhere)
+    unknown = TEXT.replace("LAW}", "LAW}, zero: {point: Z, extreme: right}")
+    assert [one.split(":")[0] for one in told("accelerated", unknown)] == ["mechanism.driver.zero.point"]
+
+
+@pytest.mark.parametrize("swing", [80, -80])
+def test_phases_may_end_where_they_lift_to(swing):
+    """The turn of a shaft from one rest to another: 10u³ − 15u⁴ + 6u⁵, either way."""
+    law = f"angle: 60 deg, phases: [{{rise: 360 deg, law: polynomial}}], swing: {swing} deg, time: 0.8 s"
+    motion = found(law)
+    u = np.linspace(0, 1, 13)
+    turned = np.radians(60 + swing * (10 * u**3 - 15 * u**4 + 6 * u**5))
+    assert motion.kinematics.cycle.law.of_phase(2 * np.pi * u)[0] == pytest.approx(turned, rel=1e-13)
+    assert not motion.kinematics.cycle.closed
+    backwards = "angle: 60 deg, phases: [{return: 360 deg, law: polynomial}], swing: 80 deg, time: 0.8 s"
+    assert any("beginning with a rise;" in f"{one};" for one in told(backwards))
+
+
+def test_a_law_of_a_mechanism_that_is_not_assembled_yet_may_be_looked_at():
+    text = TEXT.replace("LAW}", "LAW}, zero: {link: 3, extreme: clockwise}").replace("B: left of A-C, ", "")
+    with pytest.raises(ProblemError, match="can be assembled in two ways"):
+        course.solve(variant("accelerated", text))

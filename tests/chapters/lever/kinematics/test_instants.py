@@ -89,12 +89,47 @@ def test_slips(at):
     assert problem.key == "positions.at.0" and SLIPS[at] in problem.text()
 
 
-def test_a_law_is_asked_by_the_time():
-    law = TEXT.replace("DRIVER, zero: {angle: 25 deg}", "law: {speed: 5 rad/s, acceleration: 2 rad/s^2}")
-    with pytest.raises(ProblemError) as caught:
-        course.loads(law.replace("AT", "40 deg"))
-    assert "by the time" in caught.value.problems[0].text()
-
-
 def test_no_instants_change_nothing():
     assert not [name for name in document("speed: 7 rad/s", "")["tables"] if name.endswith("_at")]
+
+
+BY_LAW = TEXT.replace(", zero: {angle: 25 deg}", "").replace(
+    "by_angle: [[0, 0], [90 deg, 200 N], [270 deg, -50 N], [360 deg, 0]]", "constant: 200 N"
+)
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+@pytest.mark.parametrize("zero", ["", ", zero: {point: D, extreme: right}"])
+def test_a_link_that_speeds_up_is_asked_by_its_angle(sense, zero):
+    """ω₀ t + ε t²/2 = φ by its root; the angle of the link there, and the same numbers as at that time."""
+    law = f"law: {{speed: {5 * sense} rad/s, acceleration: {4 * sense} rad/s^2}}{zero}"
+    times = [(np.sqrt(25 + 8 * np.radians(angle)) - 5) / 4 for angle in (40, 300, 0)]
+
+    def at(written):
+        results = course.solve(course.loads(BY_LAW.replace("DRIVER", law).replace("AT", written)))
+        return json.loads(render(results, "json")["results.json"])
+
+    found, timed = at("40 deg, 300 deg, 0 deg"), at(", ".join(f"{time!r} s" for time in map(float, times)))
+    assert columns(found, "rates_at")["t"] == pytest.approx(times, rel=1e-12, abs=1e-12)
+    turned = np.array(columns(found, "outputs_at")["phi_law"])
+    assert turned - turned[2] == pytest.approx(sense * np.array([40.0, 300.0, 0.0]), rel=1e-11, abs=1e-9)
+    for table in ("rates_at", "balancing_at"):
+        for key in ("a_D", "e_4", "M_bal"):
+            if key in columns(found, table):
+                assert columns(found, table)[key] == pytest.approx(
+                    columns(timed, table)[key], rel=1e-8, abs=1e-9
+                )
+
+
+@pytest.mark.parametrize(
+    ("law", "angle"),
+    [
+        ("law: {angle: 60 deg, harmonic: {amplitude: 35 deg, frequency: 8 rad/s}}", "10 deg"),
+        ("law: {speed: 5 rad/s, acceleration: 4 rad/s^2, time: 0.1 s}", "40 deg"),
+    ],
+)
+def test_a_link_that_turns_back_or_does_not_come_so_far_is_asked_by_the_time(law, angle):
+    with pytest.raises(ProblemError) as caught:
+        course.loads(BY_LAW.replace("DRIVER", law).replace("AT", angle))
+    (told,) = caught.value.problems
+    assert told.key == "positions.at.0" and "positions are stated by the time" in told.text()

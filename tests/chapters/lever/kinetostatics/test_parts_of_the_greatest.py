@@ -49,6 +49,32 @@ def test_in_parts_of_the_greatest_they_are_the_values():
     assert abs(parts.table.balancing).max() > 10
 
 
+def test_the_way_back_may_be_stated_as_the_point_goes():
+    """From the far end to the zero, a jump among it."""
+    ascending = loaded(
+        "{zero: down, of: 3 MPa, forward: [[0, 0], [1, 1]], back: [[0, 0], [0.4, 0.2], [0.4, 0.6], [1, 1]]}"
+    )
+    back = loaded(
+        "{zero: down, of: 3 MPa, forward: [[0, 0], [1, 1]], back: [[1, 1], [0.4, 0.6], [0.4, 0.2], [0, 0]]}"
+    )
+    assert back.table.balancing == pytest.approx(ascending.table.balancing, rel=1e-15)
+    with pytest.raises(ProblemError) as caught:
+        loaded(
+            "{zero: down, of: 3 MPa, forward: [[0, 0], [1, 1]], back: [[1, 1], [0.2, 0.6], [0.4, 0.2], [0, 0]]}"
+        )
+    (told,) = caught.value.problems
+    assert told.key.endswith("back") and "from the least to the greatest" in told.text()
+
+
+def test_a_curve_with_a_mistake_is_told_once():
+    with pytest.raises(ProblemError) as caught:
+        loaded(
+            "{zero: down, curve: gas, of: 3 MPa}",
+            curves="  curves: {gas: {forward: [[0, a], [1, 1]], back: [[0, 0], [1, 1]]}}",
+        )
+    assert [one.key for one in caught.value.problems] == ["loads.curves.gas.forward.0.1"]
+
+
 def test_one_curve_for_two_cylinders():
     shared = "{{zero: down, curve: gas, of: {0} MPa}}"
     spelled = loaded(SPELLED.format(0.06, 0.6, 3.0), SPELLED.format(0.04, 0.4, 2.0))

@@ -304,6 +304,16 @@ TOLD = {
     "{slider_crank: {stroke: 1 m, ratio: 4}, dwell: {}}": ("synthesis.dwell.crank", "missing"),
     "{slider_crank: {ratio: 4}}": ("synthesis.slider_crank", "the stroke must be stated once"),
     "{slider_crank: {mean_speed: 1 m/s, ratio: 4}}": ("synthesis.slider_crank", "go together"),
+    "{slider_crank: {stroke: 1 m, mean_speed: 1 m/s, speed: 60 rpm, ratio: 4}}": (
+        "synthesis.slider_crank.speed", "one follows from the two others; stroke, alone or with"),
+    "{slotted_link: {stroke: 1 m, K: 1.5, frame: 1 m, pressure_angle: 9 deg, transmission: 80 deg}}": (
+        "synthesis.slotted_link.transmission", "make 90° together"),
+    "{slotted_link: {stroke: 1 m, crank: 1 m, frame: 1 m, rod_ratio: 2}}": (
+        "synthesis.slotted_link.crank", "turning_guide is such a mechanism; less than 1000 mm"),
+    "{slotted_link: {stroke: 1 m, K: 1.5, swing: 1 rad, rod_ratio: 2}}": (
+        "synthesis.slotted_link", "K or swing, with crank or frame; or crank and frame"),
+    "{turning_guide: {stroke: 1 m, K: 1.5, frame: 1 m, rod_ratio: 2, transmission: 70 deg}}": (
+        "synthesis.turning_guide.transmission", "30 deg"),
     "{slider_crank: {stroke: 1 m}}": ("synthesis.slider_crank", "nothing says how long the rod is"),
     "{slider_crank: {stroke: 1 m, K: 1.2, ratio: 3, offset: 1 cm}}": (
         "synthesis.slider_crank.ratio", "its ratio follows"),

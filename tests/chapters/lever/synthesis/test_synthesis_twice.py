@@ -18,6 +18,7 @@ TEXTS = {
     "slider-crank by ratio and offset": "slider_crank: {stroke: 120 mm, ratio: 3, offset: 25 mm}",
     "slider-crank in line": "slider_crank: {mean_speed: 0.8 m/s, speed: 120 rpm, pressure_angle: 12 deg}",
     "slider-crank in line by ratio": "slider_crank: {stroke: 90 mm, ratio: 4}",
+    "slider-crank of a mean speed": "slider_crank: {stroke: 90 mm, mean_speed: 0.6 m/s, transmission: 75 deg}",
     "crank-rocker by crank": "crank_rocker: {K: 1.1, swing: 32 deg, rocker: 0.6 m, crank: 0.15 m}",
     "crank-rocker beyond": "crank_rocker: {K: 1.1, swing: 32 deg, rocker: 0.6 m, crank: 0.15 m, beyond: true}",
     "crank-rocker by rod": "crank_rocker: {K: 1.1, swing: 32 deg, rocker: 0.6 m, rod: 0.9 m}",
@@ -27,6 +28,12 @@ TEXTS = {
     "crank-rocker in step by frame": "crank_rocker: {swing: 60 deg, rocker: 300 mm, frame: 500 mm}",
     "shaper": "slotted_link: {stroke: 400 mm, K: 1.5, frame: 420 mm, rod_ratio: 0.25}",
     "shaper by crank": "slotted_link: {stroke: 400 mm, K: 1.5, crank: 130 mm, pressure_angle: 7 deg}",
+    "shaper by swing": "slotted_link: {stroke: 400 mm, swing: 40 deg, frame: 420 mm, rod_ratio: 0.25}",
+    "shaper by crank and frame": "slotted_link: {stroke: 400 mm, crank: 130 mm, frame: 420 mm, pressure_angle: 7 deg}",
+    "shaper by transmission angle": "slotted_link: {stroke: 400 mm, K: 1.5, crank: 130 mm, transmission: 80 deg, "
+    "working_speed: 0.4 m/s}",
+    "Whitworth of a working speed": "turning_guide: {stroke: 300 mm, K: 1.8, crank: 150 mm, transmission: 70 deg, "
+    "working_speed: 0.5 m/s}",
     "Whitworth": "turning_guide: {stroke: 300 mm, K: 1.8, crank: 150 mm, rod_ratio: 4}",
     "Whitworth by frame": "turning_guide: {stroke: 300 mm, K: 1.8, frame: 60 mm, pressure_angle: 20 deg}",
     "function": "function: {y: x^1.5, x: [1, 4], crank_from: 30 deg, crank_turn: 90 deg, rocker_from: 60 deg, "
@@ -58,6 +65,22 @@ def met(one: complex, r: float, other: complex, R: float, left: bool) -> complex
     return one + line / far * complex(along, math.sqrt(r**2 - along**2) * (1 if left else -1))
 
 
+def transmits(pressure, asked):
+    """The angles that are stated or asked in place of those of pressure; the speed by the time of the slow stroke."""
+    ways = {}
+    if asked.transmission is not None:
+        ways |= {
+            "permitted": math.radians(90) - asked.transmission,
+            "transmission": math.radians(90) - pressure,
+        }
+    if getattr(asked, "working_speed", None) is not None:
+        slow = asked.stroke / asked.working_speed
+        ways["speed"] = 2 * math.pi / (slow + slow / asked.K)
+    elif getattr(asked, "stroke", None) and getattr(asked, "mean_speed", None):
+        ways["speed"] = 2 * math.pi / (2 * asked.stroke / asked.mean_speed)
+    return ways
+
+
 def slider_crank(s, asked):
     """The slider's extreme places off a line at distance e from the crank's pivot."""
     a, b, e = (s.number(key) for key in ("crank", "rod", "offset"))
@@ -74,6 +97,7 @@ def slider_crank(s, asked):
     # the two dead positions give the same crank, rod and offset again
     ways |= {"crank": (abs(far) - abs(near)) / 2, "rod": (abs(far) + abs(near)) / 2}
     ways["offset"] = abs(both.imag) if both is not None else e
+    ways |= transmits(pressure, asked)
     assert stroke == pytest.approx(wanted, rel=1e-9)
     assert asked.K == 1 or theta == pytest.approx(ways["theta"], rel=1e-8)
     return ways
@@ -105,18 +129,23 @@ def crank_rocker(s, asked):
 
 def slotted_link(s, asked):
     """The crank's circle is touched by the slotted link in its extreme positions."""
-    theta = math.pi * (asked.K - 1) / (asked.K + 1)
+    if asked.K is None:
+        theta = asked.swing or 2 * math.atan2(asked.crank, math.sqrt(asked.frame**2 - asked.crank**2))
+    else:
+        theta = math.pi * (asked.K - 1) / (asked.K + 1)
     d = asked.frame or asked.crank / abs(np.sin(theta / 2))
     end = asked.stroke / 2 / math.tan(theta / 2) * 1j + asked.stroke / 2
     top, low = abs(end), end.imag
     line = (top + low) / 2
     off = top - line
-    rod = abs(end) * asked.rod_ratio if asked.rod_ratio else off / math.sin(asked.pressure_angle)
+    rod = abs(end) * asked.rod_ratio if asked.rod_ratio else off / math.sin(asked.permitted)
     reach = np.linspace(-theta / 2, theta / 2, 4001)
     pressure = np.max(np.abs(np.arcsin((top * np.cos(reach) - line) / rod)))
+    # over the arc outside of its tangents the pin goes forth, over the one inside back
+    ratio = (2 * math.pi - 2 * math.acos(math.sin(theta / 2))) / (2 * math.acos(math.sin(theta / 2)))
     return {
-        "theta": theta, "crank": abs((np.conj(end) * 1j * d).imag) / top, "frame": d, "link": top,
-        "sagitta": top - low, "slide_line": line, "rod": rod, "pressure": pressure,
+        "K": ratio, "theta": theta, "crank": abs((np.conj(end) * 1j * d).imag) / top, "frame": d, "link": top,
+        "sagitta": top - low, "slide_line": line, "rod": rod, "pressure": pressure, **transmits(pressure, asked),
     }  # fmt: skip
 
 
@@ -127,13 +156,15 @@ def turning_guide(s, asked):
     assert slow / (2 * math.pi - slow) == pytest.approx(asked.K, rel=1e-9)
     frame, crank = a * math.sin(slow / 2 - math.pi / 2), d / math.sin(slow / 2 - math.pi / 2)
     r = asked.stroke / 2
-    rod = r * asked.rod_ratio if asked.rod_ratio else r / math.sin(asked.pressure_angle)
+    rod = r * asked.rod_ratio if asked.rod_ratio else r / math.sin(asked.permitted)
+    pressure = math.atan(r / math.sqrt(rod**2 - r**2))
     return {
         "frame": frame,
         "crank": crank,
         "arm": r,
         "rod": rod,
-        "pressure": math.atan(r / math.sqrt(rod**2 - r**2)),
+        "pressure": pressure,
+        **transmits(pressure, asked),
     }
 
 

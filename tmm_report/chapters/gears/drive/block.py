@@ -92,7 +92,8 @@ def _crank(read: Read) -> Crank | None:
         return None
     stated = driver.model_fields_set
     linked = linked_by_drive(read.data)
-    omega = math.nan if driver.speed == "drive" else structure.driver(driver).omega
+    built = None if driver.speed == "drive" else structure.driver(read)
+    omega = math.nan if built is None else built.omega
     # of a linked one the sense may have been filled in by the drive itself
     turned = "rotation" in (read.data["mechanism"].get("driver") or {}) and "rotation" in stated
     key = "period" if driver.period is not None else "speed"

@@ -15,7 +15,7 @@ from tmm_report.chapters.lever.schemes import schemes_of
 from tmm_report.figures.drawing import Drawing
 from tmm_report.mechanics.calculus.motion_laws import Harmonic, Polynomial
 from tmm_report.mechanics.lever.driving.stroke import Stroke
-from tmm_report.mechanics.lever.mechanism import FRAME, Guide, Link, Mechanism, ZeroAngle
+from tmm_report.mechanics.lever.mechanism import FRAME, Guide, Link, Mechanism, ZeroAngle, ZeroExtreme
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import PI, Formula
 from tmm_report.quantity.model import Book, variable
@@ -142,6 +142,11 @@ class InitialData(BookView):
     def speed(self) -> Formula:
         """Revolutions a minute from the angular velocity."""
         return self.value("n_1").formula(30 * self.value("omega").var(size=True) / PI)
+
+    @property
+    def begins_extreme(self) -> bool:
+        """Whether position 0 is stated by an extreme position."""
+        return isinstance(self.mechanism.driver.zero, ZeroExtreme)
 
     def zero(self) -> Markup:
         """Which position counts as position 0."""

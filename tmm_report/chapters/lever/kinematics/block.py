@@ -121,17 +121,21 @@ def mistakes(read: Read) -> Iterator[Problem]:
 def _beyond_the_cycle(written: PositionsModel, read: Read) -> Iterator[Problem]:
     """Instants that the cycle has not; of a speed that the drive gives only angles are judged."""
     driver = read.block(structure.Block).mechanism.driver
-    if driver is None or not written.at:
+    built = structure.driver(read) if written.at else None
+    if driver is None or built is None:
         return
-    built = structure.driver(driver)
     whole = built.sweep * built.turns
     for index, (value, by) in enumerate(written.at):
         path, timed = ("positions", "at", index), by == "time"
         if by == "length":
             yield from _beyond_the_stroke(value, built.law if driver.stroke else None, path)
         elif built.law is not None and not timed:
-            text = N_("the driving link moves by a law: its positions are stated by the time")
-            yield mistake(text, path, Message(N_("for example, %(example)s"), {"example": "0.05 s"}))
+            if driver.stroke is not None or not built.law.turned_by(value) >= 0:
+                text = N_(
+                    "by its law the driving link does not go on by this angle from position 0, or it turns back: "
+                    "positions are stated by the time"
+                )
+                yield mistake(text, path, Message(N_("for example, %(example)s"), {"example": "0.05 s"}))
         elif timed and driver.speed == "drive":
             text = N_("the speed is that of the drive: positions are stated by the angle")
             yield mistake(text, path, Message(N_("for example, %(example)s"), {"example": "40 deg"}))

@@ -9,11 +9,13 @@ from pydantic import Field
 from tmm_report.chapters.lever.synthesis.given import (
     Body,
     CrankRocker,
+    Permits,
     SliderCrank,
     SlottedLink,
     Synthesis,
     TurningGuide,
 )
+from tmm_report.chapters.lever.synthesis.refused import mm
 from tmm_report.chapters.lever.synthesis.solve import design, offered
 from tmm_report.mechanics.lever.stated_masses import Synthesised
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
@@ -77,7 +79,11 @@ def _clashes(written: Synthesis) -> Iterator[Problem]:
         right = Message(N_("exactly one of: %(words)s"), {"words": ", ".join(KINDS)})
         yield mistake(N_("the kind of the linkage must be stated by one key"), PATH, right)
         return
-    match asked := written.asked:
+    asked = written.asked
+    if isinstance(asked, Permits) and None not in (asked.pressure_angle, asked.transmission):
+        wrong = N_("the pressure angle and the transmission angle make 90° together: one of them is stated")
+        yield mistake(wrong, (*PATH, written.kind, "transmission"), Message(N_("leave one of the two")))
+    match asked:
         case SliderCrank():
             yield from _of_slider_crank(asked)
         case CrankRocker():
@@ -92,14 +98,35 @@ def _clashes(written: Synthesis) -> Iterator[Problem]:
                 yield mistake(wrong, (*PATH, "crank_rocker", "crank_at"), right)
         case SlottedLink() | TurningGuide():
             kind = written.kind
-            yield from _once(asked, ("frame", "crank"), kind)
-            yield from _once(asked, ("rod", "rod_ratio"), kind, at_most=asked.pressure_angle is not None)
+            if isinstance(asked, SlottedLink):
+                yield from _of_slotted_link(asked)
+            else:
+                yield from _once(asked, ("frame", "crank"), kind)
+            yield from _once(asked, ("rod", "rod_ratio"), kind, at_most=asked.permitted is not None)
             if asked.K == 1:
                 wrong = N_("a slotted link has strokes of different times: K is greater than 1")
                 right = Message(N_("for example, %(example)s"), {"example": "K: 1.5"})
                 yield mistake(wrong, (*PATH, kind, "K"), right)
         case Body():
             yield from _of_body(asked)
+
+
+def _of_slotted_link(asked: SlottedLink) -> Iterator[Problem]:
+    """Its swing is stated by the time ratio, by itself, or by the crank and the distance of the pivots."""
+    path = (*PATH, "slotted_link")
+    stated = [key for key in ("K", "swing") if getattr(asked, key) is not None]
+    lengths = [key for key in ("frame", "crank") if getattr(asked, key) is not None]
+    if len(stated) == 1:
+        yield from _once(asked, ("frame", "crank"), "slotted_link")
+    elif stated or len(lengths) < 2:
+        wrong = N_("crank, distance of the pivots and swing follow from two of them")
+        right = Message(N_("K or swing, with crank or frame; or crank and frame"))
+        yield mistake(wrong, path, right)
+    elif (asked.crank or 0.0) >= (asked.frame or 0.0):
+        wrong = N_("with so long a crank the slotted link turns all round: turning_guide is such a mechanism")
+        yield mistake(
+            wrong, (*path, "crank"), Message(N_("less than %(limit)s"), {"limit": mm(asked.frame or 0.0)})
+        )
 
 
 def _of_body(asked: Body) -> Iterator[Problem]:
@@ -124,12 +151,18 @@ def _once(asked: object, keys: tuple[str, ...], kind: str, at_most: bool = False
 
 def _of_slider_crank(asked: SliderCrank) -> Iterator[Problem]:
     path = (*PATH, "slider_crank")
-    if (asked.stroke is None) == (asked.mean_speed is None):
-        right = Message(N_("stroke: 120 mm, or mean_speed: 0.8 m/s with speed: 120 rpm"))
+    right = Message(
+        N_(
+            "stroke, alone or with mean_speed, which give the speed; or mean_speed: 0.8 m/s and speed: 120 rpm"
+        )
+    )
+    if asked.stroke is None and asked.mean_speed is None:
         yield mistake(N_("the stroke must be stated once"), path, right)
-    elif (asked.mean_speed is None) != (asked.speed is None):
-        right = Message(N_("stroke: 120 mm, or mean_speed: 0.8 m/s with speed: 120 rpm"))
+    elif asked.stroke is None and asked.speed is None:
         yield mistake(N_("the mean speed and the speed of the crank go together"), path, right)
+    elif asked.stroke is not None and asked.speed is not None:
+        wrong = N_("of the stroke, the mean speed and the speed of the crank one follows from the two others")
+        yield mistake(wrong, (*path, "speed"), right)
     if asked.offset is not None and asked.offset_ratio is not None:
         yield mistake(N_("the offset is stated twice"), (*path, "offset_ratio"), Message(N_("leave it out")))
     if asked.K > 1:
@@ -139,6 +172,6 @@ def _of_slider_crank(asked: SliderCrank) -> Iterator[Problem]:
         elif asked.offset is not None and asked.ratio is not None:
             wrong = N_("stroke, time ratio and offset determine the linkage: its ratio follows")
             yield mistake(wrong, (*path, "ratio"), Message(N_("leave it out")))
-    elif asked.ratio is None and (asked.pressure_angle is None or asked.offset or asked.offset_ratio):
+    elif asked.ratio is None and (asked.permitted is None or asked.offset or asked.offset_ratio):
         right = Message(N_("ratio: 4, or pressure_angle: 12 deg of a slider in line with the crank"))
         yield mistake(N_("nothing says how long the rod is"), path, right)

@@ -48,7 +48,13 @@ def pinned(asked: Body) -> tuple[np.ndarray, np.ndarray]:
     return first, second
 
 
-def _placed(s: Values, crank: complex, rocker: complex) -> None:
+def _placed(s: Values, crank: complex, rocker: complex, pin: np.ndarray) -> None:
+    """`pin`: places of the crank's pin; the crank goes through them in their order."""
+    turned = np.angle((pin - crank) / (pin[0] - crank))
+    way = float(turned[-1])
+    if len(pin) == 3 and (turned[1] * way < 0 or abs(turned[1]) > abs(way)):  # the long way round
+        way -= math.copysign(2 * math.pi, way)
+    s.crank_angle, s.crank_way = float(np.angle(pin[0] - crank)), way
     s.crank_pivot_x, s.crank_pivot_y, s.rocker_pivot_x, s.rocker_pivot_y = (
         crank.real, crank.imag, rocker.real, rocker.imag,
     )  # fmt: skip
@@ -69,7 +75,7 @@ def _through_three(s: Values, pins: tuple[np.ndarray, np.ndarray]) -> tuple[tupl
             )
             raise refused(wrong, "body", "points", right=Message(OTHERS), name=name) from None
     (crank, a), (rocker, c) = found
-    _placed(s, crank, rocker)
+    _placed(s, crank, rocker, pins[0])
     s.crank, s.rocker, s.rod, s.frame = a, c, abs(complex(pins[1][0] - pins[0][0])), abs(rocker - crank)
     _passes(s, crank, rocker, pins)
     return ()
@@ -194,6 +200,6 @@ def _written(
         s.rocker = sqrt(s.off_B**2 + s.way_B**2 / 4)
     s.turn_A = 2 * arcsin(s.way_A / (2 * s.crank))
     s.turn_B = 2 * arcsin(s.way_B / (2 * s.rocker))
-    _placed(s, complex(of.crank_pivot), complex(of.rocker_pivot[0]))
+    _placed(s, complex(of.crank_pivot), complex(of.rocker_pivot[0]), pins[0])
     s.rod, s.frame = abs(complex(pins[1][0] - pins[0][0])), best[2]
     s.transmission = best[3]

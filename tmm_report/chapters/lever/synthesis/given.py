@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import field, fields
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
         Point,
         Pose,
         Positive,
+        PositiveVelocity,
         PressureAngle,
         Side,
         Speed,
@@ -29,16 +31,39 @@ if TYPE_CHECKING:
     )
 
 
+_TRANSMISSION = (
+    "least permitted angle between the rod and the normal of the slide line, in place of `pressure_angle`"
+)
+
+
+class Permits:
+    """What states a permitted pressure angle, or the transmission angle that it lacks to a right one."""
+
+    pressure_angle: float | None
+    transmission: float | None
+
+    @property
+    def permitted(self) -> float | None:
+        """Greatest pressure angle, rad."""
+        return self.pressure_angle if self.transmission is None else math.pi / 2 - self.transmission
+
+
 @dataclass(frozen=True, eq=False)
-class SliderCrank:
+class SliderCrank(Permits):
     """A slider-crank of a stroke; what is left free is chosen for the least pressure angle."""
 
     stroke: Annotated[Positive | None, Field(description="of the slider", examples=["120 mm"])] = None
     mean_speed: Annotated[
-        Annotated[float, quantity("velocity", 1e-9)] | None,
-        Field(description="of the slider over the turn, with `speed` in place of the stroke"),
+        PositiveVelocity | None,
+        Field(
+            description="of the slider over the turn: with the stroke it gives the speed of the crank, with that the "
+            "stroke"
+        ),
     ] = None
-    speed: Annotated[Speed | None, Field(description="of the crank", examples=["120 rpm"])] = None
+    speed: Annotated[
+        Speed | None,
+        Field(description="of the crank, with `mean_speed` in place of the stroke", examples=["120 rpm"]),
+    ] = None
     K: Annotated[TimeRatio, Field(description="time of the slower stroke by that of the faster one")] = 1.0
     ratio: Annotated[
         Annotated[float, quantity("number", 1.000001, 1000.0, "1 … 1000")] | None,
@@ -52,6 +77,7 @@ class SliderCrank:
     pressure_angle: Annotated[
         PressureAngle | None, Field(description="greatest permitted", examples=["12 deg"])
     ] = None
+    transmission: Annotated[TransmissionAngle | None, Field(description=_TRANSMISSION)] = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,15 +103,21 @@ class CrankRocker:
 
 
 @dataclass(frozen=True, eq=False)
-class SlottedLink:
+class SlottedLink(Permits):
     """A crank that drives a swinging slotted link, a rod and a slider: a shaper."""
 
     stroke: Annotated[Positive, Field(description="of the slider", examples=["400 mm"])]
-    K: Annotated[TimeRatio, Field(description="time of the working stroke by that of the return")]
+    K: Annotated[
+        TimeRatio | None,
+        Field(description="time of the working stroke by that of the return", examples=[1.5]),
+    ] = None
+    swing: Annotated[
+        Swing | None, Field(description="of the slotted link, in place of K; or both crank and frame")
+    ] = None
     frame: Annotated[
         Positive | None, Field(description="distance of the fixed pivots", examples=["420 mm"])
     ] = None
-    crank: Annotated[Positive | None, Field(description="in place of the frame")] = None
+    crank: Annotated[Positive | None, Field(description="in place of the frame, or of K")] = None
     rod: Positive | None = None
     rod_ratio: Annotated[
         Annotated[float, quantity("number", 1e-3, 1000.0, "0.001 … 1000")] | None,
@@ -94,10 +126,17 @@ class SlottedLink:
     pressure_angle: Annotated[
         PressureAngle | None, Field(description="of the rod, greatest permitted; without `rod` it is reached")
     ] = None
+    transmission: Annotated[TransmissionAngle | None, Field(description=_TRANSMISSION)] = None
+    working_speed: Annotated[
+        PositiveVelocity | None,
+        Field(
+            description="mean velocity of the slider on the working stroke: it gives the speed of the crank"
+        ),
+    ] = None
 
 
 @dataclass(frozen=True, eq=False)
-class TurningGuide:
+class TurningGuide(Permits):
     """A crank that drives a slotted link all round, an arm and a rod of which drive a slider: Whitworth's mechanism."""
 
     stroke: Annotated[Positive, Field(description="of the slider", examples=["300 mm"])]
@@ -111,6 +150,13 @@ class TurningGuide:
     ] = None
     pressure_angle: Annotated[
         PressureAngle | None, Field(description="of the rod, greatest permitted; without `rod` it is reached")
+    ] = None
+    transmission: Annotated[TransmissionAngle | None, Field(description=_TRANSMISSION)] = None
+    working_speed: Annotated[
+        PositiveVelocity | None,
+        Field(
+            description="mean velocity of the slider on the working stroke: it gives the speed of the crank"
+        ),
     ] = None
 
 

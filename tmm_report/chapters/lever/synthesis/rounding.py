@@ -72,6 +72,8 @@ def rounded(found: Design) -> None:
         s.swing_taken, s.transmission_taken = does.travel, does.angle
     else:
         s.stroke_taken, s.pressure_taken = does.travel, does.angle
+        if "transmission" in s:
+            s.transmission_taken = math.pi / 2 - does.angle
 
 
 def _misfit(places: np.ndarray, pivot: complex, length: float) -> float:

@@ -24,7 +24,7 @@ from tmm_report.chapters.lever.synthesis.given import (
     Synthesis,
     TurningGuide,
 )
-from tmm_report.chapters.lever.synthesis.values import ANGLES, LENGTHS, SWING_OF_LINK, Values
+from tmm_report.chapters.lever.synthesis.values import ANGLES, LENGTHS, SPEEDS, SWING_OF_LINK, Values
 from tmm_report.mechanics.lever.dyads import Dyad
 from tmm_report.mechanics.lever.stated_masses import Synthesised
 from tmm_report.mechanics.lever.synthesis import FourBar, least
@@ -57,9 +57,11 @@ class Design:
         return [key for key in LENGTHS if key in self.s]
 
     def taken(self, key: str) -> float:
-        """A length as the mechanism takes it, m, or an angle, rad."""
+        """A length as the mechanism takes it, m, an angle, rad, or a speed, rad/s."""
         number, step = self.s.number(key), self.given.round
-        return number if step is None or key in ANGLES else round(number / step) * step
+        if key == "crank_way":  # the sense is that of the driving link's speed
+            return abs(number)
+        return number if step is None or key in (*ANGLES, *SPEEDS) else round(number / step) * step
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,7 +129,7 @@ def _exact(given: Synthesis) -> Design:
 def offered(found: Design) -> dict[str, Synthesised]:
     """What the mechanism may take, by its keys."""
     rows = {key: row for row, key in enumerate(found.lengths)} if found.given.round is not None else {}
-    keys = (*found.lengths, *(key for key in ANGLES if key in found.s))
+    keys = (*found.lengths, *(key for key in (*ANGLES, *SPEEDS) if key in found.s))
     return {key: Synthesised(key, found.taken(key), rows.get(key)) for key in keys}
 
 
@@ -174,5 +176,5 @@ def _angle_met(s: Values, travel: Travel, found: Kinematics) -> None:
     )[1]
     if travel.output.kind == "slider":
         s.pressure_met = math.pi / 2 - angle
-    else:
+    if "transmission" in s:
         s.transmission_met = angle

@@ -10,13 +10,13 @@ import math
 
 import numpy as np
 
-from tmm_report.chapters.lever.synthesis.given import SliderCrank, SlottedLink, TurningGuide
+from tmm_report.chapters.lever.synthesis.given import Permits, SliderCrank, SlottedLink, TurningGuide
 from tmm_report.chapters.lever.synthesis.refused import degrees, mm, refused
 from tmm_report.chapters.lever.synthesis.values import Values
 from tmm_report.mechanics.lever import synthesis
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.formula import PI, Expr, cos, sin, sqrt
-from tmm_report.quantity.functions import HALF, arcsin
+from tmm_report.quantity.functions import HALF, RIGHT, arcsin
 
 SAME = 1e-9  # relative: what differs by less is equal
 MOST_RATIO = 25.0  # of rod to crank that is tried where it is free
@@ -35,10 +35,13 @@ def between(s: Values, K: float) -> float:
 def slider_crank(s: Values, asked: SliderCrank) -> None:
     if asked.stroke is not None:
         s.stroke = asked.stroke
+        if asked.mean_speed is not None:
+            s.mean_speed = asked.mean_speed
+            s.speed = PI * s.mean_speed / s.stroke
     else:
-        s.mean_speed, s.omega = asked.mean_speed, asked.speed
-        s.stroke = PI * s.mean_speed / s.omega
-    s.permitted = asked.pressure_angle
+        s.mean_speed, s.speed = asked.mean_speed, asked.speed
+        s.stroke = PI * s.mean_speed / s.speed
+    _permits(s, asked)
     if asked.offset_ratio is not None or asked.K == 1:
         _by_ratios(s, asked)
     else:
@@ -50,8 +53,23 @@ def slider_crank(s: Values, asked: SliderCrank) -> None:
         both = mm(s.number("crank") + s.number("offset"))
         raise refused(wrong, "slider_crank", right=_longer(asked), rod=mm(s.number("rod")), both=both)
     s.pressure = arcsin((s.crank + s.offset) / s.rod if s.get("offset") else s.crank / s.rod)
-    if asked.pressure_angle is not None and s.number("pressure") > asked.pressure_angle * (1 + SAME):
-        _too_steep(s, "slider_crank")
+    if asked.permitted is not None and s.number("pressure") > asked.permitted * (1 + SAME):
+        _too_steep(s, "slider_crank", asked)
+    _transmits(s, asked)
+
+
+def _permits(s: Values, asked: Permits) -> None:
+    """The permitted pressure angle, stated or what the transmission angle lacks to a right one."""
+    if asked.transmission is None:
+        s.permitted = asked.pressure_angle
+    else:
+        s.mu_permitted = asked.transmission
+        s.permitted = RIGHT - s.mu_permitted
+
+
+def _transmits(s: Values, asked: Permits) -> None:
+    if asked.transmission is not None:
+        s.transmission = RIGHT - s.pressure
 
 
 def _longer(asked: SliderCrank) -> Message:
@@ -145,37 +163,51 @@ def _free_ratio(s: Values, theta: float, asked: SliderCrank) -> float:
         return synthesis.slider_cranks(s.number("stroke"), theta, ratio).pressure
 
     best, least = synthesis.least(pressure, 1.0, min(MOST_RATIO, synthesis.most_ratio(theta)))
-    if asked.pressure_angle is None:
+    if asked.permitted is None:
         return best
-    if least > asked.pressure_angle:
+    if least > asked.permitted * (1 + SAME):
         raise refused(
             N_("no ratio of rod to crank keeps this pressure angle: with the time ratio the least is %(least)s"),
-            "slider_crank", "pressure_angle",
+            "slider_crank", angle_key(asked),
             right=Message(N_("at least %(least)s, or a smaller K"), {"least": degrees(least)}), least=degrees(least),
         )  # fmt: skip
-    found = synthesis.roots(lambda ratio: pressure(ratio) - asked.pressure_angle, 1.0, best)
+    found = synthesis.roots(lambda ratio: pressure(ratio) - asked.permitted, 1.0, best)
     return float(found[0]) if found.size else best
 
 
-def _too_steep(s: Values, kind: str) -> None:
+def _too_steep(s: Values, kind: str, asked: Permits) -> None:
     values = {"found": degrees(s.number("pressure")), "most": degrees(s.number("permitted"))}
     raise refused(
         N_("the pressure angle comes to %(found)s, more than the permitted %(most)s"),
-        kind, "pressure_angle", right=Message(N_("a longer rod, or leave its length to be found")), **values,
+        kind, angle_key(asked), right=Message(N_("a longer rod, or leave its length to be found")), **values,
     )  # fmt: skip
+
+
+def angle_key(asked: Permits) -> str:
+    return "pressure_angle" if asked.transmission is None else "transmission"
 
 
 # ---------------------------------------------------------------- slotted links
 
 
 def slotted_link(s: Values, asked: SlottedLink) -> None:
-    between(s, asked.K)
+    if asked.K is not None:
+        between(s, asked.K)
+    elif asked.swing is not None:
+        s.theta = asked.swing
+        s.K = (HALF + s.theta) / (HALF - s.theta)
+    else:
+        s.crank, s.frame = asked.crank, asked.frame
+        s.theta = 2 * arcsin(s.crank / s.frame)
+        s.K = (HALF + s.theta) / (HALF - s.theta)
     half = s.theta / 2
-    s.stroke, s.permitted = asked.stroke, asked.pressure_angle
-    if asked.frame is not None:
+    s.stroke = asked.stroke
+    _permits(s, asked)
+    _driven(s, asked)
+    if asked.crank is None:
         s.frame = asked.frame
         s.crank = s.frame * sin(half)
-    else:
+    elif asked.frame is None:
         s.crank = asked.crank
         s.frame = s.crank / sin(half)
     s.link = s.stroke / (2 * sin(half))
@@ -183,17 +215,20 @@ def slotted_link(s: Values, asked: SlottedLink) -> None:
     s.slide_line = s.link - s.sagitta / 2
     _rod(s, asked, s.link, s.sagitta / 2, "slotted_link")
     s.pressure = arcsin(s.sagitta / (2 * s.rod))
+    _transmits(s, asked)
     if s.number("pressure") + s.number("theta") / 2 >= math.pi / 2:
         limit = s.number("sagitta") / 2 / math.cos(s.number("theta") / 2)
         raise refused(
             N_("with so short a rod the slider turns back before the slotted link does"), "slotted_link",
-            "rod" if asked.rod is not None else "rod_ratio" if asked.rod_ratio is not None else "pressure_angle",
+            "rod" if asked.rod is not None else "rod_ratio" if asked.rod_ratio is not None else angle_key(asked),
             right=Message(N_("a rod longer than %(limit)s"), {"limit": mm(limit)}),
         )  # fmt: skip
 
 
 def turning_guide(s: Values, asked: TurningGuide) -> None:
-    s.K, s.stroke, s.permitted = asked.K, asked.stroke, asked.pressure_angle
+    s.K, s.stroke = asked.K, asked.stroke
+    _permits(s, asked)
+    _driven(s, asked)
     share = cos(HALF / (s.K + 1))
     if asked.frame is not None:
         s.frame = asked.frame
@@ -204,6 +239,14 @@ def turning_guide(s: Values, asked: TurningGuide) -> None:
     s.arm = s.stroke / 2
     _rod(s, asked, s.arm, s.arm, "turning_guide")
     s.pressure = arcsin(s.arm / s.rod)
+    _transmits(s, asked)
+
+
+def _driven(s: Values, asked: SlottedLink | TurningGuide) -> None:
+    """The speed of the crank: the working stroke takes K/(K + 1) of the turn."""
+    if asked.working_speed is not None:
+        s.working_speed = asked.working_speed
+        s.speed = 2 * PI * s.working_speed * s.K / (s.stroke * (s.K + 1))
 
 
 def _rod(s: Values, asked: SlottedLink | TurningGuide, moved_by: Expr, off: Expr, kind: str) -> None:
@@ -219,9 +262,9 @@ def _rod(s: Values, asked: SlottedLink | TurningGuide, moved_by: Expr, off: Expr
     if sine >= 1:
         right = Message(N_("more than %(limit)s"), {"limit": mm(float(off.value))})
         raise refused(N_("the rod is too short to reach the slide line"), kind, "rod", right=right)
-    if asked.pressure_angle is not None and math.asin(sine) > asked.pressure_angle * (1 + SAME):
-        values = {"found": degrees(math.asin(sine)), "most": degrees(asked.pressure_angle)}
+    if asked.permitted is not None and math.asin(sine) > asked.permitted * (1 + SAME):
+        values = {"found": degrees(math.asin(sine)), "most": degrees(asked.permitted)}
         raise refused(
             N_("the pressure angle comes to %(found)s, more than the permitted %(most)s"),
-            kind, "pressure_angle", right=Message(N_("a longer rod, or leave its length to be found")), **values,
+            kind, angle_key(asked), right=Message(N_("a longer rod, or leave its length to be found")), **values,
         )  # fmt: skip

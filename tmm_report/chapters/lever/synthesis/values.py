@@ -6,13 +6,20 @@ from tmm_report.i18n import NP_
 from tmm_report.problems import N_
 from tmm_report.quantity.sheet import Q, Sheet
 
-WORDS = (NP_("index", "lim"), NP_("index", "max"), NP_("index", "min"), NP_("index", "met"))
+WORDS = (
+    NP_("index", "lim"),
+    NP_("index", "max"),
+    NP_("index", "min"),
+    NP_("index", "met"),
+    NP_("index", "work"),
+)
 
 
 class Values(Sheet, prefix="synthesis"):
     K = Q("K", "", N_("time of the slower stroke by that of the faster one"))
     mean_speed = Q("v_m", "m/s", N_("mean speed of the slider over the turn"))
-    omega = Q("omega", "rad/s", N_("angular velocity of the crank"))
+    working_speed = Q("v_work", "m/s", N_("mean speed of the slider on the working stroke"))
+    speed = Q("omega", "rad/s", N_("angular velocity of the crank"))
     stroke = Q("H", "m", N_("stroke of the slider"), "mm")
     swing = Q("psi", "rad", N_("swing of the rocker"), "deg")
     theta = Q(
@@ -87,6 +94,13 @@ class Values(Sheet, prefix="synthesis"):
     off_B = Q("h_B", "m", N_("distance of the rocker's pivot to the left of the way of its pin"), "mm")
     turn_A = Q("beta_A", "rad", N_("angle by which the crank turns between the positions"), "deg")
     turn_B = Q("beta_B", "rad", N_("angle by which the rocker turns between the positions"), "deg")
+    crank_angle = Q("phi_1", "rad", N_("angle of the crank in the first position of the body"), "deg")
+    crank_way = Q(
+        "Deltaphi_b",
+        "rad",
+        N_("angle by which the crank turns from the first position to the last, + counter-clockwise"),
+        "deg",
+    )
     radius = Q("R", "m", N_("radius of the arc: length of the rod"), "mm")
     guide_angle = Q("alpha", "rad", N_("direction from the middle point of the arc to its centre"), "deg")
 
@@ -98,7 +112,9 @@ LENGTHS = (
     "centre_y", "crank_pivot_x", "crank_pivot_y", "rocker_pivot_x", "rocker_pivot_y", "radius",
 )  # fmt: skip
 """What a mechanism may take of a synthesis as a length, and `guide_angle` as an angle."""
-ANGLES = ("guide_angle",)
+ANGLES = ("guide_angle", "crank_angle", "crank_way")
+SPEEDS = ("speed",)
+"""And as the speed of its driving link, rad/s."""
 
 
 class Pairs(Sheet):

@@ -28,6 +28,7 @@ CIRCLE = N_("The circle through the three places of the point.")
 TAKEN = N_("Of the rounded lengths: the extreme positions, or the stated ones, worked out with them.")
 MET = N_("Of the analysed mechanism: between its exact extreme positions.")
 ROUNDED = N_("The length as it is found; rounded to the stated step.")
+CRANK = N_("The directions from the pivot of the crank to the first and the last place of its pin.")
 PLACED = N_("By the distances along and across the middle position of the rocker, and its direction.")
 
 
@@ -75,6 +76,11 @@ WAYS = (
     ),
     Way("synthesis_solutions.*", FAMILY, of="synthesis_theta synthesis_rocker crank off_A off_B"),
     Way("synthesis_crank_pivot_* synthesis_rocker_pivot_*", CIRCLE, of="synthesis_crank synthesis_rocker"),
+    Way(
+        "synthesis_crank_angle synthesis_crank_way",
+        CRANK,
+        of="synthesis_crank_pivot_x synthesis_crank_pivot_y synthesis_crank",
+    ),
     Way("synthesis_family.*", FAMILY, of="synthesis_theta synthesis_stroke synthesis_rocker"),
     Way("synthesis_course.x", AXIS),
     Way("synthesis_course.*", FAMILY, of="x synthesis_k1 synthesis_k2 synthesis_k3"),

@@ -199,6 +199,8 @@ def turned_at(positions: Positions, cycle: Cycle) -> Array:
     for value, by in positions.instants:
         if by == "length" and driver.stroke is not None:  # as often as the stroke comes to it
             found += (driver.stroke.law.times_at(value) * omega).tolist()
+        elif by == "angle" and driver.law is not None:
+            found.append(driver.law.turned_by(value) * omega)
         else:
             found.append(value * omega if by == "time" else value)
     return np.array(found)

@@ -9,6 +9,7 @@ from typing import Any
 from tmm_report.chapters.lever.kinematics.block import table_of, turns_of
 from tmm_report.chapters.lever.kinetostatics.block import tied
 from tmm_report.chapters.lever.kinetostatics.block.models import LoadsModel
+from tmm_report.chapters.lever.kinetostatics.block.stroke_parts import curves
 from tmm_report.chapters.lever.kinetostatics.given import (
     Carried,
     Force,
@@ -26,6 +27,7 @@ from tmm_report.quantity.units import DIMENSIONS
 from tmm_report.variant.errors import near
 from tmm_report.variant.gaps import not_all_round, not_to_the_end
 from tmm_report.variant.model import Read
+from tmm_report.variant.values import Measured
 from tmm_report.yamlread import Path
 
 TURN = 2 * math.pi
@@ -34,7 +36,7 @@ BEYOND = 1e-4  # of the cycle: a time of its end that is rounded
 
 def check(written: LoadsModel, read: Read) -> Iterator[Problem]:
     known = names(read.data)
-    yield from _curves(written)
+    yield from _curves(written, read)
     for index, force in enumerate(written.forces):
         if force:
             yield from _loaded(force.at, ("loads", "forces", index, "at"), known)
@@ -58,9 +60,11 @@ def check(written: LoadsModel, read: Read) -> Iterator[Problem]:
     yield from tied.check(written, read)
 
 
-def _curves(written: LoadsModel) -> Iterator[Problem]:
+def _curves(written: LoadsModel, read: Read) -> Iterator[Problem]:
     """Curves of several loads: whole ones, that are there and are of use."""
-    used = set()
+    used, stated = set(), set(written.curves)
+    if any(path[:2] == ("loads", "curves") for path in read.broken):  # one with a mistake is there, too
+        stated |= {str(name) for name in read.data["loads"]["curves"]}
     for kind, loads in (("forces", written.forces), ("moments", written.moments)):
         for index, load in enumerate(loads):
             if load and isinstance(load.by_displacement, SharedDiagram):
@@ -72,8 +76,8 @@ def _curves(written: LoadsModel) -> Iterator[Problem]:
                         "a moment goes by a curve of two ways, forward and back: strokes are those of points"
                     )
                     yield mistake(text, path)
-                if load.by_displacement.curve not in written.curves:
-                    right = near(load.by_displacement.curve, sorted(written.curves))
+                if load.by_displacement.curve not in stated:
+                    right = near(load.by_displacement.curve, sorted(stated))
                     yield mistake(
                         N_("there is no curve %(name)s"), path, right, name=load.by_displacement.curve
                     )
@@ -81,8 +85,9 @@ def _curves(written: LoadsModel) -> Iterator[Problem]:
         here: Path = ("loads", "curves", name)
         if name not in used:
             yield mistake(N_("no load has the curve %(name)s"), here, name=name)
-        for way, points in _ways(curve).items():
-            yield from not_to_the_end(points, (*here, *way), 1.0)
+        for way, points in curves(curve).items():
+            if not isinstance(points, Measured):  # judged when the stroke is known
+                yield from not_to_the_end(points, (*here, *way), 1.0)
             if max(abs(value) for _, value in points) > 1 + 1e-9:
                 text = N_("the values of a curve are parts of the greatest one, at most 1")
                 yield mistake(text, (*here, *way))
@@ -151,7 +156,7 @@ def _full_turns(read: Read) -> bool | None:
     if ("mechanism", "driver", "range") in read.broken:
         return None
     if driver is not None:
-        return driver.range >= TURN - 1e-12
+        return structure.swept(read) >= TURN - 1e-12
     return None if "range" in _driver(read) else True
 
 
@@ -181,15 +186,15 @@ def _over_the_cycle(load: Force | Moment, path: Path, read: Read) -> Iterator[Pr
     if _full_turns(read):
         yield from not_all_round(values, (*path, "by_angle"), turns * TURN)
     elif driver is not None:
-        yield from not_to_the_end(values, (*path, "by_angle"), driver.range, math.radians(1))
+        yield from not_to_the_end(values, (*path, "by_angle"), structure.swept(read), math.radians(1))
 
 
 def _over_its_time(load: Force | Moment, path: Path, read: Read) -> Iterator[Problem]:
     """Times within the cycle, and not those of a part of it alone."""
     driver = read.block(structure.Block).mechanism.driver
-    if load.by_time is None or driver is None or driver.speed == "drive":
+    built, path = structure.driver(read), (*path, "by_time")
+    if load.by_time is None or driver is None or driver.speed == "drive" or built is None:
         return
-    built, path = structure.driver(driver), (*path, "by_time")
     if "dynamics" in read.data:
         text = N_(
             "a load by the time has no place in dynamics, where the driving link comes to a position at any time"
@@ -217,15 +222,9 @@ def _whole_strokes(load: Force | Moment, path: Path) -> Iterator[Problem]:
     path = (*path, "by_displacement")
     if isinstance(diagram, SharedDiagram):
         return
-    for key, curve in _ways(diagram).items():
-        yield from not_to_the_end(curve, (*path, *key), 1.0)
-
-
-def _ways(diagram: Any) -> dict[Path, list[tuple[float, float]]]:
-    """The curves of a diagram, by the keys under which they stand."""
-    if isinstance(diagram, StrokesDiagram | StatedStrokes):
-        return {("strokes", name): list(curve) for name, curve in diagram.strokes.items()}
-    return {("forward",): list(diagram.forward), ("back",): list(diagram.back)}
+    for key, curve in curves(diagram).items():
+        if not isinstance(curve, Measured):
+            yield from not_to_the_end(curve, (*path, *key), 1.0)
 
 
 def _of_strokes(load: Force) -> Any:
@@ -261,7 +260,7 @@ def _strokes(load: Force, path: Path, written: LoadsModel, read: Read) -> Iterat
     names = [str(name) for name in _written(read, stated)]
     count = len(names)
     driver = read.block(structure.Block).mechanism.driver
-    if driver is not None and driver.range < TURN * (1 - 1e-12):
+    if structure.swept(read) < TURN * (1 - 1e-12):
         right = Message(N_("state the curves of the two ways: forward and back"))
         yield mistake(N_("the driving link makes no full turn: no strokes follow"), stated, right)
         return

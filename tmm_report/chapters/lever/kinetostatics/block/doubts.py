@@ -47,17 +47,17 @@ def _heavy(read: Read) -> tuple[str, str] | None:
 
 def _never_met(written: LoadsModel, read: Read) -> Iterator[Problem]:
     """Angles of a law beyond those by which the driving link turns."""
-    driver = read.block(structure.Block).mechanism.driver
-    if driver is None or driver.range >= TURN - 1e-12:
+    swept = structure.swept(read)
+    if swept >= TURN - 1e-12:
         return
     for key, loads in (("forces", written.forces), ("moments", written.moments)):
         for index, load in enumerate(loads):
             angles = [angle for angle, _ in load.by_angle or ()] if load else []
-            beyond = [k for k, angle in enumerate(angles) if angle > driver.range * (1 + 1e-9)]
+            beyond = [k for k, angle in enumerate(angles) if angle > swept * (1 + 1e-9)]
             # one beyond is needed for the line to it, and a law of one point is the same at all angles
-            if len(beyond) > 1 or (beyond and len(angles) > 1 and angles[-2] >= driver.range):
+            if len(beyond) > 1 or (beyond and len(angles) > 1 and angles[-2] >= swept):
                 text = N_(
                     "the driving link turns by %(range)s deg only: what the law says beyond has no effect"
                 )
-                told = f"{math.degrees(driver.range):.6g}"
+                told = f"{math.degrees(swept):.6g}"
                 yield doubt(text, ("loads", key, index, "by_angle", beyond[-1], 0), range=told)

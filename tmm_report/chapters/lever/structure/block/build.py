@@ -13,7 +13,13 @@ from tmm_report.chapters.lever.structure.block.cams import CamModel
 from tmm_report.chapters.lever.structure.block.geometry import Geometry
 from tmm_report.chapters.lever.structure.block.strokes import models as strokes
 from tmm_report.chapters.lever.structure.block.strokes.build import led
-from tmm_report.chapters.lever.structure.block.synthesised import Taken, coordinate, direction, placed
+from tmm_report.chapters.lever.structure.block.synthesised import (
+    Taken,
+    coordinate,
+    direction,
+    placed,
+    turning,
+)
 from tmm_report.chapters.lever.structure.block.weights import Weights, in_the_middle, inertia_of
 from tmm_report.chapters.lever.structure.block.wheels.build import meshes
 from tmm_report.mechanics.cams.cam import Cam
@@ -62,7 +68,7 @@ def without_cams(model: m.MechanismModel, synthesis: Taken = None) -> Mechanism:
     links = {FRAME: Link(FRAME, geometry.frame, said=frame_said(model, synthesis)), **links}
     built = Mechanism(
         links=links,
-        driver=driver(model.driver),  # type: ignore[arg-type]  # checks: there is one
+        driver=driver(model.driver, synthesis),  # type: ignore[arg-type]  # checks: there is one
         guides={name: guide(name, part, links[part.link], synthesis) for name, part in model.guides.items()},
         slides=tuple(
             slide(name, one, links[name]) for name, part in model.links.items() for one in slides_of(part)
@@ -150,7 +156,7 @@ def slide(name: str, model: m.SlideModel, own: Link) -> Slide:
     return Slide(name, model.guide, own.points[at], unit_vector(model.angle))
 
 
-def driver(model: m.DriverModel) -> Driver:
+def driver(model: m.DriverModel, synthesis: Taken = None) -> Driver:
     """Of a slider or a cylinder the law of its stroke, whose link the mechanism tells."""
     if model.stroke is not None:
         law = strokes.build(model.stroke)
@@ -158,13 +164,14 @@ def driver(model: m.DriverModel) -> Driver:
     assert model.link is not None  # the model: one of the three is stated
     if model.law is not None:
         law = driving.build(model.law)
-        return Driver(model.link, 2 * math.pi / law.period, ZeroAngle(model.law.angle), law=law)
+        start = ZeroAngle(float(law.of_phase(0.0)[0])) if model.zero is None else zero(model.zero, synthesis)
+        return Driver(model.link, 2 * math.pi / law.period, start, law=law)
     speed = model.speed if model.speed is not None else 2 * math.pi / (model.period or math.inf)
     if isinstance(speed, str):  # that of the drive, which puts it here before the mechanism is built for good
         speed = 1.0
-    turned = SENSES[model.rotation] * speed
-    start = zero(model.zero)
-    return Driver(model.link, turned, start, model.range, model.turns, gear(model.gear), model.period)
+    turned = SENSES[model.rotation] * turning(speed, synthesis)
+    start, sweep = zero(model.zero, synthesis), direction(model.range, synthesis)
+    return Driver(model.link, turned, start, sweep, model.turns, gear(model.gear), model.period)
 
 
 def gear(model: m.GearModel | None) -> GearDrive | None:
@@ -173,9 +180,9 @@ def gear(model: m.GearModel | None) -> GearDrive | None:
     return GearDrive(model.radius, model.alpha_w, model.at, model.flank == "driving")
 
 
-def zero(model: m.ZeroModel | None) -> ZeroAngle | ZeroExtreme:
+def zero(model: m.ZeroModel | None, synthesis: Taken = None) -> ZeroAngle | ZeroExtreme:
     if model is None or model.angle is not None:
-        return ZeroAngle(model.angle or 0.0 if model else 0.0)
+        return ZeroAngle(direction(model.angle or 0.0, synthesis) if model else 0.0)
     if model.point is not None:
         return ZeroExtreme(point=model.point, direction=SIDES[str(model.extreme)])
     return ZeroExtreme(link=model.link, direction=complex(1 if model.extreme == "counter-clockwise" else -1))

@@ -50,16 +50,19 @@ def phase_of(model: c.PhaseModel) -> Phase:
     return Phase(kind, angle, model.shape())
 
 
-def must_fill(stated: Sequence[c.PhaseModel]) -> None:
-    """The phases fill a turn, and rises and returns take turns, from the lowest position."""
+def must_fill(stated: Sequence[c.PhaseModel], back: bool = True) -> None:
+    """The phases fill a turn, and rises and returns take turns, from the lowest position, `back` to it in the end."""
     phases = [phase_of(phase) for phase in stated]
     whole = math.degrees(sum(phase.angle for phase in phases))
     if abs(whole - 360.0) > 1e-6:
         text = N_("the phases of the law make %(sum)s° and not 360°")
         raise Wrong("phases", Message(text, {"sum": f"{whole:.6g}"}))
     ways = [phase.kind for phase in phases if phase.kind != "dwell"]
-    if ways != ["rise", "return"] * (len(ways) // 2) or not ways:
+    alternate = (["rise", "return"] * len(ways))[: len(ways)]
+    if not ways or ways != alternate or (back and len(ways) % 2):
         text = N_("rises and returns do not take turns, beginning with a rise and ending with a return")
+        if not back:
+            text = N_("rises and returns do not take turns, beginning with a rise")
         raise Wrong(
             "phases", Message(text), Message(N_("begin with a rise from the lowest position; start turns it"))
         )

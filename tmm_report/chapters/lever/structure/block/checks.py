@@ -15,10 +15,12 @@ from tmm_report.chapters.lever.structure.block.synthesised import (
     coordinate,
     direction,
     offered,
+    taken,
 )
 from tmm_report.chapters.lever.structure.block.weights import Weights, in_the_middle
 from tmm_report.chapters.lever.structure.block.wheels import checks as wheel_checks
 from tmm_report.mechanics.lever.mechanism import FRAME, Mechanism
+from tmm_report.mechanics.lever.stated_masses import Synthesised
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.quantity.units import WrongValue
 from tmm_report.records import dataclass
@@ -206,12 +208,23 @@ def _links(mechanism: m.MechanismModel, known: Names, synthesis: Taken) -> Found
         if link.mass_centre is not None:
             yield from _not_on(link.mass_centre, name, (*path, "mass_centre"), known)
         elif link.mass and len(link.points) > 1 and len(known.points[name]) == len(link.points):
-            right = Message(
-                N_("mass_centre: one of the points %(words)s"), {"words": ", ".join(known.points[name])}
-            )
-            yield mistake(N_("the link has a mass and no mass centre"), (*path, "mass"), right)
+            yield mistake(N_("the link has a mass and no mass centre"), (*path, "mass"), _centre(name, known))
         if isinstance(link.inertia, m.InertiaModel):
             yield from _inertia(name, weights, link.inertia, (*path, "inertia"), known)
+
+
+def _centre(name: str, known: Names) -> Message:
+    """What to write of the mass centre; of a link of two points, which may well be thought to have it between them."""
+    points = known.points[name]
+    words = {"words": ", ".join(points)}
+    if len(points) != 2:
+        return Message(N_("mass_centre: one of the points %(words)s"), words)
+    first, second = points
+    middle = {"middle": f"S{name}: 0.5*l_{first}{second}", "name": f"S{name}"}
+    right = N_(
+        "mass_centre: one of the points %(words)s; or their middle: %(middle)s in points, mass_centre: %(name)s"
+    )
+    return Message(right, {**words, **middle})
 
 
 def _weight(name: str, weights: Weights, path: Path) -> Found:
@@ -375,10 +388,28 @@ def _driver(mechanism: m.MechanismModel, read: Read, known: Names) -> Found:
         wrong = N_("speed: drive takes the speed of the drive's output shaft, and there is no drive")
         right = Message(N_("state the block drive, or the speed: 100 rpm"))
         yield mistake(wrong, (*_MECHANISM, "driver", "speed"), right)
+    yield from _synthesised(driver, read)
     if driver.zero and driver.zero.point is not None:
         yield from no_point(driver.zero.point, (*_MECHANISM, "driver", "zero", "point"), known)
     if driver.zero and driver.zero.link is not None:
         yield from no_link(driver.zero.link, (*_MECHANISM, "driver", "zero", "link"), known)
+
+
+def _synthesised(driver: m.DriverModel, read: Read) -> Found:
+    """What the driving link takes of the synthesis is found there, and measures what is asked."""
+    zero = driver.zero.angle if driver.zero else None
+    for key, stated, measures in (
+        (("speed",), driver.speed, "speed"),
+        (("range",), driver.range, "angle"),
+        (("zero", "angle"), zero, "angle"),
+    ):
+        if isinstance(stated, Synthesised):
+            try:
+                taken(stated, offered(read), measures)
+            except Elsewhere:
+                continue
+            except WrongValue as error:
+                yield Problem(error.wrong, error.right, (*_MECHANISM, "driver", *key))
 
 
 def _stroke(mechanism: m.MechanismModel, driver: m.DriverModel, read: Read, known: Names) -> Found:

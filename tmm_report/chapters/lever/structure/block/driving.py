@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 from typing import Annotated
@@ -9,7 +10,7 @@ from typing import Annotated
 from pydantic import Field, model_validator
 
 from tmm_report.chapters.lever.structure.block import cam_laws_build
-from tmm_report.chapters.lever.structure.block.cams import PhaseAngle, PhaseModel
+from tmm_report.chapters.lever.structure.block.cams import PhaseModel
 from tmm_report.mechanics.calculus.motion_laws import (
     FULL_TURN,
     Harmonic,
@@ -21,12 +22,16 @@ from tmm_report.mechanics.calculus.motion_laws import (
     time_of,
 )
 from tmm_report.mechanics.cams.follower_laws import Phases
-from tmm_report.problems import N_, Message, Problem, mistake
+from tmm_report.mechanics.lever.assembly.stated import assemble
+from tmm_report.mechanics.lever.cycle import cycle_of
+from tmm_report.mechanics.lever.mechanism import Driver, Mechanism, ZeroAngle
+from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.model import Model, Read
 from tmm_report.variant.values import Angle, Number, Period, SignedSpeed, Speed, Time, quantity
 
 AngularAcceleration = Annotated[float, quantity("angular acceleration")]
+TurnedBy = Annotated[float, quantity("angle", -FULL_TURN, FULL_TURN, "−360 … 360 deg")]
 KINDS = ("acceleration", "harmonic", "polynomial", "angles", "phases")
 MOST_TURNS = 2  # in one period: the searches over it go in steps of half a degree of a turn
 MOST_PERIODS = 6  # of a harmonic, in which the driving link makes whole turns
@@ -79,7 +84,9 @@ class LawModel(Model):
     phases: list[PhaseModel] = Field(
         default=[], max_length=24, description="rise, dwell and return as of a cam, over the time"
     )
-    swing: PhaseAngle | None = Field(default=None, description="of the phases", examples=["60 deg"])
+    swing: TurnedBy | None = Field(
+        default=None, description="of the phases, negative: clockwise", examples=["60 deg"]
+    )
 
     @model_validator(mode="after")
     def one_kind(self) -> "LawModel":
@@ -127,9 +134,26 @@ def build(model: LawModel) -> MotionLaw:
         return Polynomial((model.angle, *model.polynomial), float(model.time or 0.0))
     if model.angles is not None:
         return _tabulated(model.angles)
-    cam_laws_build.must_fill(model.phases)
+    cam_laws_build.must_fill(model.phases, back=False)
     phases = tuple(cam_laws_build.phase_of(one) for one in model.phases)
     return Phased(Phases(phases, float(model.swing or 0.0)), model.angle, float(model.time or 0.0))
+
+
+def begun(built: Mechanism) -> Mechanism:
+    """The mechanism whose law begins in position 0 as it is stated. Raises ProblemError where there is none."""
+    driver = built.driver
+    if driver.law is None or driver.stroke is not None:
+        return built
+    if isinstance(driver.zero, ZeroAngle):
+        angle = float(driver.zero.angle)
+    else:
+        try:
+            linkage = assemble(replace(built, driver=Driver(driver.link, 1.0, driver.zero)))
+        except ProblemError:  # what is to be put together is told, or shown, by who asks for it
+            return built
+        angle = cycle_of(linkage).zero
+    law = driver.law.moved(angle - float(driver.law.of_phase(0.0)[0]))
+    return replace(built, driver=replace(driver, law=law))
 
 
 def _accelerated(model: LawModel) -> MotionLaw:

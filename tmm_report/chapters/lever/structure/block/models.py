@@ -30,7 +30,6 @@ from tmm_report.variant.values import (
     Period,
     Point,
     Positive,
-    Range,
     Reads,
     Turn,
     by_shape,
@@ -73,22 +72,25 @@ def _stated(dimension: str, low: float, read: Callable[[str], Statement], exampl
     return Reads(value, {**plain.schema, **shown}, dimension)
 
 
-def _angle() -> Reads:
+_SYNTHESISED = re.compile(r"\s*synthesis\.([a-z_]+)\s*")
+
+
+def _angle(plain: Reads) -> Reads:
     """An angle, or one that the synthesis finds."""
-    plain = quantity("angle")
 
     def value(written: object) -> float | Synthesised:
-        if isinstance(written, str) and (match := re.fullmatch(r"\s*synthesis\.([a-z_]+)\s*", written)):
+        if isinstance(written, str) and (match := _SYNTHESISED.fullmatch(written)):
             return Synthesised(match[1])
         return plain.value(written)  # type: ignore[no-any-return]
 
     texts = {"type": "string"}
     shown = {"anyOf": [*plain.schema["anyOf"], texts], "examples": [*plain.schema["examples"]]}
-    return Reads(value, {**plain.schema, **shown}, "angle")
+    return Reads(value, {**plain.schema, **shown}, "angle", plain.bounded)
 
 
 AnyLength = Annotated[float | Statement, _stated("length", -math.inf, closed.length, ["0.4*l_AB"])]
-AnyAngle = Annotated[float | Synthesised, _angle()]
+AnyAngle = Annotated[float | Synthesised, _angle(quantity("angle"))]
+AnyRange = Annotated[float | Synthesised, _angle(quantity("angle", 1e-6, 2 * math.pi, "0 … 360 deg"))]
 AnyDistance = Annotated[float | Statement, _stated("length", 0.0, closed.length, ["0.4*l_AB"])]
 AnyMass = Annotated[float | Statement, _stated("mass", 0.0, closed.mass, ["30 kg/m", "0.3*m2"])]
 StatedInertia = Annotated[
@@ -255,7 +257,7 @@ class GuideModel(Model):
 class ZeroModel(Model):
     """Position 0, from which positions are counted."""
 
-    angle: Angle | None = Field(default=None, description="of the driving link's x axis")
+    angle: AnyAngle | None = Field(default=None, description="of the driving link's x axis")
     point: Name | None = Field(default=None, description="the point that is at its extreme")
     link: Name | None = Field(default=None, description="the rocker that is at its extreme")
     extreme: Literal["right", "left", "up", "down", "clockwise", "counter-clockwise"] | None = None
@@ -294,20 +296,29 @@ SLOWEST = 1e-12  # rad/s
 _SPEED, _SIGNED = quantity("speed", SLOWEST), quantity("speed")
 
 
-def _driver_speed(value: object) -> float | str:
-    """A speed, negative clockwise, or the word that leaves it to the drive."""
+def _driver_speed(value: object) -> float | str | Synthesised:
+    """A speed, negative clockwise, that of a synthesis, or the word that leaves it to the drive."""
     word = english(value, ("drive",))
     if isinstance(word, str) and word.strip() == "drive":
         return "drive"
+    if isinstance(value, str) and (match := _SYNTHESISED.fullmatch(value)):
+        return Synthesised(match[1])
     found = _SIGNED.value(value)
     return found if abs(found) >= SLOWEST else _SPEED.value(value)  # type: ignore[no-any-return]
 
 
 DriverSpeed = Annotated[
-    float | Literal["drive"],
+    float | Literal["drive"] | Synthesised,
     Reads(
         _driver_speed,
-        {"anyOf": [*_SPEED.schema["anyOf"], {"const": "drive"}], "examples": ["1200 rpm", "drive"]},
+        {
+            "anyOf": [
+                *_SPEED.schema["anyOf"],
+                {"const": "drive"},
+                {"type": "string", "pattern": r"^\s*synthesis\."},
+            ],
+            "examples": ["1200 rpm", "drive"],
+        },
         "speed",
     ),
 ]
@@ -352,7 +363,7 @@ class DriverModel(Model):
     )
     rotation: Turn = Field(default="counter-clockwise", description="the sense of rotation")
     zero: ZeroModel | None = Field(default=None, description="position 0; left out, the angle 0")
-    range: Range = Field(2 * math.pi, description="how far it turns")
+    range: AnyRange = Field(2 * math.pi, description="how far it turns")
     turns: Turns = Field(
         default=1, description="full turns in a cycle of the loads: 2 of a four-stroke engine"
     )
@@ -391,7 +402,10 @@ class DriverModel(Model):
         if sum(way is not None for way in (self.speed, self.period, self.law)) != 1:
             wrong = Message(N_("the speed must be stated once"))
             raise WrongValue(wrong, Message(N_("either speed: 1200 rpm or period: 0.05 s")))
-        for key in ("rotation", "zero", "range", "turns", "gear"):
+        if self.law is not None and self.zero is not None and "angle" in self.law.model_fields_set:
+            wrong = Message(N_("where the law begins is stated twice, by zero and by the angle of the law"))
+            raise WrongValue(wrong, Message(N_("leave one of the two")))
+        for key in ("rotation", "range", "turns", "gear"):
             if self.law is not None and key in self.model_fields_set:
                 wrong = Message(
                     N_("%(key)s does not go together with a law: it says that itself"), {"key": key}

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from tmm_report.mechanics.lever.stated_masses import Letter, Statement, Synthesised, lettered, worked
 from tmm_report.problems import N_, Message
+from tmm_report.quantity import units
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.model import Read
 
@@ -25,7 +26,11 @@ class Elsewhere(WrongValue):
     """What is wrong of another link, and is told there."""
 
 
-def taken(letter: Synthesised, offered: Taken) -> Synthesised:
+OTHERS = {"guide_angle": "angle", "crank_angle": "angle", "crank_way": "angle", "speed": "speed"}
+"""What the synthesis offers that is no length, by what it measures."""
+
+
+def taken(letter: Synthesised, offered: Taken, measures: str = "length") -> Synthesised:
     """The number of the synthesis that a letter names. Raises WrongValue."""
     if offered is None:
         wrong = Message(N_("there is no synthesis whose number could be taken"))
@@ -34,8 +39,21 @@ def taken(letter: Synthesised, offered: Taken) -> Synthesised:
         raise Elsewhere(Message(N_("the synthesis has a mistake")))
     if letter.key not in offered:
         wrong = Message(N_("the synthesis finds no %(key)s"), {"key": letter.key})
-        raise WrongValue(wrong, one_of([f"synthesis.{key}" for key in offered]))
+        raise WrongValue(wrong, _offer(offered, measures))
+    if (own := OTHERS.get(letter.key, "length")) != measures:
+        names = (Message(units.DIMENSIONS[one].name) for one in (own, measures))
+        wrong = Message(
+            N_("synthesis.%(key)s is %(is)s; expected: %(name)s"),
+            {"key": letter.key, **dict(zip(("is", "name"), names, strict=True))},
+        )
+        raise WrongValue(wrong, _offer(offered, measures))
     return offered[letter.key]
+
+
+def _offer(offered: Mapping[str, Synthesised], measures: str) -> Message | None:
+    """What of the synthesis measures that."""
+    words = [f"synthesis.{key}" for key in offered if OTHERS.get(key, "length") == measures]
+    return one_of(words) if words else None
 
 
 def coordinate(stated: float | Statement, offered: Taken) -> float:
@@ -60,8 +78,13 @@ def placed(stated: Statement, offered: Taken) -> Statement:
 
 
 def direction(stated: float | Synthesised, offered: Taken) -> float:
-    """Of a guide, rad. Raises WrongValue."""
-    return taken(stated, offered).number if isinstance(stated, Synthesised) else stated
+    """Of a guide or of the driving link, or its turn, rad. Raises WrongValue."""
+    return taken(stated, offered, "angle").number if isinstance(stated, Synthesised) else stated
+
+
+def turning(stated: float | Synthesised, offered: Taken) -> float:
+    """Angular velocity of the driving link, rad/s. Raises WrongValue."""
+    return taken(stated, offered, "speed").number if isinstance(stated, Synthesised) else stated
 
 
 def one_of(words: list[str]) -> Message:

@@ -148,7 +148,7 @@ def build(model: StrokeModel) -> MotionLaw:
         case "lengths":
             return _tabulated(model.lengths or [])
         case "phases":
-            cam_laws_build.must_fill(model.phases)
+            cam_laws_build.must_fill(model.phases, back=False)
             phases = tuple(cam_laws_build.phase_of(one) for one in model.phases)
             return Phased(Phases(phases, float(model.rise or 0.0)), start, float(model.time or 0.0))
     return _uniform(model, start)
