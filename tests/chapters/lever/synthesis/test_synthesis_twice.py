@@ -7,6 +7,7 @@ import pytest
 from twice import disagreements
 
 from tmm_report import course
+from tmm_report.chapters.lever.synthesis.given import AnglePairs
 from tmm_report.mechanics.lever import synthesis
 
 TEXTS = {
@@ -31,6 +32,7 @@ TEXTS = {
     "Whitworth by frame": "turning_guide: {stroke: 300 mm, K: 1.8, frame: 60 mm, pressure_angle: 20 deg}",
     "function": "function: {y: x^1.5, x: [1, 4], crank_from: 30 deg, crank_turn: 90 deg, rocker_from: 60 deg, "
     "rocker_turn: 90 deg, frame: 100 mm}",
+    "pairs of angles": "function: {pairs: [[20 deg, 35 deg], [35 deg, 45 deg], [50 deg, 60 deg]], frame: 100 mm}",
     "body from one position to another": "body: {positions: [[0, 0, 0], [90 mm, 40 mm, 50 deg]], "
     "points: [[0, 0], [80 mm, 20 mm]], crank: 70 mm}",
     "body whose crank passes the frame": "body: {positions: [[0, 0, 0], [90 mm, 40 mm, 50 deg]], "
@@ -139,9 +141,12 @@ def turning_guide(s, asked):
 
 def function(s, asked):
     """The rod is as long as the joints are apart in each of the three positions."""
-    x = 2.5 + 1.5 * np.cos(np.pi * np.array([5, 3, 1]) / 6)
-    phi = asked.crank_from + asked.crank_turn * (x - 1) / 3
-    psi = asked.rocker_from + asked.rocker_turn * (x**1.5 - 1) / 7
+    if isinstance(asked, AnglePairs):
+        phi, psi = np.array(asked.pairs).T
+    else:
+        x = 2.5 + 1.5 * np.cos(np.pi * np.array([5, 3, 1]) / 6)
+        phi = asked.crank_from + asked.crank_turn * (x - 1) / 3
+        psi = asked.rocker_from + asked.rocker_turn * (x**1.5 - 1) / 7
     a, c, d = s.number("crank"), s.number("rocker"), asked.frame
     rods = np.abs(a * np.exp(1j * phi) - d - c * np.exp(1j * psi))
     assert rods == pytest.approx(rods[0], rel=1e-9)

@@ -10,7 +10,7 @@ from markupsafe import Markup
 
 from tmm_report.chapters.lever.synthesis import equations
 from tmm_report.chapters.lever.synthesis.draw import scale, scheme
-from tmm_report.chapters.lever.synthesis.given import Generator
+from tmm_report.chapters.lever.synthesis.given import AnglePairs, Generator
 from tmm_report.chapters.lever.synthesis.quantities import tables
 from tmm_report.chapters.lever.synthesis.solve import Found
 from tmm_report.chapters.lever.synthesis.values import LENGTHS
@@ -48,7 +48,8 @@ class SynthesisView(ChapterView):
 
     def __init__(self, found: Found, page: Page):
         super().__init__(page, found.s, tables(found))
-        self.found, self.asked, self.kind = found, found.given.asked, found.given.kind
+        self.found, self.asked = found, found.given.asked
+        self.kind = "pairs" if isinstance(self.asked, AnglePairs) else found.given.kind
 
     def given_values(self) -> Markup:
         """What is asked, as it is stated."""

@@ -76,7 +76,7 @@ WAYS = (
     Way("synthesis_solutions.*", FAMILY, of="synthesis_theta synthesis_rocker crank off_A off_B"),
     Way("synthesis_crank_pivot_* synthesis_rocker_pivot_*", CIRCLE, of="synthesis_crank synthesis_rocker"),
     Way("synthesis_family.*", FAMILY, of="synthesis_theta synthesis_stroke synthesis_rocker"),
-    Way("synthesis_course.x", AXIS),
+    Way("synthesis_course.x synthesis_course.phi", AXIS),
     Way("synthesis_course.*", FAMILY, of="x synthesis_k1 synthesis_k2 synthesis_k3"),
     Way(
         "synthesis_k1 synthesis_k2 synthesis_k3",
