@@ -346,6 +346,8 @@ FAULTS += (
     Fault("transmission angle of stated pairs at their ends alone", SYNTHESIS + "points_steps.py",
           "synthesis.least(bar.transmission, *sorted((phi[0], phi[-1])))[1]",
           "bar.transmission(phi[[0, -1]]).min()", SHAPER, TOLD),
+    Fault("lengths as found in place of those that are taken", SYNTHESIS + "view.py",
+          'table.var("taken", row, "mm")', 'table.var("found", row, "mm")', SHAPER, TOLD),
     Fault("the nearest pivots told as the farthest", SYNTHESIS + "rocker_steps.py",
           "of.d[of.sound].max()", "of.d[of.sound].min()", SHAPER, TOLD),
     Fault("the two solutions of a swing exchanged", SYNTHESIS + "rocker_steps.py",

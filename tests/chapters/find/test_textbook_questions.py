@@ -210,7 +210,7 @@ def greatest_torque(inertia):
 
 
 def test_inertia_of_a_flywheel_for_the_greatest_moment_of_the_motor():
-    find = "{unknown: {dynamics.parts.flywheel.inertia: 2 .. 60}, so_that: {dynamics_cycle_table.M_dr.max: 1600 N*m}}"
+    find = "{unknown: {dynamics.parts.flywheel.inertia: 2 .. 60}, so_that: {dynamics_M_dr_max: 1600 N*m}}"
     root, _ = answered(PRESS, find)
     assert greatest_torque(root) == pytest.approx(1600, rel=1e-5)
 

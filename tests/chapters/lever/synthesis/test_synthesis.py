@@ -262,6 +262,20 @@ def test_a_linkage_goes_through_three_stated_pairs_of_angles():
     )
 
 
+def test_a_known_linkage_is_found_again_from_three_of_its_pairs():
+    """Its transmission angle is least on the way, where the crank lies on the line of the pivots."""
+    a, b, c, d = 0.04, 0.11, 0.09, 0.1
+    pairs = []
+    for phi in np.radians([-40, 10, 60]):
+        pin = a * np.exp(1j * phi) - d
+        turned = np.arccos((abs(pin) ** 2 + c**2 - b**2) / (2 * abs(pin) * c))
+        pairs.append([float(phi), float(np.angle(pin) - turned)])
+    s = synthesised(f"function: {{pairs: {pairs}, frame: {d}}}").s
+    assert [s.number(key) for key in ("crank", "rod", "rocker")] == pytest.approx([a, b, c], rel=1e-9)
+    least = np.arccos((b**2 + c**2 - (d - a) ** 2) / (2 * b * c))
+    assert s.number("transmission") == pytest.approx(least, rel=1e-9)
+
+
 def rounded_off(a, b, c):
     """By how much the rocker of whole millimetres misses 35, 45 and 60 degrees, rad: by the triangle of its joint."""
     missed = []

@@ -30,6 +30,7 @@ PSI_WANTED = Quantity(
 ERROR = Quantity(
     "error", Symbol("Delta"), "rad", Message(N_("angle of the rocker less the wanted one")), "deg"
 )
+TRANSMISSION = Quantity("transmission", Symbol("mu"), "rad", Message(N_("transmission angle")), "deg")
 X = Quantity("x", Symbol("x"), "", Message(N_("variable of the function")))
 
 
@@ -78,8 +79,9 @@ def _rounded(found: Found) -> Table:
         "taken": [found.design.taken(key) for key in keys],
     }
     names = {"found": N_("length as it is found"), "taken": N_("length as the mechanism takes it")}
+    signs = [found.s.named(key).sign for key in keys]
     columns = [
-        Column(Quantity(key, Symbol("l"), "m", Message(names[key]), "mm"), numbers[key])
+        Column(Quantity(key, Symbol("l"), "m", Message(names[key]), "mm"), numbers[key], signs)
         for key in ("found", "taken")
     ]
     of = text_column("key", Message(N_("number of the synthesis")), keys)
@@ -155,7 +157,7 @@ def _course(found: Found, asked: Generator) -> Table:
     phi, psi = points_steps.angles(asked, x)
     columns = (
         X.column(x), PSI_WANTED.column(psi), ERROR.column(points_steps.differences(asked, bar, x)),
-        Values.transmission.quantity.column(bar.transmission(phi)),
+        TRANSMISSION.column(bar.transmission(phi)),
     )  # fmt: skip
     return Table("synthesis_course", COURSE, columns)
 
@@ -169,6 +171,6 @@ def _way(found: Found, asked: AnglePairs) -> Table:
     turned = np.unwrap(np.angle(bar.rocker(phi) * np.exp(-1j * psi)))
     columns = (
         Pairs.phi.column(phi), Pairs.psi.column(psi + turned),
-        Values.transmission.quantity.column(bar.transmission(phi)),
+        TRANSMISSION.column(bar.transmission(phi)),
     )  # fmt: skip
     return Table("synthesis_course", WAY, columns)

@@ -141,6 +141,14 @@ class SynthesisView(ChapterView):
         ]
         return worded(caption, heads, rows, (2, 3, 3))
 
+    def _taken(self, keys: list[str]) -> Markup:
+        """As the mechanism has them."""
+        if not self.has("lengths"):
+            return self.listed(keys)
+        table = self.table("lengths")
+        rows = [list(table["key"].values).index(key) for key in keys]
+        return self.page.listed([self.page.value(table.var("taken", row, "mm")) for row in rows])
+
     def rounded(self) -> list[Markup]:
         """What the rounded lengths make of the demand, each beside what was found."""
         keys = ("stroke", "swing", "K", "pressure", "transmission", "error")
@@ -156,7 +164,7 @@ class SynthesisView(ChapterView):
 
     def conclusions(self) -> list[Markup]:
         sizes = [key for key in LENGTHS if self.s.get(key)]
-        lines = [self.t(N_("Synthesis: the linkage has %(lengths)s."), lengths=self.listed(sizes))]
+        lines = [self.t(N_("Synthesis: the linkage has %(lengths)s."), lengths=self._taken(sizes))]
         for key in ("stroke", "swing", "K", "pressure", "transmission"):
             if f"{key}_met" in self.s and key in self.s:
                 text = N_("%(asked)s was asked, the analysed mechanism has %(met)s.")

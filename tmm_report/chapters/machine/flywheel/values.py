@@ -103,9 +103,11 @@ OF_RIM = {
 }
 
 
-def sheet(rim: bool, balancing: str) -> Values:
-    """The numbers of one variant, by what it calls otherwise."""
+def sheet(rim: bool, balancing: str, common: bool = True) -> Values:
+    """The numbers of one variant, by what it calls otherwise. `common`: the rim's speed is that commonly allowed."""
     closing = {"M_m": Q("M_mean", "N·m", CLOSING[balancing])}
+    if not common:
+        closing["v_lim"] = Q("v_allow", "m/s", N_("speed that the rim may have"))
     return Values(closing | OF_RIM if rim else closing)
 
 
