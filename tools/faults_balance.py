@@ -354,7 +354,7 @@ FAULTS = (
     Fault("the speed of a rim by its stress without the density", "tmm_report/chapters/machine/flywheel/sizes.py",
           "sqrt(s.sigma_lim / s.rho)", "sqrt(s.sigma_lim)", "press_flywheel", TYPED),
     Fault("stiffness from a deflection without the weight", VIBRATION + "steps.py",
-          "s.inertia * s.g / s.sag", "s.inertia / s.sag", "locomotive_diesel",
+          "s.inertia * s.g / s.deflection", "s.inertia / s.deflection", "locomotive_diesel",
           ("tests/chapters/machine/vibration/test_vibration_twice.py",)),
     Fault("a belt grips over its angle in degrees", MECHANICS + "pairs/friction.py",
           "return tight * np.exp(-f * wrap)", "return tight * np.exp(-f * np.degrees(wrap))", "jack_and_belt",

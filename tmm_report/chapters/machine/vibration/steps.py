@@ -36,8 +36,8 @@ def isolators(given: Given, omega: float, shaken: bool) -> Values:
         s.stiffness_each = given.stiffness
         s.stiffness = s.isolators * s.stiffness_each
     elif given.deflection is not None:
-        s.g, s.sag = G, given.deflection
-        s.stiffness = s.inertia * s.g / s.sag
+        s.g, s.deflection = G, given.deflection
+        s.stiffness = s.inertia * s.g / s.deflection
         s.stiffness_each = s.stiffness / s.isolators
     else:
         if given.damping_ratio is None:
