@@ -93,7 +93,7 @@ FAULTS = (
     Fault("the formula of a rim without its spokes", FIND + "closed.py",
           "return own / (4 * (1 - spokes))", "return own / (4 * (1 + spokes))", RIM, BY_FORMULA),
     Fault("the formula of a motor without what resists", FIND + "closed.py",
-          'k.wanted + k.beside("M_res")', 'k.wanted - k.beside("M_res")', RIM, BY_FORMULA),
+          "k.wanted + _resisting(k)", "k.wanted - _resisting(k)", RIM, BY_FORMULA),
     Fault("the best ratio as if the load did not resist", FIND + "closed.py",
           "return part + sqrt(part**2 + square)", "return sqrt(part**2 + square)", RIM, BY_FORMULA),
     Fault("the formula of the friction for a small insensitivity", FIND + "closed.py",

@@ -6,6 +6,8 @@ from faults import ECCENTRIC, FRICTION, MECHANICS, Fault
 
 BALANCING = "tmm_report/chapters/machine/balancing/"
 HARMONICS = "tmm_report/chapters/machine/harmonics/"
+TYPED = ("tests/chapters/find/test_textbook_questions.py",)
+WRITTEN = ("tests/quantity/test_units.py",)
 VIBRATION = "tmm_report/chapters/machine/vibration/"
 WEAR = "tmm_report/chapters/machine/wear/"
 
@@ -325,9 +327,35 @@ FAULTS = (
     Fault("a screw of three starts has the lead of one", "tmm_report/chapters/machine/contacts/steps.py",
           "s.h = s.z * s.p", "s.h = 1 * s.p", "jack_and_belt"),
     Fault("both moments of a pivot swapped", "tmm_report/chapters/machine/contacts/steps.py",
-          "pressure, wear, disc = 2 * f * load * outer / 3, f * load * outer / 2,",
-          "wear, pressure, disc = 2 * f * load * outer / 3, f * load * outer / 2,",
-          "jack_and_belt"),
+          "2 * rubbed * (outer**3 - inner**3) / _product(3, disc, *cone)",
+          "rubbed * (outer + inner) / _product(2, *cone)", "jack_and_belt"),
+    Fault("a run-in pivot presses most at its outer radius", "tmm_report/chapters/machine/contacts/steps.py",
+          "_product(2, *collars, PI, inner, outer - inner)", "_product(2, *collars, PI, outer, outer - inner)",
+          "jack_and_belt", TYPED),
+    Fault("a clutch with one pair of surfaces", "tmm_report/chapters/machine/contacts/steps.py",
+          "else s.n_surfaces * s.f * load", "else s.f * load", "jack_and_belt", TYPED),
+    Fault("every collar bears the whole load", "tmm_report/chapters/machine/contacts/steps.py",
+          "[] if of.collars == 1 else [s.n_collars]", "[]", "jack_and_belt", TYPED),
+    Fault("the formula of a pivot without its collars", "tmm_report/chapters/find/closed.py",
+          "return collars * of_one if collars else of_one", "return of_one", "jack_and_belt", TYPED),
+    Fault("the part without a share gets as much as one with it", "tmm_report/chapters/machine/efficiency/block.py",
+          "rest = 1 - sum(", "rest = sum(", "machine_train", TYPED),
+    Fault("models that name one another are not walked", "tmm_report/variant/leaves.py",
+          "        model.model_rebuild()", "        pass", "machine_train", TYPED),
+    Fault("a shaft by the radius of gyration itself", "tmm_report/chapters/machine/dynamics/block/models.py",
+          "self.mass * self.radius_of_gyration**2", "self.mass * self.radius_of_gyration", "hoist_start", TYPED),
+    Fault("the motor's greatest moment is that of the greatest speed", "tmm_report/chapters/machine/dynamics/steps.py",
+          "Reached(weak, at_weak), Reached(strong, at_strong)", "Reached(strong, at_strong), Reached(weak, at_weak)",
+          "piston_pump", TYPED),
+    Fault("a product of mass and radius of gyration", "tmm_report/quantity/units.py",
+          'parse(match[2], "length") ** 2', 'parse(match[2], "length")', "hoist_start", WRITTEN),
+    Fault("a fraction upside down", "tmm_report/quantity/units.py",
+          '"-")) / int(match[2])', '"-")) * int(match[2])', "hoist_start", WRITTEN),
+    Fault("the speed of a rim by its stress without the density", "tmm_report/chapters/machine/flywheel/sizes.py",
+          "sqrt(s.sigma_lim / s.rho)", "sqrt(s.sigma_lim)", "press_flywheel", TYPED),
+    Fault("stiffness from a deflection without the weight", VIBRATION + "steps.py",
+          "s.inertia * s.g / s.deflection", "s.inertia / s.deflection", "locomotive_diesel",
+          ("tests/chapters/machine/vibration/test_vibration_twice.py",)),
     Fault("a belt grips over its angle in degrees", MECHANICS + "pairs/friction.py",
           "return tight * np.exp(-f * wrap)", "return tight * np.exp(-f * np.degrees(wrap))", "jack_and_belt",
           ("tests/chapters/machine/pairs/test_contacts.py",)),

@@ -29,6 +29,9 @@ GOOD = [
     ("1200 1/мин", "speed", 40 * math.pi), ("1200 мин⁻¹", "speed", 40 * math.pi), ("5 с-1", "speed", 5),
     ("1200 r/min", "speed", 40 * math.pi), ("0.05 сек", "time", 0.05),
     ("1/5", "number", 0.2), ("1 / 4,5", "number", 1 / 4.5), ("-0.3/2", "number", -0.15),
+    ("3 turns", "angle", 6 * math.pi), ("1,5 оборота", "angle", 3 * math.pi), ("2 rev", "angle", 4 * math.pi),
+    ("2/3", "number", 2 / 3), (" −1 / 80 ", "number", -0.0125), ("7/2", "angle", 3.5),
+    ("36 kg * (150 mm)^2", "inertia", 0.81), ("36 кг·(15 см)²", "inertia", 0.81), ("2 t (1 m)**2", "inertia", 2000),
 ]  # fmt: skip
 
 BAD = [
@@ -38,9 +41,8 @@ BAD = [
     ("20 rad", "number", "20 rad is an angle (rad); expected: a plain number (1)"),
     ("20 dB", "speed", "unknown unit dB; expected: an angular velocity (rad/s)"),
     ("1 m/s/s", "acceleration", "unknown unit m/s/s; expected: an acceleration (m/s^2)"),
-    ("1/0", "number", "unknown unit /0; expected: a plain number (1)"),
     ("1/2/3", "number", "unknown unit /2/3; expected: a plain number (1)"),
-    ("1/5", "length", "unknown unit /5; expected: a length (m)"),
+    ("2/0", "number", "2/0: nothing can be divided by zero"),
     ("12:30", "time", "unknown unit :30; expected: a time (s)"),
     (".nan", "length", ".nan is not a number; expected: a length (m)"),
     ("inf", "length", "inf is not a number; expected: a length (m)"),
@@ -164,3 +166,16 @@ def test_a_unit_is_known_in_any_usual_spelling(wanted, spelled):
 @pytest.mark.parametrize("text", ["", "-", "положение", "v_B", "безразм.", "№", "м" * 50])
 def test_a_word_is_no_unit(text):
     assert not units.is_unit(text)
+
+
+@pytest.mark.parametrize(
+    ("written", "wrong", "right"),
+    [
+        ("36 kg * (150 kg)^2", "150 kg is a mass (kg); expected: a length (m)", "for example, 300 mm"),
+        ("36 mm * (150 mm)^2", "36 mm is a length (mm); expected: a mass (kg)", "for example, 1.5 kg"),
+    ],
+)
+def test_of_a_product_the_part_that_is_wrong_is_told(written, wrong, right):
+    with pytest.raises(units.WrongValue) as caught:
+        units.parse(written, "inertia")
+    assert (str(caught.value.wrong), str(caught.value.right)) == (wrong, right)

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 import yaml
 
-from tmm_report import course, render
+from tmm_report import course, render, solve
 
 HERE = Path(__file__).parent
 NAMES = sorted(path.name.removesuffix(".answers.yaml") for path in HERE.glob("*.answers.yaml"))
@@ -32,7 +32,7 @@ TABLES = (
 @cache
 def found(name: str) -> dict:
     variant = course.load(HERE / f"{name}.yaml")
-    return json.loads(render(course.solve(variant), "json")["results.json"])
+    return json.loads(render(solve(variant), "json")["results.json"])
 
 
 def answers(name: str) -> dict:

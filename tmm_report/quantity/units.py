@@ -1,6 +1,7 @@
 """Numbers with units, as a person writes them, to SI: `300 mm`, `1200 об/мин`, `0,0135 кг·м²`.
 
-A bare number is in SI already."""
+A bare number is in SI already; a fraction (2/3) is one, a moment of inertia may be a product
+of a mass and the square of a radius of gyration."""
 
 from __future__ import annotations
 
@@ -81,7 +82,7 @@ _TABLE: list[tuple[str, float, Exponents]] = [  # the names of a unit, its facto
     ("h ч час", 3600, (0, 0, 1, 0)),
     ("rad рад", 1, _TURN),
     ("deg ° º град", math.pi / 180, _TURN),
-    ("rev r об", 2 * math.pi, _TURN),
+    ("rev r turn turns об оборот оборота оборотов", 2 * math.pi, _TURN),
     ("rpm", _RPM, _TURN_RATE),
     ("Hz Гц", 2 * math.pi, _TURN_RATE),
     ("N Н", 1, _FORCE),
@@ -124,7 +125,8 @@ def factor(given: str, wanted: str) -> float:
 
 
 _NUMBER = re.compile(r"([-+]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][-+]?[0-9]+)?)\s*(.*)")
-_QUOTIENT = re.compile(r"([^/]*[0-9])\s*/\s*([0-9][0-9.,]*)")  # 1/5, of a plain number
+_FRACTION = re.compile(r"\s*([-+−]?[0-9][0-9.,]*)\s*/\s*([0-9][0-9.,]*)\s*")
+_GYRATION = re.compile(r"\s*([^()*]+?)\s*\*?\s*\(([^()]+)\)\s*(?:\^|\*\*)?\s*2\s*")
 _FACTOR = re.compile(r"([^\W\d_]+|[°%])(?:\^?([-+]?[0-9]))?")
 _TIMES = re.compile(r"\s*[*.]\s*|\s+|(?<=[^\W\d_])-(?=[^\W\d_])")  # N*m, N.m, N m, N-m
 _PLAIN = str.maketrans("−·⋅∙•×⁻⁰¹²³⁴", "-*****-01234", "\N{NO-BREAK SPACE}\N{NARROW NO-BREAK SPACE}")
@@ -133,16 +135,14 @@ _PLAIN = str.maketrans("−·⋅∙•×⁻⁰¹²³⁴", "-*****-01234", "\N{NO
 def parse(value: object, dimension: str) -> float:
     """The value in SI: a number, or a text "number unit" of the dimension, one of `DIMENSIONS`.
 
-    A decimal comma is a decimal point; a plain number may be a quotient: 1/4.5.
+    A decimal comma is a decimal point; a bare number may be a quotient: 1/4.5.
     Raises WrongValue for what is no number, is not finite, or has another dimension; the error names both units.
     """
     wanted = DIMENSIONS[dimension]
     if isinstance(value, bool) or not isinstance(value, int | float | str):
         raise _not_a_number(value, wanted)
-    if dimension == "number" and isinstance(value, str) and (parts := _QUOTIENT.fullmatch(value.strip())):
-        over, under = (_split(part, wanted) for part in parts.groups())
-        if not (over[1] or under[1]) and under[0]:
-            return over[0] / under[0]
+    if dimension == "inertia" and (gyration := _of_gyration(value)) is not None:
+        return gyration
     number, unit = _split(value, wanted) if isinstance(value, str) else (_float(value), "")
     try:
         factor, exponents = _unit(unit, wanted) if unit else (1.0, wanted.exponents)
@@ -240,10 +240,32 @@ def _float(value: float) -> float:
 
 
 def _split(text: str, wanted: Dimension) -> tuple[float, str]:
+    if (quotient := _fraction(text, wanted)) is not None:
+        return quotient, ""
     match = _NUMBER.fullmatch(text.strip().translate(_PLAIN)) if len(text) <= 60 else None
     if match is None:
         raise _not_a_number(text, wanted)
     return float(match[1].replace(",", ".")), match[2]
+
+
+def _of_gyration(value: object) -> float | None:
+    """`60 kg * (200 mm)^2`: mass and radius of gyration; None of anything else. Raises WrongValue."""
+    text = value.translate(_PLAIN) if isinstance(value, str) and len(value) <= 60 else ""
+    match = _GYRATION.fullmatch(text)
+    return parse(match[1], "mass") * parse(match[2], "length") ** 2 if match else None
+
+
+def _fraction(text: str, wanted: Dimension) -> float | None:
+    """2/3, 1/0.2: a quotient of plain numbers; None of anything else. Raises WrongValue for one by zero."""
+    if len(text) > 20 or not (match := _FRACTION.fullmatch(text)):
+        return None
+    over, under = (_split(part, wanted) for part in match.groups())
+    if over[1] or under[1]:
+        return None
+    if not under[0]:
+        wrong = Message(N_("%(value)s: nothing can be divided by zero"), {"value": shown(text)})
+        raise WrongValue(wrong, _example(wanted))
+    return over[0] / under[0]
 
 
 def _unit(text: str, wanted: Dimension) -> tuple[float, Exponents]:

@@ -65,8 +65,9 @@ def leaves(models: Iterable[type[BaseModel]], data: Any) -> Iterator[Leaf]:
 def _of_model(model: type[BaseModel], data: Any, path: Path) -> Iterator[Leaf]:
     if not isinstance(data, dict):
         return
-    # fields of models that name one another are known when the first of them has been validated
-    walks = (_kept_walks if model.__pydantic_fields_complete__ else _walks)(model)
+    if not model.__pydantic_fields_complete__:  # it names a model that stands behind it
+        model.model_rebuild()
+    walks = _walks(model)
     for key, walk in walks.items():
         if key in data:
             yield from walk(data[key], (*path, key))
@@ -75,15 +76,13 @@ def _of_model(model: type[BaseModel], data: Any, path: Path) -> Iterator[Leaf]:
             yield Leaf((*path, key), key, None, is_key=True, known=tuple(walks))
 
 
+@cache
 def _walks(model: type[BaseModel]) -> dict[str, Walk]:
     """How the value of each key of a model is walked."""
     return {
         field.alias or name: _walk(field.annotation, (*field.metadata, field.discriminator))
         for name, field in model.model_fields.items()
     }
-
-
-_kept_walks = cache(_walks)
 
 
 def _walk(annotation: Any, metadata: tuple[Any, ...] = ()) -> Walk:

@@ -55,6 +55,12 @@ class Known:
         table, _, _ = self.target.key.partition(".")
         return self._row(table, key, [int(self.target.pick)] * 2)
 
+    def beside_any(self, key: str) -> Var | None:
+        """The same; None where the row has none."""
+        table, _, _ = self.target.key.partition(".")
+        known = self.books[0].tables[table]
+        return self.beside(key) if key in known and np.isfinite(known[key].numbers()).any() else None
+
     def least(self, table: str, key: str) -> Var:
         """The least number of a column."""
         columns = [self._column(book, table, key) for book in self.books]
@@ -245,9 +251,14 @@ def _delta(k: Known, wheel: Expr) -> Expr:
 
 def _moment(k: Known) -> Expr:
     """M = J ε + M_res at rest, through the gear of the motor."""
-    taken = k.of("dynamics_J") * k.wanted + k.beside("M_res")
+    taken = k.of("dynamics_J") * k.wanted + _resisting(k)
     geared = k.any("dynamics_i_motor")
     return taken / (geared * k.of("dynamics_eta_motor")) if geared else taken
+
+
+def _resisting(k: Known) -> Var:
+    """Of a start-up its first moment, of constant moments without a regime the only one."""
+    return k.beside("M_res") if k.target.pick else k.of("dynamics_M_res")
 
 
 def _best_ratio(k: Known) -> Expr:
@@ -258,7 +269,7 @@ def _best_ratio(k: Known) -> Expr:
     if len(rotor) != 1 or not load:
         raise NotThereError
     square = sum(load[1:], load[0]) / k.row("dynamics_parts", "J", rotor[0])
-    resisting = k.beside("M_res")
+    resisting = _resisting(k)
     if not resisting.number:
         return sqrt(square)
     part = resisting / (k.of("dynamics_eta_motor") * k.of("dynamics_M_motor"))
@@ -269,21 +280,47 @@ def _friction(k: Known) -> Expr:
     return k.least("governor_equilibrium", "E") * k.wanted * sqrt(1 - k.wanted**2 / 4)
 
 
+def _pressed_on(k: Known, by: Expr) -> Expr:
+    """The load by a pressure times a length; of collars, which share it, of one."""
+    return k.beside("Q") / _all_collars(k, by)
+
+
+def _all_collars(k: Known, of_one: Expr) -> Expr:
+    collars = k.beside_any("n_collars")
+    return collars * of_one if collars else of_one
+
+
 def _outer(k: Known) -> Expr:
-    disc = k.beside("Q") / (PI * k.wanted)
+    if ratio := k.beside_any("k"):
+        return sqrt(_pressed_on(k, PI * k.wanted * (1 - ratio**2)))
+    disc = _pressed_on(k, PI * k.wanted)
     inner = k.beside("r_inner")
     return sqrt(disc + inner**2) if inner.number else sqrt(disc)
 
 
 def _inner(k: Known) -> Expr:
-    return sqrt(k.beside("R_outer") ** 2 - k.beside("Q") / (PI * k.wanted))
+    return sqrt(k.beside("R_outer") ** 2 - _pressed_on(k, PI * k.wanted))
+
+
+def _outer_worn(k: Known) -> Expr:
+    """p_max = Q/(2π r (R − r)) of a run-in pivot."""
+    if ratio := k.beside_any("k"):
+        return sqrt(_pressed_on(k, 2 * PI * k.wanted * ratio * (1 - ratio)))
+    inner = k.beside("r_inner")
+    return inner + _pressed_on(k, 2 * PI * k.wanted * inner)
+
+
+def _load_worn(k: Known) -> Expr:
+    outer, inner = k.beside("R_outer"), k.beside("r_inner")
+    return _all_collars(k, 2 * PI * k.wanted * inner * (outer - inner))
 
 
 def _load(k: Known) -> Expr:
     outer, inner = k.beside("R_outer"), k.beside("r_inner")
-    return PI * k.wanted * (outer**2 - inner**2 if inner.number else outer**2)
+    return _all_collars(k, PI * k.wanted * (outer**2 - inner**2 if inner.number else outer**2))
 
 
+AT_ONCE = ("dynamics_start.epsilon.0", "dynamics_epsilon")  # the acceleration at rest; without a regime
 MEAN = N_("the varying part of the moment of inertia is taken as its mean")
 INVERSIONS = (
     Inversion("flywheel.delta", "flywheel_J_fl", lambda k: _delta(k, k.wanted), leaves=MEAN),
@@ -295,12 +332,14 @@ INVERSIONS = (
         lambda k: _less_own(k, k.of("flywheel_A_ex") / (k.wanted * k.of("flywheel_omega_m") ** 2)),
         leaves=MEAN,
     ),
-    Inversion("dynamics.motor.constant", "dynamics_start.epsilon.0", _moment),
-    Inversion("dynamics.motor.ratio", "dynamics_start.epsilon.0", _best_ratio, "greatest"),
+    *(Inversion("dynamics.motor.constant", key, _moment) for key in AT_ONCE),
+    *(Inversion("dynamics.motor.ratio", key, _best_ratio, "greatest") for key in AT_ONCE),
     Inversion("governor.sleeve.friction", "governor_equilibrium.epsilon.max", _friction),
     Inversion("contacts.*.outer", "contacts_*.p_mean.*", _outer),
     Inversion("contacts.*.inner", "contacts_*.p_mean.*", _inner),
     Inversion("contacts.*.load", "contacts_*.p_mean.*", _load),
+    Inversion("contacts.*.outer", "contacts_*.p_max.*", _outer_worn),
+    Inversion("contacts.*.load", "contacts_*.p_max.*", _load_worn),
     Inversion("engine.counterweights.share", "engine_hammer", lambda k: k.wanted / k.of("engine_unit")),
     Inversion(
         "engine.speed",

@@ -85,7 +85,8 @@ def _in_table(demand: Demand, name: str, rest: str, chapters: Sequence[Chapter])
     key, _, pick = rest.partition(".")
     columns = [column.key for column in table.columns]
     if key not in columns:
-        raise _wrong(N_("the table of %(name)s has no such column"), demand, _nearest(key, columns))
+        wrong, right = N_("the table of %(name)s has no such column"), _nearest(key, columns, len(columns))
+        raise _wrong(wrong, demand, right)
     pick = "0" if not pick and len(table) == 1 else pick
     if pick not in EXTREMES and not (pick.isdecimal() and int(pick) < len(table)):
         right = Message(N_("add .max, .min or the number of a row, 0 … %(last)s"), {"last": len(table) - 1})
@@ -118,11 +119,11 @@ def _wrong(text: str, demand: Demand, right: Message | None) -> ProblemError:
     return ProblemError([mistake(text, demand.path, right, name=shown(demand.name, 80))])
 
 
-def _nearest(name: str, known: Iterable[str]) -> Message:
-    """The known names that are like one, by what they have in common or by their endings."""
+def _nearest(name: str, known: Iterable[str], most: int = SOME) -> Message:
+    """The known names that are like one, by what they have in common or by their endings; else the first of them."""
     known = list(known)
     alike = list(dict.fromkeys([*_having(name, known), *difflib.get_close_matches(name, known, SOME, NEAR)]))
-    words = shown(", ".join((alike or known)[:SOME]), 200)
+    words = shown(", ".join(alike[:SOME] or known[:most]), 200)
     if alike:
         return Message(N_("near it are %(words)s; all stand in results.json"), {"words": words})
     return Message(N_("all stand in results.json, for example %(words)s"), {"words": words})

@@ -58,6 +58,7 @@ coast: выбег
 coaxiality: соосность
 coefficient: коэффициент
 collar: буртик
+collars: гребни
 contacts: контакты, пары трения
 corrected: исправлено
 count: число, количество
@@ -87,6 +88,7 @@ damping: демпфирование
 damping_ratio: относительное демпфирование
 dead_zone: зона нечувствительности
 decimal_sign: десятичный знак
+deflection: осадка
 density: плотность
 disc: диск
 displacement: перемещение
@@ -190,6 +192,7 @@ output: выход
 output_share: доля выхода
 overload: перегрузка
 own: собственный
+pairs: пары
 parallel: параллельно
 part: часть
 parts: части
@@ -287,6 +290,7 @@ stiffness: жёсткость
 stress: напряжение
 stribeck: штрибек
 strokes: ходы
+surfaces: поверхности
 swing: размах, угол размаха
 swings: размахи
 synchronous: синхронная скорость

@@ -28,6 +28,15 @@ _NEAREST = {
     "differential, дифференциал, дифференциальная, epicyclic, эпициклическая": N_(
         "it is a stage of kind: planetary"
     ),
+    "radius_of_gyration, gyration, gd2, радиус_инерции, маховой_момент": N_(
+        "a moment of inertia may be written by mass and radius of gyration: inertia: 60 kg * (200 mm)^2"
+    ),
+    "gyroscope, gyroscopic, precession, гироскоп, гироскопический": N_(
+        "gyroscopic moments are not offered: shafts of dynamics and rotor keep their direction"
+    ),
+    "torsional, two_rotor, three_rotor, holzer, крутильные": N_(
+        "torsional vibration of one disc on a shaft is in vibration, by its inertia; a row of discs is not offered"
+    ),
     "variator, cvt, friction_drive, friction_gear, вариатор, фрикционная, лобовая": N_(
         "friction drives are not offered: their ratio and efficiency stand with a part of dynamics"
     ),

@@ -242,6 +242,50 @@ def test_a_function_is_met_in_its_points_and_nowhere_worse_than_told():
     assert shown["psi_wanted"] == pytest.approx(np.interp(shown["x"], x, wanted), abs=1e-6)
 
 
+def test_a_linkage_goes_through_three_stated_pairs_of_angles():
+    """Between them it keeps its assembly: the joint, by circles, follows without a jump."""
+    found = synthesised(
+        "function: {pairs: [[20 deg, 35 deg], [35 deg, 45 deg], [50 deg, 60 deg]], frame: 100 mm}, round: 1 mm"
+    )
+    a, b, c = (found.s.number(key) for key in ("crank", "rod", "rocker"))
+    (way,) = [one for one in tables(found) if one.name == "synthesis_course"]
+    phi, psi, mu = (np.asarray(way[key].values, float) for key in ("phi", "psi", "transmission"))
+    pin, end = a * np.exp(1j * phi), 0.1 + c * np.exp(1j * psi)
+    assert np.abs(end - pin) == pytest.approx(np.full(len(phi), b), rel=1e-9)
+    assert np.degrees(psi[[0, 45, 90]]) == pytest.approx([35, 45, 60], abs=1e-9)
+    assert np.abs(np.diff(psi)).max() < 0.01
+    angle = np.abs(np.angle((pin - end) / (0.1 - end)))
+    assert mu == pytest.approx(np.minimum(angle, np.pi - angle), abs=1e-9)
+    assert found.s.number("transmission") == pytest.approx(mu.min(), abs=1e-6)
+    assert found.s.number("pairs_taken") == pytest.approx(
+        rounded_off(*(round(1e3 * x) for x in (a, b, c))), abs=1e-9
+    )
+
+
+def test_a_known_linkage_is_found_again_from_three_of_its_pairs():
+    """Its transmission angle is least on the way, where the crank lies on the line of the pivots."""
+    a, b, c, d = 0.04, 0.11, 0.09, 0.1
+    pairs = []
+    for phi in np.radians([-40, 10, 60]):
+        pin = a * np.exp(1j * phi) - d
+        turned = np.arccos((abs(pin) ** 2 + c**2 - b**2) / (2 * abs(pin) * c))
+        pairs.append([float(phi), float(np.angle(pin) - turned)])
+    s = synthesised(f"function: {{pairs: {pairs}, frame: {d}}}").s
+    assert [s.number(key) for key in ("crank", "rod", "rocker")] == pytest.approx([a, b, c], rel=1e-9)
+    least = np.arccos((b**2 + c**2 - (d - a) ** 2) / (2 * b * c))
+    assert s.number("transmission") == pytest.approx(least, rel=1e-9)
+
+
+def rounded_off(a, b, c):
+    """By how much the rocker of whole millimetres misses 35, 45 and 60 degrees, rad: by the triangle of its joint."""
+    missed = []
+    for phi, psi in np.radians([[20, 35], [35, 45], [50, 60]]):
+        pin = a * np.exp(1j * phi) - 100
+        turned = np.arccos((abs(pin) ** 2 + c**2 - b**2) / (2 * abs(pin) * c))
+        missed.append(min(abs(np.angle(pin) + side * turned - psi) for side in (1, -1)))
+    return max(missed)
+
+
 def synthesised(text):
     return course.solve(course.loads(f"language: en\nsynthesis: {{{text}}}\n")).synthesis
 
@@ -368,6 +412,14 @@ TOLD = {
     "points: [[10 mm, 41 mm], [35 mm, -25 mm]]}}": ("synthesis.body.positions", "the order 2, 3, 1"),
     "{body: {positions: [[-26 mm, -6 mm, -13 deg], [21 mm, -64 mm, 30 deg], [39 mm, 7 mm, -35 deg]], "
     "points: [[-35 mm, 38 mm], [29 mm, 62 mm]]}}": ("synthesis.body", "its links do not meet"),
+    "{crank_rocker: {swing: 60 deg, rocker: 200 mm, K: 1.3, frame: 600 mm}}": (
+        "synthesis.crank_rocker.frame", "from some 200 mm to 298.753 mm"),
+    "{crank_rocker: {swing: 60 deg, rocker: 200 mm, K: 1.3, frame: 300 mm}}": (
+        "synthesis.crank_rocker.frame", "beyond: true"),
+    "{function: {pairs: [[50 deg, 35 deg], [35 deg, 45 deg], [80 deg, 60 deg]], frame: 1 m}}": (
+        "synthesis.function.pairs", "in the order"),
+    "{function: {pairs: [[30 deg, 40 deg], [50 deg, 60 deg], [80 deg, 90 deg]], frame: 1 m}}": (
+        "synthesis.function", "infinitely long"),
     "{slider_crank: {stroke: 120 mm, K: 3.2}}": ("synthesis.slider_crank.K", "less than 3"),
     "{slider_crank: {stroke: 120 mm, K: 1.6, ratio: 19}}": (
         "synthesis.slider_crank.ratio", "at most 6.95263 with this time ratio"),

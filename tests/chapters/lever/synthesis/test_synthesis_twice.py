@@ -1,12 +1,14 @@
 """Every formula of a synthesis by a second way: the triangles of the extreme positions solved in coordinates."""
 
 import math
+import re
 
 import numpy as np
 import pytest
 from twice import disagreements
 
-from tmm_report import course
+from tmm_report import course, render
+from tmm_report.chapters.lever.synthesis.given import AnglePairs
 from tmm_report.mechanics.lever import synthesis
 
 TEXTS = {
@@ -38,6 +40,7 @@ TEXTS = {
     "Whitworth by frame": "turning_guide: {stroke: 300 mm, K: 1.8, frame: 60 mm, pressure_angle: 20 deg}",
     "function": "function: {y: x^1.5, x: [1, 4], crank_from: 30 deg, crank_turn: 90 deg, rocker_from: 60 deg, "
     "rocker_turn: 90 deg, frame: 100 mm}",
+    "pairs of angles": "function: {pairs: [[20 deg, 35 deg], [35 deg, 45 deg], [50 deg, 60 deg]], frame: 100 mm}",
     "body from one position to another": "body: {positions: [[0, 0, 0], [90 mm, 40 mm, 50 deg]], "
     "points: [[0, 0], [80 mm, 20 mm]], crank: 70 mm}",
     "body whose crank passes the frame": "body: {positions: [[0, 0, 0], [90 mm, 40 mm, 50 deg]], "
@@ -170,9 +173,12 @@ def turning_guide(s, asked):
 
 def function(s, asked):
     """The rod is as long as the joints are apart in each of the three positions."""
-    x = 2.5 + 1.5 * np.cos(np.pi * np.array([5, 3, 1]) / 6)
-    phi = asked.crank_from + asked.crank_turn * (x - 1) / 3
-    psi = asked.rocker_from + asked.rocker_turn * (x**1.5 - 1) / 7
+    if isinstance(asked, AnglePairs):
+        phi, psi = np.array(asked.pairs).T
+    else:
+        x = 2.5 + 1.5 * np.cos(np.pi * np.array([5, 3, 1]) / 6)
+        phi = asked.crank_from + asked.crank_turn * (x - 1) / 3
+        psi = asked.rocker_from + asked.rocker_turn * (x**1.5 - 1) / 7
     a, c, d = s.number("crank"), s.number("rocker"), asked.frame
     rods = np.abs(a * np.exp(1j * phi) - d - c * np.exp(1j * psi))
     assert rods == pytest.approx(rods[0], rel=1e-9)
@@ -227,3 +233,17 @@ WAYS = {
     "turning_guide": turning_guide,
     "function": function,
 }
+
+
+def test_the_conclusion_has_the_lengths_as_they_are_taken():
+    """Rounded to whole centimetres, and only so."""
+    text = "language: en\nsynthesis: {slider_crank: {stroke: 118 mm, K: 1.2, ratio: 3}, round: 1 cm}\n"
+    note = render(course.solve(course.loads(text)), "html")["note.html"].decode()
+    said = plain(note.rsplit("Synthesis: the linkage has", 1)[1].split("</p>")[0])
+    s = course.solve(course.loads(text)).synthesis.s
+    for key, letter in (("crank", "a"), ("rod", "b"), ("offset", "e")):
+        assert f"{letter}={10 * round(s.number(key) * 100)}mm" in said
+
+
+def plain(html):
+    return re.sub(r"<[^>]*>|\s|\N{NO-BREAK SPACE}", "", html)

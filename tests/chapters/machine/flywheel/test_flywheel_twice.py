@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 from conftest import solved
+from scipy.optimize import brentq
 from twice import disagreements
 
 from tmm_report import course
@@ -23,6 +24,7 @@ TEXTS = {
     "disc of a diameter": f"{ALONE}, disc: {{diameter: 1.1 m}}, ratio: 2, own: 2",
     "rim": f"{ALONE}, rim: {{}}, inertia: {{constant: 2}}, {MOTOR}",
     "rim of a diameter": f"{ALONE}, rim: {{diameter: 1.3 m, width: 2}}, {VARIES}, {MOTOR}, shaft: motor",
+    "rim of a stress": f"{ALONE}, rim: {{}}, material: {{density: 7200 kg/m^3, stress: 6 MPa}}",
     "gyration": f"{ALONE}, radius_of_gyration: 0.6, {VARIES}, own: 1",
     "speeds": f"{LOAD}, speeds: [11, 13]",
     "driven": "driving: {mean: 100, harmonics: [{order: 1, sin: 40}]}, speed: 10, delta: 0.1",
@@ -135,9 +137,11 @@ def _sizes(found):
         b = shape.width * h
         volume = math.pi * ((D + h) ** 2 - (D - h) ** 2) / 4 * b
     fastest = found.after.greatest * turns
+    metal = given.metal
+    most = metal.speed or brentq(lambda v: mechanics.hoop_stress(rho, v) - metal.stress, 0, 1e3)
     v = fastest * (D + h) / 2
     return {
         "J_shaft": inertia, "D": D, "h": h, "b": b, "m": rho * volume, "D_out": D + h, "k_b": b / D, "k_h": h / D,
         "omega_s": fastest, "v": v, "sigma": mechanics.hoop_stress(rho, v),
-        "D_lim": (D + h) * given.metal.speed / v,
+        "D_lim": (D + h) * most / v, "v_lim": most,
     }  # fmt: skip

@@ -2,6 +2,7 @@
 
 import math
 
+import numpy as np
 import pytest
 from notes import VARIANTS
 from twice import disagreements
@@ -26,6 +27,9 @@ TEXTS = (
     f"{SCREW}, collar: {{coefficient: 0.2, radius: 20 mm}}, hand_force: 100 N",
     "kind: pivot, outer: 40 mm, inner: 15 mm, half_cone: 45 deg, load: 3 kN, coefficient: 0.08, speed: 300 rpm",
     "kind: pivot, outer: 40 mm, load: 3 kN, coefficient: 0.08",
+    "kind: pivot, outer: 150 mm, inner: 100 mm, load: 3 kN, coefficient: 0.3, surfaces: 2, speed: 2500 rpm",
+    "kind: pivot, outer: 150 mm, ratio: 0.5, load: 3 kN, coefficient: 0.05, collars: 4, half_cone: 60 deg",
+    "kind: pivot, outer: 150 mm, load: 3 kN, coefficient: 0.05, collars: 3",
     "kind: belt, wrap: 200 deg, tight: 1 kN, groove: 20 deg, coefficient: 0.2, diameter: 0.2 m, speed: 100 rpm",
     "kind: belt, wrap: 200 deg, tight: 1 kN, coefficient: 0.2",
     f"kind: belt drive, driving: 0.1 m, driven: 0.3 m, {PULLEYS}, density: 1000 kg/m^3",
@@ -102,12 +106,17 @@ def _screw(of):
 
 
 def _pivot(of):
-    about = of.load, of.f, of.outer, of.inner, of.half_cone
-    pressure, wear = law.pivot_pressure(*about), law.pivot_wear(*about)
-    ring = math.pi * (of.outer - of.inner) * (of.outer + of.inner)
+    """Pressures of a run-in pivot fall with the radius, p = C/r; C by the sum over thin rings of one collar."""
+    hole = of.outer * of.ratio if of.ratio else of.inner or 0.0
+    each, one_by_one = of.load / of.collars, of.collars * of.surfaces
+    about = each, of.f, of.outer, hole, of.half_cone
+    pressure, wear = one_by_one * law.pivot_pressure(*about), one_by_one * law.pivot_wear(*about)
+    rings = hole + (np.arange(1000) + 0.5) * (of.outer - hole) / 1000
+    areas = 2 * math.pi * rings * (of.outer - hole) / 1000
+    worn = each / np.sum(areas / rings)
     speed = of.speed or 0.0
-    return {"p_mean": of.load / ring, "M_pressure": pressure, "M_wear": wear, "P_pressure": pressure * speed,
-            "P_wear": wear * speed}  # fmt: skip
+    return {"r_inner": hole, "p_mean": each / areas.sum(), "p_max": worn / hole if hole else math.inf,
+            "M_pressure": pressure, "M_wear": wear, "P_pressure": pressure * speed, "P_wear": wear * speed}  # fmt: skip
 
 
 def _belt(of):

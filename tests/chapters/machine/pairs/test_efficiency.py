@@ -188,7 +188,7 @@ def test_a_long_chain_is_folded_into_rows_that_fit_the_page():
         ("{series: [{efficiency: 0}]}", "more than 0 and less than 1"),
         ("{series: [{efficiency: 0.9, share: 0.5}]}", "it has no share"),
         ("{parallel: [{efficiency: 0.9, share: 0.5}, {efficiency: 0.9, share: 0.4}]}", "add up to 0.9"),
-        ("{parallel: [{efficiency: 0.9, share: 0.5}, {efficiency: 0.9}]}", "each of the parallel parts has a share"),
+        ("{parallel: [{efficiency: 0.9, share: 0.5}, {efficiency: 0.9}, {efficiency: 0.8}]}", "parts has a share"),
         ("{parallel: [{efficiency: 0.9, share: 0.5}, {efficiency: 0.9, output_share: 0.5}]}", "has a share|are mixed"),
         ("{input: 1 kW}", "joined in series or in parallel"),
         ("{input: 1 kW, output: 1 kW, series: [{efficiency: 0.9}]}", "the other follows from the efficiency"),

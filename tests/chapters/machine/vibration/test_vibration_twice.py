@@ -13,6 +13,7 @@ from tmm_report.mechanics.masses import vibration as vib
 BASE = "vibration:\n  mass: 40 kg\n  isolators: 4\n  stiffness: 2 N/mm\n  speed: 600 rpm\n"
 TEXTS = {
     "forced": BASE + "  force: 60 N\n  damping: 30 N*s/m\n  start: {displacement: 3 mm, velocity: 20 mm/s}\n",
+    "deflected": BASE.replace("stiffness: 2 N/mm", "deflection: 5 mm") + "  force: 60 N\n  damping: 30 N*s/m\n",
     "slow": BASE.replace("600 rpm", "100 rpm") + "  force: 60 N\n  damping_ratio: 0.2\n",
     "undamped": BASE + "  force: 60 N\n",
     "critical": BASE + "  force: 60 N\n  damping_ratio: 1\n  start: {displacement: 3 mm}\n",
@@ -52,7 +53,8 @@ def _ways(found):
     zeta, natural = float(body.ratio), float(body.natural)
     eta, n = omega / natural, zeta * natural
     ways = {
-        "stiffness": c, "damping": b, "stiffness_each": c / given.isolators, "natural": natural, "decay": n,
+        "stiffness": c if given.deflection is None else m * 9.81 / given.deflection, "damping": b,
+        "stiffness_each": c / given.isolators, "natural": natural, "decay": n,
         "zeta": zeta, "sag": 9.81 / natural**2, "eta": eta, "static": found.force / c,
     }  # fmt: skip
     if vib.kind(zeta) != "critical":

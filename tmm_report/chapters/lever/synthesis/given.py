@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import field, fields
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
-    from pydantic import Field
+    from pydantic import Discriminator, Field, Tag
 
     from tmm_report.variant.values import (
         Angle,
@@ -161,6 +161,22 @@ class TurningGuide(Permits):
 
 
 @dataclass(frozen=True, eq=False)
+class AnglePairs:
+    """A four-bar linkage whose crank and rocker go together through three pairs of angles."""
+
+    pairs: Annotated[
+        list[tuple[Angle, Angle]],
+        Field(
+            min_length=3,
+            max_length=3,
+            description="of crank and rocker from the line of the pivots, as the crank goes through them",
+            examples=["[[20 deg, 35 deg], [35 deg, 45 deg], [50 deg, 60 deg]]"],
+        ),
+    ]
+    frame: Annotated[Positive, Field(description="distance of the fixed pivots", examples=["400 mm"])]
+
+
+@dataclass(frozen=True, eq=False)
 class Generator:
     """A four-bar linkage that sets the angle of its rocker to that of its crank as a function, at three points."""
 
@@ -242,7 +258,13 @@ class Body:
     ] = None
 
 
-Kind = SliderCrank | CrankRocker | SlottedLink | TurningGuide | Generator | Dwell | Body
+def by_pairs(value: Any) -> str:
+    """The form of a function: by its law, or by the pairs of angles themselves."""
+    paired = "pairs" in value if isinstance(value, dict) else isinstance(value, AnglePairs)
+    return "<pairs>" if paired else "<law>"
+
+
+Kind = SliderCrank | CrankRocker | SlottedLink | TurningGuide | Generator | AnglePairs | Dwell | Body
 
 
 @dataclass(frozen=True, eq=False)
@@ -255,7 +277,13 @@ class Synthesis:
     crank_rocker: CrankRocker | None = None
     slotted_link: SlottedLink | None = None
     turning_guide: TurningGuide | None = None
-    function: Generator | None = None
+    function: (
+        Annotated[
+            Annotated[Generator, Tag("<law>")] | Annotated[AnglePairs, Tag("<pairs>")],
+            Discriminator(by_pairs),
+        ]
+        | None
+    ) = None
     dwell: Dwell | None = None
     body: Body | None = None
     round: Annotated[

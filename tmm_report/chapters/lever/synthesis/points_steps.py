@@ -1,4 +1,5 @@
-"""The numbers of linkages through stated points: a function by three pairs, a dwell by three points of a path."""
+"""The numbers of linkages through stated points: a function or three pairs of angles, a dwell by three points
+of a path."""
 
 from __future__ import annotations
 
@@ -6,7 +7,7 @@ import math
 
 import numpy as np
 
-from tmm_report.chapters.lever.synthesis.given import Dwell, Generator
+from tmm_report.chapters.lever.synthesis.given import AnglePairs, Dwell, Generator
 from tmm_report.chapters.lever.synthesis.refused import mm, refused
 from tmm_report.chapters.lever.synthesis.steps import SAME
 from tmm_report.chapters.lever.synthesis.values import Pairs, Path, Values
@@ -34,34 +35,34 @@ def generator(s: Values, asked: Generator) -> tuple[Table, synthesis.FourBar]:
     phi, psi = angles(asked, x)
     s.low, s.high = low, high
     s.take(asked, "frame", "crank_from", "crank_turn", "rocker_from", "rocker_turn")
-    try:
-        s.k1, s.k2, s.k3 = synthesis.through_pairs(phi, psi, asked.frame)
-    except np.linalg.LinAlgError:
-        raise refused(
-            N_("no four-bar linkage has these three pairs of angles"), "function",
-            right=Message(N_("other angles of crank and rocker")),
-        ) from None  # fmt: skip
-    if min(abs(s.number("k2")), abs(s.number("k3"))) < SAME * max(1.0, abs(s.number("k1"))):
-        raise refused(
-            N_("a link would be infinitely long: both angles go alike"), "function",
-            right=Message(N_("other angles of crank and rocker")),
-        )  # fmt: skip
-    s.crank = s.frame / s.k2
-    s.rocker = s.frame / s.k3
-    squares = s.crank**2 + s.rocker**2 + s.frame**2
-    s.rod = sqrt(squares - 2 * s.k1 * s.crank * s.rocker)
-    if not math.isfinite(s.number("rod")) or s.number("rod") <= 0:
-        raise refused(
-            N_("no rod joins these cranks: the square of its length would be negative"), "function",
-            right=Message(N_("other angles of crank and rocker")),
-        )  # fmt: skip
-    bar = _one_branch(s, phi, psi)
+    bar = _through(s, phi, psi)
     table = Table(
         "synthesis_pairs", Message(N_("points of accuracy")),
         (Pairs.x.column(x), Pairs.y.column(y), Pairs.phi.column(phi), Pairs.psi.column(psi)),
     )  # fmt: skip
     _judged(s, asked, bar)
     return table, bar
+
+
+def _through(s: Values, phi: np.ndarray, psi: np.ndarray) -> synthesis.FourBar:
+    """Of three pairs of angles, rad. Raises ProblemError where no linkage goes through them."""
+    right = Message(N_("other angles of crank and rocker"))
+    try:
+        s.k1, s.k2, s.k3 = synthesis.through_pairs(phi, psi, s.number("frame"))
+    except np.linalg.LinAlgError:
+        raise refused(
+            N_("no four-bar linkage has these three pairs of angles"), "function", right=right
+        ) from None
+    if min(abs(s.number("k2")), abs(s.number("k3"))) < SAME * max(1.0, abs(s.number("k1"))):
+        raise refused(N_("a link would be infinitely long: both angles go alike"), "function", right=right)
+    s.crank = s.frame / s.k2
+    s.rocker = s.frame / s.k3
+    squares = s.crank**2 + s.rocker**2 + s.frame**2
+    s.rod = sqrt(squares - 2 * s.k1 * s.crank * s.rocker)
+    if not math.isfinite(s.number("rod")) or s.number("rod") <= 0:
+        wrong = N_("no rod joins these cranks: the square of its length would be negative")
+        raise refused(wrong, "function", right=right)
+    return _one_branch(s, phi, psi)
 
 
 def points(asked: Generator) -> np.ndarray:
@@ -114,6 +115,29 @@ def _judged(s: Values, asked: Generator, bar: synthesis.FourBar) -> None:
         )  # fmt: skip
     s.error = greatest_error(asked, bar)
     s.transmission = synthesis.least(lambda x: bar.transmission(angles(asked, x)[0]), low, high)[1]
+
+
+# ---------------------------------------------------------------- pairs of angles
+
+
+def pairs(s: Values, asked: AnglePairs) -> tuple[Table, synthesis.FourBar]:
+    phi, psi = np.array(asked.pairs).T
+    if not np.prod(np.diff(phi)) > 0:
+        wrong = N_(
+            "the crank goes through its three angles in one sense, to and fro it would come to one twice"
+        )
+        right = Message(N_("the pairs in the order in which the crank goes through them"))
+        raise refused(wrong, "function", "pairs", right=right)
+    s.take(asked, "frame")
+    bar = _through(s, phi, psi)
+    if not np.isfinite(bar.rocker(np.linspace(phi[0], phi[-1], synthesis.GRID + 1))).all():
+        wrong = N_("the linkage comes apart between the pairs")
+        raise refused(wrong, "function", right=Message(N_("other angles of crank and rocker")))
+    s.transmission = synthesis.least(bar.transmission, *sorted((phi[0], phi[-1])))[1]
+    table = Table(
+        "synthesis_pairs", Message(N_("pairs of angles")), (Pairs.phi.column(phi), Pairs.psi.column(psi))
+    )
+    return table, bar
 
 
 # ---------------------------------------------------------------- a dwell

@@ -7,9 +7,9 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from tmm_report.chapters.lever.synthesis import body_steps, points_steps, rocker_steps, steps
-from tmm_report.chapters.lever.synthesis.given import Body, CrankRocker, Generator, SliderCrank
+from tmm_report.chapters.lever.synthesis.given import AnglePairs, Body, CrankRocker, Generator, SliderCrank
 from tmm_report.chapters.lever.synthesis.solve import Found
-from tmm_report.chapters.lever.synthesis.values import Values
+from tmm_report.chapters.lever.synthesis.values import Pairs, Values
 from tmm_report.i18n import NP_
 from tmm_report.mechanics.lever import synthesis
 from tmm_report.problems import N_, Message
@@ -22,6 +22,7 @@ FAMILY = Message(N_("linkages that meet the demand"))
 SOLUTIONS = Message(N_("linkages that lead the body from one position to the other, the best first"))
 SLIDERS = Message(N_("slider-cranks that meet the demand, the one that is taken the first"))
 ROCKERS = Message(N_("crank-rockers that meet the demand, the one that is taken the first"))
+WAY = Message(N_("the linkage between the pairs of angles"))
 COURSE = Message(N_("what the linkage makes of the function"))
 PSI_WANTED = Quantity(
     "psi_wanted", Symbol("psi", NP_("index", "want")), "rad", Message(N_("wanted angle of the rocker")), "deg"
@@ -29,6 +30,7 @@ PSI_WANTED = Quantity(
 ERROR = Quantity(
     "error", Symbol("Delta"), "rad", Message(N_("angle of the rocker less the wanted one")), "deg"
 )
+TRANSMISSION = Quantity("transmission", Symbol("mu"), "rad", Message(N_("transmission angle")), "deg")
 X = Quantity("x", Symbol("x"), "", Message(N_("variable of the function")))
 
 
@@ -52,6 +54,8 @@ def tables(found: Found) -> Iterator[Table]:
                 yield _solved(ROCKERS, keys, rocker_steps.solutions(found.s, asked))
         case Generator() as asked:
             yield _course(found, asked)
+        case AnglePairs() as asked:
+            yield _way(found, asked)
         case Body() as asked if design.solutions:
             if asked.rocker is None:
                 yield _led(found, asked)
@@ -75,8 +79,9 @@ def _rounded(found: Found) -> Table:
         "taken": [found.design.taken(key) for key in keys],
     }
     names = {"found": N_("length as it is found"), "taken": N_("length as the mechanism takes it")}
+    signs = [found.s.named(key).sign for key in keys]
     columns = [
-        Column(Quantity(key, Symbol("l"), "m", Message(names[key]), "mm"), numbers[key])
+        Column(Quantity(key, Symbol("l"), "m", Message(names[key]), "mm"), numbers[key], signs)
         for key in ("found", "taken")
     ]
     of = text_column("key", Message(N_("number of the synthesis")), keys)
@@ -152,6 +157,20 @@ def _course(found: Found, asked: Generator) -> Table:
     phi, psi = points_steps.angles(asked, x)
     columns = (
         X.column(x), PSI_WANTED.column(psi), ERROR.column(points_steps.differences(asked, bar, x)),
-        Values.transmission.quantity.column(bar.transmission(phi)),
+        TRANSMISSION.column(bar.transmission(phi)),
     )  # fmt: skip
     return Table("synthesis_course", COURSE, columns)
+
+
+def _way(found: Found, asked: AnglePairs) -> Table:
+    """Over the way of the crank from the first pair of angles to the last."""
+    bar = found.design.bar
+    assert bar is not None
+    first, psi = asked.pairs[0]
+    phi = np.linspace(first, asked.pairs[-1][0], POINTS)
+    turned = np.unwrap(np.angle(bar.rocker(phi) * np.exp(-1j * psi)))
+    columns = (
+        Pairs.phi.column(phi), Pairs.psi.column(psi + turned),
+        TRANSMISSION.column(bar.transmission(phi)),
+    )  # fmt: skip
+    return Table("synthesis_course", WAY, columns)

@@ -95,10 +95,24 @@ def _free_crank(s: Values, theta: float, asked: CrankRocker) -> float:
         if not sound:
             raise refused(
                 N_("no crank-rocker of this swing and time ratio has this distance of the pivots"),
-                "crank_rocker", "frame", right=Message(N_("leave it out: the best transmission angle chooses")),
+                "crank_rocker", "frame", right=_reach(s, asked),
             )  # fmt: skip
         return max(sound, key=lambda a: float(family(s, asked, np.array([a])).transmission[0]))
     return _best_crank(s, asked)
+
+
+def _reach(s: Values, asked: CrankRocker) -> Message:
+    """How far apart the pivots of the sound linkages are, within a grid; or that they lie on the other side."""
+    if not asked.beyond and asked.frame is not None:
+        other = replace(asked, beyond=True)
+        cranks = _of_frame(s, other, asked.frame)
+        if family(s, other, cranks).sound.any():
+            return Message(N_("beyond the chord the pivot of the crank may have it: beyond: true"))
+    of = family(s, asked, _longest_crank(s) * np.linspace(1e-3, 1.0, 721))
+    if not of.sound.any():
+        return Message(N_("leave it out: the best transmission angle chooses"))
+    ends = {"least": mm(float(of.d[of.sound].min())), "most": mm(float(of.d[of.sound].max()))}
+    return Message(N_("from some %(least)s to %(most)s; left out, the best transmission angle chooses"), ends)
 
 
 def solutions(s: Values, asked: CrankRocker) -> np.ndarray:

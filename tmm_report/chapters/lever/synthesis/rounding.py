@@ -9,6 +9,7 @@ import numpy as np
 
 from tmm_report.chapters.lever.synthesis import body_steps, points_steps
 from tmm_report.chapters.lever.synthesis.given import (
+    AnglePairs,
     Body,
     CrankRocker,
     Dwell,
@@ -54,6 +55,14 @@ def rounded(found: Design) -> None:
             x = np.linspace(*asked.x, synthesis.GRID + 1)
             _whole(bool(np.isfinite(bar.rocker(points_steps.angles(asked, x)[0])).all()))
             s.error_taken = points_steps.greatest_error(asked, bar)
+            return
+        case AnglePairs():
+            assert found.bar is not None
+            a, b, c, d = map(of, ("crank", "rod", "rocker", "frame"))
+            phi, psi = np.array(asked.pairs).T
+            rocker = synthesis.FourBar(a, b, c, d, found.bar.side).rocker(phi)
+            _whole(bool(np.isfinite(rocker).all()))
+            s.pairs_taken = float(np.abs(np.angle(rocker * np.exp(-1j * psi))).max())
             return
         case Dwell():
             place = points_steps.traced(asked, points_steps.linkage(asked), np.array(asked.angles))

@@ -14,6 +14,7 @@ import numpy as np
 
 from tmm_report.chapters.lever.synthesis import body_steps, points_steps, rocker_steps, rounding, steps
 from tmm_report.chapters.lever.synthesis.given import (
+    AnglePairs,
     Body,
     CrankRocker,
     Dwell,
@@ -117,6 +118,9 @@ def _exact(given: Synthesis) -> Design:
             steps.turning_guide(s, asked)
         case Generator():
             table, bar = points_steps.generator(s, asked)
+            return Design(given, s, table, bar)
+        case AnglePairs():
+            table, bar = points_steps.pairs(s, asked)
             return Design(given, s, table, bar)
         case Dwell():
             return Design(given, s, points_steps.dwell(s, asked))

@@ -81,6 +81,9 @@ class Values(Sheet, prefix="synthesis"):
     k1 = Q("k_1", "", N_("constant of Freudenstein's equation"))
     k2 = Q("k_2", "", N_("constant of Freudenstein's equation: frame by crank"))
     k3 = Q("k_3", "", N_("constant of Freudenstein's equation: frame by rocker"))
+    pairs_taken = Q(
+        "Delta_r", "rad", N_("greatest difference from the stated pairs with the rounded lengths"), "deg"
+    )
     error = Q("Delta_max", "rad", N_("greatest difference of the rocker's angle from the function"), "deg")
     centre_x = Q("x_Q", "m", N_("abscissa of the centre of the arc"), "mm")
     centre_y = Q("y_Q", "m", N_("ordinate of the centre of the arc"), "mm")

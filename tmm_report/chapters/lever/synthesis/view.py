@@ -10,7 +10,7 @@ from markupsafe import Markup
 
 from tmm_report.chapters.lever.synthesis import equations
 from tmm_report.chapters.lever.synthesis.draw import scale, scheme
-from tmm_report.chapters.lever.synthesis.given import Generator
+from tmm_report.chapters.lever.synthesis.given import AnglePairs, Generator
 from tmm_report.chapters.lever.synthesis.quantities import tables
 from tmm_report.chapters.lever.synthesis.solve import Found
 from tmm_report.chapters.lever.synthesis.values import LENGTHS
@@ -48,7 +48,8 @@ class SynthesisView(ChapterView):
 
     def __init__(self, found: Found, page: Page):
         super().__init__(page, found.s, tables(found))
-        self.found, self.asked, self.kind = found, found.given.asked, found.given.kind
+        self.found, self.asked = found, found.given.asked
+        self.kind = "pairs" if isinstance(self.asked, AnglePairs) else found.given.kind
 
     def given_values(self) -> Markup:
         """What is asked, as it is stated."""
@@ -140,6 +141,14 @@ class SynthesisView(ChapterView):
         ]
         return worded(caption, heads, rows, (2, 3, 3))
 
+    def _taken(self, keys: list[str]) -> Markup:
+        """As the mechanism has them."""
+        if not self.has("lengths"):
+            return self.listed(keys)
+        table = self.table("lengths")
+        rows = [list(table["key"].values).index(key) for key in keys]
+        return self.page.listed([self.page.value(table.var("taken", row, "mm")) for row in rows])
+
     def rounded(self) -> list[Markup]:
         """What the rounded lengths make of the demand, each beside what was found."""
         keys = ("stroke", "swing", "K", "pressure", "transmission", "error")
@@ -155,7 +164,7 @@ class SynthesisView(ChapterView):
 
     def conclusions(self) -> list[Markup]:
         sizes = [key for key in LENGTHS if self.s.get(key)]
-        lines = [self.t(N_("Synthesis: the linkage has %(lengths)s."), lengths=self.listed(sizes))]
+        lines = [self.t(N_("Synthesis: the linkage has %(lengths)s."), lengths=self._taken(sizes))]
         for key in ("stroke", "swing", "K", "pressure", "transmission"):
             if f"{key}_met" in self.s and key in self.s:
                 text = N_("%(asked)s was asked, the analysed mechanism has %(met)s.")

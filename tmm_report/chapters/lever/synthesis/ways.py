@@ -82,7 +82,7 @@ WAYS = (
         of="synthesis_crank_pivot_x synthesis_crank_pivot_y synthesis_crank",
     ),
     Way("synthesis_family.*", FAMILY, of="synthesis_theta synthesis_stroke synthesis_rocker"),
-    Way("synthesis_course.x", AXIS),
+    Way("synthesis_course.x synthesis_course.phi", AXIS),
     Way("synthesis_course.*", FAMILY, of="x synthesis_k1 synthesis_k2 synthesis_k3"),
     Way(
         "synthesis_k1 synthesis_k2 synthesis_k3",

@@ -172,10 +172,32 @@ class Pivot(Rough):
     _: KW_ONLY
     kind: Literal["pivot"]
     outer: Annotated[Positive, Field(description="radius")]
-    inner: Distance = 0.0
+    inner: Annotated[Distance | None, Field(description="radius; left out, none")] = None
+    ratio: Annotated[
+        Annotated[float, quantity("number", 1e-6, 0.999999, "0 … 1")] | None,
+        Field(description="of the inner radius by the outer one, in place of inner", examples=[0.5]),
+    ] = None
     half_cone: Annotated[Angle, Field(description="half the angle of the cone; 90 deg: flat")] = pi / 2
     load: Annotated[float, quantity("force", 1e-12)]
     speed: Speed | None = None
+    surfaces: Annotated[
+        Annotated[int, whole(1, 100)],
+        Field(description="of a clutch: pairs of plates that rub, each under the whole load"),
+    ] = 1
+    collars: Annotated[
+        Annotated[int, whole(1, 100)], Field(description="side by side on one shaft: they share the load")
+    ] = 1
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.inner is not None and self.ratio is not None:
+            wrong = Message(N_("the inner radius is stated twice: by itself and by the outer one"))
+            raise WrongValue(wrong, Message(N_("at most one of: %(words)s"), {"words": "inner, ratio"}))
+
+    @property
+    def hole(self) -> float:
+        """The inner radius."""
+        return self.ratio * self.outer if self.ratio is not None else self.inner or 0.0
 
 
 @dataclass(frozen=True)

@@ -144,7 +144,7 @@ def _screw(of: Screw, path: Path) -> Iterator[Problem]:
 
 
 def _pivot(of: Pivot, path: Path) -> Iterator[Problem]:
-    if of.inner >= of.outer:
+    if of.hole >= of.outer:
         text = N_("the inner radius is not less than the outer one")
         yield mistake(text, (*path, "inner"), Message(N_("an inner radius less than the outer one")))
     if not 0 < of.half_cone <= math.pi / 2 + 1e-12:

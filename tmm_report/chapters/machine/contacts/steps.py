@@ -5,11 +5,13 @@ Angles in degrees, but those of belts in radians, as Euler's formula wants them;
 
 from __future__ import annotations
 
+from functools import reduce
 from math import degrees
+from operator import mul
 
 from tmm_report.chapters.machine.contacts import given as state
 from tmm_report.chapters.machine.contacts import values as v
-from tmm_report.quantity.formula import PI, cos, sin, sqrt, tan
+from tmm_report.quantity.formula import PI, Expr, cos, sin, sqrt, tan
 from tmm_report.quantity.functions import arcsin, arctan, exp
 
 # --- planes and screws
@@ -105,20 +107,31 @@ def _hands(s: v.Screw, of: state.Screw) -> None:
 
 
 def pivot(s: v.Pivot, of: state.Pivot) -> None:
-    s.Q, s.f, s.R_outer, s.r_inner = of.load, of.f, of.outer, of.inner
+    s.Q, s.f, s.R_outer, s.k = of.load, of.f, of.outer, of.ratio
+    s.r_inner = of.hole if of.ratio is None else s.k * s.R_outer
     s.half_cone, s.omega = degrees(of.half_cone), of.speed
-    load, f, outer, inner = s.Q, s.f, s.R_outer, s.r_inner
-    pressure, wear, disc = 2 * f * load * outer / 3, f * load * outer / 2, outer**2
-    if of.inner > 0:
+    s.n_surfaces, s.n_collars = (float(n) if n > 1 else None for n in (of.surfaces, of.collars))
+    load, outer, inner = s.Q, s.R_outer, s.r_inner
+    rubbed = s.f * load if of.surfaces == 1 else s.n_surfaces * s.f * load
+    collars: list[Expr] = [] if of.collars == 1 else [s.n_collars]
+    cone: list[Expr] = [] if flat(s.half_cone.number) else [sin(s.half_cone)]
+    if of.hole == 0:
+        s.p_mean = load / _product(*collars, PI, outer**2)
+        s.M_pressure = 2 * rubbed * outer / _product(3, *cone)
+        s.M_wear = rubbed * outer / _product(2, *cone)
+    else:
         disc = outer**2 - inner**2
-        pressure = 2 * f * load * (outer**3 - inner**3) / (3 * (outer**2 - inner**2))
-        wear = f * load * (outer + inner) / 2
-    s.p_mean = load / (PI * disc)
-    s.M_pressure = pressure if flat(s.half_cone.number) else pressure / sin(s.half_cone)
-    s.M_wear = wear if flat(s.half_cone.number) else wear / sin(s.half_cone)
+        s.p_mean = load / _product(*collars, PI, disc)
+        s.p_max = load / _product(2, *collars, PI, inner, outer - inner)
+        s.M_pressure = 2 * rubbed * (outer**3 - inner**3) / _product(3, disc, *cone)
+        s.M_wear = rubbed * (outer + inner) / _product(2, *cone)
     if of.speed is not None:
         s.P_pressure = s.M_pressure * s.omega
         s.P_wear = s.M_wear * s.omega
+
+
+def _product(first: Expr | float, *others: Expr | float) -> Expr | float:
+    return reduce(mul, others, first)
 
 
 def flat(angle: float) -> bool:

@@ -106,6 +106,10 @@ def _steady(s: Values, found: Found, steady: Steady) -> None:
     s.omega_m = Computed((s.omega_max + s.omega_min) / 2, steady.mean)
     s.delta = Computed((s.omega_max - s.omega_min) / s.omega_m, steady.delta)
     s.T_cycle = steady.cycle
+    driven = steady.given_by(MOTOR)
+    if driven is not None and driven[0][0] < driven[1][0]:
+        (weak, at_weak), (strong, at_strong) = driven
+        s.M_dr_min, s.M_dr_max = Reached(weak, at_weak), Reached(strong, at_strong)
     zero = np.zeros(1)
     s.T_0 = float(found.at(steady.plant.inertia, zero)[0] * found.omega(zero)[0] ** 2 / 2)
 

@@ -190,6 +190,8 @@ def _rubbed(q: Known) -> Expr:
     return q("P_fr_corrected_mean" if q.has("P_fr_corrected_mean") else "P_fr_mean")
 
 
+DRIVEN = N_("The moment of the motor at the speeds of the steady motion, where it is least and greatest.")
+
 WAYS = (
     Way("dynamics_parts.part dynamics_works.acting", NAME),
     Way(
@@ -231,6 +233,7 @@ WAYS = (
     Way(
         "dynamics_omega_min dynamics_omega_max dynamics_delta", STEADY, of="dynamics_omega_m dynamics_T_cycle"
     ),
+    Way("dynamics_M_dr_min dynamics_M_dr_max", DRIVEN, of="dynamics_omega_min dynamics_omega_max"),
     Way("dynamics_T_cycle", MEAN, of="dynamics_omega_m"),
     Way("dynamics_T_0", ENERGY, of="dynamics_omega_m dynamics_delta"),
     Way("dynamics_multiplier", MULTIPLIER, of="dynamics_omega_m"),

@@ -114,16 +114,27 @@ def given(read: Read) -> Given:
 def _tree(written: Any) -> Joined:
     """A node is read by its shape, and holds nodes, which no plain record says: so it is made of its model."""
     series, parallel = (getattr(written, key, None) for key in ("series", "parallel"))
+    shares = [_share(part) for part in parallel or ()]
+    rest = 1 - sum(one for one in shares if one is not None)
     return Joined(
         kind="parallel" if series is None else "series",
-        parts=tuple(_node(part) for part in series or parallel or ()),
+        parts=tuple(
+            _node(part, rest if shares.count(None) == 1 else None) for part in series or parallel or ()
+        ),
         by="output" if any(part.output_share is not None for part in parallel or ()) else "input",
     )
 
 
-def _node(written: Any) -> Node:
-    share = written.share if written.output_share is None else written.output_share
-    own: Any = {"name": written.name or "", "share": share}
+def _share(written: Any) -> float | None:
+    """Of the input or of the output."""
+    share: float | None = written.share if written.output_share is None else written.output_share
+    return share
+
+
+def _node(written: Any, rest: float | None) -> Node:
+    """`rest`: the share of the one part of those beside it that states none."""
+    share = _share(written)
+    own: Any = {"name": written.name or "", "share": rest if share is None else share}
     if isinstance(written, ModuleModel):
         return Module(efficiency=written.efficiency, **own)
     return replace(_tree(written), **own)
@@ -162,16 +173,20 @@ def _shared(kind: str, parts: list[Any], path: tuple[str | int, ...]) -> Iterato
 
 def _sum(parts: list[Any], path: tuple[str | int, ...]) -> Iterator[Problem]:
     inputs, outputs = [part.share for part in parts], [part.output_share for part in parts]
-    if None in inputs and None in outputs:
+    left = sum(_share(part) is None for part in parts)
+    if any(one is not None for one in inputs) and any(one is not None for one in outputs):
+        text = N_("shares of the input and of the output are mixed")
+        yield mistake(text, path, Message(N_("share of each part, or output_share of each part")))
+    elif left > 1:
         text = N_(
             "each of the parallel parts has a share of the power, all of the input or all of the output"
         )
         yield mistake(text, path, Message(N_("share: 0.6 of each part, or output_share: 0.6 of each part")))
-    elif any(one is not None for one in inputs) and any(one is not None for one in outputs):
-        text = N_("shares of the input and of the output are mixed")
-        yield mistake(text, path, Message(N_("share of each part, or output_share of each part")))
     else:
         total = sum(one for one in (*inputs, *outputs) if one is not None)
-        if abs(total - 1) > EXACT:
+        if left and total > 1 - EXACT:
+            text = N_("the shares of the parallel parts leave nothing to the one without a share: %(sum)s")
+            yield mistake(text, path, Message(N_("shares that add up to less than 1")), sum=f"{total:.6g}")
+        elif not left and abs(total - 1) > EXACT:
             text = N_("the shares of the parallel parts add up to %(sum)s")
             yield mistake(text, path, Message(N_("shares that add up to 1")), sum=f"{total:.6g}")

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import field
 from functools import cached_property
-from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NamedTuple
 
 from tmm_report.mechanics.masses import engine_cylinders as layouts
+from tmm_report.problems import N_
 from tmm_report.quantity.paper import ACCURACY
 from tmm_report.records import dataclass
 
@@ -35,6 +37,11 @@ Columns = tuple[Any, Any, Any]
 @dataclass(frozen=True)
 class Cylinder:
     """One cylinder."""
+
+    NOT_OFFERED: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("reciprocating", "rotating", "mass", "rod"),
+        N_("cylinders of different masses are not offered: those of engine hold for all of them"),
+    )
 
     name: Annotated[Name | None, Field(description="left out, its number")] = None
     bank: Annotated[Angle, Field(description="of its axis from the upward vertical, counter-clockwise")] = 0.0
@@ -135,6 +142,14 @@ class Laid(NamedTuple):
 @dataclass(frozen=True, eq=False)
 class Engine:
     """Balance of an engine of several cylinders; its layout by one key: cylinders, inline, vee, opposed or radial."""
+
+    NOT_OFFERED: ClassVar[Mapping[str, str]] = {
+        "stroke": N_("the stroke is twice the crank_radius: state that"),
+        **dict.fromkeys(
+            ("ratio", "rod_ratio", "lambda"),
+            N_("state the rod by its length: rod_length, the ratio times the crank_radius"),
+        ),
+    }
 
     name: Annotated[Label | None, Field(description="in the heading")] = None
     cylinders: Annotated[list[Cylinder] | None, Field(min_length=1, max_length=24)] = None

@@ -3,7 +3,6 @@ unevenness, the wheel's shape."""
 
 from __future__ import annotations
 
-import re
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from tmm_report.mechanics.calculus import laws
@@ -14,10 +13,12 @@ from tmm_report.quantity.units import WrongValue
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
-    from pydantic import Field
+    from pydantic import Field, Tag
 
     from tmm_report.variant import values
     from tmm_report.variant.values import (
+        MAP,
+        SCALAR,
         Density,
         Flag,
         Fraction,
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
         Scale,
         Speed,
         Turned,
+        by_shape,
         quantity,
         whole,
     )
@@ -38,13 +40,7 @@ if TYPE_CHECKING:
 
 def _delta(value: Any) -> float:
     """1/30 or 0.0333: a number between nothing and one."""
-    match = (
-        re.fullmatch(r"\s*(-?[0-9]{1,4})\s*/\s*([0-9]{1,6})\s*", value) if isinstance(value, str) else None
-    )
-    if match and not int(match[2]):
-        text = N_("%(value)s: nothing can be divided by zero")
-        raise WrongValue(Message(text, {"value": shown(value)}), Message(N_("for example, 1/30")))
-    found = int(match[1]) / int(match[2]) if match else units.parse(value, "number")
+    found = units.parse(value, "number")
     if found < 0:
         text = N_("%(value)s: the greatest speed is never below the least")
         raise WrongValue(Message(text, {"value": shown(value)}), Message(N_("for example, 1/30")))
@@ -219,13 +215,24 @@ class Material:
 
     density: Density
     speed: Annotated[
-        float, quantity("velocity", 1e-3), Field(description="allowed at the rim", examples=["35 m/s"])
-    ]
+        Annotated[float, quantity("velocity", 1e-3)] | None,
+        Field(description="allowed at the rim", examples=["35 m/s"]),
+    ] = None
+    stress: Annotated[
+        Annotated[float, quantity("pressure", 1.0)] | None,
+        Field(description="allowed in the rim, in place of the speed", examples=["6 MPa"]),
+    ] = None
     name: str = ""
+
+    def __post_init__(self) -> None:
+        if (self.speed is None) == (self.stress is None):
+            wrong = Message(N_("of the material its density is stated, and what its rim may bear"))
+            raise WrongValue(wrong, Message(N_("exactly one of: %(words)s"), {"words": "speed, stress"}))
 
 
 MATERIALS = {
-    one.name: one for one in (Material(7200.0, 35.0, N_("cast iron")), Material(7850.0, 70.0, N_("steel")))
+    one.name: one
+    for one in (Material(7200.0, 35.0, name=N_("cast iron")), Material(7850.0, 70.0, name=N_("steel")))
 }
 
 USUAL: dict[str, tuple[float, float]] = {  # kind of machine -> usual δ, from fine to coarse
@@ -285,7 +292,10 @@ class Flywheel:
     radius_of_gyration: Annotated[
         Positive | None, Field(description="in place of disc or rim: gives the mass")
     ] = None
-    material: Literal["cast iron", "steel"] | Material = "steel"
+    material: Annotated[
+        Annotated[Literal["cast iron", "steel"], Tag(SCALAR)] | Annotated[Material, Tag(MAP)],
+        by_shape(N_("cast iron, steel, or {density: 7200 kg/m^3, speed: 30 m/s}")),
+    ] = "steel"
     positions: Annotated[
         Annotated[int, whole(8, 72)] | None,
         Field(description="of the table over the cycle; left out, 24"),

@@ -49,7 +49,8 @@ def dimensions(s: Values, given: Given) -> None:
         s.k = shape.radius
         s.m = s.J_shaft / s.k**2
         return
-    s.rho, s.v_lim = given.metal.density, given.metal.speed
+    s.rho, s.sigma_lim = given.metal.density, given.metal.stress
+    s.v_lim = given.metal.speed if given.metal.stress is None else sqrt(s.sigma_lim / s.rho)
     if isinstance(shape, Disc):
         _disc(s, shape)
     else:

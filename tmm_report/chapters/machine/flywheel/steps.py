@@ -26,7 +26,7 @@ SHEET = 110.0  # mm: the energy–mass diagram is drawn at round scales within i
 
 def machine(given: Given, sides: Sides, omega: float) -> Values:
     """What is given: speed, motor, the constant part of the machine's own moment of inertia."""
-    s = sheet(isinstance(given.shape, Rim) and not given.wheel, sides.balancing)
+    s = sheet(isinstance(given.shape, Rim) and not given.wheel, sides.balancing, bool(given.metal.name))
     s.delta_fine, s.delta_coarse = given.usual or (None, None)
     s.omega_m, s.Phi = omega, sides.cycle.panels.period
     s.J_0, s.J_c = given.fixed, sides.links

@@ -87,6 +87,7 @@ class Values(Sheet, prefix="flywheel"):
     omega_s = Q("omega_s", "rad/s", N_("greatest angular velocity of the flywheel's shaft"))
     v = Q("v", "m/s", N_("greatest speed of the rim"))
     v_lim = Q("v_allow", "m/s", N_("speed of the rim that is commonly allowed"))
+    sigma_lim = Q("sigma_allow", "Pa", N_("stress that the rim may bear"), "MPa")
     sigma = Q("sigma", "Pa", N_("stress in a thin rim at that speed"), "MPa")
     D_lim = Q("D_allow", "m", N_("largest outer diameter that the rim's speed allows"))
 
@@ -102,9 +103,11 @@ OF_RIM = {
 }
 
 
-def sheet(rim: bool, balancing: str) -> Values:
-    """The numbers of one variant, by what it calls otherwise."""
+def sheet(rim: bool, balancing: str, common: bool = True) -> Values:
+    """The numbers of one variant, by what it calls otherwise. `common`: the rim's speed is that commonly allowed."""
     closing = {"M_m": Q("M_mean", "N·m", CLOSING[balancing])}
+    if not common:
+        closing["v_lim"] = Q("v_allow", "m/s", N_("speed that the rim may have"))
     return Values(closing | OF_RIM if rim else closing)
 
 

@@ -122,7 +122,7 @@ WAYS = (
         of="turns flywheel_omega_m",
     ),
     Way("flywheel_delta", KIND, of="flywheel_delta_fine flywheel_delta_coarse"),
-    Way("flywheel_rho flywheel_v_lim", MATERIAL, of="flywheel_sigma flywheel_D"),
+    Way("flywheel_rho flywheel_v_lim flywheel_sigma_lim", MATERIAL, of="flywheel_sigma flywheel_D"),
     Way("flywheel_P_fr", RUBBED, by=_rubbed, of="omega"),
     Way("flywheel_P_fr_share", SHARE, of="flywheel_P_fr flywheel_P_m"),
     Way("flywheel_P_need", NEEDED, of="flywheel_P_m flywheel_eta_motor flywheel_P_fr"),

@@ -162,7 +162,13 @@ class Given:
     masses: Annotated[list[Heavy], Field(max_length=30)] = field(default_factory=list)
     bodies: Annotated[list[Body], Field(max_length=10)] = field(default_factory=list)
     planes: Annotated[
-        list[Plane], Field(min_length=1, max_length=2, description="one: static; two: dynamic")
+        list[Plane],
+        Field(
+            min_length=1,
+            max_length=2,
+            description="one: static; two: dynamic",
+            examples=["[{at: 60 mm, radius: 120 mm}, {at: 400 mm, radius: 120 mm}]"],
+        ),
     ] = field(kw_only=True)
     bearings: Annotated[tuple[Length, Length] | None, Field(description="places of A and B")] = None
     speed: Annotated[Speed | None, Field(examples=["1500 rpm"])] = None

@@ -1,13 +1,20 @@
 """The block `vibration` of a variant."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import fields
-from typing import Annotated, Any, TypedDict
+from typing import Annotated, Any, ClassVar, TypedDict
 
 from pydantic import Discriminator, Field, Tag
 
 from tmm_report.chapters.lever.structure.block import stated as has_mechanism
-from tmm_report.chapters.machine.vibration.given import Absorber, Given, Linear, Turning, TurningAbsorber
+from tmm_report.chapters.machine.vibration.given import (
+    WHIRLS,
+    Absorber,
+    Given,
+    Linear,
+    Turning,
+    TurningAbsorber,
+)
 from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.variant import model
 from tmm_report.variant.model import Read
@@ -32,6 +39,9 @@ class Block(model.Block):
     """Vibration and its isolation."""
 
     ALONE = True
+    NOT_OFFERED: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("critical_speed", "whirling", "whirl", "jeffcott", "критическая_скорость"), WHIRLS
+    )
 
     vibration: Either | None = Field(default=None, description="vibration and its isolation")
 
@@ -96,13 +106,19 @@ def _free(written: Given) -> Iterator[Problem]:
 
 def _sprung(written: Given) -> Iterator[Problem]:
     """A stiffness, or what it is chosen for; a damping stated once."""
-    if written.stiffness is None and written.transmissibility is None:
+    deflection = written.deflection
+    if deflection is not None and written.stiffness is not None:
+        right = Message(N_("one of them: the other follows"))
+        yield mistake(
+            N_("the stiffness and the deflection are both stated"), ("vibration", "deflection"), right
+        )
+    if written.stiffness is None and written.transmissibility is None and deflection is None:
         right = Message(N_("state stiffness, or transmissibility for which it is chosen"))
         yield mistake(N_("nothing says how stiff the isolators are"), ("vibration",), right)
     if written.damping is not None and written.damping_ratio is not None:
         right = Message(N_("damping of each isolator, or damping_ratio of the whole"))
         yield mistake(N_("the damping is stated twice"), ("vibration", "damping_ratio"), right)
-    if written.stiffness is None and written.damping is not None:
+    if written.stiffness is None and deflection is None and written.damping is not None:
         right = Message(N_("state damping_ratio"))
         wrong = N_("a stiffness to be chosen needs the damping in parts of the critical one")
         yield mistake(wrong, ("vibration", "damping"), right)

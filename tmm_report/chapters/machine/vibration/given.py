@@ -30,6 +30,10 @@ if TYPE_CHECKING:
         whole,
     )
 
+WHIRLS = N_(
+    "a shaft that whirls: its disc as mass, the stiffness of the shaft at it (48EI/l³ in the middle), unbalance: "
+    "{mass: that of the disc, radius: the eccentricity}; the critical speed is the natural frequency"
+)
 CURVES = [0.0, 0.1, 0.25, 0.5, 1.0]
 
 
@@ -135,7 +139,7 @@ class Common:
             "every damper here is a viscous one, an electromagnetic (eddy-current) one too, whose force is in "
             "proportion to the velocity: damping, its coefficient, or damping_ratio"
         ),
-    )
+    ) | dict.fromkeys(("shaft", "eccentricity", "diameter", "length", "E"), WHIRLS)
 
     name: Annotated[Label | None, Field(description="of the machine, in the heading")] = None
     isolators: Annotated[
@@ -164,6 +168,10 @@ class Linear(Common):
     mass: Annotated[PositiveMass, Field(examples=["1200 kg"])] = field(kw_only=True)
     stiffness: Annotated[
         Annotated[float, quantity("stiffness", 1e-9)] | None, Field(description="of each isolator")
+    ] = None
+    deflection: Annotated[
+        Positive | None,
+        Field(description="of the isolators under the weight, in place of the stiffness", examples=["5 mm"]),
     ] = None
     damping: Annotated[Damping | None, Field(description="of each isolator")] = None
     force: Annotated[Annotated[float, quantity("force", 1e-12)] | None, Field(description="amplitude")] = None
@@ -219,6 +227,7 @@ class Turning(Common):
     absorber: TurningAbsorber | None = None
     start: TurningStart = TurningStart()
     turning: ClassVar[bool] = True
+    deflection: ClassVar[None] = None
     unbalance: ClassVar[None] = None
     mechanism: ClassVar[None] = None
 

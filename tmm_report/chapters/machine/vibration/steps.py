@@ -35,6 +35,10 @@ def isolators(given: Given, omega: float, shaken: bool) -> Values:
     if given.stiffness is not None:
         s.stiffness_each = given.stiffness
         s.stiffness = s.isolators * s.stiffness_each
+    elif given.deflection is not None:
+        s.g, s.deflection = G, given.deflection
+        s.stiffness = s.inertia * s.g / s.deflection
+        s.stiffness_each = s.stiffness / s.isolators
     else:
         if given.damping_ratio is None:
             s.zeta = 0.0  # nothing damps: a damping in N·s/m is refused where the stiffness is chosen
@@ -43,9 +47,10 @@ def isolators(given: Given, omega: float, shaken: bool) -> Values:
         s.stiffness = s.number("needed_stiffness")
     s.natural = sqrt(s.stiffness / s.inertia)
     _damping(s, given)
-    if not given.turning:
-        s.g = G
-    if not given.turning and (given.mechanism is None or abs(given.mechanism.real) <= 1e-9):
+    if given.turning or given.deflection is not None:
+        return s
+    s.g = G
+    if given.mechanism is None or abs(given.mechanism.real) <= 1e-9:
         s.sag = s.inertia * s.g / s.stiffness  # springs across the plumb do not bear the weight
     return s
 

@@ -33,6 +33,7 @@ class Values(Sheet, prefix="vibration"):
     damped = Q("omega_d", "rad/s", N_("frequency of the free damped motion"))
     g = Q("g", "m/s²", N_("acceleration of free fall"))
     sag = Q("delta_st", "m", N_("deflection of the isolators under the weight"))
+    deflection = Q("delta_st", "m", N_("deflection of the isolators under the weight"), "mm")
     omega = Q("omega", "rad/s", N_("frequency of the excitation"))
     direction = Q("alpha", "rad", N_("angle of the motion of the machine from the x axis"), "deg")
     unbalance = Q("m_e", "kg", N_("mass of the unbalance"))
@@ -130,7 +131,16 @@ LETTERS = {"m": "J", "x": "theta", "F": "M"}
 UNITS = {
     "kg": "kg·m²", "N/m": "N·m/rad", "N·s/m": "N·m·s/rad", "N": "N·m", "m": "rad", "m/s": "rad/s",
 }  # fmt: skip
-STRAIGHT = ("sag", "radius", "absorber_arm", "unbalance", "force_most", "moved_most", "handed_most")
+STRAIGHT = (
+    "sag",
+    "deflection",
+    "radius",
+    "absorber_arm",
+    "unbalance",
+    "force_most",
+    "moved_most",
+    "handed_most",
+)
 NOUNS = {
     "inertia": N_("moment of inertia of the disc"),
     "stiffness": N_("stiffness of the shaft"),

@@ -122,6 +122,7 @@ class VibrationView(ChapterView):
             "inertia": True,
             "isolators": several,
             "stiffness_each" if several else "stiffness": given.stiffness is not None,
+            "deflection": True,
             "damping_each" if several else "damping": given.damping is not None,
             "zeta": given.damping_ratio is not None,
             "force": given.shaken is not None,

@@ -79,6 +79,16 @@ class Steady:
         """Least and greatest ω with the angles turned there."""
         return self.plant.panels.extremes(self.omega)
 
+    def given_by(self, key: str) -> tuple[tuple[float, float], tuple[float, float]] | None:
+        """Least and greatest moment of one that acts by a law of the speed, with the angles turned there; None where
+        nothing does by this key."""
+        one = next((one for one in self.plant.laws if one.key == key), None)
+        return (
+            None
+            if one is None
+            else self.plant.panels.extremes(one.at(self.omega) + np.zeros_like(self.omega))
+        )
+
     @property
     def mean(self) -> float:
         """Half the sum of the extremes, rad/s."""

@@ -11,6 +11,7 @@ import numpy as np
 
 from tmm_report.chapters.lever.synthesis import body_steps, points_steps
 from tmm_report.chapters.lever.synthesis.given import (
+    AnglePairs,
     Body,
     CrankRocker,
     Dwell,
@@ -52,8 +53,8 @@ def picture(found: Design) -> Picture:
             return _slotted_link(s)
         case TurningGuide():
             return _turning_guide(s)
-        case Generator():
-            return _generator(found, asked)
+        case Generator() | AnglePairs():
+            return _through(found)
         case Dwell():
             return _dwell(found, asked)
         case Body():
@@ -131,7 +132,8 @@ def _turning_guide(s: Values) -> Picture:
     )
 
 
-def _generator(found: Design, asked: Generator) -> Picture:
+def _through(found: Design) -> Picture:
+    """In three pairs of angles."""
     s, bar = found.s, found.bar
     assert bar is not None and found.table is not None
     d = s.number("frame")

@@ -67,14 +67,14 @@ def _ratio(one: PartModel, written: DynamicsModel) -> float:
 def _part(one: PartModel, ratio: float, speed: float) -> Part:
     """`speed`: of the main shaft, by which the arm of a mass follows from its velocity; no part states it."""
     arm = 0.0
-    if one.mass or one.force:
+    if one.carried or one.force:
         arm = one.velocity / speed if one.velocity is not None else (one.radius or one.offset) * ratio
     return Part(
         name=one.name,
         ratio=ratio,
-        inertia=one.inertia,
+        inertia=one.turned,
         moment=one.moment,
-        mass=one.mass,
+        mass=one.carried,
         arm=arm,
         force=one.force,
         moves=MOVES[one.moves],

@@ -37,7 +37,7 @@ def check(written: DynamicsModel, read: Read) -> Iterator[Problem]:
 
 def _of_a_machine_alone(written: DynamicsModel) -> Iterator[Problem]:
     heavy = any(
-        part.inertia or (part.mass and (part.velocity or part.radius or part.offset))
+        part.turned or (part.carried and (part.velocity or part.radius or part.offset))
         for part in written.parts
     )
     if not heavy and not written.varying_inertia:
@@ -65,7 +65,13 @@ def _of_part(part: PartModel, path: Path, written: DynamicsModel) -> Iterator[Pr
         right = Message(N_("leave out ratio and offset"))
         yield mistake(N_("the shaft of the motor has the ratio of the motor"), (*path, "on"), right)
     ways = sum(x is not None for x in (part.velocity, part.radius)) + bool(part.offset)
-    if (part.mass or part.force) and ways != 1:
+    if part.radius_of_gyration is not None and not (part.mass and not part.inertia and not ways):
+        text = N_(
+            "a radius of gyration goes with the mass of what turns on this shaft, and with nothing else"
+        )
+        right = Message(N_("mass: 60 kg, radius_of_gyration: 200 mm; what moves along is a part of its own"))
+        yield mistake(text, (*path, "radius_of_gyration"), right)
+    elif (part.carried or part.force) and ways != 1:
         right = Message(N_("exactly one of: %(words)s"), {"words": "velocity, radius, offset"})
         yield mistake(N_("it is not said how the mass moves with the main shaft"), path, right)
     if part.velocity is not None and written.speed is None:
@@ -76,7 +82,7 @@ def _of_part(part: PartModel, path: Path, written: DynamicsModel) -> Iterator[Pr
     if part.offset and (part.ratio != 1 or part.moves != "level"):
         right = Message(N_("leave out ratio and moves"))
         yield mistake(N_("an offset mass turns with the main shaft itself"), (*path, "offset"), right)
-    if part.ratio == 0 and (part.inertia or part.moment or part.radius):
+    if part.ratio == 0 and (part.turned or part.moment or part.radius):
         yield mistake(N_("a shaft that stands still has no part in the motion"), (*path, "ratio"))
 
 

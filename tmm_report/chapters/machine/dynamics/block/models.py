@@ -46,6 +46,9 @@ class PartModel(Model):
     inertia: Inertia = Field(default=0.0, description="of the shaft")
     moment: MomentValue = Field(default=0.0, description="resisting it; below zero it drives")
     mass: Mass = Field(default=0.0, description="of what moves along")
+    radius_of_gyration: Positive | None = Field(
+        default=None, description="of the shaft with this mass, in place of its inertia", examples=["200 mm"]
+    )
     velocity: Velocity | None = Field(default=None, description="of the mass, at the speed of the main shaft")
     radius: Positive | None = Field(
         default=None, description="of the drum that moves the mass, on this shaft"
@@ -55,6 +58,16 @@ class PartModel(Model):
     offset: Distance = Field(default=0.0, description="of a mass on the main shaft, from its axis")
     angle: Angle = Field(default=0.0, description="of the offset at the start, from the x axis")
     efficiency: Fraction = Field(default=1.0, description="from the main shaft to here")
+
+    @property
+    def turned(self) -> float:
+        """The moment of inertia of the shaft, kg m²."""
+        return self.inertia if self.radius_of_gyration is None else self.mass * self.radius_of_gyration**2
+
+    @property
+    def carried(self) -> float:
+        """The mass that moves along, kg."""
+        return self.mass if self.radius_of_gyration is None else 0.0
 
 
 class DynamicsModel(Model):
