@@ -129,8 +129,3 @@ def _together(mechanism: MechanismModel, read: Read) -> Found:
         if block in data:
             text = N_("%(block)s is not worked out of a mechanism with wheels in mesh")
             yield mistake(text, (block,), Message(N_("leave this key out")), block=block)
-    positions = data.get("positions")
-    if isinstance(positions, dict) and "force_plan" in positions:
-        text = N_("force plans of a mechanism with wheels in mesh are not offered")
-        told = Message(N_("leave the key out: the reactions and the forces in the teeth stand in tables"))
-        yield mistake(text, ("positions", "force_plan"), told)

@@ -1,0 +1,119 @@
+"""Wrong outputs to be planted: chapters of mechanisms with wheels in mesh, and of those that a stroke drives."""
+
+from __future__ import annotations
+
+from faults import DRIVEN, FORCES, LIFTED, Fault
+
+SUN = "sun_and_planet"
+PLANS = ("tests/chapters/lever/force_plans",)
+WHEEL, THRUST, LEVER = FORCES + "drafting/wheel.py", FORCES + "drafting/thrust.py", FORCES + "lever.py"
+
+FAULTS = (
+    # --- force plans ---
+    Fault(
+        "the teeth press the other flank",
+        WHEEL,
+        "along, teeth = _line(sheet, wheel, -moment)",
+        "along, teeth = _line(sheet, wheel, moment)",
+        SUN,
+        PLANS,
+    ),
+    Fault(
+        "the arm of the teeth is the pitch radius",
+        WHEEL,
+        "radius * cos(replace(angle, number=mesh.pressure))",
+        "radius * cos(replace(angle, number=0.0))",
+        SUN,
+        PLANS,
+    ),
+    Fault(
+        "the teeth load no other wheel", WHEEL, "    sheet.load(wheel.contact, link, force)\n", "", SUN, PLANS
+    ),
+    Fault(
+        "a rack pressed on the other flank",
+        WHEEL,
+        "_line(sheet, wheel, -float(dot(loads[-1]",
+        "_line(sheet, wheel, float(dot(loads[-1]",
+        SUN,
+        PLANS,
+    ),
+    Fault(
+        "the force of a rack loads nothing",
+        WHEEL,
+        "    sheet.pass_on(wheel.contact, link, end - tip, mu)\n",
+        "",
+        SUN,
+        PLANS,
+    ),
+    Fault(
+        "the wheels taken off from the first on",
+        FORCES + "drafting/__init__.py",
+        "for one in reversed(wheels):",
+        "for one in wheels:",
+        SUN,
+        PLANS,
+    ),
+    Fault(
+        "the part across the rod turned round",
+        THRUST,
+        "vector = 1j * line.out * formulas[-1].written",
+        "vector = -1j * line.out * formulas[-1].written",
+        LIFTED,
+        PLANS,
+    ),
+    Fault(
+        "the part along the rod turned round",
+        THRUST,
+        "(-moment if turning > 0 else moment) / arm",
+        "(moment if turning > 0 else -moment) / arm",
+        LIFTED,
+        PLANS,
+    ),
+    Fault(
+        "the barrel of a cylinder without its loads",
+        THRUST,
+        "bodies = (end,) if stroke.slides else stroke.by",
+        "bodies = (end,)",
+        LIFTED,
+        PLANS,
+    ),
+    Fault(
+        "a force against the stroke above zero",
+        THRUST,
+        "sign = -1 if dot(end - tip, line.along) < 0 else 1",
+        "sign = 1",
+        DRIVEN,
+        PLANS,
+    ),
+    Fault(
+        "a couple on a wheel is nothing on the lever",
+        LEVER,
+        "ends = self._ends(link) or self._radius(link)",
+        "ends = self._ends(link)",
+        SUN,
+        PLANS,
+    ),
+    Fault(
+        "a lever's force along the stroke turned round",
+        LEVER,
+        "(-sum_of if arm > 0 else sum_of) / over",
+        "-sum_of / over",
+        DRIVEN,
+        PLANS,
+    ),
+    Fault(
+        "a lever's force beside a moment by power",
+        LEVER,
+        '"power": solved.power * transfer',
+        '"power": solved.power',
+        LIFTED,
+        PLANS,
+    ),
+    Fault(
+        "a balancing force along the stroke in the pole",
+        FORCES + "lever_draw.py",
+        "            balancing.place,\n",
+        "            0j,\n",
+        LIFTED,
+    ),
+)
