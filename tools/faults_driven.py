@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from faults import DRIVEN, FORCES, LIFTED, Fault
+from faults import DRIVEN, FORCES, LIFTED, MECHANICS, Fault
 
 SUN = "sun_and_planet"
 PLANS = ("tests/chapters/lever/force_plans",)
+RUBBED, COUPLED = MECHANICS + "lever/forces/reactions_with_friction.py", MECHANICS + "lever/wheels/coupled.py"
+RUBBING = ("tests/chapters/lever/friction/test_friction_of_wheels.py",)
+BALANCED, BALANCING = "tmm_report/chapters/machine/balancing/solve/", ("tests/chapters/machine/balancing",)
 WHEEL, THRUST, LEVER = FORCES + "drafting/wheel.py", FORCES + "drafting/thrust.py", FORCES + "lever.py"
 
 FAULTS = (
@@ -115,5 +118,46 @@ FAULTS = (
         "            balancing.place,\n",
         "            0j,\n",
         LIFTED,
+    ),
+    # --- friction and balancing of mechanisms with wheels ---
+    Fault(
+        "parts of a wheel's force on flanks of their own",
+        RUBBED,
+        "_stacked(loads, units, shape), flanks.get(GEAR), flanks)",
+        "_stacked(loads, units, shape), flanks.get(GEAR))",
+        SUN,
+        RUBBING,
+    ),
+    Fault(
+        "a wheel's flank of the other sense",
+        COUPLED,
+        "dot(teeth, across) >= 0, 1.0, -1.0",
+        "dot(teeth, across) >= 0, -1.0, 1.0",
+        SUN,
+        RUBBING,
+    ),
+    Fault(
+        "rails rub",
+        "tmm_report/chapters/lever/friction/solve.py",
+        'pair.kind == "H" or pair.name in given.rails',
+        'pair.kind == "H"',
+        "roller_on_rail",
+        RUBBING,
+    ),
+    Fault(
+        "the guide of any wheel's axle is a rail",
+        "tmm_report/chapters/lever/structure/block/checks.py",
+        'rolling = mechanism.get("rolling")',
+        'rolling = mechanism.get("racks")',
+        "roller_on_rail",
+        RUBBING,
+    ),
+    Fault(
+        "a link's tooth load without its moment in the shaking check",
+        "tmm_report/mechanics/masses/counterweights.py",
+        "moment = moment + sign * (cross(reaction.at - about, reaction.force) + reaction.moment)",
+        "moment = moment + sign * reaction.moment",
+        SUN,
+        BALANCING,
     ),
 )

@@ -94,9 +94,9 @@ SLIPS = {
         "slider: 6", "carrier: 5, slider: 6",
         "mechanism.racks.0.carrier", "slides along no fixed guide", "a guide of the frame",
     ),
-    "friction": (
-        "positions:", "friction: {pivots: {f: 0.1, diameter: 20 mm}}\npositions:",
-        "friction", "is not worked out of a mechanism with wheels", "leave",
+    "method": (
+        "positions:", "method: newton\npositions:",
+        "method", "is not worked out of a mechanism with wheels", "closed form",
     ),
 }  # fmt: skip
 

@@ -163,7 +163,7 @@ def _whole(given: Friction, kinetostatics: Kinetostatics) -> Whole | None:
     over = kinetostatics.over
     if over is None:
         return None
-    rates = [relative_rate(over.motion, pair) for pair in over.motion.linkage.structure.pairs]
+    rates = [relative_rate(over.motion, pair) for pair in sliding_pairs(over.motion)]
     known = [over.on(rate) for rate in rates if np.any(rate)]
     reactions = over.statics.reactions.values()
     least = NOTHING * max(np.abs(one.force).max() for one in reactions)
@@ -212,8 +212,16 @@ def _between(given: Friction, forces: Kinetostatics, whole: Whole | None) -> cor
 
 
 def rubbing_of(given: Friction, pair: Pair) -> Rubbing | None:
-    """Friction of a pair: its own, else that of all pivots or guides; None where nothing is stated."""
+    """Friction of a pair: its own, else that of all pivots or guides; None where nothing is stated, and of teeth and of
+    what rolls."""
+    if pair.kind == "H" or pair.name in given.rails:
+        return None
     return given.joints.get(pair.name) or (given.pivots if pair.kind == "R" else given.guides)
+
+
+def sliding_pairs(motion: Motion) -> list[Pair]:
+    """The lower pairs: teeth are taken without friction."""
+    return [pair for pair in motion.linkage.structure.pairs if pair.kind != "H"]
 
 
 def _apart(panels: Panels, kinks: Array) -> Array:

@@ -59,6 +59,9 @@ class FrictionView(SlidingView):
         self.found, self.position, self.kinetostatics = found, position, kinetostatics
         self.stated, self.lost = self.table("friction_given"), self.table("friction_table")
         self.pairs = [loss.pair for loss in found.table.pairs]
+        meshes = kinetostatics.kinematics.linkage.mechanism.meshes
+        self.toothed = any(not mesh.rolls for mesh in meshes)
+        self.rolling = any(mesh.rolls for mesh in meshes)
 
     def conclusions(self) -> list[Markup]:
         return [self.means()]

@@ -18,6 +18,7 @@ from tmm_report.chapters.lever.structure.block.checks import (
     no_link,
     no_point,
     of_friction,
+    rails,
     stated,
     without,
 )
@@ -32,7 +33,8 @@ from tmm_report.variant.model import Read
 
 __all__ = [
     "ASKED", "FRAME", "Block", "Given", "Names", "belongs", "doubts", "driven_by_stroke", "driver", "given",
-    "has_cams", "in_vain", "mistakes", "names", "no_link", "no_point", "of_friction", "stated", "without",
+    "has_cams", "in_vain", "mistakes", "names", "no_link", "no_point", "of_friction", "rails",
+    "stated", "without",
 ]  # fmt: skip
 
 
