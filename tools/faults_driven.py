@@ -8,7 +8,8 @@ SUN = "sun_and_planet"
 PLANS = ("tests/chapters/lever/force_plans",)
 RUBBED, COUPLED = MECHANICS + "lever/forces/reactions_with_friction.py", MECHANICS + "lever/wheels/coupled.py"
 RUBBING = ("tests/chapters/lever/friction/test_friction_of_wheels.py",)
-BALANCED, BALANCING = "tmm_report/chapters/machine/balancing/solve/", ("tests/chapters/machine/balancing",)
+SLIDING = ("tests/chapters/lever/friction/test_friction_of_strokes.py",)
+BALANCING = ("tests/chapters/machine/balancing",)
 WHEEL, THRUST, LEVER = FORCES + "drafting/wheel.py", FORCES + "drafting/thrust.py", FORCES + "lever.py"
 
 FAULTS = (
@@ -159,5 +160,22 @@ FAULTS = (
         "moment = moment + sign * reaction.moment",
         SUN,
         BALANCING,
+    ),
+    # --- friction where a stroke drives ---
+    Fault(
+        "the power of a stroke by the moment",
+        "tmm_report/chapters/lever/friction/solve.py",
+        "_wide(statics.driving * speed, motion.shape)",
+        "_wide(statics.balancing * speed, motion.shape)",
+        LIFTED,
+        SLIDING,
+    ),
+    Fault(
+        "friction reduced to a stroke by the phase",
+        "tmm_report/chapters/lever/friction/solve.py",
+        "self.total / np.abs(self.speed)",
+        "self.total / abs(self.omega)",
+        LIFTED,
+        SLIDING,
     ),
 )
