@@ -25,7 +25,6 @@ sys.path[:0] = [str(ROOT / "tools")]
 import faults  # noqa: E402
 import faults_balance  # noqa: E402
 import faults_cures  # noqa: E402
-import faults_driven  # noqa: E402
 import faults_edges  # noqa: E402
 import faults_exact  # noqa: E402
 import faults_methods  # noqa: E402
@@ -39,7 +38,6 @@ FAULTS = (
     *faults_motion.FAULTS,
     *faults_balance.FAULTS,
     *faults_note.FAULTS,
-    *faults_driven.FAULTS,
     *faults_edges.FAULTS,
     *faults_cures.FAULTS,
     *faults_methods.FAULTS,
