@@ -149,6 +149,8 @@ def test_every_vector_of_a_force_plan(name):
 def acts_at(key: str, drawn: Scheme) -> str:
     """The point of a load."""
     kind, sub = key.split("_", 1)
+    if key == "F_stroke":  # the slider, or the end of the cylinder on the link that follows it
+        return drawn.drive[0][1]
     if kind == "F" and "," in sub:  # of a spring or damper
         return sub.split(",")[1]
     return sub.split(",")[0] if kind == "P" else drawn.mass_centres[sub.removeprefix("I")]
@@ -161,9 +163,7 @@ def wrong_lever(document: dict[str, Any], drawn: Vectors, of: Scheme, k: int, sc
     for vector in drawn.shown:
         if vector.key[0] == "v":
             yield off(vector, scale, turn * speeds[vector.key])
-    acting = {
-        key: force for key, force in loads.items() if key[0] != "R" and key not in ("F_bal", "F_stroke")
-    }
+    acting = {key: force for key, force in loads.items() if key[0] != "R" and key != "F_bal"}
     largest = max(map(abs, acting.values()))
     for key in (key for key in acting if abs(acting[key]) > 1e-6 * largest):
         at = pole + turn * speeds.get(f"v_{acts_at(key, of)}", 0j) / scale
