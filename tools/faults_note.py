@@ -414,7 +414,7 @@ FAULTS = (
           "roller_on_rail", RUBBING),
     Fault("the guide of any wheel's axle is a rail", "tmm_report/chapters/lever/structure/block/checks.py",
           'rolling = mechanism.get("rolling")', 'rolling = mechanism.get("racks")', "roller_on_rail", RUBBING),
-    Fault("a link's tooth load without its moment in the shaking check",
+    Fault("reactions of the frame without their moments on it",
           "tmm_report/mechanics/masses/counterweights.py",
           "moment = moment + sign * (cross(reaction.at - about, reaction.force) + reaction.moment)",
           "moment = moment + sign * reaction.moment", SUN, BALANCING),
