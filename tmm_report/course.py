@@ -308,9 +308,7 @@ def solve_lever(given: LeverGiven, moved: Moved | None = None, flywheel: Any = N
         cam.solve(motion) if given.mechanism.cams else None,
         drawn,
         forces,
-        force_plans.solve(given.drawing, given.positions.force_plan, forces, drawn)
-        if forces and not given.mechanism.meshes and given.mechanism.driver.stroke is None
-        else None,
+        force_plans.solve(given.drawing, given.positions.force_plan, forces, drawn) if forces else None,
         friction.solve(given.friction, forces) if given.friction and forces else None,
         reduction.solve(motion, forces, drawn) if given.reduction else None,
         translation.solve(given.translation, motion, forces) if given.translation is not None else None,

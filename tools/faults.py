@@ -241,7 +241,7 @@ FAULTS = (
     Fault("letters of another force", FORCES + "draw.py", "lettered(s.quantity.symbol, words)",
           "lettered(drawn.strokes[0].quantity.symbol, words)"),
     Fault("reactions passed on unturned", "tmm_report/chapters/lever/force_plans/drafting/sheet.py",
-          "complex(-unit(vector) * size)", "complex(unit(vector) * size)"),
+          'Acting(reaction(link, carrier), "reaction", -force,', 'Acting(reaction(link, carrier), "reaction", force,'),
     Fault("the plan of a lever turned clockwise", FORCES + "lever.py", "self.turn = -1j if", "self.turn = 1j if",
           "shaper"),
     Fault("forces of a lever at the pole", FORCES + "lever_draw.py", "Force(arm.place, arm.vector, label",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from faults import ECCENTRIC, FRICTION, KIN, MECHANICS, PLANETARY, SPUR, STATICS, Fault
+from faults import DRIVEN, ECCENTRIC, FRICTION, KIN, LIFTED, MECHANICS, PLANETARY, SPUR, STATICS, Fault
 
 FORCES = "tmm_report/chapters/lever/force_plans/"
 PLANS = "tmm_report/chapters/lever/plans/"
@@ -25,6 +25,12 @@ DETAIL = ("tests/figures/test_detail.py",)
 CYCLE_TABLES = ("tests/chapters/lever/kinetostatics/test_cycle_tables.py",)
 RASTER = "tmm_report/figures/raster.py"
 FRONT = ("tests/report/test_front_matter.py",)
+SUN, BY_PLANS = "sun_and_planet", ("tests/chapters/lever/force_plans",)
+RUBBED = MECHANICS + "lever/forces/reactions_with_friction.py"
+RUBBING, SLIDING = (
+    (f"tests/chapters/lever/friction/test_friction_of_{what}.py",) for what in ("wheels", "strokes")
+)
+BALANCING = ("tests/chapters/machine/balancing",)
 
 FAULTS = (
     # --- the note as a whole ---
@@ -110,7 +116,8 @@ FAULTS = (
           tests=("tests/report/test_png.py",)),
     Fault("arms of a lever doubled in their table", FORCES + "lever_quantities.py", "ARM.column([row.arm for",
           "ARM.column([2 * row.arm for"),
-    Fault("a lever beside a negated power balance", FORCES + "lever.py", '"power": float(', '"power": -float('),
+    Fault("a lever beside a negated power balance", FORCES + "lever.py", '"power": solved.power,',
+          '"power": -solved.power,'),
     Fault("arms of a loading scheme to another place", "tmm_report/figures/loading.py",
           "return self.at + ((self.centre", "return self.at + 1.1 * ((self.centre"),
     Fault("loads of a loading scheme reversed", FORCES + "loading_draw.py", "Force(force.at / mu, force.vector,",
@@ -408,4 +415,55 @@ FAULTS = (
           "way = (sin(beta), cos(beta))", "compressor", CONTOURS),
     Fault("signs of labels lost in LaTeX", "tmm_report/figures/lettering.py", '"≤": r"\\ensuremath{\\le}", ', "",
           "slider_crank_offset"),
+    # --- force plans, friction and balancing of mechanisms with wheels, and of those that a stroke drives ---
+    Fault("the teeth press the other flank", FORCES + "drafting/wheel.py",
+          "along, teeth = _line(sheet, wheel, -moment)", "along, teeth = _line(sheet, wheel, moment)", SUN,
+          BY_PLANS),
+    Fault("the arm of the teeth is the pitch radius", FORCES + "drafting/wheel.py",
+          "radius * cos(replace(angle, number=mesh.pressure))", "radius * cos(replace(angle, number=0.0))", SUN,
+          BY_PLANS),
+    Fault("the teeth load no other wheel", FORCES + "drafting/wheel.py",
+          "    sheet.load(wheel.contact, link, force)\n", "", SUN, BY_PLANS),
+    Fault("a rack pressed on the other flank", FORCES + "drafting/wheel.py",
+          "_line(sheet, wheel, -float(dot(loads[-1]", "_line(sheet, wheel, float(dot(loads[-1]", SUN, BY_PLANS),
+    Fault("the force of a rack loads nothing", FORCES + "drafting/wheel.py",
+          "    sheet.pass_on(wheel.contact, link, end - tip, mu)\n", "", SUN, BY_PLANS),
+    Fault("the wheels taken off from the first on", FORCES + "drafting/__init__.py", "for one in reversed(wheels):",
+          "for one in wheels:", SUN, BY_PLANS),
+    Fault("the part across the rod turned round", FORCES + "drafting/thrust.py",
+          "vector = 1j * line.out * formulas[-1].written", "vector = -1j * line.out * formulas[-1].written", LIFTED,
+          BY_PLANS),
+    Fault("the part along the rod turned round", FORCES + "drafting/thrust.py",
+          "(-moment if turning > 0 else moment) / arm", "(moment if turning > 0 else -moment) / arm", LIFTED,
+          BY_PLANS),
+    Fault("the barrel of a cylinder without its loads", FORCES + "drafting/thrust.py",
+          "bodies = (end,) if stroke.slides else stroke.by", "bodies = (end,)", LIFTED, BY_PLANS),
+    Fault("a force against the stroke above zero", FORCES + "drafting/thrust.py",
+          "sign = -1 if dot(end - tip, line.along) < 0 else 1", "sign = 1", DRIVEN, BY_PLANS),
+    Fault("a couple on a wheel is nothing on the lever", FORCES + "lever.py",
+          "ends = self._ends(link) or self._radius(link)", "ends = self._ends(link)", SUN, BY_PLANS),
+    Fault("a lever's force along the stroke turned round", FORCES + "lever.py",
+          "(-sum_of if arm > 0 else sum_of) / over", "-sum_of / over", DRIVEN, BY_PLANS),
+    Fault("a lever's force beside a moment by power", FORCES + "lever.py", '"power": solved.power * transfer',
+          '"power": solved.power', LIFTED, BY_PLANS),
+    Fault("a balancing force along the stroke in the pole", FORCES + "lever_draw.py",
+          "            balancing.place,\n", "            0j,\n", LIFTED),
+    Fault("parts of a wheel's force on flanks of their own", RUBBED,
+          "_stacked(loads, units, shape), flanks.get(GEAR), flanks)",
+          "_stacked(loads, units, shape), flanks.get(GEAR))", SUN, RUBBING),
+    Fault("a wheel's flank of the other sense", MECHANICS + "lever/wheels/coupled.py",
+          "dot(teeth, across) >= 0, 1.0, -1.0", "dot(teeth, across) >= 0, -1.0, 1.0", SUN, RUBBING),
+    Fault("rails rub", FRICTION + "solve.py", 'pair.kind == "H" or pair.name in given.rails', 'pair.kind == "H"',
+          "roller_on_rail", RUBBING),
+    Fault("the guide of any wheel's axle is a rail", "tmm_report/chapters/lever/structure/block/checks.py",
+          'rolling = mechanism.get("rolling")', 'rolling = mechanism.get("racks")', "roller_on_rail", RUBBING),
+    Fault("reactions of the frame without their moments on it",
+          "tmm_report/mechanics/masses/counterweights.py",
+          "moment = moment + sign * (cross(reaction.at - about, reaction.force) + reaction.moment)",
+          "moment = moment + sign * reaction.moment", SUN, BALANCING),
+    Fault("the power of a stroke by the moment", FRICTION + "solve.py",
+          "_wide(statics.driving * speed, motion.shape)", "_wide(statics.balancing * speed, motion.shape)", LIFTED,
+          SLIDING),
+    Fault("friction reduced to a stroke by the phase", FRICTION + "solve.py", "self.total / np.abs(self.speed)",
+          "self.total / abs(self.omega)", LIFTED, SLIDING),
 )  # fmt: skip

@@ -92,6 +92,12 @@ def forces(document: dict[str, Any], k: int) -> dict[str, complex]:
     if "gear_table" in document["tables"]:  # the force of the gear that turns the driving link
         teeth = table_of(document, "gear_table")
         found["F_bal"] = complex(teeth["F_bal"][k] * np.exp(1j * teeth["alpha_F_bal"][k]))
+    if (
+        "drive_table" in document["tables"]
+    ):  # along the guide, or from the fixed end of the cylinder to the other
+        of = {value["key"]: value["value"] for value in document["values"]}
+        way = of.get("stroke_gamma", table_of(document, "stroke_table")["stroke_psi"][k])
+        found["F_stroke"] = table_of(document, "drive_table")["F_stroke"][k] * np.exp(1j * way)
     return found
 
 

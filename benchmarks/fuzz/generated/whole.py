@@ -169,9 +169,8 @@ def _agreed(data: dict[str, Any]) -> None:
         for name in ("friction", "wear", "balancing"):
             data.pop(name, None)
     if {"wheels", "racks", "rolling"} & set(data["mechanism"]):
-        for name in ("friction", "balancing", "methods", "method", "readings"):
+        for name in ("methods", "method"):
             data.pop(name, None)
-        data.get("positions", {}).pop("force_plan", None)
     if not massive:
         for name in ("reduction", "balancing"):
             data.pop(name, None)
@@ -182,7 +181,9 @@ def _agreed(data: dict[str, Any]) -> None:
             loads["moments"] = [{"on": "1", "direction": "against motion", "by_angle": pairs}]
     if {"law", "stroke"} & set(data["mechanism"]["driver"]):
         for name in UNIFORM:
-            data.pop(name, None)
+            if name != "friction" or "law" in data["mechanism"]["driver"]:
+                data.pop(name, None)
+        data.get("friction", {}).pop("corrected", None)
     if "range" in data["mechanism"]["driver"]:
         for name in ("dynamics", "flywheel", "harmonics", "balancing", "wear", "press"):
             data.pop(name, None)

@@ -175,3 +175,20 @@ def test_a_number_without_its_sign_is_right_in_magnitude_and_said_to_be_no_more(
     values = found.kinematics.values
     negative = {key for key in ("w_2", "w_4") if values[key][7] < 0}
     assert negative and {one.written for one in found.readings.unsigned} == negative
+
+
+def test_readings_of_a_mechanism_with_wheels():
+    """The wheels' own columns are among what may be read; a ratio upside down is told."""
+    text = (VARIANTS.parent / "tests" / "statements" / "geared_five_bar.yaml").read_text("utf-8")
+    lever = course.solve(course.loads(text)).lever
+    found = {column.key: column.values[7] for table in results_tables(course.solve(course.loads(text)))
+             for column in table.columns if column.key in ("F_n_12", "R_12", "w_2", "M_bal")
+             and len(column.values) == 13}  # fmt: skip
+    assert found["w_2"] == pytest.approx(-2 * lever.kinematics.omega)
+    right = "".join(f", {key}: {value:.6g}" for key, value in found.items()).removeprefix(", ")
+    own = course.solve(course.loads(f"{text}\nreadings: {{7: {{{right}}}}}\n")).lever.readings
+    assert len(own.rows[7]) == 4 and not own.wrong
+    other = course.solve(
+        course.loads(f"{text}\nreadings: {{7: {{w_2: {found['w_2'] / 4:.6g}}}}}\n")
+    ).lever.readings
+    assert [one.written for one in other.wrong] == ["w_2"]

@@ -94,13 +94,9 @@ SLIPS = {
         "slider: 6", "carrier: 5, slider: 6",
         "mechanism.racks.0.carrier", "slides along no fixed guide", "a guide of the frame",
     ),
-    "friction": (
-        "positions:", "friction: {pivots: {f: 0.1, diameter: 20 mm}}\npositions:",
-        "friction", "is not worked out of a mechanism with wheels", "leave",
-    ),
-    "force plan": (
-        "{table: 12}", "{table: 12, force_plan: [1]}",
-        "positions.force_plan", "force plans of a mechanism with wheels", "leave",
+    "method": (
+        "positions:", "method: newton\npositions:",
+        "method", "is not worked out of a mechanism with wheels", "closed form",
     ),
 }  # fmt: skip
 
@@ -221,7 +217,6 @@ ON_RAILS = {
     "no radius": ("radius: 70 mm, ", "", "mechanism.rolling.0.radius", "", ""),
     "on a slider": ("side: above", "side: above, slider: 5", "mechanism.rolling.0.slider", "held by teeth", ""),
     "friction": ("side: above", "side: above, f: 0.2", "mechanism.rolling.0.f", "told by the note", "contacts"),
-    "force plan": ("{table: 12}", "{table: 12, force_plan: [1]}", "positions.force_plan", "force plans", "leave"),
 }  # fmt: skip
 
 

@@ -129,9 +129,14 @@ def test_the_lever_is_in_balance_as_printed(name):
             found.append(f"{key}: a moment is not its force times its arm")
         if abs(moments.sum()) > 10 * slack:
             found.append(f"{key}: the moments add up to {moments.sum():.5g}")
-        other, balancing = columns(document, f"lever_compared_{k}"), table_of(document, "balancing_table")
-        beside = dict(zip(other["way"], other["moment"], strict=True))
-        for way, column in (("analytic", "M_bal"), ("power", "M_power")):
+        thrust = "drive_table" in document["tables"]  # a force along the stroke in place of a moment
+        other = columns(document, f"lever_compared_{k}")
+        balancing = table_of(document, "drive_table" if thrust else "balancing_table")
+        beside = dict(zip(other["way"], other["force" if thrust else "moment"], strict=True))
+        letter = "F_stroke", "F_power"
+        for way, column in zip(
+            ("analytic", "power"), letter if thrust else ("M_bal", "M_power"), strict=True
+        ):
             if abs(beside[way] - balancing[column][int(k)]) > 1e-9 * abs(beside[way]):
                 found.append(f"lever_compared_{k} is compared with another moment: {way}")
     wrong(found)

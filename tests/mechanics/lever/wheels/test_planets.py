@@ -236,8 +236,9 @@ class Alone:
         b[-1] = self.made["omega"]
         return np.linalg.solve(J, b)
 
-    def statics(self, acc):
-        """Multipliers by the transpose, M_bal last; the flank of each mesh is that which its own force presses."""
+    def statics(self, acc, more=0.0):
+        """Multipliers by the transpose, M_bal last; the flank of each mesh is that which its own force presses. `more`:
+        wrenches beside the loads, as rows are."""
         made, load = self.made, np.zeros(3 * len(self.names))
         for name in self.names:
             S = self.place(name, centre(made, name)) if made["m"][name] else self.pose[name][0]
@@ -247,7 +248,7 @@ class Alone:
                 wrench.append((name, S, 0j, made["M"]))
             load += self.row(wrench)
         link, point = made["loaded"]
-        load += self.row([(link, self.place(link, point), made["P"], 0.0)])
+        load += self.row([(link, self.place(link, point), made["P"], 0.0)]) + more
         flanks = [1] * len(self.meshes())
         for _ in range(8):
             keys, rows = zip(*self.lines(flanks), strict=True)

@@ -1,24 +1,28 @@
 """Zhukovsky's lever: the plan of velocities, turned by 90° against the driving link's rotation, as a rigid lever.
 
 Every force acts in the end of its point's velocity; the moments about the pole, arms read off the turned plan, balance
-that of the balancing force across the crank. Turned so, the crank's segment pa lies along the crank, and a couple on a
-link becomes a pair of forces M/l in the ends of its segment, whose arm is that segment.
+that of the balancing force across the crank, or of that along the stroke where a slider or a cylinder drives. Turned
+so, the crank's segment pa lies along the crank, and a couple on a link becomes a pair of forces M/l in the ends of its
+segment, whose arm is that segment; of a wheel without a second point in its axis and its pitch point.
 Source: Artobolevsky, Theory of mechanisms and machines, ch. 15; Zhukovsky, On the reduction of dynamic problems.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from tmm_report.chapters.lever.force_plans import lever_quantities as q
 from tmm_report.chapters.lever.force_plans.drafting.plan import Acting, Couple, ForceDrawn
 from tmm_report.chapters.lever.initial_data.quantities import length
+from tmm_report.chapters.lever.kinetostatics.quantities.driving_stroke import FORCE
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
 from tmm_report.chapters.lever.plans.solve import Comparison, Plans
+from tmm_report.chapters.lever.structure.quantities import pitch_radius
 from tmm_report.mechanics.calculus.vectors import cross, unit
+from tmm_report.mechanics.lever.driving.stroke import Stroke
 from tmm_report.mechanics.lever.mechanism import FRAME, Mechanism
 from tmm_report.quantity.formula import Expr, Formula, Number
 from tmm_report.quantity.model import Quantity
@@ -49,8 +53,9 @@ class LeverArm:
 @dataclass(frozen=True, eq=False)
 class Lever:
     """Of one table position. `turn`: by what the plan is turned, ±1j; `arms`: of all loads; `pairs`: couples as forces;
-    `balance`: the sum of moments, the balancing force and moment; `driving`: the force at the crank's point, N, and its
-    place; `compared`: with the other ways."""
+    `balance`: the sum of moments, the balancing force and moment, of a stroke the force alone; `driving`: that force,
+    N, and its place; `compared`: with the other ways; `thrust`: whether it is along a stroke; `pitch`: pitch points of
+    wheels on the lever, mm from the pole."""
 
     position: int
     plan: Plan
@@ -61,10 +66,32 @@ class Lever:
     driving: LeverArm
     worked: Worked
     compared: tuple[Comparison, ...]
+    thrust: bool
+    pitch: Mapping[str, complex]
 
     @property
     def agrees(self) -> bool:
         return all(one.ok for one in self.compared)
+
+
+class _Drive(NamedTuple):
+    """The balancing force of 1 N: its point, its direction; across the crank the pivot and the crank's length, m."""
+
+    point: str
+    along: complex
+    pivot: str = ""
+    length: float = 0.0
+
+
+class _Ends(NamedTuple):
+    """Two places of a link where a pair of forces replaces a couple: their distance and its name, m, their letters on
+    the lever, their places there, mm, and the way from one to the other, m."""
+
+    name: tuple[Quantity, float]
+    letters: str
+    start: complex
+    end: complex
+    along: complex
 
 
 def levers(found: Kinetostatics, drawn: tuple[ForceDrawn, ...], plans: Plans) -> tuple[Lever, ...]:
@@ -101,23 +128,24 @@ class _Lever:
         self.worked = Worked(f"lever_{self.k}", self.k)
         self.arms: list[LeverArm] = []
         self.pairs: list[Formula] = []
+        self.pitch: dict[str, complex] = {}
+        self.stroke = self.mechanism.driver.stroke
 
     def solved(self) -> Lever | None:
-        crank = self._crank()
-        if crank is None or any(self.place(force.point) is None for _, force in self.drawn.acting):
+        drive = self._crank() if self.stroke is None else self._thrust(self.stroke)
+        if drive is None or any(self.place(force.point) is None for _, force in self.drawn.acting):
             return None
-        if (
-            self.pen.read(self.place(crank[0]) or 0j) == 0
-        ):  # beside the rates of far points its own is no length
+        if self.pen.read(self._arm(drive)) == 0:  # beside the rates of far points its own is no length
             return None
         for _, force in self.drawn.acting:
             self._force(force)
         for link, couple in self.drawn.couples:
             self._pair(link, couple)
-        balance, driving = self._balanced(*crank)
-        compared = tuple(self._compared(balance[-1].written, driving.arm, crank[1]))
+        balance, driving = self._balanced(drive)
+        compared = tuple(self._compared(balance[-1].written, drive))
         return Lever(
-            self.k, self.plan, self.turn, tuple(self.arms), tuple(self.pairs), balance, driving, self.worked, compared
+            self.k, self.plan, self.turn, tuple(self.arms), tuple(self.pairs), balance, driving, self.worked, compared,
+            self.stroke is not None, self.pitch,
         )  # fmt: skip
 
     # ------------------------------------------------------------ places
@@ -129,15 +157,25 @@ class _Lever:
         drawn = self.velocities.get(f"v_{point}")
         return None if drawn is None else self.turn * drawn
 
-    def _crank(self) -> tuple[str, complex] | None:
-        """The driving link's joint farthest from its pivot, and its place from there, m."""
+    def _crank(self) -> _Drive | None:
+        """Across the crank in the driving link's joint farthest from its pivot."""
         pivot = self.motion.linkage.structure.driver_pair.name
         points = self.mechanism.links[self.mechanism.driver.link].points
         joints = [p for p in points if self.place(p) and (len(self.mechanism.links_at(p)) > 1)]
         joints = joints or [p for p in points if self.place(p)]
         arms = {p: self._at(p) - self._at(pivot) for p in joints}
         far = max(arms, key=lambda p: round(abs(arms[p]), 12), default=None)
-        return None if far is None else (far, arms[far])
+        return None if far is None else _Drive(far, complex(1j * unit(arms[far])), pivot, abs(arms[far]))
+
+    def _thrust(self, stroke: Stroke) -> _Drive | None:
+        """Along the stroke in the driving slider, or where the cylinder's rod presses."""
+        point = stroke.ends[-1]
+        along = complex(np.ravel(stroke.along(self.motion))[0])
+        return None if self.place(point) is None else _Drive(point, along)
+
+    def _arm(self, drive: _Drive) -> float:
+        """Of the balancing force about the pole, mm, above zero where it turns counter-clockwise."""
+        return float(cross(self.place(drive.point) or 0j, drive.along))
 
     def _at(self, point: str) -> complex:
         return complex(np.ravel(self.motion.place(point))[0])
@@ -155,41 +193,52 @@ class _Lever:
 
     def _pair(self, link: str, couple: Couple) -> None:
         """A couple as forces across the link in two of its points; one on a link that does not turn does nothing."""
-        ends = self._ends(link)
+        ends = self._ends(link) or self._radius(link)
         if ends is None:
             return
-        one, other = ends
-        start, end = (self.place(p) or 0j for p in ends)
-        along = self._at(other) - self._at(one)
-        name = one + other
+        name, letters, start, end, along = ends
         size = self.worked.number(couple.quantity, abs(couple.value))
-        formula = self.worked.hand(q.pair_force(couple.quantity), size / self._length(name, along))
+        formula = self.worked.hand(q.pair_force(couple.quantity), size / self.worked.number(*name))
         self.pairs.append(formula)
         vector = 1j * unit(along) * np.copysign(formula.written, couple.value)
         moment = cross(end - start, vector)
         arm = self.pen.read(end - start)
         product = float(round_significant(formula.written * arm * np.sign(moment), DIGITS))
-        letters = "".join(map(self._letter, ends))
         of = segment_of(letters)
         self.arms.append(
             LeverArm(q.pair_force(couple.quantity), of, letters, complex(vector), end, arm, product, start)
         )
 
+    def _radius(self, link: str) -> _Ends | None:
+        """The axis of a wheel and its pitch point, where the plan shows no second point of it."""
+        meshes = [one for one in self.mechanism.meshes if link in one.links and one.radius(link)]
+        if not meshes or link not in self.plan.turns:
+            return None
+        mesh = meshes[0]
+        axis = mesh.points[mesh.links.index(link)]
+        out = complex(np.ravel(mesh.turn(self.motion.state))[0]) * mesh.outward(link) * mesh.radius(link)
+        start = self.place(axis) or 0j
+        end = start + self.turn * self.plan.turns[link] * out
+        self.pitch[mesh.pole.lower()] = end
+        radius = pitch_radius(self.motion.linkage, mesh, link), mesh.radius(link)
+        return _Ends(radius, self._letter(axis) + mesh.pole.lower(), start, end, out)
+
     def _letter(self, point: str) -> str:
         """Fixed points are in the pole."""
         return self.plan.pole if point in self.mechanism.links[FRAME].points else point.lower()
 
-    def _length(self, name: str, along: complex) -> Expr:
-        return self.worked.number(length(name), float(round_significant(abs(along), DIGITS + 2)))
-
-    def _ends(self, link: str) -> tuple[str, str] | None:
+    def _ends(self, link: str) -> _Ends | None:
         """Two points of the link, or of one that turns with it, farthest apart on the lever."""
         for own in self._turning_together(link):
             points = [p for p in self.mechanism.links[own].points if self.place(p) is not None]
             pairs = [(p, r) for i, p in enumerate(points) for r in points[i + 1 :]]
             far = max(pairs, key=lambda pair: self._apart(*pair), default=None)
             if far is not None and self._apart(*far) > 0:
-                return far
+                one, other = far
+                start, end = (self.place(p) or 0j for p in far)
+                along = self._at(other) - self._at(one)
+                name = length(one + other), float(round_significant(abs(along), DIGITS + 2))
+                return _Ends(name, "".join(map(self._letter, far)), start, end, along)
         return None
 
     def _apart(self, one: str, other: str) -> float:
@@ -208,23 +257,25 @@ class _Lever:
 
     # ------------------------------------------------------------ balance
 
-    def _balanced(self, point: str, crank: complex) -> tuple[tuple[Formula, ...], LeverArm]:
+    def _balanced(self, drive: _Drive) -> tuple[tuple[Formula, ...], LeverArm]:
         total = self.worked.hand(q.LEVER_SUM, self._sum())
-        place = self.place(point) or 0j
-        segment = self.worked.number(segment_of(f"{self.plan.pole}{point.lower()}"), self.pen.read(place))
+        place, arm = self.place(drive.point) or 0j, self._arm(drive)
+        of, arm_of = q.LEVER_FORCE, segment_of(f"{self.plan.pole}{drive.point.lower()}")
+        if not drive.length:
+            of, arm_of = FORCE, q.arm_on_lever(FORCE)
+        mm = self.pen.read(arm)
         sum_of = self.worked.number(q.LEVER_SUM, total.written)
-        force = self.worked.hand(q.LEVER_FORCE, -sum_of / segment)
-        pivot = self.motion.linkage.structure.driver_pair.name
-        name = pivot + point
-        moment = self.worked.hand(
-            q.LEVER_MOMENT, self.worked.number(q.LEVER_FORCE, force.written) * self._length(name, crank)
-        )
-        vector = complex(1j * unit(crank) * force.written)
-        arm = LeverArm(
-            q.LEVER_FORCE, segment_of(f"{self.plan.pole}{point.lower()}"), point, vector, place,
-            self.pen.read(place), -total.written,
-        )  # fmt: skip
-        return (total, force, moment), arm
+        over = self.worked.number(arm_of, mm)
+        force = self.worked.hand(of, (-sum_of if arm > 0 else sum_of) / over)
+        found = [total, force]
+        if drive.length:
+            crank = float(round_significant(drive.length, DIGITS + 2))
+            size = self.worked.number(length(drive.pivot + drive.point), crank)
+            found.append(
+                self.worked.hand(q.LEVER_MOMENT, self.worked.number(of, force.written) * size),
+            )
+        vector = drive.along * force.written
+        return tuple(found), LeverArm(of, arm_of, drive.point, vector, place, mm, -total.written)
 
     def _sum(self) -> Expr:
         """Σ F·h with the senses of the moments."""
@@ -238,18 +289,18 @@ class _Lever:
                 total = total + term if arm.moment >= 0 else total - term
         return total if total is not None else Number(0.0)
 
-    def _compared(self, moment: float, pa: float, crank: complex) -> Iterator[Comparison]:
-        """The lever's moment beside the others, N m; below the floor all are nothing: what half a step of reading of
-        all arms makes."""
+    def _compared(self, found: float, drive: _Drive) -> Iterator[Comparison]:
+        """The lever's moment, N m, or its force along the stroke, N, beside the others; below the floor all are
+        nothing: what half a step of reading of all arms makes."""
         solved = self.found.table
-        floor = sum(abs(a.vector) for a in self.arms) * self.pen.read_step * abs(crank) / max(pa, 1e-9)
-        others = {
-            "force_plan": self.drawn.balancing,
-            "power": float(solved.power[self.k]),
-            "analytic": float(solved.balancing[self.k]),
-        }
+        step = self.pen.read_step * (drive.length or 1.0) / abs(self._arm(drive))
+        floor = sum(abs(a.vector) for a in self.arms) * step
+        others = {"force_plan": self.drawn.balancing, "power": solved.power, "analytic": solved.balancing}
+        if self.stroke is not None:
+            transfer = self.stroke.transfer(self.stroke.law.of_phase(solved.motion.phase)[0])
+            others |= {"power": solved.power * transfer, "analytic": solved.statics.driving}
         for key, other in others.items():
-            yield Comparison(key, moment, other, floor)
+            yield Comparison(key, found, float(np.ravel(other)[self.k if np.size(other) > 1 else 0]), floor)
 
 
 __all__ = ["Lever", "LeverArm", "levers"]

@@ -18,7 +18,7 @@ def lever_picture(lever: Lever, words: Callable[[str], str]) -> Drawing:
     """Forces are not to scale, couples are pairs of forces; `words`: how a word of an index is said."""
     turn, drawn = lever.turn, lever.plan
     vectors = [PlanVector(turn * s.start, turn * s.end, of=s.key) for s in drawn.strokes if s.key]
-    vertices = {name: turn * z for name, z in drawn.points.items()}
+    vertices = {name: turn * z for name, z in drawn.points.items()} | dict(lever.pitch)
     items = [*plan(vectors, {}).items, *_vertices(vertices, drawn.pole)]
     forces = [force for arm in lever.arms for force in _forces(arm, words)]
     balancing = lever.driving
@@ -31,7 +31,8 @@ def lever_picture(lever: Lever, words: Callable[[str], str]) -> Drawing:
             balancing.quantity.key,
         )
     )
-    arms = [_arm(arm, words) for arm in lever.arms if arm.pair is None]
+    own = [balancing] if lever.thrust else []  # that of the force across the crank is a side of the plan
+    arms = [_arm(arm, words) for arm in (*lever.arms, *own) if arm.pair is None]
     return loading(items, list(_letters(vertices)), [f for f in forces if abs(f.vector) > 0], arms)
 
 

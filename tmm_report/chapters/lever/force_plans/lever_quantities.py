@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from tmm_report.chapters.lever.kinetostatics.quantities.driving_stroke import FORCE
 from tmm_report.chapters.lever.kinetostatics.quantities.positions import BY_LEVER
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Quantity, Table, text_column
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
 
 ARMS = Message(N_("arms of the forces as read off the plan of velocities turned by 90°, and their moments"))
 COMPARED = Message(N_("the balancing moment by Zhukovsky's lever beside that by other ways"))
+THRUST = Message(N_("the balancing force along the stroke by Zhukovsky's lever beside that by other ways"))
 
 SIZE = Quantity("size", Symbol("F"), "N", Message(N_("size of the force")))
 ARM = Quantity("arm_mm", Symbol("h"), "mm", Message(N_("arm of the force about the pole")))
@@ -82,9 +84,11 @@ def _arms(lever: Lever) -> Table:
 def _compared(lever: Lever) -> Table:
     rows = lever.compared
     moment = replace(BY_LEVER, key="moment", meaning=Message(N_("balancing moment")))
+    if lever.thrust:
+        moment = replace(FORCE, key="force")
     return Table(
         f"lever_compared_{lever.position}",
-        COMPARED,
+        THRUST if lever.thrust else COMPARED,
         (
             text_column("way", Message(N_("the other way")), [row.key for row in rows]),
             moment.column([row.analytic for row in rows]),

@@ -23,6 +23,7 @@ WAYS = {
     "power": N_("by the power balance"),
     "analytic": N_("by the analytical force analysis"),
 }
+PLANS = N_("by the force plans")
 
 
 def part(levers: tuple[Lever, ...], book: Book, page: Page) -> Part:
@@ -60,21 +61,22 @@ class LeverView(BookView):
         return worded(caption, heads, rows, (2, 2, 3, 3, 3))
 
     def compared(self, caption: Any, lever: Lever) -> Table:
-        table = self.table(f"lever_compared_{lever.position}")
+        table, key = self.table(f"lever_compared_{lever.position}"), "force" if lever.thrust else "moment"
         rows = [
             [
-                self.page.word(self._way(one.key), table, "way", row),
-                self.page.cell(table, "moment", row),
+                self.page.word(self._way(one.key, lever.thrust), table, "way", row),
+                self.page.cell(table, key, row),
                 DASH if one.delta is None else self.page.cell(table, "delta", row, places=3),
             ]
             for row, one in enumerate(lever.compared)
         ]
         heads = [
-            self.t("Balancing moment"), self.page.head(table["moment"].symbol(), "N·m"),
+            self.t("Balancing force") if lever.thrust else self.t("Balancing moment"),
+            self.page.head(table[key].symbol(), table[key].unit),
             self.t("Difference of the lever, %%"),
         ]  # fmt: skip
         return worded(caption, heads, rows, (5, 3, 3))
 
-    def _way(self, key: str) -> Markup:
-        text = WAYS[key]
+    def _way(self, key: str, thrust: bool) -> Markup:
+        text = PLANS if thrust and key == "force_plan" else WAYS[key]
         return self.t(text)

@@ -62,8 +62,11 @@ def _count(plan: ForcePlan) -> int:
 def _scheme(view: View, drawn: ForceDrawn, plan: ForcePlan, links: Sequence[str], letter: Letter) -> Drawing:
     items, tags = loose(view, links)
     items = [*_pitch_circle(view, links), *items]
-    marks, letters = _swing_centres(view, drawn, links)
     mu = view.motion.mu
+    marks, letters = _swing_centres(view, drawn, links)
+    for pole in (one for one in plan.poles if set(one.links) & set(links)):
+        marks.append(point_mark(pole.at / mu))
+        letters.append(Tag((symbol(pole.name),), (pole.at / mu,)))
     arms = [
         Arm(a.centre / mu, a.at / mu, a.along, letter(a.quantity.sign), a.quantity.key)
         for a in plan.arms if a.link in links

@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tmm_report.chapters.lever.force_plans import lever_quantities
-from tmm_report.chapters.lever.kinetostatics.quantities.positions import BALANCING_MOMENT
+from tmm_report.chapters.lever.kinetostatics.quantities.positions import ALONG_STROKE, BALANCING_MOMENT
 from tmm_report.chapters.lever.plans.quantities import COMPARISON, comparison
+from tmm_report.chapters.lever.structure.quantities import index_of
+from tmm_report.mechanics.lever.wheels.mesh import Mesh
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Quantity, Table, Value, text_column
 from tmm_report.quantity.symbols import Symbol
@@ -44,14 +46,23 @@ def arm(force: Quantity, about: str, in_mm: bool = False) -> Quantity:
     return Quantity(f"h_{force.key}_{about}", symbol, unit, Message(N_("arm of force %(of)s"), {"of": name}))
 
 
+def base_radius(mesh: Mesh, link: str) -> Quantity:
+    """The radius of the base circle: the arm of the force in the teeth about the wheel's axis."""
+    index = index_of(mesh)
+    meaning = Message(N_("radius of the base circle of the wheel on link %(link)s"), {"link": link})
+    return Quantity(f"r_b_{link}_{index}", Symbol("r", f"b{link}"), "m", meaning)
+
+
 def on_paper(length: Quantity) -> Quantity:
     """A length as the scheme has it, mm of paper."""
     return replace(length, key=f"{length.key}_mm", unit="mm")
 
 
 def drawn_length(force: Quantity) -> Quantity:
-    """Length of a reaction's vector in the plan."""
+    """Length of the vector of a reaction, or of the balancing force, in the plan."""
     text = N_("length of the vector of reaction %(of)s in the plan")
+    if force.key == ALONG_STROKE.key:
+        text = N_("length of the vector of force %(of)s in the plan")
     symbol = Symbol("L", force.sign.base + force.sign.sub, force.sign.sup)
     return Quantity(f"L_{force.key}", symbol, "mm", Message(text, {"of": force.symbol}))
 

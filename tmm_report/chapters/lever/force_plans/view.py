@@ -14,11 +14,15 @@ from tmm_report.chapters.lever.force_plans.drafting import ForceDrawn, ForcePlan
 from tmm_report.chapters.lever.force_plans.draw import force_picture
 from tmm_report.chapters.lever.force_plans.loading_draw import Loaded, loading_schemes
 from tmm_report.chapters.lever.force_plans.solve import ForcePlans
+from tmm_report.chapters.lever.structure.quantities import index_of
 from tmm_report.figures.drawing import Drawing
+from tmm_report.mechanics.lever.driving.stroke import Stroke
+from tmm_report.mechanics.lever.wheels.coupled import Coupled
 from tmm_report.problems import N_
 from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Var
 from tmm_report.quantity.model import Book, Quantity
+from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.chapter_view import BookView
 from tmm_report.report.comparison import comparison_table
 from tmm_report.report.diagrams import scale_of
@@ -30,6 +34,7 @@ from tmm_report.report.words import group_label
 if TYPE_CHECKING:
     from tmm_report.course import LeverFound
 
+MOVED = ("wheel", "rolling", "rack")
 REDUCED_ARM = Definition("h", Var("M_I", 0.0) / Var("F_I", 0.0))
 
 
@@ -57,6 +62,11 @@ class ForcePlansView(BookView):
             "The reactions and the balancing moment found by the force plans differ from the analytical ones by at "
             "most %(worst)s %%."
         )
+        if self.stroke is not None:
+            text = N_(
+                "The reactions and the balancing force found by the force plans differ from the analytical ones by at "
+                "most %(worst)s %%."
+            )
         return [self.t(text, worst=self.number("delta_F_max", digits=3))] if self.found.drawn else []
 
     @property
@@ -84,6 +94,57 @@ class ForcePlansView(BookView):
         return loading_schemes(
             self.kinematics, self.length_scale, drawn, plan, partial(self.page.tr.pgettext, "index")
         )
+
+    def loading_caption(self, drawn: ForceDrawn, plan: ForcePlan, links: Sequence[str]) -> Markup:
+        """Of the scheme of some links of a plan."""
+        told = {"k": drawn.position, "scale": self.page.value(self.scheme_scale)}
+        if plan.stage == "driver":
+            return self.t(
+                "Loading of the driving link, position %(k)s, %(scale)s; forces are not to scale", **told
+            )
+        if plan.stage != "group":
+            text = N_("Loading of link %(links)s, position %(k)s, %(scale)s; forces are not to scale")
+            several = N_("Loading of links %(links)s, position %(k)s, %(scale)s; forces are not to scale")
+            return self.t(text if len(links) == 1 else several, links=self.page.listed(links), **told)
+        told["group"] = self.label(plan.label)
+        if len(links) == 1:
+            text = N_(
+                "Loading of link %(link)s of the group %(group)s, position %(k)s, %(scale)s; forces are not to scale"
+            )
+            return self.t(text, link=links[0], **told)
+        return self.t(
+            "Loading of the group %(group)s, position %(k)s, %(scale)s; forces are not to scale", **told
+        )
+
+    def plan_caption(self, drawn: ForceDrawn, plan: ForcePlan) -> Markup:
+        told = {"k": drawn.position, "scale": self.scale(drawn, plan)}
+        if plan.stage == "driver":
+            return self.t("Force plan of the driving link, position %(k)s, %(scale)s", **told)
+        if plan.stage == "group":
+            text = N_("Force plan of the group %(group)s, position %(k)s, %(scale)s")
+            return self.t(text, group=self.label(plan.label), **told)
+        text = N_("Force plan of link %(links)s, position %(k)s, %(scale)s")
+        several = N_("Force plan of links %(links)s, position %(k)s, %(scale)s")
+        return self.t(text if len(plan.links) == 1 else several, links=self.page.listed(plan.links), **told)
+
+    # ------------------------------------------------------------ wheels, strokes
+
+    def wheel(self, plan: ForcePlan) -> Coupled | None:
+        """The link that a mesh moves, where the plan is of one."""
+        coupled = self.kinematics.linkage.structure.coupled if plan.stage in MOVED else ()
+        return next((one for one in coupled if one.link == plan.links[0]), None)
+
+    def pole(self, wheel: Coupled) -> Symbol:
+        """Its pitch point."""
+        return Symbol("P", index_of(wheel.mesh))
+
+    @property
+    def stroke(self) -> Stroke | None:
+        return self.kinematics.stroke
+
+    def bodies(self, drawn: ForceDrawn) -> tuple[str, ...]:
+        """The rod, or the links of the cylinder, between the link that follows the stroke and its far point."""
+        return next((plan.links for plan in drawn.plans if plan.stage == "line"), ())
 
     @property
     def scheme_scale(self) -> Var:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from tmm_report.chapters.lever.kinetostatics.quantities.positions import ALONG_STROKE, BALANCING_MOMENT
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Expr
 from tmm_report.quantity.ways import NAME, Known, Line, Way
@@ -17,6 +18,9 @@ ONE_FORCE = N_(
     "through the swing centre."
 )
 BY_OTHER = N_("The balancing moment by the other way, as the name says: by the reactions, or by the powers.")
+FORCE_BY_OTHER = N_(
+    "The balancing force along the stroke by the other way, as the name says: by the reactions, or by the powers."
+)
 WRITTEN = N_("The load at the position as it is written by hand, with five digits.")
 TWICE = N_("Twice the difference by the sum of both; 200 where the signs differ.")
 LARGEST = N_(
@@ -35,7 +39,8 @@ def _differ(q: Known) -> Expr:
 def _analytic(found: object, q: Known) -> Iterator[Line]:
     """The number of the analytical tables, where the reaction does not go by its other link."""
     name, position = q.own_text("key"), int(q.parts[0])
-    return q.shown("balancing_table" if name == "M_bal" else "reactions_table", name, position)
+    tables = {BALANCING_MOMENT.key: "balancing_table", ALONG_STROKE.key: "drive_table"}
+    return q.shown(tables.get(name, "reactions_table"), name, position)
 
 
 def _of_link(key: str):  # type: ignore[no-untyped-def]
@@ -65,6 +70,7 @@ WAYS = (
         of="force",
     ),
     Way("lever_compared_*.moment", BY_OTHER, of="way"),
-    Way("lever_compared_*.delta", TWICE, of="way moment"),
+    Way("lever_compared_*.force", FORCE_BY_OTHER, of="way"),
+    Way("lever_compared_*.delta", TWICE, of="way"),
     Way("delta_F_max", LARGEST, of="accuracy"),
 )

@@ -6,7 +6,16 @@ from typing import TypedDict
 from pydantic import Field
 
 from tmm_report.chapters.lever.friction.given import Friction, Rubbing
-from tmm_report.chapters.lever.structure.block import ASKED, FRAME, Names, has_cams, names, stated, without
+from tmm_report.chapters.lever.structure.block import (
+    ASKED,
+    FRAME,
+    Names,
+    has_cams,
+    names,
+    rails,
+    stated,
+    without,
+)
 from tmm_report.problems import N_, Message, Problem, doubt, mistake
 from tmm_report.variant import model
 from tmm_report.variant.errors import near
@@ -55,16 +64,17 @@ class Given(TypedDict):
 
 def given(read: Read) -> Given:
     written = read.block(Block).friction
-    return {"friction": _friction(written) if written else None}
+    return {"friction": _friction(written, tuple(rails(read))) if written else None}
 
 
-def _friction(written: FrictionModel) -> Friction:
+def _friction(written: FrictionModel, of_rails: tuple[str, ...]) -> Friction:
     pivots, guides = written.pivots, written.guides
     return Friction(
         Rubbing(pivots.f, pivots.diameter, stock=pivots.of) if pivots else None,
         Rubbing(guides.f, length=guides.length, stock=guides.of) if guides else None,
         {name: Rubbing(one.f, one.diameter, one.length, one.of) for name, one in written.joints.items()},
         written.corrected,
+        of_rails,
     )
 
 
@@ -89,6 +99,12 @@ def mistakes(read: Read) -> Iterator[Problem]:
             yield mistake(text, path, near(name, joints), name=name)
         else:
             yield from _no_pivot(name, known, path)
+            if name in (on_rails := rails(read)):
+                text = N_(
+                    "guide %(name)s stands for the rail on which wheel %(wheel)s rolls: nothing slides on it"
+                )
+                right = Message(N_("leave this joint out: rolling friction stands in contacts"))
+                yield mistake(text, path, right, name=name, wheel=on_rails[name])
             yield from _sizes(joint, name in known.guides, path)
 
 

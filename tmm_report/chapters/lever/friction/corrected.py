@@ -158,7 +158,7 @@ def _corrected(
     rubbing_of: Callable[[Pair], Rubbing | None], found: Kinetostatics, solved: Solved | Over, first: Array
 ) -> Corrected:
     motion = solved.motion
-    pairs = motion.linkage.structure.pairs
+    pairs = [pair for pair in motion.linkage.structure.pairs if pair.kind != "H"]  # teeth without friction
     rates = {pair.key: reactions_with_friction.signed_rate(motion, pair) for pair in pairs}
     senses = _senses(pairs, rates)
     rubs = [

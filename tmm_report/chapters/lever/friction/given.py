@@ -48,10 +48,12 @@ class Rubbing:
 class Friction:
     """Friction of all pivots, of all guides, and of single joints named by their point or guide.
 
-    `corrected`: whether the reactions are found with the friction, too.
+    `corrected`: whether the reactions are found with the friction, too; `rails`: guides that stand for rails on which
+    wheels roll: nothing slides on them.
     """
 
     pivots: Rubbing | None = None
     guides: Rubbing | None = None
     joints: Mapping[str, Rubbing] = field(default_factory=dict)
     corrected: bool = False
+    rails: tuple[str, ...] = ()

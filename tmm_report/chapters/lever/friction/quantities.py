@@ -26,6 +26,8 @@ DRIVING = Quantity("P_drive", Symbol("P", "1"), "W", Message(N_("power of the ba
 REDUCED = Quantity(
     "T_fr", Symbol("T", "fr"), "N·m", Message(N_("moment of friction reduced to the driving link"))
 )
+ALONG = Quantity("F_fr", Symbol("F", "fr"), "N", Message(N_("force of friction reduced to the stroke")))
+THRUST = Quantity("P_drive", Symbol("P", "1"), "W", Message(N_("power of the balancing force")))
 EFFICIENCY = Quantity("eta", Symbol("eta"), "", Message(N_("instantaneous efficiency")))
 MEAN_POWER = Quantity("P_fr_mean", None, "W", Message(N_("mean friction power")))
 MEAN_EFFICIENCY = Quantity("eta_mean", None, "", Message(N_("efficiency over the cycle")))
@@ -113,8 +115,8 @@ def _losses(losses: Losses) -> Iterator[Column]:
     for loss in losses.pairs:
         yield lost(loss.pair, pairs).column(loss.power)
     yield TOTAL.column(losses.total)
-    yield DRIVING.column(losses.driving)
-    yield REDUCED.column(losses.reduced)
+    yield (DRIVING if losses.speed is None else THRUST).column(losses.driving)
+    yield (REDUCED if losses.speed is None else ALONG).column(losses.reduced)
     yield EFFICIENCY.column(losses.efficiency)
     for loss in losses.pairs:
         yield borne(loss.pair).column(loss.reaction)

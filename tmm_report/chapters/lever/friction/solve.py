@@ -54,11 +54,14 @@ class PairLoss:
 @dataclass(frozen=True, eq=False)
 class Losses:
     """Losses of all pairs. `driving`: |M_bal ω1|, W; `efficiency`: driving / (driving + total), 0..1; `reduced`: moment
-    of all the friction reduced to the driving link, N m."""
+    of all the friction reduced to the driving link, N m. Where a slider or a cylinder drives, `speed` is that of its
+    stroke, m/s, `driving` the power of the force along it, `reduced` a force, N, nan where it stands, and `omega` the
+    rate of the phase."""
 
     pairs: tuple[PairLoss, ...]
     driving: Array
     omega: float
+    speed: Array = None
 
     @cached_property
     def total(self) -> Array:
@@ -71,7 +74,10 @@ class Losses:
 
     @cached_property
     def reduced(self) -> Array:
-        return self.total / abs(self.omega)
+        if self.speed is None:
+            return self.total / abs(self.omega)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return np.where(self.speed == 0, np.nan, self.total / np.abs(self.speed))
 
 
 Whole = tuple[Over, Losses]
@@ -163,7 +169,7 @@ def _whole(given: Friction, kinetostatics: Kinetostatics) -> Whole | None:
     over = kinetostatics.over
     if over is None:
         return None
-    rates = [relative_rate(over.motion, pair) for pair in over.motion.linkage.structure.pairs]
+    rates = [relative_rate(over.motion, pair) for pair in sliding_pairs(over.motion)]
     known = [over.on(rate) for rate in rates if np.any(rate)]
     reactions = over.statics.reactions.values()
     least = NOTHING * max(np.abs(one.force).max() for one in reactions)
@@ -171,7 +177,8 @@ def _whole(given: Friction, kinetostatics: Kinetostatics) -> Whole | None:
     # what is rounding passes through zero wherever it likes
     known += [np.where(np.abs(of) > least, of, 0.0) for of in faces]
     known += [over.on(of) for of in _resolving(given, over.motion)]
-    kinks = np.concatenate(over.panels.roots_of(np.stack([*known, over.balancing])))
+    drives = over.balancing if over.statics.driving is None else over.on(over.statics.driving)
+    kinks = np.concatenate(over.panels.roots_of(np.stack([*known, drives])))
     cuts = _apart(over.panels, kinks)
     for _ in range(CUTS):
         over = cut_at(over, cuts, kinetostatics.given, kinetostatics.kinematics)
@@ -212,8 +219,16 @@ def _between(given: Friction, forces: Kinetostatics, whole: Whole | None) -> cor
 
 
 def rubbing_of(given: Friction, pair: Pair) -> Rubbing | None:
-    """Friction of a pair: its own, else that of all pivots or guides; None where nothing is stated."""
+    """Friction of a pair: its own, else that of all pivots or guides; None where nothing is stated, and of teeth and of
+    what rolls."""
+    if pair.kind == "H" or pair.name in given.rails:
+        return None
     return given.joints.get(pair.name) or (given.pivots if pair.kind == "R" else given.guides)
+
+
+def sliding_pairs(motion: Motion) -> list[Pair]:
+    """The lower pairs: teeth are taken without friction."""
+    return [pair for pair in motion.linkage.structure.pairs if pair.kind != "H"]
 
 
 def _apart(panels: Panels, kinks: Array) -> Array:
@@ -270,8 +285,13 @@ def _losses(given: Friction, motion: Motion, statics: Statics) -> Losses:
             )
     order = [pair.key for pair in motion.linkage.structure.pairs]
     losses.sort(key=lambda loss: order.index(loss.pair.key))
-    omega = float(motion.omega)
-    return Losses(tuple(losses), np.abs(_wide(statics.balancing, motion.shape) * omega), omega)
+    stroke = motion.linkage.mechanism.driver.stroke
+    if stroke is None:
+        omega = float(motion.omega)
+        return Losses(tuple(losses), np.abs(_wide(statics.balancing, motion.shape) * omega), omega)
+    speed = stroke.law.of_phase(motion.phase)[1]
+    phase = float(motion.linkage.mechanism.driver.omega)
+    return Losses(tuple(losses), np.abs(_wide(statics.driving * speed, motion.shape)), phase, speed)
 
 
 def _wide(x: Array, shape: tuple[int, ...]) -> Array:

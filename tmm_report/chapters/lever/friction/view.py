@@ -12,6 +12,7 @@ from tmm_report.chapters.lever.friction import quantities as q
 from tmm_report.chapters.lever.friction.corrected_view import CorrectedView, tilted, tilting
 from tmm_report.chapters.lever.friction.sliding_view import SlidingView
 from tmm_report.chapters.lever.friction.solve import FrictionFound, PairLoss
+from tmm_report.chapters.lever.kinematics import quantities as motion
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as forces
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
 from tmm_report.figures.charts.graphs import Graph
@@ -59,6 +60,9 @@ class FrictionView(SlidingView):
         self.found, self.position, self.kinetostatics = found, position, kinetostatics
         self.stated, self.lost = self.table("friction_given"), self.table("friction_table")
         self.pairs = [loss.pair for loss in found.table.pairs]
+        meshes = kinetostatics.kinematics.linkage.mechanism.meshes
+        self.toothed = any(not mesh.rolls for mesh in meshes)
+        self.rolling = any(mesh.rolls for mesh in meshes)
 
     def conclusions(self) -> list[Markup]:
         return [self.means()]
@@ -151,7 +155,7 @@ class FrictionView(SlidingView):
 
     def losses(self, caption: Any) -> Table:
         """Power lost in each pair, in all of them, and the efficiency."""
-        keys = [*(q.lost(pair, self.pairs).key for pair in self.pairs), "P_fr", "P_drive", "T_fr"]
+        keys = [*(q.lost(pair, self.pairs).key for pair in self.pairs), "P_fr", "P_drive", self.reduced_key]
         return self.by_positions(
             caption, "friction_table", [*keys, self.column("friction_table", "eta", digits=4)]
         )
@@ -201,11 +205,29 @@ class FrictionView(SlidingView):
         rate = self.lost.var(q.rate(pair).key, k)
         return self.lost.formula(q.lost(pair, self.pairs).key, k, friction * rate)
 
+    @property
+    def stroke(self) -> bool:
+        """Whether a slider or a cylinder drives: a force and its stroke take the place of moment and rotation."""
+        return self.found.table.speed is not None
+
+    @property
+    def reduced_key(self) -> str:
+        return (q.ALONG if self.stroke else q.REDUCED).key
+
+    @property
+    def stands(self) -> bool:
+        """Whether the stroke stands still at the position written out: nothing is reduced to it."""
+        return not np.isfinite(self.found.table.reduced[self.position])
+
+    def _balancing(self) -> Expr:
+        tables = self.page.once(forces.book, self.kinetostatics).tables
+        if self.stroke:
+            return abs(tables["drive_table"].var("F_stroke", self.position))
+        return abs(tables["balancing_table"].var("M_bal", self.position))
+
     def driving_power(self) -> Formula:
-        balancing = self.page.once(forces.book, self.kinetostatics).tables["balancing_table"]
-        power = abs(balancing.var("M_bal", self.position)) * self._omega()
         scale = float(self.found.table.driving.max())
-        return self.lost.formula("P_drive", self.position, power, scale=scale)
+        return self.lost.formula("P_drive", self.position, self._balancing() * self._rate(), scale=scale)
 
     @property
     def idle(self) -> bool:
@@ -218,19 +240,20 @@ class FrictionView(SlidingView):
         return self.lost.formula("eta", self.position, driving / (driving + lost), digits=4)
 
     def reduced(self) -> Formula:
-        """The moment of friction reduced to the driving link."""
+        """The moment of friction reduced to the driving link, or its force along the stroke."""
         lost = self.lost.var("P_fr", self.position)
-        return self.lost.formula("T_fr", self.position, lost / self._omega())
+        return self.lost.formula(self.reduced_key, self.position, lost / self._rate())
 
     def by_moments(self) -> Formula:
-        """The efficiency once more, by moments."""
-        balancing = self.page.once(forces.book, self.kinetostatics).tables["balancing_table"]
-        useful = abs(balancing.var("M_bal", self.position))
-        reduced = self.lost.var("T_fr", self.position)
+        """The efficiency once more, by moments or by forces."""
+        useful, reduced = self._balancing(), self.lost.var(self.reduced_key, self.position)
         return self.lost.formula("eta", self.position, useful / (useful + reduced), digits=4)
 
-    def _omega(self) -> Var:
+    def _rate(self) -> Expr:
         kinematics = self.kinetostatics.kinematics
+        if self.stroke:
+            tables = self.page.once(motion.book, kinematics).tables
+            return abs(tables["stroke_table"].var("stroke_v", self.position))
         link = kinematics.linkage.mechanism.driver.link
         return Var(Symbol("omega", link), abs(kinematics.omega), "rad/s", ref=Ref("omega", size=True))
 

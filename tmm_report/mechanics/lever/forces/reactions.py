@@ -94,16 +94,22 @@ def _inertia_and_gravity(motion: Motion, link: Link, gravity: complex) -> Load:
     return Load(force, moment if is_zero(arm) else moment + cross(s.u[link.name] * arm, force))
 
 
-def solve(motion: Motion, loads: Mapping[str, Load], flank: Array | None = None) -> Statics:
+def solve(
+    motion: Motion,
+    loads: Mapping[str, Load],
+    flank: Array | None = None,
+    flanks: Mapping[str, Array] | None = None,
+) -> Statics:
     """Reactions in every pair and the balancing moment under `loads` (link -> resultant), inertia among them. Where a
     gear turns the driving link, the reaction of the frame on it holds the force of the teeth too; `flank`: the one that
-    is in contact, of loads that are but a part of the whole."""
+    is in contact, of loads that are but a part of the whole; `flanks`: those of the wheels, by the keys of their
+    contacts."""
     if (stroke := motion.linkage.mechanism.driver.stroke) is not None:
-        return _by_stroke(stroke, motion, loads)
+        return _by_stroke(stroke, motion, loads, flanks)
     if isinstance(motion, Run) and motion.unaltered and (values := motion.forces(loads)):
         reactions, driver, pivot = _by_lines(motion.straight, values)
     else:
-        reactions, rest = by_groups(motion, loads)
+        reactions, rest = by_groups(motion, loads, flanks)
         link = motion.linkage.mechanism.driver.link
         driver, pivot = rest[link], motion.state.r[link]
     driven, pair = motion.linkage.mechanism.driver, motion.linkage.structure.driver_pair
@@ -112,13 +118,15 @@ def solve(motion: Motion, loads: Mapping[str, Load], flank: Array | None = None)
     return Statics(reactions, -driver.moment)
 
 
-def _by_stroke(stroke: Stroke, motion: Motion, loads: Mapping[str, Load]) -> Statics:
+def _by_stroke(
+    stroke: Stroke, motion: Motion, loads: Mapping[str, Load], flanks: Mapping[str, Array] | None
+) -> Statics:
     """Where a slider or a cylinder drives: F ds = M dφ, the moment being the one that would balance the link that
     turns; under the force nothing is left of it."""
     law = motion.linkage.mechanism.driver.law
     assert law is not None and motion.phase is not None
     s = stroke.law.of_phase(motion.phase)[0]
-    moment = -by_groups(motion, loads)[1][stroke.link].moment
+    moment = -by_groups(motion, loads, flanks)[1][stroke.link].moment
     force = moment * stroke.transfer(s)
     along = stroke.along(motion)
     loaded = dict(loads)
@@ -126,36 +134,42 @@ def _by_stroke(stroke: Stroke, motion: Motion, loads: Mapping[str, Load]) -> Sta
         push, own = taken.sign * force * along, loaded[taken.link]
         arm = motion.place(taken.point) - motion.state.r[taken.link]
         loaded[taken.link] = Load(own.force + push, own.moment + cross(arm, push))
-    reactions, rest = by_groups(motion, loaded)
+    reactions, rest = by_groups(motion, loaded, flanks)
     pair = motion.linkage.structure.driver_pair
     reactions[pair.key] = Reaction(pair, -rest[stroke.link].force, 0.0, motion.state.r[stroke.link])
     return Statics(reactions, moment, force)
 
 
-def by_groups(motion: Motion, loads: Mapping[str, Load]) -> tuple[dict[str, Reaction], dict[str, Load]]:
+def by_groups(
+    motion: Motion, loads: Mapping[str, Load], flanks: Mapping[str, Array] | None = None
+) -> tuple[dict[str, Reaction], dict[str, Load]]:
     """Reactions in every pair of the groups, and the loads that are left on the links they hang on."""
     s, rest = motion.state, dict(loads)
     reactions: dict[str, Reaction] = {}
     with np.errstate(invalid="ignore", divide="ignore"):
         for group in reversed(motion.linkage.groups):
-            _by_wheels(s, group.group.wheels, rest, reactions)
+            _by_wheels(s, group.group.wheels, rest, reactions, flanks or {})
             outer, inner = _solve_group(s, group, rest)
             if (lost := motion.sines[group.group.label] <= SINGULAR).any():
                 outer, inner = ([_undefined(r, lost) for r in part] for part in (outer, inner))
             for reaction in outer:
                 _pass_on(s, rest, reaction)
             reactions |= {r.pair.key: r for r in (*outer, *inner)}
-        _by_wheels(s, motion.linkage.structure.wheels, rest, reactions)
+        _by_wheels(s, motion.linkage.structure.wheels, rest, reactions, flanks or {})
     return reactions, rest
 
 
 def _by_wheels(
-    s: State, wheels: Sequence[Coupled], rest: dict[str, Load], reactions: dict[str, Reaction]
+    s: State,
+    wheels: Sequence[Coupled],
+    rest: dict[str, Load],
+    reactions: dict[str, Reaction],
+    flanks: Mapping[str, Array],
 ) -> None:
     """Reactions of links that meshes move, from the last one on; the teeth load the links that move them."""
     for wheel in reversed(wheels):
         load, own = rest[wheel.link], wheel.bearing
-        teeth, force, moment = wheel.held(s, load.force, load.moment)
+        teeth, force, moment = wheel.held(s, load.force, load.moment, flanks.get(wheel.contact.key))
         contact = Reaction(wheel.contact, teeth, 0.0, wheel.mesh.touches(s))
         bearing = Reaction(own, force, moment, s.r[wheel.link], _guide(s, own))
         _pass_on(s, rest, contact)

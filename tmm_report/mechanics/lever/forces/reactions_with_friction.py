@@ -28,6 +28,8 @@ from tmm_report.records import dataclass
 Array = Any
 TOLERANCE = 1e-12  # of a pressing force, by the largest of the position
 STEPS = 40  # of Newton's method; it needs about five
+GEAR = ""  # the flank of the gear that turns the driving link, among those of the wheels
+FLANKS = 4  # how often the pressed flanks are looked at again: once is enough but beside their change
 PARTS = 32  # in which friction is put on where the whole of it at once is too much
 
 
@@ -65,22 +67,37 @@ class Rubbed:
 def solve(motion: Motion, loads: Mapping[str, Load], rubs: Sequence[Rub]) -> Rubbed:
     """Reactions and balancing moment with the friction of `rubs` under `loads`. Where no equilibrium of motion exists
     (jamming) they are nan, and `borne` says how much of the friction the position bears."""
-    gear = motion.linkage.mechanism.driver.gear
-    if gear is None or gear.one_flank:
-        return _solved(motion, loads, rubs)
-    # the parts of the force of the teeth add up on one flank alone: that of the whole moment, with the friction in it
-    flank = pressed_flank(statics.solve(motion, loads).balancing)
-    found = _solved(motion, loads, rubs, flank)
-    other = pressed_flank(found.statics.balancing)
-    return _solved(motion, loads, rubs, other) if (other != flank).any() else found
+    gear, coupled = motion.linkage.mechanism.driver.gear, motion.linkage.structure.coupled
+    chooses = gear is not None and not gear.one_flank
+    if not chooses and not any(wheel.mesh.pressure for wheel in coupled):
+        return _solved(motion, loads, rubs, {})
+    # the parts of the force of teeth add up on one flank alone: that of the whole force, with the friction in it
+    flanks = _flanks(motion, statics.solve(motion, loads), chooses)
+    for _ in range(FLANKS):
+        found = _solved(motion, loads, rubs, flanks)
+        pressed = _flanks(motion, found.statics, chooses)
+        if all((pressed[key] == flanks[key]).all() for key in flanks):
+            break
+        flanks = pressed
+    return found
+
+
+def _flanks(motion: Motion, found: Statics, chooses: bool) -> dict[str, Array]:
+    """Which flanks the teeth press, by the keys of contacts; of the gear that turns the driving link, where it has a
+    choice, as `GEAR`."""
+    flanks = {
+        wheel.contact.key: wheel.flank(motion.state, found.reactions[wheel.contact.key].force)
+        for wheel in motion.linkage.structure.coupled
+    }
+    return flanks | ({GEAR: pressed_flank(found.balancing)} if chooses else {})
 
 
 def _solved(
-    motion: Motion, loads: Mapping[str, Load], rubs: Sequence[Rub], flank: Array | None = None
+    motion: Motion, loads: Mapping[str, Load], rubs: Sequence[Rub], flanks: Mapping[str, Array]
 ) -> Rubbed:
     count, shape = len(rubs), motion.shape
     units = [_unit(motion.state, rub, shape) for rub in rubs]
-    basis = statics.solve(motion, _stacked(loads, units, shape), flank)
+    basis = statics.solve(motion, _stacked(loads, units, shape), flanks.get(GEAR), flanks)
     found = [_pressed(rub, basis.reactions[rub.pair.key], count, shape) for rub in rubs]
     x, steps, borne = _equilibrium(np.array([one for one, _ in found]), np.array([two for _, two in found]))
     x = np.where(borne < 1, np.nan, x)

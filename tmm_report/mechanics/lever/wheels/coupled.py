@@ -153,17 +153,24 @@ class Coupled:
 
     # ------------------------------------------------------------ forces
 
-    def held(self, s: State, force: Array, moment: Array) -> tuple[Array, Array, Array]:
+    def held(
+        self, s: State, force: Array, moment: Array, flank: Array | None = None
+    ) -> tuple[Array, Array, Array]:
         """The force of `by` on the link in the teeth, and the force and moment of its bearing on it, under its load,
-        which is reduced to its reference point; complex N, N m, (..., P)."""
+        which is reduced to its reference point; complex N, N m, (..., P). `flank`: as of `Mesh.pressed`."""
         mesh, link = self.mesh, self.link
         if not self.slides:
-            teeth = mesh.turn(s) * mesh.pressed(link, -moment / mesh.radius(link))
+            teeth = mesh.turn(s) * mesh.pressed(link, -moment / mesh.radius(link), flank)
             return teeth, -(force + teeth), 0.0
         across = 1j * mesh.outward(link)
-        teeth = mesh.pressed(link, -dot(force, across))
+        teeth = mesh.pressed(link, -dot(force, across), flank)
         about = moment + cross(mesh.touches(s) - s.r[link], teeth)
         return teeth, -(force + teeth), -about
+
+    def flank(self, s: State, teeth: Array) -> Array:
+        """Which flank a force in the teeth presses: the sign of its tangential part, (..., P)."""
+        across = 1j * self.mesh.turn(s) * self.mesh.outward(self.link)
+        return np.where(dot(teeth, across) >= 0, 1.0, -1.0)
 
 
 def coupled(

@@ -112,12 +112,14 @@ class Mesh:
     def other(self, link: str) -> str:
         return self.links[1] if link == self.links[0] else self.links[0]
 
-    def pressed(self, link: str, tangential: Array) -> Array:
+    def pressed(self, link: str, tangential: Array, flank: Array | None = None) -> Array:
         """The force of the teeth on a link, complex N, (..., P), in the axes of `outward`, of its tangential part,
-        along i·outward: it lies on the line of action of the flank that is pressed, and drives the wheels apart."""
+        along i·outward: it lies on the line of action of the flank that is pressed, and drives the wheels apart.
+        `flank`: the one that is pressed, the sign of the whole tangential part, where this is but a share of it."""
         e = self.outward(link)
         away = e if self.rings(link) or self.radius(link) == 0 else -e
-        return tangential * 1j * e + np.abs(tangential) * np.tan(self.pressure) * away
+        apart = np.abs(tangential) if flank is None else flank * tangential
+        return tangential * 1j * e + apart * np.tan(self.pressure) * away
 
     def normal(self, tangential: Array) -> Array:
         """F_n = |F_t| / cos α, N, (..., P)."""

@@ -18,7 +18,6 @@ from tmm_report.chapters.lever.kinetostatics.quantities.positions import (
     PITCH_RADIUS,
     reaction,
 )
-from tmm_report.chapters.lever.plans.solve import Comparison
 from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.quantity.formula import Formula, Term, VectorEquation, cos
 from tmm_report.quantity.text import round_significant
@@ -33,7 +32,7 @@ def plan(sheet: Sheet) -> tuple[ForcePlan, float]:
     moment = -total * sheet.number(MU_L, sheet.mu_l) if sheet.in_mm else -total
     formula = sheet.hand(BALANCING_MOMENT, moment)
     formulas, drive = [formula], Couple(BALANCING_MOMENT, float(formula.written))
-    _compare(sheet, formula)
+    sheet.compare(BALANCING_MOMENT, formula, float(sheet.solved.balancing[sheet.k]), sheet.moment_floor(link))
     teeth = _teeth(sheet, formula, formulas, arms)
     mu = _scale(sheet, teeth)
     of = reaction(FRAME, link)
@@ -53,15 +52,10 @@ def plan(sheet: Sheet) -> tuple[ForcePlan, float]:
         VectorEquation([[*sheet.terms(link), *pushed, Term(of.sign, 0)], []]),
         tuple(strokes), (reading,),
         held=(*held, teeth) if teeth is not None else tuple(held),
-        drive=None if teeth is not None else drive, chosen=sheet.chosen,
+        drive=None if teeth is not None else drive, chosen=sheet.chosen, stage="driver",
+        poles=sheet.poles((link,)),
     )  # fmt: skip
     return drawn, float(formula.written)
-
-
-def _compare(sheet: Sheet, formula: Formula) -> None:
-    exact, largest = float(sheet.solved.balancing[sheet.k]), max(_sizes(sheet), default=0.0)
-    floor = largest * sheet.mu_l * sheet.pen.read_step
-    sheet.comparison.append(Comparison(BALANCING_MOMENT.key, abs(formula.written), abs(exact), floor))
 
 
 def _teeth(sheet: Sheet, moment: Formula, formulas: list[Formula], arms: list[Arm]) -> Held | None:
@@ -86,10 +80,6 @@ def _teeth(sheet: Sheet, moment: Formula, formulas: list[Formula], arms: list[Ar
     metres = float(round_significant(mm * sheet.mu_l, DIGITS + 2))
     arms.append(Arm(FORCE, pair.name, mm, metres, of, link, centre, at, along))
     return Held(FORCE, link, along * force.written, at)
-
-
-def _sizes(sheet: Sheet) -> list[float]:
-    return [abs(a.vector) for a in sheet.acting[sheet.mechanism.driver.link]]
 
 
 def _scale(sheet: Sheet, teeth: Held | None) -> float:

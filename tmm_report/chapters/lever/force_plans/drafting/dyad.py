@@ -49,7 +49,7 @@ def plan(sheet: Sheet, d: Dyad) -> ForcePlan:
     return ForcePlan(
         d.group.label, d.links, mu, loads, couples, tuple(arms), tuple(moments), equation,
         tuple(strokes), tuple(readings), held=held, singles=(singles,), together=d.kind == 3,
-        chosen=sheet.chosen,
+        chosen=sheet.chosen, poles=sheet.poles(d.links),
     )  # fmt: skip
 
 
@@ -207,7 +207,7 @@ def _held(
         (d.outer_b, d.b, d.carrier_b, P0 - X, on_b),
     ):
         if (part := components.get(link)) is None:
-            yield _reaction_held(sheet, pair, of, link, whole * mu)
+            yield reaction_held(sheet, pair, of, link, whole * mu)
             continue
         at = sheet.joint(pair)
         tangential, normal = _parts(carrier, link)
@@ -215,11 +215,11 @@ def _held(
         turned = (part * across.conjugate()).real < 0
         yield Held(tangential, link, part * mu, at, "component", turned)
         yield Held(normal, link, (whole - part) * mu, at, "component")
-    yield replace(_reaction_held(sheet, d.inner, inner, d.a, (P1 - X) * mu), kind="inner")
-    yield replace(_reaction_held(sheet, d.inner, reaction(d.a, d.b), d.b, (X - P1) * mu), kind="inner")
+    yield replace(reaction_held(sheet, d.inner, inner, d.a, (P1 - X) * mu), kind="inner")
+    yield replace(reaction_held(sheet, d.inner, reaction(d.a, d.b), d.b, (X - P1) * mu), kind="inner")
 
 
-def _reaction_held(sheet: Sheet, pair: Pair, of: Quantity, link: str, vector: complex) -> Held:
+def reaction_held(sheet: Sheet, pair: Pair, of: Quantity, link: str, vector: complex) -> Held:
     """A whole reaction; that of a guide where it acts along the guide, else at the slider with a moment."""
     joint, offset = sheet.joint(pair), sheet.offset(pair)
     if pair.kind == "R" or abs(offset) <= FAR * sheet.mu_l:

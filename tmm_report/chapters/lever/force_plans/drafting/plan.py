@@ -12,17 +12,24 @@ from tmm_report.quantity.written import Equation, Worked
 from tmm_report.records import dataclass
 
 Kind = Literal["gravity", "inertia", "load", "reaction", "component", "inner"]
+Stage = Literal["group", "driver", "wheel", "rolling", "rack", "led", "line", "thrust"]
+"""What a plan is of: an Assur group; the driving link; a link that a mesh moves, as a wheel, a wheel that rolls or a
+rack; where a stroke drives, the link that follows it, its rod or the whole cylinder, the slider or the cylinder's rod
+along which the force acts."""
 
 
 @dataclass(frozen=True)
 class Acting:
-    """A force on a link as it enters a plan: complex N, world place of application, m, and that place's name."""
+    """A force on a link as it enters a plan: complex N, world place of application, m, and that place's name.
+
+    `sense`: −1 of a component whose number came out below zero."""
 
     quantity: Quantity
     kind: Kind
     vector: complex
     at: complex
     point: str = ""
+    sense: int = 1
 
     @property
     def key(self) -> str:
@@ -78,6 +85,15 @@ class Held:
 
 
 @dataclass(frozen=True)
+class Pole:
+    """The pitch point of two links in mesh: its name and world place, m."""
+
+    name: str
+    links: tuple[str, str]
+    at: complex
+
+
+@dataclass(frozen=True)
 class Single:
     """Equilibrium of one link, whose polygon the reaction of an inner pair closes."""
 
@@ -128,7 +144,8 @@ class ForcePlan:
     the whole group; `loads`, `couples`: what acts, by link; `scale`: N per mm; `held`: the reactions as the loading
     scheme shows them; `singles`: links whose equilibrium gives an inner reaction. Of a group above class II, `balances`
     of its links, which are solved together, and the `solution`: projections of the reactions, N, and moments, N m.
-    `together`: its links must stand in one loading scheme; `drive`: what balances the driving link.
+    `together`: its links must stand in one loading scheme; `drive`: what balances the driving link. `poles`: pitch
+    points on its links.
     """
 
     label: str
@@ -148,6 +165,8 @@ class ForcePlan:
     together: bool = False
     drive: Couple | None = None
     chosen: Formula | None = None  # the scale, where it follows from a stated segment
+    stage: Stage = "group"
+    poles: tuple[Pole, ...] = ()
 
     @property
     def turned(self) -> tuple[Quantity, ...]:
@@ -180,7 +199,7 @@ class ForceDrawn:
     plans: tuple[ForcePlan, ...]
     reduced: tuple[Reduced, ...]
     worked: tuple[Worked, ...]  # of the inertia forces, then of every plan
-    balancing: float  # signed, N m, + counter-clockwise
+    balancing: float  # signed, N m, + counter-clockwise; of a stroke the force, N, + where it grows
     comparison: tuple[Comparison, ...]
     apart: tuple[str, ...] = ()
     acting: tuple[tuple[str, Acting], ...] = ()  # every load by its link, inertia forces in the mass centres

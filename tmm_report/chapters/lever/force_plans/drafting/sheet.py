@@ -14,6 +14,7 @@ from tmm_report.chapters.lever.force_plans.drafting.plan import (
     Couple,
     ForceStroke,
     Kind,
+    Pole,
     Reduced,
 )
 from tmm_report.chapters.lever.force_plans.quantities import CHOSEN, MU_F, MU_L, drawn_length, on_paper
@@ -36,6 +37,7 @@ from tmm_report.mechanics.lever.assur_groups import Pair
 from tmm_report.mechanics.lever.cams.replacing_dyad import in_position
 from tmm_report.mechanics.lever.forces.reactions import Reaction
 from tmm_report.mechanics.lever.mechanism import FRAME
+from tmm_report.mechanics.lever.wheels.mesh import Mesh
 from tmm_report.quantity.formula import Expr, Formula, Number, Term, Var
 from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.paper import LONGEST, Pen, fitting_scale, legible, round_scale
@@ -199,7 +201,8 @@ class Sheet:
                     continue
                 arms.append(arm)
                 h = self.number(arm.quantity, arm.millimetres if self.in_mm else arm.metres)
-                total = plus(total, self.number(acting.quantity, abs(acting.vector)) * h, sense)
+                size = self.number(acting.quantity, acting.sense * abs(acting.vector))
+                total = plus(total, size * h, sense * acting.sense)
             for couple in self.couples[link]:
                 total = plus(total, self.moment_of(couple), np.sign(couple.value))
         return total if total is not None else Number(0.0)
@@ -258,23 +261,51 @@ class Sheet:
 
     def read(self, of: Quantity, vector: complex, pair: Pair, mu: float) -> Formula:
         """A reaction read off the plan, compared with the analytical one."""
-        segment = self.number(drawn_length(of), self.pen.read(vector))
-        formula = self.hand(of, segment * self.number(MU_F, mu))
-        floor = mu * self.pen.read_step
-        self.comparison.append(Comparison(of.key, abs(formula.written), abs(self.exact(pair)), floor))
+        return self.read_force(of, vector, abs(self.exact(pair)), mu)
+
+    def read_force(self, of: Quantity, vector: complex, exact: float, mu: float, sign: int = 1) -> Formula:
+        """A force read off the plan; `sign`: −1 of one whose number is against the sense of its quantity."""
+        size = self.number(drawn_length(of), self.pen.read(vector)) * self.number(MU_F, mu)
+        formula = self.hand(of, size if sign > 0 else -size)
+        self.compare(of, formula, exact, mu * self.pen.read_step)
         return formula
+
+    def compare(self, of: Quantity, formula: Formula, exact: float, floor: float) -> None:
+        """By their sizes; below the floor both are nothing."""
+        self.comparison.append(Comparison(of.key, abs(formula.written), abs(exact), floor))
+
+    def moment_floor(self, link: str) -> float:
+        """What half a step of reading an arm makes of a moment on a link, N m."""
+        largest = max((abs(a.vector) for a in self.acting[link]), default=0.0)
+        return largest * self.mu_l * self.pen.read_step
 
     def pass_on(self, pair: Pair, link: str, vector: complex, mu: float) -> None:
         """A solved group loads the link it hangs on with an outer reaction on its `link`, mm, turned round."""
+        if abs(vector) > 0:
+            size = float(round_significant(self.pen.read(vector) * mu, DIGITS))
+            self.load(pair, link, complex(unit(vector) * size))
+
+    def load(self, pair: Pair, link: str, force: complex) -> None:
+        """The other link of a pair bears the force on `link`, N, turned round."""
         carrier = pair.other(link)
-        if carrier == FRAME or abs(vector) == 0:
-            return
-        size = float(round_significant(self.pen.read(vector) * mu, DIGITS))
-        at = self.joint(pair) + self.offset(pair)
-        force = Acting(reaction(link, carrier), "reaction", complex(-unit(vector) * size), at, pair.name)
-        self.acting[carrier].append(force)
+        if carrier != FRAME and abs(force) > 0:
+            at = self.joint(pair) + self.offset(pair)
+            self.acting[carrier].append(Acting(reaction(link, carrier), "reaction", -force, at, pair.name))
+
+    def touch(self, mesh: Mesh) -> complex:
+        """World place of a pitch point."""
+        return complex(np.ravel(mesh.touches(self.motion.state))[0])
+
+    def poles(self, links: Sequence[str]) -> tuple[Pole, ...]:
+        """The pitch points on some links."""
+        own = (mesh for mesh in self.mechanism.meshes if set(mesh.links) & set(links))
+        return tuple(Pole(mesh.pole, mesh.links, self.touch(mesh)) for mesh in own)
 
     def joint(self, pair: Pair) -> complex:
+        if pair.kind == "H":
+            return self.touch(
+                next(mesh for mesh in self.mechanism.meshes if set(mesh.links) == set(pair.links))
+            )
         link = pair.slider or pair.links[1]
         return complex(np.ravel(self.motion.state.world(link, pair.at[link]))[0])
 
@@ -285,7 +316,7 @@ class Sheet:
 
     def offset(self, pair: Pair) -> complex:
         """Where along a moving guide the reaction acts: from the moments of the sliding link, as the solver has it."""
-        if pair.kind == "R":
+        if pair.kind != "P":
             return 0j
         found: Reaction = self.solved.statics.reactions[pair.key]
         full = replace(found, moment=np.broadcast_to(found.moment, self.solved.motion.shape))

@@ -37,7 +37,7 @@ def plan(sheet: Sheet, group: HigherGroup) -> ForcePlan:
     return ForcePlan(
         group.group.label, group.links, mu, loads, couples, tuple(arms), (), equation,
         tuple(polygon.strokes), tuple(readings), found.balances, found.solution,
-        found.held, chosen=sheet.chosen,
+        found.held, chosen=sheet.chosen, poles=sheet.poles(group.links),
     )  # fmt: skip
 
 

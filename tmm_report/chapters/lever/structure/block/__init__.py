@@ -20,6 +20,7 @@ from tmm_report.chapters.lever.structure.block.checks import (
     no_link,
     no_point,
     of_friction,
+    rails,
     stated,
     without,
 )
@@ -36,7 +37,8 @@ from tmm_report.variant.model import Read
 
 __all__ = [
     "ASKED", "FRAME", "Block", "Given", "Names", "belongs", "doubts", "driven_by_stroke", "driver", "given",
-    "has_cams", "in_vain", "mistakes", "names", "no_link", "no_point", "of_friction", "stated", "swept", "without",
+    "has_cams", "in_vain", "mistakes", "names", "no_link", "no_point", "of_friction", "rails", "stated", "swept",
+    "without",
 ]  # fmt: skip
 
 

@@ -84,6 +84,21 @@ def has_cams(read: Read) -> bool:
     return bool(_mapping(read.data.get("mechanism")).get("cams"))
 
 
+def rails(read: Read) -> dict[str, str]:
+    """Guides that stand for a rail on which a wheel rolls -> that wheel: they bear what the rail does, and nothing
+    slides."""
+    mechanism = _mapping(read.data.get("mechanism"))
+    links = {str(name): _mapping(link) for name, link in _mapping(mechanism.get("links")).items()}
+    found = {}
+    rolling = mechanism.get("rolling")
+    for one in map(_mapping, rolling if isinstance(rolling, list) else []):
+        slides = links.get(str(one.get("carrier")), {}).get("slides")
+        guide = _mapping(slides).get("guide") if isinstance(slides, dict) else slides
+        if guide is not None:
+            found[str(guide)] = str(one.get("wheel"))
+    return found
+
+
 def driven_by_stroke(read: Read) -> bool:
     """Whether a slider or a cylinder drives."""
     return "stroke" in _mapping(_mapping(read.data.get("mechanism")).get("driver"))

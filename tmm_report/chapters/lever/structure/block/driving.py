@@ -202,17 +202,39 @@ ONLY = (
     "press",
 )  # fmt: skip
 """What reckons with a driving link that turns uniformly."""
+ALONG_STROKE = ("friction", "reduction")
+"""What goes along a stroke instead."""
+TRAVELS = Message(N_("travel: how the slider or the cylinder moves under stated forces"))
+CURES = {
+    "flywheel": TRAVELS,
+    "dynamics": TRAVELS,
+    "drive": Message(N_("leave this block out: nothing turns all round for gears to drive")),
+    "balancing": Message(N_("leave this block out: the inertia forces of the links stand among the loads")),
+    "harmonics": Message(N_("leave this block out: a stroke is no turn to be taken apart into harmonics")),
+    "press": Message(N_("leave this block out: the force along the stroke stands among the forces")),
+}
+"""Where a stroke drives what to do without these."""
 
 
 def mistakes(read: Read) -> Iterator[Problem]:
     """What does not go together with a law of the driving link, or with a stroke by which something drives."""
-    right = Message(N_("leave one of the two out: with speed the driving link turns uniformly"))
     stroke = "stroke" in read.data["mechanism"].get("driver", {})
-    for key in (*(one for one in ONLY if not stroke or one != "reduction"), *(("drive",) if stroke else ())):
+    right = Message(N_("leave one of the two out: with speed the driving link turns uniformly"))
+    text = N_("%(key)s reckons with a uniformly turning driving link, and a law is stated")
+    if stroke:
+        right = Message(N_("leave this block out"))
+        text = N_("%(key)s reckons with a uniformly turning driving link, and a stroke drives")
+    only = [one for one in (*ONLY, "drive") if one not in ALONG_STROKE] if stroke else ONLY
+    for key in only:
         if key in read.data and read.data[key] not in (None, False):
-            text = N_("%(key)s reckons with a uniformly turning driving link, and a law is stated")
-            yield mistake(text, (key,), right, key=key)
+            yield mistake(text, (key,), CURES.get(key, right) if stroke else right, key=key)
     mechanism = read.data["mechanism"]
     if mechanism.get("cams"):
-        text = N_("%(key)s reckons with a uniformly turning driving link, and a law is stated")
         yield mistake(text, ("mechanism", "cams"), right, key="cams")
+    friction = read.data.get("friction")
+    if stroke and isinstance(friction, dict) and friction.get("corrected"):
+        told = N_(
+            "reactions with friction in them are found where the driving link turns uniformly, and a stroke drives"
+        )
+        cure = Message(N_("leave corrected out: the power of friction is that of the reactions without it"))
+        yield mistake(told, ("friction", "corrected"), cure)

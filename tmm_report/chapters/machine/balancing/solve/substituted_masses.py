@@ -6,7 +6,6 @@ of a counterweight, m_c ρ_c, on the other side.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import field
 
 import numpy as np
@@ -155,7 +154,7 @@ class _Substitution:
         self.pairs: list[Pair] = linkage.structure.pairs
         self.fixed = pivoted(self.pairs)
         self.turning = turning(linkage)
-        self.rank = {name: k for k, name in enumerate((FRAME, *_found_order(linkage)))}
+        self.rank = {name: k for k, name in enumerate((FRAME, *linkage.structure.order))}
         self.of = Substituted()
 
     def joints(self, name: str) -> list[Pair]:
@@ -263,9 +262,3 @@ class _Substitution:
         return Split(
             link.name, (both[0].name, both[1].name), m, inertia, (a, b), off, (at_p, at_q), rest, three
         )
-
-
-def _found_order(linkage: Linkage) -> Iterator[str]:
-    yield linkage.mechanism.driver.link
-    for group in linkage.groups:
-        yield from group.links

@@ -35,6 +35,11 @@ def parts(found: Found, page: Page) -> Iterator[Part]:
 
 
 class BalancingView(BalancingSheet):
+    @property
+    def meshed(self) -> bool:
+        """Whether links are in mesh."""
+        return bool(self.found.kinematics.linkage.mechanism.meshes)
+
     def conclusions(self) -> list[Markup]:
         best = self.found.best()
         if best is None:

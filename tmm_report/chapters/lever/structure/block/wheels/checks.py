@@ -125,12 +125,8 @@ def _together(mechanism: MechanismModel, read: Read) -> Found:
         text = N_("cam pairs and wheels in one mechanism are not offered together")
         yield mistake(text, (*HERE, key), right)
     data: dict[str, Any] = read.data  # type: ignore[assignment]
-    for block in ("friction", "balancing", "methods", "method", "readings"):
+    for block in ("methods", "method"):
         if block in data:
             text = N_("%(block)s is not worked out of a mechanism with wheels in mesh")
-            yield mistake(text, (block,), Message(N_("leave this key out")), block=block)
-    positions = data.get("positions")
-    if isinstance(positions, dict) and "force_plan" in positions:
-        text = N_("force plans of a mechanism with wheels in mesh are not offered")
-        told = Message(N_("leave the key out: the reactions and the forces in the teeth stand in tables"))
-        yield mistake(text, ("positions", "force_plan"), told)
+            cure = N_("leave this key out: what wheels move follows in closed form")
+            yield mistake(text, (block,), Message(cure), block=block)
