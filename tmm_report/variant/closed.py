@@ -8,6 +8,7 @@ be left out. Nothing else is read, nothing is run.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from tmm_report.mechanics.lever.stated_masses import (
     Combined,
@@ -25,6 +26,7 @@ from tmm_report.problems import N_, Message, shown
 from tmm_report.quantity.units import WrongValue
 
 LONGEST = 60
+_CYRILLIC = re.compile("[\u0400-\u052f]")
 MOST = 6  # exponent
 _NAME = r"[0-9A-Za-z\u0400-\u0481\u048a-\u052f'’]"
 _TOKEN = re.compile(
@@ -47,6 +49,7 @@ _PLAIN = str.maketrans(
         "\N{NO-BREAK SPACE}": " ",
     }
 )
+_UNIT = re.compile("(kg|кг|g|г|t|т)[ ]*/[ ]*(mm|мм|cm|см|m|м)")
 _SIZES = {"kg": 1.0, "кг": 1.0, "g": 1e-3, "г": 1e-3, "t": 1e3, "т": 1e3}
 _METRES = {"m": 1.0, "м": 1.0, "cm": 1e-2, "см": 1e-2, "mm": 1e-3, "мм": 1e-3}
 MASS, INERTIA, LENGTH = (1, 0), (1, 2), (0, 1)
@@ -221,6 +224,18 @@ class _Reader:
 
 def _number(text: str) -> float:
     return float(text.replace(",", "."))
+
+
+def in_other_units(text: str) -> Iterator[tuple[str, float]]:
+    """A text with its mass of a metre in another usual unit, and by how many times that is the one stated."""
+    stated = _UNIT.search(text)
+    if stated is None:
+        return
+    own = _SIZES[stated[1]] / _METRES[stated[2]]
+    for unit in ("кг/м", "г/м") if _CYRILLIC.search(stated[0]) else ("kg/m", "g/m"):
+        mass, length = unit.split("/")
+        if (size := _SIZES[mass] / _METRES[length]) != own:
+            yield text[: stated.start()] + unit + text[stated.end() :], size / own
 
 
 def _per_length(text: str) -> PerLength:
