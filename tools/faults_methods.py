@@ -358,4 +358,55 @@ FAULTS = (
         "",
         tests=("tests/mechanics/rivals/test_parallelograms.py",),
     ),
+    # --- what is asked about at the door ---
+    Fault(
+        "a mass of a metre judged in other units than it is stated",
+        "tmm_report/variant/closed.py",
+        "size / own",
+        "own / size",
+        tests=("tests/chapters/lever/test_stated_masses.py",),
+    ),
+    Fault(
+        "a mass of a metre judged whatever the size of the mechanism",
+        "tmm_report/chapters/lever/structure/block/odd.py",
+        "STEEL * (BAR * longest) ** 2",
+        "STEEL * BAR**2",
+        tests=("tests/chapters/lever/test_stated_masses.py",),
+    ),
+    Fault(
+        "an unknown kind of governor told twice",
+        "tmm_report/chapters/machine/governor/block.py",
+        "not broken - _BESIDE",
+        "True",
+        tests=("tests/variant/words/test_not_offered.py",),
+    ),
+    # --- accelerations that jump ---
+    Fault(
+        "the sides of a jump exchanged",
+        "tmm_report/chapters/lever/kinematics/solve/jumps.py",
+        "one.turned + one.side * BESIDE",
+        "one.turned - one.side * BESIDE",
+        tests=("tests/chapters/lever/driving/test_accelerations_that_jump.py",),
+    ),
+    Fault(
+        "a jump drawn slanted",
+        "tmm_report/chapters/lever/kinematics/solve/jumps.py",
+        "BESIDE = 2e-4",
+        "BESIDE = 4e-2",
+        tests=("tests/chapters/lever/driving/test_accelerations_that_jump.py",),
+    ),
+    Fault(
+        "the side before the middle of a long phase missed",
+        "tmm_report/mechanics/cams/follower_laws.py",
+        "BEFORE = 7 * EDGE",
+        "BEFORE = 3 * EDGE",
+        tests=("tests/chapters/lever/driving/test_accelerations_that_jump.py",),
+    ),
+    Fault(
+        "the last position said to be at no jump",
+        "tmm_report/chapters/lever/kinematics/solve/jumps.py",
+        "self.turned + self.period",
+        "self.turned - self.period",
+        tests=("tests/chapters/lever/driving/test_accelerations_that_jump.py",),
+    ),
 )

@@ -243,7 +243,7 @@ FAULTS = (
     Fault("higher pairs of a group not counted", "tmm_report/chapters/lever/structure/solve.py",
           "len(group.links) - len(links)", "0", "cam_press",
           ("tests/chapters/lever/kinematics/test_determinate_groups.py",)),
-    Fault("accelerations that jump not among the extremes", MECHANICS + "lever/cycle.py", "np.array([-3 * EDGE, 0.0])",
+    Fault("accelerations that jump not among the extremes", MECHANICS + "lever/cycle.py", "np.array([-BEFORE, 0.0])",
           "np.array([0.0, 0.0])", "cam_press", ("tests/chapters/lever/test_cam_pairs.py",)),
     Fault("pressure angle of a lever written out wrong", "tmm_report/chapters/lever/cam/formulas.py",
           "near - arm * (1 - slope)", "near - arm * (1 + slope)", "cam_press",
