@@ -19,6 +19,7 @@ DETAIL = ("tests/figures/test_detail.py",)
 CYCLE_TABLES = ("tests/chapters/lever/kinetostatics/test_cycle_tables.py",)
 RASTER = "tmm_report/figures/raster.py"
 FRONT = ("tests/report/test_front_matter.py",)
+SPRINGS = ("tests/figures/test_springs.py",)
 
 FAULTS = (
     # --- the note as a whole ---
@@ -113,8 +114,8 @@ FAULTS = (
           'yield Force(at, one.vector, label', 'yield Force(at, -one.vector, label'),
     Fault("a swing centre on the other side", FORCES + "drafting/sheet.py", "at=complex(force.at + shift)",
           "at=complex(force.at - shift)"),
-    Fault("a loading scheme at another scale", FORCES + "loading_draw.py", "view = _view(kinematics, mu_l,",
-          "view = _view(kinematics, 1.05 * mu_l,"),
+    Fault("a loading scheme at another scale", FORCES + "loading_draw.py", "_view(kinematics, mu_l, drawn",
+          "_view(kinematics, 1.05 * mu_l, drawn"),
     Fault("the force of the gear a cosine too small", STATICS + "quantities/driving_gear.py",
           "FORCE.column(gear.size(moment, omega))",
           "FORCE.column(gear.size(moment, omega) * np.cos(gear.pressure))", "shaper"),
@@ -365,4 +366,16 @@ FAULTS = (
           "way = (sin(beta), cos(beta))", "compressor", CONTOURS),
     Fault("signs of labels lost in LaTeX", "tmm_report/figures/lettering.py", '"≤": r"\\ensuremath{\\le}", ', "",
           "slider_crank_offset"),
+    # --- springs and dampers in schemes ---
+    Fault("springs as they are in position 0", FIGURES + "schemes/ties.py",
+          "complex(self.places[one][self.position]) for one in tie.ends",
+          "complex(self.places[one][0]) for one in tie.ends", tests=SPRINGS),
+    Fault("springs of the same ends upon one another", FIGURES + "schemes/ties.py",
+          "yield from zigzag(start + by, end + by,", "yield from zigzag(start, end,", tests=SPRINGS),
+    Fault("a piston that leaves its cup", FIGURES + "springs.py", "ROOM = (0.2, 0.8)", "ROOM = (0.2, 1.4)",
+          tests=SPRINGS),
+    Fault("a zigzag of uneven coils", FIGURES + "springs.py", "long - 2 * lead", "long - lead", tests=SPRINGS),
+    Fault("loading schemes show the springs of other links", FIGURES + "schemes/ties.py",
+          "links is None or set(tie.links) & set(links)",
+          "links is None or not set(tie.links) & set(links)", tests=SPRINGS),
 )  # fmt: skip

@@ -14,6 +14,7 @@ from tmm_report.chapters.lever.force_plans.drafting import ForceDrawn, ForcePlan
 from tmm_report.chapters.lever.force_plans.draw import force_picture
 from tmm_report.chapters.lever.force_plans.loading_draw import Loaded, loading_schemes
 from tmm_report.chapters.lever.force_plans.solve import ForcePlans
+from tmm_report.chapters.lever.schemes import ties_of
 from tmm_report.figures.drawing import Drawing
 from tmm_report.problems import N_
 from tmm_report.quantity.definition import Definition
@@ -49,7 +50,7 @@ class ForcePlansView(BookView):
         self.found, self.pairs = found, lever.structure.pairs
         self.kinematics, self.length_scale = lever.kinematics, lever.plans.length_scale
         self.picture = cache(self._picture)
-        forces = lever.kinetostatics
+        forces, self.ties = lever.kinetostatics, tuple(ties_of(lever))
         self.couples = forces is not None and bool(forces.table.loading.couples)
 
     def conclusions(self) -> list[Markup]:
@@ -82,7 +83,12 @@ class ForcePlansView(BookView):
 
     def loading(self, drawn: ForceDrawn, plan: ForcePlan) -> list[Loaded]:
         return loading_schemes(
-            self.kinematics, self.length_scale, drawn, plan, partial(self.page.tr.pgettext, "index")
+            self.kinematics,
+            self.length_scale,
+            drawn,
+            plan,
+            partial(self.page.tr.pgettext, "index"),
+            self.ties,
         )
 
     @property

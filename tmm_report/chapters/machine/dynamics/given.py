@@ -155,3 +155,8 @@ class Given:
     coast: Coast | None = None
     cycles: int | None = None
     name: str = field(default="")
+
+    @property
+    def held(self) -> tuple[tuple[str, complex], ...]:
+        """Of the springs at points of the mechanism the point and the fixed place, m."""
+        return tuple((one.at, complex(*one.to)) for one in self.springs if one.at and one.to)
