@@ -232,7 +232,7 @@ FAULTS = (
     Fault("a scheme of the wrong position", "tmm_report/report/schemes.py",
           "self.scale, position, zero,", "self.scale, position - 1, zero,"),
     Fault("a scheme at another scale than stated", "tmm_report/report/schemes.py",
-          "turns, self.scale, position, zero,", "turns, 2 * self.scale, position, zero)"),
+          "turns, self.scale, position, zero,", "turns, 2 * self.scale, position, zero,"),
     Fault("drawings upside down", "tmm_report/figures/primitives.py",
           "np.array(places, complex).conj().view(float)",
           "np.array(places, complex).view(float)"),
