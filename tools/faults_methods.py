@@ -409,4 +409,19 @@ FAULTS = (
         "self.turned - self.period",
         tests=("tests/chapters/lever/driving/test_accelerations_that_jump.py",),
     ),
+    # --- torsion springs of the machine in motion ---
+    Fault(
+        "a torsion spring of the machine turns its first link alone",
+        "tmm_report/chapters/machine/dynamics/plant.py",
+        "pull * (rates[0] - rates[1])",
+        "pull * rates[0]",
+        tests=("tests/chapters/lever/ties/test_torsion_springs.py",),
+    ),
+    Fault(
+        "the energy of the machine's torsion springs left out",
+        "tmm_report/chapters/machine/dynamics/plant.py",
+        "turning, found = _twists(given, moving), list[Array]()",
+        "turning, found = [], list[Array]()",
+        tests=("tests/chapters/lever/ties/test_torsion_springs.py",),
+    ),
 )

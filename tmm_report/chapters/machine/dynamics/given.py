@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import field
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
+from tmm_report.chapters.lever.kinetostatics.ties import TorsionSpring
 from tmm_report.mechanics.calculus.laws import ByAngle
 from tmm_report.mechanics.machine.characteristics import Characteristic
 from tmm_report.problems import N_
@@ -61,7 +62,9 @@ class Spring:
     """A spring from a fixed point to a point of the mechanism, or to a pin on the main shaft."""
 
     NOT_OFFERED: ClassVar[Mapping[str, str]] = {
-        "links": N_("a torsion spring between two links stands in loads.torsion_springs, and acts here, too")
+        "links": N_(
+            "a torsion spring between two links stands in dynamics.torsion_springs, or among the loads"
+        )
     }
 
     stiffness: Stiffness
@@ -144,6 +147,7 @@ class Given:
     motor: Motor | None = None
     resistances: tuple[Resistance, ...] = ()
     springs: tuple[Spring, ...] = ()
+    torsion_springs: tuple[TorsionSpring, ...] = ()
     speed: float | None = None
     period: float = 2 * math.pi
     varying: ByAngle | None = None

@@ -267,6 +267,8 @@ class DynamicsView(ChapterView):
             return self.t(N_("resistance: %(name)s"), name=given.parts[index].name)
         if kind == "spring":
             return self.t(N_("spring %(number)s"), number=index + 1)
+        if kind == "torsion":
+            return self.t(N_("torsion spring %(number)s"), number=index + 1)
         name = given.resistances[index].name
         return (
             self.t(N_("resistance: %(name)s"), name=name)
