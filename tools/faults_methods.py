@@ -424,4 +424,19 @@ FAULTS = (
         "turning, found = [], list[Array]()",
         tests=("tests/chapters/lever/ties/test_torsion_springs.py",),
     ),
+    # --- reduction by a law of the driving link ---
+    Fault(
+        "the equation of motion by a law without its acceleration",
+        "tmm_report/chapters/lever/reduction/solve.py",
+        "if self.kinematics.by_law:",
+        "if False:",
+        tests=("tests/chapters/lever/test_reduction.py",),
+    ),
+    Fault(
+        "reduced by a law with the law's own speeds",
+        "tmm_report/chapters/lever/reduction/solve.py",
+        "return motion if motion.phase is None else in_unit_motion(motion)",
+        "return motion",
+        tests=("tests/chapters/lever/test_reduction.py",),
+    ),
 )

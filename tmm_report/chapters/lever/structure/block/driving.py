@@ -174,8 +174,7 @@ def _tabulated(stated: list[tuple[float, float]]) -> MotionLaw:
 
 
 ONLY = (
-    "flywheel", "dynamics", "friction", "reduction", "harmonics", "methods", "method", "wear", "balancing", "engine",
-    "press",
+    "flywheel", "dynamics", "friction", "harmonics", "methods", "method", "wear", "balancing", "engine", "press",
 )  # fmt: skip
 """What reckons with a driving link that turns uniformly."""
 
@@ -184,10 +183,17 @@ def mistakes(read: Read) -> Iterator[Problem]:
     """What does not go together with a law of the driving link, or with a stroke by which something drives."""
     right = Message(N_("leave one of the two out: with speed the driving link turns uniformly"))
     stroke = "stroke" in read.data["mechanism"].get("driver", {})
-    for key in (*(one for one in ONLY if not stroke or one != "reduction"), *(("drive",) if stroke else ())):
+    for key in (*ONLY, *(("drive",) if stroke else ())):
         if key in read.data and read.data[key] not in (None, False):
             text = N_("%(key)s reckons with a uniformly turning driving link, and a law is stated")
             yield mistake(text, (key,), right, key=key)
+    asked = read.data.get("reduction")
+    if isinstance(asked, dict) and not stroke:
+        text = N_(
+            "the reduction to link %(link)s reckons with a uniformly turning driving link, and a law is stated"
+        )
+        whole = Message(N_("reduction: true, to the driving link"))
+        yield mistake(text, ("reduction", "link"), whole, link=asked.get("link", ""))
     mechanism = read.data["mechanism"]
     if mechanism.get("cams"):
         text = N_("%(key)s reckons with a uniformly turning driving link, and a law is stated")
