@@ -439,4 +439,26 @@ FAULTS = (
         "return motion",
         tests=("tests/chapters/lever/test_reduction.py",),
     ),
+    # --- two positions of a rocker or a slider ---
+    Fault(
+        "a crank by two positions of twice its length",
+        "tmm_report/chapters/lever/synthesis/positions_steps.py",
+        "s.crank = over / (2 * under)",
+        "s.crank = over / under",
+        tests=("tests/chapters/lever/synthesis/test_random_demands.py",),
+    ),
+    Fault(
+        "two positions of different assemblies taken for one linkage",
+        "tmm_report/mechanics/lever/synthesis.py",
+        "(sides[0] * sides[1] > 0) & meets",
+        "meets",
+        tests=("tests/chapters/lever/synthesis/test_random_demands.py",),
+    ),
+    Fault(
+        "a rocker's extreme positions taken the wrong way round",
+        "tmm_report/chapters/lever/synthesis/positions_steps.py",
+        "first, second = sorted(asked.angles, key=abs)",
+        "second, first = sorted(asked.angles, key=abs)",
+        tests=("tests/chapters/lever/synthesis/test_synthesis_twice.py",),
+    ),
 )
