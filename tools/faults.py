@@ -299,7 +299,7 @@ FAULTS = (
     Fault("links reduced without their masses", "tmm_report/chapters/lever/moving.py",
           "part = part + link.mass * np.abs(", "part = part + 0 * np.abs(", "piston_pump"),
     Fault("reduced moments negated", REDUCTION + "solve.py",
-          "(of, power / solved.motion.omega)", "(of, -power / solved.motion.omega)", "piston_pump"),
+          "(of, power / motion.omega)", "(of, -power / motion.omega)", "piston_pump"),
     Fault("half the derivative of the reduced moment of inertia", "tmm_report/chapters/lever/moving.py",
           "return 2 * total / motion.omega**3", "return total / motion.omega**3", "piston_pump"),
     Fault("ratios off the plans for another position", REDUCTION + "solve.py",
