@@ -378,4 +378,12 @@ FAULTS = (
     Fault("loading schemes show the springs of other links", FIGURES + "schemes/ties.py",
           "links is None or set(tie.links) & set(links)",
           "links is None or not set(tie.links) & set(links)", tests=SPRINGS),
+    Fault("a mass centre tied to the wrong end of a bar in line", FIGURES + "schemes/bodies.py",
+          "return (one,) if straight", "return (other,) if straight", tests=("tests/figures/test_mass_centres.py",)),
+    Fault("a mass centre tied to its link in another position", FIGURES + "schemes/view.py",
+          "line(self.at(name, end), self.at(name, local), THIN)", "line(end, self.at(name, local), THIN)",
+          tests=("tests/figures/test_mass_centres.py",)),
+    Fault("links that travel are not asked for their inertia", STRUCTURE + "block/doubts.py",
+          '"governor", "reduction", "travel")', '"governor", "reduction")',
+          tests=("tests/chapters/machine/travel/test_masses_that_travel.py",)),
 )  # fmt: skip

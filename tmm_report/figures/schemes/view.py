@@ -26,7 +26,18 @@ from tmm_report.figures.drawing import (
 )
 from tmm_report.figures.lettering import Symbol, joined, symbol
 from tmm_report.figures.schemes import marks
-from tmm_report.figures.schemes.bodies import BLOCK, NEAR, PAST, Body, Motion, bodies, bushing, is_rod, number
+from tmm_report.figures.schemes.bodies import (
+    BLOCK,
+    NEAR,
+    PAST,
+    Body,
+    Motion,
+    bodies,
+    bushing,
+    held_at,
+    is_rod,
+    number,
+)
 from tmm_report.figures.schemes.fixed_wheels import fixed
 from tmm_report.figures.schemes.ties import Tie, Ties
 from tmm_report.mechanics.lever.mechanism import FRAME, Guide, Mechanism, Slide
@@ -139,7 +150,7 @@ class View:
         """The links drawn thick, with blocks, joints and mass centres."""
         chosen = [name for name in self.bodies if names is None or name in names]
         items = [] if names is not None else [*self.tied.items(), *self._held()]
-        items += self.skeleton(THICK, chosen)
+        items += [*self._ties_of_centres(chosen), *self.skeleton(THICK, chosen)]
         for name in chosen:
             for outline in self.bodies[name].outlines:
                 items.append(polygon([self.at(name, z) for z in outline], NORMAL))
@@ -158,6 +169,17 @@ class View:
         centres = {self.mechanism.links[name].mass_centre for name in chosen}
         single = [p for name in chosen for p in self.mechanism.links[name].points if p not in self.joints]
         return items + [dot(self.points[p], 0.7 if p in centres else 0.5) for p in single if p in self.points]
+
+    def _ties_of_centres(self, names: Sequence[str]) -> list[Item]:
+        """Thin lines from the links to those of their mass centres that would float beside them."""
+        items: list[Item] = []
+        for name in names:
+            centre = self.mechanism.links[name].mass_centre
+            if centre in self.points and centre not in self.joints:
+                local = self.motion.local(name, str(centre))
+                ends = held_at(self.bodies[name], local)
+                items += [line(self.at(name, end), self.at(name, local), THIN) for end in ends]
+        return items
 
     def _held(self) -> list[Item]:
         """The pivots on the frame of springs and dampers."""
