@@ -255,7 +255,12 @@ def _unsolvable(run: Callable[[], object]) -> list[Problem]:
 def _solved(variant: Variant, moved: Moved | None) -> Results:
     lever = None
     if variant.lever:
-        lever = solve_lever(variant.lever, moved, flywheel=variant.flywheel, machine=variant.dynamics)
+        lever = solve_lever(
+            variant.lever,
+            moved,
+            flywheel=variant.flywheel,
+            machine=variant.dynamics,
+        )
     moving = _moving(lever) if lever else None
     # what goes on over the cycle is asked of a mechanism that closes all round
     whole = not lever or not lever.kinematics.gaps

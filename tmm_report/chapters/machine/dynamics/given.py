@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from dataclasses import field
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
-from tmm_report.chapters.lever.kinetostatics.ties import TorsionSpring
 from tmm_report.mechanics.calculus.laws import ByAngle
 from tmm_report.mechanics.machine.characteristics import Characteristic
 from tmm_report.problems import N_
@@ -16,6 +15,7 @@ from tmm_report.records import dataclass
 if TYPE_CHECKING:
     from pydantic import Field
 
+    from tmm_report.chapters.lever.kinetostatics.solve.lengths import TorsionSpring
     from tmm_report.variant.values import (
         Angle,
         Distance,

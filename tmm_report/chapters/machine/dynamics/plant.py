@@ -11,15 +11,16 @@ import numpy as np
 
 from tmm_report.chapters.lever.kinetostatics.quantities.positions import moments
 from tmm_report.chapters.lever.kinetostatics.solve.lengths import (
+    Twist,
     energy,
     is_torsion,
     ties_of,
     torsions_of,
     turned,
     twist_energy,
+    twists,
     wound_up,
 )
-from tmm_report.chapters.lever.kinetostatics.ties import Twist, twists
 from tmm_report.chapters.lever.moving import Machine, Moving, machine
 from tmm_report.chapters.machine.dynamics import refusals
 from tmm_report.chapters.machine.dynamics.given import Given, Part, Spring, Supply

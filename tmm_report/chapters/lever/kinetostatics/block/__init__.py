@@ -11,6 +11,7 @@ from tmm_report.chapters.lever.kinetostatics.block.doubts import doubts as odd
 from tmm_report.chapters.lever.kinetostatics.block.models import LoadsModel
 from tmm_report.chapters.lever.kinetostatics.given import Force, Loads, Moment, SharedDiagram
 from tmm_report.chapters.lever.kinetostatics.ties import End, ends, twists
+from tmm_report.chapters.lever.kinetostatics.ties import TorsionSpring as TorsionSpring
 from tmm_report.chapters.lever.structure.block import FRAME, names, stated, without
 from tmm_report.problems import Problem
 from tmm_report.variant import model

@@ -9,7 +9,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from tmm_report.chapters.lever.kinetostatics.given import Loads
-from tmm_report.chapters.lever.kinetostatics.ties import End, Spring, Tie, Twist, apart
+from tmm_report.chapters.lever.kinetostatics.ties import End, Spring, Tie, apart
+from tmm_report.chapters.lever.kinetostatics.ties import TorsionSpring as TorsionSpring
+from tmm_report.chapters.lever.kinetostatics.ties import Twist as Twist
+from tmm_report.chapters.lever.kinetostatics.ties import twists as twists
 from tmm_report.mechanics.calculus.laws import ByLength, Law
 from tmm_report.mechanics.calculus.vectors import NOWHERE, dot
 from tmm_report.mechanics.lever.mechanism import FRAME

@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from tmm_report.chapters.lever.kinetostatics.ties import TorsionSpring
+from tmm_report.chapters.lever.kinetostatics.block import TorsionSpring
 from tmm_report.chapters.machine.dynamics.block.motors import MotorModel, ResistanceModel
 from tmm_report.chapters.machine.dynamics.given import Coast, Spring, Start
 from tmm_report.variant.model import Model
