@@ -173,6 +173,7 @@ class LeverFound:
     press: press.Found | None = None
     readings: readings.ReadingsFound | None = None
     methods: methods.Found | None = None
+    sprung: tuple[tuple[str, complex], ...] = ()  # of springs of dynamics, to be drawn: point, fixed place, m
 
     @property
     def sample(self) -> int:
@@ -258,6 +259,7 @@ def _solved(variant: Variant, moved: Moved | None) -> Results:
             variant.lever,
             moved,
             flywheel=variant.flywheel,
+            machine=variant.dynamics,
         )
     moving = _moving(lever) if lever else None
     # what goes on over the cycle is asked of a mechanism that closes all round
@@ -294,9 +296,12 @@ def _moving(lever: LeverFound, rubs: bool = True) -> Moving:
     )
 
 
-def solve_lever(given: LeverGiven, moved: Moved | None = None, flywheel: Any = None) -> LeverFound:
+def solve_lever(
+    given: LeverGiven, moved: Moved | None = None, flywheel: Any = None, machine: Any = None
+) -> LeverFound:
     """The chapters of a lever mechanism. `flywheel`: its Given, by which the friction of the pairs is in the machine
-    whose positions are counted. Raises ProblemError."""
+    whose positions are counted; `machine`: that of the machine in motion, whose springs are drawn. Raises
+    ProblemError."""
     links = moved.structure if moved else structure.solve(given.mechanism)
     motion = moved.kinematics if moved else kinematics.solve(given.positions, links, given.way)
     drawn = plans.solve(given.drawing, given.positions.plans, motion)
@@ -314,6 +319,7 @@ def solve_lever(given: LeverGiven, moved: Moved | None = None, flywheel: Any = N
         translation.solve(given.translation, motion, forces) if given.translation is not None else None,
         transmission.solve(motion, given.transmission) if given.transmission else None,
         press.solve(motion, given.press) if given.press else None,
+        sprung=machine.held if machine else (),
     )
     if given.methods:
         moving = _moving(found, flywheel is None or flywheel.friction)
@@ -342,7 +348,7 @@ def _readings(found: LeverFound) -> readings.ReadingsFound:
 # ---------------------------------------------------------------- the chapters by name
 
 INITIAL_DATA = "initial_data"  # what a lever mechanism is given, at the head of its chapters
-LEVER = tuple(record.name for record in fields(LeverFound) if record.name != "given")
+LEVER = tuple(record.name for record in fields(LeverFound) if record.name not in ("given", "sprung"))
 OTHERS = tuple(record.name for record in fields(Results) if record.name not in ("variant", "lever"))
 """The chapters beside the lever's: the key of such a chapter's block is its name."""
 BEFORE = ("find", "synthesis")  # what stands in the note before the lever mechanism, of the others

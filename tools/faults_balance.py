@@ -414,4 +414,15 @@ FAULTS = (
           "s.P_hand = s.M_screw / (s.n_hand * s.l_hand if of.sharing > 1 else s.l_hand)",
           "s.P_hand = s.M_screw / s.l_hand", "jack_and_belt",
           ("tests/chapters/machine/pairs/test_contacts.py",)),
+    # --- what lowers the shaking moment, drawn ---
+    Fault("both weights of a pair drawn alike", "tmm_report/chapters/machine/balancing/draw_moment.py",
+          "axis + side * cmath.rect(arm, angle)", "axis + cmath.rect(arm, angle)",
+          tests=("tests/chapters/machine/balancing/test_drawn_against_moment.py",)),
+    Fault("weights drawn as of position 0", "tmm_report/chapters/machine/balancing/draw_moment.py",
+          "one.angle + one.order * turned", "one.angle + one.order * 0 * turned",
+          tests=("tests/chapters/machine/balancing/test_drawn_against_moment.py",)),
+    Fault("a wheel and its mate exchanged", "tmm_report/chapters/machine/balancing/draw_moment.py",
+          "PITCH * abs(wheel.ratio) ** 0.5, PITCH / abs(wheel.ratio) ** 0.5",
+          "PITCH / abs(wheel.ratio) ** 0.5, PITCH * abs(wheel.ratio) ** 0.5",
+          tests=("tests/chapters/machine/balancing/test_drawn_against_moment.py",)),
 )  # fmt: skip

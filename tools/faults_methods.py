@@ -358,4 +358,107 @@ FAULTS = (
         "",
         tests=("tests/mechanics/rivals/test_parallelograms.py",),
     ),
+    # --- what is asked about at the door ---
+    Fault(
+        "a mass of a metre judged in other units than it is stated",
+        "tmm_report/variant/closed.py",
+        "size / own",
+        "own / size",
+        tests=("tests/chapters/lever/test_stated_masses.py",),
+    ),
+    Fault(
+        "a mass of a metre judged whatever the size of the mechanism",
+        "tmm_report/chapters/lever/structure/block/odd.py",
+        "STEEL * (BAR * longest) ** 2",
+        "STEEL * BAR**2",
+        tests=("tests/chapters/lever/test_stated_masses.py",),
+    ),
+    Fault(
+        "an unknown kind of governor told twice",
+        "tmm_report/chapters/machine/governor/block.py",
+        "not broken - _BESIDE",
+        "True",
+        tests=("tests/variant/words/test_not_offered.py",),
+    ),
+    # --- accelerations that jump ---
+    Fault(
+        "the sides of a jump exchanged",
+        "tmm_report/chapters/lever/kinematics/solve/jumps.py",
+        "one.turned + one.side * BESIDE",
+        "one.turned - one.side * BESIDE",
+        tests=("tests/chapters/lever/driving/test_accelerations_that_jump.py",),
+    ),
+    Fault(
+        "a jump drawn slanted",
+        "tmm_report/chapters/lever/kinematics/solve/jumps.py",
+        "BESIDE = 2e-4",
+        "BESIDE = 4e-2",
+        tests=("tests/chapters/lever/driving/test_accelerations_that_jump.py",),
+    ),
+    Fault(
+        "the side before the middle of a long phase missed",
+        "tmm_report/mechanics/cams/follower_laws.py",
+        "BEFORE = 7 * EDGE",
+        "BEFORE = 3 * EDGE",
+        tests=("tests/chapters/lever/driving/test_accelerations_that_jump.py",),
+    ),
+    Fault(
+        "the last position said to be at no jump",
+        "tmm_report/chapters/lever/kinematics/solve/jumps.py",
+        "self.turned + self.period",
+        "self.turned - self.period",
+        tests=("tests/chapters/lever/driving/test_accelerations_that_jump.py",),
+    ),
+    # --- torsion springs of the machine in motion ---
+    Fault(
+        "a torsion spring of the machine turns its first link alone",
+        "tmm_report/chapters/machine/dynamics/plant.py",
+        "pull * (rates[0] - rates[1])",
+        "pull * rates[0]",
+        tests=("tests/chapters/lever/ties/test_torsion_springs.py",),
+    ),
+    Fault(
+        "the energy of the machine's torsion springs left out",
+        "tmm_report/chapters/machine/dynamics/plant.py",
+        "turning, found = _twists(given, moving), list[Array]()",
+        "turning, found = [], list[Array]()",
+        tests=("tests/chapters/lever/ties/test_torsion_springs.py",),
+    ),
+    # --- reduction by a law of the driving link ---
+    Fault(
+        "the equation of motion by a law without its acceleration",
+        "tmm_report/chapters/lever/reduction/solve.py",
+        "if self.kinematics.by_law:",
+        "if False:",
+        tests=("tests/chapters/lever/test_reduction.py",),
+    ),
+    Fault(
+        "reduced by a law with the law's own speeds",
+        "tmm_report/chapters/lever/reduction/solve.py",
+        "return motion if motion.phase is None else in_unit_motion(motion)",
+        "return motion",
+        tests=("tests/chapters/lever/test_reduction.py",),
+    ),
+    # --- two positions of a rocker or a slider ---
+    Fault(
+        "a crank by two positions of twice its length",
+        "tmm_report/chapters/lever/synthesis/positions_steps.py",
+        "s.crank = over / (2 * under)",
+        "s.crank = over / under",
+        tests=("tests/chapters/lever/synthesis/test_random_demands.py",),
+    ),
+    Fault(
+        "two positions of different assemblies taken for one linkage",
+        "tmm_report/mechanics/lever/synthesis.py",
+        "(sides[0] * sides[1] > 0) & meets",
+        "meets",
+        tests=("tests/chapters/lever/synthesis/test_random_demands.py",),
+    ),
+    Fault(
+        "a rocker's extreme positions taken the wrong way round",
+        "tmm_report/chapters/lever/synthesis/positions_steps.py",
+        "first, second = sorted(asked.angles, key=abs)",
+        "second, first = sorted(asked.angles, key=abs)",
+        tests=("tests/chapters/lever/synthesis/test_synthesis_twice.py",),
+    ),
 )

@@ -31,6 +31,7 @@ RUBBING, SLIDING = (
     (f"tests/chapters/lever/friction/test_friction_of_{what}.py",) for what in ("wheels", "strokes")
 )
 BALANCING = ("tests/chapters/machine/balancing",)
+SPRINGS = ("tests/figures/test_springs.py",)
 
 FAULTS = (
     # --- the note as a whole ---
@@ -126,8 +127,8 @@ FAULTS = (
           'yield Force(at, one.vector, label', 'yield Force(at, -one.vector, label'),
     Fault("a swing centre on the other side", FORCES + "drafting/sheet.py", "at=complex(force.at + shift)",
           "at=complex(force.at - shift)"),
-    Fault("a loading scheme at another scale", FORCES + "loading_draw.py", "view = _view(kinematics, mu_l,",
-          "view = _view(kinematics, 1.05 * mu_l,"),
+    Fault("a loading scheme at another scale", FORCES + "loading_draw.py", "_view(kinematics, mu_l, drawn",
+          "_view(kinematics, 1.05 * mu_l, drawn"),
     Fault("the force of the gear a cosine too small", STATICS + "quantities/driving_gear.py",
           "FORCE.column(gear.size(moment, omega))",
           "FORCE.column(gear.size(moment, omega) * np.cos(gear.pressure))", "shaper"),
@@ -293,7 +294,7 @@ FAULTS = (
     Fault("higher pairs of a group not counted", "tmm_report/chapters/lever/structure/solve.py",
           "len(group.links) - len(links)", "0", "cam_press",
           ("tests/chapters/lever/kinematics/test_determinate_groups.py",)),
-    Fault("accelerations that jump not among the extremes", MECHANICS + "lever/cycle.py", "np.array([-3 * EDGE, 0.0])",
+    Fault("accelerations that jump not among the extremes", MECHANICS + "lever/cycle.py", "np.array([-BEFORE, 0.0])",
           "np.array([0.0, 0.0])", "cam_press", ("tests/chapters/lever/cams/test_cam_pairs.py",)),
     Fault("pressure angle of a lever written out wrong", "tmm_report/chapters/lever/cam/formulas.py",
           "near - arm * (1 - slope)", "near - arm * (1 + slope)", "cam_press",
@@ -466,4 +467,24 @@ FAULTS = (
           SLIDING),
     Fault("friction reduced to a stroke by the phase", FRICTION + "solve.py", "self.total / np.abs(self.speed)",
           "self.total / abs(self.omega)", LIFTED, SLIDING),
+    # --- springs and dampers in schemes ---
+    Fault("springs as they are in position 0", FIGURES + "schemes/ties.py",
+          "complex(self.places[one][self.position]) for one in tie.ends",
+          "complex(self.places[one][0]) for one in tie.ends", tests=SPRINGS),
+    Fault("springs of the same ends upon one another", FIGURES + "schemes/ties.py",
+          "yield from zigzag(start + by, end + by,", "yield from zigzag(start, end,", tests=SPRINGS),
+    Fault("a piston that leaves its cup", FIGURES + "springs.py", "ROOM = (0.2, 0.8)", "ROOM = (0.2, 1.4)",
+          tests=SPRINGS),
+    Fault("a zigzag of uneven coils", FIGURES + "springs.py", "long - 2 * lead", "long - lead", tests=SPRINGS),
+    Fault("loading schemes show the springs of other links", FIGURES + "schemes/ties.py",
+          "links is None or set(tie.links) & set(links)",
+          "links is None or not set(tie.links) & set(links)", tests=SPRINGS),
+    Fault("a mass centre tied to the wrong end of a bar in line", FIGURES + "schemes/bodies.py",
+          "return (one,) if straight", "return (other,) if straight", tests=("tests/figures/test_mass_centres.py",)),
+    Fault("a mass centre tied to its link in another position", FIGURES + "schemes/view.py",
+          "line(self.at(name, end), self.at(name, local), THIN)", "line(end, self.at(name, local), THIN)",
+          tests=("tests/figures/test_mass_centres.py",)),
+    Fault("links that travel are not asked for their inertia", STRUCTURE + "block/doubts.py",
+          '"governor", "reduction", "travel")', '"governor", "reduction")',
+          tests=("tests/chapters/machine/travel/test_masses_that_travel.py",)),
 )  # fmt: skip

@@ -86,6 +86,38 @@ def _two(draw):
     return f"{_poses(draw, 2)}, crank: {u(0.03, 0.3)}{rocker}{''.join(sides)}"
 
 
+def _angles(draw, low, high, least):
+    """Two angles of a range, some of them below nought, at least so far apart, deg."""
+    first = draw.uniform(low, high - least)
+    both = [first, draw.uniform(first + least, high)]
+    draw.shuffle(both)
+    sign = draw.choice([1, -1])
+    return f"[{sign * both[0]} deg, {sign * both[1]} deg]"
+
+
+def _rocker_positions(draw):
+    u = draw.uniform
+    transmission = draw.choice(["", f", transmission: {u(10, 50)} deg"])
+    if draw.random() < 0.5:
+        frame = draw.choice(["", f", frame: {u(0.1, 1)}"])
+        return f"rocker: {u(0.1, 1)}, angles: {_angles(draw, 5, 175, 3)}{frame}{transmission}"
+    rocker = draw.choice(["", f", rocker: {u(0.1, 1)}"])
+    return (
+        f"frame: {u(0.1, 1)}, angles: {_angles(draw, 5, 175, 3)}, crank_angles: {_angles(draw, -90, 150, 10)}"
+        f"{rocker}{transmission}"
+    )
+
+
+def _slider_positions(draw):
+    u, sign = draw.uniform, draw.choice([1, -1])
+    places = f"places: [{sign * u(0.1, 0.5)}, {sign * u(0.1, 0.5)}]"
+    permitted = draw.choice(["", f", pressure_angle: {u(20, 60)} deg"])
+    if draw.random() < 0.5:
+        return f"{places}{draw.choice(['', f', offset: {u(0.005, 0.2)}'])}{permitted}"
+    offset = draw.choice(["", f", offset: {u(-0.2, 0.2)}"])
+    return f"{places}, crank_angles: {_angles(draw, -90, 180, 10)}{offset}{permitted}"
+
+
 DRAWN = {
     "slider_crank": _slider_crank,
     "crank_rocker": _crank_rocker,
@@ -95,6 +127,8 @@ DRAWN = {
     "dwell": _dwell,
     "body": lambda draw: _poses(draw, 3),
     "body of two positions": _two,
+    "rocker_positions": _rocker_positions,
+    "slider_positions": _slider_positions,
 }
 
 

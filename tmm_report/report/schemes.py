@@ -10,6 +10,7 @@ import numpy as np
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.schemes.scheme import Arrays, Drawn, groups_apart, positions_scheme, scheme
 from tmm_report.figures.schemes.strokes import Stroke
+from tmm_report.figures.schemes.ties import Tie
 from tmm_report.mechanics.lever.assur_groups import Group
 from tmm_report.mechanics.lever.cams.replacing_dyad import standing
 from tmm_report.mechanics.lever.mechanism import FRAME, Mechanism
@@ -20,16 +21,24 @@ from tmm_report.report.diagrams import scale_of
 
 class Schemes:
     """`table`, `paths`: the motion at the table positions and at those by which paths are drawn; `count`: distinct
-    table positions; `scale`: m/mm, that of the plans' construction."""
+    table positions; `scale`: m/mm, that of the plans' construction; `ties`: springs and dampers."""
 
-    def __init__(self, mechanism: Mechanism, table: Motion, paths: Motion, count: int, scale: float):
+    def __init__(
+        self,
+        mechanism: Mechanism,
+        table: Motion,
+        paths: Motion,
+        count: int,
+        scale: float,
+        ties: Sequence[Tie] = (),
+    ):
         self.mechanism, self.table, self.paths = mechanism.real, table, paths
-        self.count, self.scale = count, scale
+        self.count, self.scale, self.ties = count, scale, ties
 
     def one(self, position: int) -> Drawing:
         places, turns = self._whole
         zero = complex(self.table.turn(self.mechanism.driver.link)[0])
-        return scheme(self.mechanism, places, turns, self.scale, position, zero)
+        return scheme(self.mechanism, places, turns, self.scale, position, zero, ties=self.ties)
 
     def all(self, position: int, strokes: Sequence[Stroke] = ()) -> Drawing:
         """All positions, one of them drawn in full; working `strokes` are marked."""
@@ -44,6 +53,7 @@ class Schemes:
             self._traced,
             centres,
             strokes,
+            ties=self.ties,
         )
 
     def groups(self, groups: Sequence[Group], position: int) -> Drawn:

@@ -9,6 +9,7 @@ run.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from tmm_report.mechanics.lever.stated_masses import (
     Combined,
@@ -27,6 +28,7 @@ from tmm_report.problems import N_, Message, shown
 from tmm_report.quantity.units import WrongValue
 
 LONGEST = 60
+_CYRILLIC = re.compile("[\u0400-\u052f]")
 MOST = 6  # exponent
 _NAME = r"[0-9A-Za-z\u0400-\u0481\u048a-\u052f'’]"
 _TOKEN = re.compile(
@@ -52,6 +54,7 @@ _PLAIN = str.maketrans(
         "\N{NO-BREAK SPACE}": " ",
     }
 )
+_UNIT = re.compile("(kg|кг|g|г|t|т)[ ]*/[ ]*(mm|мм|cm|см|m|м)")
 _SIZES = {"kg": 1.0, "кг": 1.0, "g": 1e-3, "г": 1e-3, "t": 1e3, "т": 1e3}
 _METRES = {"m": 1.0, "м": 1.0, "cm": 1e-2, "см": 1e-2, "mm": 1e-3, "мм": 1e-3, "in": 0.0254}
 MASS, INERTIA, LENGTH = (1, 0), (1, 2), (0, 1)
@@ -243,6 +246,18 @@ def _measured(text: str) -> Number:
     if match[2] in _METRES:
         return Number(_number(match[1]) * _METRES[match[2]], LENGTH)
     return Number(_number(match[1]) * _SIZES[match[2]], MASS)
+
+
+def in_other_units(text: str) -> Iterator[tuple[str, float]]:
+    """A text with its mass of a metre in another usual unit, and by how many times that is the one stated."""
+    stated = _UNIT.search(text)
+    if stated is None:
+        return
+    own = _SIZES[stated[1]] / _METRES[stated[2]]
+    for unit in ("кг/м", "г/м") if _CYRILLIC.search(stated[0]) else ("kg/m", "g/m"):
+        mass, length = unit.split("/")
+        if (size := _SIZES[mass] / _METRES[length]) != own:
+            yield text[: stated.start()] + unit + text[stated.end() :], size / own
 
 
 def _per_length(text: str) -> PerLength:

@@ -1,5 +1,6 @@
 """Reduced moments: equality of energy and of power, the derivative, the balancing moment of the force analysis."""
 
+import json
 import math
 import re
 from dataclasses import replace
@@ -7,9 +8,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from conftest import read, solved, stating
+from note import read as read_note
 from notes import VARIANTS
+from reading import wrong
+from test_against_results import unmarked, wrong_cells, wrong_formulas
+from test_arithmetic import wrong_results
 
-from tmm_report import course
+from tmm_report import course, render
 from tmm_report.chapters.lever.kinematics.given import Positions
 from tmm_report.chapters.lever.kinetostatics.solve.positions import external_power, kinetic_energy
 from tmm_report.problems import ProblemError
@@ -104,3 +109,93 @@ def test_the_speed_for_which_a_plan_is_drawn_does_not_matter():
     for one, other in zip(slow.lever.reduction.plans, quick.lever.reduction.plans, strict=True):
         assert one.graph == pytest.approx(other.graph, rel=1e-12)
         assert dict(one.centres) == pytest.approx(dict(other.centres), rel=1e-12)
+
+
+# ---------------------------------------------------------------- a driving link that moves by a law
+
+BY_LAW = """language: en
+mechanism:
+  frame: {O: [0, 0], C: [0.4 m, 0.1 m]}
+  links:
+    1: {points: {O: [0, 0], A: [100 mm, 0]}, mass: 2 kg, mass_centre: A, inertia: 0.09 kg*m^2}
+    2: {points: {A: [0, 0], B: [450 mm, 0], S2: [225 mm, 0]}, mass: 1.5 kg, mass_centre: S2, inertia: m*l^2/12}
+    3: {points: {C: [0, 0], B: [300 mm, 0], S3: [150 mm, 0]}, mass: 2 kg, mass_centre: S3, inertia: m*l^2/12}
+  driver: {link: 1, DRIVES}
+  assembly: {B: left of A-C}
+loads: {gravity: 9.81 m/s^2, moments: [{on: 3, direction: against motion, constant: 25 N*m}]}
+reduction: REDUCED
+"""
+LAWS = {
+    "harmonic": "law: {angle: 60 deg, harmonic: {amplitude: 35 deg, frequency: 8 rad/s, phase: 40 deg}}",
+    "accelerated": "law: {speed: 2 rad/s, acceleration: 40 rad/s^2, time: 0.5 s}",
+    "with a dwell": "law: {phases: [{rise: 150 deg, law: parabolic}, {dwell: 60 deg}, {return: 150 deg, law: sine}], "
+    "swing: 60 deg, time: 1 s}",
+}
+
+
+def by_law(drives, reduced="true"):
+    return course.solve(course.loads(BY_LAW.replace("DRIVES", drives).replace("REDUCED", reduced))).lever
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_by_a_law_energy_and_power_are_those_of_the_reduced(law):
+    lever = by_law(LAWS[law])
+    motion, forces, reduced = lever.kinematics.diagram, lever.kinetostatics.diagram, lever.reduction.diagram
+    omega = motion.angular_velocity("1")
+    energy = kinetic_energy(motion)
+    assert reduced.whole_inertia * omega**2 / 2 == pytest.approx(energy, abs=1e-12 * energy.max())
+    power = external_power(lever.kinetostatics.given, forces.motion, forces.loading)
+    moving = (
+        np.abs(omega) > 1e-6 * np.abs(omega).max()
+    )  # a moment against the motion of what stands has no sense
+    assert (reduced.whole_moment * omega)[moving] == pytest.approx(
+        power[moving], abs=1e-12 * np.abs(power).max()
+    )
+    assert np.all(np.isfinite(reduced.whole_inertia)) and np.all(np.isfinite(reduced.slope))
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_by_a_law_the_inertia_is_that_of_the_place_and_the_slope_its_derivative(law):
+    """At the same angles of a mechanism that turns uniformly, at which no law takes part."""
+    lever = by_law(LAWS[law])
+    uniform = by_law("speed: 7 rad/s, zero: {angle: 0 deg}").kinematics
+    phi = lever.kinematics.diagram.phi
+    step = 1e-4 * np.array([-2, -1, 0, 1, 2])
+    motion = uniform.cycle.motion(np.mod(phi[:, None] + step, 2 * np.pi).ravel())
+    inertia = (2 * kinetic_energy(motion) / 7**2).reshape(-1, 5)
+    reduced = lever.reduction.diagram
+    assert reduced.whole_inertia == pytest.approx(inertia[:, 2], rel=1e-12)
+    slope = inertia @ np.array([1, -8, 0, 8, -1]) / (12 * 1e-4)
+    assert reduced.slope == pytest.approx(slope, abs=1e-8 * np.abs(slope).max())
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_by_a_law_the_equation_of_motion_gives_the_balancing_moment(law):
+    lever = by_law(LAWS[law])
+    assert lever.reduction.disagreement < 1e-9
+    reduced, motion = lever.reduction.table, lever.kinematics.table
+    omega, epsilon = motion.angular_velocity("1"), motion.angular_acceleration("1")
+    moment = reduced.whole_inertia * epsilon + omega**2 * reduced.slope / 2 - reduced.whole_moment
+    own = lever.kinetostatics.table.balancing
+    assert moment == pytest.approx(own, abs=1e-9 * np.abs(own).max())
+    assert np.abs(reduced.whole_inertia * epsilon).max() > 0.1 * np.abs(own).max()
+
+
+def test_by_a_law_the_reduction_to_another_link_is_refused_with_what_is_offered():
+    text = BY_LAW.replace("DRIVES", LAWS["harmonic"]).replace("REDUCED", "{link: 3}")
+    with pytest.raises(ProblemError, match="reduction: true, to the driving link"):
+        course.loads(text)
+
+
+@pytest.mark.parametrize("language", ["en", "ru"])
+def test_by_a_law_the_note_writes_the_equation_of_motion(language):
+    results = course.solve(
+        course.loads(BY_LAW.replace("DRIVES", LAWS["with a dwell"]).replace("REDUCED", "true"))
+    )
+    html = render(results, "html", language)["note.html"].decode()
+    note, document = read_note(html), json.loads(render(results, "json")["results.json"])
+    wrong(
+        [*wrong_cells(note, document), *wrong_formulas(note, document), *wrong_results(note), *unmarked(note)]
+    )
+    said = {"en": "by whatever law it moves", "ru": "по какому бы закону"}[language]
+    assert said in re.sub(r"\s+", " ", re.sub(r"<[^>]+>", "", html))

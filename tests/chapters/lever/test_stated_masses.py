@@ -290,3 +290,29 @@ def test_a_link_with_a_free_end_is_told_how_to_state_its_middle():
     with pytest.raises(ProblemError) as caught:
         loads(free)
     assert "S4: 0.5*l_CE in points, mass_centre: S4" in caught.value.problems[0].text()
+
+
+# ---------------------------------------------------------------- a mass of a metre that no link has
+
+
+@pytest.mark.parametrize(
+    ("rod", "asked"),
+    [
+        ("30 kg/mm", "30 kg/m"), ("30 кг/мм * l_AB", "30 кг/м * l_AB"),
+        ("12 t/m*(l_AB + l_BD)", "12 kg/m*(l_AB + l_BD)"),
+        ("1200 kg/m", "1200 g/m"),
+        ("5e-4 * 1 kg/m * l_AB", None), ("1 g/m", None), ("30 kg/m", None), ("3 g/mm", None), ("60 kg/m", None),
+    ],
+)  # fmt: skip
+def test_a_mass_of_a_metre_that_no_link_has_is_asked_about(rod, asked):
+    doubts = [one for one in loads(text(rod=rod)).doubts if one.key == "mechanism.links.2.mass"]
+    assert [one.line for one in doubts] == ([] if asked is None else [6])
+    for doubt in doubts:
+        assert f"{rod} is odd: a metre has" in doubt.text()
+        assert f"did you mean {asked}?" in doubt.text()
+
+
+def test_it_is_judged_by_the_size_of_the_mechanism():
+    large = text(rod="600 kg/m").replace("mm", "cm")  # a jaw crusher's links are of this size
+    assert [one.key for one in loads(large).doubts if "a metre has" in one.text()] == []
+    assert [one.key for one in loads(text(rod="600 kg/m")).doubts] == ["mechanism.links.2.mass"]

@@ -21,7 +21,7 @@ def differ(name: str, one: np.ndarray, other: np.ndarray, close: float = CLOSE) 
         yield f"{name} at position {k} is {one[k]:.6g}, by the rates {other[k]:.6g}"
 
 
-def energies(document: dict[str, Any], omega: float) -> Iterator[tuple[str, np.ndarray]]:
+def energies(document: dict[str, Any], omega: np.ndarray | float) -> Iterator[tuple[str, np.ndarray]]:
     """Twice the kinetic energy of each link by the square of the driver's angular velocity."""
     columns = {c["key"]: c["values"] for c in document["tables"]["masses"]["columns"]}
     rates = table_of(document, "rates_table")
@@ -71,7 +71,8 @@ def wrong_reduction(document: dict[str, Any], name: str) -> Iterator[str]:
     if "reduced_inertia_table" not in document["tables"]:  # a stroke drives
         return
     inertia = table_of(document, "reduced_inertia_table")
-    omega = table_of(document, "rates_table")[f"w_{scheme(name).driver}"][0]
+    rates, driver = table_of(document, "rates_table"), scheme(name).driver
+    omega, epsilon = rates[f"w_{driver}"], rates.get(f"e_{driver}", 0.0)  # by a law they vary
     parts = dict(energies(document, omega))
     for link, part in parts.items():
         yield from differ(f"I_{link}", inertia[f"I_{link}"], part)
@@ -82,7 +83,7 @@ def wrong_reduction(document: dict[str, Any], name: str) -> Iterator[str]:
         for key, power in work.items():
             yield from differ(f"M_red_{key}", moment[f"M_red_{key}"], power / omega)
         yield from differ("M_red", moment["M_red"], sum(work.values()) / omega)
-        balancing = omega**2 * inertia["I_red_slope"] / 2 - moment["M_red"]
+        balancing = inertia["I_red"] * epsilon + omega**2 * inertia["I_red_slope"] / 2 - moment["M_red"]
         yield from differ("M_bal", table_of(document, "balancing_table")["M_bal"], balancing, 1e-7)
 
 

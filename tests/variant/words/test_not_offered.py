@@ -78,6 +78,8 @@ NAMED = {
     ),
     "dynamics: {clutch: {}, parts: [{name: a, inertia: 1}]}": ("dynamics.clutch", "on and off of a regime"),
     "мальтийский механизм: {}": ("мальтийский механизм", "Geneva wheels are not offered"),
+    "motor: {moment: 30 N*m}": ("motor", "dynamics: {motor: {…}}"),
+    "двигатель: {moment: 30 N*m}": ("двигатель", "dynamics: {motor: {…}}"),
     "ratchets: []": ("ratchets", "ratchets are not offered"),
     "cardan: {}": ("cardan", "law of the driving link"),
     "spatial_linkage: {}": ("spatial_linkage", "all links move in one plane"),
@@ -93,6 +95,25 @@ def test_what_textbooks_have_is_known_by_its_name(text):
         course.loads(f"language: en\n{text}\n")
     told = {problem.key: problem.text() for problem in caught.value.problems}
     assert words in told[key]
+
+
+ONE_SLIP = (
+    "governor: {kind: hartnell}",
+    "governor: {type: porter, balls: {mass: 1 kg}}",
+    "motor: {moment: 30 N*m}",
+)
+
+
+@pytest.mark.parametrize("text", ONE_SLIP)
+def test_one_slip_is_told_once(text):
+    with pytest.raises(ProblemError) as caught:
+        course.loads(f"language: en\n{text}\n")
+    assert len(caught.value.problems) == 1
+
+
+def test_a_governor_of_no_kind_is_still_told():
+    with pytest.raises(ProblemError, match="nothing says what kind of governor it is"):
+        course.loads("language: en\ngovernor: {balls: {mas: 1 kg}}\n")
 
 
 IN_THE_MECHANISM = {

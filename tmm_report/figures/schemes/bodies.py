@@ -22,6 +22,7 @@ from tmm_report.records import dataclass
 
 BLOCK = complex(4.5, 2.5)  # half length and half height of a slider block, mm
 PAST = 3.0  # how far a guide runs past the block at the end of its travel, mm
+FLOATS = 4.0  # mm: a mass centre farther from its link is tied to it
 NEAR = 0.2  # points closer than this are one point on paper, mm
 
 Bar = tuple[complex, complex]
@@ -126,6 +127,27 @@ class Body:
 def bodies(motion: Motion) -> dict[str, Body]:
     """The look of every moving link; the same in all positions."""
     return {name: _body(motion, name) for name in motion.mechanism.moving}
+
+
+def held_at(body: Body, centre: complex) -> tuple[complex, ...]:
+    """Of a mass centre that would float beside its link, in its axes, mm: the places to which it is tied, both ends of
+    the nearest bar or edge, the nearer one of a bar in line with it, or the block; none of one on the link."""
+    plate = body.plate
+    edges = list(zip(plate, (*plate[1:], *plate[:1]), strict=True))
+    if body.outlines or (plate and all(((b - a).conjugate() * (centre - a)).imag >= 0 for a, b in edges)):
+        return ()
+    ends = [*body.bars, *edges, *((at, at) for at, _ in body.blocks)]
+    nearest = min(ends, key=lambda bar: abs(_apart(bar, centre)), default=(centre, centre))
+    if abs(_apart(nearest, centre)) <= FLOATS:
+        return ()
+    one, other = sorted(nearest, key=lambda end: abs(end - centre))
+    straight = abs(((other - one).conjugate() * (centre - one)).imag) <= NEAR * abs(other - one)
+    return (one,) if straight else (one, other)
+
+
+def _apart(bar: Bar, place: complex) -> complex:
+    """From the nearest place of a bar, which may be a point."""
+    return place - (bar[0] if bar[0] == bar[1] else _foot(bar, place))
 
 
 def is_rod(motion: Motion, slide: Slide) -> bool:

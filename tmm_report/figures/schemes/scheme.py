@@ -18,6 +18,7 @@ from tmm_report.figures.schemes.apart import in_rows, taken_off
 from tmm_report.figures.schemes.detail import Place, ring_reach, with_detail
 from tmm_report.figures.schemes.strokes import CLEAR, OUTSIDE, Stroke, stroke_bands, stroke_tags
 from tmm_report.figures.schemes.superposed import labelled, position_tags, superposed
+from tmm_report.figures.schemes.ties import Tie
 from tmm_report.figures.schemes.view import Arrays, View, view_of
 from tmm_report.mechanics.lever.mechanism import Mechanism
 
@@ -43,20 +44,24 @@ def scheme(
     zero: complex = 1.0,
     title: str = "",
     detailed: bool = True,
+    ties: Sequence[Tie] = (),
 ) -> Drawing:
     """One position. `zero`: unit direction from which the driver's angle is counted in its sense of rotation.
-    `detailed`: with a larger detail where the crank is short."""
+    `detailed`: with a larger detail where the crank is short; `ties`: springs and dampers."""
 
     def draw(view: View, place: Place) -> tuple[Sequence[Item], Sequence[Tag]]:
-        items, tags = [*view.plates(), *view.frame(), *view.links()], view.point_tags() + view.number_tags()
+        items, tags = (
+            [*view.plates(), *view.frame(), *view.links()],
+            [*view.point_tags(), *view.number_tags(), *view.tied.tags()],
+        )
         if place == "beside":
             return items, tags
         turning = view.driving_tags() + view.angle_tags(zero)
-        return [*items, *view.driving(), *view.angle(zero)], tags + turning
+        return [*items, *view.driving(), *view.angle(zero)], [*tags, *turning]
 
     mu = mu_l or standard_scale(mechanism, places, turns)
     return with_detail(
-        lambda scale: view_of(mechanism, places, turns, scale, position), mu, draw, title, detailed
+        lambda scale: view_of(mechanism, places, turns, scale, position, ties), mu, draw, title, detailed
     )
 
 
@@ -70,16 +75,18 @@ def positions_scheme(
     traced: Sequence[str] = (),
     strokes: Sequence[Stroke] = (),
     title: str = "",
+    ties: Sequence[Tie] = (),
 ) -> Drawing:
     """All positions, `position` drawn thick, the places of cranks, rockers and sliders numbered.
 
     `paths`: denser places of the points, complex (Q,), m, for their trajectories; `traced` names points to trace
-    beside the coupler points, mass centres for example; `strokes`: working strokes, marked round the driver's circle.
+    beside the coupler points, mass centres for example; `strokes`: working strokes, marked round the driver's circle;
+    `ties`: springs and dampers.
     """
 
     def draw(view: View, place: Place) -> tuple[Sequence[Item], Sequence[Tag]]:
         numbers = [tag for point in _numbered(view, place) for tag in position_tags(view, point)]
-        tags = [*view.point_tags(), *numbers, *view.number_tags()]
+        tags = [*view.point_tags(), *numbers, *view.number_tags(), *view.tied.tags()]
         tags += [] if place == "beside" else view.driving_tags()
         turning = [] if place == "beside" else view.driving()
         shown = () if place == "detail" else strokes
@@ -88,7 +95,9 @@ def positions_scheme(
         return [*items, *turning], [*tags, *stroke_tags(view, shown, outside)]
 
     mu = mu_l or standard_scale(mechanism, places, turns)
-    return with_detail(lambda scale: view_of(mechanism, places, turns, scale, position), mu, draw, title)
+    return with_detail(
+        lambda scale: view_of(mechanism, places, turns, scale, position, ties), mu, draw, title
+    )
 
 
 def _numbered(view: View, place: Place) -> list[str]:

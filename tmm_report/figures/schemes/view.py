@@ -26,8 +26,20 @@ from tmm_report.figures.drawing import (
 )
 from tmm_report.figures.lettering import Symbol, joined, symbol
 from tmm_report.figures.schemes import marks
-from tmm_report.figures.schemes.bodies import BLOCK, NEAR, PAST, Body, Motion, bodies, bushing, is_rod, number
+from tmm_report.figures.schemes.bodies import (
+    BLOCK,
+    NEAR,
+    PAST,
+    Body,
+    Motion,
+    bodies,
+    bushing,
+    held_at,
+    is_rod,
+    number,
+)
 from tmm_report.figures.schemes.fixed_wheels import fixed
+from tmm_report.figures.schemes.ties import Tie, Ties
 from tmm_report.mechanics.lever.mechanism import FRAME, Guide, Mechanism, Slide
 from tmm_report.records import dataclass
 
@@ -45,6 +57,7 @@ class View:
     motion: Motion
     position: int
     shapes: Mapping[str, Body]  # the same in all positions
+    ties: Sequence[Tie] = ()  # springs and dampers
 
     @property
     def mechanism(self) -> Mechanism:
@@ -54,6 +67,10 @@ class View:
     def bodies(self) -> dict[str, Body]:
         """The links that assemble in this position."""
         return {name: body for name, body in self.shapes.items() if cmath.isfinite(self.at(name, 0))}
+
+    @cached_property
+    def tied(self) -> Ties:
+        return Ties(self.motion, self.position, self.ties)
 
     @cached_property
     def points(self) -> dict[str, complex]:
@@ -97,7 +114,11 @@ class View:
             items += marks.support(self.points[point]) if FRAME in names else []
         bare = self.cylinder and self._fixed(self.cylinder[0]) and self.cylinder[0]
         items += marks.support(self.points[bare]) if bare and bare not in self.joints else []
+        stands = [self.points[p] for p, names in self.joints.items() if FRAME in names]
+        held = [z for z in self.tied.fixed if all(abs(z - other) > NEAR for other in stands)]
+        items += [item for z in held for item in marks.support(z)]
         guiding = [p for p in self.points if self._fixed(p) and p not in self.joints and p != bare]
+        guiding = [p for p in guiding if all(abs(self.points[p] - z) > NEAR for z in held)]
         return items + [item for p in guiding for item in marks.place(self.points[p])]
 
     def _fixed_slide(self, slide: Slide, guide: Guide) -> list[Item]:
@@ -128,7 +149,8 @@ class View:
     def links(self, names: Sequence[str] | None = None) -> list[Item]:
         """The links drawn thick, with blocks, joints and mass centres."""
         chosen = [name for name in self.bodies if names is None or name in names]
-        items = self.skeleton(THICK, chosen)
+        items = [] if names is not None else [*self.tied.items(), *self._held()]
+        items += [*self._ties_of_centres(chosen), *self.skeleton(THICK, chosen)]
         for name in chosen:
             for outline in self.bodies[name].outlines:
                 items.append(polygon([self.at(name, z) for z in outline], NORMAL))
@@ -147,6 +169,21 @@ class View:
         centres = {self.mechanism.links[name].mass_centre for name in chosen}
         single = [p for name in chosen for p in self.mechanism.links[name].points if p not in self.joints]
         return items + [dot(self.points[p], 0.7 if p in centres else 0.5) for p in single if p in self.points]
+
+    def _ties_of_centres(self, names: Sequence[str]) -> list[Item]:
+        """Thin lines from the links to those of their mass centres that would float beside them."""
+        items: list[Item] = []
+        for name in names:
+            centre = self.mechanism.links[name].mass_centre
+            if centre in self.points and centre not in self.joints:
+                local = self.motion.local(name, str(centre))
+                ends = held_at(self.bodies[name], local)
+                items += [line(self.at(name, end), self.at(name, local), THIN) for end in ends]
+        return items
+
+    def _held(self) -> list[Item]:
+        """The pivots on the frame of springs and dampers."""
+        return [item for z in self.tied.fixed for item in marks.joint(z)]
 
     @cached_property
     def block(self) -> complex:
@@ -355,6 +392,13 @@ class View:
         return tuple(self.at(name, place) for place in sorted(places, key=crowded.__getitem__))
 
 
-def view_of(mechanism: Mechanism, places: Arrays, turns: Arrays, mu: float, position: int) -> View:
+def view_of(
+    mechanism: Mechanism,
+    places: Arrays,
+    turns: Arrays,
+    mu: float,
+    position: int,
+    ties: Sequence[Tie] = (),
+) -> View:
     motion = Motion(mechanism, places, turns, mu)
-    return View(motion, position, bodies(motion))
+    return View(motion, position, bodies(motion), ties)

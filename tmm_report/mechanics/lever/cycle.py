@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, assert_never
 import numpy as np
 
 from tmm_report.mechanics.calculus.vectors import dot
-from tmm_report.mechanics.cams.follower_laws import EDGE
+from tmm_report.mechanics.cams.follower_laws import BEFORE
 from tmm_report.mechanics.lever.cams.kinks import breaks
 from tmm_report.mechanics.lever.cycle_search import FULL_TURN, Search
 from tmm_report.mechanics.lever.cycle_search import Quantity as Quantity
@@ -178,7 +178,7 @@ class Cycle(Search):
         """Angles turned at which accelerations may jump by a law of a cam or of the driving link, and just before
         them, rad."""
         found = self.breaks
-        return np.mod((found[:, None] + np.array([-3 * EDGE, 0.0])).ravel(), FULL_TURN)
+        return np.mod((found[:, None] + np.array([-BEFORE, 0.0])).ravel(), FULL_TURN)
 
 
 def cycle_of(linkage: Linkage) -> Cycle:

@@ -296,6 +296,78 @@ def led(pins: Array, ends: Array, off_crank: float, off_rocker: Array) -> Led:
     return Led(crank, rocker, np.where(sound, np.min(angles, axis=0), np.nan))
 
 
+# ---------------------------------------------------------------- two positions of a rocker or of a slider
+
+
+@dataclass(frozen=True, eq=False)
+class Between:
+    """Crank and rod over what is free; `angle`: the least transmission angle, or the greatest pressure angle, rad; all
+    nan where no linkage meets the demand."""
+
+    a: Array
+    b: Array
+    angle: Array
+
+
+def rockers_between(psi: tuple[float, float], c: float, d: Array) -> Between:
+    """Crank-rockers whose rocker is extreme at the angles psi from the line of the pivots, the nearer to it first, over
+    the distance of the pivots: in both the crank is on the line of the rod."""
+    far, near = (np.abs(d + c * np.exp(1j * one)) for one in psi)
+    a, b = (far - near) / 2, (far + near) / 2
+    inner, outer = (np.arccos((b**2 + c**2 - side**2) / (2 * b * c)) for side in (d - a, d + a))
+    return Between(a, b, np.minimum(inner, np.pi - outer))
+
+
+def rockers_through(phi: tuple[float, float], psi: tuple[float, float], d: float, c: Array) -> Between:
+    """Four-bar linkages at the angles phi of the crank and psi of the rocker, over the rocker: the rod is equally long
+    in both."""
+    over = c * d * (np.cos(psi[0]) - np.cos(psi[1]))
+    under = d * (np.cos(phi[0]) - np.cos(phi[1])) + c * (np.cos(phi[0] - psi[0]) - np.cos(phi[1] - psi[1]))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        a = over / under
+    ends = [d + c * np.exp(1j * one) for one in psi]
+    pins = [a * np.exp(1j * one) for one in phi]
+    b = np.abs(ends[0] - pins[0])
+    sides = [np.imag(np.conj(end - pin) * (d - pin)) for end, pin in zip(ends, pins, strict=True)]
+    pin = a[..., None] * np.exp(1j * _way(phi))
+    size, long = np.abs(pin - d), c[..., None]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        cosine = (b[..., None] ** 2 + long**2 - size**2) / (2 * b[..., None] * long)
+    meets = (np.abs(cosine) < 1).all(axis=-1)
+    angle = np.arccos(np.minimum(np.abs(cosine).max(axis=-1), 1.0))
+    return _met((a > 0) & (b > 0) & (sides[0] * sides[1] > 0) & meets, a, b, angle)
+
+
+def sliders_through(phi: tuple[float, float], x: tuple[float, float], e: Array) -> Between:
+    """Slider-cranks at the angles phi of the crank and the places x of the slider, over the offset; the slide line is
+    below the crank's pivot."""
+    under = x[0] * np.cos(phi[0]) - x[1] * np.cos(phi[1]) - e * (np.sin(phi[0]) - np.sin(phi[1]))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        a = (x[0] ** 2 - x[1] ** 2) / (2 * under)
+    b = np.abs(x[0] - 1j * e - a * np.exp(1j * phi[0]))
+    ahead = [x[k] - a * np.cos(phi[k]) for k in (0, 1)]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        sine = np.abs(e[..., None] + a[..., None] * np.sin(_way(phi))) / b[..., None]
+    most = sine.max(axis=-1)
+    sound = (a > 0) & (b > 0) & (ahead[0] * ahead[1] > 0) & (most < 1)
+    return _met(sound, a, b, np.arcsin(np.minimum(most, 1.0)))
+
+
+WAY = 720  # steps of the way of a crank between two positions
+
+
+def _way(phi: tuple[float, float]) -> Array:
+    """Angles of the crank from the first position to the second, with those at which it lies along or across the frame,
+    where the angle of transmission or pressure is extreme."""
+    low, high = min(phi), max(phi)
+    quarters = np.arange(np.ceil(low / (np.pi / 2)), np.floor(high / (np.pi / 2)) + 1) * (np.pi / 2)
+    return np.concatenate([np.linspace(*phi, WAY + 1), quarters])
+
+
+def _met(sound: Array, *parts: Array) -> Between:
+    return Between(*(np.where(sound, one, np.nan) for one in parts))
+
+
 # ---------------------------------------------------------------- extremes and roots over a parameter
 
 

@@ -68,6 +68,7 @@ coupler: шатунная плоскость
 couples: пары сил
 course: курс
 crank: кривошип
+crank_angles: углы кривошипа
 crank_at: сторона кривошипа
 crank_from: начальный угол кривошипа
 crank_pin: палец кривошипа
@@ -201,6 +202,7 @@ phases: фазы
 pitch: шаг
 pivot: пята
 pivots: оси
+places: положения ползуна, места
 planes: плоскости
 polar: полярный
 polynomial: полином, многочлен
@@ -238,6 +240,7 @@ rocker: коромысло
 rocker_from: начальный угол коромысла
 rocker_joint: шарнир коромысла
 rocker_pivot: ось коромысла
+rocker_positions: положения коромысла
 rocker_turn: поворот коромысла
 rod: шатун
 rod_length: длина шатуна
@@ -267,6 +270,7 @@ sleeve: муфта регулятора
 sleeve_arm: плечо муфты
 slider: ползун
 slider_crank: кривошипно-ползунный механизм, кривошипно-ползунный
+slider_positions: два положения ползуна
 sliding_limit: предел скольжения
 slope: наклон
 slotted_link: кулиса, качающаяся кулиса, кулисный механизм

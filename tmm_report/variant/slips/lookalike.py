@@ -18,6 +18,7 @@ from tmm_report.quantity.typed.alike import difference, latin, script, skeleton
 from tmm_report.records import dataclass
 from tmm_report.variant.leaves import Leaf, leaves
 from tmm_report.variant.model import Block
+from tmm_report.variant.slips import textbook
 from tmm_report.yamlread import Document, Path
 
 SOME = 40  # blocks of unknown names that are held against the known ones
@@ -48,7 +49,7 @@ def _misspelt(
     """Blocks whose names are misspelt: read as what is meant, as the others could not do without them."""
     keys: dict[Path, str] = {}
     problems: list[Problem] = []
-    for key in unknown:
+    for key in (one for one in unknown if not textbook.known(one)):
         free = [one for one in known if one not in keys.values()]
         if found := get_close_matches(key.casefold(), free, 1, CLOSE):
             keys[(key,)] = found[0]

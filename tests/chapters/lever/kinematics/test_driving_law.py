@@ -203,7 +203,7 @@ def test_what_the_law_says_itself_is_not_stated_beside_it(key):
     [
         "flywheel: {delta: 0.05, mean_speed: 5 rad/s}",
         "friction: {joints: {coefficient: 0.1, diameter: 20 mm}}",
-        "reduction: true",
+        "reduction: {link: 4}",
         "methods: true",
         "method: auto",
     ],

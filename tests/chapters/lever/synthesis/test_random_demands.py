@@ -346,9 +346,116 @@ def body(found):
                 assert number(key) == getattr(stated, key)
 
 
+def positions(found):
+    """Of two positions of a rocker or a slider: by the solver, at the extremes or at the angles of the crank."""
+    for sliding in (True, False):
+        own = [one for one in found if ("x_1" in one.s) == sliding]
+        for extreme in (True, False):
+            chosen = [one for one in own if (one.given.asked.crank_angles is None) == extreme]
+            if chosen:
+                (_extreme if extreme else _with_crank)(chosen, sliding)
+
+
+def _linkage(found, sliding):
+    """The solver's motion at angles (V, P), in the assembly that each is in; where the joint of rod and output is, and
+    the output's coordinate."""
+    a, b = numbers(found, "crank", "rod")
+    count = len(found)
+    if sliding:
+        (e,) = numbers(found, "offset")
+        links = {"0": {"O": 0j}, "1": {"O": 0j, "A": a}, "2": {"A": 0j, "B": b}, "3": {"B": 0j}}
+        more = [Guide("x", "0", -1j * e, 1 + 0j)], [Slide("3", "x")]
+        sign = np.array([np.sign(one.given.asked.places[0] - _pin(one)) for one in found])[:, None]
+    else:
+        c, d = numbers(found, "rocker", "frame")
+        links = {
+            "0": {"O": 0j, "C": d + 0j},
+            "1": {"O": 0j, "A": a},
+            "2": {"A": 0j, "B": b},
+            "3": {"C": 0j, "B": c},
+        }
+        more, sign = ((), ()), None
+
+    def at(phi, sign=sign):
+        return moved(links, phi, sign.astype(int), *more)
+
+    if sliding:
+        return at, lambda m: m.place("B").real
+    psi = np.array([one.given.asked.angles[0] for one in found])[:, None]
+    first = np.array([_first_angle(one) for one in found])[:, None]
+    miss = []
+    for one in (1, -1):
+        m = at(first, np.full((count, 1), one))
+        miss.append(np.abs(m.place("B") - d - c * np.exp(1j * psi)))
+    sign = np.where(miss[0] < miss[1], 1, -1)
+    return (lambda phi: at(phi, sign)), (lambda m: np.angle(m.place("B") - d))
+
+
+def _first_angle(one):
+    """Of the crank in the first stated position: stated, or on the line of the rod there."""
+    asked_ = one.given.asked
+    if asked_.crank_angles is not None:
+        return asked_.crank_angles[0]
+    end = one.s.number("frame") + one.s.number("rocker") * np.exp(1j * asked_.angles[0])
+    outstretched = abs(asked_.angles[0]) < abs(asked_.angles[1])
+    return np.angle(end if outstretched else -end) + 1e-7
+
+
+def _pin(one):
+    """How far to the right the crank's pin is in the first stated place of the slider."""
+    angles = one.given.asked.crank_angles
+    return one.s.number("crank") * np.cos(angles[0]) if angles else 0.0
+
+
+def _extreme(found, sliding):
+    at, coordinate = _linkage(found, sliding)
+    count = len(found)
+    (b,) = numbers(found, "rod")
+
+    def rate(phi):
+        m = at(phi)
+        return m.velocity("B").real if sliding else m.angular_velocity("3")
+
+    reached = coordinate(at(dead_points(rate, count)))
+    stated = np.array([one.given.asked.places if sliding else one.given.asked.angles for one in found])
+    off = np.abs(np.sort(reached, axis=1) - np.sort(stated, axis=1))
+    assert (off <= 1e-9 * np.abs(stated).max(axis=1, keepdims=True)).all(), off.max()
+    close(
+        time_ratio(dead_points(rate, count)),
+        [one.s.number("K") if "K" in one.s else 1.0 for one in found],
+        of=1e-7,
+    )
+    steep = numbers(found, "pressure" if sliding else "transmission")[0]
+
+    def angle(phi):
+        m = at(phi)
+        rod = m.place("B") - m.place("A")
+        if sliding:
+            return -np.arcsin(np.minimum(np.abs(rod.imag) / b, 1.0))
+        rocker = m.place("B") - m.place("C")
+        return np.arcsin(np.minimum(np.abs(np.imag(np.conj(rod) * rocker)) / np.abs(rod * rocker), 1.0))
+
+    close(np.abs(least(angle, count)), steep, of=1e-7)
+
+
+def _with_crank(found, sliding):
+    """Both stated positions are those of the solver, which closes all the way between them."""
+    at, coordinate = _linkage(found, sliding)
+    phi = np.array([one.given.asked.crank_angles for one in found])
+    stated = np.array([one.given.asked.places if sliding else one.given.asked.angles for one in found])
+    m = at(phi)
+    off = coordinate(m) - stated
+    off = off if sliding else np.angle(np.exp(1j * off))
+    tilt = np.cos(numbers(found, "pressure")[0]) if sliding else np.sin(numbers(found, "transmission")[0])
+    assert (np.abs(off) * tilt <= 1e-9).all(), np.abs(off * tilt).max()
+    way = phi[:, :1] + (phi[:, 1:] - phi[:, :1]) * np.linspace(0, 1, 361)
+    assert np.isfinite(at(way).place("B")).all()
+
+
 MEETS = {
     "slider_crank": slider_crank, "crank_rocker": crank_rocker, "slotted_link": slotted_link,
     "turning_guide": turning_guide, "dwell": dwell, "body": body, "body of two positions": body,
+    "rocker_positions": positions, "slider_positions": positions,
 }  # fmt: skip
 
 

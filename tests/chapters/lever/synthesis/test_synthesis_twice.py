@@ -45,6 +45,16 @@ TEXTS = {
     "points: [[0, 0], [80 mm, 20 mm]], crank: 70 mm}",
     "body whose crank passes the frame": "body: {positions: [[0, 0, 0], [90 mm, 40 mm, 50 deg]], "
     "points: [[0, 0], [80 mm, 20 mm]], crank: 55 mm, crank_pivot: right, rocker: 70 mm, rocker_pivot: left}",
+    "rocker between extremes": "rocker_positions: {rocker: 300 mm, angles: [100 deg, 60 deg], frame: 400 mm}",
+    "rocker between extremes below": "rocker_positions: {rocker: 300 mm, angles: [-60 deg, -85 deg]}",
+    "rocker and crank": "rocker_positions: {frame: 400 mm, rocker: 250 mm, angles: [60 deg, 100 deg], "
+    "crank_angles: [30 deg, 110 deg]}",
+    "rocker and crank, free": "rocker_positions: {frame: 400 mm, angles: [60 deg, 100 deg], "
+    "crank_angles: [30 deg, 110 deg]}",
+    "slider between extremes": "slider_positions: {places: [150 mm, 270 mm], offset: 30 mm}",
+    "slider between extremes to the left": "slider_positions: {places: [-150 mm, -270 mm]}",
+    "slider and crank": "slider_positions: {places: [270 mm, 190 mm], offset: -20 mm, crank_angles: [20 deg, 90 deg]}",
+    "slider and crank, free": "slider_positions: {places: [270 mm, 190 mm], crank_angles: [20 deg, 90 deg]}",
     "body by a rocker on the other side": "body: {positions: [[10 mm, 0, 20 deg], [90 mm, 40 mm, 50 deg]], "
     "points: [[0, 0], [80 mm, 20 mm]], crank: 70 mm, crank_pivot: right, rocker: 90 mm}",
 }
@@ -225,7 +235,57 @@ def least_on_the_way(s, pivots, places):
     return min(angles)
 
 
+def rocker_positions(s, asked):
+    """By the places of the joints in both positions."""
+    c, d = s.number("rocker"), s.number("frame")
+    ends = [d + c * np.exp(1j * one) for one in asked.angles]
+    if asked.crank_angles is None:
+        far, near = sorted(map(abs, ends), reverse=True)
+        a, b = s.number("crank"), s.number("rod")
+        theta = abs(np.angle(ends[1] / ends[0]))
+        inner, outer = (
+            abs(np.angle((joint - pin) / (joint - d)))
+            for pin in (a + 0j, -a + 0j)
+            for joint in (met(pin, b, d + 0j, c, True),)
+        )
+        return {
+            "far": far, "near": near, "crank": (far - near) / 2, "rod": (far + near) / 2, "theta": theta,
+            "K": (math.pi + theta) / (math.pi - theta), "swing": abs(np.angle((ends[1] - d) / (ends[0] - d))),
+            "mu_inner": inner, "mu_outer": outer,
+        }  # fmt: skip
+    return _led_by(s, ends, asked.crank_angles)
+
+
+def _led_by(s, ends, angles):
+    """The crank's pin is as far from both ends: its length by halving, not by the linear equation."""
+    turns = np.exp(1j * np.array(angles))
+
+    def differ(a):
+        return abs(ends[0] - a * turns[0]) - abs(ends[1] - a * turns[1])
+
+    low, high = 0.0, 3 * s.number("crank")
+    assert differ(low) * differ(high) < 0
+    for _ in range(80):
+        middle = (low + high) / 2
+        low, high = (middle, high) if differ(middle) * differ(low) > 0 else (low, middle)
+    return {"crank": low, "rod": abs(ends[1] - low * turns[1])}
+
+
+def slider_positions(s, asked):
+    ends = [x - 1j * s.number("offset") for x in asked.places]
+    if asked.crank_angles is not None:
+        return _led_by(s, ends, asked.crank_angles)
+    far, near = sorted(ends, key=abs, reverse=True)
+    a, b = (abs(far) - abs(near)) / 2, (abs(far) + abs(near)) / 2
+    theta = abs(np.angle(near / far))
+    found = {"crank": a, "rod": b, "stroke": abs(far - near), "far": abs(far), "near": abs(near)}
+    found |= {"pressure": math.asin((a + abs(far.imag)) / b)}
+    return found | ({"theta": theta, "K": (math.pi + theta) / (math.pi - theta)} if asked.offset else {})
+
+
 WAYS = {
+    "rocker_positions": rocker_positions,
+    "slider_positions": slider_positions,
     "body": body,
     "slider_crank": slider_crank,
     "crank_rocker": crank_rocker,

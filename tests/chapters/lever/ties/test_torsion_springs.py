@@ -180,3 +180,110 @@ def test_the_exact_moments_are_those_of_the_doubles():
     ):
         assert link == moment.on
         np.testing.assert_allclose([float(x) for x in row], doubles, rtol=1e-11, atol=1e-11)
+
+
+# ---------------------------------------------------------------- of the machine in motion
+
+MACHINE = """dynamics:
+  motor: {constant: 2 N*m}
+  parts: [{name: wheel, inertia: 3 kg*m^2}]
+  resistance: [{viscous: 0.3}]
+  start: {time: 2 s}
+"""
+BARE = ROCKER.replace("  %s: [%s]\n", "")
+
+
+def in_motion(*springs, text=BARE):
+    return course.solve(course.loads(f"{text}{MACHINE}  torsion_springs: [{', '.join(springs)}]\n"))
+
+
+@pytest.mark.parametrize(
+    ("spring", "free", "of"),
+    [
+        ("{links: [3, 0], stiffness: 50, preload: 7}", 7 / 50, lambda rod, rocker: rocker),
+        ("{links: [0, 3], stiffness: 50, preload: 7}", -7 / 50, lambda rod, rocker: rocker),
+        (
+            "{links: [2, 3], stiffness: 50, free_angle: 8 deg}",
+            math.radians(8),
+            lambda rod, rocker: rod - rocker,
+        ),
+        (
+            "{links: [3, 2], stiffness: 50, free_angle: 8 deg}",
+            -math.radians(8),
+            lambda rod, rocker: rod - rocker,
+        ),
+    ],
+)
+def test_its_moment_on_the_main_shaft_is_the_slope_of_its_energy(spring, free, of):
+    """M = −dU/dφ, U = c (φ − α₀)²/2, by differences of the cosine law alone."""
+    found = in_motion(spring).dynamics
+    (acting,) = (one for one in found.whole.conservative if one.key == "torsion1")
+    x = found.whole.panels.x
+    step = 1e-5
+    phi = math.radians(25) + np.concatenate(
+        [[0.0], (x.ravel()[:, None] + step * np.array([-2, -1, 1, 2])).ravel()]
+    )
+    order = np.argsort(phi, kind="stable")
+    turned = np.empty_like(phi)
+    turned[order] = of(*angles(phi[order]))
+    energy = 25 * (turned[1:] - turned[0] - free) ** 2
+    slope = energy.reshape(-1, 4) @ np.array([1, -8, 8, -1]) / (12 * step)
+    assert acting.values.ravel() == pytest.approx(-slope, abs=1e-6 * np.abs(slope).max())
+    assert found.conservative < 1e-8
+
+
+def test_it_acts_as_the_same_one_among_the_loads():
+    spring = "{links: [2, 3], stiffness: 50, preload: 7}"
+    own = in_motion(spring).dynamics
+    among = course.solve(course.loads(ROCKER % ("torsion_springs", spring) + MACHINE)).dynamics
+    assert own.start.omega[-1] == pytest.approx(among.start.omega[-1], rel=1e-10)
+    assert np.ptp(own.whole.potential) == pytest.approx(np.ptp(among.whole.potential), rel=1e-10)
+    none = course.solve(course.loads(BARE + MACHINE)).dynamics
+    assert abs(own.start.omega[-1] / none.start.omega[-1] - 1) > 1e-4
+
+
+def test_the_note_calls_it_by_its_number():
+    from tmm_report import render
+
+    note = render(in_motion("{links: [3, 0], stiffness: 50, preload: 7}"), "html", "en")["note.html"].decode()
+    assert "torsion spring 1" in note
+
+
+@pytest.mark.parametrize(
+    ("springs", "path", "words"),
+    [
+        ("{links: [1, 0], stiffness: 5, preload: 0}", "torsion_springs.0.links", "go round one another"),
+        ("{links: [3, 3], stiffness: 5, preload: 0}", "torsion_springs.0.links", "both ends are on link 3"),
+        ("{links: [3, 7], stiffness: 5, preload: 0}", "torsion_springs.0.links.1", "7"),
+        (
+            "{links: [3, 0], stiffness: 5 N/m, preload: 0}",
+            "torsion_springs.0.stiffness",
+            "a torsional stiffness",
+        ),
+    ],
+)
+def test_slips_of_the_machine_s_own(springs, path, words):
+    with pytest.raises(ProblemError) as caught:
+        in_motion(springs)
+    (problem,) = caught.value.problems
+    assert problem.key == f"dynamics.{path}" and words in problem.text()
+
+
+def test_without_a_mechanism_there_is_nothing_to_turn():
+    with pytest.raises(
+        ProblemError, match="turns links of a mechanism against one another, and there is none"
+    ):
+        course.loads(
+            f"language: en\n{MACHINE}  torsion_springs: [{{links: [3, 0], stiffness: 5, preload: 0}}]\n"
+        )
+    with pytest.raises(ProblemError, match=r"stands in dynamics\.torsion_springs"):
+        course.loads(f"{BARE}{MACHINE}  springs: [{{links: [3, 0], stiffness: 5, length: 0.1}}]\n")
+
+
+@pytest.mark.parametrize(("links", "told"), [("[3, 0]", 1), ("[0, 3]", 1), ("[2, 3]", 0)])
+def test_one_among_the_loads_too_is_asked_about(links, told):
+    text = ROCKER % ("torsion_springs", "{links: [3, 0], stiffness: 50, preload: 7}")
+    spring = f"{{links: {links}, stiffness: 50, preload: 7}}"
+    variant = course.loads(f"{text}{MACHINE}  torsion_springs: [{spring}]\n")
+    doubts = [one for one in variant.doubts if "stands among the loads, too" in one.text()]
+    assert [one.key for one in doubts] == ["dynamics.torsion_springs.0.links"] * told

@@ -11,7 +11,7 @@ from conftest import solved
 from scipy.integrate import solve_ivp
 from test_dynamics_chapter import alone, book
 
-from tmm_report import course
+from tmm_report import course, render
 from tmm_report.chapters.machine.dynamics import draw
 from tmm_report.i18n import Translator
 from tmm_report.report.formats import Html
@@ -221,3 +221,21 @@ def test_the_chart_bounds_the_regimes_at_their_times():
     marked = graph.curves[0].marked(graph.x)
     assert [x for x, _ in marked] == pytest.approx(table["t_end"].numbers()[:-2])
     assert [y for _, y in marked] == pytest.approx(table["omega_end"].numbers()[:-2], rel=1.01e-5)
+
+
+@pytest.mark.parametrize(
+    ("regimes", "told"),
+    [
+        ("start: {within: 2 %}\n  coast: {begin: 20}", True),  # the steady speed is another
+        ("start: {within: 2 %}\n  coast: {}", False),
+        ("steady: false\n  coast: {begin: 20}", False),  # there is nothing to follow upon
+        ("steady: false\n  start: {speed: 10}\n  coast: {begin: 8}", True),
+    ],
+)
+def test_a_run_down_by_itself_says_why(regimes, told):
+    text = SWUNG[: SWUNG.index("  start:")] + f"  {regimes}\n"
+    results = course.solve(course.loads("language: en\ndynamics:\n" + text))
+    html = render(results, "html", "en")["note.html"].decode()
+    assert ("follows upon no other regime and stands by itself" in html) == told
+    joined = results.dynamics.joined
+    assert not told or joined is None or "coast" not in [one.name for one in joined.stretches]

@@ -29,7 +29,9 @@ def doubts(read: Read) -> Iterator[Problem]:
         asked = "force_plan" in (read.data.get("positions") or {})
         if asked and driven_by_stroke(read) and not offered(structure.given(read)["mechanism"].driver):
             text = N_("no force plan is drawn: no link of a triangle follows the stroke")
-            right = Message(N_("leave the key out: the reactions and the force along the stroke stand in tables"))
+            right = Message(
+                N_("leave the key out: the reactions and the force along the stroke stand in tables")
+            )
             yield doubt(text, ("positions", "force_plan"), right)
         for path in (("positions", "force_plan"), ("drawing", "scales", "force"), ("drawing", "force")):
             yield from in_vain(read, path)

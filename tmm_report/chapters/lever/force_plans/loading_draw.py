@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import NamedTuple
 
@@ -11,17 +12,19 @@ import numpy as np
 from tmm_report.chapters.lever.force_plans.drafting import ForceDrawn, ForcePlan
 from tmm_report.chapters.lever.force_plans.drafting.plan import Held
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
-from tmm_report.figures.drawing import AXIS, Circle, Drawing, Item, Tag
+from tmm_report.figures.drawing import AXIS, Circle, Drawing, Item, Pen, Tag
 from tmm_report.figures.lettering import Part, lettered, symbol
 from tmm_report.figures.loading import Arm, Couple, Force, loading, point_mark
 from tmm_report.figures.plans import Style
 from tmm_report.figures.schemes.apart import loose
+from tmm_report.figures.schemes.ties import Tie
 from tmm_report.figures.schemes.view import View, view_of
 from tmm_report.mechanics.lever.cams.replacing_dyad import standing
 from tmm_report.quantity.symbols import Symbol
 
 Letter = Callable[[Symbol], Part | None]
 
+TIED = Pen(0.2, "grey")
 CROWDED = 13  # forces and arms: more of them are told apart in a figure a link
 STYLES: dict[str, Style] = {"gravity": "force", "load": "force", "inertia": "inertia"}  # others are reactions
 
@@ -34,11 +37,17 @@ class Loaded(NamedTuple):
 
 
 def loading_schemes(
-    kinematics: Kinematics, mu_l: float, drawn: ForceDrawn, plan: ForcePlan, words: Callable[[str], str]
+    kinematics: Kinematics,
+    mu_l: float,
+    drawn: ForceDrawn,
+    plan: ForcePlan,
+    words: Callable[[str], str],
+    ties: Sequence[Tie] = (),
 ) -> list[Loaded]:
-    """At the scale `mu_l`, m/mm, as the mechanism lies; `words`: how a word of an index is said."""
+    """At the scale `mu_l`, m/mm, as the mechanism lies; `words`: how a word of an index is said; `ties`: springs and
+    dampers, shown thin under the forces with which they act."""
     letter = partial(lettered, words=words)
-    view = _view(kinematics, mu_l, drawn.position)
+    view = replace(_view(kinematics, mu_l, drawn.position), ties=ties)
     single = bool(plan.balances) or (not plan.together and _count(plan) > CROWDED)
     shown = [(link,) for link in plan.links] if single and len(plan.links) > 1 else [plan.links]
     return [Loaded(links, _scheme(view, drawn, plan, links, letter)) for links in shown]
@@ -61,7 +70,8 @@ def _count(plan: ForcePlan) -> int:
 
 def _scheme(view: View, drawn: ForceDrawn, plan: ForcePlan, links: Sequence[str], letter: Letter) -> Drawing:
     items, tags = loose(view, links)
-    items = [*_pitch_circle(view, links), *items]
+    tied = [*view.tied.items(links, TIED), *map(point_mark, view.tied.far(links))]
+    items = [*tied, *_pitch_circle(view, links), *items]
     mu = view.motion.mu
     marks, letters = _swing_centres(view, drawn, links)
     for pole in (one for one in plan.poles if set(one.links) & set(links)):

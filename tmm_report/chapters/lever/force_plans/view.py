@@ -14,6 +14,7 @@ from tmm_report.chapters.lever.force_plans.drafting import ForceDrawn, ForcePlan
 from tmm_report.chapters.lever.force_plans.draw import force_picture
 from tmm_report.chapters.lever.force_plans.loading_draw import Loaded, loading_schemes
 from tmm_report.chapters.lever.force_plans.solve import ForcePlans
+from tmm_report.chapters.lever.schemes import ties_of
 from tmm_report.chapters.lever.structure.quantities import index_of
 from tmm_report.figures.drawing import Drawing
 from tmm_report.mechanics.lever.driving.stroke import Stroke
@@ -54,7 +55,7 @@ class ForcePlansView(BookView):
         self.found, self.pairs = found, lever.structure.pairs
         self.kinematics, self.length_scale = lever.kinematics, lever.plans.length_scale
         self.picture = cache(self._picture)
-        forces = lever.kinetostatics
+        forces, self.ties = lever.kinetostatics, tuple(ties_of(lever))
         self.couples = forces is not None and bool(forces.table.loading.couples)
 
     def conclusions(self) -> list[Markup]:
@@ -92,7 +93,12 @@ class ForcePlansView(BookView):
 
     def loading(self, drawn: ForceDrawn, plan: ForcePlan) -> list[Loaded]:
         return loading_schemes(
-            self.kinematics, self.length_scale, drawn, plan, partial(self.page.tr.pgettext, "index")
+            self.kinematics,
+            self.length_scale,
+            drawn,
+            plan,
+            partial(self.page.tr.pgettext, "index"),
+            self.ties,
         )
 
     def loading_caption(self, drawn: ForceDrawn, plan: ForcePlan, links: Sequence[str]) -> Markup:

@@ -179,6 +179,17 @@ def together(forces: Sequence[Force]) -> list[list[int]]:
 
 
 @dataclass(frozen=True)
+class Between:
+    """A spring or damper for who draws it: its `letter` and number, its two points, the moving links that take its
+    force."""
+
+    letter: str
+    number: int
+    points: tuple[str, str]
+    links: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class TorsionSpring:
     """A linear torsion spring between two links, or a link and the frame: c (α₀ − φ), φ turned from position 0."""
 

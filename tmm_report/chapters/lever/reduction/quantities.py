@@ -75,7 +75,7 @@ def tables(found: Reduction) -> Iterator[Table]:
     if found.plans:
         yield Table("reduction_plans", BY_PLANS, tuple(_by_plans(found)))
     for name, reduced in (("table", found.table), ("diagram", found.diagram)):
-        at = where(reduced.turned)
+        at = where(reduced.turned, found.kinematics.by_law)
         yield Table(f"reduced_inertia_{name}", INERTIAS, (*at, *_inertias(reduced)))
         if reduced.moments:
             yield Table(f"reduced_moment_{name}", MOMENTS, (*at, *_moments(reduced)))

@@ -2,6 +2,9 @@
 
 The energy of the links is that of one disc on the driving link, and the power of the forces that of one moment on it:
 I ω₁²/2 = Σ (m v_S² + J ω²)/2,  M ω₁ = Σ F v cos α + Σ M ω. (Artobolevsky, Theory of mechanisms and machines, ch. 15)
+The ratios of the velocities depend on the place of the driving link alone, by whatever law it moves, and where it
+stands still, too: they are taken with it at 1 rad/s. In the equation of motion, I ε₁ + ω₁² I'/2 = M + M_bal, the law
+has its ω₁ and ε₁.
 """
 
 from __future__ import annotations
@@ -12,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.chapters.lever.kinematics.solve.analogues import in_unit_motion
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics, Solved
 from tmm_report.chapters.lever.moving import Load, inertia_parts, inertia_slope, powers
@@ -84,13 +88,18 @@ class Reduction:
 
     @cached_property
     def disagreement(self) -> float | None:
-        """Worst relative difference of the balancing moment of the force analysis from ω₁² I'/2 − M; None without
-        forces."""
+        """Worst relative difference of the balancing moment of the force analysis from I ε₁ + ω₁² I'/2 − M; None
+        without forces."""
         if self.forces is None:
             return None
-        omega, miss = self.kinematics.omega, []
+        link, miss = self.kinematics.linkage.mechanism.driver.link, []
         for ours, theirs in ((self.table, self.forces.table), (self.diagram, self.forces.diagram)):
+            omega, epsilon = (
+                of(link) for of in (theirs.motion.angular_velocity, theirs.motion.angular_acceleration)
+            )
             balancing = omega**2 * ours.slope / 2 - ours.whole_moment
+            if self.kinematics.by_law:
+                balancing = balancing + ours.whole_inertia * epsilon
             miss.append(np.nanmax(theirs.disagreement(balancing)))
         return float(max(miss))
 
@@ -115,9 +124,10 @@ def solve(kinematics: Kinematics, found: Kinetostatics | None, drawn: Plans) -> 
 
 def _by_plans(kinematics: Kinematics, drawn: Plans, exact: Array) -> Iterator[ByPlan]:
     """Ratios read off the velocity plans, and the reduced moment of inertia by them."""
-    omega, mechanism = abs(kinematics.omega), kinematics.linkage.mechanism
+    mechanism = kinematics.linkage.mechanism
     heavy = [link for link in mechanism.links.values() if link.name != FRAME]
     for plan in (one.velocity for one in drawn.drawn):
+        omega = abs(float(kinematics.table.angular_velocity(mechanism.driver.link)[plan.position]))
         centres = {
             link.mass_centre: plan.values.get(f"v_{link.mass_centre}", 0.0) / omega
             for link in heavy
@@ -136,10 +146,16 @@ def _by_plans(kinematics: Kinematics, drawn: Plans, exact: Array) -> Iterator[By
 
 
 def _reduced(motion: Motion, turned: Array, shares: tuple[Load, ...]) -> Reduced:
+    motion = _by_place(motion)
     return Reduced(turned, dict(inertia_parts(motion)), inertia_slope(motion), shares)
+
+
+def _by_place(motion: Motion) -> Motion:
+    """The motion in which what depends on the place is reduced: of a law that with 1 rad/s at every place."""
+    return motion if motion.phase is None else in_unit_motion(motion)
 
 
 def _shares(found: Kinetostatics, solved: Solved) -> tuple[Load, ...]:
     """The power of every load by the driver's angular velocity."""
-    taken = powers(found.given, solved.motion, solved.loading)
-    return tuple((of, power / solved.motion.omega) for of, power in taken)
+    motion = _by_place(solved.motion)
+    return tuple((of, power / motion.omega) for of, power in powers(found.given, motion, solved.loading))

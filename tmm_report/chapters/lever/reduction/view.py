@@ -6,10 +6,13 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 from markupsafe import Markup
 
 from tmm_report.chapters.lever.initial_data import quantities as initial
 from tmm_report.chapters.lever.kinematics import quantities as rates
+from tmm_report.chapters.lever.kinematics.solve.positions import stands
+from tmm_report.chapters.lever.kinetostatics.quantities import positions as statics
 from tmm_report.chapters.lever.reduction import quantities as q
 from tmm_report.chapters.lever.reduction.solve import Reduction
 from tmm_report.figures.charts.graphs import Graph
@@ -33,10 +36,18 @@ def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
         yield Part("lever/reduction", ReductionView(lever.reduction, lever.sample, page))
 
 
+def _moving(found: Reduction, position: int) -> int:
+    """The position, or of a law by which the driving link stands still there the first in which it does not."""
+    if not found.kinematics.by_law:
+        return position
+    still = stands(found.kinematics.table)
+    return int(np.argmin(still)) if still[position] else position
+
+
 class ReductionView(BookView):
     def __init__(self, found: Reduction, position: int, page: Page):
         super().__init__(page, Book.of(q.tables(found), q.values(found)))
-        self.found, self.position = found, position
+        self.found, self.position = found, _moving(found, position)
         self.mechanism = found.kinematics.linkage.mechanism
 
     def conclusions(self) -> list[Markup]:
@@ -89,7 +100,22 @@ class ReductionView(BookView):
 
     @property
     def _omega(self) -> Expr:
+        if self.by_law:
+            return self._rates.var(rates.link_rate("w", self.driver).key, self.position, size=True)
         return self._given["omega"].var(size=True)
+
+    @property
+    def by_law(self) -> bool:
+        return self.found.kinematics.by_law
+
+    def motion(self) -> Formula:
+        """Of a law the balancing moment by the equation of motion, I ε + ω² I'/2 − M."""
+        k, inertias, forces = self.position, self.table("reduced_inertia_table"), self.found.forces
+        assert forces is not None
+        omega, epsilon = (self._rates.var(rates.link_rate(letter, self.driver).key, k) for letter in "we")
+        moved = inertias.var("I_red", k) * epsilon + omega**2 * inertias.var("I_red_slope", k) / 2
+        table = self.page.once(statics.book, forces).tables["balancing_table"]
+        return table.formula("M_bal", k, moved - self.table("reduced_moment_table").var("M_red", k))
 
     # ------------------------------------------------------------ tables and diagrams
 

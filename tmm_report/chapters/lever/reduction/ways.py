@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from tmm_report.chapters.lever.kinematics.solve.positions import stands
 from tmm_report.problems import N_
-from tmm_report.quantity.formula import Expr, expr
+from tmm_report.quantity.formula import Expr, Var, expr
 from tmm_report.quantity.ways import Known, Way, summed
 
 PART = N_("From the equality of kinetic energies: m(v_S/ω)² + J(ω_i/ω)², by the link's own motion.")
@@ -23,7 +24,7 @@ MISS = N_(
 
 def _part(q: Known) -> Expr:
     """m (v_S/ω)² + J (ω_i/ω)² of a link."""
-    omega = q("omega")
+    omega = _omega(q)
     total: Expr | None = None
     if q.has("masses:{0}.m") and q.own_text("masses:{0}.mass_centre"):
         point = q.own_text("masses:{0}.mass_centre")
@@ -40,7 +41,19 @@ def _part(q: Known) -> Expr:
 def _power(q: Known) -> Expr:
     if q.fine:
         raise KeyError("powers are told at the table positions")
-    return expr(q("powers_table.N_{0}") / q("omega"))
+    return expr(q("powers_table.N_{0}") / _omega(q))
+
+
+def _omega(q: Known) -> Var:
+    """Angular velocity of the driving link; a law has it at every position, where the link stands still nothing is
+    divided by it."""
+    motion = q.found.kinematics
+    if not motion.by_law:
+        return q("omega")
+    omega = q(f"rates_table.w_{motion.linkage.mechanism.driver.link}")
+    if stands(motion.table)[q.row or 0]:
+        raise KeyError("the driving link stands still")
+    return omega
 
 
 WAYS = (

@@ -10,7 +10,9 @@ from tmm_report.chapters.lever.synthesis.given import (
     Body,
     CrankRocker,
     Permits,
+    RockerPositions,
     SliderCrank,
+    SliderPositions,
     SlottedLink,
     Synthesis,
     TurningGuide,
@@ -24,7 +26,17 @@ from tmm_report.variant.model import Read
 from tmm_report.variant.stated import Stated
 from tmm_report.yamlread import Path
 
-KINDS = ("slider_crank", "crank_rocker", "slotted_link", "turning_guide", "function", "dwell", "body")
+KINDS = (
+    "slider_crank",
+    "crank_rocker",
+    "slotted_link",
+    "turning_guide",
+    "function",
+    "dwell",
+    "body",
+    "rocker_positions",
+    "slider_positions",
+)
 PATH: Path = ("synthesis",)
 
 
@@ -109,6 +121,24 @@ def _clashes(written: Synthesis) -> Iterator[Problem]:
                 yield mistake(wrong, (*PATH, kind, "K"), right)
         case Body():
             yield from _of_body(asked)
+        case RockerPositions():
+            needed = "rocker" if asked.crank_angles is None else "frame"
+            if getattr(asked, needed) is None:
+                path = (*PATH, "rocker_positions", needed)
+                right = Message(N_("for example, %(example)s"), {"example": f"{needed}: 300 mm"})
+                yield mistake(N_("the key %(key)s is missing"), path, right, key=needed)
+            yield from _apart(asked.angles, (*PATH, "rocker_positions", "angles"))
+        case SliderPositions():
+            yield from _apart(asked.places, (*PATH, "slider_positions", "places"))
+            if asked.offset is not None and asked.offset < 0 and asked.crank_angles is None:
+                path = (*PATH, "slider_positions", "offset")
+                right = Message(N_("its size: the extreme places are the same on either side"))
+                yield mistake(N_("of extreme places the offset is not below zero"), path, right)
+
+
+def _apart(both: list[float], path: Path) -> Iterator[Problem]:
+    if both[0] == both[1]:
+        yield mistake(N_("both positions are one"), path, Message(N_("two different ones")))
 
 
 def _of_slotted_link(asked: SlottedLink) -> Iterator[Problem]:

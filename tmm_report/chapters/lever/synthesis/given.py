@@ -15,6 +15,7 @@ if TYPE_CHECKING:
         Angle,
         Flag,
         FunctionOfX,
+        Length,
         Name,
         Point,
         Pose,
@@ -264,7 +265,72 @@ def by_pairs(value: Any) -> str:
     return "<pairs>" if paired else "<law>"
 
 
-Kind = SliderCrank | CrankRocker | SlottedLink | TurningGuide | Generator | AnglePairs | Dwell | Body
+@dataclass(frozen=True, eq=False)
+class RockerPositions:
+    """A four-bar linkage by two positions of its rocker: the extreme ones, or two with those of the crank. Angles are
+    counted from the line of the pivots, from the crank's to the rocker's."""
+
+    angles: Annotated[
+        list[Angle],
+        Field(min_length=2, max_length=2, description="of the rocker", examples=["[60 deg, 100 deg]"]),
+    ]
+    rocker: Annotated[
+        Positive | None,
+        Field(
+            description="length between its joints; with crank_angles left out, chosen for the best transmission angle"
+        ),
+    ] = None
+    frame: Annotated[
+        Positive | None,
+        Field(
+            description="distance of the fixed pivots; of extreme positions left out, chosen for the best transmission "
+            "angle"
+        ),
+    ] = None
+    crank_angles: Annotated[
+        list[Angle] | None,
+        Field(
+            min_length=2, max_length=2, description="of the crank there; left out, the positions are extreme"
+        ),
+    ] = None
+    transmission: Annotated[TransmissionAngle | None, Field(description="least permitted angle")] = None
+
+
+@dataclass(frozen=True, eq=False)
+class SliderPositions:
+    """A slider-crank by two places of its slider: the extreme ones, or two with the angles of the crank. Places are
+    counted along the slide line from the crank's pivot, angles from its direction."""
+
+    places: Annotated[
+        list[Length],
+        Field(min_length=2, max_length=2, description="of the slider", examples=["[150 mm, 270 mm]"]),
+    ]
+    offset: Annotated[
+        Length | None,
+        Field(
+            description="of the slide line, above zero below the crank's pivot; left out, none, with crank_angles "
+            "chosen for the least pressure angle"
+        ),
+    ] = None
+    crank_angles: Annotated[
+        list[Angle] | None,
+        Field(min_length=2, max_length=2, description="of the crank there; left out, the places are extreme"),
+    ] = None
+    pressure_angle: Annotated[PressureAngle | None, Field(description="greatest permitted")] = None
+
+
+Kind = (
+    SliderPositions
+    | RockerPositions
+    | SliderCrank
+    | CrankRocker
+    | SlottedLink
+    | TurningGuide
+    | Generator
+    | AnglePairs
+    | Dwell
+    | Body
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -286,6 +352,8 @@ class Synthesis:
     ) = None
     dwell: Dwell | None = None
     body: Body | None = None
+    rocker_positions: RockerPositions | None = None
+    slider_positions: SliderPositions | None = None
     round: Annotated[
         Positive | None, Field(description="to which the lengths are rounded", examples=["1 mm"])
     ] = None

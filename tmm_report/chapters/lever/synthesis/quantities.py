@@ -6,8 +6,16 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from tmm_report.chapters.lever.synthesis import body_steps, points_steps, rocker_steps, steps
-from tmm_report.chapters.lever.synthesis.given import AnglePairs, Body, CrankRocker, Generator, SliderCrank
+from tmm_report.chapters.lever.synthesis import body_steps, points_steps, positions_steps, rocker_steps, steps
+from tmm_report.chapters.lever.synthesis.given import (
+    AnglePairs,
+    Body,
+    CrankRocker,
+    Generator,
+    RockerPositions,
+    SliderCrank,
+    SliderPositions,
+)
 from tmm_report.chapters.lever.synthesis.solve import Found
 from tmm_report.chapters.lever.synthesis.values import Pairs, Values
 from tmm_report.i18n import NP_
@@ -56,6 +64,12 @@ def tables(found: Found) -> Iterator[Table]:
             yield _course(found, asked)
         case AnglePairs() as asked:
             yield _way(found, asked)
+        case RockerPositions() as asked if asked.crank_angles is None and asked.frame is None:
+            yield _positioned(found, "frame")
+        case RockerPositions() as asked if asked.crank_angles is not None and asked.rocker is None:
+            yield _positioned(found, "rocker")
+        case SliderPositions() as asked if asked.crank_angles is not None and asked.offset is None:
+            yield _positioned(found, "offset")
         case Body() as asked if design.solutions:
             if asked.rocker is None:
                 yield _led(found, asked)
@@ -119,6 +133,20 @@ def _led(found: Found, asked: Body) -> Table:
     return _family({
         "off_B": off, "transmission": of.transmission, "rocker": np.where(sound, rocker, np.nan), "frame": frame,
     })  # fmt: skip
+
+
+def _positioned(found: Found, key: str) -> Table:
+    """Of two positions of a rocker or a slider, over what is free."""
+    s = found.s
+    if key == "offset":
+        x = positions_steps.span(s) * np.linspace(-1, 1, POINTS)
+        of, angle = positions_steps.places(s, x), "pressure"
+    else:
+        stated = s.number("rocker" if key == "frame" else "frame")
+        x = stated * np.linspace(positions_steps.LEAST, positions_steps.MOST, POINTS)
+        family = positions_steps.extremes if key == "frame" else positions_steps.pairs
+        of, angle = family(s, x), "transmission"
+    return _family({key: x, angle: of.angle, "crank": of.a, "rod": of.b})
 
 
 def _solutions(found: Found) -> Table:

@@ -14,7 +14,9 @@ from tmm_report.chapters.lever.synthesis.given import (
     CrankRocker,
     Dwell,
     Generator,
+    RockerPositions,
     SliderCrank,
+    SliderPositions,
     SlottedLink,
     TurningGuide,
 )
@@ -23,7 +25,10 @@ from tmm_report.mechanics.lever import synthesis
 from tmm_report.problems import N_, Message
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from tmm_report.chapters.lever.synthesis.solve import Design
+    from tmm_report.chapters.lever.synthesis.values import Values
 
 LINKS = ("crank", "rod", "rocker", "frame", "link", "arm", "radius")
 
@@ -44,6 +49,15 @@ def rounded(found: Design) -> None:
         case CrankRocker():
             frame = math.hypot(of("frame_x"), of("frame_y"))
             does = synthesis.crank_rocker_does(of("crank"), of("rod"), of("rocker"), frame)
+        case RockerPositions() | SliderPositions() if asked.crank_angles is not None:
+            moved = moved_joints(s, of)
+            turned = of("crank") * np.exp(1j * np.array(asked.crank_angles))
+            s.misfit = float(np.abs(np.abs(moved - turned) - of("rod")).max())
+            return
+        case RockerPositions():
+            does = synthesis.crank_rocker_does(*map(of, ("crank", "rod", "rocker", "frame")))
+        case SliderPositions():
+            does = synthesis.slider_crank_does(of("crank"), of("rod"), of("offset"))
         case SlottedLink():
             does = synthesis.slotted_link_does(*map(of, ("crank", "frame", "link", "slide_line", "rod")))
         case TurningGuide():
@@ -77,12 +91,20 @@ def rounded(found: Design) -> None:
             return
     _whole(math.isfinite(does.travel + does.K + does.angle))
     s.K_taken = does.K
-    if isinstance(asked, CrankRocker):
+    if isinstance(asked, CrankRocker | RockerPositions):
         s.swing_taken, s.transmission_taken = does.travel, does.angle
     else:
         s.stroke_taken, s.pressure_taken = does.travel, does.angle
         if "transmission" in s:
             s.transmission_taken = math.pi / 2 - does.angle
+
+
+def moved_joints(s: Values, of: Callable[[str], float]) -> np.ndarray:
+    """Of two positions of a rocker or a slider both places of its joint, complex, m; `of`: lengths by their keys."""
+    if "psi_1" in s:
+        psi = np.array([s.number("psi_1"), s.number("psi_2")])
+        return np.asarray(of("frame") + of("rocker") * np.exp(1j * psi))
+    return np.array([s.number("x_1"), s.number("x_2")]) - 1j * of("offset")
 
 
 def _misfit(places: np.ndarray, pivot: complex, length: float) -> float:

@@ -12,7 +12,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from tmm_report.chapters.lever.synthesis import body_steps, points_steps, rocker_steps, rounding, steps
+from tmm_report.chapters.lever.synthesis import (
+    body_steps,
+    points_steps,
+    positions_steps,
+    rocker_steps,
+    rounding,
+    steps,
+)
 from tmm_report.chapters.lever.synthesis.given import (
     AnglePairs,
     Body,
@@ -20,7 +27,9 @@ from tmm_report.chapters.lever.synthesis.given import (
     Dwell,
     Generator,
     Given,
+    RockerPositions,
     SliderCrank,
+    SliderPositions,
     SlottedLink,
     Synthesis,
     TurningGuide,
@@ -116,6 +125,10 @@ def _exact(given: Synthesis) -> Design:
             steps.slotted_link(s, asked)
         case TurningGuide():
             steps.turning_guide(s, asked)
+        case RockerPositions():
+            positions_steps.rocker(s, asked)
+        case SliderPositions():
+            positions_steps.slider(s, asked)
         case Generator():
             table, bar = points_steps.generator(s, asked)
             return Design(given, s, table, bar)
@@ -145,8 +158,12 @@ def solve(given: Synthesis, lever: LeverFound | None) -> Found:
         "slotted_link": "slider",
         "turning_guide": "slider",
         "crank_rocker": "rocker",
+        "rocker_positions": "rocker",
+        "slider_positions": "slider",
     }
     wanted = kind.get(given.kind)
+    if getattr(given.asked, "crank_angles", None) is not None:  # two positions on the way, no stroke
+        wanted = None
     if lever is None or wanted is None:
         return Found(found, False)
     may_be = [one for one in lever.kinematics.travels if one.output.kind == wanted]

@@ -38,6 +38,18 @@ class Values(Sheet, prefix="synthesis"):
     arm = Q("r", "m", N_("arm of the slotted link"), "mm")
     sagitta = Q("f", "m", N_("sagitta of the arc that the end of the slotted link describes"), "mm")
     slide_line = Q("h", "m", N_("distance of the slide line from the pivot of the slotted link"), "mm")
+    psi_1 = Q("psi_1", "rad", N_("first angle of the rocker from the line of the pivots"), "deg")
+    psi_2 = Q("psi_2", "rad", N_("second angle of the rocker from the line of the pivots"), "deg")
+    phi_1 = Q("phi_1", "rad", N_("angle of the crank in the first position"), "deg")
+    phi_2 = Q("phi_2", "rad", N_("angle of the crank in the second position"), "deg")
+    x_1 = Q("x_1", "m", N_("first place of the slider from the crank's pivot, along the slide line"), "mm")
+    x_2 = Q("x_2", "m", N_("second place of the slider from the crank's pivot, along the slide line"), "mm")
+    far = Q(
+        "l_1", "m", N_("distance of the moved joint from the crank's pivot, crank and rod outstretched"), "mm"
+    )
+    near = Q(
+        "l_2", "m", N_("distance of the moved joint from the crank's pivot, the crank upon the rod"), "mm"
+    )
     half_chord = Q("s", "m", N_("half the chord of the rocker's swing"), "mm")
     rise = Q("p", "m", N_("distance of the chord from the rocker's pivot"), "mm")
     along = Q("u", "m", N_("distance of the crank's pivot from the middle line of the swing"), "mm")

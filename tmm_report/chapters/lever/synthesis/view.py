@@ -31,7 +31,11 @@ STATED = (
     "stroke", "mean_speed", "working_speed", "speed", "K", "theta", "swing", "ratio", "offset_ratio", "offset",
     "rod_ratio", "crank", "rod", "rocker", "frame", "permitted", "mu_permitted", "crank_from", "crank_turn",
     "rocker_from", "rocker_turn", "point_x", "point_y",
+    "psi_1", "psi_2", "phi_1", "phi_2", "x_1", "x_2",
 )  # fmt: skip
+
+
+FREE = ("ratio", "crank", "frame", "rocker", "offset")  # what may be left free
 
 
 def parts(found: Found, page: Page) -> Iterator[Part]:
@@ -54,9 +58,7 @@ class SynthesisView(ChapterView):
     def given_values(self) -> Markup:
         """What is asked, as it is stated."""
         stated = [key for key in STATED if key in self.s and not self.s.has_formula(key)]
-        free = {"crank", "ratio", "frame"} - {
-            key for key in ("crank", "ratio", "frame") if getattr(self.asked, key, None) is not None
-        }
+        free = {key for key in FREE if getattr(self.asked, key, None) is None}
         # in line there is no offset, and what was chosen was not asked
         nought = {"offset"} if not self.s.get("offset") else set()
         return self.listed(key for key in stated if key not in free | nought)
@@ -80,7 +82,7 @@ class SynthesisView(ChapterView):
     @property
     def free(self) -> str:
         """What was left free, and is chosen."""
-        for key in ("off_B", "ratio", "crank", "frame"):
+        for key in ("off_B", *FREE):
             left = key in self.s and getattr(self.asked, key, None) is None
             if self.has("family") and left and not self.s.has_formula(key):
                 return key
@@ -119,6 +121,25 @@ class SynthesisView(ChapterView):
     def two(self) -> bool:
         """Whether a body is led from one position to another."""
         return bool(self.found.design.solutions)
+
+    @property
+    def extreme(self) -> bool:
+        """Whether the two positions of a rocker or a slider are its extreme ones."""
+        return getattr(self.asked, "crank_angles", None) is None
+
+    def made(self) -> Markup:
+        """What kind of four-bar linkage the lengths make."""
+        a, b, c, d = (self.s.number(key) for key in ("crank", "rod", "rocker", "frame"))
+        sides = sorted((a, b, c, d))
+        shortest = sides[0] + sides[3] <= sides[1] + sides[2]
+        text = N_("The linkage is a double rocker: neither of its pivoted links turns round.")
+        if shortest and sides[0] == a:
+            text = N_("The linkage is a crank-rocker: its crank turns round.")
+        elif shortest and sides[0] == d:
+            text = N_("The linkage is a double crank: both of its pivoted links turn round.")
+        elif shortest and sides[0] == c:
+            text = N_("The linkage is a crank-rocker whose driven link turns round, the driving one swings.")
+        return self.t(text)
 
     @property
     def misfits(self) -> bool:

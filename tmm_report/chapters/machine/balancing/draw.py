@@ -82,7 +82,7 @@ LARGEST = 4.0  # mm: radius of the heaviest counterweight
 def fitted(found: Found, case: Case, position: int, mu: float) -> Drawing:
     """The mechanism at a position, `mu` m/mm, with a way's counterweights, their discs as large as their masses."""
     mechanism = found.kinematics.linkage.mechanism
-    places, turns = _seen(found)
+    places, turns = seen_in(found)
     view = view_of(mechanism, places, turns, mu, position)
     heaviest = max(one.mass for one in case.placed)
     items: list[Item] = [*view.plates(), *view.frame()]
@@ -97,10 +97,11 @@ def fitted(found: Found, case: Case, position: int, mu: float) -> Drawing:
 
 def scale(found: Found) -> float:
     """m/mm: of the drawing with the counterweights."""
-    return standard_scale(found.kinematics.linkage.mechanism, *_seen(found))
+    return standard_scale(found.kinematics.linkage.mechanism, *seen_in(found))
 
 
-def _seen(found: Found) -> tuple[dict[str, Array], dict[str, Array]]:
+def seen_in(found: Found) -> tuple[dict[str, Array], dict[str, Array]]:
+    """Places of the points and directions of the links at the table positions."""
     motion = found.kinematics.table
     places = {point: motion.place(point) for point in motion.point_index}
     return places, {link: motion.turn(link) for link in found.kinematics.linkage.mechanism.links}

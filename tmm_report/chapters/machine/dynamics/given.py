@@ -15,6 +15,7 @@ from tmm_report.records import dataclass
 if TYPE_CHECKING:
     from pydantic import Field
 
+    from tmm_report.chapters.lever.kinetostatics.solve.lengths import TorsionSpring
     from tmm_report.variant.values import (
         Angle,
         Distance,
@@ -61,7 +62,9 @@ class Spring:
     """A spring from a fixed point to a point of the mechanism, or to a pin on the main shaft."""
 
     NOT_OFFERED: ClassVar[Mapping[str, str]] = {
-        "links": N_("a torsion spring between two links stands in loads.torsion_springs, and acts here, too")
+        "links": N_(
+            "a torsion spring between two links stands in dynamics.torsion_springs, or among the loads"
+        )
     }
 
     stiffness: Stiffness
@@ -144,6 +147,7 @@ class Given:
     motor: Motor | None = None
     resistances: tuple[Resistance, ...] = ()
     springs: tuple[Spring, ...] = ()
+    torsion_springs: tuple[TorsionSpring, ...] = ()
     speed: float | None = None
     period: float = 2 * math.pi
     varying: ByAngle | None = None
@@ -155,3 +159,8 @@ class Given:
     coast: Coast | None = None
     cycles: int | None = None
     name: str = field(default="")
+
+    @property
+    def held(self) -> tuple[tuple[str, complex], ...]:
+        """Of the springs at points of the mechanism the point and the fixed place, m."""
+        return tuple((one.at, complex(*one.to)) for one in self.springs if one.at and one.to)

@@ -11,11 +11,15 @@ import numpy as np
 
 from tmm_report.chapters.lever.kinetostatics.quantities.positions import moments
 from tmm_report.chapters.lever.kinetostatics.solve.lengths import (
+    Twist,
     energy,
     is_torsion,
     ties_of,
     torsions_of,
+    turned,
     twist_energy,
+    twists,
+    wound_up,
 )
 from tmm_report.chapters.lever.moving import Machine, Moving, machine
 from tmm_report.chapters.machine.dynamics import refusals
@@ -132,9 +136,9 @@ def whole(given: Given, moving: Moving | None, bends: Sequence[float] = ()) -> W
         text = N_("nothing in the machine has a moment of inertia or a mass")
         raise ProblemError([mistake(text, ("dynamics",), Message(N_("state inertia or mass of the parts")))])
     acting = [*_loads(of, over, _turning(moving)), *_of_parts(parts, over, given.gravity)]
-    acting += [*_springs(given, of, over), *_laws(given, over)]
+    acting += [*_springs(given, of, over), *_torsions(given, moving, of, over), *_laws(given, over)]
     pull = moving.forces.given.gravity if moving and moving.forces else 0j
-    potential = _of_links(of, over, pull) + _potential(given, of, over) + _tied(moving, of, over)
+    potential = _of_links(of, over, pull) + _potential(given, of, over) + _tied(given, moving, of, over)
     unloaded = None if idle is None else -idle.panels.at(idle.moment, over.x)
     found = Whole(given, of, over, parts, inertia + added, slope, tuple(acting), potential, unloaded=unloaded)
     if of is None or given.motor is not None:
@@ -253,6 +257,28 @@ def _springs(given: Given, of: Machine | None, over: Panels) -> Iterator[tuple[s
         yield WEIGHT, Acting(f"spring{k}", values=-one.stiffness * (length - one.length) * rate)
 
 
+def _torsions(
+    given: Given, moving: Moving | None, of: Machine | None, over: Panels
+) -> Iterator[tuple[str, Acting]]:
+    """Moments of torsion springs by the power that they have: both of their links turn."""
+    if moving is None or of is None:
+        return
+    for k, one in enumerate(_twists(given, moving), 1):
+        pull = one.law.stiffness * (one.law.free - turned(one, moving.kinematics, of.motion))
+        rates = [0.0 if link == FRAME else of.motion.angular_velocity(link) for link in (one.on, one.other)]
+        values = (pull * (rates[0] - rates[1]) / of.omega).reshape(of.panels.shape)
+        yield WEIGHT, Acting(f"torsion{k}", values=_moved(of, over, values))
+
+
+def _twists(given: Given, moving: Moving) -> list[Twist]:
+    """The first ends of the machine's own torsion springs. Raises ProblemError where one would be wound up."""
+    found = [next(twists([one], FRAME)) for one in given.torsion_springs]
+    paths = [("dynamics", "torsion_springs", k) for k in range(len(found))]
+    if wrong := list(wound_up(zip(found, paths, strict=True), moving.kinematics)):
+        raise ProblemError(wrong)
+    return found
+
+
 def _stretch(spring: Spring, of: Machine | None, over: Panels) -> tuple[Array, Array]:
     """Length of a spring, m, and its derivative by the angle turned."""
     if spring.at is None or spring.to is None or of is None:
@@ -275,13 +301,16 @@ def _of_links(of: Machine | None, over: Panels, pull: complex) -> Array:
     return total
 
 
-def _tied(moving: Moving | None, of: Machine | None, over: Panels) -> Array:
-    """Potential of the springs among the loads of the mechanism, by their lengths and angles."""
-    if moving is None or moving.forces is None or of is None:
+def _tied(given: Given, moving: Moving | None, of: Machine | None, over: Panels) -> Array:
+    """Potential of torsion springs, and of the springs among the loads of the mechanism, by angles and lengths."""
+    if moving is None or of is None:
         return np.zeros(over.shape)
-    given = moving.forces.given
-    found = [energy(end, moving.kinematics, of.motion) for end in ties_of(given)]
-    found += [twist_energy(one, moving.kinematics, of.motion) for one in torsions_of(given)]
+    turning, found = _twists(given, moving), list[Array]()
+    if moving.forces is not None:
+        loads = moving.forces.given
+        found += [energy(end, moving.kinematics, of.motion) for end in ties_of(loads)]
+        turning += torsions_of(loads)
+    found += [twist_energy(one, moving.kinematics, of.motion) for one in turning]
     return sum((_moved(of, over, one.reshape(of.panels.shape)) for one in found), np.zeros(over.shape))
 
 

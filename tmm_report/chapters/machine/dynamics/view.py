@@ -12,7 +12,7 @@ from tmm_report.chapters.lever.moving import friction_told
 from tmm_report.chapters.machine.dynamics import draw
 from tmm_report.chapters.machine.dynamics import quantities as q
 from tmm_report.chapters.machine.dynamics.equations import Written
-from tmm_report.chapters.machine.dynamics.joined import SETTLED
+from tmm_report.chapters.machine.dynamics.joined import COAST, SETTLED
 from tmm_report.chapters.machine.dynamics.plant import BRAKE, MOTOR, PAIRS
 from tmm_report.chapters.machine.dynamics.solve import Found
 from tmm_report.figures.charts.graphs import Graph
@@ -112,6 +112,19 @@ class DynamicsView(ChapterView):
         if coast.brake:
             return self.t("The motor is switched off and the brake of the main shaft applied.")
         return self.t("The motor is switched off.")
+
+    def by_itself(self) -> Markup:
+        """Why a run-down does not follow upon the other regimes; nothing where it does, or there are none."""
+        found, coast = self.found, self.found.given.coast
+        begin = coast.begin if coast else None
+        follows = found.joined is not None and any(one.name == COAST for one in found.joined.stretches)
+        if begin is None or follows or (found.steady is None and found.start is None):
+            return Markup("")
+        text = N_(
+            "It begins at the stated %(begin)s rad/s, at which the machine is neither in the steady motion nor at the "
+            "end of the start-up, so that it follows upon no other regime and stands by itself."
+        )
+        return self.t(text, begin=self.page.num(begin, 5))
 
     def reached(self, key: str) -> Markup:
         """The angle at which a value is reached, degrees."""
@@ -267,6 +280,8 @@ class DynamicsView(ChapterView):
             return self.t(N_("resistance: %(name)s"), name=given.parts[index].name)
         if kind == "spring":
             return self.t(N_("spring %(number)s"), number=index + 1)
+        if kind == "torsion":
+            return self.t(N_("torsion spring %(number)s"), number=index + 1)
         name = given.resistances[index].name
         return (
             self.t(N_("resistance: %(name)s"), name=name)

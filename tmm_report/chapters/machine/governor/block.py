@@ -1,6 +1,7 @@
 """The block `governor` of a variant: the centrifugal governor, its machine, the servomotor, the brake."""
 
 from collections.abc import Iterator, Set
+from dataclasses import fields
 from typing import TypedDict
 
 from pydantic import Field
@@ -12,6 +13,8 @@ from tmm_report.variant.model import Read
 from tmm_report.variant.stated import Stated
 
 PATH = ("governor",)
+_BESIDE = frozenset(one.name for one in fields(Given)) - {"arms", "bell_crank", "brake"}
+"""Keys that do not say what kind of governor it is; an unknown key may be meant to say it."""
 
 
 class Block(model.Block):
@@ -55,7 +58,7 @@ def _together(written: Given, broken: Set[object]) -> Iterator[Problem]:
         yield from _range(written)
         yield from _masses(written)
         yield from _places(written)
-    elif written.brake is None and "brake" not in broken:
+    elif written.brake is None and not broken - _BESIDE:
         right = Message(N_("state arms, bell_crank or brake"))
         yield mistake(N_("nothing says what kind of governor it is"), PATH, right)
     yield from _needs(written, centrifugal, "machine" in broken)

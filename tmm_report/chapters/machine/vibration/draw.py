@@ -22,6 +22,7 @@ from tmm_report.figures.drawing import (
     polyline,
 )
 from tmm_report.figures.lettering import Parts, Symbol
+from tmm_report.figures.springs import zigzag
 
 WIDE, TALL, GAP = 44.0, 16.0, 18.0  # mm: a mass, and the room of springs between two of them
 COILS = 5
@@ -46,7 +47,7 @@ def _linear(found: Found, base: str) -> Drawing:
     top = foot + GAP + TALL
     if found.absorbed is not None:
         items += [
-            *_spring(complex(-WIDE / 4, top), complex(-WIDE / 4, top + GAP)),
+            *zigzag(complex(-WIDE / 4, top), complex(-WIDE / 4, top + GAP), COILS, 2.6),
             *_box(complex(-WIDE / 4, top + GAP + TALL / 3), ABSORBER, 2 * TALL / 3),
         ]
         tags += [
@@ -114,20 +115,11 @@ def _box(centre: complex, wide: float, tall: float) -> Iterator[Item]:
 
 def _legs(foot: float, damped: bool) -> Iterator[Item]:
     """A spring and, where there is damping, a damper beside it."""
-    yield from _spring(complex(-WIDE / 4, foot), complex(-WIDE / 4, foot + GAP))
+    yield from zigzag(complex(-WIDE / 4, foot), complex(-WIDE / 4, foot + GAP), COILS, 2.6)
     if damped:
         yield from _damper(complex(WIDE / 4, foot), complex(WIDE / 4, foot + GAP))
     else:
-        yield from _spring(complex(WIDE / 4, foot), complex(WIDE / 4, foot + GAP))
-
-
-def _spring(start: complex, end: complex) -> Iterator[Item]:
-    """A zigzag between two straight ends."""
-    along = end - start
-    side = 1j * along / abs(along) * 2.6
-    marks = [0.15 + 0.7 * (k + 0.5) / (2 * COILS) for k in range(2 * COILS)]
-    bends = [start + mark * along + (side if k % 2 else -side) for k, mark in enumerate(marks)]
-    yield polyline([start, start + 0.15 * along, *bends, start + 0.85 * along, end], NORMAL)
+        yield from zigzag(complex(WIDE / 4, foot), complex(WIDE / 4, foot + GAP), COILS, 2.6)
 
 
 def _damper(start: complex, end: complex) -> Iterator[Item]:

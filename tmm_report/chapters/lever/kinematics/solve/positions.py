@@ -15,6 +15,7 @@ from tmm_report.chapters.lever.kinematics.checks.digits_left import rounding as 
 from tmm_report.chapters.lever.kinematics.checks.open_cycle import Gap, gaps
 from tmm_report.chapters.lever.kinematics.checks.singular import Closest, Dead, closest, dead
 from tmm_report.chapters.lever.kinematics.given import Positions, Way
+from tmm_report.chapters.lever.kinematics.solve.jumps import Jumps, jumps
 from tmm_report.chapters.lever.kinematics.solve.strokes import Output as Output
 from tmm_report.chapters.lever.kinematics.solve.strokes import Travel as Travel
 from tmm_report.chapters.lever.kinematics.solve.strokes import driven, outputs, travels
@@ -138,6 +139,11 @@ class Kinematics:
         cycle = self.cycle
         moving = [link for link in driven(self.linkage) if cycle.moves(link.velocity, link.size)]
         return travels(cycle, self.table, self.diagram, moving)
+
+    @cached_property
+    def jumps(self) -> Jumps:
+        """Where accelerations jump, with the motion on both sides."""
+        return jumps(self)
 
     @cached_property
     def dead(self) -> tuple[Dead, ...]:

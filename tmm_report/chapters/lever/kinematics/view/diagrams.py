@@ -10,13 +10,18 @@ import numpy as np
 
 from tmm_report.chapters.lever.kinematics.quantities import motion_of
 from tmm_report.chapters.lever.kinematics.solve.analogues import analogues_of, in_unit_motion
+from tmm_report.chapters.lever.kinematics.solve.jumps import Of, drawn
 from tmm_report.chapters.lever.kinematics.solve.points_and_links import along
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics, Travel
 from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.i18n import Translator
+from tmm_report.mechanics.lever.cycle_search import FULL_TURN
+from tmm_report.mechanics.lever.motion import Motion
 from tmm_report.quantity.formula import Var
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.diagrams import CycleGraphs, points
+
+Array = Any
 
 SCALES = {
     "slider": (("mu_S", "m/mm"), ("mu_V", "(m/s)/mm"), ("mu_a", "(m/s²)/mm")),
@@ -33,7 +38,8 @@ ANALOGUES = {
 class Diagrams:
     def __init__(self, found: Kinematics, tr: Translator):
         self.found = found
-        self.graphs = CycleGraphs(found.diagram_turned, found.numbered, tr, along(found.by_law).sign)
+        self.at = drawn(found, found.jumps)
+        self.graphs = CycleGraphs(self.at.turned, found.numbered, tr, along(found.by_law).sign)
         self._made: dict[str, Graph] = {}
 
     def travel(self, travel: Travel) -> Graph:
@@ -45,7 +51,12 @@ class Diagrams:
     def _travel(self, travel: Travel) -> Graph:
         rocker = travel.output.kind == "rocker"
         factors = (np.degrees(1) if rocker else 1.0, 1.0, 1.0)
-        values = (travel.diagram_S, travel.diagram_V, travel.diagram_a)
+        output = travel.output
+        values = (
+            self.at.of(travel.diagram_S, lambda motion: self._displaced(travel, motion)),
+            self.at.of(travel.diagram_V, output.velocity),
+            self.at.of(travel.diagram_a, output.acceleration),
+        )
         peaks = ((travel.near, travel.far), travel.V_extremes, travel.a_extremes)
         sizes = np.abs(self.found.omega) ** np.arange(3) * (1.0 if rocker else self._reach)
         curves = [
@@ -53,6 +64,20 @@ class Diagrams:
             for k, (x, factor, ends, size) in enumerate(zip(values, factors, peaks, sizes, strict=True))
         ]
         return self.graphs.graph(curves, [self.graphs.label(one) for one in motion_of(travel.output)])
+
+    def _displaced(self, travel: Travel, motion: Motion) -> Array:
+        """The displacement of an output: of a rocker by so many turns as bring it to its diagram."""
+        known = np.isfinite(travel.diagram_S)
+        fine = travel.output.coordinate(self.found.diagram)[known]
+        start = fine[0] - travel.diagram_S[known][0] if fine.size else np.nan
+        moved = travel.output.coordinate(motion) - start
+        if travel.output.kind == "slider" or not fine.size:
+            return moved
+        near = np.interp(self._places(motion), self.found.diagram_turned[known], travel.diagram_S[known])
+        return moved + FULL_TURN * np.round((near - moved) / FULL_TURN)
+
+    def _places(self, motion: Motion) -> Array:
+        return next(one.turned for one in self.at.sides if one.motion is motion)
 
     def analogues(self, travel: Travel) -> Graph:
         """Analogues of the velocity and of the acceleration of an output."""
@@ -77,14 +102,17 @@ class Diagrams:
         """Rates by the angle of the driving link at the diagram positions, and their extremes."""
         if self.found.by_law:  # where they are extreme is not sought: rates by the time are extreme elsewhere
             unit = in_unit_motion(self.found.diagram)
-            yield travel.output.velocity(unit), ()
-            yield travel.output.acceleration(unit), ()
+            for of in (travel.output.velocity, travel.output.acceleration):
+                yield self.at.of(of(unit), _in_unit_motion(of)), ()
             return
         omega = abs(self.found.omega)
-        for n, (x, ends) in enumerate(
-            ((travel.diagram_V, travel.V_extremes), (travel.diagram_a, travel.a_extremes)), 1
-        ):
-            yield x / omega**n, points(ends, omega**-n)
+        output = travel.output
+        every = (
+            (travel.diagram_V, travel.V_extremes, output.velocity),
+            (travel.diagram_a, travel.a_extremes, output.acceleration),
+        )
+        for n, (x, ends, of) in enumerate(every, 1):
+            yield self.at.of(x, of) / omega**n, points(ends, omega**-n)
 
     @cached_property
     def _reach(self) -> float:
@@ -99,3 +127,7 @@ class Diagrams:
 
     def analogue_scales(self, travel: Travel) -> list[Var]:
         return self.graphs.scales(self.analogues(travel), ANALOGUES[travel.output.kind])
+
+
+def _in_unit_motion(of: Of) -> Of:
+    return lambda motion: of(in_unit_motion(motion))

@@ -11,6 +11,7 @@ from markupsafe import Markup
 from tmm_report.chapters.lever.initial_data.quantities import driving_stroke
 from tmm_report.chapters.lever.kinematics import stroke as q
 from tmm_report.chapters.lever.kinematics.solve.analogues import LAW_ANGLE, TIME
+from tmm_report.chapters.lever.kinematics.solve.jumps import Of
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
 from tmm_report.chapters.lever.kinematics.view.driving import DrivingView
 from tmm_report.figures.charts.graphs import Graph
@@ -61,9 +62,12 @@ class StrokeView(DrivingView):
         return numeric(caption, self.page.positions(self.table("outputs_table")), columns)
 
     def strokes(self) -> Graph:
-        return self.over_cycle(
-            "stroke_diagram", (q.PLACE.key, q.SPEED.key, q.ACCELERATION.key), self.found.numbered
-        )
+        keys = (q.PLACE.key, q.SPEED.key, q.ACCELERATION.key)
+        return self.both_sides("stroke_diagram", {key: self._of_law(n) for n, key in enumerate(keys)})
+
+    def _of_law(self, order: int) -> Of:
+        """The stroke or one of its derivatives by the time, of the motion."""
+        return lambda motion: self.stroke.law.of_phase(motion.phase)[order]
 
     def conclusions(self) -> list[Markup]:
         return []

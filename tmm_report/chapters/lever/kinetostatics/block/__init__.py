@@ -12,6 +12,7 @@ from tmm_report.chapters.lever.kinetostatics.block.models import LoadsModel
 from tmm_report.chapters.lever.kinetostatics.block.stroke_parts import in_parts, is_measured
 from tmm_report.chapters.lever.kinetostatics.given import Force, Loads, Moment, SharedDiagram
 from tmm_report.chapters.lever.kinetostatics.ties import End, ends, twists
+from tmm_report.chapters.lever.kinetostatics.ties import TorsionSpring as TorsionSpring
 from tmm_report.chapters.lever.structure import block as structure
 from tmm_report.chapters.lever.structure.block import FRAME, names, stated, without
 from tmm_report.mechanics.lever.assembly.stated import assemble

@@ -13,7 +13,12 @@ from tmm_report.problems import N_, Message, Problem, doubt
 from tmm_report.variant.model import Read
 
 TURN = 2 * math.pi
-WEIGHED = ("balancing", "dynamics", "flywheel")  # chapters that use the masses of the links without any loads
+WEIGHED = (
+    "balancing",
+    "dynamics",
+    "flywheel",
+    "travel",
+)  # chapters that use the masses of the links without any loads
 
 
 def doubts(written: LoadsModel | None, read: Read) -> Iterator[Problem]:

@@ -22,10 +22,10 @@ def check(written: LoadsModel, read: Read) -> Iterator[Problem]:
                 yield from _of_tie(tie, ("loads", key, index), known, read)
     for index, spring in enumerate(written.torsion_springs):
         if spring:
-            yield from _of_torsion(spring, ("loads", "torsion_springs", index), known)
+            yield from of_torsion(spring, ("loads", "torsion_springs", index), known)
 
 
-def _of_torsion(tie: TorsionSpring, path: Path, known: Names) -> Iterator[Problem]:
+def of_torsion(tie: TorsionSpring, path: Path, known: Names) -> Iterator[Problem]:
     """Between two links of the mechanism."""
     unknown = [
         found

@@ -3,13 +3,16 @@ the links of torsion springs have turned against one another."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from tmm_report.chapters.lever.kinetostatics.given import Loads
-from tmm_report.chapters.lever.kinetostatics.ties import End, Spring, Tie, Twist, apart
+from tmm_report.chapters.lever.kinetostatics.ties import End, Spring, Tie, apart
+from tmm_report.chapters.lever.kinetostatics.ties import TorsionSpring as TorsionSpring
+from tmm_report.chapters.lever.kinetostatics.ties import Twist as Twist
+from tmm_report.chapters.lever.kinetostatics.ties import twists as twists
 from tmm_report.mechanics.calculus.laws import ByLength, Law
 from tmm_report.mechanics.calculus.vectors import NOWHERE, dot
 from tmm_report.mechanics.lever.mechanism import FRAME
@@ -112,7 +115,8 @@ def never(given: Loads, kinematics: Kinematics) -> Iterator[Problem]:
 
 def refuse(given: Loads, kinematics: Kinematics) -> None:
     """Raises ProblemError for ties without a line, and torsion springs that would be wound up."""
-    if found := [*never(given, kinematics), *wound_up(given, kinematics)]:
+    turning = [(one, ("loads", "torsion_springs", int(one.of[1:]) - 1)) for one in torsions_of(given)]
+    if found := [*never(given, kinematics), *wound_up(turning, kinematics)]:
         raise ProblemError(found)
 
 
@@ -186,10 +190,12 @@ def torsions_of(given: Loads) -> list[Twist]:
     return list(found.values())
 
 
-def wound_up(given: Loads, kinematics: Kinematics) -> Iterator[Problem]:
-    """Torsion springs between links that go round one another, or whose position 0 is not there."""
-    for one in torsions_of(given):
-        path = ("loads", "torsion_springs", int(one.of[1:]) - 1)
+def wound_up(
+    springs: Iterable[tuple[Twist, tuple[str | int, ...]]], kinematics: Kinematics
+) -> Iterator[Problem]:
+    """Torsion springs, with where they are stated, between links that go round one another, or whose position 0 is
+    not there."""
+    for one, path in springs:
         if not np.isfinite(start(one, kinematics)):
             text = N_("the mechanism has no position 0, from which the angle of a torsion spring is counted")
             yield mistake(text, path)

@@ -36,7 +36,7 @@ from tmm_report.chapters.lever.kinetostatics.solve.whole_cycle import Over as Ov
 from tmm_report.chapters.lever.kinetostatics.solve.whole_cycle import cut_at as cut_at
 from tmm_report.chapters.lever.kinetostatics.solve.whole_cycle import over
 from tmm_report.chapters.lever.kinetostatics.solve.works import Works, works
-from tmm_report.chapters.lever.kinetostatics.ties import End
+from tmm_report.chapters.lever.kinetostatics.ties import Between, End, apart
 from tmm_report.mechanics.calculus.laws import ByStrokes, Constant
 from tmm_report.mechanics.lever.cycle import Extreme, least_and_greatest
 from tmm_report.mechanics.lever.forces import reactions as statics
@@ -152,6 +152,18 @@ class Kinetostatics:
     @cached_property
     def _of_diagram(self) -> tuple[Extreme, Extreme]:
         return least_and_greatest(self.diagram.balancing, self.diagram.turned)
+
+    @property
+    def tied(self) -> tuple[Between, ...]:
+        """The springs and dampers."""
+        forces = self.given.forces
+        found = []
+        for own in apart(forces)[1]:
+            ends = [one for k in own if isinstance(one := forces[k], End)]
+            links = tuple(loaded_link(self.table.motion, end) for end in ends)
+            of = ends[0].of
+            found.append(Between(of[0], int(of[1:]), ends[0].tie.between, links))
+        return tuple(found)
 
     @cached_property
     def works(self) -> Works | None:

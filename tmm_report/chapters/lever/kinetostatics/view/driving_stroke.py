@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
+import numpy as np
 from markupsafe import Markup
 
 from tmm_report.chapters.lever.kinematics import quantities as motion
 from tmm_report.chapters.lever.kinetostatics.quantities import driving_stroke as force
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as q
+from tmm_report.chapters.lever.kinetostatics.solve.drawn_cycle import sampled
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
 from tmm_report.figures.charts.graphs import Graph
 from tmm_report.mechanics.lever.driving.triangle import Triangle
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Expr, Formula, cos, sin
 from tmm_report.report.chapter_view import BookView
+from tmm_report.report.diagrams import Line, cycle_lines
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Table
 from tmm_report.report.part import Part
@@ -84,7 +88,13 @@ class StrokeForceView(BookView):
         return self.by_positions(caption, "drive_table", columns)
 
     def diagram(self) -> Graph:
-        return self.over_cycle("drive_diagram", [force.FORCE.key], self.found.kinematics.numbered)
+        found, table = self.found, self.table("drive_diagram")
+        at = self.page.once(sampled, found)
+        driving = None if found.over is None else found.over.statics.driving
+        column = replace(table[force.FORCE.key], values=at.of(driving, found.diagram.statics.driving))
+        turned = replace(table["phi"], values=np.degrees(at.turned))
+        lines = [Line(column, extremes=None)]
+        return cycle_lines(lines, turned, self.page.tr, found.kinematics.numbered)
 
     @property
     def asked(self) -> bool:

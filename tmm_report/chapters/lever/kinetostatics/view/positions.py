@@ -212,6 +212,17 @@ class KinetostaticsView(BookView):
         keys += [q.inertia_couple(link).key for link in loading.couples]
         return self.by_positions(caption, "loads_table", keys)
 
+    def jumping(self) -> list[Markup]:
+        """At which positions accelerations jump by the driving link's law, and which side the tables have."""
+        motion = self.found.kinematics
+        if not motion.by_law or not (positions := np.flatnonzero(motion.jumps.standing(motion.turned))).size:
+            return []
+        text = N_(
+            "Positions at which the accelerations jump: %(positions)s; the tables of inertia forces, of reactions and "
+            "of the balancing moment give there what is after the jump, their diagrams both sides."
+        )
+        return [self.t(text, positions=self.page.listed(map(str, positions)))]
+
     # ------------------------------------------------------------ reactions
 
     def reactions(self, caption: Any) -> Table:

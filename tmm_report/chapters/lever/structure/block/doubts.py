@@ -13,7 +13,7 @@ from tmm_report.problems import N_, Message, Problem, doubt
 from tmm_report.variant.model import Read
 from tmm_report.yamlread import Path
 
-_UNEVEN = ("dynamics", "flywheel", "governor", "reduction")
+_UNEVEN = ("dynamics", "flywheel", "governor", "reduction", "travel")
 """Blocks that reckon with the inertia of the driving link."""
 _OF_INERTIA = ("loads", *_UNEVEN)
 ASKED = Message(

@@ -198,8 +198,7 @@ def _tabulated(stated: list[tuple[float, float]]) -> MotionLaw:
 
 
 ONLY = (
-    "flywheel", "dynamics", "friction", "reduction", "harmonics", "methods", "method", "wear", "balancing", "engine",
-    "press",
+    "flywheel", "dynamics", "friction", "harmonics", "methods", "method", "wear", "balancing", "engine", "press",
 )  # fmt: skip
 """What reckons with a driving link that turns uniformly."""
 ALONG_STROKE = ("friction", "reduction")
@@ -228,6 +227,13 @@ def mistakes(read: Read) -> Iterator[Problem]:
     for key in only:
         if key in read.data and read.data[key] not in (None, False):
             yield mistake(text, (key,), CURES.get(key, right) if stroke else right, key=key)
+    asked = read.data.get("reduction")
+    if isinstance(asked, dict) and not stroke:
+        text = N_(
+            "the reduction to link %(link)s reckons with a uniformly turning driving link, and a law is stated"
+        )
+        whole = Message(N_("reduction: true, to the driving link"))
+        yield mistake(text, ("reduction", "link"), whole, link=asked.get("link", ""))
     mechanism = read.data["mechanism"]
     if mechanism.get("cams"):
         yield mistake(text, ("mechanism", "cams"), right, key="cams")

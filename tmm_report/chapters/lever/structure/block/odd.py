@@ -16,10 +16,13 @@ from tmm_report.chapters.lever.structure.block.cam_size import radius
 from tmm_report.chapters.lever.structure.block.cams import CamModel
 from tmm_report.chapters.lever.structure.block.synthesised import offered
 from tmm_report.mechanics.lever.mechanism import FRAME, Link, Mechanism
-from tmm_report.problems import N_, Message, Problem, doubt
+from tmm_report.mechanics.lever.stated_masses import PerLength, letters
+from tmm_report.problems import N_, Message, Problem, doubt, shown
 from tmm_report.records import dataclass
+from tmm_report.variant.closed import in_other_units
 from tmm_report.variant.measures import Measure, measures
 from tmm_report.variant.model import Read
+from tmm_report.variant.slips.elsewhere import at
 from tmm_report.variant.slips.odd import MEANT, lengths, said
 
 STEEL = 7850.0  # kg/m³
@@ -28,6 +31,8 @@ BULK = 5.0
 SLIDING = 4.0  # times heavier a slider may be: its size does not follow from the lengths of the links
 THIN = 1e-3  # kg/m: no link is lighter than this, of the length of the longest one
 WIRE = 5.0  # kg/m³: and none lighter than this many cubes of that length, as those of instruments are
+BAR = 0.5
+"""Of what is stated by its length: a bar of steel is at most this thick, of the length of the longest link."""
 HEAVY = 60.0
 """How many times the usual mass of the links another one may be."""
 GYRATION = (0.018, 3.0)
@@ -68,6 +73,7 @@ def doubts(written: m.MechanismModel, read: Read) -> Iterator[Problem]:
         found = _Links(moving, own, longest, numbers, sliding, built.driver.link)
         for name in moving:
             yield from _of_link(name, found)
+            yield from _of_metre(written.links[name], name, longest, read)
     yield from _speed(own[built.driver.link], numbers)
 
 
@@ -126,6 +132,25 @@ def _mass(mass: Measure, found: _Links, slides: bool) -> Problem | None:
         text = N_("%(value)s is odd: the usual mass of a link here is %(usual)s kg")
         return said(mass, text, usual / HEAVY, usual * HEAVY, usual=f"{usual:.3g}")
     return None
+
+
+def _of_metre(link: m.LinkModel, name: str, longest: float, read: Read) -> Iterator[Problem]:
+    """A mass of a metre, kg/m, that no bar of such a mechanism has."""
+    if isinstance(link.mass, float):
+        return
+    path = ("mechanism", "links", name, "mass")
+    stated, least, most = str(at(read.data, path)), THIN, STEEL * (BAR * longest) ** 2
+    for size in (one.value for one in letters(link.mass) if isinstance(one, PerLength)):
+        if not least <= size <= most:
+            near = next(
+                (text for text, times in in_other_units(stated) if least <= size * times <= most), None
+            )
+            right = Message(MEANT, {"near": near}) if near else None
+            text = N_(
+                "%(value)s is odd: a metre has %(size)s kg, in a mechanism whose longest link has %(length)s m"
+            )
+            told = {"value": shown(stated), "size": f"{size:.3g}", "length": f"{longest:.3g}"}
+            yield doubt(text, path, right, **told)
 
 
 def _widest(name: str, found: _Links) -> float:

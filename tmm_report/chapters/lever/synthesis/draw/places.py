@@ -16,10 +16,13 @@ from tmm_report.chapters.lever.synthesis.given import (
     CrankRocker,
     Dwell,
     Generator,
+    RockerPositions,
     SliderCrank,
+    SliderPositions,
     SlottedLink,
     TurningGuide,
 )
+from tmm_report.chapters.lever.synthesis.rounding import moved_joints
 from tmm_report.chapters.lever.synthesis.solve import Design
 from tmm_report.chapters.lever.synthesis.values import Values
 from tmm_report.records import dataclass
@@ -59,6 +62,8 @@ def picture(found: Design) -> Picture:
             return _dwell(found, asked)
         case Body():
             return _body(found, asked)
+        case RockerPositions() | SliderPositions():
+            return _two(s, asked.crank_angles)
     raise TypeError(asked)
 
 
@@ -192,6 +197,36 @@ def _body(found: Design, asked: Body) -> Picture:
     bisectors = [_bisector(pivot, at) for pivot, at in ((crank, pins), (rocker, ends)) if len(at) == 2]
     names = (("O", crank), ("C", rocker), *named)
     return Picture(chains, (crank, rocker), names, arcs=tuple(arcs), lines=tuple(bisectors))
+
+
+def _two(s: Values, angles: list[float] | None) -> Picture:
+    """A rocker or a slider in two positions; without `angles` of the crank they are extreme."""
+    ends = moved_joints(s, s.number)
+    turns = np.exp(1j * np.array(angles)) if angles else ends / np.abs(ends) * np.array([1, -1])
+    pins = s.number("crank") * turns
+    fixed = complex(s.number("frame")) if "psi_1" in s else 0j
+    pivots: tuple[complex, ...] = (0j, fixed) if "psi_1" in s else (0j,)
+    chains = tuple(
+        ((0j, complex(pin), complex(end), *pivots[1:]),) for pin, end in zip(pins, ends, strict=True)
+    )
+    marks = ("'", '"')
+    named = [
+        (f"{name}{mark}", complex(at[k]))
+        for k, mark in enumerate(marks)
+        for name, at in (("A", pins), ("B", ends))
+    ]
+    if "psi_1" in s:
+        names = (("O", 0j), ("C", fixed), *named)
+        return Picture(
+            chains, pivots, names, circles=((0j, s.number("crank")),), spans=(("frame", 0j, fixed),)
+        )
+    reach = 0.4 * s.number("crank")
+    low, high = sorted((complex(end) for end in ends), key=lambda end: end.real)
+    offset = (("offset", 0j, complex(0, low.imag)),) if low.imag else ()
+    return Picture(
+        chains, pivots, (("O", 0j), *named), lines=((low - reach, high + reach),),
+        circles=((0j, s.number("crank")),), spans=offset,
+    )  # fmt: skip
 
 
 def _bisector(pivot: complex, at: np.ndarray) -> tuple[complex, complex]:

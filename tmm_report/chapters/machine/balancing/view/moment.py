@@ -42,6 +42,11 @@ class AgainstMoment(BalancingRows):
         """Whether a wheel takes anything of the moment."""
         return self.geared is not None and any(one.inertia for one in self.geared.wheels)
 
+    @property
+    def weighs(self) -> bool:
+        """Whether weights in antiphase take anything of the moment."""
+        return self.coupled is not None and any(one.moment for one in self.coupled.couples)
+
     # ------------------------------------------------------------ what becomes of the moment
 
     def raised(self) -> Markup:

@@ -9,6 +9,7 @@ import numpy as np
 from markupsafe import Markup
 
 from tmm_report.chapters.machine.balancing.draw import fitted, hodographs, scale, seen
+from tmm_report.chapters.machine.balancing.draw_moment import antiphase, geared
 from tmm_report.chapters.machine.balancing.solve.cases import Case
 from tmm_report.chapters.machine.balancing.solve.whole import Found
 from tmm_report.chapters.machine.balancing.values import Shaking, Values
@@ -130,6 +131,12 @@ class BalancingView(BalancingSheet):
         if self.fitted is None or self.page.percent(self.fitted) != 100:
             return None
         return self.page.value(scale_of("mu_l", self.scale, "m/mm"))
+
+    def geared_scheme(self, case: Case) -> Drawing:
+        return geared(self.found, case, self.position, self.scale)
+
+    def antiphase_scheme(self, case: Case) -> Drawing:
+        return antiphase(self.found, case, self.position)
 
     @cached_property
     def hodographs(self) -> Drawing:

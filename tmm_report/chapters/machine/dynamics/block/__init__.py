@@ -45,6 +45,7 @@ def build(written: DynamicsModel, turn: float = 2 * math.pi) -> Stated:
         motor=motor(written.motor, period) if written.motor else None,
         resistances=tuple(resistance(one, period) for one in written.resistance),
         springs=tuple(written.springs),
+        torsion_springs=tuple(written.torsion_springs),
         speed=written.speed,
         period=period,
         varying=ByAngle.through(written.varying_inertia, period) if written.varying_inertia else None,
@@ -102,3 +103,13 @@ def doubts(read: Read) -> Iterator[Problem]:
             )
             right = Message(N_("where it is the same spring, state it once, in loads.springs"))
             yield doubt(text, ("dynamics", "springs", k, "at"), right, point=one.at)
+    turned = [{str(link) for link in one["links"]} for one in loads.get("torsion_springs") or ()]
+    for k, spring in enumerate(written.torsion_springs if written is not None else ()):
+        if set(spring.links) in turned:
+            text = N_(
+                "a torsion spring between %(one)s and %(other)s stands among the loads, too, and both act in the "
+                "machine in motion"
+            )
+            right = Message(N_("where it is the same spring, state it once, in loads.torsion_springs"))
+            links = dict(zip(("one", "other"), spring.links, strict=True))
+            yield doubt(text, ("dynamics", "torsion_springs", k, "links"), right, **links)

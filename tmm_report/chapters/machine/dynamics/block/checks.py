@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from tmm_report.chapters.lever.kinematics.block import turns_of
+from tmm_report.chapters.lever.kinetostatics.block.tied import of_torsion
 from tmm_report.chapters.lever.structure.block import names, no_point, of_friction, stated
 from tmm_report.chapters.machine.dynamics.block.models import DynamicsModel, PartModel
 from tmm_report.chapters.machine.dynamics.block.motors import MotorModel, ResistanceModel
@@ -29,6 +30,7 @@ def check(written: DynamicsModel, read: Read) -> Iterator[Problem]:
         yield from _of_part(part, ("dynamics", "parts", index), written)
     for index, spring in enumerate(written.springs):
         yield from _of_spring(spring, ("dynamics", "springs", index), read, alone)
+    yield from _of_torsions(written, read, alone)
     yield from _of_regimes(written)
     yield from _of_curves(written)
     turn = 2 * math.pi * (1 if alone else turns_of(read))
@@ -98,6 +100,17 @@ def _of_spring(spring: Spring, path: Path, read: Read, alone: bool) -> Iterator[
         yield mistake(N_("it is not said where the spring is fixed"), path, right)
     elif point:
         yield from no_point(str(spring.at), (*path, "at"), names(read.data))
+
+
+def _of_torsions(written: DynamicsModel, read: Read, alone: bool) -> Iterator[Problem]:
+    for index, spring in enumerate(written.torsion_springs):
+        path = ("dynamics", "torsion_springs", index)
+        if alone:
+            text = N_("a torsion spring turns links of a mechanism against one another, and there is none")
+            right = Message(N_("a mechanism, or the moment of the spring by_angle under resistance"))
+            yield mistake(text, path, right)
+        else:
+            yield from of_torsion(spring, path, names(read.data))
 
 
 def _of_regimes(written: DynamicsModel) -> Iterator[Problem]:

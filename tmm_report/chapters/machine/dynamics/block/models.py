@@ -5,6 +5,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from tmm_report.chapters.lever.kinetostatics.block import TorsionSpring
 from tmm_report.chapters.machine.dynamics.block.motors import MotorModel, ResistanceModel
 from tmm_report.chapters.machine.dynamics.given import Coast, Spring, Start
 from tmm_report.variant.model import Model
@@ -78,6 +79,9 @@ class DynamicsModel(Model):
     motor: MotorModel | None = Field(default=None, description="left out, a moment that closes the cycle")
     resistance: list[ResistanceModel] = Field(default=[], max_length=10)
     springs: list[Stated[Spring]] = Field(default=[], max_length=5)
+    torsion_springs: list[Stated[TorsionSpring]] = Field(
+        default=[], max_length=5, description="between two links, or a link and the frame"
+    )
     speed: Speed | None = Field(default=None, description="of the main shaft, to which velocities are stated")
     period: PeriodAngle | None = Field(default=None, description="angle of a cycle; left out, one turn")
     varying_inertia: Varying | None = Field(
