@@ -9,6 +9,10 @@ EDGES = ("tests/mechanics/lever/high_class/test_higher_edges.py",)
 RANDOM = ("tests/mechanics/lever/high_class/test_random_groups.py",)
 MOTION = ("tests/chapters/lever/kinematics/test_partial_motion.py",)
 GEARS = ("tests/chapters/gears/test_gear_edges.py",)
+GAUGES = MECHANICS + "gears/inspection.py"
+GAUGED = ("tests/mechanics/gears/test_inspection.py",)
+SHEETS = ("tests/chapters/gears/spur/test_gear_inspection.py",)
+TWICE = ("tests/chapters/gears/test_spur_twice.py",)
 FOLLOWED = ("tests/mechanics/lever/high_class/test_branch.py",)
 PARTIAL = ("tests/chapters/lever/kinematics/test_partial_mechanisms.py",)
 DEAD = ("tests/mechanics/lever/test_dead_points.py",)
@@ -480,5 +484,92 @@ FAULTS = (
         "size = _of_segment(Segment(link.name, origin, next(p for p in link.points if p != origin)), lengths)",
         "crank_rocker",
         LENGTHS,
+    ),
+    # --- by what teeth are measured ---
+    Fault(
+        "a span over one tooth too many",
+        SPUR + "gauging.py",
+        "r.span_teeth - Number(0.5)",
+        "r.span_teeth + Number(0.5)",
+        "hoist_drive",
+        TWICE,
+    ),
+    Fault(
+        "a span of helical teeth not across them",
+        GAUGES,
+        "self._solid) * np.cos(self.beta_b)",
+        "self._solid)",
+        "hoist_drive",
+        GAUGED,
+    ),
+    Fault(
+        "a span off the active profile",
+        SPUR + "solve/inspection.py",
+        "fitting = self.gauge.spans(self.gauge.active)",
+        "fitting = self.gauge.spans((0.0, 1.0))",
+        "hoist_drive",
+        SHEETS,
+    ),
+    Fault(
+        "a span wider than the face",
+        GAUGES,
+        "< self.width",
+        "> 0.0",
+        "hoist_drive",
+        SHEETS,
+    ),
+    Fault(
+        "a constant chord of a full thickness",
+        SPUR + "gauging.py",
+        "lost = r.s_c * tan(s.alpha)",
+        "lost = 2 * r.s_c * tan(s.alpha)",
+        "hoist_drive",
+        TWICE,
+    ),
+    Fault(
+        "a ring's chord from the middle of its tip",
+        GAUGES,
+        "sag + self.tip_sag",
+        "sag",
+        "hoist_drive",
+        GAUGED,
+    ),
+    Fault(
+        "pins of an odd wheel opposite one another",
+        GAUGES,
+        "if self.z % 2 else 1.0)",
+        "if self.z % 2 > 1 else 1.0)",
+        "hoist_drive",
+        GAUGED,
+    ),
+    Fault(
+        "pins between a ring's teeth measured over",
+        SPUR + "gauging.py",
+        "apart - r.pin if self.ring",
+        "apart + r.pin if self.ring",
+        "hoist_drive",
+        TWICE,
+    ),
+    Fault(
+        "pins below the tips",
+        GAUGES,
+        "& beyond & above",
+        "& above",
+        "hoist_drive",
+        SHEETS,
+    ),
+    Fault(
+        "sizes of both wheels exchanged",
+        SPUR + "view/inspection.py",
+        "cell = self.page.cell(self.table, key, i, places",
+        "cell = self.page.cell(self.table, key, 1 - i, places",
+        "hoist_drive",
+    ),
+    Fault(
+        "the drawing table of the other wheel",
+        SPUR + "view/inspection.py",
+        "self.page.cell(self.of.sizes, key, i, places",
+        "self.page.cell(self.of.sizes, key, 1 - i, places",
+        "hoist_drive",
     ),
 )

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
         Helix,
         Label,
         Module,
+        Pin,
         Reads,
         Shift,
         Span,
@@ -87,6 +88,35 @@ class Cutter(cutting.Cutter):
 
 
 @dataclass(frozen=True)
+class Inspection:
+    """By what the wheels are measured when they are cut, of each wheel in the order of `teeth`."""
+
+    span: Annotated[
+        tuple[Annotated[int, whole(1, 501)], Annotated[int, whole(1, 501)]] | None,
+        Field(
+            description="teeth that the span W holds, of a ring spaces; left out, by the rule",
+            examples=["[3, 4]"],
+        ),
+    ] = None
+    pins: Annotated[
+        tuple[Pin, Pin] | None,
+        Field(
+            description="diameters of the pins or balls; left out, 1.7 modules", examples=["[10 mm, 10 mm]"]
+        ),
+    ] = None
+    chords: Annotated[
+        tuple[Span, Span] | None,
+        Field(
+            description="diameters on which the chordal thickness is measured; left out, the pitch circles",
+            examples=["[84 mm, 168 mm]"],
+        ),
+    ] = None
+    drawing_tables: Annotated[
+        Flag, Field(description="true: the tables of GOST 2.403 for the drawings of both wheels")
+    ] = False
+
+
+@dataclass(frozen=True)
 class Spur:
     """A pair of wheels on fixed axes; the driving one is named first."""
 
@@ -139,6 +169,12 @@ class Spur:
         Annotated[float, quantity("number", 0.5, 20.0, "0.5 … 20")] | None,
         Field(
             description="largest specific sliding; left out, 6 up to 15 m/s at the pitch line, falling to 3 at 20 m/s"
+        ),
+    ] = None
+    inspection: Annotated[
+        Inspection | None,
+        Field(
+            description="by what the wheels are measured, with the formulas; left out, a table of the usual sizes"
         ),
     ] = None
     wheels: tuple[str, str] = field(default=("1", "2"), kw_only=True)  # their names in the drive

@@ -11,12 +11,13 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.chapters.gears.spur.gauging import gauges
 from tmm_report.chapters.gears.spur.solve.motion import FAST, NARROWEST, SLOW, WIDEST, sliding_limit
 from tmm_report.chapters.gears.spur.solve.pair import EQUAL, Found
-from tmm_report.chapters.gears.spur.values import Drawn, Tool, Values, Wheel, letters
+from tmm_report.chapters.gears.spur.values import Drawn, Gauge, Tool, Values, Wheel, letters
 from tmm_report.mechanics.gears import shift_sharing
 from tmm_report.quantity.formula import PI, Expr, Number, Var, arccos, cos, sin, sqrt, tan
-from tmm_report.quantity.functions import arctan
+from tmm_report.quantity.functions import arcsin, arctan
 from tmm_report.quantity.sheet import Computed
 from tmm_report.quantity.tabulated import tabulated
 from tmm_report.quantity.terms.gear_terms import involute
@@ -67,6 +68,11 @@ class Stage:
             getattr(found.proof, key) for key in ("overlap", "clearance", "ratio")
         )
         return s
+
+    @cached_property
+    def gauges(self) -> tuple[Gauge, ...]:
+        """By what both wheels are measured."""
+        return gauges(self)
 
     # ------------------------------------------------------------ terms
 
@@ -132,6 +138,7 @@ class Stage:
         if self.helical:
             s.m_t = Computed(s.m / cos(s.beta), p.m_t)
             s.alpha_t = _angle(arctan(tan(s.alpha) / cos(s.beta)), p.t.alpha)
+            s.beta_b = arcsin(sin(s.beta) * cos(s.alpha))
         s.a = Computed(self.m_t * self.teeth_sum / 2, p.a)
 
     def _distance(self) -> None:
