@@ -564,6 +564,7 @@ FAULTS = (
         "cell = self.page.cell(self.table, key, i, places",
         "cell = self.page.cell(self.table, key, 1 - i, places",
         "hoist_drive",
+        SHEETS,
     ),
     Fault(
         "the drawing table of the other wheel",
@@ -571,5 +572,6 @@ FAULTS = (
         "self.page.cell(self.of.sizes, key, i, places",
         "self.page.cell(self.of.sizes, key, 1 - i, places",
         "hoist_drive",
+        SHEETS,
     ),
 )

@@ -135,6 +135,16 @@ def test_the_number_of_teeth_is_the_nearest_that_fits():
     assert none.span is None and none.why_no_span == "narrow"
 
 
+def test_the_span_touches_what_works():
+    """By the rule 8.26 teeth: 8 would touch the involutes under the active profile; of an undercut wheel the rule
+    gives nothing."""
+    of = spur.solve(replace(FREE, teeth=(12, 80), ratio=-80 / 12, shift=(1.1, -0.6))).inspected[1]
+    assert round(of.gauge.rule) == 8 and 8 in of.gauge.spans(of.gauge.involute)
+    assert of.span == 9 and of.moved
+    undercut = spur.solve(replace(FREE, shift=(-0.6, 0.5))).inspected[0]
+    assert math.isnan(undercut.gauge.rule) and undercut.span == 2 and undercut.moved
+
+
 def test_a_helical_ring_has_no_span():
     ring = spur.solve(CASES["internal, helical"]).inspected[1]
     assert ring.span is None and ring.why_no_span == "helical ring"
@@ -179,6 +189,25 @@ def test_formulas_and_drawing_tables_are_printed_where_they_are_asked_for():
     assert helical.count("to be filled in") == 2 * 4 + 1  # and the direction of the teeth
     other = note(SHEET + ", rack: {c*: 0.3}, inspection: {drawing_tables: true}")
     assert "GOST 13755" in asked and "GOST 13755" not in other.split("Parameters of the teeth")[1]
+
+
+def cells(page, caption):
+    """Of each row of the table: its places in the results, (key, row)."""
+    start = page.index(caption)
+    rows = page[start : page.index("</table>", start)].split("<tr>")
+    marks = re.compile(r'data-q="(\w+)" data-k="(\d)"')
+    return [found for row in rows if (found := [(key, int(k)) for key, k in marks.findall(row)])]
+
+
+def test_each_wheel_has_its_own_numbers():
+    """A column of the sizes is of the wheel that heads it, a drawing table of its wheel but for the mate's teeth."""
+    results = course.solve(course.loads(variant(SHEET + ", inspection: {drawing_tables: true}")))
+    page = render(results, "html", "en")["note.html"].decode()
+    sizes = cells(page, "Sizes by which the teeth of pair 1-2 are measured</p>")
+    assert len(sizes) == 14 and all([k for _, k in row] == [0, 1] for row in sizes)
+    for wheel in (0, 1):
+        of = [mark for row in cells(page, f"for the drawing of wheel {wheel + 1}</p>") for mark in row]
+        assert of == [(key, wheel) for key in ("z", "x", "span_teeth", "W", "d")] + [("z", 1 - wheel)]
 
 
 def test_what_a_wheel_cannot_be_measured_by_is_said():

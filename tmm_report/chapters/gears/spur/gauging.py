@@ -64,13 +64,14 @@ class Gauging:
     def _helix(self, d: Var) -> Expr:
         return arctan(d * tan(self.s.beta) / self.w.d)
 
-    def _normal(self, angle: Expr, beta: str) -> Expr:
-        """Half the angle of a tooth of the wheel that stands for the normal section; `beta`: the helix angle there."""
-        return angle * cos(self.r.var(beta)) ** 3 if self.stage.helical else angle
+    def _normal(self, angle: Expr, beta: Var | None) -> Expr:
+        """Half the angle of a tooth of the wheel that stands for the normal section; `beta`: the helix angle there,
+        None of straight teeth."""
+        return angle if beta is None else angle * cos(beta) ** 3
 
-    def _diameter(self, d: Expr, beta: str) -> Expr:
+    def _diameter(self, d: Expr, beta: Var | None) -> Expr:
         """Of that wheel."""
-        return d / cos(self.r.var(beta)) ** 2 if self.stage.helical else d
+        return d if beta is None else d / cos(beta) ** 2
 
     def _tip(self) -> None:
         w, r = self.w, self.r
@@ -78,10 +79,11 @@ class Gauging:
             return
         if self.stage.helical:
             r.beta_a = self._helix(w.d_a)
-        half = self._normal(w.s_a / w.d_a, "beta_a")
-        r.s_ay = self._diameter(w.d_a * sin(half), "beta_a")
+        beta = r.beta_a if self.stage.helical else None
+        half = self._normal(w.s_a / w.d_a, beta)
+        r.s_ay = self._diameter(w.d_a * sin(half), beta)
         if self.ring:
-            r.sag = self._diameter(w.d_a * (1 - cos(half)), "beta_a") / 2
+            r.sag = self._diameter(w.d_a * (1 - cos(half)), beta) / 2
 
     def _constant_chord(self) -> None:
         if not self.of.has_constant_chord:
@@ -105,12 +107,15 @@ class Gauging:
             r.alpha_y = arccos(w.d_b / d)
             own, there = involute(self.stage.alpha_t), involute(r.alpha_y)
             angle = angle - own + there if self.ring else angle + own - there
+            if self.stage.helical:
+                r.beta_y = self._helix(d)
+        beta = None
         if self.stage.helical:
-            r.beta_y = self._helix(d)
-        r.psi_y = self._normal(angle, "beta_y")
-        r.s_y = self._diameter(d * sin(r.psi_y), "beta_y")
+            beta = self.s.beta if at_pitch else r.beta_y
+        r.psi_y = self._normal(angle, beta)
+        r.s_y = self._diameter(d * sin(r.psi_y), beta)
         if not of.gauge.pointed:
-            sag = self._diameter(d * (1 - cos(r.psi_y)), "beta_y")
+            sag = self._diameter(d * (1 - cos(r.psi_y)), beta)
             r.h_y = (d - w.d_a - sag) / 2 + r.sag if self.ring else (w.d_a - d + sag) / 2
 
     # ------------------------------------------------------------ pins

@@ -59,8 +59,7 @@ NO_SPAN = {
     "helical ring": N_("Inside helical ring %(wheel)s there is no span; it is measured between balls."),
 }
 SPAN_MOVED = N_(
-    "The number of teeth in the span of wheel %(wheel)s that the rule gives does not fit; the nearest that does is "
-    "taken."
+    "The rule gives no number of teeth in the span of wheel %(wheel)s that fits; the nearest one that does is taken."
 )
 NO_CONSTANT = N_("The constant chord of wheel %(wheel)s does not end on its involutes.")
 NO_CHORD = N_("No usual circle cuts the involutes of wheel %(wheel)s, so there is no chordal thickness.")
