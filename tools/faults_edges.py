@@ -12,6 +12,7 @@ GEARS = ("tests/chapters/gears/test_gear_edges.py",)
 GAUGES = MECHANICS + "gears/inspection.py"
 GAUGED = ("tests/mechanics/gears/test_inspection.py",)
 SHEETS = ("tests/chapters/gears/spur/test_gear_inspection.py",)
+STATED = ("tests/chapters/gears/spur/test_spur_as_stated.py",)
 TWICE = ("tests/chapters/gears/test_spur_twice.py",)
 FOLLOWED = ("tests/mechanics/lever/high_class/test_branch.py",)
 PARTIAL = ("tests/chapters/lever/kinematics/test_partial_mechanisms.py",)
@@ -573,5 +574,37 @@ FAULTS = (
         "self.page.cell(self.of.sizes, key, 1 - i, places",
         "hoist_drive",
         SHEETS,
+    ),
+    Fault(
+        "the rest of the shifts taken by the stated wheel",
+        SPUR + "solve/sizes.py",
+        "left = 1 - given.rests[0] if",
+        "left = given.rests[0] if",
+        "hoist_drive",
+        STATED,
+    ),
+    Fault(
+        "the rest of a ring's shift as of an external wheel",
+        SPUR + "steps.py",
+        "return s.x_sum + own if self.ring(i) else own - s.x_sum",
+        "return s.x_sum - own",
+        "hoist_drive",
+        TWICE,
+    ),
+    Fault(
+        "teeth without a ratio against the centre distance",
+        SPUR + "given.py",
+        "abs(two - one)) < abs(doubled",
+        "abs(two - one)) > abs(doubled",
+        "hoist_drive",
+        STATED,
+    ),
+    Fault(
+        "a guide through a place with its coordinates exchanged",
+        "tmm_report/chapters/lever/structure/block/build.py",
+        "complex(*model.through)",
+        "complex(*model.through[::-1])",
+        "crank_rocker",
+        LENGTHS,
     ),
 )

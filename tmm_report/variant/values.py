@@ -393,3 +393,23 @@ Helix = Annotated[float, quantity("angle", 0.0, math.radians(45), "0 … 45 deg"
 Efficiency = Annotated[float, quantity("number", 0.01, 1.0, "0.01 … 1")]
 Tooth = Annotated[int, whole(6, 1000)]
 Shift = Annotated[float, quantity("number", -5.0, 5.0, "−5 … 5")]
+
+
+def _shift_or_rest(value: Any) -> float:
+    """nan of the rest."""
+    if value in ("rest", "остаток"):
+        return math.nan
+    return _quantity(value, "number", -5.0, 5.0, "−5 … 5")
+
+
+ShiftOrRest = Annotated[
+    float,
+    Reads(
+        _shift_or_rest,
+        {
+            "anyOf": [{"type": "number"}, {"const": "rest"}],
+            "description": "−5 … 5, or rest: what the centre distance leaves",
+        },
+        bounded=True,
+    ),
+]

@@ -37,6 +37,9 @@ MORE = {
     ),
     "measured helical": replace(CASES["helical"], inspection=Inspection(None, None, (0.088, 0.17))),
     "measured ring": replace(RING, inspection=Inspection(None, (8.6e-3, 8.6e-3), (0.1, 0.298))),
+    "one shift": replace(GUIDE, teeth=(14, 28), shift=(math.nan, 0.5)),
+    "one shift, of a ring": replace(RING, centre_distance=0.101, shift=(math.nan, 0.4)),
+    "one shift, of a ring's pinion": replace(RING, centre_distance=0.101, shift=(0.1, math.nan)),
     "fast": spur.Given(-2, 0.0025, None, (42, 84), shift=(0.2, 0.0)),
 }
 ALL = {**CASES, **MORE}

@@ -47,8 +47,8 @@ DRIVES = {
         "inspection: {chords: [77 mm, 226 mm], drawing_tables: true}",
         "kind: spur, ratio: 3, mesh: internal, module: 3 mm, teeth: [21, 63], shift: [0, 0], helix: 12 deg, "
         "inspection: {drawing_tables: true}",
-        "kind: spur, ratio: -2, module: 3 mm, teeth: [20, 40], shift: [0, 0], helix: 25 deg, width: 8 mm, "
-        "rack: {c*: 0.3}, inspection: {drawing_tables: true}",
+        "kind: spur, module: 3 mm, teeth: [20, 40], centre_distance: 101 mm, shift: [0.2, rest], helix: 25 deg, "
+        "width: 8 mm, rack: {c*: 0.3}, inspection: {drawing_tables: true}",
     ],
     "rounded shifts, pointed teeth": [
         "kind: spur, ratio: -2, module: 6 mm, centre_distance: 130 mm, teeth: [14, 28], shift: [0.18, 0.559]",

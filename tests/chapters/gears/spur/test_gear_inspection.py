@@ -19,8 +19,7 @@ DIGITS = 1e-9
 # An own gear sheet: the form of GOST 16532, answers in mm and degrees by independent solvers. Heights are counted from
 # the tips, which are cut down by Δy m.
 SHEET = """
-kind: spur, mesh: external, ratio: 2.4, module: 5 mm, teeth: [13, 31], centre_distance: 112 mm,
-shift: [0.42, 0.00586056362825]
+kind: spur, module: 5 mm, teeth: [13, 31], centre_distance: 112 mm, shift: [0.42, rest]
 """
 ASKED = {
     "span_rule": (2.54449474244, 3.95467863414),
@@ -183,7 +182,7 @@ def test_formulas_and_drawing_tables_are_printed_where_they_are_asked_for():
         asked.count("to be filled in") == 2 * 3 + 1
     )  # accuracy, deviations, the other drawing; the sentence
     helical = note(
-        SHEET.replace("112", "118").replace("[0.42, 0.00586056362825]", "rule")
+        SHEET.replace("112", "118").replace("[0.42, rest]", "rule")
         + ", helix: 15 deg, inspection: {drawing_tables: true}"
     )
     assert helical.count("to be filled in") == 2 * 4 + 1  # and the direction of the teeth

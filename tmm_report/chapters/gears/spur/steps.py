@@ -103,7 +103,7 @@ class Stage:
     def _given(self) -> None:
         s, given, rack = self.s, self.given, self.pair.rack
         s.u_required, s.m, s.alpha, s.ha, s.c = (
-            given.ratio,
+            None if given.by_teeth else given.ratio,
             given.module,
             float(np.degrees(rack.alpha)),
             rack.ha,
@@ -171,14 +171,25 @@ class Stage:
         s, shift, taken = self.s, self.given.shift, (float(self.pair.x1), float(self.pair.x2))
         small, other = self.wheels[self.small], self.wheels[1 - self.small]
         s.z_rule = shift_sharing.rule_teeth(self.pair.rack)
+        if self.given.rests:
+            rest = self.given.rests[0]
+            self.wheels[1 - rest].x = taken[1 - rest]
+            self.wheels[rest].x = Computed(self._rest(rest), taken[rest])
+            return
         if self.given.centre_distance is None or not isinstance(shift, str) or shift == EQUAL:
             small.x, other.x = taken[self.small], taken[1 - self.small]
             return
         least = taken[self.small]
         ruled = least and not (self.by_cutter and shift == "limit")
         small.x = Computed(self._least() if shift == "limit" else self._by_rule(), least) if ruled else least
-        rest = s.x_sum + small.x if self.internal else s.x_sum - small.x
-        other.x = Computed(rest, taken[1 - self.small])
+        other.x = Computed(self._rest(1 - self.small), taken[1 - self.small])
+
+    def _rest(self, i: int) -> Expr:
+        """What the sum of the shifts leaves to wheel i; of an internal pair the ring's less the pinion's."""
+        s, own = self.s, self.wheels[1 - i].x
+        if not self.internal:
+            return s.x_sum - own
+        return s.x_sum + own if self.ring(i) else own - s.x_sum
 
     @property
     def by_cutter(self) -> bool:
