@@ -9,11 +9,6 @@ EDGES = ("tests/mechanics/lever/high_class/test_higher_edges.py",)
 RANDOM = ("tests/mechanics/lever/high_class/test_random_groups.py",)
 MOTION = ("tests/chapters/lever/kinematics/test_partial_motion.py",)
 GEARS = ("tests/chapters/gears/test_gear_edges.py",)
-GAUGES = MECHANICS + "gears/inspection.py"
-GAUGED = ("tests/mechanics/gears/test_inspection.py",)
-SHEETS = ("tests/chapters/gears/spur/test_gear_inspection.py",)
-STATED = ("tests/chapters/gears/spur/test_spur_as_stated.py",)
-TWICE = ("tests/chapters/gears/test_spur_twice.py",)
 FOLLOWED = ("tests/mechanics/lever/high_class/test_branch.py",)
 PARTIAL = ("tests/chapters/lever/kinematics/test_partial_mechanisms.py",)
 DEAD = ("tests/mechanics/lever/test_dead_points.py",)
@@ -483,127 +478,6 @@ FAULTS = (
         "tmm_report/chapters/lever/initial_data/quantities/__init__.py",
         "size = _of_segment(Segment(link.name, origin, point), lengths)",
         "size = _of_segment(Segment(link.name, origin, next(p for p in link.points if p != origin)), lengths)",
-        "crank_rocker",
-        LENGTHS,
-    ),
-    # --- by what teeth are measured ---
-    Fault(
-        "a span over one tooth too many",
-        SPUR + "gauging.py",
-        "r.span_teeth - Number(0.5)",
-        "r.span_teeth + Number(0.5)",
-        "hoist_drive",
-        TWICE,
-    ),
-    Fault(
-        "a span of helical teeth not across them",
-        GAUGES,
-        "self._solid) * np.cos(self.beta_b)",
-        "self._solid)",
-        "hoist_drive",
-        GAUGED,
-    ),
-    Fault(
-        "a span off the active profile",
-        SPUR + "solve/inspection.py",
-        "fitting = self.gauge.spans(self.gauge.active)",
-        "fitting = self.gauge.spans((0.0, 1.0))",
-        "hoist_drive",
-        SHEETS,
-    ),
-    Fault(
-        "a span wider than the face",
-        GAUGES,
-        "< self.width",
-        "> 0.0",
-        "hoist_drive",
-        SHEETS,
-    ),
-    Fault(
-        "a constant chord of a full thickness",
-        SPUR + "gauging.py",
-        "lost = r.s_c * tan(s.alpha)",
-        "lost = 2 * r.s_c * tan(s.alpha)",
-        "hoist_drive",
-        TWICE,
-    ),
-    Fault(
-        "a ring's chord from the middle of its tip",
-        GAUGES,
-        "sag + self.tip_sag",
-        "sag",
-        "hoist_drive",
-        GAUGED,
-    ),
-    Fault(
-        "pins of an odd wheel opposite one another",
-        GAUGES,
-        "if self.z % 2 else 1.0)",
-        "if self.z % 2 > 1 else 1.0)",
-        "hoist_drive",
-        GAUGED,
-    ),
-    Fault(
-        "pins between a ring's teeth measured over",
-        SPUR + "gauging.py",
-        "apart - r.pin if self.ring",
-        "apart + r.pin if self.ring",
-        "hoist_drive",
-        TWICE,
-    ),
-    Fault(
-        "pins below the tips",
-        GAUGES,
-        "& beyond & above",
-        "& above",
-        "hoist_drive",
-        SHEETS,
-    ),
-    Fault(
-        "sizes of both wheels exchanged",
-        SPUR + "view/inspection.py",
-        "cell = self.page.cell(self.table, key, i, places",
-        "cell = self.page.cell(self.table, key, 1 - i, places",
-        "hoist_drive",
-        SHEETS,
-    ),
-    Fault(
-        "the drawing table of the other wheel",
-        SPUR + "view/inspection.py",
-        "self.page.cell(self.of.sizes, key, i, places",
-        "self.page.cell(self.of.sizes, key, 1 - i, places",
-        "hoist_drive",
-        SHEETS,
-    ),
-    Fault(
-        "the rest of the shifts taken by the stated wheel",
-        SPUR + "solve/sizes.py",
-        "left = 1 - given.rests[0] if",
-        "left = given.rests[0] if",
-        "hoist_drive",
-        STATED,
-    ),
-    Fault(
-        "the rest of a ring's shift as of an external wheel",
-        SPUR + "steps.py",
-        "return s.x_sum + own if self.ring(i) else own - s.x_sum",
-        "return s.x_sum - own",
-        "hoist_drive",
-        TWICE,
-    ),
-    Fault(
-        "teeth without a ratio against the centre distance",
-        SPUR + "given.py",
-        "abs(two - one)) < abs(doubled",
-        "abs(two - one)) > abs(doubled",
-        "hoist_drive",
-        STATED,
-    ),
-    Fault(
-        "a guide through a place with its coordinates exchanged",
-        "tmm_report/chapters/lever/structure/block/build.py",
-        "complex(*model.through)",
-        "complex(*model.through[::-1])",
         "crank_rocker",
         LENGTHS,
     ),
