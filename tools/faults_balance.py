@@ -351,7 +351,7 @@ FAULTS = (
     Fault("a product of mass and radius of gyration", "tmm_report/quantity/units.py",
           'parse(match[2], "length") ** 2', 'parse(match[2], "length")', "hoist_start", WRITTEN),
     Fault("a fraction upside down", "tmm_report/quantity/units.py",
-          '"-")) / int(match[2])', '"-")) * int(match[2])', "hoist_start", WRITTEN),
+          "return over[0] / under[0]", "return over[0] * under[0]", "hoist_start", WRITTEN),
     Fault("the speed of a rim by its stress without the density", "tmm_report/chapters/machine/flywheel/sizes.py",
           "sqrt(s.sigma_lim / s.rho)", "sqrt(s.sigma_lim)", "press_flywheel", TYPED),
     Fault("stiffness from a deflection without the weight", VIBRATION + "steps.py",

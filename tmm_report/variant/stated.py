@@ -11,13 +11,16 @@
         spring: Stated[Spring] | None = None
 
 The model that reads the mapping is made of the record's annotations, its docstring of the record's; a record within a
-record is read likewise. Fields named in `NOT_STATED` the file has not: they say what stands round the record. What the
+record is read likewise. Fields named in `NOT_STATED` the file has not: they say what stands round the record; numbers
+named in `LEFT_OUT` it may leave out, the record is then given nan and finds them by the others. What the
 parts of one record say wrong of one another its `__post_init__` raises as WrongValue.
 """
 
 import dataclasses
+import math
 import sys
 import types
+from collections.abc import Collection
 from functools import cache, partial
 from typing import (
     TYPE_CHECKING,
@@ -65,9 +68,9 @@ def model_of(record: type) -> type[Model]:
         **vars(sys.modules[record.__module__]),
     }
     hints = get_type_hints(record, names, include_extras=True)
-    not_stated = getattr(record, "NOT_STATED", ())
+    not_stated, left_out = (getattr(record, names, ()) for names in ("NOT_STATED", "LEFT_OUT"))
     fields: Any = {
-        field.name: (_read(hints[field.name]), ... if _kind(hints[field.name]) else _default(field))
+        field.name: (_read(hints[field.name]), ... if _kind(hints[field.name]) else _default(field, left_out))
         for field in dataclasses.fields(record)
         if field.init and field.name not in not_stated
     }
@@ -87,9 +90,11 @@ def _kind(hint: Any) -> bool:
     return get_origin(hint) is Literal and len(get_args(hint)) == 1
 
 
-def _default(field: Any) -> Any:
+def _default(field: Any, left_out: Collection[str] = ()) -> Any:
     """What a field of the model is when the file leaves it out. Of a record no editor is told: the file calls its
     fields by other names."""
+    if field.name in left_out:
+        return Field(default_factory=lambda: math.nan)
     if field.default_factory is not dataclasses.MISSING:
         made = field.default_factory()
     elif field.default is not dataclasses.MISSING:

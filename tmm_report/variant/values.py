@@ -431,7 +431,28 @@ Turn = Literal["clockwise", "counter-clockwise"]
 # --- of gears
 Module = Annotated[float, quantity("length", 5e-5, 0.1, "0.05 … 100 mm")]
 Span = Annotated[float, quantity("length", 1e-3, 20.0, "1 mm … 20 m")]
+Pin = Annotated[float, quantity("length", 5e-5, 0.5, "0.05 … 500 mm")]
 Helix = Annotated[float, quantity("angle", 0.0, math.radians(45), "0 … 45 deg")]
 Efficiency = Annotated[float, quantity("number", 0.01, 1.0, "0.01 … 1")]
 Tooth = Annotated[int, whole(6, 1000)]
 Shift = Annotated[float, quantity("number", -5.0, 5.0, "−5 … 5")]
+
+
+def _shift_or_rest(value: Any) -> float:
+    """nan of the rest."""
+    if value in ("rest", "остаток"):
+        return math.nan
+    return _quantity(value, "number", -5.0, 5.0, "−5 … 5")
+
+
+ShiftOrRest = Annotated[
+    float,
+    Reads(
+        _shift_or_rest,
+        {
+            "anyOf": [{"type": "number"}, {"const": "rest"}],
+            "description": "−5 … 5, or rest: what the centre distance leaves",
+        },
+        bounded=True,
+    ),
+]

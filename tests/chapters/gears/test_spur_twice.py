@@ -10,6 +10,7 @@ from test_spur_stage import CASES, FREE, GUIDE
 from twice import disagreements
 
 from tmm_report import course
+from tmm_report.chapters.gears.spur.given import Inspection
 from tmm_report.chapters.gears.spur.quantities import book
 from tmm_report.chapters.gears.spur.solve import pair as spur
 from tmm_report.chapters.gears.spur.solve.motion import sliding_limit
@@ -31,6 +32,14 @@ MORE = {
     "full tips of a cutter": replace(FREE, shift=(0.5, 0.4), tip_shortening=False, cutter=Cutter(20)),
     "rounded": replace(GUIDE, shift=(0.176, 0.563)),
     "needs no shift": replace(GUIDE, module=2e-3),
+    "measured": replace(
+        FREE, shift=(0.5, 0.4), inspection=Inspection((2, 4), (10.5e-3, 11e-3), (0.092, 0.172), True)
+    ),
+    "measured helical": replace(CASES["helical"], inspection=Inspection(None, None, (0.088, 0.17))),
+    "measured ring": replace(RING, inspection=Inspection(None, (8.6e-3, 8.6e-3), (0.1, 0.298))),
+    "one shift": replace(GUIDE, teeth=(14, 28), shift=(math.nan, 0.5)),
+    "one shift, of a ring": replace(RING, centre_distance=0.101, shift=(math.nan, 0.4)),
+    "one shift, of a ring's pinion": replace(RING, centre_distance=0.101, shift=(0.1, math.nan)),
     "fast": spur.Given(-2, 0.0025, None, (42, 84), shift=(0.2, 0.0)),
 }
 ALL = {**CASES, **MORE}
@@ -60,6 +69,7 @@ def told(found):
     wrong = disagreements(made.s, _ways(found), formed=True)
     for i, wheel in enumerate(made.wheels):
         wrong += disagreements(wheel, _of_wheel(found, i), formed=True)
+        wrong += disagreements(made.gauges[i], _of_gauge(found.inspected[i]), formed=True)
     for tool, cut in zip(made.tools, found.cutters, strict=True):
         wrong += disagreements(tool, _of_tool(cut.by), formed=True)
     return wrong
@@ -71,6 +81,7 @@ def _ways(found):
     ways = {key: 1e3 * float(getattr(p, key)) for key in LENGTHS.split()}
     ways |= {key: float(getattr(p, key)) for key in PURE.split()}
     ways |= {"alpha_w": float(p.alpha_w), "alpha_t": float(p.t.alpha), "x_needed": found.needed}
+    ways["beta_b"] = math.atan(math.tan(p.beta) * math.cos(p.t.alpha))
     ways |= dict(
         zip(("inv_alpha", "inv_alpha_w"), (math.tan(x) - x for x in (p.t.alpha, p.alpha_w)), strict=True)
     )
@@ -97,6 +108,30 @@ def _of_wheel(found, i):
     return ways | {"rho_l": 1e3 * float(p.rho_l[i]), "root_sliding": lower, "tip_sliding": upper}
 
 
+def _of_gauge(of):
+    """From thicknesses on the base circle, where the formulas go by the shift."""
+    g, pair = of.gauge, of.gauge.pair
+
+    def helix(d):
+        return math.atan(math.tan(pair.beta) * d / g.of("d"))
+
+    span, pin, circle = of.span or 1, of.pin or 1.7 * pair.m, of.circle or g.of("d")
+    rise = g.pin_centres(pin) ** 2 - g.of("d_b") ** 2
+    half_way = g.of("d") + 2 * g.shift * pair.m
+    turn = math.cos(helix(circle)) ** 3
+    lengths = {
+        "W": g.span(span), "rho_W": g.span_touches(span), "s_ay": g.chord(g.of("d_a"))[0], "sag": g.tip_sag,
+        "s_c": g.constant_chord[0], "h_c": g.constant_chord[1], "s_y": g.chord(circle)[0], "h_y": g.chord(circle)[1],
+        "d_D": math.sqrt(rise + g.of("d_b") ** 2), "d_k": g.at(g.pin_touches(pin)), "M": g.over(pin),
+    }  # fmt: skip
+    return {key: 1e3 * float(length) for key, length in lengths.items()} | {
+        "alpha_m": math.acos(min(1.0, g.of("d_b") / half_way)), "span_rule": g.rule, "beta_a": helix(g.of("d_a")),
+        "beta_y": helix(circle), "alpha_y": math.acos(g.of("d_b") / circle),
+        "psi_y": pair.thickness((circle, circle))[g.i] / circle * turn,
+        "inv_alpha_D": math.sqrt(rise) / g.of("d_b") - math.atan(math.sqrt(rise) / g.of("d_b")),
+    }  # fmt: skip
+
+
 def _of_tool(by):
     return {
         "inv_alpha_w0": math.tan(by.alpha) - by.alpha, "a_w0": 1e3 * abs(by.distance), "d_a0": 2e3 * by.tip,
@@ -112,7 +147,7 @@ def test_formulas_say_where_their_value_stands(name):
     """The number that a formula's result refers to is its value, in the unit of print."""
     found = solved(ALL[name])
     of, made = book(found, "stage1"), stage(found, "stage1")
-    sheets = (made.s, *made.wheels, *made.tools)
+    sheets = (made.s, *made.wheels, *made.tools, *made.gauges)
     formulas = [one.formula(key) for one in sheets for key in one.DECLARED if one.has_formula(key)]
     wrong = [
         f"{formula.ref}: {formula.value}, there {there}"

@@ -50,6 +50,42 @@ def points(variant: str, link: str) -> dict[str, complex]:
     return dict(loads(variant).lever.mechanism.links[link].points)
 
 
+GUIDED = """language: en
+mechanism:
+  frame: {{O: [0, 0], P: [-20 mm, 12 mm]}}
+  guides: {{x: {{through: {through}, angle: 5 deg}}}}
+  links:
+    1: {{points: {{O: 0, A: 60 mm}}}}
+    2: {{points: {{A: 0, B: 200 mm}}}}
+    3: {{points: [B], slides: x}}
+  driver: {{link: 1, speed: 180 rpm}}
+  assembly: {{B: right}}
+"""
+
+
+@pytest.mark.parametrize("through", ["[-20 mm, 12 mm]", "[-0.02, 12 mm]", "[−20 mm, 0.012]", "[-2cm, 12mm]"])
+def test_a_guide_through_a_place(through):
+    """As through the point there."""
+    place, point = (loads(GUIDED.format(through=one)).lever.mechanism.guides["x"] for one in (through, "P"))
+    assert (place.through, place.direction) == (pytest.approx(point.through), point.direction)
+
+
+NO_PLACES = {
+    "[0, 12 kg]": "through.1: 12 kg is a mass (kg); expected: a length (m)",
+    "[O, 12 mm]": "through.0: O is not a number; expected: a length (m)",
+    "[1 mm]": "through: a value of the list is missing",
+    "[0, 12]": "the point 12 is not on link 0",
+    "{O: 1}": "a point, two: [P, Q], or the coordinates of one: [12 mm, 0]",
+}
+
+
+@pytest.mark.parametrize("through", NO_PLACES)
+def test_what_is_no_place_of_a_guide(through):
+    with pytest.raises(ProblemError) as told:
+        loads(GUIDED.format(through=through))
+    assert NO_PLACES[through] in str(told.value)
+
+
 def test_lengths_are_those_that_they_come_to():
     variant = text(corner="{from: {A: 0.6*l_AB, B: l_OA + 40/60*l_OA}, side: left}")
     assert points(variant, "2")["B"] == pytest.approx(0.18, rel=1e-15)

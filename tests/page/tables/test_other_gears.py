@@ -40,6 +40,16 @@ DRIVES = {
         "kind: spur, ratio: -2, module: 3 mm, teeth: [14, 28], centre_distance: 65 mm, shift: limit, cutter: {z0: 25}",
         "kind: spur, ratio: 1.4, module: 3 mm, teeth: [25, 35], shift: [0, 0], rack: {ha*: 0.8}, helix: 15 deg",
     ],
+    "measured as stated, with tables for the drawings; of a ring, of one that is helical, on a narrow face": [
+        "kind: spur, ratio: -2.4, module: 5 mm, teeth: [13, 31], centre_distance: 112 mm, shift: rule, "
+        "inspection: {span: [2, 4], chords: [66 mm, 157 mm], pins: [9 mm, 8.5 mm], drawing_tables: true}",
+        "kind: spur, ratio: 3, mesh: internal, module: 3 mm, teeth: [25, 75], shift: [0.4, 0.5], "
+        "inspection: {chords: [77 mm, 226 mm], drawing_tables: true}",
+        "kind: spur, ratio: 3, mesh: internal, module: 3 mm, teeth: [21, 63], shift: [0, 0], helix: 12 deg, "
+        "inspection: {drawing_tables: true}",
+        "kind: spur, module: 3 mm, teeth: [20, 40], centre_distance: 101 mm, shift: [0.2, rest], helix: 25 deg, "
+        "width: 8 mm, rack: {c*: 0.3}, inspection: {drawing_tables: true}",
+    ],
     "rounded shifts, pointed teeth": [
         "kind: spur, ratio: -2, module: 6 mm, centre_distance: 130 mm, teeth: [14, 28], shift: [0.18, 0.559]",
         "kind: spur, ratio: -2, module: 3 mm, teeth: [12, 24], shift: [1.2, 0.2]",

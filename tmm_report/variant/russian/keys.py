@@ -51,6 +51,7 @@ carrier: водило
 centre: центр
 centre_distance: межосевое расстояние
 choose: выбрать
+chords: хорды
 circle: окружность
 clear: просвет
 clearance: радиальный зазор
@@ -94,6 +95,7 @@ density: плотность
 disc: диск
 displacement: перемещение
 distance: расстояние
+drawing_tables: таблицы чертежей
 driven: ведомая, ведомый
 driven_speed: скорость ведомого
 driving: ведущий
@@ -148,6 +150,7 @@ inline: рядный
 inner: внутренний
 input: вход
 insensitivity: нечувствительность
+inspection: контрольные размеры, контроль
 isodrome: изодром
 isolators: виброизоляторы
 joints: шарниры
@@ -199,6 +202,7 @@ part: часть
 parts: части
 phase: фаза
 phases: фазы
+pins: ролики, шарики
 pitch: шаг
 pivot: пята
 pivots: оси
@@ -276,6 +280,7 @@ slope: наклон
 slotted_link: кулиса, качающаяся кулиса, кулисный механизм
 so_that: чтобы, так чтобы
 spacing: расположение
+span: число зубьев в общей нормали
 speeds: скорости
 spokes: спицы
 spring: пружина

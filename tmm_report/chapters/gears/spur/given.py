@@ -25,8 +25,10 @@ if TYPE_CHECKING:
         Helix,
         Label,
         Module,
+        Pin,
         Reads,
         Shift,
+        ShiftOrRest,
         Span,
         Tooth,
         by_shape,
@@ -87,16 +89,48 @@ class Cutter(cutting.Cutter):
 
 
 @dataclass(frozen=True)
+class Inspection:
+    """By what the wheels are measured when they are cut, of each wheel in the order of `teeth`."""
+
+    span: Annotated[
+        tuple[Annotated[int, whole(1, 501)], Annotated[int, whole(1, 501)]] | None,
+        Field(
+            description="teeth that the span W holds, of a ring spaces; left out, by the rule",
+            examples=["[3, 4]"],
+        ),
+    ] = None
+    pins: Annotated[
+        tuple[Pin, Pin] | None,
+        Field(
+            description="diameters of the pins or balls; left out, 1.7 modules", examples=["[10 mm, 10 mm]"]
+        ),
+    ] = None
+    chords: Annotated[
+        tuple[Span, Span] | None,
+        Field(
+            description="diameters on which the chordal thickness is measured; left out, the pitch circles",
+            examples=["[84 mm, 168 mm]"],
+        ),
+    ] = None
+    drawing_tables: Annotated[
+        Flag, Field(description="true: the tables of GOST 2.403 for the drawings of both wheels")
+    ] = False
+
+
+@dataclass(frozen=True)
 class Spur:
     """A pair of wheels on fixed axes; the driving one is named first."""
 
-    NOT_STATED: ClassVar = ("wheels", "accuracy")
+    NOT_STATED: ClassVar = ("wheels", "accuracy", "by_teeth")
+    LEFT_OUT: ClassVar = ("ratio",)
 
     kind: Literal["spur"] = field(default="spur", kw_only=True)
     name: Annotated[
         Label | None, Field(description="in the headings; left out, the numbers of the wheels")
     ] = field(default=None, kw_only=True)
-    ratio: Annotated[float, Reads(of_pair, SIGN), Field(examples=[-2])]
+    ratio: Annotated[
+        float, Reads(of_pair, SIGN), Field(description="left out, it is that of the teeth", examples=[-2])
+    ]
     mesh: Annotated[
         Literal["external", "internal"] | None,
         Field(
@@ -117,9 +151,12 @@ class Spur:
     rack: Rack = field(default_factory=Rack)
     shift: Annotated[
         Annotated[Literal["rule", "limit", "equal sliding"], Tag(SCALAR)]
-        | Annotated[tuple[Shift, Shift], Tag(LIST)],
+        | Annotated[tuple[ShiftOrRest, ShiftOrRest], Tag(LIST)],
         by_shape(N_("rule, limit, equal sliding or two shifts: [0.2, 0.5]")),
-        Field(description="how the shifts are divided: by (17 − z)/17, by the exact limit, …"),
+        Field(
+            description="how the shifts are divided: by (17 − z)/17, by the exact limit, …; or both, of which one may "
+            "be the rest: [0.42, rest]"
+        ),
     ] = "rule"
     tip_shortening: Annotated[
         Flag,
@@ -141,19 +178,46 @@ class Spur:
             description="largest specific sliding; left out, 6 up to 15 m/s at the pitch line, falling to 3 at 20 m/s"
         ),
     ] = None
+    inspection: Annotated[
+        Inspection | None,
+        Field(
+            description="by what the wheels are measured, with the formulas; left out, a table of the usual sizes"
+        ),
+    ] = None
     wheels: tuple[str, str] = field(default=("1", "2"), kw_only=True)  # their names in the drive
+    by_teeth: bool = field(default=False, kw_only=True)  # whether the ratio is not stated
     accuracy: float = field(
         default=ACCURACY, kw_only=True
     )  # to which the drawing of the mesh is read, m of paper
 
     def __post_init__(self) -> None:
-        """An external pair stated in a word has a minus, written or not."""
+        """An external pair stated in a word has a minus, written or not; a ratio left out is that of the teeth."""
+        if math.isnan(self.ratio):
+            object.__setattr__(self, "ratio", self._of_teeth())
+            object.__setattr__(self, "by_teeth", True)
         if self.mesh == "external":
             object.__setattr__(self, "ratio", -abs(self.ratio))
         if self.mesh == "internal" and self.ratio < 0:
             wrong = N_("the wheels of an internal pair turn in the same sense: its ratio has no minus")
             right = Message(N_("either ratio: %(ratio)s or mesh: external"), {"ratio": f"{-self.ratio:g}"})
             raise WrongValue(Message(wrong), right)
+
+    def _of_teeth(self) -> float:
+        """The ratio; where no word says the pair, it is that which the centre distance is nearer to, else external."""
+        if self.teeth is None:
+            right = Message(N_("state ratio: -2, or teeth: [14, 28]"))
+            raise WrongValue(Message(N_("neither the ratio nor the teeth are stated")), right)
+        one, two = self.teeth
+        internal = self.mesh == "internal"
+        if self.mesh is None and self.centre_distance is not None:
+            doubled = 2 * self.centre_distance * math.cos(self.helix) / self.module
+            internal = one != two and abs(doubled - abs(two - one)) < abs(doubled - one - two)
+        return two / one if internal else -two / one
+
+    @property
+    def rests(self) -> tuple[int, ...]:
+        """Wheels, 0 or 1, whose shift is what the centre distance leaves: none, one, and by mistake both."""
+        return tuple(i for i, x in enumerate(self.shift) if x != x) if isinstance(self.shift, tuple) else ()
 
     @property
     def internal(self) -> bool:

@@ -33,6 +33,7 @@ CONTOUR = N_(
 )
 LACKS = N_("limits of the blocking contour that the shifts of pair %(name)s break")
 
+INSPECTION = N_("by what the wheels of pair %(name)s are measured")
 CUTTER = N_("wheels of pair %(name)s cut by a pinion cutter")
 
 SI = {"mm": "m", "deg": "deg", "": ""}  # unit of print of a condition -> that of the results
@@ -61,6 +62,7 @@ def tables(found: Found, prefix: str) -> Iterator[Table]:
     cut = [found.given.wheels[i] for i in found.cut_wheels]
     parts = {
         "wheels": (WHEELS, _rows(found.given.wheels, made.wheels)),
+        "inspection": (INSPECTION, _rows(found.given.wheels, made.gauges)),
         "conditions": (CONDITIONS, _conditions(found)),
         "sliding": (SLIDING, _sliding(found)),
         "readings": (READINGS, _readings(found)),

@@ -11,12 +11,13 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.chapters.gears.spur.gauging import gauges
 from tmm_report.chapters.gears.spur.solve.motion import FAST, NARROWEST, SLOW, WIDEST, sliding_limit
 from tmm_report.chapters.gears.spur.solve.pair import EQUAL, Found
-from tmm_report.chapters.gears.spur.values import Drawn, Tool, Values, Wheel, letters
+from tmm_report.chapters.gears.spur.values import Drawn, Gauge, Tool, Values, Wheel, letters
 from tmm_report.mechanics.gears import shift_sharing
 from tmm_report.quantity.formula import PI, Expr, Number, Var, arccos, cos, sin, sqrt, tan
-from tmm_report.quantity.functions import arctan
+from tmm_report.quantity.functions import arcsin, arctan
 from tmm_report.quantity.sheet import Computed
 from tmm_report.quantity.tabulated import tabulated
 from tmm_report.quantity.terms.gear_terms import involute
@@ -68,6 +69,11 @@ class Stage:
         )
         return s
 
+    @cached_property
+    def gauges(self) -> tuple[Gauge, ...]:
+        """By what both wheels are measured."""
+        return gauges(self)
+
     # ------------------------------------------------------------ terms
 
     @property
@@ -97,7 +103,7 @@ class Stage:
     def _given(self) -> None:
         s, given, rack = self.s, self.given, self.pair.rack
         s.u_required, s.m, s.alpha, s.ha, s.c = (
-            given.ratio,
+            None if given.by_teeth else given.ratio,
             given.module,
             float(np.degrees(rack.alpha)),
             rack.ha,
@@ -132,6 +138,7 @@ class Stage:
         if self.helical:
             s.m_t = Computed(s.m / cos(s.beta), p.m_t)
             s.alpha_t = _angle(arctan(tan(s.alpha) / cos(s.beta)), p.t.alpha)
+            s.beta_b = arcsin(sin(s.beta) * cos(s.alpha))
         s.a = Computed(self.m_t * self.teeth_sum / 2, p.a)
 
     def _distance(self) -> None:
@@ -164,14 +171,25 @@ class Stage:
         s, shift, taken = self.s, self.given.shift, (float(self.pair.x1), float(self.pair.x2))
         small, other = self.wheels[self.small], self.wheels[1 - self.small]
         s.z_rule = shift_sharing.rule_teeth(self.pair.rack)
+        if self.given.rests:
+            rest = self.given.rests[0]
+            self.wheels[1 - rest].x = taken[1 - rest]
+            self.wheels[rest].x = Computed(self._rest(rest), taken[rest])
+            return
         if self.given.centre_distance is None or not isinstance(shift, str) or shift == EQUAL:
             small.x, other.x = taken[self.small], taken[1 - self.small]
             return
         least = taken[self.small]
         ruled = least and not (self.by_cutter and shift == "limit")
         small.x = Computed(self._least() if shift == "limit" else self._by_rule(), least) if ruled else least
-        rest = s.x_sum + small.x if self.internal else s.x_sum - small.x
-        other.x = Computed(rest, taken[1 - self.small])
+        other.x = Computed(self._rest(1 - self.small), taken[1 - self.small])
+
+    def _rest(self, i: int) -> Expr:
+        """What the sum of the shifts leaves to wheel i; of an internal pair the ring's less the pinion's."""
+        s, own = self.s, self.wheels[1 - i].x
+        if not self.internal:
+            return s.x_sum - own
+        return s.x_sum + own if self.ring(i) else own - s.x_sum
 
     @property
     def by_cutter(self) -> bool:

@@ -53,6 +53,7 @@ class Values(Sheet):
     z_spare = Q("Delta_z", "", N_("what the numbers of teeth leave of their bound"))
 
     m_t = Q("m_t", "m", N_("module of the transverse section"), *MM)
+    beta_b = Q("beta_b", "deg", N_("helix angle on the base cylinder"))
     alpha_t = Q("alpha_t", "deg", N_("profile angle in the transverse section"))
     inv_alpha = Q(Symbol("inv α"), "", N_("involute function of the profile angle"))
     inv_alpha_w = Q(Symbol("inv α", "w"), "", N_("involute function of the operating angle"))
@@ -112,6 +113,42 @@ class Wheel(Row):
     rho_m = Q("rho_m", "m", MEETS, *MM)
     rho_u = Q("rho_u", "m", UPPER, *MM)
     rho_l = Q("rho_l", "m", N_("radius of curvature where the involute begins"), *MM)
+
+
+class Gauge(Row):
+    """By what a wheel is measured; what it cannot be measured by, it has not."""
+
+    alpha_m = Q("alpha_m", "deg", N_("profile angle half way up the tooth, on the circle d + 2xm"))
+    span_rule = Q(Symbol("z", "W", "′"), "", N_("number of teeth in the span by the rule"))
+    span_teeth = Q("z_W", "", N_("number of teeth in the span, taken"))
+    W = Q("W", "m", N_("span over these teeth"), *MM)
+    rho_W = Q("rho_W", "m", N_("radius of curvature where the span touches the flank"), *MM)
+    beta_a = Q("beta_a", "deg", N_("helix angle on the tip circle"))
+    s_ay = Q(Symbol("s", "a", bar=True), "m", N_("chordal thickness on the tip circle"), *MM)
+    sag = Q(Symbol("Deltah"), "m", N_("by how much the corners of a ring's tip stand out of its middle"), *MM)
+    s_c = Q(Symbol("s", "c", bar=True), "m", N_("constant chord"), *MM)
+    h_c = Q(Symbol("h", "c", bar=True), "m", N_("distance from the tip to the constant chord"), *MM)
+    d_y = Q("d_y", "m", N_("diameter of the circle of the chordal thickness"), *MM)
+    beta_y = Q("beta_y", "deg", N_("helix angle on this circle"))
+    alpha_y = Q("alpha_y", "deg", N_("profile angle on this circle"))
+    psi_y = Q("psi_y", "rad", N_("half the angle of a tooth on this circle"))
+    s_y = Q(Symbol("s", "y", bar=True), "m", N_("chordal thickness on this circle"), *MM)
+    h_y = Q(Symbol("h", "y", bar=True), "m", N_("distance from the tip to this chord"), *MM)
+    pin = Q("D", "m", N_("diameter of the pins or balls"), *MM)
+    inv_alpha_D = Q(Symbol("inv α", "D"), "", N_("involute function of the profile angle at their centres"))
+    alpha_D = Q("alpha_D", "deg", N_("profile angle on the circle of their centres"))
+    d_D = Q("d_D", "m", N_("diameter of the circle of their centres"), *MM)
+    d_k = Q("d_k", "m", N_("diameter of the circle on which they touch the flanks"), *MM)
+    M = Q("M", "m", N_("measurement over them"), *MM)
+
+
+OF_RINGS = {  # where one of the wheels is a ring
+    "span_rule": Q(
+        Symbol("z", "W", "′"), "", N_("number of teeth (of the ring, of spaces) in the span by the rule")
+    ),
+    "span_teeth": Q("z_W", "", N_("number of teeth (of the ring, of spaces) in the span, taken")),
+    "M": Q("M", "m", N_("measurement over them (of the ring, between them)"), *MM),
+}
 
 
 class Tool(Row):

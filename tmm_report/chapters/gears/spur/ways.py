@@ -30,6 +30,21 @@ LIMIT = N_("From the table of allowed specific sliding over the pitch-line veloc
 PATH = N_("Between the pitch point and the farther end of the active part.")
 OF_AXES = N_("Stated, or by the angle of engagement that the shifts give.")
 WHEEL = N_("By the module, the teeth and the shift of the wheel, as the rack cuts it.")
+BASE_HELIX = N_("sin β_b = sin β cos α: the involutes of helical teeth wind up their base cylinder at it.")
+SPAN_RULE = N_(
+    "By the rule of GOST 16532 the span would touch the tooth half way up; the nearest whole number of teeth with "
+    "which it touches the active profiles is taken."
+)
+SPAN = N_(
+    "Base pitches between the teeth that are held, and the thickness of a tooth on the base circle, across the teeth; "
+    "it touches the flanks in the middle of its length."
+)
+CONSTANT = N_("Where the rack touches a tooth in the middle of its space: by the shift of the wheel.")
+CHORD = N_("By the angle of the tooth on the circle; of helical teeth in the normal section.")
+PINS = N_(
+    "The involute that is offset by the radius of the pin goes through its centre; with an odd number of teeth two "
+    "pins are half a pitch off the diameter."
+)
 PHASE = N_(
     "The points of contact in the drawn phase of the mesh, along the line of action from the pitch point."
 )
@@ -53,9 +68,26 @@ WAYS = (
     Way("stage*_readings.graph", DRAWN, of="key wheel stage{0}_scale stage{0}_accuracy"),
     Way("stage*_readings.analytic", WHEEL, of="key wheel graph"),
     Way("stage*_readings.delta", DIFFER, of="key graph analytic"),
+    Way(
+        "stage*_inspection.alpha_m stage*_inspection.span_rule stage*_inspection.span_teeth",
+        SPAN_RULE,
+        of="wheel span_rule alpha_m",
+    ),
+    Way(
+        "stage*_inspection.W stage*_inspection.rho_W", SPAN, of="wheel span_teeth stage{0}_m stage{0}_beta_b"
+    ),
+    Way("stage*_inspection.s_c stage*_inspection.h_c", CONSTANT, of="wheel stage{0}_m stage{0}_alpha"),
+    Way(
+        "stage*_inspection.pin stage*_inspection.*alpha_D stage*_inspection.d_D stage*_inspection.d_k "
+        "stage*_inspection.M",
+        PINS,
+        of="wheel pin stage{0}_m",
+    ),
+    Way("stage*_inspection.*", CHORD, of="wheel d_y stage{0}_m"),
     Way("stage*_cutter.*", WHEEL, of="wheel stage{0}_m"),
     Way("stage*_wheels.*", WHEEL, of="wheel z x stage{0}_m"),
     Way("stage*_overlap stage*_clearance stage*_eps_counted", PROOF, of="stage{0}_eps stage{0}_backlash"),
+    Way("stage*_beta_b", BASE_HELIX, of="stage{0}_beta stage{0}_alpha"),
     Way("stage*_z_rule", RULE, of="stage{0}_ha stage{0}_alpha"),
     Way("stage*_u", RATIO, of="stage{0}_u_required"),
     Way(

@@ -50,6 +50,23 @@ POINTED = N_(
     "at the radius of curvature %(real)s mm, not at %(lower)s mm"
 )
 HARD = N_("with such shifts the teeth of wheel %(wheel)s cannot be cut, or nothing is left of their profiles")
+NO_SPAN = {
+    "": N_("No span over teeth of wheel %(wheel)s touches their active profiles."),
+    "narrow": N_(
+        "The face of wheel %(wheel)s is too narrow for a span across its helical teeth; they are measured by chords "
+        "or over balls."
+    ),
+    "helical ring": N_("Inside helical ring %(wheel)s there is no span; it is measured between balls."),
+}
+SPAN_MOVED = N_(
+    "The rule gives no number of teeth in the span of wheel %(wheel)s that fits; the nearest one that does is taken."
+)
+NO_CONSTANT = N_("The constant chord of wheel %(wheel)s does not end on its involutes.")
+NO_CHORD = N_("No usual circle cuts the involutes of wheel %(wheel)s, so there is no chordal thickness.")
+OFF_PITCH = N_(
+    "The pitch circle does not cut the involutes of wheel %(wheel)s; the chordal thickness is taken half way up."
+)
+NO_PINS = N_("No pin lies between the teeth of wheel %(wheel)s so that it touches involutes and stands out.")
 PAIRS = (N_("no pair"), N_("one pair"), N_("two pairs"), N_("three pairs"), N_("four pairs"))
 NONE = N_("wheels with such shifts cannot be put in mesh")
 LACKS = {

@@ -44,7 +44,10 @@ def check_pair(given: Given, pair: meshing.Pair) -> None:
 
 def _stated(given: Given) -> Iterator[Problem]:
     yield from of_rack(given.rack, ("rack",))
-    if given.internal and math.isclose(given.ratio, 1.0):
+    if given.internal and given.by_teeth and given.ratio == 1:
+        right = Message(N_("give the ring more teeth than the pinion"))
+        yield mistake(N_("a ring cannot have as many teeth as its pinion"), ("teeth",), right)
+    elif given.internal and math.isclose(given.ratio, 1.0):
         right = Message(
             N_("the ratio of an internal pair must differ from 1: 2, or 0.5; −1 makes the pair external")
         )
@@ -52,6 +55,12 @@ def _stated(given: Given) -> Iterator[Problem]:
     if given.centre_distance is None and given.teeth is None:
         right = Message(N_("state centre_distance: 130 mm or teeth: [14, 28]"))
         yield mistake(N_("neither the centre distance nor the teeth are stated"), (), right)
+    if given.rests and given.centre_distance is None:
+        right = Message(N_("state centre_distance: 130 mm, or both shifts"))
+        yield mistake(N_("without a centre distance no shift is left over"), ("shift", given.rests[0]), right)
+    elif len(given.rests) == 2:
+        right = Message(N_("one of both, for example [0.42, rest], or shift: rule"))
+        yield mistake(N_("only one shift can be the rest"), ("shift",), right)
     if given.cutter:
         yield from _of_cutter(given, given.cutter)
 

@@ -13,6 +13,7 @@ from tmm_report.chapters.gears.spur.given import EQUAL, Given
 from tmm_report.chapters.gears.spur.solve.conditions import BY_ASSEMBLY, conditions_of
 from tmm_report.chapters.gears.spur.solve.contour import Contour, contour_of
 from tmm_report.chapters.gears.spur.solve.cutter import Cut, cutters_of
+from tmm_report.chapters.gears.spur.solve.inspection import Measured, check_inspection, measured
 from tmm_report.chapters.gears.spur.solve.mesh import Mesh, Proof, round_scale
 from tmm_report.chapters.gears.spur.solve.mistakes import check, check_pair, check_teeth
 from tmm_report.chapters.gears.spur.solve.motion import WIDEST, Motion, motion_of, sliding_limit
@@ -126,7 +127,9 @@ class Found:
         stated = self.given.shift
         taken = float(self.pair.x1), float(self.pair.x2)
         return (
-            isinstance(stated, tuple) and max(abs(a - b) for a, b in zip(stated, taken, strict=True)) > 1e-9
+            isinstance(stated, tuple)
+            and not self.given.rests
+            and max(abs(a - b) for a, b in zip(stated, taken, strict=True)) > 1e-9
         )
 
     @property
@@ -207,6 +210,11 @@ class Found:
         """With two pairs of teeth in contact; None where there is no such time."""
         return phase_of(self.pair, self.path)
 
+    @cached_property
+    def inspected(self) -> tuple[Measured, Measured]:
+        """By what both wheels are measured."""
+        return measured(self.given, self.pair)
+
     # ------------------------------------------------------------ pinion cutters
 
     @cached_property
@@ -253,6 +261,7 @@ def solve(given: Given) -> Found:
     check_teeth(given, chosen)
     pair = choose_shifts(given, chosen)
     check_pair(given, pair)
+    check_inspection(given, pair)
     path = path_of(pair)
     limit = given.sliding_limit or WIDEST
     conditions = tuple(conditions_of(pair, given.wheels, limit))

@@ -68,6 +68,7 @@ def choose_teeth(given: Given) -> Teeth:
 def choose_shifts(given: Given, chosen: Teeth) -> Pair:
     """The pair with the given shifts, or with those that its distance and the rule of division ask for."""
     stated = given.shift if isinstance(given.shift, tuple) else None
+    left = 1 - given.rests[0] if given.rests else chosen.small  # whose shift comes first
     x1, x2 = stated or _own_shifts(given, chosen)
     settings = (*chosen.z, given.module, given.rack, given.helix)
     made = (given.internal, given.tip_shortening, given.tip_shortening, given.cutter)
@@ -80,10 +81,10 @@ def choose_shifts(given: Given, chosen: Teeth) -> Pair:
         )
     needed = meshing.shift_sum(*settings, given.centre_distance, given.internal)
     pair = Pair(*settings, x1, x2, given.centre_distance, *made)
-    if stated:
+    if stated and not given.rests:
         # shifts written with a few digits are meant to fill the distance
         return shift_sharing.filling(pair, 0, x1, needed) if abs(pair.x_sum - needed) <= ROUNDED else pair
-    pair = shift_sharing.filling(pair, chosen.small, (x1, x2)[chosen.small], needed)
+    pair = shift_sharing.filling(pair, left, (x1, x2)[left], needed)
     return (
         shift_sharing.with_first_shift(pair, shift_sharing.equal_sliding(pair))
         if given.shift == EQUAL

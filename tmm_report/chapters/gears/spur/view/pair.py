@@ -14,6 +14,7 @@ from tmm_report.chapters.gears.spur.solve.conditions import BY_ASSEMBLY
 from tmm_report.chapters.gears.spur.solve.pair import Found
 from tmm_report.chapters.gears.spur.steps import stage
 from tmm_report.chapters.gears.spur.view.cutter import CutterView
+from tmm_report.chapters.gears.spur.view.inspection import InspectionView
 from tmm_report.chapters.gears.spur.view.motion import MotionView
 from tmm_report.chapters.gears.spur.view.short_contact import reasons
 from tmm_report.chapters.gears.spur.view.teeth import TeethView
@@ -29,6 +30,7 @@ from tmm_report.mechanics.gears.limits.condition import Condition
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.formula import Formula, Inline
 from tmm_report.quantity.model import Column, Value
+from tmm_report.quantity.symbols import math_symbol
 from tmm_report.quantity.terms.wheel_words import DIAMETERS, TEETH, of_wheel
 from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.page import Page
@@ -114,11 +116,14 @@ class SpurView(ChapterView):
 
     def meant_of_wheels(self, *keys: str) -> list[dict[str, Any]]:
         """The same of numbers of each wheel: d_i."""
-        columns = [self.sizes[key] for key in keys]
-        return [
-            {**self._meant(column.key, column), "symbol": of_wheel(column.symbol(), "i")}
-            for column in columns
-        ]
+        return [self.explained_of_wheels(self.sizes[key]) for key in keys]
+
+    def explained_of_wheels(self, column: Column) -> dict[str, Any]:
+        """A column of the wheels for a list of symbols."""
+        return {
+            **self._meant(column.key, column),
+            "symbol": of_wheel(column.quantity.symbol or math_symbol(column.key), "i"),
+        }
 
     def _meant(self, key: str, of: Value | Column) -> dict[str, Any]:
         return self.page.explained(f"spur:{key}", of, of.quantity.shown)  # angles carry their sign, °
@@ -230,6 +235,11 @@ class SpurView(ChapterView):
     def cutter(self) -> CutterView | None:
         """The pinion cutter that cuts the ring, or both wheels."""
         return CutterView(self) if self.found.cutters else None
+
+    @cached_property
+    def inspection(self) -> InspectionView:
+        """By what the wheels are measured."""
+        return InspectionView(self)
 
     # ------------------------------------------------------------ picture
 

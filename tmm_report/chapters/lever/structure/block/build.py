@@ -134,13 +134,9 @@ def central_inertia(stated: float, mass: float, away: complex) -> float:
 
 
 def guide(name: str, model: m.GuideModel, carrier: Link, synthesis: Taken = None) -> Guide:
-    if isinstance(model.through, str):
-        return Guide(
-            name,
-            model.link,
-            carrier.points[model.through],
-            unit_vector(direction(model.angle or 0.0, synthesis)),
-        )
+    if not isinstance(model.through, list):
+        at = carrier.points[model.through] if isinstance(model.through, str) else complex(*model.through)
+        return Guide(name, model.link, at, unit_vector(direction(model.angle or 0.0, synthesis)))
     start, end = (carrier.points[point] for point in model.through)
     return Guide(name, model.link, start, unit_vector(cmath.phase(end - start)))
 

@@ -341,6 +341,7 @@ def _guides(mechanism: m.MechanismModel, known: Names, synthesis: Taken) -> Foun
             yield Problem(error.wrong, error.right, (*path, "angle"))
         yield from no_link(guide.link, (*path, "link"), known)
         points = [guide.through] if isinstance(guide.through, str) else guide.through
+        points = [] if isinstance(points, tuple) else points  # coordinates
         for point in points:
             yield from _not_on(point, guide.link, (*path, "through"), known)
         if len(points) == 2 and points[0] == points[1]:

@@ -193,9 +193,26 @@ Points = Annotated[
     | Annotated[list[Name], Field(min_length=1, max_length=1), BeforeValidator(_placed), Tag(LIST)],
     by_shape(N_("{A: 0, B: 300 mm}, or [B] for a link of one point")),
 ]
+COORDINATES = "<coordinates>"
+_MEASURED = re.compile(r"[-+−]?\d[\d.,]*(\s.*|mm|cm|мм|см)")  # what can be no point's name
+
+
+def _of_line(value: Any) -> str:
+    """The shape of a line's points; coordinates where one of both has a unit or is no whole number."""
+    items = value if isinstance(value, list | tuple) else ()
+    measured = (isinstance(one, float) or _MEASURED.fullmatch(str(one)) for one in items)
+    return COORDINATES if any(measured) else shape(value)
+
+
 Through = Annotated[
-    Annotated[Name, Tag(SCALAR)] | Annotated[list[Name], Field(min_length=2, max_length=2), Tag(LIST)],
-    by_shape(N_("a point, or two: [P, Q]")),
+    Annotated[Name, Tag(SCALAR)]
+    | Annotated[list[Name], Field(min_length=2, max_length=2), Tag(LIST)]
+    | Annotated[Point, Tag(COORDINATES)],
+    Discriminator(
+        _of_line,
+        custom_error_type="shape",
+        custom_error_message=N_("a point, two: [P, Q], or the coordinates of one: [12 mm, 0]"),
+    ),
 ]
 
 
@@ -238,7 +255,9 @@ class LinkModel(Model):
 class GuideModel(Model):
     """A straight line along which links slide, carried by the frame or by a moving link."""
 
-    through: Through = Field(description="a point of the line, or two, P to Q", examples=["O"])
+    through: Through = Field(
+        description="a point of the line, two, P to Q, or the coordinates of one", examples=["O"]
+    )
     angle: AnyAngle | None = Field(default=None, description="in the axes of the carrier; left out, 0")
     link: Name = Field(default="0", description="the link that carries the guide; left out, the frame")
 
