@@ -36,9 +36,9 @@ LAWS = {
     "open table": Tabulated((0.0, 0.2, 0.4, 0.7, 1.0), (0.1, 0.4, 1.2, 1.0, 0.3)),
     "phases": Phased(PHASES, 0.3, 2.0),
     "lifted": Phased(
-        Phases((Phase("dwell", 1.0), Phase("rise", FULL_TURN - 1.0, "polynomial")), 1.4), 0.3, 2.0
+        Phases((Phase("dwell", 1.0), Phase("rise", FULL_TURN - 1.0, named("polynomial"))), 1.4), 0.3, 2.0
     ),
-    "lowered": Phased(Phases((Phase("rise", FULL_TURN, "sine"),), -1.4), 0.3, 2.0),
+    "lowered": Phased(Phases((Phase("rise", FULL_TURN, named("sine")),), -1.4), 0.3, 2.0),
     "run up": RunUp(1.1, 0.0, (0.4, 2.0, 0.6), (0.375, 0.0, -0.25), 0.15, 0.4, 0.6),
     "pieces": Pieces(1.1, 0.0, (0.4, 2.0, 0.6), (0.375, 0.0, -0.2)),
 }
