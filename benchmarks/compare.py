@@ -1,6 +1,6 @@
 """The quick benchmarks one after another, each figure beside the last stored run. Nothing fails on what they say.
 
-    python -m benchmarks.compare            # a minute; what CI prints at its end
+    python -m benchmarks.compare            # a minute
     python -m benchmarks.compare --store    # keep the figures as benchmarks/results/NAME.json
 
 A benchmark that breaks is told and passed over.

@@ -15,6 +15,9 @@ from typing import ParamSpec, TypeVar
 P = ParamSpec("P")
 T = TypeVar("T")
 
+# workers are as many as cores: a second thread of BLAS in each would only wait for the first (before numpy is loaded)
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
 PATIENCE = 180  # s, longer than anything made here takes: whoever began has died
 folder: Path | None = None  # of this run, stated by conftest where there are several workers
 

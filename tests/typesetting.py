@@ -11,6 +11,8 @@ from tempfile import TemporaryDirectory
 from notes import note, program
 from once import once
 
+from tmm_report.commands.pdf import bare, write
+
 TIMELESS = {"SOURCE_DATE_EPOCH": "0", "FORCE_SOURCE_DATE": "1"}
 
 
@@ -20,19 +22,17 @@ def typeset(name: str, language: str) -> tuple[str, bytes]:
     return set_by_tex(note(name, "tex", language))
 
 
-def set_by_tex(files: dict[str, bytes]) -> tuple[str, bytes]:
+def set_by_tex(files: dict[str, bytes], whole: bool = False) -> tuple[str, bytes]:
+    """The first run, for page numbers, sees empty drawings unless the note is set as a `whole` twice."""
     latex = program("pdflatex")
     with TemporaryDirectory() as place:
         folder = Path(place)
-        for file, content in files.items():
-            target = folder / file
-            target.parent.mkdir(exist_ok=True)
-            target.write_bytes(content)
         command, env = (
             [latex, "-no-shell-escape", "-interaction=nonstopmode", "note.tex"],
             os.environ | TIMELESS,
         )
-        for _ in range(2):
+        for run in (files if whole else bare(files), files):
+            write(run, folder)
             subprocess.run(command, cwd=folder, env=env, capture_output=True, timeout=120)
         # the log breaks lines at 79 bytes
         log = (folder / "note.log").read_text(encoding="utf-8", errors="replace")

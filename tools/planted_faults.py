@@ -1,9 +1,10 @@
 """Plant wrong outputs one at a time and see that a test notices: `python tools/planted_faults.py [part of a name ...]`.
 
 Every fault of tools/faults.py is an edit in a copy of the program; the tests of the page and those that the fault names
-run there on one or two variants. A fault that makes no test fail that did not fail before survives: its name is printed
-and the exit code is 1; so it is where an edit does not find its text. Golden texts are left out, for they only say
-that something changed (`--golden` lets them look too), but of the faults of words, which they alone hold.
+run there on one or two variants. The test that noticed a fault last (tools/noticed.txt, which every run keeps up) is
+asked alone, and all others where it passes. A fault that makes no test fail that did not fail before survives: its name
+is printed and the exit code is 1; so it is where an edit does not find its text. Golden texts are left out, for they
+only say that something changed (`--golden` lets them look too), but of the faults of words, which they alone hold.
 """
 
 from __future__ import annotations
@@ -17,6 +18,8 @@ import sys
 import tempfile
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from itertools import count
 from pathlib import Path
 from queue import SimpleQueue
 
@@ -61,7 +64,11 @@ GEARS_BESIDE, LEVERS_BESIDE = "tables/test_other_gears.py", "tables/test_other_l
 WINGS = {"gears": "gears", "machine": "machine", "masses": "machine", "pairs": "machine/pairs"}
 PAPER = "drawings/test_measured_on_paper.py"
 GEARS = ("hoist_drive", "eccentric")  # variants whose faults gears of no variant may notice: they cost time
-FAILED = re.compile(r"^(?:FAILED|ERROR) (\S+)", re.M)
+FAILED = re.compile(r"^(?:FAILED|ERROR) (\S+?(?:\[.*?\])?)(?: - .*)?$", re.M)
+LOST = re.compile(r"^ERROR: not found: (.+)$", re.M)
+SURVIVED, ARROW = "SURVIVED", " <- "
+NOTICED = ROOT / "tools" / "noticed.txt"
+HEAD = "# Tests, each with the faults that it noticed last: tools/planted_faults.py asks it first, and writes this.\n"
 
 
 class Misplaced(LookupError):
@@ -79,28 +86,23 @@ def copy(folder: Path) -> Path:
     return folder
 
 
-def failing(
-    folder: Path, fault: Fault, golden: bool, one: bool = False, only: frozenset[str] | None = None
-) -> frozenset[str]:
-    """The tests that fail in a copy, those that cannot even be collected among them, or `one` of them, or of those that
-    are named; of a fault of words only the approved texts are asked."""
-    if only is not None and not only:
-        return only
+def failing(folder: Path, fault: Fault, asked: list[str], first: bool = False) -> frozenset[str]:
+    """The tests that fail in a copy, those that cannot even be collected among them, or the `first` of them."""
     # the exhaustive ones too: the variants are chosen here; who noticed the last fault is asked first
     command = [sys.executable, "-m", "pytest", "-q", "-m", "", "--tb=no", "-rfE", "--assert=plain"]
-    command += ["-x", "--failed-first"] if one else ["-p", "no:cacheprovider"]
-    found = frozenset[str]()
-    for asked in [sorted(only)] if only else _asked(fault, golden):
-        added = {"PYTHONPATH": str(folder), "PAGE_VARIANTS": fault.variants}
-        done = subprocess.run(
-            command + asked, cwd=folder, env=os.environ | added, capture_output=True, text=True
-        )
-        if done.returncode not in (0, 1, 2, 5) and not FAILED.search(done.stdout):
-            return frozenset({f"pytest ended with {done.returncode}: {done.stdout[-300:]}"})
-        found |= frozenset(FAILED.findall(done.stdout))
-        if found and one:
-            break
-    return found
+    command += ["--hypothesis-seed=0", *(["-x", "--failed-first"] if first else ["-p", "no:cacheprovider"])]
+    env = os.environ | {"PYTHONPATH": str(folder), "PAGE_VARIANTS": fault.variants, "COLUMNS": "80"}
+    env.pop("PYTHONDONTWRITEBYTECODE", "")  # all but the text with the fault is compiled once
+    done = subprocess.run(command + asked, cwd=folder, env=env, capture_output=True, text=True)
+    found = frozenset(FAILED.findall(done.stdout))
+    if done.returncode in (0, 1, 2, 5) or found:
+        return found
+    lost = set(LOST.findall(done.stdout + done.stderr))
+    if lost:  # tests that have another name since, or that a fault takes the name of
+        left = [test for test in asked if not any(one.endswith(f"/{test}") for one in lost)]
+        if len(left) < len(asked):
+            return frozenset(asked) - set(left) | (failing(folder, fault, left, first) if left else set())
+    return frozenset(asked[:1])  # nothing can be run
 
 
 def _asked(fault: Fault, golden: bool) -> list[list[str]]:
@@ -131,14 +133,27 @@ def _second_ways(file: str) -> list[str]:
     return sorted(str(one.relative_to(ROOT)) for one in ROOT.glob(asked))
 
 
-def planted(folder: Path, fault: Fault) -> bytes:
-    """Make the edit; the text as it was. Raises Misplaced."""
+@contextmanager
+def planted(folder: Path, fault: Fault) -> Iterator[None]:
+    """The edit is made, and taken back. Raises Misplaced."""
     path = folder / fault.file
     data, old = (path.read_bytes() if path.exists() else b""), fault.old.encode()
     if data.count(old) != 1:
         raise Misplaced(f"its text stands {data.count(old)} times in {fault.file}")
-    path.write_bytes(data.replace(old, fault.new.encode()))
-    return data
+    try:
+        _written(path, data.replace(old, fault.new.encode()))
+        yield
+    finally:
+        _written(path, data)
+
+
+WRITINGS = count(1)
+
+
+def _written(path: Path, data: bytes) -> None:
+    """Each writing at another second, or Python takes what it compiled of a text as long."""
+    path.write_bytes(data)
+    os.utime(path, (second := next(WRITINGS), second))
 
 
 def placed(fault: Fault) -> bool:
@@ -147,48 +162,93 @@ def placed(fault: Fault) -> bool:
     return path.exists() and path.read_bytes().count(fault.old.encode()) == 1
 
 
-class Planter:
-    """Copies of the program, one for each worker."""
+def remembered(text: str) -> dict[str, str]:
+    """Of every fault the test that noticed it last."""
+    found, test = {}, ""
+    for line in text.splitlines():
+        if line.startswith("  "):
+            found[line.strip()] = test
+        elif not line.startswith("#"):
+            test = line
+    return found
 
-    def __init__(self, folders: list[Path], golden: bool):
-        self.golden = golden
+
+def written(noticed: dict[str, str]) -> str:
+    tests = sorted({*noticed.values()})
+    return HEAD + "".join(
+        f"{test}\n" + "".join(f"  {name}\n" for name in sorted(noticed) if noticed[name] == test)
+        for test in tests
+    )
+
+
+class Planter:
+    """Copies of the program, one for each worker, and who noticed what in earlier runs."""
+
+    def __init__(self, folders: list[Path], golden: bool, noticed: dict[str, str]):
+        self.golden, self.noticed = golden, noticed
         self.passes: set[tuple[str, str]] = set()  # tests that pass without a fault, each with its variants
         self.free: SimpleQueue[Path] = SimpleQueue()
         for folder in folders:
             self.free.put(folder)
 
-    def told(self, fault: Fault) -> tuple[Fault, list[str], str]:
-        """A fault, the tests that notice it, and what is wrong with the edit.
+    def ready(self, faults: list[Fault]) -> None:
+        """Which of the tests that noticed these faults pass on their variants without one: one run of all of them."""
+        folder, variants = self.free.get(), faults[0].variants
+        asked = sorted({self.noticed[fault.name] for fault in faults if fault.name in self.noticed})
+        failed = failing(folder, faults[0], asked) if asked else frozenset()
+        self.passes |= {(test, variants) for test in asked if test not in failed}
+        self.free.put(folder)
 
-        The first test that fails is asked once without a fault: it notices only what it does not say anyway. All tests
-        are asked both ways where it fails there too.
-        """
+    def told(self, fault: Fault) -> tuple[Fault, list[str], str]:
+        """A fault, the tests that notice it, and what is wrong with the edit."""
         folder = self.free.get()
         try:
-            first = self.failing_with(fault, folder, one=True)
-            asked = {(test, fault.variants) for test in first}
-            if not asked <= self.passes and failing(folder, fault, self.golden, only=first):
-                first = self.failing_with(fault, folder) - failing(folder, fault, self.golden)
-            else:
-                self.passes |= asked
-            return fault, sorted(first), ""
+            if likely := self.likely(fault):
+                with planted(folder, fault):
+                    if found := failing(folder, fault, likely, first=True):
+                        return fault, sorted(found), ""
+            return fault, sorted(self.found(fault, folder)), ""
         except Misplaced as misplaced:
             return fault, [], str(misplaced)
         finally:
             self.free.put(folder)
 
-    def failing_with(self, fault: Fault, folder: Path, one: bool = False) -> frozenset[str]:
-        text = planted(folder, fault)
-        try:
-            return failing(folder, fault, self.golden, one=one)
-        finally:
-            (folder / fault.file).write_bytes(text)
+    def likely(self, fault: Fault) -> list[str]:
+        """The test that noticed a fault last; of a new one, those that noticed others of its file."""
+        beside = (one.name for one in FAULTS if one.file == fault.file and one.name in self.noticed)
+        names = [fault.name] if fault.name in self.noticed else beside
+        tests = dict.fromkeys(self.noticed[name] for name in names)
+        return [test for test in tests if (test, fault.variants) in self.passes][-6:]
+
+    def found(self, fault: Fault, folder: Path) -> frozenset[str]:
+        """The first test that notices a fault, of all that look at it.
+
+        It is asked once without a fault: it notices only what it does not say anyway. All tests are asked both ways
+        where it fails there too.
+        """
+        for asked in _asked(fault, self.golden):
+            with planted(folder, fault):
+                first = failing(folder, fault, asked, first=True)
+            tests = {(test, fault.variants) for test in first}
+            if not tests <= self.passes and failing(folder, fault, sorted(first)):
+                with planted(folder, fault):
+                    first = failing(folder, fault, asked)
+                first -= failing(folder, fault, asked)
+            else:
+                self.passes |= tests
+            if first:
+                return first
+        return frozenset()
 
 
-def run(faults: list[Fault], jobs: int, golden: bool) -> Iterator[tuple[Fault, list[str], str]]:
+def run(
+    faults: list[Fault], jobs: int, golden: bool, noticed: dict[str, str]
+) -> Iterator[tuple[Fault, list[str], str]]:
     with tempfile.TemporaryDirectory() as temporary, ThreadPoolExecutor(jobs) as pool:
-        folders = [copy(Path(temporary) / f"copy{k}") for k in range(jobs)]
-        yield from pool.map(Planter(folders, golden).told, faults)
+        planter = Planter([copy(Path(temporary) / f"copy{k}") for k in range(jobs)], golden, noticed)
+        every = {fault.variants for fault in faults}
+        list(pool.map(planter.ready, ([one for one in faults if one.variants == v] for v in sorted(every))))
+        yield from pool.map(planter.told, faults)
 
 
 def main(arguments: list[str]) -> int:
@@ -199,6 +259,7 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--jobs", type=int, default=1, help="copies that are tested at the same time")
     parser.add_argument("--golden", action="store_true", help="golden texts look too")
     parser.add_argument("--check", action="store_true", help="only see that every edit finds its text")
+    parser.add_argument("--resume", type=Path, help="a file of outcomes: what it says noticed is passed over")
     options = parser.parse_args(arguments)
     chosen = [f for f in FAULTS if not options.names or any(part in f.name for part in options.names)]
     if options.check:
@@ -207,11 +268,23 @@ def main(arguments: list[str]) -> int:
             print(f"misplaced: {fault.name}: {fault.file}")
         print(f"{len(chosen)} faults, {len(lost) or 'none'} misplaced")
         return 1 if lost else 0
+    noticed = remembered(NOTICED.read_text("utf-8")) if NOTICED.exists() else {}
+    noticed = {fault.name: noticed[fault.name] for fault in FAULTS if fault.name in noticed}
+    before = options.resume.read_text("utf-8") if options.resume and options.resume.exists() else ""
+    done = {line.partition(ARROW)[2] for line in before.splitlines() if not line.startswith(SURVIVED)}
     survivors = []
-    for fault, noticed, misplaced in run(chosen, options.jobs, options.golden):
-        by = ", ".join(sorted({test.split("::")[-1].split("[")[0] for test in noticed}))
-        print(f"{misplaced or by or 'SURVIVED'} <- {fault.name}", flush=True)
-        survivors += [] if noticed else [fault.name]
+    left = [fault for fault in chosen if fault.name not in done]
+    for fault, tests, misplaced in run(left, options.jobs, options.golden, noticed):
+        by = ", ".join(sorted({test.split("::")[-1].split("[")[0] for test in tests}))
+        line = f"{by or ' '.join([SURVIVED, misplaced]).strip()}{ARROW}{fault.name}"
+        print(line, flush=True)
+        if options.resume:
+            with options.resume.open("a", encoding="utf-8") as file:
+                file.write(f"{line}\n")
+        survivors += [] if tests else [fault.name]
+        if tests and noticed.get(fault.name) not in tests:
+            noticed[fault.name] = tests[0]
+            NOTICED.write_text(written(noticed), "utf-8")
     print(f"{len(chosen)} planted, {len(chosen) - len(survivors)} noticed")
     print("survivors: " + "; ".join(survivors) if survivors else "no survivor")
     return 1 if survivors else 0

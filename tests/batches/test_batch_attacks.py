@@ -199,27 +199,37 @@ TEMPLATES = {  # what a sandbox would not stop, too
 }
 
 
+NAME = "{{ 7*7 }}{% include x %}.yaml"
+
+
+def note_of(folder: Path) -> bytes:
+    """The note that `batch` makes in a folder of the variant with a name that is a template."""
+    folder.mkdir(exist_ok=True)
+    (folder / NAME).write_text(variant("{{ 7*7 }}"), "utf-8")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)
+        done = CliRunner().invoke(app, ["batch", NAME, "-o", "out", "--jobs", "1"])
+    assert done.exit_code == 0, done.output
+    (found,) = (folder / "out").rglob("note.html")
+    return found.read_bytes()
+
+
+@pytest.fixture(scope="module")
+def fair(tmp_path_factory) -> bytes:
+    return note_of(tmp_path_factory.mktemp("fair"))
+
+
 @pytest.mark.parametrize("text", TEMPLATES.values(), ids=TEMPLATES)
-def test_no_template_is_taken_from_outside(tmp_path, monkeypatch, text):
+def test_no_template_is_taken_from_outside(tmp_path, monkeypatch, text, fair):
     """Neither beside the variant or in the working folder, nor by the environment, nor by the name of a file."""
-    name = "{{ 7*7 }}{% include x %}.yaml"
-    for folder in ("fair", "foul"):
-        (tmp_path / folder).mkdir()
-        (tmp_path / folder / name).write_text(variant("{{ 7*7 }}"), "utf-8")
-    monkeypatch.chdir(tmp_path / "fair")
-    fair = CliRunner().invoke(app, ["batch", name, "-o", "out", "--jobs", "1"])
     root = Path(__file__).parents[2] / "templates"
     for template in root.rglob("*.j2"):
         for place in ("templates", "_data/templates", "tmm_report/_data/templates"):
             copy = tmp_path / "foul" / place / template.relative_to(root)
             copy.parent.mkdir(parents=True, exist_ok=True)
             copy.write_text(text, "utf-8")
-    monkeypatch.chdir(tmp_path / "foul")
     for variable in ("TMM_TEMPLATES", "TMM_REPORT_TEMPLATES", "TEMPLATES", "JINJA_PATH", "TMM_REPORT_DATA"):
         monkeypatch.setenv(variable, str(tmp_path / "foul" / "templates"))
-    foul = CliRunner().invoke(app, ["batch", name, "-o", "out", "--jobs", "1"])
-    assert (fair.exit_code, foul.exit_code) == (0, 0), foul.output
-    (before,) = (tmp_path / "fair" / "out").rglob("note.html")
-    (after,) = (tmp_path / "foul" / "out").rglob("note.html")
-    assert before.read_bytes() == after.read_bytes() and b"{{ 7*7 }}" in after.read_bytes()
+    foul = note_of(tmp_path / "foul")
+    assert foul == fair and b"{{ 7*7 }}" in foul
     assert not [*tmp_path.rglob("PWNED*")]

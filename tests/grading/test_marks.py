@@ -159,8 +159,8 @@ def everything(asked, value) -> dict:
 
 
 @pytest.mark.exhaustive
-@pytest.mark.parametrize("name", ["compressor", "press", "forging", "crank_rocker"])
 @pytest.mark.parametrize("value", many([0.0, 1.0, 1234.5, 1e300]))
+@pytest.mark.parametrize("name", ["compressor", "press", "forging", "crank_rocker"])
 def test_one_number_in_every_cell_earns_next_to_nothing(name, value):
     """Of a press all forces but two are nothing beside the greatest: noughts in all cells had half of the points."""
     own = expected(solved(name))

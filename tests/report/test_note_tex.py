@@ -15,7 +15,7 @@ from typesetting import set_by_tex, typeset
 
 from tmm_report import render, solve
 from tmm_report.chapters.title.given import Title
-from tmm_report.commands.pdf import compile_pdf
+from tmm_report.commands.pdf import bare, compile_pdf
 from tmm_report.course import loads
 from tmm_report.languages import LANGUAGES
 
@@ -66,6 +66,15 @@ def test_nothing_of_a_wide_note_is_wider_than_the_text():
 def test_pdf_is_the_same_twice():
     _, pdf = typeset("eccentric", "en")
     assert compile_pdf(note("eccentric", "tex", "en")) == pdf
+
+
+@pytest.mark.exhaustive
+def test_page_numbers_found_with_empty_drawings_are_those_of_the_whole_note():
+    files = note("eccentric", "tex", "en")
+    drawn = {file for file in files if file.startswith("figures/")}
+    assert len(drawn) > 1 and {file for file, text in bare(files).items() if text != files[file]} == drawn
+    assert all(len(bare(files)[file]) < 1000 < len(files[file]) for file in drawn)
+    assert set_by_tex(files, whole=True)[1] == typeset("eccentric", "en")[1]
 
 
 @pytest.mark.exhaustive

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -251,18 +252,23 @@ class Aim:
 
 def misread(results: Results, aim: Aim) -> Iterator[World]:
     """The data that, taken otherwise, explain most; each with the number that explains most."""
-    base, likely = bare(results), []
-    for datum in data(base):
-        step = _solved(datum.changed(STEP))
-        if step is not None:
-            rate = (aim.read(step) - aim.right) / STEP
-            part = _middle(aim.mine - aim.right, rate, aim.allowed)
-            told = np.abs(aim.mine - aim.right - rate * part) <= SLACK * aim.allowed
-            likely.append((int(told.sum()), datum, rate, part))
+    likely = []
+    for datum, step in _steps(results):
+        rate = (aim.read(step) - aim.right) / STEP
+        part = _middle(aim.mine - aim.right, rate, aim.allowed)
+        told = np.abs(aim.mine - aim.right - rate * part) <= SLACK * aim.allowed
+        likely.append((int(told.sum()), datum, rate, part))
     likely.sort(key=lambda one: -one[0])
     for count, datum, rate, part in likely[:LIKELY]:
         if count >= SOME * len(aim.mine):
             yield from _fitted(datum, rate, part, aim)
+
+
+@lru_cache(maxsize=1)  # works of one variant are marked one after another
+def _steps(results: Results) -> tuple[tuple[Datum, Results], ...]:
+    """Every datum, and the solution with it a little greater, where there is one."""
+    found = ((datum, _solved(datum.changed(STEP))) for datum in data(bare(results)))
+    return tuple((datum, step) for datum, step in found if step is not None)
 
 
 def _middle(missed: Array, rate: Array, allowed: Array) -> float:

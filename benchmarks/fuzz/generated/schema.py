@@ -43,12 +43,12 @@ def _long() -> dict[str, str]:
 def branches(schema: Schema) -> list[Schema]:
     """The alternatives of a value; those of a number, bare or with its unit, are one."""
     found = schema.get("oneOf") or schema.get("anyOf") or []
-    return [] if is_number(schema) else found
+    return [] if found and is_number(schema) else found
 
 
 def is_number(schema: Schema) -> bool:
-    kinds = [one.get("type") for one in schema.get("anyOf", ())]
-    return kinds == ["number", "string"]
+    kinds = schema.get("anyOf", ())
+    return len(kinds) == 2 and kinds[0].get("type") == "number" and kinds[1].get("type") == "string"
 
 
 # ---------------------------------------------------------------- what there is
@@ -97,10 +97,11 @@ def used(data: Any, where: str = TOP, schema: Schema | None = None) -> Iterator[
         return
     if "enum" in schema and data in schema["enum"]:
         yield where, "=", str(data)
-    fitting = [(k, one) for k, one in enumerate(branches(schema)) if _fits(data, one)]
-    for k, one in fitting[:1]:
-        yield where, "|", str(k)
-        yield from used(data, where, one)
+    for k, one in enumerate(branches(schema)):
+        if _fits(data, one):
+            yield where, "|", str(k)
+            yield from used(data, where, one)
+            break
     if isinstance(data, dict):
         keys = schema.get("properties", {})
         for key, inner in data.items():

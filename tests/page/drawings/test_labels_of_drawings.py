@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import combinations, pairwise
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -64,15 +64,13 @@ def inside(segments: np.ndarray, corners: tuple[float, float, float, float]) -> 
     return float((np.clip(high - low, 0.0, None) * abs(along)).max(initial=0.0))
 
 
-def overlap(one: tuple[float, ...], other: tuple[float, ...]) -> bool:
-    return min(one[2], other[2]) > max(one[0], other[0]) and min(one[3], other[3]) > max(one[1], other[1])
-
-
 def overlapping(drawing: Drawing) -> Iterator[str]:
-    boxes = [(words(text), box(text)) for text in texts(drawing)]
-    for (one, its), (other, others) in combinations(boxes, 2):
-        if overlap(its, others):
-            yield f"{one!r} lies on {other!r}"
+    some = texts(drawing)
+    boxes = np.array([box(text) for text in some]).reshape(-1, 4)
+    low = np.maximum(boxes[:, None, :2], boxes[:, :2])
+    high = np.minimum(boxes[:, None, 2:], boxes[:, 2:])
+    for one, other in np.argwhere(np.triu((low < high).all(axis=-1), 1)):
+        yield f"{words(some[one])!r} lies on {words(some[other])!r}"
 
 
 def crossed(drawing: Drawing) -> Iterator[str]:

@@ -6,6 +6,7 @@ equation in front, and that from the vectors known in it.
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Callable, Iterator
 from dataclasses import field, replace
 from functools import cached_property
@@ -68,6 +69,15 @@ class Walk:
             _place(item.ref): k for k, item in items if isinstance(item, Formula) and item.ref is not None
         }
 
+    @cached_property
+    def by_hand(self) -> dict[tuple[str, int | None, str], list[int]]:
+        """What a formula is of, at which position and by what -> those formulas, in the order of the note."""
+        found: dict[tuple[str, int | None, str], list[int]] = {}
+        for k, spoken in enumerate(self.heard.formulas):
+            if isinstance(spoken.item, Formula) and spoken.item.ref is not None:
+                found.setdefault(_by_hand(spoken.item.ref), []).append(k)
+        return found
+
     def before(self, k: int) -> tuple[int, ...]:
         """The formulas upon which formula `k` stands."""
         if k not in self._found:
@@ -101,8 +111,9 @@ class Walk:
         own = self.defining.get(_place(var.ref))
         if own is not None or var.ref.by != "value":
             return own if own != k else None
-        by_key = self._last(k, lambda item: _same_by_hand(item, var.ref))
-        return by_key if by_key is not None else self._reaction(var, k)
+        same = self.by_hand.get(_by_hand(var.ref), [])
+        before = bisect_left(same, k)
+        return same[before - 1] if before else self._reaction(var, k)
 
     def _reaction(self, var: Var, k: int) -> int | None:
         """The formula of the same reaction turned round: R_21 of R_12."""
@@ -178,9 +189,8 @@ def _symbol(item: Formula) -> Symbol:
     return Var(item.result, 0.0).sign
 
 
-def _same_by_hand(item: Formula, ref: Ref | None) -> bool:
-    assert ref is not None
-    return item.ref is not None and (item.ref.key, item.ref.row, item.ref.by) == (ref.key, ref.row, ref.by)
+def _by_hand(ref: Ref) -> tuple[str, int | None, str]:
+    return ref.key, ref.row, ref.by
 
 
 def _last_run(numbers: list[int]) -> list[int]:

@@ -84,11 +84,11 @@ def time_ratio(phi):
 def least(value, count):
     """The least of a value over the turn, (V,): by ever finer grids about its lowest place."""
     low, wide = np.zeros((count, 1)), 2 * np.pi
-    for _ in range(7):
-        grid = low + np.linspace(0, wide, 721)[None]
+    for steps in (720, *[40] * 6):  # at last 1e-8 rad apart, and it is flat there
+        grid = low + np.linspace(0, wide, steps + 1)[None]
         values = value(grid)
         at = np.argmin(values, axis=1)[:, None]
-        low, wide = np.take_along_axis(grid, at, 1) - wide / 360, wide / 180
+        low, wide = np.take_along_axis(grid, at, 1) - 2 * wide / steps, 4 * wide / steps
     return values.min(axis=1)
 
 
@@ -233,51 +233,46 @@ def turning_guide(found):
     slotted(found, 0j, 1j * d, d, "arm")
 
 
-def pairs(text):
-    """x, crank's and rocker's angles of the three points of accuracy, by the statement alone."""
-    stated = course.loads(f"language: en\nsynthesis: {{function: {{{text}}}}}\n").synthesis.asked
-    low, high = stated.x
-    share = (
-        np.array([0.0, 0.5, 1.0])
-        if stated.spacing == "ends"
-        else (1 - np.cos(np.pi * np.array([1, 3, 5]) / 6)) / 2
-    )
-    x = low + share * (high - low)
-    f = next(f for name, f in FUNCTIONS.items() if f"y: {name}," in text)
-    psi = stated.rocker_from + stated.rocker_turn * (f(x) - f(low)) / (f(high) - f(low))
-    return stated.crank_from + stated.crank_turn * share, psi, (low, high, f)
-
-
 def function(found, texts):
-    for one, text in zip(found, texts, strict=True):
-        a, b, c, d = (one.s.number(key) for key in ("crank", "rod", "rocker", "frame"))
-        phi, psi, (low, high, f) = pairs(text)
-        links = {
-            "0": {"O": 0j, "C": d},
-            "1": {"O": 0j, "A": a},
-            "2": {"A": 0j, "B": b},
-            "3": {"C": 0j, "B": c},
-        }
-        offs = []
-        for sign in (1, -1):
-            m = moved(links, phi, sign)
-            offs.append(np.abs(np.angle((m.place("B") - d) / np.sign(c) * np.exp(-1j * psi))).max())
-        x = np.linspace(low, high, 721)
-        share, value = (x - low) / (high - low), (f(x) - f(low)) / (f(high) - f(low))
-        first, turn = one.given.asked.crank_from, one.given.asked.crank_turn
-        m = moved(links, first + turn * share, 1 if offs[0] < offs[1] else -1)
+    a, b, c, d = numbers(found, "crank", "rod", "rocker", "frame")
+    links = {"0": {"O": 0j, "C": d}, "1": {"O": 0j, "A": a}, "2": {"A": 0j, "B": b}, "3": {"C": 0j, "B": c}}
+    first, turn, start, swing = (
+        asked(found, key, 0.0)[:, None] for key in ("crank_from", "crank_turn", "rocker_from", "rocker_turn")
+    )
+
+    def off(share, sign):
+        """How far the rocker is from the angle of the function, and sine of the transmission angle, each (V, P)."""
+        m = moved(links, first + turn * share, sign)
         rod, rocker = m.place("B") - m.place("A"), m.place("B") - d
-        angle = np.arcsin(np.minimum(np.abs(np.imag(np.conj(rod) * rocker)) / abs(b * c), 1.0))
-        # near a position in which rod and rocker lie on one line the angle has as many digits less
-        near = angle.min()
-        size = max(1.0, abs(a) / d, abs(c) / d, b / d) / near
-        assert min(offs) <= 1e-9 * size, (text, offs, size)
-        start, swing = one.given.asked.rocker_from, one.given.asked.rocker_turn
-        error = np.abs(np.angle(rocker / np.sign(c) * np.exp(-1j * (start + swing * value))))
-        assert error.max() <= one.s.number("error") * (1 + 1e-9) + 1e-9
-        assert error.max() >= one.s.number("error") * 0.99 - 1e-9, text
-        assert angle.min() >= one.s.number("transmission") - 1e-9
-        assert angle.min() == pytest.approx(one.s.number("transmission"), rel=0.02), text
+        wanted = start + swing * np.array([values_of(*one) for one in zip(found, texts, share, strict=True)])
+        sine = np.abs(np.imag(np.conj(rod) * rocker)) / np.abs(b * c)
+        return np.abs(np.angle(rocker / np.sign(c) * np.exp(-1j * wanted))), np.minimum(sine, 1.0)
+
+    accurate = np.array([points_of_accuracy(one.given.asked.spacing) for one in found])
+    offs = np.array([off(accurate, sign)[0].max(axis=1) for sign in (1, -1)])
+    sign = np.where(offs[0] < offs[1], 1, -1)[:, None]
+    error, sine = off(np.linspace(0, 1, 721)[None] + np.zeros((len(found), 1)), sign)
+    error, angle = error.max(axis=1), np.arcsin(sine.min(axis=1))
+    # near a position in which rod and rocker lie on one line the angle has as many digits less
+    size = np.max([np.ones_like(d), np.abs(a) / d, np.abs(c) / d, b / d], axis=0)[:, 0] / angle
+    assert (offs.min(axis=0) <= 1e-9 * size).all()
+    stated, transmission = (np.ravel(one) for one in numbers(found, "error", "transmission"))
+    assert (error <= stated * (1 + 1e-9) + 1e-9).all() and (error >= stated * 0.99 - 1e-9).all()
+    assert (angle >= transmission - 1e-9).all()
+    assert (np.abs(angle - transmission) <= np.maximum(0.02 * transmission, 1e-12)).all()
+
+
+def points_of_accuracy(spacing):
+    """Where the three of them lie, as shares of the interval."""
+    ends, middle = np.array([0.0, 0.5, 1.0]), (1 - np.cos(np.pi * np.array([1, 3, 5]) / 6)) / 2
+    return ends if spacing == "ends" else middle
+
+
+def values_of(one, text, share):
+    """The function's value at shares of the interval, from 0 at its beginning to 1 at its end."""
+    f = next(f for name, f in FUNCTIONS.items() if f"y: {name}," in text)
+    low, high = one.given.asked.x
+    return (f(low + share * (high - low)) - f(low)) / (f(high) - f(low))
 
 
 def dwell(found):
