@@ -13,10 +13,6 @@ from hypothesis import settings
 from tmm_report import backwards, course
 from tmm_report.course import load
 
-# tests run side by side: threads of linear algebra in each of the processes would only wait for one another; said in
-# the first process, which starts the others
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-
 pytest_plugins = ["cpu", "exhaustive"]
 
 # few examples and new ones, so that something new is found now and then; or many, the same at every run
