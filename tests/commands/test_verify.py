@@ -15,6 +15,7 @@ from conftest import ALL_FILES
 from told import Told
 
 from tmm_report import load, solve
+from tmm_report.chapters.gears.drive import stages
 from tmm_report.commands.verify import found, reference, run
 from tmm_report.mechanics.gears import involute
 from tmm_report.mechanics.gears.eccentric import mechanism as eccentric
@@ -47,6 +48,15 @@ def test_a_velocity_wrong_in_the_twelfth_digit_turns_it_red(monkeypatch):
     assert "velocity of point B, position" in lines and "wrong:" in lines
 
 
+@pytest.fixture
+def drives_anew():
+    """No drive that was solved before is kept, nor one of the test."""
+    stages._all.cache_clear()
+    yield
+    stages._all.cache_clear()
+
+
+@pytest.mark.usefixtures("drives_anew")
 def test_a_wrong_contact_ratio_turns_it_red(monkeypatch):
     from tmm_report.mechanics.gears.meshing import Pair
 

@@ -45,7 +45,7 @@ TEXTS = {
     "dwell": "dwell: {crank: 50 mm, coupler: 125 mm, rocker: 125 mm, frame: 100 mm, point: [125 mm, 125 mm], "
     "angles: [140 deg, 180 deg, 220 deg]}",
 }
-KEYS = {"γmax": "pressure", "μmin": "transmission", "ψwant": "psi_wanted", "Δ": "error"}
+KEYS = {"γmax": "pressure", "μmin": "transmission", "μ": "transmission", "ψwant": "psi_wanted", "Δ": "error"}
 LENGTHS = {"a": "crank", "b": "rod", "c": "rocker", "e": "offset", "d": "frame"}
 
 

@@ -46,7 +46,9 @@ class Piece:
 
 def by_time(plant: Plant, start: float, goal: Goal, phi: float = 0.0) -> Run:
     """Raises NeverReached."""
-    pieces = list(_pieces(plant, start, goal, phi))
+    every = list(_pieces(plant, start, goal, phi))
+    # one that meets its goal where it begins has no length, and no slopes
+    pieces = [one for one in every if one.end > one.start] or every
     first, last = pieces[0], pieces[-1]
     turns = (last.last[0] - phi) / plant.panels.period
     count = int(min(max(1, -(-PER_TURN * turns // SAMPLES)) * SAMPLES, MOST))
