@@ -65,10 +65,12 @@ def _dynamics(made: Made, walk: Any) -> Made:
     if walk.names.mechanism:
         for key in ("period", "varying_inertia"):
             made.pop(key, None)
-    elif walk.random.random() < 0.9:
-        made.pop("friction", None)
-    elif not heavy and "varying_inertia" not in made:
-        made["parts"] = [{"name": "wheel", "inertia": "3 kg*m^2"}]
+    else:
+        if walk.random.random() < 0.9:
+            made.pop("friction", None)
+            made.pop("torsion_springs", None)
+        if not heavy and "varying_inertia" not in made:
+            made["parts"] = [{"name": "wheel", "inertia": "3 kg*m^2"}]
     if any("velocity" in part for part in made.get("parts", ())):
         made.setdefault("speed", "12 rad/s")
     if pairs := made.get("varying_inertia"):
@@ -166,6 +168,30 @@ def _led(made: Made, walk: Any) -> Made:
         for k in range(3)
     ]
     made["points"] = [[0, 0], [f"{random.uniform(40, 90):.4g} mm", f"{random.uniform(0, 40):.4g} mm"]]
+    two = {"crank", "rocker", "crank_pivot", "rocker_pivot", "crank_angle", "crank_way"} & set(made)
+    if two and random.random() < 0.5:
+        made["positions"].pop()
+        made.setdefault("crank", "90 mm")
+        return made
+    for key in two if random.random() < 0.9 else ():
+        made.pop(key)
+    return made
+
+
+def _tie(made: Made, walk: Any) -> Made:
+    """Between two points."""
+    first, second = made["between"]
+    others = [one for one in walk.names.of.get("at", ()) if one != first]
+    if first == second and others:
+        made["between"] = [first, walk.random.choice(others)]
+    made.pop("on", None) if walk.random.random() < 0.7 else None
+    return made
+
+
+def _rocker(made: Made, walk: Any) -> Made:
+    """Extreme positions want the length of the rocker."""
+    if "crank_angles" not in made:
+        made.setdefault("rocker", "300 mm")
     return made
 
 
@@ -363,8 +389,10 @@ def _spur(made: Made, walk: Any) -> Made:
         made["ratio"] = sign * float(Fraction(made["teeth"][1], made["teeth"][0]))
         made.pop("centre_distance", None) if walk.random.random() < 0.5 else None
     elif "centre_distance" in made:
-        module, ratio = _value(made["module"]), abs(_value(made["ratio"]))
+        module, ratio = _value(made["module"]), abs(_value(made.setdefault("ratio", -2)))
         made["centre_distance"] = f"{module * round(20 * (1 + ratio) / 2, 1):.6g} mm"
+    if "mesh" in made and "ratio" in made:
+        made["ratio"] = abs(_value(made["ratio"])) * (1 if made["mesh"] == "internal" else -1)
     return made
 
 
@@ -439,9 +467,9 @@ def _swung(made: Made, walk: Any) -> Made:
         made.setdefault("speed", "300 rpm")
     if "base" in made:
         made.pop("foundation", None)
-    if not {"stiffness", "transmissibility"} & set(made):
+    if not {"stiffness", "transmissibility", "deflection"} & set(made):
         made["stiffness"] = "900 kN/m" if "mass" in made else "500 N*m/rad"
-    if "transmissibility" in made:
+    if "transmissibility" in made or "deflection" in made:
         made.pop("stiffness", None)
     return made
 
@@ -455,6 +483,9 @@ AFTER: Mapping[str, Callable[[Made, Any], Made]] = {
     "SpeedModel": asked.rising,
     "DynamicsModel": _dynamics,
     "dynamics.Spring": _spring,
+    "Damper": _tie,
+    "kinetostatics.Spring": _tie,
+    "RockerPositions": _rocker,
     "Force": _loading,
     "Piston": _loading,
     "kinetostatics.Moment": _turning,

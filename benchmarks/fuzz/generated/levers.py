@@ -186,13 +186,15 @@ def cam(random: Random) -> tuple[Data, Data]:
         data["links"]["2"] = {"points": {"C": 0, "B": mm(random.uniform(120, 145))}}
         one["side"] = random.choice(LEVEL)
     else:
-        data["guides"] = {"y": {"through": random.choice(("O", "Q")), "angle": "90 deg"}}
+        data["guides"] = {"y": {"through": random.choice(("O", "Q", ["0 mm", "0 mm"])), "angle": "90 deg"}}
         data["links"]["2"] = {
             "points": {"B": 0, "D": mm(80)},
             "slides": random.choice(("y", {"guide": "y", "angle": "0 deg"})),
         }
     data["cams"] = {"k": one}
     _law(one, swings, base, random)
+    if one.get("base") == "smallest" and face and random.random() < 0.8:
+        one["least_curvature"] = "4 mm"
     for key, value in (
         ("cam", "1"),
         ("start", "30 deg"),
@@ -300,7 +302,7 @@ def mechanism(walk: Walk) -> tuple[Data, Names]:
         if kept is not None and key == "zero" and "zero" not in data["driver"]:
             driver["zero"] = _zero(data, axes, random)
         if kept is not None and key == "range" and "turns" not in driver and random.random() < 0.4:
-            driver["range"] = f"{random.uniform(30, 300):.4g} deg"
+            driver["range"] = _angle(random.uniform(30, 300), "synthesis.crank_way")
     if "law" in driver:
         driver = _by_law(driver, data, random)
     data["driver"] = driver | data["driver"]
@@ -348,11 +350,17 @@ def _massive(name: str, link: Data, walk: Walk) -> None:
             link["inertia"] = {"value": "0.9 kg*m^2", "about": random.choice(points)}
 
 
+def _angle(degrees: float, found: str) -> Any:
+    """As text, as a bare number, rarely as what a synthesis finds; what is drawn after it does not change with it."""
+    form = round(degrees * 997) % 24
+    return found if form == 0 else round(math.radians(degrees), 3) if form % 5 == 1 else f"{degrees:.4g} deg"
+
+
 def _zero(data: Data, axes: Data, random: Random) -> Data:
     pivoted = [
         n for n, link in data["links"].items() if n != "1" and set(link["points"]) & set(data["frame"])
     ]
-    ways: list[Data] = [{"angle": f"{random.randint(-180, 180)} deg"}]
+    ways: list[Data] = [{"angle": _angle(random.randint(-180, 180), "synthesis.crank_angle")}]
     ways += [{"point": point, "extreme": random.choice(way)} for point, way in axes.items()]
     ways += [{"link": link, "extreme": random.choice(("clockwise", "counter-clockwise"))} for link in pivoted]
     return random.choice(ways)

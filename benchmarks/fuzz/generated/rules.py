@@ -27,8 +27,19 @@ RUBBING = (
 # exactly one key of each of these sets
 ONE: Mapping[str, Sequence[Keys]] = {
     "Synthesis": [
-        ("slider_crank", "crank_rocker", "slotted_link", "turning_guide", "function", "dwell", "body")
+        (
+            "slider_crank",
+            "crank_rocker",
+            "slotted_link",
+            "turning_guide",
+            "function",
+            "dwell",
+            "body",
+            "rocker_positions",
+            "slider_positions",
+        )
     ],
+    "Material": [("speed", "stress")],
     "Force": [("constant", "by_position", "by_angle", "by_time", "by_displacement")],
     "Piston": [("constant", "by_position", "by_angle", "by_time", "by_displacement")],
     "kinetostatics.Moment": [("constant", "by_position", "by_angle", "by_time", "by_displacement")],
@@ -149,7 +160,7 @@ APART: Mapping[str, Sequence[tuple[str, Keys]]] = {
     "rotor.Body": [("tilt", ("products",))],
     **{
         name: [(law, ("stroke",)) for law in ("by_position", "by_angle", "by_time", "by_displacement")]
-        for name in ("Force", "kinetostatics.Moment")
+        for name in ("Force", "Piston", "kinetostatics.Moment")
     },
     "Screw": [("arm", ("hand_force",))],
     "contacts.Wheel": [("pull", ("moment",))],
@@ -158,7 +169,16 @@ APART: Mapping[str, Sequence[tuple[str, Keys]]] = {
         ("friction", ("damping", "damping_ratio")),
         ("damping", ("damping_ratio",)),
         ("absorber", ("transmissibility",)),
-        ("transmissibility", ("damping", "stiffness")),
+        ("transmissibility", ("damping", "stiffness", "deflection")),
+        ("deflection", ("stiffness",)),
+    ],
+    **{
+        name: [("transmission", ("pressure_angle",))]
+        for name in ("SliderCrank", "SlottedLink", "TurningGuide")
+    },
+    "PartModel": [
+        ("on", ("ratio", "offset")),
+        ("radius_of_gyration", ("inertia", "moment", "velocity", "radius", "moves", "offset")),
     ],
     "Turning": [
         ("friction", ("damping", "damping_ratio")),
@@ -178,6 +198,7 @@ NEEDS: Mapping[str, Sequence[tuple[str, Keys]]] = {
         ("arms", ("lift", "radius", "sleeve", "balls")),
         ("bell_crank", ("lift", "radius", "balls", "spring")),
     ],
+    "PartModel": [("radius_of_gyration", ("mass",))],
     "Press": [("rated", ("torque",))],
     "rotor.Given": [("grade", ("speed", "mass")), ("width", ("diameter",)), ("diameter", ("width",))],
 }
@@ -199,9 +220,12 @@ RARE: Mapping[str, float] = {
     "Brake.choose": 0.2,
     "Brake.arm": 0.4,
     "LoadsModel.torsion_springs": 0.3,
+    "DynamicsModel.torsion_springs": 0.2,
+    "PartModel.radius_of_gyration": 0.3,
 }
 
 NAMED: Mapping[str, Sequence[Any]] = {
+    "DriverModel.speed": (*("1200 rpm", "90 rpm", "12 rad/s", 9.4) * 6, "synthesis.speed"),
     "Generator.y": ("x^2", "sqrt x", "log10 x", "exp x", "sin x", "1/x"),
     **{f"{name}.materials": PAIRS for name in RUBBING},
     "Flywheel.delta": ("1/30", 0.05, "1/80", 0.1, "4 %"),

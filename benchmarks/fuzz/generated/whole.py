@@ -97,6 +97,10 @@ def variant(seed: str) -> dict[str, Any]:
     if random.random() < ASKED:
         backwards(data, random)
     later(data, Random(f"later {seed}"))
+    driver = data.get("mechanism", {}).get("driver", {})
+    alone = driver.get("speed") == "drive" and "drive" not in data
+    if (alone or not {"speed", "period", "law", "stroke"} & set(driver)) and driver and walk.tame():
+        driver["speed"] = "90 rpm"
     return data
 
 

@@ -61,7 +61,7 @@ WAYS = (
     Way("reduced_inertia_table.I_*", PART, of="phi masses:{0}.m masses:{0}.J", by=_part),
     Way("reduced_moment_table.M_red", by=summed("M_red_")),
     Way("reduced_moment_table.M_red_*", LOAD, of="loads_table.{0} omega", by=_power),
-    Way("I_red_min I_red_max", EXTREME, of="omega"),
+    Way("I_red_min I_red_max", EXTREME, of="omega law_*"),
     Way("reduction_plans.I_red_graph", GRAPH, of="vq_* u_*"),
     Way("reduction_plans.I_red", PART, of="position vq_* u_*"),
     Way(
@@ -70,5 +70,5 @@ WAYS = (
         of="I_red_graph I_red",
     ),
     Way("reduction_plans.*", READ, of="mu_v omega"),
-    Way("reduction_disagreement", MISS, of="omega"),
+    Way("reduction_disagreement", MISS, of="omega law_*"),
 )

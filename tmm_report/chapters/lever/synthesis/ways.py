@@ -53,7 +53,11 @@ WAYS = (
     Way("synthesis_frame", by=lambda q: _apart(_pivot(q, "crank"), _pivot(q, "rocker"))),
     Way("synthesis_lengths.key", NAME),
     Way("synthesis_lengths.taken", ROUNDED, of="found"),
-    Way("synthesis_lengths.found", FAMILY, of="synthesis_K synthesis_stroke synthesis_swing synthesis_frame"),
+    Way(
+        "synthesis_lengths.found",
+        FAMILY,
+        of="synthesis_K synthesis_stroke synthesis_swing synthesis_frame synthesis_x_1",
+    ),
     Way(
         "synthesis_pairs.x synthesis_pairs.phi", PAIRS, of="synthesis_low synthesis_high synthesis_crank_from"
     ),
@@ -81,7 +85,7 @@ WAYS = (
         CRANK,
         of="synthesis_crank_pivot_x synthesis_crank_pivot_y synthesis_crank",
     ),
-    Way("synthesis_family.*", FAMILY, of="synthesis_theta synthesis_stroke synthesis_rocker"),
+    Way("synthesis_family.*", FAMILY, of="synthesis_theta synthesis_stroke synthesis_rocker synthesis_x_1"),
     Way("synthesis_course.x synthesis_course.phi", AXIS),
     Way("synthesis_course.*", FAMILY, of="x synthesis_k1 synthesis_k2 synthesis_k3"),
     Way(
