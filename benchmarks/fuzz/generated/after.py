@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from fractions import Fraction
 from typing import Any
 
-from benchmarks.fuzz.generated import asked, balancing, driving
+from benchmarks.fuzz.generated import asked, balancing, driving, gears
+from benchmarks.fuzz.generated.gears import value as _value
 from benchmarks.fuzz.generated.rules import RUBBING
 
 Made = dict[str, Any]
-
-
-def _value(written: Any) -> float:
-    return float(str(written).split(" ")[0])
 
 
 def _periodic(made: Made, walk: Any) -> Made:
@@ -347,73 +343,6 @@ def _efficiencies(made: Made, walk: Any) -> Made:
     return made
 
 
-def _planetary(made: Made, walk: Any) -> Made:
-    rows = {"sun-ring": ("sun", "ring"), "any": ("wheel1", "wheel3")}
-    first, last = rows.get(made.get("scheme", "sun-ring"), ("wheel1", "wheel3"))
-    members = walk.random.sample([first, last, "carrier"], 3)
-    if "fixed" in made and made.get("scheme") not in ("sun-ring", None):
-        members, made["ratio"] = ["carrier", first, last], walk.random.choice((8, 12, -6, 20))
-        if walk.random.random() < 0.7:
-            members[:2] = members[1::-1]
-        if walk.random.random() < 0.2:
-            members = [last, "carrier", first]
-    elif walk.random.random() < 0.7:
-        members = [first, "carrier", last]
-    made["input"], made["output"] = members[:2]
-    if "fixed" in made:
-        made["fixed"] = members[2]
-    if "second" in made:
-        made["second"]["member"] = members[2]
-    single = made.get("scheme", "sun-ring") == "sun-ring"
-    if isinstance(made.get("module"), list):
-        made["module"] = made["module"][0] if single else sorted(made["module"], key=_value)
-    if isinstance(made.get("shift"), list):
-        made["shift"] = [0.2, 0.1, 0, 0.1][: 3 if single else 4]
-        made.setdefault("teeth", [20, 30, 80] if single else [20, 40, 20, 80])
-    if "teeth" in made:
-        z = walk.random.randint(17, 25)
-        made["teeth"] = [z, 2 * z, 5 * z] if single else [z, 2 * z, z, 4 * z]
-        made["ratio"] = 6 if single else 9
-    for key, least in (("external_teeth", 15), ("ring_teeth", 30)):
-        if key in made:
-            made[key] = [least, least + 45]
-    made.setdefault("external_teeth", [15, 45])
-    made.setdefault("ring_teeth", [40, 110])
-    return made
-
-
-def _spur(made: Made, walk: Any) -> Made:
-    if "teeth" in made:
-        made["teeth"] = [walk.random.randint(14, 30), walk.random.randint(31, 70)]
-        sign = walk.random.choice((-1, -1, 1))
-        made["ratio"] = sign * float(Fraction(made["teeth"][1], made["teeth"][0]))
-        made.pop("centre_distance", None) if walk.random.random() < 0.5 else None
-    elif "centre_distance" in made:
-        module, ratio = _value(made["module"]), abs(_value(made.setdefault("ratio", -2)))
-        made["centre_distance"] = f"{module * round(20 * (1 + ratio) / 2, 1):.6g} mm"
-    if "mesh" in made and "ratio" in made:
-        made["ratio"] = abs(_value(made["ratio"])) * (1 if made["mesh"] == "internal" else -1)
-    return made
-
-
-def _eccentric(made: Made, walk: Any) -> Made:
-    if "teeth" in made:
-        z = walk.random.randint(20, 30)
-        made["teeth"] = [z, z + walk.random.choice((22, 24, 30)), 3 * z][: walk.random.choice((2, 3))]
-        if len(made["teeth"]) == 2:
-            made["teeth"][1] = 4 * z
-            made.setdefault("eccentricity", f"{9 * _value(made['module']):.6g} mm")
-        for key in ("t", "tolerance"):
-            made.pop(key, None)
-    if "eccentricity" in made:
-        made["eccentricity"] = f"{walk.random.randint(6, 20) / 2 * _value(made['module']):.6g} mm"
-    if "density" in made or "width" in made:
-        made.setdefault("density", "7800 kg/m^3")
-        made.setdefault("width", "20 mm")
-    made.pop("ring_up_to", None) if walk.random.random() < 0.5 else None
-    return made
-
-
 def _rotor(made: Made, walk: Any) -> Made:
     if not made.get("masses") and not made.get("bodies"):
         made["masses"] = [walk.part("Heavy"), walk.part("Heavy")]
@@ -503,9 +432,9 @@ AFTER: Mapping[str, Callable[[Made, Any], Made]] = {
     "Engine": _engine,
     "governor.Given": _governor,
     "EfficiencyModel": _efficiencies,
-    "PlanetaryModel": _planetary,
-    "Spur": _spur,
-    "Eccentric": _eccentric,
+    "PlanetaryModel": gears.planetary,
+    "Spur": gears.spur,
+    "Eccentric": gears.eccentric,
     "rotor.Given": _rotor,
     "WearModel": _wear,
     "Sides": _sides,
