@@ -124,8 +124,9 @@ def _second_ways(file: str) -> list[str]:
     """The tests of second ways of the chapter that a file is of, or of the chapters of its wing of mechanics: a formula
     is evaluated where it is printed, so that the page alone does not know a wrong one."""
     at = Path(file).parts
-    if at[1] == "chapters":
-        asked = f"tests/chapters/**/test_{at[3]}_twice.py"
+    if at[1] == "chapters":  # of a wing, or, as `find`, of none
+        chapter = Path(at[3] if len(at) > 3 else at[2]).stem
+        asked = f"tests/chapters/**/test_{chapter}_twice.py"
     elif at[1] == "mechanics" and at[2] in WINGS:
         asked = f"tests/chapters/{WINGS[at[2]]}/**/test_*_twice.py"
     else:
