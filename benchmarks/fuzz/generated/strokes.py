@@ -5,17 +5,9 @@ from __future__ import annotations
 from random import Random
 from typing import Any
 
+from benchmarks.fuzz.generated.driving import LAWS
+
 Data = dict[str, Any]
-LAWS = (
-    "parabolic",
-    "decreasing",
-    "cosine",
-    "sine",
-    "trapezoid",
-    "modified_trapezoid",
-    "modified_sine",
-    "polynomial",
-)
 
 
 def mm(length: float) -> str:

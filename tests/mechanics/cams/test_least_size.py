@@ -130,7 +130,7 @@ def test_the_least_lever_cam_is_permitted_and_none_is_smaller(seed):
 def test_least_cam_under_a_flat_face(name):
     rise, back = Phase("rise", 1.6, named(name)), Phase("return", 1.2, named(name))
     law = Phases((rise, Phase("dwell", 0.4), back, Phase("dwell", FULL_TURN - 3.2)), 0.02)
-    found = under_face(law, 0.005)
+    found = under_face(law, 0.005).asked
     S, _, bend = law.of(FINE)
     assert found.b >= np.max(0.005 - S - bend) - 1e-12
     assert found.b == pytest.approx(np.max(0.005 - S - bend), rel=2e-4)

@@ -22,6 +22,7 @@ import numpy as np
 
 from tmm_report.mechanics.calculus.vectors import cross, dot
 from tmm_report.mechanics.cams.follower_laws import FULL_TURN, Law
+from tmm_report.mechanics.cams.least_size import Size
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
@@ -123,8 +124,7 @@ class Cam:
 
     `axis`: O, world, m; `roller`: radius, m, 0 of a knife edge, None of a flat face whose direction in the follower's
     axes is `face`; `guide`: name of the line that replaces a flat face; `limit`: of the pressure angle, rad, `back`: of
-    that of a return, where it is limited; `smallest`: whether the base circle is the least that keeps them, or, under a
-    flat face, the least radius of `curvature`, m.
+    that of a return, where it is limited; `sized`: by what the base circle was found, where it is the smallest.
     """
 
     name: str
@@ -141,8 +141,7 @@ class Cam:
     face: complex = 1.0
     guide: str = ""
     back: float | None = None
-    smallest: bool = False
-    curvature: float = 0.0
+    sized: Size | None = None
 
     @property
     def flat(self) -> bool:

@@ -46,6 +46,13 @@ class Demand(NamedTuple):
     slope: float
 
 
+class Face(NamedTuple):
+    """A flat face across its motion: the least radius of `curvature` under it, m, and what it asks."""
+
+    curvature: float
+    asked: Demand
+
+
 class Line(NamedTuple):
     """A bound: s0 ≥ b + k e."""
 
@@ -76,12 +83,12 @@ class Zone:
 
     @cached_property
     def of_rise(self) -> Demand:
-        return _greatest(self.law, lambda S, slope: slope / tan(self.rise) - S)
+        return _greatest(self.law, lambda S, slope, _: slope / tan(self.rise) - S)
 
     @cached_property
     def of_return(self) -> Demand | None:
         back = self.back
-        return None if back is None else _greatest(self.law, lambda S, slope: -slope / tan(back) - S)
+        return None if back is None else _greatest(self.law, lambda S, slope, _: -slope / tan(back) - S)
 
     @cached_property
     def lines(self) -> tuple[Line, ...]:
@@ -175,42 +182,36 @@ class Lever:
     def _greatest(self, way: str, of: Callable[[Array, Array], Array]) -> Demand:
         """Over the rises and dwells, or over the returns."""
         sense = -1 if way == "return" else 1
-        return _greatest(self.law, lambda S, slope: np.where(sense * slope >= 0, of(S, slope), -inf))
+        return _greatest(self.law, lambda S, slope, _: np.where(sense * slope >= 0, of(S, slope), -inf))
 
     def _never(self, way: str, limit: float) -> bool:
         """Whether somewhere no angle of the lever at all keeps the limit."""
         return self._greatest(way, lambda _, slope: np.abs(self.c(slope, limit))).b > 1
 
 
-def under_face(law: Law, curvature: float) -> Demand:
-    """Least base circle under a flat face across its motion, m, with a least radius of curvature, m: `b`, and where in
-    the law; at a jump of the acceleration on the side that asks for more."""
-    edges = np.array(sorted({0.0, *law.breaks, FULL_TURN}))
-    best = Demand(-inf, 0.0, 0.0, 0.0)
-    for low, high in pairwise(edges):
-        x = np.linspace(low, high - 2 * EDGE, GRID + 1)
-        for _ in range(ROUNDS):
-            S, slope, bend = law.of(x)
-            k = int(np.argmax(-S - bend))
-            if curvature - S[k] - bend[k] > best.b:
-                best = Demand(float(curvature - S[k] - bend[k]), float(x[k]), float(S[k]), float(slope[k]))
-            x = np.linspace(x[max(k - 1, 0)], x[min(k + 1, len(x) - 1)], FINER + 1)
-    return best
+def under_face(law: Law, curvature: float) -> Face:
+    """Of the least base circle, `asked.b`, m, with a least radius of curvature, m; at a jump of the acceleration by the
+    side that asks for more."""
+    return Face(curvature, _greatest(law, lambda S, _, bend: curvature - S - bend))
 
 
-def _greatest(law: Law, of: Callable[[Array, Array], Array]) -> Demand:
-    """Of a function of S and S' over the turn, piece by piece of the law."""
+def _greatest(law: Law, of: Callable[[Array, Array, Array], Array]) -> Demand:
+    """Of a function of S, S' and S'' over the turn, piece by piece of the law."""
     edges = sorted({0.0, *law.breaks, FULL_TURN})
     best = Demand(-inf, 0.0, 0.0, 0.0)
     for low, high in pairwise(edges):
         last = high - 2 * EDGE  # nearer to a break the law is already that of what follows
         x = np.append(np.linspace(low, last, GRID + 1), high)
         for _ in range(ROUNDS):
-            S, slope, _ = law.of(x)
-            y = of(S, slope)
+            S, slope, bend = law.of(x)
+            y = of(S, slope, bend)
             k = int(np.argmax(y))
             if y[k] > best.b:
                 best = Demand(float(y[k]), float(x[k]), float(S[k]), float(slope[k]))
             x = np.linspace(x[max(k - 1, 0)], x[min(k + 1, len(x) - 1)], FINER + 1)
             x = x[(x <= last) | (x == high)]
     return best
+
+
+Size = Zone | Lever | Face
+"""By what the least size of a cam was found."""

@@ -74,7 +74,7 @@ def test_least_sizes(case):
         assert old in text
         text = text.replace(old, new)
     found = written(text)
-    low, zone = found.pitch_base, found.zone
+    low, zone = found.pitch_base, found.cam.sized
     step = 1e-3 if "round" in text else 1e-9
     assert zone.at(found.offset).radius <= low * (1 + 1e-12) < zone.at(found.offset).radius + step
     assert found.rise.value <= found.cam.limit + 1e-7
@@ -102,11 +102,11 @@ def test_least_sizes_of_levers(case):
         assert old in text
         text = text.replace(old, new)
     found = written(text)
-    least = found.lever.radius(found.lever.lowest.least)
+    least = found.cam.sized.radius(found.cam.sized.lowest.least)
     assert least <= found.pitch_base * (1 + 1e-12) < least + 0.5e-3
     exact = solve(loads(text.replace("      round: 0.5 mm\n", ""))).lever.cam.cams[0]
-    asked = {"rise": exact.cam.limit, "return": exact.cam.back}[exact.lever.lowest.way]
-    reached = {"rise": exact.rise, "return": exact.back}[exact.lever.lowest.way].value
+    asked = {"rise": exact.cam.limit, "return": exact.cam.back}[exact.cam.sized.lowest.way]
+    reached = {"rise": exact.rise, "return": exact.back}[exact.cam.sized.lowest.way].value
     assert reached == pytest.approx(asked, abs=1e-8)  # nowhere more than is permitted, and once as much
     assert not exact.exceeds and not exact.exceeds_back
 
@@ -120,8 +120,23 @@ def test_least_size_under_a_face():
     ).cam.base == (pytest.approx(1e-3 * np.ceil(found.cam.base * 1e3)))
 
 
+def test_a_base_under_a_face_may_be_smaller_than_its_curvature():
+    """A harmonic over the whole turn: the profile is a circle, eccentric by half the lift."""
+    harmonic = "        - {rise: 180 deg, law: cosine}\n        - {return: 180 deg, law: cosine}\n"
+    text = FLAT.replace(FLAT[FLAT.index("        - {rise: 90") : FLAT.index("positions")], harmonic)
+    found = written(text.replace("least_curvature: 8 mm", "least_curvature: 20 mm"))
+    assert found.cam.base == pytest.approx(20e-3 - 12e-3 / 2, rel=1e-9)
+    assert found.least.value == pytest.approx(20e-3, rel=1e-9)
+
+
 WRONG_SIZES = {
     "no curvature": (FLAT, "      least_curvature: 8 mm\n", "", "follows from the least radius of curvature"),
+    "any base": (
+        FLAT.replace("least_curvature: 8 mm", "least_curvature: 5 mm"),
+        FLAT[FLAT.index("        - {rise: 90") : FLAT.index("positions")],
+        "        - {rise: 180 deg, law: cosine}\n        - {return: 180 deg, law: cosine}\n",
+        "any base circle keeps the curvature",
+    ),
     "slanting face": (FLAT, "{at: B}", "{at: B, angle: 10 deg}", "slides across its face"),
     "curvature of a roller": (LEVER, "round: 0.5 mm", "least_curvature: 3 mm", "under a flat face"),
     "angles too small": (

@@ -4,7 +4,8 @@ stand to a cam at rest (the motion turned round), the cam being as it is in posi
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
+from functools import partial
 from itertools import product
 
 import numpy as np
@@ -28,6 +29,7 @@ from tmm_report.figures.drawing import (
 )
 from tmm_report.figures.lettering import Symbol, symbol
 from tmm_report.figures.schemes import marks
+from tmm_report.quantity.paper import ROUND
 
 ROOM = (140.0, 180.0)  # mm: what the drawing may fill
 FINE = 721
@@ -38,11 +40,19 @@ FACE = 9.0  # half length of the faces drawn, mm
 
 
 def scale(found: CamFound) -> float:
-    """The finest of the scales 1, 2, 2.5, 4, 5·10ⁿ m/mm at which the drawing fits a page."""
-    for power, digit in product(range(-6, 3), (1.0, 2.0, 2.5, 4.0, 5.0)):
+    """At which the drawing fits a page, m/mm."""
+    return finest(2 * found.cam.base, partial(_items, found))
+
+
+def finest(size: float, drawn: Callable[[float], Iterable[Item]]) -> float:
+    """The finest of the scales 1, 2, 2.5, 4, 5·10ⁿ m/mm at which what is `drawn` at it fits a page; `size`: about what
+    is drawn, m: nothing is drawn many times as large as the page."""
+    for power, digit in product(range(-6, 3), ROUND):
         mu = float(f"{digit * 10.0**power:.3g}")
-        wide, high = Drawing(tuple(_items(found, mu))).size
-        if 2 * found.cam.base / mu < 4 * ROOM[0] and wide <= ROOM[0] and high <= ROOM[1]:
+        if size / mu >= 4 * ROOM[0]:
+            continue
+        wide, high = Drawing(tuple(drawn(mu))).size
+        if wide <= ROOM[0] and high <= ROOM[1]:
             return mu
     return 1.0
 

@@ -4,12 +4,12 @@ axis of the cam may stand, below all of them; both axes to one scale."""
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import product
+from functools import partial
 from math import tan
 
 import numpy as np
 
-from tmm_report.chapters.lever.cam.draw import ROOM
+from tmm_report.chapters.lever.cam.draw import finest
 from tmm_report.chapters.lever.cam.lifting import BEFORE
 from tmm_report.chapters.lever.cam.solve import CamFound
 from tmm_report.figures.drawing import (
@@ -37,24 +37,13 @@ TANGENT = Pen(0.22, "blue")
 
 
 def scale(found: CamFound, zone: Zone) -> float:
-    """The finest of the scales 1, 2, 2.5, 4, 5·10ⁿ m/mm at which the diagram fits a page."""
-    for power, digit in product(range(-6, 3), (1.0, 2.0, 2.5, 4.0, 5.0)):
-        mu = float(f"{digit * 10.0**power:.3g}")
-        if _largest(found, zone) / mu > 4 * ROOM[1]:
-            continue
-        wide, high = Drawing(tuple(_items(found, zone, mu))).size
-        if wide <= ROOM[0] and high <= ROOM[1]:
-            return mu
-    return 1.0
+    """At which the diagram fits a page, m/mm."""
+    return finest(found.lift + BELOW * _lowest(found, zone), partial(_items, found, zone))
 
 
 def drawing(found: CamFound, zone: Zone, mu: float) -> Drawing:
     """At the scale of `mu` m/mm, along both axes."""
     return Drawing(tuple(_items(found, zone, mu))).labelled([*_letters(found, zone, mu)])
-
-
-def _largest(found: CamFound, zone: Zone) -> float:
-    return found.lift + BELOW * _lowest(found, zone)
 
 
 def _lowest(found: CamFound, zone: Zone) -> float:

@@ -12,7 +12,7 @@ from tmm_report.chapters.lever.kinematics.quantities import where
 from tmm_report.i18n import NP_
 from tmm_report.mechanics.cams.cam import Sliding, Swinging
 from tmm_report.mechanics.cams.follower_laws import Kind, Phase
-from tmm_report.mechanics.cams.least_size import Demand, Lever, Zone
+from tmm_report.mechanics.cams.least_size import Demand, Face, Lever, Turned, Zone
 from tmm_report.mechanics.cams.shapes import Parabolic
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
@@ -135,7 +135,7 @@ def tables(found: Cams) -> Iterator[Table]:
             yield Table(f"cam_law_{name}", SAMPLES, tuple(_samples(one)))
         if one.pieces:
             yield Table(f"cam_pieces_{name}", PIECES, _pieces(one))
-        if one.cam.smallest:
+        if one.cam.sized is not None:
             yield Table(f"cam_least_{name}", LEAST, tuple(_demands(one)))
         if one.shocks:
             yield Table(f"cam_shocks_{name}", JUMPS, _shocks(one))
@@ -190,13 +190,15 @@ def _pieces(found: CamFound) -> tuple[Column, ...]:
 
 def demands(found: CamFound) -> dict[Kind, Demand]:
     """What decides the size: of a sliding roller what the rise asks, and the return where it is limited."""
-    if found.zone is not None:
-        back = found.zone.of_return
-        asked: dict[Kind, Demand] = {"rise": found.zone.of_rise}
-        return asked | ({"return": back} if back is not None else {})
-    if found.lever is not None and found.lever.lowest is not None:
-        return {found.lever.lowest.way: found.lever.lowest.asked}
-    return {_way(found, found.under_face): found.under_face} if found.under_face is not None else {}
+    match found.cam.sized:
+        case Zone() as zone:
+            asked: dict[Kind, Demand] = {"rise": zone.of_rise}
+            return asked | ({"return": zone.of_return} if zone.of_return is not None else {})
+        case Lever(lowest=Turned() as lowest):
+            return {lowest.way: lowest.asked}
+        case Face() as under:
+            return {_way(found, under.asked): under.asked}
+    return {}
 
 
 def _way(found: CamFound, asked: Demand) -> Kind:
@@ -224,11 +226,10 @@ def _demands(found: CamFound) -> Iterator[Column]:
     yield text_column("phase", Message(N_("what the follower does")), [KINDS[kind] for kind in asked])
     yield AT.column([math.degrees(demand.theta) for demand in asked.values()])
     yield asked_S(found).column([demand.S for demand in asked.values()])
-    if found.under_face is None:
-        yield asked_slope(found).column([demand.slope for demand in asked.values()])
+    if isinstance(under := found.cam.sized, Face):
+        yield ASKED_BEND.column([under.curvature - under.asked.b - under.asked.S])
     else:
-        bend = found.cam.curvature - found.under_face.b - found.under_face.S
-        yield ASKED_BEND.column([bend])
+        yield asked_slope(found).column([demand.slope for demand in asked.values()])
 
 
 def _shocks(found: CamFound) -> tuple[Column, ...]:
@@ -280,12 +281,13 @@ def _profile(found: CamFound, lifted: Lifted) -> Iterator[Column]:
 def values(found: Cams) -> Iterator[Value]:
     for one in found.cams:
         yield from _sizes(one)
-        if one.zone is not None:
-            yield from _least(one, one.zone)
-        elif one.lever is not None and one.lever.lowest is not None:
-            yield from _least_lever(one, one.lever, one.lever.lowest.least)
-        elif one.under_face is not None:
-            yield from _least_face(one, one.under_face)
+        match one.cam.sized:
+            case Zone() as zone:
+                yield from _least(one, zone)
+            case Lever(lowest=Turned() as lowest) as lever:
+                yield from _least_lever(one, lever, lowest.least)
+            case Face() as under:
+                yield from _least_face(one, under)
         yield from _limits(one)
 
 
@@ -377,11 +379,11 @@ def _least_lever(found: CamFound, lever: Lever, lowest: float) -> Iterator[Value
     yield of(found, "cam_r0_least", Symbol("R", f"0,{MIN}"), "m", text).value(lever.radius(lowest))
 
 
-def _least_face(found: CamFound, asked: Demand) -> Iterator[Value]:
+def _least_face(found: CamFound, under: Face) -> Iterator[Value]:
     text = N_("least permitted radius of curvature of the profile")
-    yield of(found, "cam_curvature", Symbol("rho", LIMIT), "m", text, "mm").value(found.cam.curvature)
+    yield of(found, "cam_curvature", Symbol("rho", LIMIT), "m", text, "mm").value(under.curvature)
     text = N_("least radius of the base circle by the curvature")
-    yield of(found, "cam_r0_least", Symbol("R", f"0,{MIN}"), "m", text).value(asked.b)
+    yield of(found, "cam_r0_least", Symbol("R", f"0,{MIN}"), "m", text).value(under.asked.b)
     text = N_("greatest distance of the contact from the axis of the follower along its face")
     ends = (abs(end.value) for end in found.ends[1])
     yield of(found, "cam_reach", Symbol("b"), "m", text, "mm").value(max(ends))

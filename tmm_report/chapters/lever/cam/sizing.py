@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tmm_report.chapters.lever.cam import quantities as q
 from tmm_report.chapters.lever.cam.solve import CamFound
-from tmm_report.mechanics.cams.least_size import Bound, Place, Zone
+from tmm_report.mechanics.cams.least_size import Bound, Face, Lever, Place, Zone
 from tmm_report.quantity.formula import Expr, Formula, arccos, cos, expr, sqrt, tan
 from tmm_report.quantity.model import Book, Table, Value
 
@@ -58,15 +58,19 @@ class LeverSizing(Sizing):
 
     kind = "lever"
 
+    def __init__(self, found: CamFound, lever: Lever, book: Book):
+        super().__init__(found, book)
+        self.lever = lever
+
     def taken(self) -> Iterator[Formula]:
-        lever = self.found.lever
-        assert lever is not None and lever.lowest is not None
-        limit = self._value(LIMITS[lever.lowest.way]).var()
+        lever, lowest = self.lever, self.lever.lowest
+        assert lowest is not None
+        limit = self._value(LIMITS[lowest.way]).var()
         S, slope = (self.table.var(make(self.found).key, 0) for make in (q.asked_S, q.asked_slope))
         d, arm = self._value("cam_apart").var(), self._value("cam_arm").var()
         c = arm * (1 - slope if lever.alike else 1 + slope) * cos(limit) / d
         start = self._value("cam_start_least")
-        yield start.formula(limit - arccos(c) - S if lever.lowest.beyond else arccos(c) - limit - S)
+        yield start.formula(limit - arccos(c) - S if lowest.beyond else arccos(c) - limit - S)
         yield self._value("cam_r0_least").formula(sqrt(d**2 + arm**2 - 2 * d * arm * cos(start.var())))
 
 
@@ -82,11 +86,14 @@ class FaceSizing(Sizing):
 
 def sizing(found: CamFound, book: Book) -> Sizing | None:
     """None of a cam whose size is stated."""
-    if found.zone is not None:
-        return SlidingSizing(found, found.zone, book)
-    if found.lever is not None:
-        return LeverSizing(found, book)
-    return FaceSizing(found, book) if found.under_face is not None else None
+    match found.cam.sized:
+        case Zone() as zone:
+            return SlidingSizing(found, zone, book)
+        case Lever() as lever:
+            return LeverSizing(found, lever, book)
+        case Face():
+            return FaceSizing(found, book)
+    return None
 
 
 class SlidingSizing(Sizing):

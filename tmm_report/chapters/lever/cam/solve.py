@@ -22,9 +22,8 @@ from tmm_report.chapters.lever.cam.lifting import (
     side_of,
 )
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
-from tmm_report.mechanics.cams.cam import ByLaw, Cam, Sliding, Swinging
+from tmm_report.mechanics.cams.cam import ByLaw, Cam, Sliding
 from tmm_report.mechanics.cams.follower_laws import FULL_TURN, Phase, Phases
-from tmm_report.mechanics.cams.least_size import Demand, Lever, Zone, under_face
 from tmm_report.mechanics.cams.shapes import Graph, Laid, Shape
 from tmm_report.mechanics.lever.cams.replacing_dyad import rests
 from tmm_report.mechanics.lever.cycle import Extreme
@@ -205,28 +204,6 @@ class CamFound:
     def exceeds_back(self) -> bool:
         """Whether that of a return is above its limit."""
         return self.cam.back is not None and self.back.value > self.cam.back + 1e-9
-
-    @cached_property
-    def zone(self) -> Zone | None:
-        """Where the axis of the smallest cam with a sliding roller may stand."""
-        if not self.cam.smallest or self.law is None or self.cam.flat or not self.slides:
-            return None
-        return Zone(self.law.law, self.cam.limit, self.cam.back)
-
-    @cached_property
-    def lever(self) -> Lever | None:
-        """The smallest cam with a swinging roller."""
-        if not self.cam.smallest or self.law is None or not isinstance(self.cam.motion, Swinging):
-            return None
-        arm, apart = abs(self.cam.motion.arm), abs(self.pivot)
-        return Lever(self.law.law, arm, apart, self.alike, self.cam.limit, self.cam.back)
-
-    @cached_property
-    def under_face(self) -> Demand | None:
-        """The smallest base circle under a flat face, and where it is asked."""
-        if not self.cam.smallest or self.law is None or not self.cam.flat:
-            return None
-        return under_face(self.law.law, self.cam.curvature)
 
     @property
     def pitch_base(self) -> float:

@@ -16,6 +16,7 @@ from tmm_report.chapters.lever.cam.sizing import Sizing, sizing
 from tmm_report.chapters.lever.cam.solve import CamFound, Cams
 from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.drawing import Drawing
+from tmm_report.mechanics.cams.least_size import Zone
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula, Var
 from tmm_report.quantity.model import Book, Value
@@ -106,14 +107,20 @@ class CamView(BookView):
     def sizing(self) -> Sizing | None:
         return sizing(self.found, self.book)
 
+    @property
+    def _zone(self) -> Zone:
+        assert isinstance(self.cam.sized, Zone)
+        return self.cam.sized
+
+    @cached_property
+    def _zone_mu(self) -> float:
+        return draw_zone.scale(self.found, self._zone)
+
     def zone_scale(self) -> Var:
-        assert self.found.zone is not None
-        return scale_of("mu_l", draw_zone.scale(self.found, self.found.zone), "m/mm")
+        return scale_of("mu_l", self._zone_mu, "m/mm")
 
     def zone(self) -> Drawing:
-        assert self.found.zone is not None
-        mu = draw_zone.scale(self.found, self.found.zone)
-        return draw_zone.drawing(self.found, self.found.zone, mu)
+        return draw_zone.drawing(self.found, self._zone, self._zone_mu)
 
     def asked(self, caption: Any) -> Table:
         """What rise and return ask."""

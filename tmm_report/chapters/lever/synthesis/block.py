@@ -7,6 +7,7 @@ from typing import TypedDict
 from pydantic import Field
 
 from tmm_report.chapters.lever.synthesis.given import (
+    KINDS,
     Body,
     CrankRocker,
     Permits,
@@ -26,17 +27,6 @@ from tmm_report.variant.model import Read
 from tmm_report.variant.stated import Stated
 from tmm_report.yamlread import Path
 
-KINDS = (
-    "slider_crank",
-    "crank_rocker",
-    "slotted_link",
-    "turning_guide",
-    "function",
-    "dwell",
-    "body",
-    "rocker_positions",
-    "slider_positions",
-)
 PATH: Path = ("synthesis",)
 
 

@@ -365,8 +365,7 @@ class Synthesis:
     @property
     def stated(self) -> tuple[str, ...]:
         """The kinds of linkages that are asked for: one, of a block without mistakes."""
-        kinds = [one.name for one in fields(self) if one.name not in ("round", "output")]
-        return tuple(name for name in kinds if getattr(self, name) is not None)
+        return tuple(name for name in KINDS if getattr(self, name) is not None)
 
     @property
     def kind(self) -> str:
@@ -378,4 +377,5 @@ class Synthesis:
         return found
 
 
+KINDS = tuple(one.name for one in fields(Synthesis) if one.name not in ("round", "output"))
 Given = Synthesis

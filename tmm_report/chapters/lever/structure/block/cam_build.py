@@ -22,7 +22,7 @@ from tmm_report.mechanics.cams.cam import (
     lowest_swinging,
 )
 from tmm_report.mechanics.cams.follower_laws import FULL_TURN
-from tmm_report.mechanics.cams.least_size import Lever, Zone, under_face
+from tmm_report.mechanics.cams.least_size import Face, Lever, Size, Zone, under_face
 from tmm_report.mechanics.cams.stated_profile import ByProfile
 from tmm_report.mechanics.lever.mechanism import FRAME, Guide, Link, Slide, ZeroAngle
 from tmm_report.problems import N_, Message
@@ -53,13 +53,13 @@ def cam(
     face = _face(model.flat, motion) if model.flat else 1 + 0j
     roller = model.roller.radius if model.roller else None
     limit, back = model.pressure_angle_limit or LIMITS[type(motion)], model.return_angle_limit
-    smallest = _smallest(model, motion, roller, face, sense, limit) if model.base == "smallest" else None
-    base = smallest or (model.base if isinstance(model.base, float) else None)
+    base, sized = model.base, None
+    if base == "smallest":
+        base, sized = _smallest(model, motion, roller, face, sense, limit)
     given = _given(model, motion, roller, face, sense, zero, base)
     made = Cam(
         name, body.name, follower.name, model.at, model.centre or "K", axis, motion, given, roller, limit,
-        base or _least(given), face, f"{name}t" if model.flat else "", back, smallest is not None,
-        model.least_curvature or 0.0,
+        base or _least(given), face, f"{name}t" if model.flat else "", back, sized,
     )  # fmt: skip
     must_touch(made)
     return made
@@ -154,30 +154,33 @@ def _smallest(
     face: complex,
     sense: int,
     limit: float,
-) -> float:
-    """Least radius of the profile, rounded up, m."""
+) -> tuple[float, Size]:
+    """Least radius of the profile, rounded up, m, and by what it was found."""
     if model.profile:
         raise Wrong("base", Message(N_("this follows from the profile of the cam")))
     if roller is None:
-        return _rounded(model, _under_face(model, motion, face))
+        under = _under_face(model, motion, face)
+        return _rounded(model, under.asked.b), under
+    sized: Zone | Lever
     if isinstance(motion, Sliding):
-        radius = Zone(law(model, False), limit, model.return_angle_limit).at(sense * motion.offset).radius
+        sized = Zone(law(model, False), limit, model.return_angle_limit)
+        radius = sized.at(sense * motion.offset).radius
     else:
-        lever = Lever(
+        sized = Lever(
             law(model, True), abs(motion.arm), abs(motion.pivot), motion.side * sense > 0, limit,
             model.return_angle_limit,
         )  # fmt: skip
-        if lever.lowest is None:
+        if sized.lowest is None:
             text = N_("no cam keeps the pressure angles with these pivots and this lever")
             right = N_("a longer phase, a smaller swing, another distance of the pivots, greater angles")
             raise Wrong("base", Message(text), Message(right))
-        radius = lever.radius(lever.lowest.least)
+        radius = sized.radius(sized.lowest.least)
     pitch = _rounded(model, radius)
     if pitch <= roller:
         text = N_("the roller, %(roller)s m, is larger than the least radius of its centre, %(radius)s m")
         told = {"roller": f"{roller:.4g}", "radius": f"{pitch:.4g}"}
         raise Wrong("base", Message(text, told), Message(N_("a smaller roller, or state it: base: 40 mm")))
-    return pitch - roller
+    return pitch - roller, sized
 
 
 def _rounded(model: c.CamModel, radius: float) -> float:
@@ -185,19 +188,22 @@ def _rounded(model: c.CamModel, radius: float) -> float:
     return radius if step is None else step * math.ceil(radius / step - 1e-9)
 
 
-def _under_face(model: c.CamModel, motion: Sliding | Swinging, face: complex) -> float:
-    """Least base circle by the curvature, m."""
+def _under_face(model: c.CamModel, motion: Sliding | Swinging, face: complex) -> Face:
+    """Least base circle by the curvature."""
+    state = Message(N_("state it: base: 40 mm"))
     if isinstance(motion, Swinging) or abs((face * motion.turn * motion.along.conjugate()).real) > 1e-9:
         text = N_("the smallest cam under a flat face is found of one that slides across its face")
-        raise Wrong("base", Message(text), Message(N_("state it: base: 40 mm")))
+        raise Wrong("base", Message(text), state)
     if model.least_curvature is None:
         text = N_("under a flat face the smallest cam follows from the least radius of curvature")
+        right = Message(N_("for example, %(example)s"), {"example": "least_curvature: 5 mm"})
+        raise Wrong("base", Message(text), right)
+    under = under_face(law(model, False), model.least_curvature)
+    if not under.asked.b > 0:
         raise Wrong(
-            "base",
-            Message(text),
-            Message(N_("for example, %(example)s"), {"example": "least_curvature: 5 mm"}),
+            "base", Message(N_("by this law any base circle keeps the curvature: none is smallest")), state
         )
-    return max(under_face(law(model, False), model.least_curvature).b, model.least_curvature)
+    return under
 
 
 def _lowest(base: float | None, motion: Sliding | Swinging, roller: float | None, face: complex) -> float:
