@@ -11,6 +11,9 @@ STATED = ("tests/chapters/gears/spur/test_spur_as_stated.py",)
 TWICE = ("tests/chapters/gears/test_spur_twice.py",)
 LENGTHS = ("tests/chapters/lever/test_stated_lengths.py",)
 
+ZONE = "tmm_report/chapters/lever/cam/draw_zone.py"
+CAMS = ("tests/mechanics/cams", "tests/chapters/lever/cams")
+
 FAULTS = (
     # --- motion by every method ---
     Fault("Coriolis part of a slide's equation negated", "tmm_report/mechanics/rivals/motion/coordinates.py",
@@ -240,4 +243,15 @@ FAULTS = (
     Fault("a guide through a place with its coordinates exchanged",
           "tmm_report/chapters/lever/structure/block/build.py", "complex(*model.through)",
           "complex(*model.through[::-1])", "crank_rocker", LENGTHS),
+    # --- the diagram by which the smallest cam is found, and what its table says ---
+    Fault("letters of the axes of the zone exchanged", ZONE, 'Tag((Symbol("s"),), (1j * (found.lift / mu + 10),)',
+          'Tag((Symbol("s"),), (wide + 0j,)', "cam_press", CAMS),
+    Fault("the axis of the cam on the other side of the zone", ZONE, "at = complex(place.e, -place.s0) / mu",
+          "at = complex(-place.e, -place.s0) / mu", "cam_press", CAMS),
+    Fault("tangents of the zone at the angles to the other axis", ZONE, "(bottom + demand.b) * tan(limit)",
+          "(bottom + demand.b) / tan(limit)", "cam_press", CAMS),
+    Fault("the cam's axis and the best one exchanged", ZONE, "in (_axis(found), zone.best))\n    yield Tag",
+          "in (zone.best, _axis(found)))\n    yield Tag", "cam_press", CAMS),
+    Fault("what is asked in the other column", "tmm_report/chapters/lever/cam/quantities.py",
+          "[demand.slope for demand in asked.values()]", "[demand.S for demand in asked.values()]", "cam_press", CAMS),
 )  # fmt: skip

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from tmm_report.chapters.lever.synthesis.given import KINDS
+
 Keys = Sequence[str]
 
 PAIRS = ("steel–steel", "steel–bronze", "cast iron–steel", "cast iron–bronze", "сталь–чугун")
@@ -26,19 +28,7 @@ RUBBING = (
 
 # exactly one key of each of these sets
 ONE: Mapping[str, Sequence[Keys]] = {
-    "Synthesis": [
-        (
-            "slider_crank",
-            "crank_rocker",
-            "slotted_link",
-            "turning_guide",
-            "function",
-            "dwell",
-            "body",
-            "rocker_positions",
-            "slider_positions",
-        )
-    ],
+    "Synthesis": [KINDS],
     "Material": [("speed", "stress")],
     "Force": [("constant", "by_position", "by_angle", "by_time", "by_displacement")],
     "Piston": [("constant", "by_position", "by_angle", "by_time", "by_displacement")],
