@@ -102,15 +102,15 @@ def _solve(
     values, diagram_values = named_values(table), named_values(diagram)
     found = []
     for v, (travels, near, dead) in enumerate(searched):
+        links = tuple(own for own, turns in zip(travels[count:], turning, strict=True) if turns[v])
         own = Kinematics(
             linkages[v], each[v], positions, turned, tables[v], diagram_turned, diagrams[v], travels[:count],
-            (), (), (), (), None, turned_at(positions, each[v]),
+            links, (), (), (), (), None, turned_at(positions, each[v]),
         )  # fmt: skip
         # what it would find out of itself when it is asked
         vars(own).update(
             values=one(values, v),
             diagram_values=one(diagram_values, v),
-            links=tuple(own for own, turns in zip(travels[count:], turning, strict=True) if turns[v]),
             closest=near,
             dead=dead,
         )

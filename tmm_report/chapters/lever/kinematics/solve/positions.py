@@ -52,7 +52,10 @@ class Kinematics:
     table: Motion
     diagram_turned: Array
     diagram: Motion
-    travels: tuple[Travel, ...]
+    travels: tuple[Travel, ...]  # of the outputs
+    links: tuple[
+        Travel, ...
+    ]  # of every driven link that turns and is no output: angle, its rate, acceleration
     singular: tuple[int, ...]  # table positions in which a group is singular: no plan can be drawn
     undefined: tuple[int, ...]  # those of them without velocities
     missing: tuple[int, ...]  # table positions in which the mechanism cannot be assembled
@@ -134,13 +137,6 @@ class Kinematics:
         return closest(self.cycle)
 
     @cached_property
-    def links(self) -> tuple[Travel, ...]:
-        """The motion of every driven link that turns and is no output: its angle, angular velocity and acceleration."""
-        cycle = self.cycle
-        moving = [link for link in driven(self.linkage) if cycle.moves(link.velocity, link.size)]
-        return travels(cycle, self.table, self.diagram, moving)
-
-    @cached_property
     def jumps(self) -> Jumps:
         """Where accelerations jump, with the motion on both sides."""
         return jumps(self)
@@ -189,9 +185,12 @@ def solve(positions: Positions, structure: Structure, way: Way | None = None) ->
         *(() if find is steps else steps(cycle, positions.table)[1].sines.values()),
     ]
     flat = np.logical_or.reduce([undefined, stands(table), *(sine <= SINGULAR for sine in sines)])
-    motions = travels(cycle, table, diagram, outputs(cycle.linkage))
+    own = outputs(cycle.linkage)
+    turning = [link for link in driven(cycle.linkage) if cycle.moves(link.velocity, link.size)]
+    motions = travels(cycle, table, diagram, [*own, *turning])
     return Kinematics(
-        cycle.linkage, cycle, positions, turned, table, diagram_turned, diagram, motions,
+        cycle.linkage, cycle, positions, turned, table, diagram_turned, diagram,
+        motions[: len(own)], motions[len(own) :],
         _numbers(flat & table.closes), _numbers(undefined & table.closes), _numbers(~table.closes),
         tuple(opened), choice, turned_at(positions, cycle),
     )  # fmt: skip
