@@ -8,6 +8,9 @@ GAUGES = MECHANICS + "gears/inspection.py"
 GAUGED = ("tests/mechanics/gears/test_inspection.py",)
 SHEETS = ("tests/chapters/gears/spur/test_gear_inspection.py",)
 STATED = ("tests/chapters/gears/spur/test_spur_as_stated.py",)
+QUALITY = MECHANICS + "gears/quality.py"
+QUALITIES = ("tests/mechanics/gears/test_quality.py",)
+SHIFTED = ("tests/chapters/gears/spur/test_gear_quality.py",)
 TWICE = ("tests/chapters/gears/test_spur_twice.py",)
 LENGTHS = ("tests/chapters/lever/test_stated_lengths.py",)
 
@@ -254,4 +257,25 @@ FAULTS = (
           "in (zone.best, _axis(found)))\n    yield Tag", "cam_press", CAMS),
     Fault("what is asked in the other column", "tmm_report/chapters/lever/cam/quantities.py",
           "[demand.slope for demand in asked.values()]", "[demand.S for demand in asked.values()]", "cam_press", CAMS),
+    # --- quality over the shifts ---
+    Fault("curvatures of an internal pair added", QUALITY, "other = pair.side * pair.line - one",
+          "other = pair.line - one", tests=QUALITIES),
+    Fault("pressure of helical teeth by the transverse radii", QUALITY, "pair.m * np.cos(beta_b) *", "pair.m *",
+          tests=QUALITIES),
+    Fault("the bound of the shifts outside them", QUALITY, "grid[[above[0] - 1, above[0]]]",
+          "grid[[above[0], above[0] + 1]]", tests=QUALITIES),
+    Fault("ends that jump taken for bounds", QUALITY, "if abs(of(np.array(x))) < JUMP else", "if True else",
+          tests=SHIFTED),
+    Fault("contact passed over among the bounds", QUALITY, "limits_of(pair, thickness, ratio)",
+          "limits_of(pair, thickness, -9.0)", tests=(*QUALITIES, *SHIFTED)),
+    Fault("sliding by the mate's velocity inverted", SPUR + "solve/quality.py", "own / (1 - own)", "own / (1 + own)",
+          tests=SHIFTED),
+    Fault("other shifts kept over the centre distance", SPUR + "solve/quality.py", "(given.shift[0], math.nan) if",
+          "(math.nan, given.shift[1]) if", tests=SHIFTED),
+    Fault("the clearance of one wheel alone", SPUR + "solve/quality.py", "for side in trial.interference",
+          "for side in trial.interference[1:]", tests=SHIFTED),
+    Fault("round shifts beyond the bounds", SPUR + "solve/quality.py", "math.floor(high / step) + 1)]",
+          "math.floor(high / step) + 2)]", tests=SHIFTED),
+    Fault("pressure at the tip by the tips of both", SPUR + "qualities.py", '"rho_p" if i == lower else upper',
+          "upper", tests=TWICE),
 )  # fmt: skip

@@ -26,6 +26,7 @@ TABLES = (
     "rolling_table",
     "cam_motion_k_table",
     "cam_profile_k",
+    "stage1_quality",
 )
 
 

@@ -17,7 +17,7 @@ from tmm_report.report.formats import Tex
 
 PROBLEMS = (
     "clutch_for_pressure", "conical_pivot_for_pressure", "fan_on_deflected_isolators", "geared_start",
-    "linkage_of_three_pairs", "rim_for_stress",
+    "linkage_of_three_pairs", "rim_for_stress", "shifts_by_quality",
 )  # fmt: skip
 
 

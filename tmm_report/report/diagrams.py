@@ -86,13 +86,14 @@ def letter(symbol: Symbol | str, tr: Translator) -> Parts:
 
 class Line(NamedTuple):
     """A curve of a chart: a column of the results; `name`: over its panel, where several run in it; `extremes`: as a
-    `Curve` has them; what is above `most`, in the unit of print, runs off the sheet."""
+    `Curve` has them; what is above `most` or below `least`, in the unit of print, runs off the sheet."""
 
     column: Column
     name: Letters = ""
     panel: int = 0
     extremes: Sequence[tuple[float, float]] | None = ()
     most: float = math.inf
+    least: float = -math.inf
 
 
 def chart(
@@ -101,7 +102,7 @@ def chart(
     """Columns over an ascending one. `of`: what each panel shows, from the top: its letter and unit are on the axis,
     and the curves are drawn in that unit; `bounds`: as `graph` has them."""
     drawn = [
-        Curve(_below(line, of[line.panel].printed), line.name, line.panel, line.extremes) for line in lines
+        Curve(_within(line, of[line.panel].printed), line.name, line.panel, line.extremes) for line in lines
     ]
     panels = [(quantity.sign, quantity.printed) for quantity in of]
     unit = along.quantity.printed
@@ -122,14 +123,14 @@ def cycle_lines(
     graphs = CycleGraphs(turned.numbers("rad"), positions, tr, turned.quantity.sign)
     of = {line.panel: line.column.quantity for line in reversed(lines)}
     drawn = [
-        Curve(_below(line, of[line.panel].printed), line.name, line.panel, line.extremes) for line in lines
+        Curve(_within(line, of[line.panel].printed), line.name, line.panel, line.extremes) for line in lines
     ]
     return graphs.graph(drawn, [graphs.axis(of[panel]) for panel in sorted(of)], join)
 
 
-def _below(line: Line, unit: str) -> Array:
+def _within(line: Line, unit: str) -> Array:
     numbers = line.column.numbers(unit)
-    return np.where(numbers <= line.most, numbers, np.nan) if line.most < math.inf else numbers
+    return np.where((line.least <= numbers) & (numbers <= line.most), numbers, np.nan)
 
 
 def plot(

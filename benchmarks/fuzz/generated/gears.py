@@ -58,7 +58,25 @@ def spur(made: Made, walk: Any) -> Made:
         made["centre_distance"] = f"{module * round(20 * (1 + ratio) / 2, 1):.6g} mm"
     if "mesh" in made and "ratio" in made:
         made["ratio"] = abs(value(made["ratio"])) * (1 if made["mesh"] == "internal" else -1)
+    if "quality" in made:
+        made["quality"] = _quality(made, walk)
     return made
+
+
+def _quality(made: Made, walk: Any) -> Made:
+    """Shifts and centre distances that ascend, most of them near the pair's own."""
+    asked = dict(made["quality"])
+    if "x1" in asked:
+        asked["x1"] = sorted({round(walk.random.uniform(-0.1, 0.7), 2) for _ in range(5)})
+    if "centre_distances" in asked:
+        plain = 15.0 * value(made["module"])
+        if "teeth" in made:
+            one, two = made["teeth"]
+            plain = value(made["module"]) * (two - one if value(made["ratio"]) > 0 else two + one) / 2
+        asked["centre_distances"] = [
+            f"{plain * (1 + k / 200):.6g} mm" for k in range(walk.random.randint(2, 4))
+        ]
+    return asked
 
 
 def eccentric(made: Made, walk: Any) -> Made:

@@ -278,6 +278,8 @@ SIZES: dict[str, tuple[float, float, str]] = {
     "Spur.efficiency": (0.9, 1, ""),
     "Spur.shift": (-0.3, 0.8, ""),
     "Spur.sliding_limit": (1, 9, ""),
+    "Quality.least_tip": (0.2, 0.4, ""),
+    "Quality.least_contact": (1, 1.3, ""),
     "Cutter.z0": (12, 40, ""),
     "Cutter.x0": (-0.2, 0.4, ""),
     "Rack.alpha": (18, 25, "deg"),

@@ -10,7 +10,7 @@ from test_spur_stage import CASES, FREE, GUIDE
 from twice import disagreements
 
 from tmm_report import course
-from tmm_report.chapters.gears.spur.given import Inspection
+from tmm_report.chapters.gears.spur.given import Inspection, Quality
 from tmm_report.chapters.gears.spur.quantities import book
 from tmm_report.chapters.gears.spur.solve import pair as spur
 from tmm_report.chapters.gears.spur.solve.motion import sliding_limit
@@ -40,6 +40,10 @@ MORE = {
     "one shift": replace(GUIDE, teeth=(14, 28), shift=(math.nan, 0.5)),
     "one shift, of a ring": replace(RING, centre_distance=0.101, shift=(math.nan, 0.4)),
     "one shift, of a ring's pinion": replace(RING, centre_distance=0.101, shift=(0.1, math.nan)),
+    "quality": replace(GUIDE, quality=Quality()),
+    "quality, helical": replace(CASES["helical"], quality=Quality()),
+    "quality, ring": replace(RING, quality=Quality()),
+    "quality, cut short": replace(FREE, teeth=(10, 40), ratio=-4.0, shift=(-0.2, 0.5), quality=Quality()),
     "fast": spur.Given(-2, 0.0025, None, (42, 84), shift=(0.2, 0.0)),
 }
 ALL = {**CASES, **MORE}
@@ -70,6 +74,8 @@ def told(found):
     for i, wheel in enumerate(made.wheels):
         wrong += disagreements(wheel, _of_wheel(found, i), formed=True)
         wrong += disagreements(made.gauges[i], _of_gauge(found.inspected[i]), formed=True)
+    if made.divided is not None:
+        wrong += disagreements(made.divided, _of_pressure(found), formed=True)
     for tool, cut in zip(made.tools, found.cutters, strict=True):
         wrong += disagreements(tool, _of_tool(cut.by), formed=True)
     return wrong
@@ -97,6 +103,17 @@ def _ways(found):
         ways |= {"v_pitch": motion.whole[0][2], "v_along": motion.omega[1] * float(p.d_b[1]) / 2}
         ways["sliding_limit"] = sliding_limit(motion.whole[0][2])
     return ways
+
+
+def _of_pressure(found):
+    """By the radii of both profiles, of helical teeth those across them."""
+    p = found.pair
+    turn = math.cos(math.atan(math.tan(p.beta) * math.cos(p.t.alpha)))
+    ends = {"gamma_w": p.rho_w, "gamma_p": (p.rho_p[0], p.rho_u[1]), "gamma_a": (p.rho_u[0], p.rho_p[1])}
+    return {
+        key: float(p.m * turn * (abs(a - b) if p.internal else a + b) / (a * b))
+        for key, (a, b) in ends.items()
+    }
 
 
 def _of_wheel(found, i):

@@ -50,6 +50,16 @@ DRIVES = {
         "kind: spur, module: 3 mm, teeth: [20, 40], centre_distance: 101 mm, shift: [0.2, rest], helix: 25 deg, "
         "width: 8 mm, rack: {c*: 0.3}, inspection: {drawing_tables: true}",
     ],
+    "quality over shifts and distances: external, internal, helical, without a shift that is allowed": [
+        "kind: spur, module: 4 mm, teeth: [12, 25], centre_distance: 76 mm, shift: [0.5, rest], "
+        "quality: {x1: [0.3, 0.5, 0.7], least_tip: 0.25, centre_distances: [75 mm, 76 mm, 77 mm]}",
+        "kind: spur, mesh: internal, ratio: 3, module: 3 mm, teeth: [25, 75], shift: [0.4, 0.5], "
+        "quality: {sliding: size}",
+        "kind: spur, mesh: internal, ratio: 0.33333333, module: 3 mm, teeth: [75, 25], shift: [0.5, 0.4], quality: {}",
+        "kind: spur, module: 3 mm, teeth: [20, 40], centre_distance: 101 mm, helix: 25 deg, rack: {c*: 0.3}, "
+        "quality: {sliding: mate, centre_distances: [100.5 mm, 101 mm]}",
+        "kind: spur, module: 4 mm, teeth: [8, 9], shift: [0.3, 0.3], quality: {x1: [0.2, 0.3], least_tip: 0.4}",
+    ],
     "rounded shifts, pointed teeth": [
         "kind: spur, ratio: -2, module: 6 mm, centre_distance: 130 mm, teeth: [14, 28], shift: [0.18, 0.559]",
         "kind: spur, ratio: -2, module: 3 mm, teeth: [12, 24], shift: [1.2, 0.2]",

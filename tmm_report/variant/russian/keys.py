@@ -50,6 +50,7 @@ cam: кулачок
 carrier: водило
 centre: центр
 centre_distance: межосевое расстояние
+centre_distances: межосевые расстояния
 choose: выбрать
 chords: хорды
 circle: окружность
@@ -159,7 +160,9 @@ journals: цапфы
 kinetic: кинетический
 law: закон
 least: наименьшее
+least_contact: наименьший коэффициент перекрытия
 least_curvature: наименьший радиус кривизны
+least_tip: наименьшая толщина вершины
 lengths: длины
 level: уровень, ровно
 lift: подъём, ход толкателя
@@ -220,6 +223,7 @@ profile: профиль
 pull: тянуть
 punch: пуансон
 push: толкать
+quality: качество, качественные показатели
 rack: рейка
 racks: рейки
 radial: радиальный
@@ -343,5 +347,5 @@ working_speed: скорость рабочего хода, средняя ско
 wrap: угол обхвата
 wrist_pin: поршневой палец
 """
-SYMBOLS = frozenset(["K", "c*", "cos", "ha*", "sin", "t", "x", "x0", "xz", "y", "yz", "z0"])
+SYMBOLS = frozenset(["K", "c*", "cos", "ha*", "sin", "t", "x", "x0", "x1", "xz", "y", "yz", "z0"])
 """Keys that are letters in any language."""

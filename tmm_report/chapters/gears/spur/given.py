@@ -118,6 +118,44 @@ class Inspection:
 
 
 @dataclass(frozen=True)
+class Quality:
+    """How good the mesh is while the sum of the shifts is divided otherwise, or the centre distance is another."""
+
+    x1: Annotated[
+        Annotated[tuple[Shift, ...], Field(min_length=2, max_length=40)] | None,
+        Field(
+            description="shifts of wheel 1 at the centre distance of the pair, ascending; left out, round ones within "
+            "the bounds",
+            examples=["[0.3, 0.4, 0.5, 0.6, 0.7]"],
+        ),
+    ] = None
+    centre_distances: Annotated[
+        Annotated[tuple[Span, ...], Field(min_length=2, max_length=40)] | None,
+        Field(
+            description="at which the shifts are chosen anew, as the pair's are; ascending",
+            examples=["[76 mm, 77 mm, 78 mm]"],
+        ),
+    ] = None
+    least_tip: Annotated[
+        float,
+        quantity("number", 0.0, 1.0, "0 … 1"),
+        Field(description="least thickness of the tips, in modules, that bounds the shifts"),
+    ] = 0.3
+    least_contact: Annotated[
+        float,
+        quantity("number", 1.0, 3.0, "1 … 3"),
+        Field(description="least contact ratio that bounds the shifts"),
+    ] = 1.05
+    sliding: Annotated[
+        Literal["own", "mate", "size"],
+        Field(
+            description="specific sliding by the velocity of the wheel itself, 1 - v_mate/v_own; by that of its mate, "
+            "v_own/v_mate - 1; or the size of the first"
+        ),
+    ] = "own"
+
+
+@dataclass(frozen=True)
 class Spur:
     """A pair of wheels on fixed axes; the driving one is named first."""
 
@@ -182,6 +220,12 @@ class Spur:
         Inspection | None,
         Field(
             description="by what the wheels are measured, with the formulas; left out, a table of the usual sizes"
+        ),
+    ] = None
+    quality: Annotated[
+        Quality | None,
+        Field(
+            description="contact ratio, tips, sliding and pressure over the shifts and the centre distance"
         ),
     ] = None
     wheels: tuple[str, str] = field(default=("1", "2"), kw_only=True)  # their names in the drive

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
+from tmm_report.chapters.gears.spur import qualities
 from tmm_report.chapters.gears.spur.solve.pair import Found
 from tmm_report.chapters.gears.spur.steps import stage
 from tmm_report.chapters.gears.spur.values import Points
@@ -53,6 +54,8 @@ def values(found: Found, prefix: str) -> Iterator[Value]:
     made = stage(found, prefix)
     yield from made.s.values()
     yield from made.drawn.values()
+    if made.divided:
+        yield from made.divided.values()
 
 
 @tabulated
@@ -60,7 +63,7 @@ def tables(found: Found, prefix: str) -> Iterator[Table]:
     """The wheels, conditions, specific sliding over the line of action, readings of the drawing, blocking contour."""
     made = stage(found, prefix)
     cut = [found.given.wheels[i] for i in found.cut_wheels]
-    parts = {
+    parts: dict[str, tuple[str, Iterable[Column]]] = {
         "wheels": (WHEELS, _rows(found.given.wheels, made.wheels)),
         "inspection": (INSPECTION, _rows(found.given.wheels, made.gauges)),
         "conditions": (CONDITIONS, _conditions(found)),
@@ -73,8 +76,11 @@ def tables(found: Found, prefix: str) -> Iterator[Table]:
         **({} if found.contour.feasible else {"lacks": (LACKS, _lacks(found))}),
         **({"cutter": (CUTTER, _rows(cut, made.tools))} if cut else {}),
     }
+    if found.quality:
+        parts |= {key: (meaning, of) for key, meaning, of in qualities.tables(made, found.quality)}
+    told = {"name": found.name, "wheel": found.given.wheels[0]}
     for key, (meaning, table) in parts.items():
-        yield Table(f"{prefix}_{key}", Message(meaning, {"name": found.name}), tuple(table))
+        yield Table(f"{prefix}_{key}", Message(meaning, told), tuple(table))
 
 
 def degrees(unit: str, value: Any) -> Any:

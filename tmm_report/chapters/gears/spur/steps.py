@@ -12,9 +12,10 @@ from typing import Any
 import numpy as np
 
 from tmm_report.chapters.gears.spur.gauging import gauges
+from tmm_report.chapters.gears.spur.qualities import divided
 from tmm_report.chapters.gears.spur.solve.motion import FAST, NARROWEST, SLOW, WIDEST, sliding_limit
 from tmm_report.chapters.gears.spur.solve.pair import EQUAL, Found
-from tmm_report.chapters.gears.spur.values import Drawn, Gauge, Tool, Values, Wheel, letters
+from tmm_report.chapters.gears.spur.values import Divided, Drawn, Gauge, Tool, Values, Wheel, letters
 from tmm_report.mechanics.gears import shift_sharing
 from tmm_report.quantity.formula import PI, Expr, Number, Var, arccos, cos, sin, sqrt, tan
 from tmm_report.quantity.functions import arcsin, arctan
@@ -73,6 +74,11 @@ class Stage:
     def gauges(self) -> tuple[Gauge, ...]:
         """By what both wheels are measured."""
         return gauges(self)
+
+    @cached_property
+    def divided(self) -> Divided | None:
+        """Of the quality over the division of the shifts; None where it is not asked for."""
+        return divided(self, self.found.quality) if self.found.quality else None
 
     # ------------------------------------------------------------ terms
 

@@ -18,6 +18,12 @@ FAR = N_("distance of the pitch point from the end of the active part where the 
 LINE = N_("theoretical line of action, between its points of contact with the base circles")
 OMEGA, STATED = N_("magnitude of the angular velocity"), N_("shift coefficient that is stated")
 
+PRESSURE_POLE = N_("coefficient of specific pressure in the pitch point")
+PRESSURE_LOWER = N_(
+    "coefficient of specific pressure at the lower point of the active profile of wheel %(wheel)s"
+)
+PRESSURE_TIP = N_("coefficient of specific pressure at the tip of wheel %(wheel)s")
+
 
 class Values(Sheet):
     ratio = Q("u", "", N_("ratio of the angular velocities"))
@@ -165,6 +171,46 @@ class Tool(Row):
     d_f0 = Q("d_f", "m", N_("root diameter as the pinion cutter leaves it"), *MM)
     rho_l0 = Q("rho_l", "m", N_("radius of curvature where the pinion cutter leaves the involute"), *MM)
     clearance0 = Q("c", "m", N_("radial clearance at the root"), *MM)
+
+
+class Divided(Sheet):
+    """Of the quality over the division of the shifts; letters and names of wheel 1."""
+
+    least_tip = Q(None, "", N_("least thickness of the tips, in modules, that bounds the shifts"))
+    least_contact = Q(None, "", N_("least contact ratio that bounds the shifts"))
+    x_least = Q(Symbol("x", "", "′"), "", N_("least shift of wheel %(wheel)s that every bound allows"))
+    x_most = Q(Symbol("x", "", "′′"), "", N_("greatest shift of wheel %(wheel)s that every bound allows"))
+    eps_least = Q(Symbol("epsilon", "alpha", "′"), "", N_("contact ratio with the least shift"))
+    eps_most = Q(Symbol("epsilon", "alpha", "′′"), "", N_("contact ratio with the greatest shift"))
+    play = Q("Delta_rho", "m", N_("least distance of the active profiles from the fillets between them"), *MM)
+    x_equal = Q(
+        Symbol("x", "", "*"), "", N_("shift of wheel %(wheel)s at which the roots of both slide equally")
+    )
+    lambda_equal = Q(Symbol("lambda", "p", "*"), "", N_("specific sliding at both roots with it"))
+    gamma_w = Q("gamma_P", "", PRESSURE_POLE)
+    gamma_p = Q("gamma_p", "", PRESSURE_LOWER)
+    gamma_a = Q("gamma_a", "", PRESSURE_TIP)
+
+
+class Along(Sheet):
+    """Over the division of the shifts or over the centre distance; those of a wheel have its name in key and letter."""
+
+    x = Q("x", "", N_("shift coefficient of wheel %(wheel)s"))
+    a_w = Q("a_w", "m", N_("centre distance"), *MM)
+    alpha_w = Q("alpha_w", "deg", N_("operating pressure angle"))
+    x_sum = Q("x_Sigma", "", SUM)
+    eps = Q("epsilon_alpha", "", N_("contact ratio"))
+    tip = Q(Symbol("s", "a", "*"), "", N_("thickness of the tips of wheel %(wheel)s in modules, s_a/m"))
+    play = Q("Delta_rho", "m", N_("distance of the active profile of wheel %(wheel)s from its fillet"), *MM)
+    lambda_p = Q(
+        "lambda_p",
+        "",
+        N_("specific sliding %(how)s at the lower point of the active profile of wheel %(wheel)s"),
+    )
+    lambda_a = Q("lambda_a", "", N_("specific sliding %(how)s at the tip of wheel %(wheel)s"))
+    gamma_w = Q("gamma_P", "", PRESSURE_POLE)
+    gamma_p = Q("gamma_p", "", PRESSURE_LOWER)
+    gamma_a = Q("gamma_a", "", PRESSURE_TIP)
 
 
 class Points(Sheet):

@@ -52,6 +52,16 @@ VELOCITY = N_(
     "ω of the wheel by the distance of the point; across the line of action by its radius of curvature."
 )
 
+DIVIDED = N_(
+    "The shifts are divided otherwise at the same centre distance, or chosen anew at another, and each pair is found "
+    "for itself: λ by the ratio of the velocities along the profiles, γ by the radii of both."
+)
+BOUND = N_(
+    "Sought where the limit of the row is just kept, the sum of the shifts being the same; the bounds together are the "
+    "nearest of them."
+)
+EQUAL = N_("Sought: the shift at which the specific sliding at both roots is the same, the sum kept.")
+
 WAYS = (
     Way("stage*_*.wheel stage*_*.condition stage*_*.unit stage*_*.point stage*_*.key", NAME),
     Way("stage*_lacks.limit", NAME),
@@ -84,6 +94,19 @@ WAYS = (
         of="wheel pin stage{0}_m",
     ),
     Way("stage*_inspection.*", CHORD, of="wheel d_y stage{0}_m"),
+    Way("stage*_bounds.limit stage*_bounds.side", NAME),
+    Way("stage*_bounds.x_*", BOUND, of="limit wheel side stage{0}_x_sum"),
+    Way(
+        "stage*_x_least_* stage*_x_most_* stage*_eps_least stage*_eps_most stage*_play",
+        BOUND,
+        of="stage{0}_x_sum",
+    ),
+    Way("stage*_x_equal_* stage*_lambda_equal", EQUAL, of="stage{0}_x_sum"),
+    Way(
+        "stage*_quality.* stage*_quality_curves.* stage*_distances.* stage*_distance_curves.*",
+        DIVIDED,
+        of="x_1 a_w stage{0}_m stage{0}_x_sum",
+    ),
     Way("stage*_cutter.*", WHEEL, of="wheel stage{0}_m"),
     Way("stage*_wheels.*", WHEEL, of="wheel z x stage{0}_m"),
     Way("stage*_overlap stage*_clearance stage*_eps_counted", PROOF, of="stage{0}_eps stage{0}_backlash"),

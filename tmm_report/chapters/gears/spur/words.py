@@ -99,3 +99,18 @@ LACKS = {
     "mesh": NONE,
 }
 STUCK = N_("the tips of the ring and the pinion cannot pass each other")  # their overlap has no measure
+SIDES = {"from": N_("no less than"), "to": N_("no greater than")}
+COUNTED = {
+    "own": N_(
+        "Specific sliding is counted by the velocity of the wheel itself along the profile, 1 − v′/v with "
+        "v′ of its mate; at the roots it is below zero."
+    ),
+    "mate": N_(
+        "Specific sliding is counted by the velocity of the mate along the profile, v/v′ − 1 with v of the "
+        "wheel itself; at the roots it lies between −1 and 0."
+    ),
+    "size": N_(
+        "Specific sliding is given by its size, |1 − v′/v|, with v of the wheel itself along the profile and "
+        "v′ of its mate."
+    ),
+}

@@ -16,6 +16,7 @@ from tmm_report.chapters.gears.spur.steps import stage
 from tmm_report.chapters.gears.spur.view.cutter import CutterView
 from tmm_report.chapters.gears.spur.view.inspection import InspectionView
 from tmm_report.chapters.gears.spur.view.motion import MotionView
+from tmm_report.chapters.gears.spur.view.quality import QualityView
 from tmm_report.chapters.gears.spur.view.short_contact import reasons
 from tmm_report.chapters.gears.spur.view.teeth import TeethView
 from tmm_report.chapters.gears.spur.words import (
@@ -50,7 +51,8 @@ class SpurView(ChapterView):
 
     def __init__(self, found: Found, page: Page, label: str):
         self.found, self.pair, self.label, self.stage = found, found.pair, label, stage(found, label)
-        super().__init__(page, self.stage.s, tables(found, label))
+        self.tables = tables(found, label)
+        super().__init__(page, self.stage.s, self.tables)
         self.names, self.small, self.helical = found.given.wheels, found.teeth.small, self.stage.helical
         self.wheels, self.sizes, self.judged = (
             self.stage.wheels,
@@ -240,6 +242,11 @@ class SpurView(ChapterView):
     def inspection(self) -> InspectionView:
         """By what the wheels are measured."""
         return InspectionView(self)
+
+    @cached_property
+    def quality(self) -> QualityView | None:
+        """Over the division of the shifts and over the centre distance."""
+        return QualityView(self) if self.found.quality else None
 
     # ------------------------------------------------------------ picture
 
