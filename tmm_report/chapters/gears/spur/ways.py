@@ -28,6 +28,7 @@ SCALE = N_("Chosen so that the drawing fits the paper, from the usual scales.")
 SPEED = N_("By the speed of the wheel that is stated, and by the ratio.")
 LIMIT = N_("From the table of allowed specific sliding over the pitch-line velocity.")
 PATH = N_("Between the pitch point and the farther end of the active part.")
+INVOLUTE = N_("By the involute function, inv α = tan α − α, and the angle by its inverse.")
 OF_AXES = N_("Stated, or by the angle of engagement that the shifts give.")
 WHEEL = N_("By the module, the teeth and the shift of the wheel, as the rack cuts it.")
 BASE_HELIX = N_("sin β_b = sin β cos α: the involutes of helical teeth wind up their base cylinder at it.")
@@ -121,6 +122,7 @@ WAYS = (
     Way("stage*_omega_*", SPEED, of="stage{0}_ratio drive_u"),
     Way("stage*_sliding_limit", LIMIT, of="stage{0}_v_pitch"),
     Way("stage*_v_way", PATH, of="stage{0}_active stage{0}_line"),
+    Way("stage*_alpha_w stage*_inv_alpha", INVOLUTE, of="stage{0}_inv_alpha_w stage{0}_alpha"),
     Way(
         "stage*_a_w stage*_backlash stage*_backlash_n",
         OF_AXES,
