@@ -107,6 +107,9 @@ def test_bounds_are_where_the_closed_formulas_say(pair):
     others = [
         x for one in alone if one.limit.kind in ("contact", "interference") for x in (one.low, one.high)
     ]
+    if inner[0] > inner[1]:
+        assert ends is None
+        return
     assert ends is not None
     for end, own, closer in ((ends[0], inner[0], max), (ends[1], inner[1], min)):
         assert closer(end, own) == pytest.approx(end, abs=1e-12)
