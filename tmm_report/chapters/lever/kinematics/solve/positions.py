@@ -53,9 +53,7 @@ class Kinematics:
     diagram_turned: Array
     diagram: Motion
     travels: tuple[Travel, ...]  # of the outputs
-    links: tuple[
-        Travel, ...
-    ]  # of every driven link that turns and is no output: angle, its rate, acceleration
+    links: tuple[Travel, ...]  # of the other driven links that turn
     singular: tuple[int, ...]  # table positions in which a group is singular: no plan can be drawn
     undefined: tuple[int, ...]  # those of them without velocities
     missing: tuple[int, ...]  # table positions in which the mechanism cannot be assembled
