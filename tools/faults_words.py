@@ -43,8 +43,9 @@ UNIT = re.compile(r'"(' + "|".join(re.escape(unit) for unit in UNITS) + r')"')
 
 KEYS = {"friction", "reduction", "transmission", "press", "balancing", "harmonics", "dynamics", "flywheel", "governor",
         "rotor", "engine", "vibration", "contacts", "efficiency", "wear", "drive", "spur", "planetary", "eccentric",
-        "readings", "methods"}  # fmt: skip
+        "readings", "methods", "travel"}  # fmt: skip
 """Chapters that a variant's file asks for by name."""
+STATED_BY = {"sliding_quantities": "coefficient: {"}  # a file that only variants with these words are for
 
 CHAPTERS = "tmm_report/chapters/"
 STATED = [  # definitions and axes, by their own texts: what, file, old, new, variant
@@ -115,6 +116,8 @@ def _has(root: Path, variant: str, file: Path) -> bool:
     keys = parts & KEYS
     keys = {"drive" if key in ("spur", "planetary") else key for key in keys}
     text = (root / "variants" / f"{variant}.yaml").read_text("utf-8")
+    if STATED_BY.get(file.stem, "") not in text:
+        return False
     return all(f"\n{key}:" in text for key in keys or {"mechanism"}) and (
         "cam" not in parts or "\n  cams:" in text
     )

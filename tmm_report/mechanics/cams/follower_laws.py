@@ -20,7 +20,7 @@ Array = Any
 Kind = Literal["rise", "dwell", "return"]
 FULL_TURN = 2 * np.pi
 EDGE = 1e-9  # rad: an angle as near as this before the end of a phase belongs to the next
-BEFORE = 7 * EDGE  # rad: surely before a break: the middle of a phase is as near by parts of the phase
+BEFORE = 7 * EDGE  # rad: surely before a break
 
 
 @dataclass(frozen=True)

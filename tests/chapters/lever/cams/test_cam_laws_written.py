@@ -10,7 +10,8 @@ from reading import wrong
 from test_against_results import wrong_cells, wrong_formulas
 
 from tmm_report import render
-from tmm_report.chapters.lever.cam.quantities import demands
+from tmm_report.chapters.lever.cam.quantities import demands, values
+from tmm_report.chapters.lever.cam.solve import Cams
 from tmm_report.course import loads, solve
 from tmm_report.mechanics.cams.shapes import NAMED
 from tmm_report.problems import ProblemError
@@ -45,6 +46,14 @@ def test_the_starts_come_into_every_piece():
         ).lever.cam.cams[0]
         numbers |= {found.number_of(one) for one in found.samples if one.phase.kind == "rise"}
     assert numbers == set(range(len(found.pieces)))
+
+
+@pytest.mark.parametrize("start", (20, 50))
+def test_both_halves_of_a_parabolic_law_with_unequal_accelerations(start):
+    """Of the rise of 100 deg the acceleration takes 100/2.8 = 35.7 deg."""
+    found = written(SIZED.replace("      lift:", f"      start: {start} deg\n      lift:"))  # turns clockwise
+    (share,) = (one.share for one in found.samples if one.phase.kind == "rise")
+    assert share == pytest.approx(start / 100)
 
 
 @pytest.mark.parametrize("law", NAMED)
@@ -127,6 +136,8 @@ def test_a_base_under_a_face_may_be_smaller_than_its_curvature():
     found = written(text.replace("least_curvature: 8 mm", "least_curvature: 20 mm"))
     assert found.cam.base == pytest.approx(20e-3 - 12e-3 / 2, rel=1e-9)
     assert found.least.value == pytest.approx(20e-3, rel=1e-9)
+    (reach,) = (one for one in values(Cams((found,))) if one.key == "cam_reach_k")
+    assert reach.value == pytest.approx(12e-3 / 2, rel=1e-9)  # as far as the circle is eccentric
 
 
 WRONG_SIZES = {
