@@ -352,7 +352,7 @@ LEVER = tuple(record.name for record in fields(LeverFound) if record.name not in
 OTHERS = tuple(record.name for record in fields(Results) if record.name not in ("variant", "lever"))
 """The chapters beside the lever's: the key of such a chapter's block is its name."""
 BEFORE = ("find", "synthesis")  # what stands in the note before the lever mechanism, of the others
-GEARS = ("spur", "planetary", "drive", "eccentric")  # the first two are stages of a drive
+GEARS = ("spur", "planetary", "ordinary", "drive", "eccentric")  # the first three are stages of a drive
 
 
 def chapters(results: Results) -> Iterator[tuple[str, Any]]:

@@ -17,6 +17,9 @@ LENGTHS = ("tests/chapters/lever/test_stated_lengths.py",)
 ZONE = "tmm_report/chapters/lever/cam/draw_zone.py"
 CAMS = ("tests/mechanics/cams", "tests/chapters/lever/cams")
 
+ORDINARY = "tmm_report/chapters/gears/ordinary/"
+STAGES = ("tests/chapters/gears/ordinary",)
+
 FAULTS = (
     # --- motion by every method ---
     Fault("Coriolis part of a slide's equation negated", "tmm_report/mechanics/rivals/motion/coordinates.py",
@@ -278,4 +281,22 @@ FAULTS = (
           "math.floor(high / step) + 2)]", tests=SHIFTED),
     Fault("pressure at the tip by the tips of both", SPUR + "qualities.py", '"rho_p" if i == lower else upper',
           "upper", tests=TWICE),
+    # --- ordinary stages of a drive ---
+    Fault("a belt that slips drives faster", ORDINARY + "steps/belt.py", "diameter * (1 - s.epsilon)",
+          "diameter * (1 + s.epsilon)", "conveyor_drive", STAGES),
+    Fault("both pulleys of an open belt wrapped alike", ORDINARY + "steps/belt.py", "else PI - 2 * s.theta",
+          "else PI + 2 * s.theta", "conveyor_drive", STAGES),
+    Fault("Euler on the pulley that is wrapped more", ORDINARY + "steps/belt.py",
+          's.number("alpha1") <= s.number("alpha2")', 's.number("alpha1") > s.number("alpha2")', "conveyor_drive",
+          STAGES),
+    Fault("the whole angle of a groove for its half", ORDINARY + "steps/belt.py", "s.f / sin(s.phi / 2)",
+          "s.f / sin(s.phi)", "conveyor_drive", STAGES),
+    Fault("the slack strand the tighter one", ORDINARY + "steps/belt.py", "s.F_slack = s.F_0 - s.F_t / 2",
+          "s.F_slack = s.F_0 + s.F_t / 2", "conveyor_drive", STAGES),
+    Fault("a belt's velocity carried over whole", "tmm_report/chapters/gears/drive/sheet.py", "v * other.share",
+          "v", "conveyor_drive", STAGES),
+    Fault("the sense of a crossed belt lost", ORDINARY + "steps/belt.py", "-turned if of.crossed else turned",
+          "turned", "conveyor_drive", STAGES),
+    Fault("the torque of a stage that of the whole drive's input", "tmm_report/chapters/gears/drive/solve.py",
+          "-float(load.mesh_torque[first])", "-float(load.mesh_torque[0])", "conveyor_drive", STAGES),
 )  # fmt: skip

@@ -9,6 +9,7 @@ import numpy as np
 from reference_machines import machines
 
 from tmm_report.chapters.gears.eccentric.solve.mechanism import Found as Eccentric
+from tmm_report.chapters.gears.ordinary.solve import Found as Ordinary
 from tmm_report.chapters.gears.planetary.solve.stage import Found as Planetary
 from tmm_report.chapters.gears.spur.solve.pair import Found as Spur
 from tmm_report.chapters.lever.kinematics.solve.strokes import Travel
@@ -118,13 +119,20 @@ def _rates(lever: LeverFound, travel: Travel, turned: float) -> tuple[Number, Nu
 
 def _drive(found: Any) -> Named:
     for k, stage in enumerate(found.stages, 1):
-        yield from (_pair if isinstance(stage, Spur) else _planetary)(stage, f"stage{k}")
+        made = _pair if isinstance(stage, Spur) else _planetary if isinstance(stage, Planetary) else _ordinary
+        yield from made(stage, f"stage{k}")
     train, own = found.train, context()
     fixed = {name: 0 for stage in found.stages for name in stage.fixed}
     if not any(stage.second for stage in found.stages):
         speed = gears.speeds(train.members, train.meshes, {found.output: own.mpf(1), **fixed})
         yield "drive_u_teeth", speed[found.input]
         yield "drive_u", speed[found.input]
+
+
+def _ordinary(found: Ordinary, prefix: str) -> Named:
+    n = found.s.number
+    for key, value in gears.belt(n("d1"), n("d2"), n("a"), found.given.sense < 0).items():
+        yield f"{prefix}_{key}", value
 
 
 ANGLES = ("alpha_w", "alpha_t", "alpha_a")

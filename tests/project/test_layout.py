@@ -31,7 +31,7 @@ grimp = pytest.importorskip("grimp")
 
 ROOT = Path(__file__).parents[2]
 CHAPTERS = ROOT / "tmm_report" / "chapters"
-STAGES = ("spur", "planetary")  # solved within a drive, and printed within its chapter
+STAGES = ("spur", "planetary", "ordinary")  # solved within a drive, and printed within its chapter
 AFTER = tuple(name for name in course.OTHERS if name not in course.BEFORE)
 ORDER = ("title", *course.BEFORE, course.INITIAL_DATA, *course.LEVER, *STAGES, *AFTER)  # of the note
 FOUND = (*course.LEVER, *STAGES, *course.OTHERS)

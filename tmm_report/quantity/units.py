@@ -53,6 +53,7 @@ DIMENSIONS = {
     "torsional stiffness": Dimension(N_("a torsional stiffness"), (2, 1, -2, -1), "N*m/rad", "500 N*m/rad"),
     "torsional damping": Dimension(N_("a torsional damping"), (2, 1, -1, -1), "N*m*s/rad", "2 N*m*s/rad"),
     "density": Dimension(N_("a density"), (-3, 1, 0, 0), "kg/m^3", "7850 kg/m^3"),
+    "linear mass": Dimension(N_("a mass by a length"), (-1, 1, 0, 0), "kg/m", "0.18 kg/m"),
     "wear": Dimension(N_("a wear coefficient"), (1, -1, 2, 0), "1/Pa", "1e-15 1/Pa"),
     "slowness": Dimension(N_("a number by a velocity"), (-1, 0, 1, 0), "s/m", "0.02 s/m"),
     "number": Dimension(N_("a plain number"), (0, 0, 0, 0), "1", "0.1"),

@@ -456,3 +456,28 @@ ShiftOrRest = Annotated[
         bounded=True,
     ),
 ]
+
+
+def _span_or_standard(value: Any) -> float | str:
+    """Of a row of preferred numbers, or a stated size."""
+    if value in ("standard", "стандартный", "стандартная"):
+        return "standard"
+    return _quantity(value, "length", 1e-3, 20.0, "1 mm … 20 m")
+
+
+SpanOrWord = Annotated[
+    float | Literal["standard"],
+    Reads(
+        _span_or_standard,
+        {
+            "anyOf": [
+                {"type": "number"},
+                {"type": "string", "pattern": r"^\s*[0-9.,]"},
+                {"const": "standard"},
+            ],
+            "description": "a length, 1 mm … 20 m, or standard: the nearest of the row",
+        },
+        bounded=True,
+    ),
+]
+LinearMass = Annotated[float, quantity("linear mass", 1e-6, 100.0, "0.000001 … 100 kg/m")]

@@ -434,6 +434,7 @@ AFTER: Mapping[str, Callable[[Made, Any], Made]] = {
     "EfficiencyModel": _efficiencies,
     "PlanetaryModel": gears.planetary,
     "Spur": gears.spur,
+    "BeltStage": gears.belt,
     "Eccentric": gears.eccentric,
     "rotor.Given": _rotor,
     "WearModel": _wear,

@@ -79,6 +79,20 @@ def _quality(made: Made, walk: Any) -> Made:
     return asked
 
 
+def belt(made: Made, walk: Any) -> Made:
+    if made.get("belt") == "crossed":
+        made.pop("ratio", None) if "driven" in made else None
+    if isinstance(made.get("ratio"), float | int):
+        made["ratio"] = abs(made["ratio"])
+    if not {"driven", "ratio"} <= set(made) or "driving" not in made:
+        made["driven"] = "280 mm"
+    if made.get("belt") != "V":
+        made.pop("groove", None)
+    if "distance" in made and made.get("length") != "standard":
+        made.pop("length", None)
+    return made
+
+
 def eccentric(made: Made, walk: Any) -> Made:
     if "teeth" in made:
         z = walk.random.randint(20, 30)

@@ -114,6 +114,12 @@ SETS: Mapping[str, Sequence[Keys]] = {
     ],
     "Heavy": [("mass", "radius"), ("unbalance",)],
     "engine.Counterweight": [("share", "radius"), ("share", "mass"), ("mass", "radius")],
+    "BeltStage": [
+        ("driving", "driven"),
+        ("driving", "ratio"),
+        ("driven", "ratio"),
+        ("driving", "driven", "ratio"),
+    ],
     "BeltDrive": [("driving", "driven"), ("driving", "driven_speed"), ("driven", "driven_speed")],
     "Disc": [("width",), ("diameter",), ()],
     "Rim": [("height", "width"), ("diameter", "width"), ()],

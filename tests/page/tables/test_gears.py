@@ -63,8 +63,8 @@ def wrong_meshes(note: Note, document: dict[str, Any]) -> Iterator[str]:
             if differs(eta.value, 1 - lost.value / power.value, eta.half, lost.half / power.value + 1e-4):
                 yield f"η of {row[0].text} is {eta.value}, by the powers {1 - lost.value / power.value:.5g}"
             one, other = row[0].text.split("–")
-            if row[2].text != (one if flow > 0 else other):
-                yield f"{row[0].text} is driven by {row[2].text}, its power is {flow}"
+            if row[-4].text != (one if flow > 0 else other):
+                yield f"{row[0].text} is driven by {row[-4].text}, its power is {flow}"
 
 
 def wrong_wheels(note: Note) -> Iterator[str]:

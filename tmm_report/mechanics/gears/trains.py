@@ -1,6 +1,7 @@
 """Gear trains: speeds of all members from Willis' equations, torques and powers with the losses in the meshes.
 
-A train is members and meshes: ordinary, planetary, closed, a differential with any number of inputs. Members that
+A train is members and meshes: ordinary (belts, chains and friction wheels are meshes whose ratio is stated),
+planetary, closed, a differential with any number of inputs. Members that
 name one `shaft` turn as one body (the two rows of a satellite, the output of a stage and the input of the next).
 
     stage = Train(
@@ -58,18 +59,27 @@ class Member:
 
 @dataclass(frozen=True)
 class Mesh:
-    """Wheels `i` and `j` in mesh, both on axes of `carrier`; `efficiency` with the carrier stopped, 0..1."""
+    """Wheels `i` and `j` in mesh, both on axes of `carrier`; `efficiency` with the carrier stopped, 0..1.
+
+    `internal`: both turn in the same sense, the carrier stopped, as a ring and a pinion or the pulleys of an open belt
+    do. `size`: |ω_i/ω_j|, the carrier stopped, of wheels without teeth, any slip in it; 0: that of the teeth.
+    `apart`: the wheels do not touch, a belt or a chain carries the velocity over. `crosses`: their axes are not
+    parallel, so that `internal` is no more than a convention.
+    """
 
     i: str
     j: str
     carrier: str = FRAME
     internal: bool = False
     efficiency: float = 1.0
+    size: float = 0.0
+    apart: bool = False
+    crosses: bool = False
 
 
 @dataclass(frozen=True, eq=False)
 class Train:
-    """Members and meshes. Raises ValueError where a mesh names no member or a wheel without teeth."""
+    """Members and meshes. Raises ValueError where a mesh names no member, or wheels whose ratio nothing says."""
 
     members: tuple[Member, ...]
     meshes: tuple[Mesh, ...]
@@ -77,9 +87,10 @@ class Train:
     def __post_init__(self) -> None:
         teeth = {member.name: member.teeth for member in self.members}
         for mesh in self.meshes:
-            if teeth.get(mesh.i, 0) <= 0 or teeth.get(mesh.j, 0) <= 0 or mesh.carrier not in {FRAME, *teeth}:
+            least = min(teeth.get(mesh.i, -1), teeth.get(mesh.j, -1))
+            if least < (0 if mesh.size else 1) or mesh.carrier not in {FRAME, *teeth}:
                 raise ValueError(
-                    f"the mesh {mesh.i}-{mesh.j} needs two wheels with teeth and a known carrier"
+                    f"the mesh {mesh.i}-{mesh.j} needs two wheels with teeth, or a ratio, and a known carrier"
                 )
         if len(teeth) < len(self.members):
             raise ValueError("two members of a train have one name")
@@ -99,7 +110,7 @@ class Train:
 
     def ratio(self, mesh: Mesh) -> float:
         """Ratio of the mesh with its carrier stopped, ω_i/ω_j: −z_j/z_i external, +z_j/z_i internal."""
-        size = self.by_name[mesh.j].teeth / self.by_name[mesh.i].teeth
+        size = mesh.size or self.by_name[mesh.j].teeth / self.by_name[mesh.i].teeth
         return size if mesh.internal else -size
 
     @cached_property

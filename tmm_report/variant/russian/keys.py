@@ -38,6 +38,7 @@ bearings: подшипники, опоры
 before: до
 begin: начало
 bell_crank: угловой рычаг
+belt: ремень
 between: между
 beyond: за хордой
 bodies: тела
@@ -163,6 +164,7 @@ least: наименьшее
 least_contact: наименьший коэффициент перекрытия
 least_curvature: наименьший радиус кривизны
 least_tip: наименьшая толщина вершины
+length: длина
 lengths: длины
 level: уровень, ровно
 lift: подъём, ход толкателя
@@ -236,6 +238,7 @@ ratio_weight: вес отношения
 reciprocating: возвратно-поступательный
 reduction: приведение
 remove: убрать
+reserve: запас
 resistance: сопротивление
 resisting: сопротивляющийся
 return: возвращение
@@ -281,6 +284,7 @@ slider_crank: кривошипно-ползунный механизм, крив
 slider_positions: два положения ползуна
 sliding: скольжение
 sliding_limit: предел скольжения
+slip: проскальзывание
 slope: наклон
 slotted_link: кулиса, качающаяся кулиса, кулисный механизм
 so_that: чтобы, так чтобы

@@ -17,9 +17,11 @@ _NEAREST = {
     "bevel, hypoid, conical, mitre, коническая, конический, гипоидная": N_(
         "gears of crossing axes are not offered: kind: spur has the same ratio and teeth, its axes are parallel"
     ),
-    "belt, chain, belts, chains, v_belt, timing, ременная, клиноременная, цепная, ремень, цепь": N_(
-        "belts and chains are no stages: the friction of a belt drive is in contacts, kind: belt drive; its ratio and "
-        "efficiency stand with a part of dynamics"
+    "belts, v_belt, timing, клиноременная": N_(
+        "a belt drive is a stage of the block drive, kind: belt; its friction alone is in contacts, kind: belt drive"
+    ),
+    "chain, chains, цепная, цепь": N_(
+        "chains are not offered: the nearest is a stage of the block drive, kind: belt"
     ),
     "harmonic_drive, harmonic, wave, strain_wave, cycloidal, cyclo, волновая, волновой, циклоидальная": N_(
         "wave and cycloidal gears are not offered: the nearest are kind: planetary and the block eccentric"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import count
+from itertools import count, islice
 from typing import Annotated, Any, Literal, TypedDict, assert_never
 
 from pydantic import Discriminator, Field, Tag
@@ -14,9 +14,10 @@ from tmm_report.chapters.gears.drive import solve as drive
 from tmm_report.chapters.gears.drive.crank import SPEED as CRANK_SPEED
 from tmm_report.chapters.gears.drive.crank import Crank
 from tmm_report.chapters.gears.drive.plans import DriveScales
+from tmm_report.chapters.gears.drive.stages import Given as StageGiven
+from tmm_report.chapters.gears.ordinary.given import BeltStage, Ordinary
 from tmm_report.chapters.gears.planetary import block as planetary
 from tmm_report.chapters.gears.planetary.block import PlanetaryModel
-from tmm_report.chapters.gears.planetary.solve import stage as solve_planetary
 from tmm_report.chapters.gears.spur import block as spur
 from tmm_report.chapters.gears.spur.given import Spur
 from tmm_report.chapters.lever.plans import block as plans
@@ -41,9 +42,13 @@ def _kind(value: Any) -> str:
 
 
 StageModel = Annotated[
-    Annotated[Stated[Spur], Tag("<spur>")] | Annotated[PlanetaryModel, Tag("<planetary>")],
+    Annotated[Stated[Spur], Tag("<spur>")]
+    | Annotated[PlanetaryModel, Tag("<planetary>")]
+    | Annotated[Stated[BeltStage], Tag("<belt>")],
     Discriminator(
-        _kind, custom_error_type="shape", custom_error_message=N_("begin with kind: spur or kind: planetary")
+        _kind,
+        custom_error_type="shape",
+        custom_error_message=N_("begin with kind: spur, planetary or belt"),
     ),
 ]
 
@@ -113,9 +118,14 @@ def _turning(found: drive.Given, model: DriveModel, crank: Crank | None) -> driv
     if crank is None or model.output == "other":
         return found
     if crank.linked and crank.turned and math.isfinite(crank.omega):
-        sign = math.prod(math.copysign(1.0, stage.ratio) for stage in model.stages)
+        sign = math.prod(_sense(stage) for stage in model.stages)
         found = replace(found, speed=math.copysign(found.speed, sign * crank.omega))
     return replace(found, crank=crank)
+
+
+def _sense(stage: StageModel) -> float:
+    """Of the output of a stage, its input turning in the sense +1."""
+    return stage.sense if isinstance(stage, Ordinary) else math.copysign(1.0, stage.ratio)
 
 
 def geared(read: Read) -> Read:
@@ -181,7 +191,8 @@ def build(model: DriveModel, accuracy: float = ACCURACY) -> drive.Given:
     names = numbered(model.stages)
     allowed = tolerance(model)
     stages = tuple(
-        _stage(stage, wheels, accuracy, allowed) for stage, wheels in zip(model.stages, names, strict=True)
+        _stage(stage, wheels, f"stage{number}", accuracy, allowed)
+        for number, (stage, wheels) in enumerate(zip(model.stages, names, strict=True), 1)
     )
     return drive.Given(
         speed=model.speed,
@@ -202,31 +213,36 @@ def tolerance(model: DriveModel) -> float:
 
 
 def _stage(
-    model: Spur | PlanetaryModel, wheels: tuple[str, ...], accuracy: float, allowed: float
-) -> Spur | solve_planetary.Given:
+    model: StageModel, wheels: tuple[str, ...], label: str, accuracy: float, allowed: float
+) -> StageGiven:
+    """`label`: with which the stage's names in the results begin."""
     match model:
         case Spur():
             return replace(model, wheels=(wheels[0], wheels[1]), accuracy=accuracy)
         case PlanetaryModel():
             return planetary.build(model, wheels, allowed)
+        case Ordinary():
+            return replace(model, wheels=wheels, label=label)
         case _:
             assert_never(model)
 
 
-def numbered(stages: Sequence[Spur | PlanetaryModel]) -> list[tuple[str, ...]]:
+def numbered(stages: Sequence[StageModel]) -> list[tuple[str, ...]]:
     """Names of each stage's members: 1-2-3-H, of a double row 1-2-2'-3-H, then 4-5 …; several carriers H1, H2 …"""
     numbers = map(str, count(1))
     several = sum(isinstance(stage, PlanetaryModel) for stage in stages) > 1
     carriers = (f"H{k}" for k in count(1)) if several else iter("H")
     found: list[tuple[str, ...]] = []
     for stage in stages:
-        first, second = next(numbers), next(numbers)
         match stage:
             case Spur():
-                found.append((first, second))
+                found.append((next(numbers), next(numbers)))
             case PlanetaryModel():
+                first, second = next(numbers), next(numbers)
                 row = (second,) if stage.scheme == "sun-ring" else (second, second + "'")
                 found.append((first, *row, next(numbers), next(carriers)))
+            case Ordinary():
+                found.append(tuple(islice(numbers, stage.count)))
             case _:
                 assert_never(stage)
     return found

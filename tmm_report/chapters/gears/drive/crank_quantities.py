@@ -6,9 +6,8 @@ import math
 from collections.abc import Iterator
 
 from tmm_report.chapters.gears.drive.solve import Found
+from tmm_report.chapters.gears.drive.stages import run
 from tmm_report.chapters.gears.drive.values import GREATEST, MEAN
-from tmm_report.chapters.gears.planetary.solve import stage as planetary
-from tmm_report.chapters.gears.spur.solve import pair as spur
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, text_column
 from tmm_report.quantity.symbols import Symbol
@@ -28,19 +27,15 @@ def teeth_columns(found: Found) -> Iterator[Column]:
         yield along.column([times * force for force, _ in forces])
         text = N_("radial force in the mesh, on one satellite where there are several")
         across = Quantity(f"F_r_{key}", Symbol("F", "r", index), "N", Message(text))
-        yield across.column([times * force * math.tan(angle) for force, angle in forces])
+        yield across.column(
+            [math.nan if angle is None else times * force * math.tan(angle) for force, angle in forces]
+        )
 
 
-def _forces(found: Found) -> Iterator[tuple[float, float]]:
+def _forces(found: Found) -> Iterator[tuple[float, float | None]]:
     """Of every mesh under the mean moment: the circumferential force, N, and the operating pressure angle, rad."""
     torques = iter(found.loads.mesh_torque)
-    for stage in found.stages:
-        for row, mesh in enumerate(stage.meshes):
+    for stage in map(run, found.stages):
+        for mesh, angle in zip(stage.meshes, stage.angles, strict=True):
             radius = found.train.by_name[mesh.i].radius
-            share = stage.satellites if isinstance(stage, planetary.Found) else 1
-            force = abs(float(next(torques))) / (radius * share)
-            yield force, _angle(stage, row)
-
-
-def _angle(stage: spur.Found | planetary.Found, row: int) -> float:
-    return float(stage.pair.alpha_w if isinstance(stage, spur.Found) else stage.sizes.angles[row])
+            yield abs(float(next(torques))) / (radius * stage.shares), angle

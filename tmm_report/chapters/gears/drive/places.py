@@ -13,12 +13,18 @@ SAME = 1e-9  # m: points nearer than this are one
 
 
 class Spot(NamedTuple):
-    """A named point common to two members: a pitch point or the axis of a satellite. `y` m from the main axis."""
+    """A named point common to two members: a pitch point or the axis of a satellite; or of one alone, to which a belt
+    or a chain brings the velocity. `y` m from the main axis.
+
+    `tied`: the spot on the other pulley, whose velocity times `share` this one has; "" of a spot of its own.
+    """
 
     name: str
     y: float
-    members: tuple[str, str]
-    axis: bool
+    members: tuple[str, ...]
+    axis: bool = False
+    tied: str = ""
+    share: float = 1.0
 
 
 def placed(stages: Sequence[Stage]) -> tuple[tuple[int, ...], dict[str, float]]:
@@ -57,12 +63,29 @@ def spots_of(stages: Sequence[Stage], axes: Mapping[str, float]) -> Iterator[Spo
         by_name = {one.name: one for one in stage.members}
         seen: list[float] = []
         for mesh in stage.meshes:
-            yield Spot(next(letters), _contact(mesh, by_name, axes), (mesh.i, mesh.j), False)
+            yield from _meeting(mesh, by_name, axes, letters)
             for wheel in (by_name[mesh.i], by_name[mesh.j]):
                 y = axes[wheel.name]
                 if wheel.carried_by != FRAME and all(abs(y - other) > SAME for other in seen):
                     seen.append(y)
                     yield Spot(next(letters), y, (wheel.name, wheel.carried_by), True)
+
+
+def _meeting(
+    mesh: Mesh, by_name: Mapping[str, Member], axes: Mapping[str, float], letters: Iterator[str]
+) -> Iterator[Spot]:
+    """The pitch point; of a belt or a chain the point of the driving pulley that faces the driven one, and that of the
+    driven one which moves the same way; of wheels that slip one point of each."""
+    one, two = by_name[mesh.i], by_name[mesh.j]
+    share = 1.0 if not mesh.size else two.radius / (one.radius * mesh.size)
+    if not mesh.apart and abs(share - 1) < SAME:
+        yield Spot(next(letters), _contact(mesh, by_name, axes), (mesh.i, mesh.j))
+        return
+    side = 1 if axes[mesh.j] > axes[mesh.i] else -1
+    first = next(letters)
+    yield Spot(first, axes[mesh.i] + side * one.radius, (mesh.i,))
+    across = side * two.radius if mesh.internal else -side * two.radius
+    yield Spot(next(letters), axes[mesh.j] + across, (mesh.j,), False, first, share)
 
 
 def _letters() -> Iterator[str]:

@@ -11,6 +11,8 @@ from tmm_report.chapters.gears.drive.crank_quantities import TEETH, teeth_column
 from tmm_report.chapters.gears.drive.solve import Found
 from tmm_report.chapters.gears.drive.stages import Stage
 from tmm_report.chapters.gears.drive.steps import whole
+from tmm_report.chapters.gears.ordinary import quantities as ordinary_quantities
+from tmm_report.chapters.gears.ordinary import solve as ordinary
 from tmm_report.chapters.gears.planetary.quantities import stage as planetary_quantities
 from tmm_report.chapters.gears.planetary.solve import stage as planetary
 from tmm_report.chapters.gears.spur import quantities as spur_quantities
@@ -75,6 +77,8 @@ def stage_tables(stage: Stage, prefix: str) -> Iterable[Table]:
             return spur_quantities.tables(stage, prefix)
         case planetary.Found():
             return planetary_quantities.tables(stage, prefix)
+        case ordinary.Found():
+            return ordinary_quantities.tables(stage, prefix)
         case _:
             assert_never(stage)
 
@@ -85,6 +89,8 @@ def stage_values(stage: Stage, prefix: str) -> Iterable[Value]:
             return spur_quantities.values(stage, prefix)
         case planetary.Found():
             return planetary_quantities.values(stage, prefix)
+        case ordinary.Found():
+            return ordinary_quantities.values(stage, prefix)
         case _:
             assert_never(stage)
 

@@ -59,7 +59,15 @@ class Sheet:
         return max(spots, key=lambda spot: abs(spot.y - self.axes[name]))
 
     def _put(self, spot: Spot, v: float) -> None:
-        self.v.setdefault(spot.name, self.pen.place(complex(v, 0)).real)
+        """A velocity, and those that a belt or a chain carries over from it."""
+        if spot.name in self.v:
+            return
+        self.v[spot.name] = self.pen.place(complex(v, 0)).real
+        for other in self.spots:
+            if other.tied == spot.name:
+                self._put(other, v * other.share)
+            elif other.name == spot.tied:
+                self._put(other, v / spot.share)
 
     def _of(self, body: str) -> list[Spot]:
         """The spots that belong to a body."""

@@ -17,8 +17,7 @@ from typing import TYPE_CHECKING, Any
 from tmm_report.chapters.gears.drive.crank import Crank, Moments, doubts, moments
 from tmm_report.chapters.gears.drive.plans import DriveScales, Plans, draw
 from tmm_report.chapters.gears.drive.stages import Given as StageGiven
-from tmm_report.chapters.gears.drive.stages import Stage, doubts_of, solve_all
-from tmm_report.chapters.gears.spur.solve import pair as spur
+from tmm_report.chapters.gears.drive.stages import Stage, doubts_of, run, solve_all, working
 from tmm_report.mechanics.gears.trains import Loads, Train, loads, speeds
 from tmm_report.problems import N_, Message, Problem, doubt
 from tmm_report.quantity.paper import ACCURACY
@@ -151,8 +150,7 @@ class Found:
     @property
     def sound(self) -> bool:
         """Whether the drive has its ratio, can be driven, and every condition of its gear pairs is met."""
-        pairs = all(stage.sound for stage in self.stages if isinstance(stage, spur.Found))
-        return self.within and not self.locks and pairs
+        return self.within and not self.locks and all(run(stage).sound for stage in self.stages)
 
     @property
     def doubts(self) -> tuple[Problem, ...]:
@@ -193,14 +191,12 @@ class Found:
             )
         if self.locks:
             found.append(Message(N_("the drive locks itself: it cannot be driven from the input shaft")))
-        for stage in self.stages:
-            if isinstance(stage, spur.Found):
-                found += stage.summary()
-        return found
+        return [*found, *(line for stage in self.stages for line in run(stage).summary())]
 
     @property
     def _teeth(self) -> str:
-        return "; ".join(", ".join(str(m.teeth) for m in s.members if m.teeth) for s in self.stages)
+        toothed = (", ".join(str(m.teeth) for m in s.members if m.teeth) for s in self.stages)
+        return "; ".join(filter(None, toothed)) or "—"
 
 
 def output_speed(given: Given) -> float:
@@ -215,9 +211,6 @@ def solve(given: Given, moving: Moving | None = None) -> Found:
     stages = solve_all(given.stages)
     train = joined(stages)
     speed = _turned(given, stages, train)
-    stages = tuple(
-        spur.moving(one, speed[one.input]) if isinstance(one, spur.Found) else one for one in stages
-    )
     load = _loads(given, stages, train, speed)
     found = moments(moving, given.friction) if given.crank is not None and given.crank.linked else None
     torque = _for_mean(found, stages, load) if found is not None and given.torque is None else None
@@ -225,7 +218,20 @@ def solve(given: Given, moving: Moving | None = None) -> Found:
         given = replace(given, torque=torque)
         load = _loads(given, stages, train, speed)
     plans = _plans(given, stages, train, speed)
+    stages = tuple(_at_work(given, stages, speed, load))
     return Found(given, stages, train, speed, load, plans, found, bool(torque))
+
+
+def _at_work(
+    given: Given, stages: Sequence[Stage], speed: Mapping[str, float], load: Loads
+) -> Iterator[Stage]:
+    """The stages at their speeds, and under their torques where that of the input is known: what the first mesh of
+    each takes from its input."""
+    first = 0
+    for stage in stages:
+        torque = None if given.torque is None else -float(load.mesh_torque[first])
+        yield working(stage, speed[stage.input], torque)
+        first += len(stage.meshes)
 
 
 def _for_mean(found: Moments, stages: Sequence[Stage], load: Loads) -> float | None:

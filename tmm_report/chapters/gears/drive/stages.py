@@ -1,20 +1,74 @@
-"""The stages of a drive: which kinds there are and how each is solved."""
+"""The stages of a drive: which kinds there are, what each must tell the drive, and how each is solved.
+
+A kind is its record (what the file states), its Found (a `Run`) and an arm of each `match` over them: here, and in the
+drive's quantities, view and scheme.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from functools import lru_cache
-from typing import assert_never
+from typing import Protocol, assert_never
 
 from tmm_report.chapters.gears.drive.bounds import check_search
+from tmm_report.chapters.gears.ordinary import solve as ordinary
 from tmm_report.chapters.gears.planetary.solve import stage as planetary
 from tmm_report.chapters.gears.spur.solve import pair as spur
-from tmm_report.mechanics.gears.trains import Member
-from tmm_report.problems import Problem, ProblemError
+from tmm_report.mechanics.gears.trains import Member, Mesh
+from tmm_report.problems import Message, Problem, ProblemError
 
-Given = spur.Given | planetary.Given
-Stage = spur.Found | planetary.Found
+Given = spur.Given | planetary.Given | ordinary.Given
+Stage = spur.Found | planetary.Found | ordinary.Found
+
+
+class Run(Protocol):
+    """What a drive asks of a stage, whatever its kind.
+
+    `members`, `meshes`: of which the train of the whole drive is made; `input`, `output`: the members that its shafts
+    turn, `fixed`: those that stand still; `second`: the member and the speed, rad/s, of a second input. `wanted`,
+    `ratio`: ω_in/ω_out asked for and found, signed, the second input at rest; `efficiency`: in this direction, 0..1.
+    `sound`: whether its conditions are met; `doubts`: with places from the stage on; `summary`: what is wrong.
+    """
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def members(self) -> tuple[Member, ...]: ...
+    @property
+    def meshes(self) -> tuple[Mesh, ...]: ...
+    @property
+    def input(self) -> str: ...
+    @property
+    def output(self) -> str: ...
+    @property
+    def fixed(self) -> tuple[str, ...]: ...
+    @property
+    def second(self) -> tuple[str, float] | None: ...
+    @property
+    def wanted(self) -> float: ...
+    @property
+    def ratio(self) -> float: ...
+    @property
+    def efficiency(self) -> float: ...
+    @property
+    def angles(self) -> tuple[float | None, ...]:
+        """Of every mesh the operating angle of pressure, rad; None of what has no teeth in one plane."""
+
+    @property
+    def shares(self) -> int:
+        """Through how many like meshes side by side the power goes: satellites."""
+
+    @property
+    def sound(self) -> bool: ...
+    @property
+    def doubts(self) -> tuple[Problem, ...]: ...
+    def summary(self) -> list[Message]: ...
+
+
+def run(stage: Stage) -> Run:
+    """The stage as the drive sees it: that every kind is one, mypy holds here."""
+    return stage
 
 
 def solve_all(given: tuple[Given, ...]) -> tuple[Stage, ...]:
@@ -45,14 +99,29 @@ def _solved(given: Given) -> Stage:
             return spur.solve(given)
         case planetary.Given():
             return planetary.solve(given)
+        case ordinary.BeltStage():
+            return ordinary.solve(given)
         case _:
             assert_never(given)
+
+
+def working(stage: Stage, speed: float, torque: float | None) -> Stage:
+    """The stage at the speed of its input, rad/s, and under the torque on it, N·m, where that is known."""
+    match stage:
+        case spur.Found():
+            return spur.moving(stage, speed)
+        case planetary.Found():
+            return stage
+        case ordinary.Found():
+            return ordinary.working(stage, speed, torque)
+        case _:
+            assert_never(stage)
 
 
 def doubts_of(stages: Iterable[Stage]) -> Iterator[Problem]:
     """What looks odd in the stages, each with its place in the variant."""
     for k, stage in enumerate(stages):
-        yield from (_placed(problem, k) for problem in getattr(stage, "doubts", ()))
+        yield from (_placed(problem, k) for problem in stage.doubts)
 
 
 def _placed(problem: Problem, stage: int) -> Problem:

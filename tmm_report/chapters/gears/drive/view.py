@@ -14,6 +14,8 @@ from tmm_report.chapters.gears.drive.quantities import tables
 from tmm_report.chapters.gears.drive.solve import Found
 from tmm_report.chapters.gears.drive.stages import Stage
 from tmm_report.chapters.gears.drive.steps import whole
+from tmm_report.chapters.gears.ordinary import solve as ordinary
+from tmm_report.chapters.gears.ordinary.quantities import TITLES
 from tmm_report.chapters.gears.planetary.solve import stage as planetary
 from tmm_report.chapters.gears.spur.solve import pair as spur
 from tmm_report.figures.drawing import Drawing
@@ -49,6 +51,8 @@ def _chapter(stage: Stage) -> str:
             return "spur"
         case planetary.Found():
             return "planetary"
+        case ordinary.Found():
+            return "ordinary"
         case _:
             assert_never(stage)
 
@@ -102,6 +106,8 @@ class DriveView(ChapterView):
             case planetary.Found():
                 text = self.t(SCHEMES[stage.scheme.name])
                 return self.page.listed([text, self.t("differential")]) if stage.second else text
+            case ordinary.Found():
+                return self.t(TITLES[stage.given.variety])
             case _:
                 assert_never(stage)
 
@@ -123,6 +129,11 @@ class DriveView(ChapterView):
         """The symbol of speeds about carriers; None without satellites."""
         any_carried = any(m.carried_by for m in self.found.train.members)
         return self.page.sym(self.speeds_of["omega_rel"].symbol()) if any_carried else None
+
+    @property
+    def carried_over(self) -> bool:
+        """Whether a belt brings a velocity to another pulley."""
+        return any(mesh.apart for mesh in self.found.train.meshes)
 
     @property
     def readable(self) -> bool:

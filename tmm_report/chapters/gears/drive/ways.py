@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tmm_report.chapters.gears.ordinary.ways import WAYS as ORDINARY
 from tmm_report.chapters.gears.planetary.ways import WAYS as PLANETARY
 from tmm_report.chapters.gears.spur.ways import WAYS as SPUR
 from tmm_report.problems import N_
@@ -96,6 +97,7 @@ WAYS = (
     ),
     Way("drive_teeth.mesh", NAME),
     Way("drive_*", STATED),
+    *ORDINARY,
     *SPUR,
     *PLANETARY,
 )

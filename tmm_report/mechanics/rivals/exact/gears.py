@@ -122,6 +122,19 @@ def pair(of: External) -> dict[str, Number | tuple[Number, Number]]:
     }
 
 
+def belt(one: float, other: float, distance: float, crossed: bool) -> dict[str, Number]:
+    """Angle of a strand with the line of centres, angles of wrap, rad, and length of a belt, m, by the outline: the
+    strand is a leg of a triangle with the distance and the sum or the difference of the radii."""
+    own = context()
+    d1, d2, a = exact(one), exact(other), exact(distance)
+    reach = (d2 + d1) / 2 if crossed else (d2 - d1) / 2
+    strand = own.sqrt(a * a - reach * reach)
+    theta = own.atan2(reach, strand)
+    first, second = own.pi + (2 * theta if crossed else -2 * theta), own.pi + 2 * theta
+    length = 2 * strand + (first * d1 + second * d2) / 2
+    return {"theta": theta, "alpha1": first, "alpha2": second, "L": length}
+
+
 def speeds(members: Sequence[Member], meshes: Sequence[Mesh], given: Mapping[str, Any]) -> dict[str, Number]:
     """Angular velocities of all members by Willis' equations, (ω_i − ω_H) z_i = ∓(ω_j − ω_H) z_j, for stated ones."""
     by_name = {member.name: member for member in members}
@@ -137,8 +150,9 @@ def speeds(members: Sequence[Member], meshes: Sequence[Mesh], given: Mapping[str
 
     for mesh in meshes:
         row: dict[int, Number] = {}
-        first = own.mpf(by_name[mesh.i].teeth)
-        second = own.mpf(by_name[mesh.j].teeth) * (-1 if mesh.internal else 1)
+        first = own.mpf(1) if mesh.size else own.mpf(by_name[mesh.i].teeth)
+        second = exact(mesh.size) if mesh.size else own.mpf(by_name[mesh.j].teeth)
+        second *= -1 if mesh.internal else 1
         add(row, mesh.i, first)
         add(row, mesh.j, second)
         add(row, mesh.carrier, -first - second)

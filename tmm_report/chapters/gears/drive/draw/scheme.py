@@ -10,11 +10,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import assert_never
 
+from tmm_report.chapters.gears.drive.draw.ordinary import ordinary
 from tmm_report.chapters.gears.drive.draw.pair import pair
 from tmm_report.chapters.gears.drive.draw.planetary import planetary
 from tmm_report.chapters.gears.drive.draw.sketch import Sketch
 from tmm_report.chapters.gears.drive.plans import Plans
 from tmm_report.chapters.gears.drive.stages import Stage, member
+from tmm_report.chapters.gears.ordinary import solve as ordinary_stage
 from tmm_report.chapters.gears.planetary.solve import stage as planetary_stage
 from tmm_report.chapters.gears.spur.solve import pair as spur
 
@@ -48,5 +50,7 @@ def _drawn(sketch: Sketch, stage: Stage) -> float:
             return pair(sketch, stage)
         case planetary_stage.Found():
             return planetary(sketch, stage)
+        case ordinary_stage.Found():
+            return ordinary(sketch, stage)
         case _:
             assert_never(stage)

@@ -27,7 +27,7 @@ from tmm_report.chapters.gears.planetary.solve.stated_shifts import settled
 from tmm_report.mechanics.gears import trains
 from tmm_report.mechanics.gears.planetary import stage as p
 from tmm_report.mechanics.gears.planetary.search import Candidates, ranked, search
-from tmm_report.problems import Problem
+from tmm_report.problems import Message, Problem
 from tmm_report.records import dataclass
 
 __all__ = ["Found", "Given", "Motion", "solve", "tasks"]
@@ -92,6 +92,24 @@ class Found:
         """The second input of a differential and its speed, rad/s."""
         driven = self.given.driven
         return None if driven is None else (self.given.member(self.given.task.held), driven)
+
+    @property
+    def angles(self) -> tuple[float | None, ...]:
+        """Operating angles of pressure of the meshes, rad."""
+        return tuple(float(angle) for angle, _ in zip(self.sizes.angles, self.meshes, strict=True))
+
+    @property
+    def shares(self) -> int:
+        return self.satellites
+
+    @property
+    def sound(self) -> bool:
+        """Its conditions are met: the search takes no other teeth, and stated ones that break one are refused."""
+        return True
+
+    def summary(self) -> list[Message]:
+        """What is wrong: nothing."""
+        return []
 
     # --- the stage itself
 

@@ -94,6 +94,15 @@ class Found:
             trains.Mesh(*self.given.wheels, internal=self.given.internal, efficiency=self.given.efficiency),
         )
 
+    @property
+    def angles(self) -> tuple[float | None, ...]:
+        """The operating angle of pressure of its mesh, rad."""
+        return (float(self.pair.alpha_w),)
+
+    @property
+    def shares(self) -> int:
+        return 1
+
     @cached_property
     def starts(self) -> tuple[float, float]:
         """Radii of curvature where the involutes really begin, m."""

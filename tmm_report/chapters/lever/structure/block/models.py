@@ -47,8 +47,8 @@ ROLLS = N_(
     "side: above}]"
 )
 BELTS = N_(
-    "belts and chains within the linkage are not offered: wheels in mesh are, mechanism.wheels; the friction of a belt "
-    "drive is in contacts"
+    "belts and chains within the linkage are not offered: wheels in mesh are, mechanism.wheels; a belt drive is a "
+    "stage of the block drive, kind: belt"
 )
 STROKE = N_("{slider: 3, stroke: {from: 0.35 m, to: 0.60 m, speed: 1.2 m/s}}")
 Turns = Annotated[int, whole(1, 4)]

@@ -1,0 +1,1 @@
+"""What looks odd in an ordinary stage as it is stated: nothing yet."""

@@ -1,0 +1,13 @@
+"""Sketches of ordinary stages, across their axes and to scale."""
+
+from __future__ import annotations
+
+from tmm_report.chapters.gears.ordinary.draw.belt import belt
+from tmm_report.chapters.gears.ordinary.solve import Found
+from tmm_report.figures.drawing import Drawing
+
+SKETCHES = {"belt": belt}
+
+
+def sketch(found: Found, title: str) -> Drawing:
+    return SKETCHES[found.kind](found, title)

@@ -1,0 +1,64 @@
+"""The numbers of every kind of ordinary stage, a sheet each. A key that ends in 1 or 2 is of the driving or of the
+driven wheel, whose number in the drive is the index of its letter."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from tmm_report.i18n import NP_
+from tmm_report.problems import N_
+from tmm_report.quantity.sheet import Q, Sheet
+from tmm_report.quantity.symbols import Symbol, both
+
+PUT = NP_("index", "put")
+
+
+class Numbers(Sheet):
+    """Of a stage whose wheels are `wheels`; its names in the results begin with `label`."""
+
+    def __init__(self, wheels: Sequence[str], label: str):
+        super().__init__({key: self._called(one, wheels) for key, one in self.DECLARED.items()}, label)
+
+    @staticmethod
+    def _called(one: Q, wheels: Sequence[str]) -> Q:
+        symbol, ends = one.symbol, (wheels[0], wheels[-1])
+        if symbol is None:
+            return one
+        if one.key in ("u", "u_required"):
+            return one.called(replace(symbol, sub=both(*ends)))
+        last = one.key[-1]
+        return one.called(replace(symbol, sub=symbol.sub + ends[int(last) - 1])) if last in "12" else one
+
+
+class Belt(Numbers):
+    d1 = Q("d", "m", N_("diameter of the driving pulley"), "mm")
+    d2 = Q("d", "m", N_("diameter of the driven pulley"), "mm")
+    d_exact = Q(Symbol("d", "", "′"), "m", N_("diameter of the driven pulley that the ratio asks for"), "mm")
+    epsilon = Q("epsilon", "", N_("slip: the part of its velocity that the driven pulley loses"))
+    u_required = Q(Symbol("u", "", "′"), "", N_("required ratio of the stage"))
+    u = Q("u", "", N_("ratio of the belt drive"))
+    a_about = Q(Symbol("a", "", "′"), "m", N_("distance of the centres before the belt is chosen"), "mm")
+    L_about = Q(Symbol("L", "", "′"), "m", N_("length of the belt at this distance"), "mm")
+    a = Q("a", "m", N_("distance of the centres"), "mm")
+    theta = Q("theta", "rad", N_("angle of a strand with the line of centres"))
+    alpha1 = Q("alpha", "rad", N_("angle of wrap of the driving pulley"))
+    alpha2 = Q("alpha", "rad", N_("angle of wrap of the driven pulley"))
+    L = Q("L", "m", N_("length of the belt"), "mm")
+    omega1 = Q("omega", "rad/s", N_("angular velocity of the driving pulley"))
+    v = Q("v", "m/s", N_("velocity of the belt"))
+    runs = Q("i", "1/s", N_("runs of the belt in a second"))
+    T1 = Q("T", "N·m", N_("torque on the driving pulley"))
+    F_t = Q("F_t", "N", N_("circumferential force"))
+    phi = Q("phi", "deg", N_("angle between the sides of a groove"))
+    f = Q("f", "", N_("coefficient of friction"))
+    f_red = Q(Symbol("f", "", "′"), "", N_("reduced coefficient of friction in the groove"))
+    k = Q("k", "", N_("reserve of the belt against slipping"))
+    m = Q("m", "", N_("how many times the tight strand may be tenser than the slack one"))
+    F_0 = Q("F_0", "N", N_("least tension of a strand at rest, centrifugal forces apart"))
+    F_tight = Q("F_1", "N", N_("tension of the tight strand"))
+    F_slack = Q("F_2", "N", N_("tension of the slack strand"))
+    q = Q("q", "kg/m", N_("mass of a metre of the belt"))
+    F_c = Q("F_c", "N", N_("centrifugal tension"))
+    F_put = Q(Symbol("F", PUT), "N", N_("tension with which the belt is put on"))
+    F_shaft = Q("R", "N", N_("force by which the strands pull a shaft"))
