@@ -1,8 +1,8 @@
-"""Wrong methods and wrong choices among them, wrong sizes by which teeth are measured, to be planted."""
+"""Wrong methods and choices, sizes by which teeth are measured, quality over shifts, forces of cams, to be planted."""
 
 from __future__ import annotations
 
-from faults import MECHANICS, SPUR, Fault
+from faults import FRICTION, MECHANICS, SPUR, Fault
 
 GAUGES = MECHANICS + "gears/inspection.py"
 GAUGED = ("tests/mechanics/gears/test_inspection.py",)
@@ -16,6 +16,15 @@ LENGTHS = ("tests/chapters/lever/test_stated_lengths.py",)
 
 ZONE = "tmm_report/chapters/lever/cam/draw_zone.py"
 CAMS = ("tests/mechanics/cams", "tests/chapters/lever/cams")
+FORCES, SPRING, TURN, HERTZ = (
+    MECHANICS + f"cams/{name}.py" for name in ("forces", "spring", "turn", "contact_pressure")
+)
+RUBBING = MECHANICS + "lever/cams/rubbing.py"
+ALONE, MECHANISM = (
+    ("tests/mechanics/cams/test_forces.py",),
+    ("tests/chapters/lever/friction/test_friction_of_cams.py",),
+)
+PRESS = "cam_press"
 
 ORDINARY = "tmm_report/chapters/gears/ordinary/"
 STAGES = ("tests/chapters/gears/ordinary",)
@@ -299,4 +308,52 @@ FAULTS = (
           "turned", "conveyor_drive", STAGES),
     Fault("the torque of a stage that of the whole drive's input", "tmm_report/chapters/gears/drive/solve.py",
           "-float(load.mesh_torque[first])", "-float(load.mesh_torque[0])", "conveyor_drive", STAGES),
+    # --- forces of cams, their springs, friction of cam pairs in a mechanism ---
+    Fault("a roller that its pin drives", FORCES,
+          "way = np.sign(drag) *", "way = -np.sign(drag) *", PRESS, ALONE),
+    Fault("friction of the pin without the circle", FORCES,
+          "sine / np.sqrt(1 - sine * sine)", "sine", PRESS, ALONE),
+    Fault("one end of a guide without friction", FORCES,
+          "kept = lifting if ends is None else lifting - way * rubs.guide.friction * np.abs(ends).sum(axis=0)",
+          "kept = lifting if ends is None else lifting - way * rubs.guide.friction * np.abs(ends).max(axis=0)",
+          PRESS, ALONE),
+    Fault("a guide that pushes on the way back", FORCES,
+          "return np.where(np.abs(S1)", "return 1 + 0 * np.where(np.abs(S1)", PRESS, ALONE),
+    Fault("the overhang grows with the lift", FORCES,
+          "self.overhang - S if", "self.overhang + S if", PRESS, ALONE),
+    Fault("a guide jams at the angle of a long one", FORCES,
+          "(self.length + 2 * self.at(S))", "self.length", PRESS, ALONE),
+    Fault("a pivot that bears the cam alone", FORCES,
+          "np.abs(lifting * w + Q * u) ** 2", "np.abs(Q * u) ** 2", PRESS, ALONE),
+    Fault("a cam that pulls", FORCES,
+          "left = freed | (", "left = (", PRESS, ALONE),
+    Fault("the outer wall of a groove on the inner side", FORCES,
+          "b.z - flank * (cam.roller", "b.z - (cam.roller", PRESS, ALONE),
+    Fault("the least spring by the lowest position", SPRING,
+          "panels, lift - S, most - D", "panels, S, most - D", PRESS, ALONE),
+    Fault("the speed of lifting off not rooted", SPRING,
+          "Reached(1 / math.sqrt(found.value)", "Reached(1 / found.value", PRESS, ALONE),
+    Fault("a ratio is reached at once", SPRING,
+          "found, at = found + rest / under, place", "return Reached(found, place)", PRESS, ALONE),
+    Fault("inertia of the follower lifts it on", TURN,
+          "self.inertia * self.omega**2 * second,", "-self.inertia * self.omega**2 * second,", PRESS, ALONE),
+    Fault("the weight of a lever at its pivot", TURN,
+          "cross(self._centre(turned), self.gravity)", "cross(self._centre(turned), 0 * self.gravity)", PRESS, ALONE),
+    Fault("a load of one stroke on both", TURN,
+          'found.append(last == "return")', "found.append(False)", PRESS, ALONE),
+    Fault("a hollow profile presses as a convex one", HERTZ,
+          "1 / (radius - roller))", "1 / (radius + roller))", PRESS, ALONE),
+    Fault("pressure by the force over the width", HERTZ,
+          "np.pi * width * (one.yields", "width * (one.yields", PRESS, ALONE),
+    Fault("friction of a contact on the follower alone", RUBBING,
+          "((cam.follower, 1), (cam.cam, -1))", "((cam.follower, 1),)", PRESS, MECHANISM),
+    Fault("friction of a contact at the roller's centre", RUBBING,
+          "push, at = here.direction - cam.contact(phi).normal, cam.axis + here.at",
+          "push, at = here.direction - cam.contact(phi).normal, cam.axis + here.b", PRESS, MECHANISM),
+    Fault("a pin that bears the normal force", RUBBING,
+          "size = coefficient * np.abs(here.direction) if", "size = coefficient if", PRESS, MECHANISM),
+    Fault("the link in place of a cam pair rubs", FRICTION + "rubbed.py",
+          "pair.key not in none]", "True]", PRESS, MECHANISM),
+    Fault("losses of cam pairs left out", FRICTION + "solve.py",
+          "    losses += _contact_losses(given, motion, statics)\n", "", PRESS, MECHANISM),
 )  # fmt: skip

@@ -454,7 +454,7 @@ FAULTS = (
           "_stacked(loads, units, shape), flanks.get(GEAR))", SUN, RUBBING),
     Fault("a wheel's flank of the other sense", MECHANICS + "lever/wheels/coupled.py",
           "dot(teeth, across) >= 0, 1.0, -1.0", "dot(teeth, across) >= 0, -1.0, 1.0", SUN, RUBBING),
-    Fault("rails rub", FRICTION + "solve.py", 'pair.kind == "H" or pair.name in given.rails', 'pair.kind == "H"',
+    Fault("rails rub", FRICTION + "rubbed.py", 'pair.kind == "H" or pair.name in given.rails', 'pair.kind == "H"',
           "roller_on_rail", RUBBING),
     Fault("the guide of any wheel's axle is a rail", "tmm_report/chapters/lever/structure/block/checks.py",
           'rolling = mechanism.get("rolling")', 'rolling = mechanism.get("racks")', "roller_on_rail", RUBBING),

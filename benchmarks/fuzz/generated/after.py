@@ -214,6 +214,8 @@ def _joints(made: Made, walk: Any) -> Made:
             one.pop("diameter" if name in walk.names.of.get("guide", ()) else "length", None)
             if name not in walk.names.of.get("guide", ()):
                 one.setdefault("diameter", "30 mm")
+    if walk.random.random() < 0.9:
+        made.get("cams", {}).setdefault("diameter", "6 mm")
     return made
 
 

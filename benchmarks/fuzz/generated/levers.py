@@ -201,7 +201,7 @@ def cam(random: Random) -> tuple[Data, Data]:
         ("centre", "W"),
         ("pressure_angle_limit", "35 deg"),
     ):
-        if random.random() < 0.2:
+        if random.random() < 0.2 and (key != "start" or "profile" not in one):
             one[key] = value
     return data, {} if swings else {"B": UPRIGHT}
 

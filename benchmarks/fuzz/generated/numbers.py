@@ -69,6 +69,8 @@ SIZES: dict[str, tuple[float, float, str]] = {
     "StribeckModel.viscous": (0, 0.05, "s/m"),
     "GuideFriction.coefficient": (0, 0.2, ""),
     "JointFriction.coefficient": (0, 0.2, ""),
+    "CamFriction.coefficient": (0, 0.2, ""),
+    "CamFriction.diameter": (3, 9, "mm"),
     "GuideFriction.length": (60, 300, "mm"),
     "PivotFriction.diameter": (10, 60, "mm"),
     "JointFriction.diameter": (10, 60, "mm"),

@@ -24,6 +24,7 @@ RUBBING = (
     "PivotFriction",
     "GuideFriction",
     "JointFriction",
+    "CamFriction",
 )
 
 # exactly one key of each of these sets

@@ -97,6 +97,8 @@ def variant(seed: str) -> dict[str, Any]:
     if random.random() < ASKED:
         backwards(data, random)
     later(data, Random(f"later {seed}"))
+    if "friction" not in data:
+        data.get("drive", {}).pop("friction", None)
     driver = data.get("mechanism", {}).get("driver", {})
     alone = driver.get("speed") == "drive" and "drive" not in data
     if (alone or not {"speed", "period", "law", "stroke"} & set(driver)) and driver and walk.tame():
@@ -170,11 +172,14 @@ def _agreed(data: dict[str, Any]) -> None:
         data["positions"]["at"] = ["0.05 s"] if len(data["positions"]["at"]) % 2 else ["0.02 s", "0.1 s"]
     massive = any("mass" in link for link in data["mechanism"]["links"].values())
     if "cams" in data["mechanism"]:
-        for name in ("friction", "wear", "balancing"):
+        for name in ("wear", "balancing"):
             data.pop(name, None)
     if {"wheels", "racks", "rolling"} & set(data["mechanism"]):
         for name in ("methods", "method"):
             data.pop(name, None)
+    to = data.get("reduction")
+    if isinstance(to, dict) and "slides" not in data["mechanism"]["links"].get(str(to.get("link")), {}):
+        data["reduction"] = True
     if not massive:
         for name in ("reduction", "balancing"):
             data.pop(name, None)
@@ -193,6 +198,8 @@ def _agreed(data: dict[str, Any]) -> None:
             data.pop(name, None)
     if "press" in data:
         _pressed(data)
+    if "friction" not in data:
+        data.get("flywheel", {}).pop("friction", None)
 
 
 def _pressed(data: dict[str, Any]) -> None:

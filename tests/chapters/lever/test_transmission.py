@@ -82,3 +82,10 @@ def test_without_a_mechanism_it_is_told():
     with pytest.raises(ProblemError) as error:
         course.loads("transmission: 40 deg\nrotor: {}\n")
     assert ("transmission",) in [problem.path for problem in error.value.problems]
+
+
+def test_a_cam_has_a_pressure_angle_and_no_transmission_angle():
+    """The link that replaces it is measured in its own length: the law of cosines says nothing of it."""
+    with open("variants/cam_press.yaml", encoding="utf-8") as file:
+        solved = course.solve(course.loads(file.read() + "\ntransmission: 40 deg\n"))
+    assert [one.group.links for one in solved.lever.transmission.couplers] == [("3", "4")]

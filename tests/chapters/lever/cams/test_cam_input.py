@@ -88,8 +88,3 @@ def test_a_link_too_many_is_told_with_higher_pairs():
     with pytest.raises(ProblemError) as raised:
         course.solve(course.loads(text))
     assert raised.value.problems[0].wrong.values["higher"] == 1
-
-
-def test_friction_is_not_worked_out_and_it_is_said():
-    more = "loads: {gravity: 9.81 m/s^2}\nfriction: {guides: {coefficient: 0.1}}"
-    assert told(GOOD, more) == [("friction", "friction is not worked out of a mechanism with a cam pair")]

@@ -10,9 +10,9 @@ from tmm_report.chapters.lever.structure.block import (
     ASKED,
     FRAME,
     Names,
-    has_cams,
     names,
     rails,
+    rollers,
     stated,
     without,
 )
@@ -36,19 +36,26 @@ class GuideFriction(Rubbed):
     length: Positive | None = Field(default=None, description="of the slider, where it may tilt")
 
 
+class CamFriction(Rubbed):
+    """Friction between cams and their followers: of a roller on its pin, of an edge or a face on the cam."""
+
+    diameter: Positive | None = Field(default=None, description="of the roller's pin", examples=["10 mm"])
+
+
 class JointFriction(Rubbed):
-    """Friction in one joint; the diameter is for a pivot, the length for a guide."""
+    """Friction in one joint; the diameter is for a pivot or a roller's pin, the length for a guide."""
 
     diameter: Positive | None = None
     length: Positive | None = None
 
 
 class FrictionModel(Model):
-    """Friction in the joints: of all pivots, of all guides, of single ones."""
+    """Friction in the joints: of all pivots, of all guides, of all cam pairs, of single ones."""
 
     pivots: PivotFriction | None = None
     guides: GuideFriction | None = None
-    joints: dict[KeyName, JointFriction] = Field(default={}, description="by point or guide")
+    cams: CamFriction | None = None
+    joints: dict[KeyName, JointFriction] = Field(default={}, description="by point, guide or cam pair")
     corrected: Flag = Field(default=False, description="true: reactions and balancing moment with friction")
 
 
@@ -68,13 +75,14 @@ def given(read: Read) -> Given:
 
 
 def _friction(written: FrictionModel, of_rails: tuple[str, ...]) -> Friction:
-    pivots, guides = written.pivots, written.guides
+    pivots, guides, cams = written.pivots, written.guides, written.cams
     return Friction(
         Rubbing(pivots.f, pivots.diameter, stock=pivots.of) if pivots else None,
         Rubbing(guides.f, length=guides.length, stock=guides.of) if guides else None,
         {name: Rubbing(one.f, one.diameter, one.length, one.of) for name, one in written.joints.items()},
         written.corrected,
         of_rails,
+        Rubbing(cams.f, cams.diameter, stock=cams.of) if cams else None,
     )
 
 
@@ -83,12 +91,9 @@ def mistakes(read: Read) -> Iterator[Problem]:
         yield from without(read, "friction")
         return
     written, known = read.block(Block).friction, names(read.data)
-    if written and has_cams(read):
-        text = N_("friction is not worked out of a mechanism with a cam pair")
-        yield mistake(text, ("friction",), Message(N_("leave this block out")))
-        return
-    joints = [*known.all_points, *known.guides]
-    if written and written.corrected and not (written.pivots or written.guides or written.joints):
+    cams = rollers(read)
+    joints = [*known.all_points, *known.guides, *cams]
+    if written and written.corrected and not _anything(written):
         text = N_("there is nothing to correct: no pair has friction")
         right = Message(N_("state the friction of pivots, guides or joints"))
         yield mistake(text, ("friction", "corrected"), right)
@@ -97,6 +102,8 @@ def mistakes(read: Read) -> Iterator[Problem]:
         if name not in joints:
             text = N_("there is no joint %(name)s: neither a point nor a guide")
             yield mistake(text, path, near(name, joints), name=name)
+        elif name in cams:
+            yield from _cam_sizes(joint, cams[name], path)
         else:
             yield from _no_pivot(name, known, path)
             if name in (on_rails := rails(read)):
@@ -106,6 +113,36 @@ def mistakes(read: Read) -> Iterator[Problem]:
                 right = Message(N_("leave this joint out: rolling friction stands in contacts"))
                 yield mistake(text, path, right, name=name, wheel=on_rails[name])
             yield from _sizes(joint, name in known.guides, path)
+
+    if written and written.cams:
+        for roller in cams.values():
+            yield from _pin(written.cams.diameter, roller, ("friction", "cams"))
+
+
+def _anything(written: FrictionModel) -> bool:
+    return bool(written.pivots or written.guides or written.cams or written.joints)
+
+
+def _cam_sizes(joint: JointFriction, roller: float | None, path: tuple[str | int, ...]) -> Iterator[Problem]:
+    """A roller has the diameter of its pin; what slides on the cam has none."""
+    if joint.length is not None:
+        text = N_("a cam pair has no length of a slider")
+        yield mistake(text, (*path, "length"), Message(N_("diameter: of the roller's pin")))
+    if not roller and joint.diameter is not None:
+        text = N_("an edge or a flat face slides on its cam and has no pin")
+        yield mistake(text, (*path, "diameter"), Message(N_("leave it out")))
+    yield from _pin(joint.diameter, roller, path)
+
+
+def _pin(diameter: float | None, roller: float | None, path: tuple[str | int, ...]) -> Iterator[Problem]:
+    """The pin of a roller is stated, and is thinner than the roller."""
+    if roller and diameter is None:
+        text = N_("the friction of a roller needs the diameter of its pin")
+        yield mistake(text, path, Message(N_("diameter: of the roller's pin")))
+    if roller and diameter is not None and diameter >= 2 * roller:
+        text = N_("the pin of a roller is as thick as the roller itself")
+        right = Message(N_("below %(most)s mm, the diameter of the roller"), {"most": f"{2e3 * roller:g}"})
+        yield mistake(text, (*path, "diameter"), right)
 
 
 def _sizes(joint: JointFriction, guide: bool, path: tuple[str | int, ...]) -> Iterator[Problem]:
@@ -140,8 +177,10 @@ def doubts(read: Read) -> Iterator[Problem]:
     if "loads" not in read.data:
         text = N_("friction is not worked out: it needs the reactions, and there is no block loads")
         yield doubt(text, ("friction",), ASKED)
-    elif not (written.pivots or written.guides or written.joints):
+    elif not _anything(written):
         right = Message(N_("state the friction of pivots, guides or joints"))
         yield doubt(N_("no pair has friction: this block has no effect"), ("friction",), right)
     if written.guides and not names(read.data).guides:
         yield doubt(N_("the mechanism has no guide: this has no effect"), ("friction", "guides"))
+    if written.cams and not rollers(read):
+        yield doubt(N_("the mechanism has no cam: this has no effect"), ("friction", "cams"))

@@ -6,20 +6,24 @@ that reactions and friction belong to one another. The power balance with fricti
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.lever.friction.given import Rubbing
+from tmm_report.chapters.lever.friction.given import Friction, Rubbing
+from tmm_report.chapters.lever.friction.rubbed import contact_of, rubbing_of, sliding_pairs
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics, Over, Solved, resultants
 from tmm_report.mechanics.calculus.panels import Panels
 from tmm_report.mechanics.lever.assur_groups import Pair
+from tmm_report.mechanics.lever.cams import rubbing
+from tmm_report.mechanics.lever.cams.rubbing import Contact
 from tmm_report.mechanics.lever.cycle import larger
 from tmm_report.mechanics.lever.extremes import peaks
 from tmm_report.mechanics.lever.forces import reactions_with_friction
 from tmm_report.mechanics.lever.forces.reactions_with_friction import Rub, Rubbed
+from tmm_report.mechanics.lever.motion import Motion
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.records import dataclass
 
@@ -126,16 +130,16 @@ class Correction:
 
 
 def solve(
-    rubbing_of: Callable[[Pair], Rubbing | None],
+    given: Friction,
     found: Kinetostatics,
     first: tuple[Array, Array],
     panels: Panels | None,
     whole: Corrected | None,
 ) -> Correction:
-    """`rubbing_of`: friction of a pair; `first`: power of friction without correction at the table and the diagram
+    """`first`: power of friction without correction at the table and the diagram
     positions; `panels`, `whole`: the whole cycle, by `between`. Raises ProblemError where the mechanism jams."""
     table, diagram = (
-        _corrected(rubbing_of, found, solved, power)
+        _corrected(given, found, solved, power)
         for solved, power in zip((found.table, found.diagram), first, strict=True)
     )
     if not any(np.nanmax(loss.pressing, initial=0.0) > 0 for loss in diagram.pairs):
@@ -143,36 +147,34 @@ def solve(
     return Correction(table, diagram, panels, whole, bool(found.kinematics.gaps))
 
 
-def between(
-    rubbing_of: Callable[[Pair], Rubbing | None], found: Kinetostatics, over: Over, first: Array
-) -> Corrected | None:
+def between(given: Friction, found: Kinetostatics, over: Over, first: Array) -> Corrected | None:
     """Over the whole cycle; None where it jams between the positions, as it does close beside a change point, of
     whose two ways none is without great reactions."""
     try:
-        return _corrected(rubbing_of, found, over, first)
+        return _corrected(given, found, over, first)
     except ProblemError:
         return None
 
 
-def _corrected(
-    rubbing_of: Callable[[Pair], Rubbing | None], found: Kinetostatics, solved: Solved | Over, first: Array
-) -> Corrected:
+def _corrected(given: Friction, found: Kinetostatics, solved: Solved | Over, first: Array) -> Corrected:
     motion = solved.motion
-    pairs = [pair for pair in motion.linkage.structure.pairs if pair.kind != "H"]  # teeth without friction
+    pairs = sliding_pairs(motion.linkage.structure)
     rates = {pair.key: reactions_with_friction.signed_rate(motion, pair) for pair in pairs}
     senses = _senses(pairs, rates)
     rubs = [
         _rub(pair, stated, senses[pair.key], rates[pair.key])
         for pair in pairs
-        if (stated := rubbing_of(pair))
+        if (stated := rubbing_of(given, pair))
     ]
-    if not rubs:
+    touched = list(_touched(given, motion))
+    if not rubs and not touched:
         raise ProblemError([_idle()])
-    rubbed = reactions_with_friction.solve(motion, resultants(found.given, motion, solved.loading), rubs)
+    every = [*rubs, *(one for _, one in touched)]
+    rubbed = reactions_with_friction.solve(motion, resultants(found.given, motion, solved.loading), every)
     if rubbed.jammed.any():
         raise ProblemError([_jams(rubbed, solved.turned)])
     omega = float(motion.state.w[motion.linkage.mechanism.driver.link])
-    losses = tuple(_losses(rubs, rubbed, rates))
+    losses = (*_losses(rubs, rubbed, rates), *_contact_losses(touched, motion, rubbed))
     moment = np.broadcast_to(rubbed.statics.balancing, motion.shape)
     without = np.broadcast_to(solved.statics.balancing, motion.shape)
     return Corrected(losses, without, without + first / omega, moment, omega, rubbed.steps)
@@ -205,6 +207,28 @@ def _losses(rubs: Sequence[Rub], rubbed: Rubbed, rates: Mapping[str, Array]) -> 
         )
         for rub in rubs
     ]
+
+
+def _touched(given: Friction, motion: Motion) -> Iterator[tuple[Contact, Rub]]:
+    """The cam pairs that rub."""
+    for contact in rubbing.contacts(motion.linkage.structure):
+        if stated := contact_of(given, contact):
+            arm = stated.arm(contact.pair.kind)
+            coefficient = stated.at(arm * rubbing.rate(contact, motion))
+            yield contact, rubbing.rub(contact, motion, coefficient, arm)
+
+
+def _contact_losses(touched: Sequence[tuple[Contact, Rub]], motion: Motion, rubbed: Rubbed) -> Iterator[Loss]:
+    """A roller's pin bears the whole force of the contact; a face is pressed by what is normal to it."""
+    for contact, made in touched:
+        own = rubbed.statics.reactions[contact.presses.key]
+        sign = 1 if own.pair.links[1] == contact.cam.follower else -1
+        size = rubbed.pressing[own.pair.key]
+        on_follower = sign * own.force + size * rubbing.across(contact, made)
+        presses = np.abs(on_follower) if contact.rolls else size
+        power = -rubbed.friction[own.pair.key] * rubbing.rate(contact, motion)
+        told = sign if contact.rolls else 1
+        yield Loss(contact.pair, told * on_follower, presses, power)
 
 
 def _idle() -> Problem:

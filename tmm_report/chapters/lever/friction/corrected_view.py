@@ -71,6 +71,11 @@ class CorrectedView(SlidingView):
         return [self.t(text, growth=growth, eta=eta)]
 
     @property
+    def of_cams(self) -> bool:
+        """Whether a cam pair rubs."""
+        return any(one.contact for one in self.found.table.pairs)
+
+    @property
     def steps(self) -> Markup:
         return self.number("friction_steps", places=0)
 
@@ -112,8 +117,9 @@ class CorrectedView(SlidingView):
 
     def _loss(self, row: int, loss: Loss) -> Formula:
         pair, k, stated = loss.pair, self.position, self.table("friction_given")
-        diameter = self.found.table.pairs[row].rubbing.diameter
-        rate = self.table("friction_table").var(q.rate(pair).key, k)
+        first = self.found.table.pairs[row]
+        diameter = first.rubbing.diameter
+        rate = self.table("friction_table").var(q.rate(first).key, k)
         friction = self.friction_at(row)
         if pair.kind == "R":
             arm = stated.var("d", row) if diameter else Var("d", 0.0, "m", ref=stated.ref("d", row))

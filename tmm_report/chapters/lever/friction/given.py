@@ -46,7 +46,8 @@ class Rubbing:
 
 @dataclass(frozen=True)
 class Friction:
-    """Friction of all pivots, of all guides, and of single joints named by their point or guide.
+    """Friction of all pivots, of all guides, of all cam pairs (of a roller that of its pin), and of single joints named
+    by their point, guide or cam pair.
 
     `corrected`: whether the reactions are found with the friction, too; `rails`: guides that stand for rails on which
     wheels roll: nothing slides on them.
@@ -57,3 +58,4 @@ class Friction:
     joints: Mapping[str, Rubbing] = field(default_factory=dict)
     corrected: bool = False
     rails: tuple[str, ...] = ()
+    cams: Rubbing | None = None

@@ -42,9 +42,22 @@ def lost(pair: Pair, pairs: Sequence[Pair]) -> Quantity:
     return Quantity(f"P_fr_{pair.key}", Symbol("P", index), "W", meaning)
 
 
-def rate(pair: Pair) -> Quantity:
-    """Relative angular velocity of the links of a pivot, sliding velocity of those of a guide."""
+def rate(loss: PairLoss) -> Quantity:
+    """Relative angular velocity of the links of a pivot, sliding velocity of those of a guide; of a cam pair the one of
+    its roller, or the velocity with which the contact slides."""
+    pair = loss.pair
     one, other = pair.links
+    if loss.contact is not None:
+        cam = loss.contact.cam
+        named = {"cam": cam.cam, "follower": cam.follower}
+        if loss.contact.rolls:
+            meaning = Message(
+                N_("angular velocity of the roller between cam %(cam)s and follower %(follower)s on its pin"),
+                named,
+            )
+            return Quantity(f"w_roll_{cam.name}", Symbol("omega", f"{one},{other}"), "rad/s", meaning)
+        meaning = Message(N_("velocity with which cam %(cam)s slides along follower %(follower)s"), named)
+        return Quantity(f"v_touch_{cam.name}", Symbol("v", f"{one},{other}"), "m/s", meaning)
     if pair.kind == "P":
         meaning = Message(N_("sliding velocity of links %(one)s and %(other)s"), {"one": one, "other": other})
         return Quantity(f"v_rel_{pair.key}", Symbol("v", f"{one},{other}"), "m/s", meaning)
@@ -102,12 +115,18 @@ def _given(losses: tuple[PairLoss, ...]) -> Table:
         (
             text_column("links", Message(N_("its links")), ["–".join(pair.links) for pair in pairs]),
             text_column("name", Message(N_("point or guide")), [pair.name for pair in pairs]),
-            text_column("kind", Message(N_("R: revolute, P: prismatic")), [pair.kind for pair in pairs]),
+            text_column("kind", _kinds(pairs), [pair.kind for pair in pairs]),
             COEFFICIENT.column([sliding_quantities.stated_coefficient(loss.rubbing) for loss in losses]),
             DIAMETER.column(diameters),
             *sliders,
         ),
     )
+
+
+def _kinds(pairs: Sequence[Pair]) -> Message:
+    if any(pair.kind == "H" for pair in pairs):
+        return Message(N_("R: revolute, P: prismatic, H: higher"))
+    return Message(N_("R: revolute, P: prismatic"))
 
 
 def _losses(losses: Losses) -> Iterator[Column]:
@@ -123,7 +142,7 @@ def _losses(losses: Losses) -> Iterator[Column]:
         if loss.couple is not None:
             yield couple(loss.pair).column(loss.couple)
             yield pressing(loss.pair).column(loss.pressing)
-        yield rate(loss.pair).column(loss.rate)
+        yield rate(loss).column(loss.rate)
     yield from sliding_quantities.columns(losses.pairs)
 
 

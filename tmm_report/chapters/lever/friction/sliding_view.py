@@ -69,7 +69,7 @@ class SlidingView(BookView):
         return self.by_positions(caption, "friction_table", keys)
 
     def _velocity(self, loss: PairLoss) -> str:
-        return (own.sliding(loss.pair) if loss.pair.kind == "R" else q.rate(loss.pair)).key
+        return (own.sliding(loss.pair) if loss.pair.kind == "R" else q.rate(loss)).key
 
     def _at_velocity(self, loss: PairLoss) -> str:
         return own.coefficient(loss.pair, [one.pair for one in self.found.table.pairs]).key
@@ -87,7 +87,7 @@ class SlidingView(BookView):
         lost = self.table("friction_table")
         if loss.pair.kind == "R":
             half = self.table("friction_given").var("d", row) / 2
-            rate = lost.var(q.rate(loss.pair).key, k)
+            rate = lost.var(q.rate(loss).key, k)
             yield lost.formula(self._velocity(loss), k, rate * half, scale=float(loss.sliding.max()))
         speed = lost.var(self._velocity(loss), k)
         expression = self._curve(law, speed) if isinstance(law, Stribeck) else self._line(law, speed)

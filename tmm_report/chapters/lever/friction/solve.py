@@ -16,10 +16,13 @@ import numpy as np
 
 from tmm_report.chapters.lever.friction import corrected
 from tmm_report.chapters.lever.friction.given import Friction, Rubbing
+from tmm_report.chapters.lever.friction.rubbed import contact_of, rubbing_of, sliding_pairs
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics, Over, cut_at
 from tmm_report.mechanics.calculus.panels import Panels
 from tmm_report.mechanics.calculus.vectors import cross
-from tmm_report.mechanics.lever.assur_groups import Pair
+from tmm_report.mechanics.lever.assur_groups import Pair, Structure
+from tmm_report.mechanics.lever.cams.rubbing import Contact, contacts, normal_force
+from tmm_report.mechanics.lever.cams.rubbing import rate as rate_of_contact
 from tmm_report.mechanics.lever.extremes import refined
 from tmm_report.mechanics.lever.forces.reactions import Reaction, Statics
 from tmm_report.mechanics.lever.forces.reactions_with_friction import pressing, relative_rate
@@ -49,6 +52,7 @@ class PairLoss:
     coefficient: Array
     sliding: Array
     couple: Array | None = None
+    contact: Contact | None = None  # of a cam pair
 
 
 @dataclass(frozen=True, eq=False)
@@ -169,13 +173,16 @@ def _whole(given: Friction, kinetostatics: Kinetostatics) -> Whole | None:
     over = kinetostatics.over
     if over is None:
         return None
-    rates = [relative_rate(over.motion, pair) for pair in sliding_pairs(over.motion)]
+    rates = [relative_rate(over.motion, pair) for pair in sliding_pairs(_structure(over.motion))]
     known = [over.on(rate) for rate in rates if np.any(rate)]
     reactions = over.statics.reactions.values()
     least = NOTHING * max(np.abs(one.force).max() for one in reactions)
     faces = (over.on(of) for reaction in reactions for of in _faces(given, reaction))
     # what is rounding passes through zero wherever it likes
     known += [np.where(np.abs(of) > least, of, 0.0) for of in faces]
+    known += [
+        over.on(normal_force(one, over.motion, over.statics)) for one in contacts(_structure(over.motion))
+    ]
     known += [over.on(of) for of in _resolving(given, over.motion)]
     drives = over.balancing if over.statics.driving is None else over.on(over.statics.driving)
     kinks = np.concatenate(over.panels.roots_of(np.stack([*known, drives])))
@@ -208,27 +215,14 @@ def _corrected(
 ) -> corrected.Correction:
     first, between = (table.total, diagram.total), _between(given, kinetostatics, whole)
     panels = whole[0].panels if whole is not None else None
-    return corrected.solve(lambda pair: rubbing_of(given, pair), kinetostatics, first, panels, between)
+    return corrected.solve(given, kinetostatics, first, panels, between)
 
 
 def _between(given: Friction, forces: Kinetostatics, whole: Whole | None) -> corrected.Corrected | None:
     """With friction in the reactions over the whole cycle; None where it is not known."""
     if whole is None:
         return None
-    return corrected.between(lambda pair: rubbing_of(given, pair), forces, whole[0], whole[1].total)
-
-
-def rubbing_of(given: Friction, pair: Pair) -> Rubbing | None:
-    """Friction of a pair: its own, else that of all pivots or guides; None where nothing is stated, and of teeth and of
-    what rolls."""
-    if pair.kind == "H" or pair.name in given.rails:
-        return None
-    return given.joints.get(pair.name) or (given.pivots if pair.kind == "R" else given.guides)
-
-
-def sliding_pairs(motion: Motion) -> list[Pair]:
-    """The lower pairs: teeth are taken without friction."""
-    return [pair for pair in motion.linkage.structure.pairs if pair.kind != "H"]
+    return corrected.between(given, forces, whole[0], whole[1].total)
 
 
 def _apart(panels: Panels, kinks: Array) -> Array:
@@ -268,8 +262,10 @@ def _resolving(given: Friction, motion: Motion) -> Iterator[Array]:
 
 def _losses(given: Friction, motion: Motion, statics: Statics) -> Losses:
     losses = []
+    structure = _structure(motion)
+    rubs = {pair.key for pair in sliding_pairs(structure)}
     for reaction in statics.reactions.values():
-        rubbing = rubbing_of(given, reaction.pair)
+        rubbing = rubbing_of(given, reaction.pair) if reaction.pair.key in rubs else None
         if rubbing is not None:
             size = np.abs(_wide(reaction.force, motion.shape))
             presses = _wide(pressing(reaction, rubbing.half), motion.shape)
@@ -283,8 +279,9 @@ def _losses(given: Friction, motion: Motion, statics: Statics) -> Losses:
             losses.append(
                 PairLoss(reaction.pair, rubbing, size, rate, power, presses, every, sliding, couple)
             )
-    order = [pair.key for pair in motion.linkage.structure.pairs]
+    order = [pair.key for pair in structure.pairs]
     losses.sort(key=lambda loss: order.index(loss.pair.key))
+    losses += _contact_losses(given, motion, statics)
     stroke = motion.linkage.mechanism.driver.stroke
     if stroke is None:
         omega = float(motion.omega)
@@ -292,6 +289,26 @@ def _losses(given: Friction, motion: Motion, statics: Statics) -> Losses:
     speed = stroke.law.of_phase(motion.phase)[1]
     phase = float(motion.linkage.mechanism.driver.omega)
     return Losses(tuple(losses), np.abs(_wide(statics.driving * speed, motion.shape)), phase, speed)
+
+
+def _contact_losses(given: Friction, motion: Motion, statics: Statics) -> list[PairLoss]:
+    """Those of the cam pairs."""
+    losses = []
+    for contact in contacts(_structure(motion)):
+        if (rubbing := contact_of(given, contact)) is None:
+            continue
+        rate, arm = rate_of_contact(contact, motion), rubbing.arm(contact.pair.kind)
+        size = np.abs(normal_force(contact, motion, statics))
+        coefficient = np.broadcast_to(rubbing.at(arm * rate), motion.shape)
+        power = coefficient * size * arm * rate
+        losses.append(
+            PairLoss(contact.pair, rubbing, size, rate, power, size, coefficient, arm * rate, contact=contact)
+        )
+    return losses
+
+
+def _structure(motion: Motion) -> Structure:
+    return motion.linkage.structure
 
 
 def _wide(x: Array, shape: tuple[int, ...]) -> Array:

@@ -64,6 +64,18 @@ class FrictionView(SlidingView):
         self.toothed = any(not mesh.rolls for mesh in meshes)
         self.rolling = any(mesh.rolls for mesh in meshes)
 
+    @property
+    def rollers(self) -> Markup | None:
+        """The links that stand for rollers which rub on their pins; None where there are none."""
+        own = [one.contact for one in self.found.table.pairs]
+        names = [one.cam.name for one in own if one is not None and one.rolls]
+        return self.page.listed(names) if names else None
+
+    @property
+    def faces(self) -> bool:
+        """Whether an edge or a flat face rubs on its cam."""
+        return any(one.contact and not one.contact.rolls for one in self.found.table.pairs)
+
     def conclusions(self) -> list[Markup]:
         return [self.means()]
 
@@ -202,7 +214,7 @@ class FrictionView(SlidingView):
                 else Var("d", 0.0, "m", ref=stated.ref("d", row))
             )
             friction = friction * (arm / 2)
-        rate = self.lost.var(q.rate(pair).key, k)
+        rate = self.lost.var(q.rate(loss).key, k)
         return self.lost.formula(q.lost(pair, self.pairs).key, k, friction * rate)
 
     @property

@@ -23,6 +23,10 @@ RELATIVE = N_(
     "The difference of the rates of the two links: in a pivot of their angular velocities, in a "
     "guide of their velocities."
 )
+TOUCHES = N_(
+    "The velocity of the cam's surface at the contact less that of the follower, across the common normal; of a "
+    "roller by its radius, less how the follower turns."
+)
 SLIDES = N_("The relative angular velocity of the links times the radius of the journal.")
 BY_LAW = N_("The stated law of the coefficient at the velocity of sliding of the position.")
 MEAN = N_(
@@ -60,10 +64,11 @@ WAYS = (
     Way("friction_table.f_*", BY_LAW, of="v_sl_{0} v_rel_{0} friction_stribeck.f_s friction_points.f"),
     Way("E_fr", WORK, of="P_fr_mean"),
     Way("friction_table.P_fr", by=summed("P_fr_")),
-    Way("friction_table.P_fr_*", PAIR, of="R_{0} N_{0} v_rel_{0} w_rel_{0}"),
+    Way("friction_table.P_fr_*", PAIR, of="R_{0} N_{0} v_rel_{0} w_rel_{0} w_roll_* v_touch_*"),
     Way("friction_table.M_*", TILTING, of="R_{0} N_{0}"),
     Way("friction_table.N_*", PRESSED, by=_pressed, of="R_{0} M_{0}"),
     Way("friction_table.R_*", PRESSING, of="P_fr_{0}"),
+    Way("friction_table.w_roll_* friction_table.v_touch_*", TOUCHES, of="phi omega"),
     Way("friction_table.v_rel_* friction_table.w_rel_*", RELATIVE, of="rates_table.w_* phi"),
     Way("friction_corrected_*.* friction_reactions_*.*", NEWTON, of="M_first M_bal_fr phi R_*"),
     Way("P_fr_mean", MEAN, of="P_bal_mean eta_mean"),

@@ -14,6 +14,7 @@ import numpy as np
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
 from tmm_report.mechanics.calculus.panels import panels
 from tmm_report.mechanics.calculus.vectors import cross
+from tmm_report.mechanics.lever.cams.replacing_dyad import CamDyad
 from tmm_report.mechanics.lever.cycle import Extreme, least_and_greatest
 from tmm_report.mechanics.lever.dyads import Dyad
 from tmm_report.mechanics.lever.extremes import peaks
@@ -33,7 +34,9 @@ class Found:
 
 
 def solve(kinematics: Kinematics, permitted: float) -> Found:
-    dyads = (one for one in kinematics.linkage.groups if isinstance(one, Dyad) and one.kind in (1, 2))
+    """The dyad of a cam's follower is none: its link is another in every position, and its angle the pressure angle."""
+    own = (one for one in kinematics.linkage.groups if isinstance(one, Dyad) and not isinstance(one, CamDyad))
+    dyads = (one for one in own if one.kind in (1, 2))
     return Found(permitted, kinematics, tuple(dyads))
 
 

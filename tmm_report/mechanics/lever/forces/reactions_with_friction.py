@@ -38,13 +38,15 @@ class Rub:
     """What rubs in a pair. `coefficient`: one, or at every position; `radius`: of the journal, m; `half`: half the
     length of the slider, m, None where it is not stated: its moment then presses nothing. `sense`: of the motion of
     `pair.links[1]` relative to `pair.links[0]` (turning, or sliding along the guide), +1, −1, and 0 at a stop,
-    (..., P)."""
+    (..., P). `loads`: what 1 N of pressing does to the links, by their names, where it is not the friction of a lower
+    pair: of a cam and its follower."""
 
     pair: Pair
     coefficient: Array
     sense: Array
     radius: float = 0.0
     half: float | None = None
+    loads: Mapping[str, Load] | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -163,6 +165,8 @@ def _intensity(rub: Rub) -> Array:
 
 def _unit(s: State, rub: Rub, shape: tuple[int, ...]) -> dict[str, Load]:
     """Friction of 1 N of pressing, on both links of a pair, about their reference points."""
+    if rub.loads is not None:
+        return dict(rub.loads)
     pair, size = rub.pair, _intensity(rub) * np.ones(shape)
     if pair.kind == "R":
         return {link: Load(0j, sign * size) for sign, link in zip((-1, 1), pair.links, strict=True)}

@@ -15,7 +15,6 @@ from tmm_report.chapters.lever.structure.block.checks import (
     Names,
     check,
     driven_by_stroke,
-    has_cams,
     names,
     no_link,
     no_point,
@@ -37,7 +36,7 @@ from tmm_report.variant.model import Read
 
 __all__ = [
     "ASKED", "FRAME", "Block", "Given", "Names", "belongs", "doubts", "driven_by_stroke", "driver", "given",
-    "has_cams", "in_vain", "mistakes", "names", "no_link", "no_point", "of_friction", "rails", "stated", "swept",
+    "in_vain", "mistakes", "names", "no_link", "no_point", "of_friction", "rails", "rollers", "stated", "swept",
     "without",
 ]  # fmt: skip
 
@@ -51,6 +50,12 @@ class Block(model.Block):
     )
 
     mechanism: MechanismModel = Field(default_factory=MechanismModel)
+
+
+def rollers(read: Read) -> dict[str, float | None]:
+    """The cam pairs of a file, each with the radius of its roller, m; None of an edge or a flat face."""
+    cams = read.block(Block).mechanism.cams
+    return {name: (cam.roller.radius or None) if cam.roller else None for name, cam in cams.items()}
 
 
 def driver(read: Read) -> Driver | None:

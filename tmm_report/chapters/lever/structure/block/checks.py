@@ -79,11 +79,6 @@ def stated(read: Read) -> bool:
     return "mechanism" in read.data or not read.alone
 
 
-def has_cams(read: Read) -> bool:
-    """Whether the file states cam pairs."""
-    return bool(_mapping(read.data.get("mechanism")).get("cams"))
-
-
 def rails(read: Read) -> dict[str, str]:
     """Guides that stand for a rail on which a wheel rolls -> that wheel: they bear what the rail does, and nothing
     slides."""
