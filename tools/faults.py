@@ -255,7 +255,7 @@ FAULTS = (
     Fault("a rocker's curve in radians", KIN + "view/diagrams.py",
           "np.degrees(1) if rocker else 1.0, 1.0", "1.0 if rocker else 1.0, 1.0"),
     Fault("the scale of a diagram upside down", "tmm_report/report/diagrams.py",
-          "scale_of(name, panel.y_scale, unit)", "scale_of(name, 1 / panel.y_scale, unit)"),
+          'scale_of(f"mu_{name}", value, unit)', 'scale_of(f"mu_{name}", 1 / value, unit)'),
     Fault("the losses' diagram for the efficiency's", FRICTION + "view.py",
           '("P_fr", "eta"), numbered', '("P_drive", "eta"), numbered'),
     Fault("radii of a mesh lettered with diameters", SPUR + "draw/sheet.py", "float(diameters[i]) / 2 * 1e3",

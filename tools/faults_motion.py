@@ -321,7 +321,7 @@ FAULTS = (
           "numbered = over.at(of.varying, found.sides.turned) +",
           "numbered = over.at(of.varying, found.sides.turned + 0.1) +", "punch_press"),
     Fault("the scale of the work printed for every panel", "tmm_report/report/diagrams.py",
-          "scale_of(name, panel.y_scale, unit)", "scale_of(name, drawn.panels[-1].y_scale, unit)",
+          "one.value, per_mm(one.unit))", "drawn.scales[-1].value, per_mm(one.unit))",
           "punch_press"),
     Fault("the flywheel drawn twice as large", FLYWHEEL + "sketch.py",
           "yield Circle(0j, outer / 2)", "yield Circle(0j, outer)", "punch_press"),

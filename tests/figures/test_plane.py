@@ -11,6 +11,8 @@ from hypothesis import strategies as st
 
 from tmm_report.figures.charts.plane import FIELD, Frame, Spot, Trace, framed, plane
 from tmm_report.figures.drawing import Path, Text, svg, tikz
+from tmm_report.figures.lettering import Label
+from tmm_report.quantity.symbols import Symbol
 
 TURN = np.exp(1j * np.linspace(0, 2 * np.pi, 41)[:-1])
 
@@ -41,6 +43,13 @@ def test_vectors_keep_their_angles():
 def test_stated_scales_are_those_of_the_paper():
     frame = framed([TURN], scales=(0.02, 0.05))
     assert frame.at(1 + 1j) - frame.at(0j) == pytest.approx(50 + 20j)
+
+
+def test_a_picture_tells_the_scales_of_the_axes_that_know_what_they_are():
+    x, y = (Label.made((letter,), Symbol(letter), unit) for letter, unit in (("J", "kg·m²"), ("T", "J")))
+    told = plane(framed([TURN], scales=(0.02, 0.05)), [Trace(TURN)], x, y, num).scales
+    assert [(one.of.base, one.value, one.unit) for one in told] == [("J", 0.02, "kg·m²"), ("T", 0.05, "J")]
+    assert plane(framed([TURN]), [Trace(TURN)], ("x",), ("y",), num).scales == ()
 
 
 def test_a_curve_is_drawn_through_its_places_and_closes():

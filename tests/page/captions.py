@@ -5,12 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from curves import is_graph
 from note import Note, formulas_of, text_of
 
 
 def figures(note: Note, symbol: str) -> Iterator[tuple[str, str, float]]:
-    """Anchor, caption and scale of the figures that state this scale."""
+    """Anchor, caption and scale of the figures, but for diagrams, that state this scale."""
     for figure in note.root.iter("figure"):
+        if is_graph(note.drawings[figure.get("id") or ""]):
+            continue
         caption = figure.find("figcaption")
         assert caption is not None
         for math in caption.iter("math"):

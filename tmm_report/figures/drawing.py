@@ -13,7 +13,7 @@ from itertools import chain
 
 import numpy as np
 
-from tmm_report.figures.lettering import Parts, xml_text
+from tmm_report.figures.lettering import Parts, Scale, xml_text
 from tmm_report.figures.placing import Tag, placed
 from tmm_report.figures.primitives import (
     AXIS,
@@ -81,6 +81,7 @@ class Drawing:
     items: tuple[Item, ...]
     title: str = ""
     margin: float = field(default=1.0, kw_only=True)
+    scales: tuple[Scale, ...] = field(default=(), kw_only=True)  # of its axes, where it has some
 
     @cached_property
     def box(self) -> Box:

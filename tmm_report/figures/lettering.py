@@ -29,6 +29,34 @@ class Symbol:
 Part = Symbol | str  # a plain str is set upright
 Parts = tuple[Part, ...]
 
+
+class Label(tuple[Part, ...]):
+    """Parts that name an axis and know of what and in what unit they are: so the axis can tell its scale."""
+
+    of: symbols.Symbol
+    unit: str
+
+    @classmethod
+    def made(cls, parts: Parts, of: symbols.Symbol, unit: str) -> Label:
+        label = cls(parts)
+        label.of, label.unit = of, unit
+        return label
+
+
+@dataclass(frozen=True)
+class Scale:
+    """What a millimetre along an axis of a quantity stands for: `value` <unit>/mm."""
+
+    of: symbols.Symbol
+    value: float
+    unit: str
+
+
+def scales_along(axes: Sequence[tuple[Parts, float]]) -> tuple[Scale, ...]:
+    """Of the axes whose labels know what they are, by what 1 mm along each stands for."""
+    return tuple(Scale(name.of, value, name.unit) for name, value in axes if isinstance(name, Label))
+
+
 SMALL = 0.72  # height of an index against its base
 DROP, RAISE = 0.22, 0.36  # how far an index stands below and above, in sizes of the base
 

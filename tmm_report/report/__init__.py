@@ -72,7 +72,7 @@ def _conclusions(parts: Sequence[Part]) -> list[Markup]:
 
 def _given(title: Title, page: Page) -> dict[str, Any]:
     """What every template sees beside the macros `m`."""
-    functions = ("t", "math", "sym", "value", "num", "unit", "listed")
+    functions = ("t", "count", "math", "sym", "value", "num", "unit", "listed")
     return {"title": title, "page": page, **{name: getattr(page, name) for name in functions}}
 
 

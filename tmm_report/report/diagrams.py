@@ -11,7 +11,8 @@ import numpy as np
 
 from tmm_report.figures.charts.axes import angle_axis, round_ticks
 from tmm_report.figures.charts.graphs import Curve, Graph, Letters, graph
-from tmm_report.figures.lettering import Parts, lettered
+from tmm_report.figures.drawing import Drawing
+from tmm_report.figures.lettering import Label, Parts, lettered
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.lever.cycle import Extreme
 from tmm_report.quantity.formula import Var
@@ -44,7 +45,7 @@ class CycleGraphs:
         degrees = np.degrees(self.turned)
         extent = float(degrees[-1] - degrees[0])
         wide = angle_axis(extent)
-        angle = (*letter(self.along, self.tr), f", {unit_text('deg', self.tr.language)}")
+        angle = self.letter(self.along, "deg")
         return graph(
             curves, degrees, angle, labels,
             wide=wide, step=_step(APART * extent / wide),
@@ -59,19 +60,38 @@ class CycleGraphs:
         """The symbol of a quantity and its unit of print."""
         return self.letter(quantity.sign, quantity.printed)
 
-    def letter(self, symbol: Symbol, unit: str = "") -> Parts:
+    def letter(self, symbol: Symbol, unit: str = "") -> Label:
         """A symbol as it is drawn, and its unit."""
-        return (*letter(symbol, self.tr), *((f", {unit_text(unit, self.tr.language)}",) if unit else ()))
+        return named(symbol, unit, self.tr)
 
-    def scales(self, drawn: Graph, names: Sequence[tuple[str, str]]) -> list[Var]:
-        """What 1 mm along the axis of the angle, in degrees and in radians, and along the axis of each panel stands
-        for."""
-        across = drawn.panels[0].x_scale
-        name = f"mu_{self.along.base}"
-        found = [scale_of(name, across, "°/mm"), scale_of(name, math.radians(across), "rad/mm")]
-        for (name, unit), panel in zip(names, drawn.panels, strict=True):
-            found.append(scale_of(name, panel.y_scale, unit))
-        return found
+
+def named(symbol: Symbol, unit: str, tr: Translator) -> Label:
+    """A symbol with its unit, for an axis."""
+    parts = (*letter(symbol, tr), *((f", {unit_text(unit, tr.language)}",) if unit else ()))
+    return Label.made(parts, symbol, unit)
+
+
+def scales(drawn: Graph | Drawing) -> list[Var]:
+    """What 1 mm along each axis of a picture stands for: axes of one letter and one scale are told once, those of one
+    letter and several scales by the indices of what they show."""
+    of_letter: dict[str, set[tuple[float, str]]] = {}
+    for one in drawn.scales:
+        of_letter.setdefault(one.of.base, set()).add((one.value, one.unit))
+    found = [
+        (one.of.base if len(of_letter[one.of.base]) == 1 else _whole(one.of), one.value, per_mm(one.unit))
+        for one in drawn.scales
+    ]
+    return [scale_of(f"mu_{name}", value, unit) for name, value, unit in dict.fromkeys(found)]
+
+
+def _whole(symbol: Symbol) -> str:
+    return f"{symbol.base}{symbol.sub}{symbol.sup}"
+
+
+def per_mm(unit: str) -> str:
+    """The unit of a scale: m/mm, (m/s)/mm, °/mm."""
+    unit = unit.replace("deg", "°") or "1"
+    return f"({unit})/mm" if "/" in unit else f"{unit}/mm"
 
 
 def letter(symbol: Symbol | str, tr: Translator) -> Parts:

@@ -28,6 +28,7 @@ from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol, math_symbol, xml_escape
 from tmm_report.quantity.text import column, number, short_and_full, unit_text
 from tmm_report.quantity.written import Equation, explained
+from tmm_report.report import diagrams
 from tmm_report.report.bytecode import bytecode_cache
 from tmm_report.report.formats import Format
 from tmm_report.report.numbering import Numbering
@@ -64,6 +65,7 @@ class _Environment(Environment):
     code_generator_class = _Once
 
 
+BEHIND = "\N{NULL}"  # begins what belongs to the sentence before; in no text
 TRIMMED = True  # blocks take their line's blanks and end with them
 
 
@@ -129,6 +131,10 @@ class Page:
     def t(self, message: str, **values: Any) -> Markup:
         """A message translated and escaped, with values put in for %(name)s; of these, too, only Markup is trusted."""
         return self._filled(self.tr.gettext(message), values)
+
+    def count(self, one: str, many: str, count: int, **values: Any) -> Markup:
+        """A message that depends on a number, in the form that the number asks for."""
+        return self._filled(self.tr.ngettext(one, many, count), values)
 
     def explained(self, name: str, of: Value | Column, unit: str = "") -> dict[str, Any]:
         """What a "where" list says of a quantity; `name`: by which it knows what was explained before."""
@@ -196,11 +202,34 @@ class Page:
     def references(self) -> list[Markup]:
         return [self.t(SOURCES[name]) for name in self.cited]
 
+    def behind(self, cited: Markup) -> Markup:
+        """Sources that a paragraph names within the sentence before, in front of its stop."""
+        return Markup(f"{BEHIND}{cited}")
+
+    def paragraph(self, parts: Iterable[Any]) -> Markup:
+        """Sentences one after another, with the sources behind what they are cited for."""
+        texts = [text for text in map(self.text, parts) if text]
+        if len(texts) > 1 and texts[0].startswith(BEHIND):  # cited for what follows
+            texts[:2] = texts[1::-1]
+        said: list[str] = []
+        for text in texts:
+            if text.startswith(BEHIND) and said:
+                before = said.pop()
+                stop = before[-1:] if before[-1:] in (".", ":") else ""
+                text = Markup(f"{before.removesuffix(stop)} {text.removeprefix(BEHIND)}{stop}")
+            said.append(text.removeprefix(BEHIND))
+        return Markup(" ".join(said))
+
     # ------------------------------------------------------------ mathematics
 
     def percent(self, picture: Drawing | Graph) -> int:
         """To how many per cent a picture is reduced that no sheet holds; 100: it is not."""
         return percent(picture.size)
+
+    def scales(self, picture: Drawing | Graph) -> Markup:
+        """What goes on a caption: what 1 mm along the axes of the picture stands for."""
+        found = diagrams.scales(picture)
+        return self.listed(["; ", self.values(found)], "") if found else Markup("")
 
     def math(self, item: Any, display: bool = False) -> Markup:
         return self.form.math(item, self.tr, display)

@@ -6,13 +6,14 @@ import math
 import re
 from collections.abc import Iterator
 from typing import Any
+from xml.etree.ElementTree import Element
 
 import numpy as np
 import pytest
 from curves import Curve, curves, is_graph
 from note import Note, text_of
 from pages import table_of
-from printed import number, unit
+from printed import Printed, number, unit
 from reading import CHOSEN, LEVERS, html, in_both, results, wrong
 
 CLOSE = 2e-4  # of the height of a curve: figures of four digits beside the ticks
@@ -28,21 +29,6 @@ OTHERS = {
     "mпр": ("reduced_mass", "m_red"), "mred": ("reduced_mass", "m_red"),
     "Fпр": ("reduced_force", "F_red"), "Fred": ("reduced_force", "F_red"),
 }  # fmt: skip
-SCALES = {
-    "mu_S": "S",
-    "mu_V": "V",
-    "mu_a": "a",
-    "mu_psi": "ψ",
-    "mu_omega": "ω",
-    "mu_epsilon": "ε",
-    "mu_S′": "S′",
-    "mu_S′′": "S′′",
-    "mu_psi′": "ψ′",
-    "mu_psi′′": "ψ′′",
-    "mu_M": "M",
-}
-
-
 OWN = (
     "Исходные данные", "Initial data", "Кинематический анализ", "Силовой", "Потери на трение", "Приведение",
     "Kinematic analysis", "Kinetostatic analysis", "Friction losses", "Reduction",
@@ -65,7 +51,7 @@ def graphs(note: Note, own: bool = False) -> Iterator[tuple[str, list[Curve]]]:
         svg = note.drawings[figure.get("id") or ""]
         caption = figure.find("figcaption")
         if is_graph(svg) and caption is not None:
-            yield text_of(caption), curves(svg)
+            yield text_of(caption).split("; μ")[0], curves(svg)  # without the scales
 
 
 def column(curve: Curve, caption: str, document: dict[str, Any]) -> tuple[str, str]:
@@ -170,31 +156,34 @@ def rockers(document: dict[str, Any]) -> list[str]:
 @pytest.mark.exhaustive
 @pytest.mark.parametrize(("name", "language"), in_both(LEVERS))
 def test_printed_scales_are_those_of_the_axes(name, language):
-    """What 1 mm of a diagram stands for, each letter's in the order of the diagrams."""
-    note, found = html(name, language), []
-    drawn = [curve for _, panels in graphs(note) for curve in panels]
-    stated: dict[str, list[tuple[float, float]]] = {}
-    for node in note.root.iter():
-        printed = number(text_of(node)) if node.get("data-t") == "picture" else None
-        if printed is not None:
-            stated.setdefault(node.get("data-q", ""), []).append((printed.value, printed.half))
-    for key, letter in SCALES.items():
-        scales = [curve.axis.scale for curve in drawn if bare(curve.axis.letter) == letter]
-        for (value, half), scale in zip(stated.get(key, []), scales, strict=False):
-            if abs(value - scale) > half + CLOSE * scale:
-                found.append(f"{key} is printed as {value}, the axis has {scale:.5g}")
-        if len(stated.get(key, [])) > len(scales):
-            found.append(f"{key} is printed {len(stated[key])} times, drawn {len(scales)} times")
-    across = {scale for curve in drawn for scale in (curve.across, math.radians(curve.across))}
-    for value, half in stated.get("mu_phi", []):
-        if not any(abs(value - scale) <= half + CLOSE * scale for scale in across):
-            found.append(f"no axis of angles has the scale {value}")
-    wrong(found if stated else ["no scales"])
+    """Under each diagram, what 1 mm along each of its axes stands for."""
+    note, found, seen = html(name, language), [], 0
+    for figure in note.root.iter("figure"):
+        svg, caption = note.drawings[figure.get("id") or ""], figure.find("figcaption")
+        if not is_graph(svg) or caption is None or not (drawn := curves(svg)):
+            continue
+        stated = [one for one in map(printed_scale, caption.iter()) if one]
+        seen += len(stated)
+        axes = [*(curve.axis.scale for curve in drawn), drawn[0].across]
+        found += [
+            f"{text_of(caption)}: no axis has the scale {one.value}"
+            for one in stated
+            if not any(near(one, scale) for scale in axes)
+        ]
+        found += [
+            f"{text_of(caption)}: the scale {scale:.5g} of an axis is not under it"
+            for scale in axes
+            if stated and not any(near(one, scale) for one in stated)
+        ]
+    wrong(found if seen else ["no scales"])
 
 
-def bare(letter: str) -> str:
-    """Without the index of the balancing moment; other moments have no printed scale."""
-    return "M" if letter in ("Mур", "Mbal") else letter
+def printed_scale(node: Element) -> Printed | None:
+    return number(text_of(node)) if node.get("data-t") == "picture" else None
+
+
+def near(printed: Printed, scale: float) -> bool:
+    return abs(printed.value - scale) <= printed.half + CLOSE * scale
 
 
 def sliding(document: dict[str, Any], wheels: list[str]) -> dict[str, np.ndarray]:

@@ -32,7 +32,7 @@ from tmm_report.figures.charts.axes import (
 )
 from tmm_report.figures.charts.sheet import LOOKS, Look
 from tmm_report.figures.drawing import Drawing
-from tmm_report.figures.lettering import Parts, width
+from tmm_report.figures.lettering import Parts, Scale, scales_along, width
 from tmm_report.quantity.text import ZERO
 from tmm_report.records import dataclass
 
@@ -105,6 +105,12 @@ class Graph:
         """The curves of a panel and how each is drawn."""
         curves = [curve for curve in self.curves if curve.panel == number]
         return list(zip(curves, cycle(LOOKS), strict=False))
+
+    @property
+    def scales(self) -> tuple[Scale, ...]:
+        """What 1 mm along the axis of x and along that of each panel stands for."""
+        of_values = zip(self.ylabels, (panel.y_scale for panel in self.panels), strict=True)
+        return scales_along([(self.xlabel, self.panels[0].x_scale), *of_values])
 
     @cached_property
     def drawing(self) -> Drawing:

@@ -29,7 +29,7 @@ from tmm_report.figures.drawing import (
     polygon,
     polyline,
 )
-from tmm_report.figures.lettering import Parts, width
+from tmm_report.figures.lettering import Parts, scales_along, width
 from tmm_report.quantity.paper import round_scale
 from tmm_report.records import dataclass
 
@@ -159,7 +159,8 @@ def plane(
         frame, [(trace.name, pen) for trace, pen in zip(traces, pens, strict=True) if trace.name]
     )
     letters = [Tag(spot.text, (frame.at(spot.at),), colour=spot.colour) for spot in spots if spot.text]
-    return Drawing(tuple(items), title).labelled([*letters, *tags])
+    scales = scales_along([(xlabel, frame.x_scale), (ylabel, frame.y_scale)])
+    return Drawing(tuple(items), title, scales=scales).labelled([*letters, *tags])
 
 
 def _filled(frame: Frame, traces: Sequence[Trace]) -> Iterator[Path]:

@@ -35,6 +35,11 @@ class Star:
     analytic: float
 
     @property
+    def label(self) -> str:
+        """What its figure is referred to by."""
+        return f"{self.of}{self.order}"
+
+    @property
     def direct_length(self) -> float:
         return abs(self.direct.closing)
 

@@ -201,12 +201,6 @@ class FlywheelView(ChapterView):
         moments = ("M_dr", "M_res") if "M_dr" in self._drawn else ("M_ex",)
         return self._panels(moments, ("A",), ("J_II",), ("dT_I",))
 
-    def scales(self) -> Markup:
-        """What a millimetre along the axes stands for."""
-        of = [self._drawn[key].quantity for key in ("M_ex", "A", "J_II", "dT_I") if key in self._drawn]
-        rows = [(f"mu_{one.sign.base.removeprefix('Delta')}", f"{one.unit}/mm") for one in of]
-        return self.page.values(self._graphs.scales(self.diagram, rows))
-
     @cached_property
     def speed_diagram(self) -> Graph:
         return self._panels(("omega_0", "omega"), ("domega",))

@@ -20,8 +20,9 @@ from tmm_report.figures.drawing import (
     dot,
     line,
 )
-from tmm_report.figures.lettering import symbol
+from tmm_report.figures.lettering import Scale, symbol
 from tmm_report.figures.schemes.marks import turning
+from tmm_report.quantity.symbols import Symbol
 
 WIDE, TALL = 130.0, 60.0  # mm of both pulleys together
 OUT = 5.0  # of a dimension line from what it measures
@@ -58,7 +59,7 @@ def belt(found: Found, title: str) -> Drawing:
         Tag((symbol(f"α_{names[0]}"),), (-0.75 * one + 0j,), prefer=-1j),
         Tag((symbol(f"α_{names[-1]}"),), (complex(far + 0.75 * two, 0),), prefer=-1j),
     ]
-    return Drawing(tuple(items), title).labelled(tags)
+    return Drawing(tuple(items), title, scales=(Scale(Symbol("l"), 1 / mm, "m"),)).labelled(tags)
 
 
 def _strands(found: Found, one: float, two: float, far: float) -> list[Item]:

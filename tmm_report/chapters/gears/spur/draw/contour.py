@@ -25,8 +25,9 @@ from tmm_report.figures.drawing import (
     polygon,
     polyline,
 )
-from tmm_report.figures.lettering import Parts, Symbol, width
+from tmm_report.figures.lettering import Parts, Scale, Symbol, width
 from tmm_report.mechanics.gears.limits.blocking_contour import Line, Window
+from tmm_report.quantity.symbols import Symbol as Quantity
 from tmm_report.records import dataclass
 
 Array = Any
@@ -92,7 +93,8 @@ def contour(found: Contour, names: tuple[str, str], num: Num, title: str = "") -
             tags.append(_tag(drawn, max(long, key=_length), plane.corner, names, num))
     items += [polyline(map(complex, piece), THICK) for piece in pieces_of(found, plane)]
     marks, letters = _points(found, plane)
-    return Drawing((*items, *marks), title).labelled([*letters, *tags])
+    scales = (Scale(Quantity("x"), 1 / plane.scale, ""),)
+    return Drawing((*items, *marks), title, scales=scales).labelled([*letters, *tags])
 
 
 def pieces_of(found: Contour, plane: Plane) -> list[Array]:

@@ -21,7 +21,8 @@ from tmm_report.figures.drawing import (
     line,
     polygon,
 )
-from tmm_report.figures.lettering import Symbol
+from tmm_report.figures.lettering import Scale, Symbol
+from tmm_report.quantity.symbols import Symbol as Quantity
 
 WIDE, TALL, APART = 110.0, 6.0, 4.0  # mm: length of the active part, height of a bar, room between two bars
 BEYOND = 22.0  # mm: how much is seen of the pairs before and after
@@ -45,7 +46,7 @@ def zones(mesh: Mesh, num: Callable[[float], str], words: Callable[[int], str], 
         items.append(line(complex(at, low if name == "P" else low - 5), complex(at, TALL + 2), THIN))
     items += [Text(complex(at, TALL + 4.5), (Symbol(name),), align=0) for name, at in x.items()]
     items += _intervals(pitch, low - 5, k, num, words)
-    return Drawing(tuple(items), title)
+    return Drawing(tuple(items), title, scales=(Scale(Quantity("l"), 1 / k, "m"),))
 
 
 def _marks(places: Mapping[str, float]) -> dict[str, float]:

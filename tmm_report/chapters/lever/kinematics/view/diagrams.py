@@ -17,22 +17,10 @@ from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.lever.cycle_search import FULL_TURN
 from tmm_report.mechanics.lever.motion import Motion
-from tmm_report.quantity.formula import Var
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.diagrams import CycleGraphs, points
 
 Array = Any
-
-SCALES = {
-    "slider": (("mu_S", "m/mm"), ("mu_V", "(m/s)/mm"), ("mu_a", "(m/s²)/mm")),
-    "rocker": (("mu_psi", "°/mm"), ("mu_omega", "(rad/s)/mm"), ("mu_epsilon", "(rad/s²)/mm")),
-}
-
-
-ANALOGUES = {
-    "slider": (("mu_S′", "m/mm"), ("mu_S′′", "m/mm")),
-    "rocker": (("mu_psi′", "1/mm"), ("mu_psi′′", "1/mm")),
-}
 
 
 class Diagrams:
@@ -121,12 +109,6 @@ class Diagrams:
         names = self.found.linkage.mechanism.point_names
         speeds = [np.nanmax(np.abs(motion.velocity(point)), initial=0.0) for point in names]
         return float(max(speeds) / abs(self.found.omega))
-
-    def scales(self, travel: Travel) -> list[Var]:
-        return self.graphs.scales(self.travel(travel), SCALES[travel.output.kind])
-
-    def analogue_scales(self, travel: Travel) -> list[Var]:
-        return self.graphs.scales(self.analogues(travel), ANALOGUES[travel.output.kind])
 
 
 def _in_unit_motion(of: Of) -> Of:

@@ -44,15 +44,15 @@ class CurvesView:
     def hodographs(self) -> list[Hodograph]:
         return hodographs(self.found, self.at, self.graphs, self.page.num)
 
-    def sheets(self) -> list[Drawing]:
+    def sheets(self) -> list[tuple[Drawing, list[Hodograph]]]:
         return sheets(self.hodographs)
 
-    def scales(self) -> Markup:
-        """Of the hodographs, each by its pivot."""
+    def scales(self, shown: Sequence[Hodograph]) -> Markup:
+        """Of the hodographs of a sheet, each by its pivot."""
         text = N_("%(scale)s of %(reaction)s in pivot %(pair)s")
         return self.page.listed(
             self.t(text, pair=one.pair, reaction=self.page.sym(one.of.sign), scale=self.scale(one.scale))
-            for one in self.hodographs
+            for one in shown
         )
 
     def scale(self, value: float) -> Markup:

@@ -45,34 +45,34 @@ def hodographs(found: Kinetostatics, at: Sampled, graphs: CycleGraphs, num: Num)
     return [_hodograph(found, at, key, one, graphs, num) for key, one in pairs if one.pair.kind == "R"]
 
 
-def sheets(drawn: Sequence[Hodograph]) -> list[Drawing]:
-    """Hodographs side by side and under one another, as many on a sheet as fit."""
-    rows: list[list[Drawing]] = []
+def sheets(drawn: Sequence[Hodograph]) -> list[tuple[Drawing, list[Hodograph]]]:
+    """Hodographs side by side and under one another, as many on a sheet as fit: each sheet with what it shows."""
+    rows: list[list[Hodograph]] = []
     for one in drawn:
-        if rows and sum(x.size[0] + BETWEEN for x in rows[-1]) + one.drawing.size[0] <= SHEET[0]:
-            rows[-1].append(one.drawing)
+        if rows and sum(x.drawing.size[0] + BETWEEN for x in rows[-1]) + one.drawing.size[0] <= SHEET[0]:
+            rows[-1].append(one)
         else:
-            rows.append([one.drawing])
-    found: list[list[list[Drawing]]] = []
+            rows.append([one])
+    found: list[list[list[Hodograph]]] = []
     for row in rows:
         if found and sum(_tall(x) + BETWEEN for x in found[-1]) + _tall(row) <= SHEET[1]:
             found[-1].append(row)
         else:
             found.append([row])
-    return [_sheet(of) for of in found]
+    return [(_sheet(of), [one for row in of for one in row]) for of in found]
 
 
-def _tall(row: Sequence[Drawing]) -> float:
-    return max(one.size[1] for one in row)
+def _tall(row: Sequence[Hodograph]) -> float:
+    return max(one.drawing.size[1] for one in row)
 
 
-def _sheet(rows: Sequence[Sequence[Drawing]]) -> Drawing:
+def _sheet(rows: Sequence[Sequence[Hodograph]]) -> Drawing:
     """Rows from the top down, each from the left."""
     items: list[Item] = []
     top = 0.0
     for row in rows:
         left = 0.0
-        for one in row:
+        for one in (shown.drawing for shown in row):
             corner = complex(one.box[0], one.box[3])
             items += one.moved(complex(left, top) - corner).items
             left += one.size[0] + BETWEEN

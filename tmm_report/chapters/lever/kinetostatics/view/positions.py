@@ -285,6 +285,3 @@ class KinetostaticsView(BookView):
             column = self.column(name, key)
             columns.append(column._replace(head=self.page.listed([column.head, head])))
         return self.by_positions(caption, name, columns)
-
-    def scales(self) -> list[Var]:
-        return self.graphs.scales(self.diagram, [("mu_M", "N·m/mm")])

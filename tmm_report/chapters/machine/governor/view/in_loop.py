@@ -20,7 +20,7 @@ from tmm_report.mechanics.machine.governor.stability import kind
 from tmm_report.problems import N_
 from tmm_report.quantity.model import Quantity
 from tmm_report.report.chapter_view import ChapterView
-from tmm_report.report.diagrams import Line, chart, letter
+from tmm_report.report.diagrams import Line, chart, named
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Column, Table, numeric, worded
 from tmm_report.report.part import Failed
@@ -47,8 +47,7 @@ KINDS = {
 
 def axis(page: Page, of: Quantity) -> Parts:
     """Letter and unit of what an axis shows."""
-    unit = (f", {page.unit(of.printed)}",) if of.printed else ()
-    return (*letter(of.sign, page.tr), *unit)
+    return named(of.sign, of.printed, page.tr)
 
 
 class LoopView(ChapterView):
