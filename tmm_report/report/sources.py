@@ -42,6 +42,9 @@ SOURCES = {
     "kudryavtsev": N_(
         "Kudryavtsev V. N. Planetary Gears. Moscow, Leningrad: Mashinostroenie, 1966. 307 p. (in Russian)"
     ),
+    "dunaev": N_(
+        "Dunaev P. F., Lelikov O. P. Design of Units and Machine Parts. Moscow: Academia, 2004. 496 p. (in Russian)"
+    ),
     "balancing": N_(
         "ISO 21940-11:2016. Mechanical vibration. Rotor balancing. Part 11: Procedures and tolerances for rotors "
         "with rigid behaviour"

@@ -435,6 +435,16 @@ Pin = Annotated[float, quantity("length", 5e-5, 0.5, "0.05 … 500 mm")]
 Helix = Annotated[float, quantity("angle", 0.0, math.radians(45), "0 … 45 deg")]
 Efficiency = Annotated[float, quantity("number", 0.01, 1.0, "0.01 … 1")]
 Tooth = Annotated[int, whole(6, 1000)]
+
+
+def _tooth_or_rest(value: Any) -> int:
+    """0 of the rest."""
+    return 0 if value in ("rest", "остаток") else _whole(value, 6, 1000)
+
+
+ToothOrRest = Annotated[
+    int, Reads(_tooth_or_rest, {"anyOf": [{"type": "integer"}, {"const": "rest"}]}, bounded=True)
+]
 Shift = Annotated[float, quantity("number", -5.0, 5.0, "−5 … 5")]
 
 

@@ -437,6 +437,7 @@ AFTER: Mapping[str, Callable[[Made, Any], Made]] = {
     "PlanetaryModel": gears.planetary,
     "Spur": gears.spur,
     "BeltStage": gears.belt,
+    "DriveModel": gears.drive,
     "Eccentric": gears.eccentric,
     "rotor.Given": _rotor,
     "WearModel": _wear,

@@ -53,6 +53,8 @@ def spur(made: Made, walk: Any) -> Made:
         sign = walk.random.choice((-1, -1, 1))
         made["ratio"] = sign * float(Fraction(made["teeth"][1], made["teeth"][0]))
         made.pop("centre_distance", None) if walk.random.random() < 0.5 else None
+        if walk.random.random() < 0.2:
+            made["teeth"][walk.random.randint(0, 1)] = "rest"
     elif "centre_distance" in made:
         module, ratio = value(made["module"]), abs(value(made.setdefault("ratio", -2)))
         made["centre_distance"] = f"{module * round(20 * (1 + ratio) / 2, 1):.6g} mm"
@@ -90,6 +92,67 @@ def belt(made: Made, walk: Any) -> Made:
         made.pop("groove", None)
     if "distance" in made and made.get("length") != "standard":
         made.pop("length", None)
+    return made
+
+
+POWER = ("motors", "overload", "ratio_range", "needed", "bearings", "coupling", "split", "shafts")
+
+
+def drive(made: Made, walk: Any) -> Made:
+    """Either a speed and a torque, or a machine and motors, whose ratio the stages have or one of them is left."""
+    random, stages = walk.random, made["stages"]
+    divided = any("second" in stage for stage in stages)
+    if divided or random.random() < 0.4 or ("output" not in made and random.random() < 0.5):
+        for key in POWER:
+            made.pop(key, None)
+        if isinstance(made.get("output"), dict):
+            made.pop("output")
+        made.setdefault("speed", "1460 rpm")
+        return made
+    made.pop("torque", None)
+    whole = 1.0
+    for stage in stages:
+        whole *= abs(value(stage.get("ratio", 2)))
+    pairs = [stage for stage in stages if stage["kind"] == "spur"]
+    if pairs and random.random() < 0.5:
+        opened = random.choice(pairs)
+        whole *= random.uniform(2.2, 6) / abs(value(opened.get("ratio", 2)))
+        opened["teeth"] = [random.randint(17, 26), "rest"]
+        for key in ("ratio", "centre_distance", "shift", "inspection"):
+            opened.pop(key, None)
+        made.setdefault("motors", [])
+    turns = random.choice((950, 1410, 2850))
+    machine = made["output"] if isinstance(made.get("output"), dict) else {"power": "2 kW"}
+    loaded = bool({"force", "torque", "power"} & set(machine))
+    if "motors" in made or not loaded:
+        made.pop("speed", None)
+        motors = [[f"M{k}", f"{power} kW", f"{turns} rpm"] for k, power in enumerate((1.5, 4, 30))]
+        made["motors"] = motors[: random.choice((1, 3)) if loaded else 1]
+    else:
+        made["speed"] = f"{turns} rpm"
+    if "ratio_range" in made:
+        made["ratio_range"] = [round(whole / 2, 2), round(whole * 2, 2)]
+    rpm = turns / whole
+    around = value(machine.get("diameter", "300 mm")) / 1000
+    if "pitch" in machine:
+        machine |= {"teeth": 9, "pitch": "80 mm", "speed": f"{9 * 0.08 * rpm / 60:.6g} m/s"}
+    elif "force" in machine or "diameter" in machine:
+        machine.setdefault("diameter", "300 mm")
+        machine["speed"] = f"{3.141593 * around * rpm / 60:.6g} m/s"
+    else:
+        machine["speed"] = f"{rpm:.6g} rpm"
+    made["output"] = machine
+    made.pop("needed", None)
+    shafts = 1 + len(stages)
+    if isinstance(made.get("coupling"), dict):
+        made["coupling"].pop("after", None)
+    shafts += "coupling" in made
+    if isinstance(made.get("bearings"), dict) and "pairs" in made["bearings"]:
+        made["bearings"]["pairs"] = [random.randint(0, 2) for _ in range(shafts)]
+    if isinstance(made.get("split"), dict) and "step" not in made["split"]:
+        made["split"] = {"step": 1.2}
+    if "motors" not in made and "shafts" in made:
+        made["shafts"].pop("by", None)
     return made
 
 

@@ -126,6 +126,14 @@ SETS: Mapping[str, Sequence[Keys]] = {
     "Rim": [("height", "width"), ("diameter", "width"), ()],
     "Eccentric": [("ratio", "eccentricity"), ("ratio", "eccentricity", "t"), ("teeth",)],
     "MeshLoad": [("meshes", "axes"), ()],
+    "Machine": [
+        *(("force", *of) for of in (("diameter",), ("teeth", "pitch"))),
+        ("torque",),
+        ("power",),
+        ("power", "diameter"),
+        ("diameter",),
+    ],
+    "Split": [("slow",), ("fast",), ("step",)],
     "Spur": [("teeth",), ("centre_distance",), ("teeth", "centre_distance")],
     "PhaseModel": [
         ("rise", "law"),

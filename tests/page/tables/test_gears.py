@@ -39,16 +39,17 @@ def wrong_speeds(note: Note, document: dict[str, Any]) -> Iterator[str]:
             if differs(n.value, omega.value * 30 / math.pi, n.half, omega.half * 10):
                 yield f"n of {name} is {n.value}, 30 ω/π is {omega.value * 30 / math.pi:.6g}"
     for table in rows_of(note, "T", "ω", "N"):
-        total = 0.0
+        total = rounded = 0.0
         for name, (torque, omega, power) in cells(table, "T", "ω", "N"):
-            total += power.value
+            total, rounded = total + power.value, rounded + power.half
             off = torque.half * abs(omega.value) + omega.half * abs(torque.value) + power.half
             if differs(power.value, torque.value * omega.value, off):
                 yield f"N of {name} is {power.value}, T ω is {torque.value * omega.value:.6g}"
-        lost = next((sum(n.value for _, (n,) in cells(t, "N_тр")) for t in rows_of(note, "N_тр")), None)
-        lost = next((sum(n.value for _, (n,) in cells(t, "N_fr")) for t in rows_of(note, "N_fr")), lost)
-        if lost is not None and differs(total, lost, 0.02 * len(table.rows)):
-            yield f"supplied powers add up to {total:.5g} W, {lost:.5g} W are lost"
+        letter = next((one for one in ("N_тр", "N_fr") if any(rows_of(note, one))), "")
+        lost = [n for t in rows_of(note, letter) for _, (n,) in cells(t, letter)] if letter else []
+        losses = sum(n.value for n in lost)
+        if lost and differs(total, losses, rounded, *(n.half for n in lost)):
+            yield f"supplied powers add up to {total:.5g} W, {losses:.5g} W are lost"
 
 
 def wrong_meshes(note: Note, document: dict[str, Any]) -> Iterator[str]:

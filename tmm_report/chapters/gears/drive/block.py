@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import count, islice
-from typing import Annotated, Any, Literal, TypedDict, assert_never
+from typing import Annotated, Any, TypedDict, assert_never
 
 from pydantic import Discriminator, Field, Tag
 
@@ -14,6 +14,7 @@ from tmm_report.chapters.gears.drive import solve as drive
 from tmm_report.chapters.gears.drive.crank import SPEED as CRANK_SPEED
 from tmm_report.chapters.gears.drive.crank import Crank
 from tmm_report.chapters.gears.drive.plans import DriveScales
+from tmm_report.chapters.gears.drive.power import block as power
 from tmm_report.chapters.gears.drive.stages import Given as StageGiven
 from tmm_report.chapters.gears.ordinary.given import BeltStage, Ordinary
 from tmm_report.chapters.gears.planetary import block as planetary
@@ -25,7 +26,7 @@ from tmm_report.chapters.lever.structure import block as structure
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.quantity.paper import ACCURACY
 from tmm_report.variant import model
-from tmm_report.variant.model import Model, Read
+from tmm_report.variant.model import Read
 from tmm_report.variant.stated import Stated
 from tmm_report.variant.values import Flag, Speed, quantity
 
@@ -53,18 +54,23 @@ StageModel = Annotated[
 ]
 
 
-class DriveModel(Model):
+class DriveModel(power.Keys):
     """A gear drive: stages in series in the order of the power."""
 
-    speed: Speed = Field(description="of the input shaft, rad/s or rpm", examples=["3000 rpm"])
+    speed: Speed | None = Field(
+        default=None,
+        description="of the input shaft, rad/s or rpm; left out, that of the motor",
+        examples=["3000 rpm"],
+    )
     tolerance: Tolerance = Field(default=0.04, description="allowed deviation of the whole ratio")
     torque: Torque | None = Field(
         default=None, description="on the input shaft; left out, torques are found for 1 N·m"
     )
     stages: list[StageModel] = Field(min_length=1, max_length=8, description="in the order of the power")
     scales: Stated[DriveScales] = Field(default_factory=DriveScales)
-    output: Literal["crank", "other"] = Field(
-        default="crank", description="what the output shaft turns: the driving link, or something else"
+    output: power.Output = Field(
+        default="crank",
+        description="what the output shaft turns: the driving link, something else, or a machine by its load and speed",
     )
     friction: Flag | None = Field(
         default=None, description="false: the friction of the mechanism's pairs does not load the drive"
@@ -105,6 +111,12 @@ def _crank(read: Read) -> Crank | None:
     return Crank(driver.link, float(omega), linked, turned, key)
 
 
+def _has_link(read: Read) -> bool:
+    """Whether there is a driving link that the drive may turn."""
+    driver = read.block(structure.Block).mechanism.driver
+    return driver is not None and driver.link is not None and "mechanism" in read.data
+
+
 def linked_by_drive(data: Any) -> bool:
     """Whether the driver of the file's data says `speed: drive`."""
     for key in CRANK_SPEED:
@@ -115,7 +127,7 @@ def linked_by_drive(data: Any) -> bool:
 def _turning(found: drive.Given, model: DriveModel, crank: Crank | None) -> drive.Given:
     """With the driving link that the output turns; of a linked one whose sense is stated, the input turns to suit."""
     found = replace(found, friction=model.friction is not False)
-    if crank is None or model.output == "other":
+    if crank is None or model.output != "crank":
         return found
     if crank.linked and crank.turned and math.isfinite(crank.omega):
         sign = math.prod(_sense(stage) for stage in model.stages)
@@ -125,7 +137,7 @@ def _turning(found: drive.Given, model: DriveModel, crank: Crank | None) -> driv
 
 def _sense(stage: StageModel) -> float:
     """Of the output of a stage, its input turning in the sense +1."""
-    return stage.sense if isinstance(stage, Ordinary) else math.copysign(1.0, stage.ratio)
+    return math.copysign(1.0, stage.ratio) if isinstance(stage, PlanetaryModel) else float(stage.sense)
 
 
 def geared(read: Read) -> Read:
@@ -155,7 +167,8 @@ def mistakes(read: Read) -> Iterator[Problem]:
     written = read.block(Block).drive
     if written is None:
         return
-    if linked_by_drive(read.data) and written.output == "other":
+    yield from power.mistakes(written, read.data["drive"], linked_by_drive(read.data), _has_link(read))
+    if linked_by_drive(read.data) and written.output != "crank":
         wrong = N_("the driving link takes the speed of the drive, and the drive turns something else")
         right = Message(N_("either speed: drive in the driver or output: other in the drive"))
         yield mistake(wrong, ("drive", "output"), right)
@@ -194,13 +207,15 @@ def build(model: DriveModel, accuracy: float = ACCURACY) -> drive.Given:
         _stage(stage, wheels, f"stage{number}", accuracy, allowed)
         for number, (stage, wheels) in enumerate(zip(model.stages, names, strict=True), 1)
     )
+    asked = power.given(model)
     return drive.Given(
-        speed=model.speed,
+        speed=power.speed(model),
         stages=stages,
         tolerance=allowed,
         torque=model.torque,
         accuracy=accuracy,
         scales=model.scales,
+        power=asked,
     )
 
 

@@ -8,6 +8,7 @@ from typing import assert_never
 
 from tmm_report.chapters.gears.drive.bounds import check_listing
 from tmm_report.chapters.gears.drive.crank_quantities import TEETH, teeth_columns
+from tmm_report.chapters.gears.drive.power import quantities as power_quantities
 from tmm_report.chapters.gears.drive.solve import Found
 from tmm_report.chapters.gears.drive.stages import Stage
 from tmm_report.chapters.gears.drive.steps import whole
@@ -49,6 +50,8 @@ def tables(found: Found, prefix: str = "drive") -> Iterator[Table]:
     yield Table(f"{prefix}_meshes", MESHES, _meshes(found))
     if found.asked:
         yield Table(f"{prefix}_teeth", TEETH, tuple(teeth_columns(found)))
+    if made.power is not None:
+        yield from power_quantities.tables(found, made.power, prefix)
     for number, stage in enumerate(found.stages, 1):
         yield from stage_tables(stage, f"stage{number}")
 
@@ -56,7 +59,10 @@ def tables(found: Found, prefix: str = "drive") -> Iterator[Table]:
 @tabulated
 def values(found: Found, prefix: str = "drive") -> Iterator[Value]:
     """Ratio, deviation, efficiency of the drive; then the values of the stages."""
-    yield from whole(found, prefix).s.values()
+    made = whole(found, prefix)
+    yield from made.s.values()
+    if made.power is not None:
+        yield from made.power.s.values()
     for number, stage in enumerate(found.stages, 1):
         yield from stage_values(stage, f"stage{number}")
 

@@ -16,6 +16,9 @@ from typing import TYPE_CHECKING, Any
 
 from tmm_report.chapters.gears.drive.crank import Crank, Moments, doubts, moments
 from tmm_report.chapters.gears.drive.plans import DriveScales, Plans, draw
+from tmm_report.chapters.gears.drive.power import ahead
+from tmm_report.chapters.gears.drive.power import solve as power
+from tmm_report.chapters.gears.drive.power.given import Given as PowerGiven
 from tmm_report.chapters.gears.drive.stages import Given as StageGiven
 from tmm_report.chapters.gears.drive.stages import Stage, doubts_of, run, solve_all, working
 from tmm_report.mechanics.gears.trains import Loads, Train, loads, speeds
@@ -29,10 +32,12 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Given:
-    """A drive. `speed`: of the input shaft, rad/s; `tolerance`: of the whole ratio, relative; `torque`: on the input
-    shaft, N·m, None: all torques are found for 1 N·m, or for the balancing moment of the link that is turned;
-    `accuracy`: m of paper; `scales`: of the diagrams; `crank`: the driving link that the output turns, if any;
-    `friction`: whether that of its mechanism's pairs, where it is stated, loads the drive."""
+    """A drive. `speed`: of the input shaft, rad/s, nan where a motor is chosen for it; `tolerance`: of the whole
+    ratio, relative; `torque`: on the input shaft, N·m, None: all torques are found for 1 N·m, or for the balancing
+    moment of the link that is turned; `accuracy`: m of paper; `scales`: of the diagrams; `crank`: the driving link that
+    the output turns, if any;
+    `friction`: whether that of its mechanism's pairs, where it is stated, loads the drive; `power`: the machine that it
+    turns and the motors to choose from, None where nothing is asked of them."""
 
     speed: float
     stages: tuple[StageGiven, ...]
@@ -42,13 +47,15 @@ class Given:
     scales: DriveScales = field(default_factory=DriveScales)
     crank: Crank | None = None
     friction: bool = True
+    power: PowerGiven | None = None
 
 
 @dataclass(frozen=True, eq=False)
 class Found:
     """A solved drive. `speed`: of every member, rad/s; `loads`: torques and powers of the members that are loaded from
     outside; `plans`: the diagrams of linear and angular velocities; `moments`: of the driving link that the drive
-    turns; `asked`: whether the torque at the input is that which their mean asks for, and not a stated one."""
+    turns; `asked`: whether the torque at the input is that which their mean asks for, and not a stated one; `power`: of
+    the shafts from the motor to the machine."""
 
     given: Given
     stages: tuple[Stage, ...]
@@ -58,6 +65,7 @@ class Found:
     plans: Plans
     moments: Moments | None = None
     asked: bool = False
+    power: power.Found | None = None
 
     @property
     def input(self) -> str:
@@ -156,6 +164,7 @@ class Found:
     def doubts(self) -> tuple[Problem, ...]:
         """A driving link that is stated to turn otherwise than the output does; a ratio that is missed."""
         found, crank = [*doubts_of(self.stages), *self._missed], self.given.crank
+        found += self.power.doubts() if self.power else ()
         if crank is not None and not crank.linked and self.runs:
             speed, wide = self.speed[self.output], self.given.tolerance
             found += doubts(crank, speed, self.ratio, wide)
@@ -191,6 +200,7 @@ class Found:
             )
         if self.locks:
             found.append(Message(N_("the drive locks itself: it cannot be driven from the input shaft")))
+        found += self.power.summary() if self.power else []
         return [*found, *(line for stage in self.stages for line in run(stage).summary())]
 
     @property
@@ -208,28 +218,39 @@ def output_speed(given: Given) -> float:
 def solve(given: Given, moving: Moving | None = None) -> Found:
     """Solve the stages and the drive. `moving`: the lever mechanism whose driving link it may turn. Raises ProblemError
     with the mistakes of all the stages."""
+    crank = given.crank is not None and (given.crank.linked or given.power is not None)
+    found = moments(moving, given.friction) if crank else None
+    given, plan = ahead.planned(given, found)
     stages = solve_all(given.stages)
     train = joined(stages)
     speed = _turned(given, stages, train)
+    shafts = None if plan is None else power.solve(plan, stages)
+    if shafts is not None:
+        given = replace(given, torque=shafts.driving()[0])
     load = _loads(given, stages, train, speed)
-    found = moments(moving, given.friction) if given.crank is not None and given.crank.linked else None
     torque = _for_mean(found, stages, load) if found is not None and given.torque is None else None
     if torque:
         given = replace(given, torque=torque)
         load = _loads(given, stages, train, speed)
     plans = _plans(given, stages, train, speed)
-    stages = tuple(_at_work(given, stages, speed, load))
-    return Found(given, stages, train, speed, load, plans, found, bool(torque))
+    stages = tuple(_at_work(given, stages, speed, load, shafts))
+    return Found(given, stages, train, speed, load, plans, found, bool(torque), shafts)
 
 
 def _at_work(
-    given: Given, stages: Sequence[Stage], speed: Mapping[str, float], load: Loads
+    given: Given,
+    stages: Sequence[Stage],
+    speed: Mapping[str, float],
+    load: Loads,
+    shafts: power.Found | None,
 ) -> Iterator[Stage]:
     """The stages at their speeds, and under their torques where that of the input is known: what the first mesh of
-    each takes from its input."""
-    first = 0
-    for stage in stages:
+    each takes from its input; with losses beside those of the stages, what the shaft hands on to it."""
+    first, handed = 0, None if shafts is None else shafts.driving()
+    for number, stage in enumerate(stages):
         torque = None if given.torque is None else -float(load.mesh_torque[first])
+        if torque is not None and handed is not None:
+            torque = math.copysign(handed[number], torque)
         yield working(stage, speed[stage.input], torque)
         first += len(stage.meshes)
 

@@ -76,6 +76,24 @@ def solve_all(given: tuple[Given, ...]) -> tuple[Stage, ...]:
     return _all(given)
 
 
+def solve_known(given: tuple[Given, ...]) -> list[Stage | None]:
+    """Those that have a ratio, None in the place of the others. Raises ProblemError likewise."""
+    if not any(is_open(one) for one in given):
+        return list(solve_all(given))
+    found: list[Stage | None] = []
+    for k, one in enumerate(given):
+        try:
+            found.append(None if is_open(one) else _solved(one))
+        except ProblemError as error:
+            raise ProblemError([_placed(problem, k) for problem in error.problems]) from None
+    return found
+
+
+def is_open(given: Given) -> bool:
+    """Whether the stage has the ratio that the drive leaves it."""
+    return isinstance(given, spur.Given) and given.open
+
+
 @lru_cache(maxsize=8)
 def _all(given: tuple[Given, ...]) -> tuple[Stage, ...]:
     """The last ones are kept: the speed of a link that a drive turns is asked for before it is solved in its turn, and

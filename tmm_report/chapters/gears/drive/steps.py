@@ -6,10 +6,11 @@ Speeds and loads are found by Willis' equations of all meshes together; here the
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterator, Sequence
 from functools import reduce
 from operator import mul
 
+from tmm_report.chapters.gears.drive.power.steps import Steps as PowerSteps
 from tmm_report.chapters.gears.drive.solve import Found
 from tmm_report.chapters.gears.drive.stages import Stage
 from tmm_report.chapters.gears.drive.values import Member, OfStage, Segment, Values, letters
@@ -33,7 +34,8 @@ def _wholes(found: Found, prefix: str) -> Iterator[Whole]:
 
 
 class Whole:
-    """`s`: the single numbers; `stages`: a row each; `members` and `segments` of the plan, by the names of members."""
+    """`s`: the single numbers; `stages`: a row each; `members` and `segments` of the plan, by the names of members;
+    `power`: from the machine back to the motor, None where nothing is asked of them."""
 
     def __init__(self, found: Found, prefix: str):
         self.found, self.s = found, Values(letters(found), prefix)
@@ -48,22 +50,42 @@ class Whole:
         }
         self.segments = {name: Segment(f"{prefix}_segments", row, name) for row, name in enumerate(names)}
         self._given()
+        self._crank()
+        self.power = self._power(prefix)
         self.turned = [self._speeds(number) for number in range(len(found.stages))]
         self._ratios()
+        self._asked()
         self._plans()
-        self._crank()
 
     def _given(self) -> None:
         found = self.found
         self.s.tolerance, self.s.losses = 100 * found.given.tolerance, found.losses
         for of, stage in zip(self.stages, found.stages, strict=True):
-            of.u, of.u_required, of.eta = stage.ratio, stage.wanted, stage.efficiency
+            of.u, of.eta = stage.ratio, stage.efficiency
+            if of.row not in self._divided:
+                of.u_required = stage.wanted
         for member, row in zip(found.train.members, self.members.values(), strict=True):
             omega = found.speed[member.name]
             row.z, row.n = member.teeth, omega * 30 / math.pi
             row.omega_rel = omega - (found.speed[member.carried_by] if member.carried_by else 0.0)
         for name, segment in self.segments.items():
             segment.s = found.plans.segment(name)
+
+    @property
+    def _divided(self) -> Container[int]:
+        """Stages whose ratio is what the drive's power side leaves them."""
+        shafts = self.found.power
+        return () if shafts is None else shafts.plan.shares or ()
+
+    def _power(self, prefix: str) -> PowerSteps | None:
+        found = self.found
+        if found.power is None:
+            return None
+        wheels = [(stage.input, stage.output) for stage in found.stages]
+        moment = None
+        if found.power.given.machine is None and found.moments is not None:
+            moment = abs(self.s.M_greatest) if found.power.given.peak else self.s.M_mean
+        return PowerSteps(found.power, prefix, self.stages, wheels, moment)
 
     # ------------------------------------------------------------ speeds
 
@@ -166,14 +188,18 @@ class Whole:
     # ------------------------------------------------------------ the link that is turned
 
     def _crank(self) -> None:
-        """The moments of the link that the drive turns, and the torques at the input that overcome them."""
+        """The moments of the link that the drive turns."""
         s, moments = self.s, self.found.moments
         if moments is None:
             return
         if moments.friction is not None and not math.isnan(moments.friction):
             s.M_fr = moments.friction
         s.M_mean, s.M_greatest, s.M_angle = moments.mean, moments.greatest, math.degrees(moments.angle)
-        if self.found.asked:
+
+    def _asked(self) -> None:
+        """The torques at the input that overcome them."""
+        s, moments = self.s, self.found.moments
+        if self.found.asked and moments is not None:
             over = abs(s["u_teeth"].var(digits=5)) * s["eta"].var(digits=5)
             s.T_mean = Computed(s.M_mean / over, self.found.given.torque)
             s.peak = Computed(s.M_greatest / s.M_mean, moments.peak)

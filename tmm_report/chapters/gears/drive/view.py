@@ -10,6 +10,7 @@ from typing import Any, assert_never
 from markupsafe import Markup
 
 from tmm_report.chapters.gears.drive.draw.diagrams import kinematic_scheme, velocities
+from tmm_report.chapters.gears.drive.power.view import PowerView
 from tmm_report.chapters.gears.drive.quantities import tables
 from tmm_report.chapters.gears.drive.solve import Found
 from tmm_report.chapters.gears.drive.stages import Stage
@@ -40,6 +41,8 @@ def parts(found: Found, page: Page) -> Iterator[Part | Inner]:
     """The drive at the head of its stages, then as a whole."""
     view = DriveView(found, page, "drive")
     yield Part("gears/drive", view)
+    if view.power_view is not None:
+        yield Part("gears/drive/power", view)
     for number, stage in enumerate(found.stages, 1):
         yield Inner(_chapter(stage), stage, f"stage{number}")
     yield Part("gears/drive/whole", view)
@@ -69,6 +72,15 @@ class DriveView(ChapterView):
         self.found, self.plans, self.label, self.whole = found, found.plans, label, whole(found, label)
         super().__init__(page, self.whole.s, tables(found, label))
         self.speeds_of, self.members = self.table("speeds"), self.whole.members
+        self.power_view = self._power()
+
+    def _power(self) -> PowerView | None:
+        steps, found = self.whole.power, self.found
+        if steps is None:
+            return None
+        names = [(stage.input, stage.output) for stage in found.stages]
+        own = [*self.book.tables.values()]
+        return PowerView(steps, self.page, own, self.label, self.whole.stages, names)
 
     # ------------------------------------------------------------ formulas
 
@@ -280,7 +292,10 @@ class DriveView(ChapterView):
 
     def conclusions(self) -> list[Markup]:
         """What failed, first; then what was found."""
-        return [*self._failures(), self.page.listed(self._found(), " ")]
+        power = [*self._of_power()]
+        failed = [one for one in power if isinstance(one, Failed)]
+        said = [one for one in power if not isinstance(one, Failed)]
+        return [*self._failures(), *failed, self.page.listed([*self._found(), *said], " ")]
 
     def _failures(self) -> Iterator[Markup]:
         if self.found.locks:
@@ -306,3 +321,8 @@ class DriveView(ChapterView):
                 "By the plan of angular velocities the ratio differs from the calculated one by %(error)s %%."
             )
             yield self.t(text, error=self.number("error", size=True, digits=3))
+
+    def _of_power(self) -> Iterator[Markup]:
+        """What failed is a conclusion of its own."""
+        if self.power_view is not None:
+            yield from self.power_view.conclusions()

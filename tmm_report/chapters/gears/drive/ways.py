@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tmm_report.chapters.gears.drive.power.ways import WAYS as POWER
 from tmm_report.chapters.gears.ordinary.ways import WAYS as ORDINARY
 from tmm_report.chapters.gears.planetary.ways import WAYS as PLANETARY
 from tmm_report.chapters.gears.spur.ways import WAYS as SPUR
@@ -57,6 +58,7 @@ def _losses(q: Known) -> Expr:
 
 
 WAYS = (
+    *POWER,
     Way(
         "drive_*.key drive_*.unit drive_*.member drive_*.members drive_*.mesh drive_*.carrier "
         "drive_*.driving",

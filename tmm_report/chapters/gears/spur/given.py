@@ -30,13 +30,14 @@ if TYPE_CHECKING:
         Shift,
         ShiftOrRest,
         Span,
-        Tooth,
+        ToothOrRest,
         by_shape,
         quantity,
         whole,
     )
 
 EQUAL = "equal sliding"
+LEAST, MOST = 6, 1000  # teeth of a wheel
 
 
 def signed_ratio(value: Any, limits: tuple[float, float], wrong: str, right: str) -> float:
@@ -181,8 +182,12 @@ class Spur:
         Field(description="left out, it follows from the teeth and the shifts", examples=["130 mm"]),
     ] = None
     teeth: Annotated[
-        tuple[Tooth, Tooth] | None,
-        Field(description="left out, they are found from the centre distance", examples=["[14, 28]"]),
+        tuple[ToothOrRest, ToothOrRest] | None,
+        Field(
+            description="left out, they are found from the centre distance; one of both may be the rest: what the "
+            "ratio makes of the other, rounded",
+            examples=["[14, 28]", "[20, rest]"],
+        ),
     ] = None
     helix: Helix = 0.0
     width: Annotated[Span | None, Field(description="face width, for the overlap of helical teeth")] = None
@@ -236,7 +241,9 @@ class Spur:
 
     def __post_init__(self) -> None:
         """An external pair stated in a word has a minus, written or not; a ratio left out is that of the teeth."""
-        if math.isnan(self.ratio):
+        if self.teeth is not None and 0 in self.teeth:
+            self._find_rest(*self.teeth)
+        elif math.isnan(self.ratio):
             object.__setattr__(self, "ratio", self._of_teeth())
             object.__setattr__(self, "by_teeth", True)
         if self.mesh == "external":
@@ -245,6 +252,23 @@ class Spur:
             wrong = N_("the wheels of an internal pair turn in the same sense: its ratio has no minus")
             right = Message(N_("either ratio: %(ratio)s or mesh: external"), {"ratio": f"{-self.ratio:g}"})
             raise WrongValue(Message(wrong), right)
+
+    def _find_rest(self, one: int, two: int) -> None:
+        """The teeth of the other wheel by the ratio; without one they wait for the drive, which divides its own."""
+        if not one + two:
+            right = Message(N_("one of both, for example [20, rest]"))
+            raise WrongValue(Message(N_("the teeth of both wheels are sought by one ratio")), right)
+        if math.isnan(self.ratio):
+            return
+        exact = one * abs(self.ratio) if one else two / abs(self.ratio)
+        found = math.floor(exact + 0.5)
+        if not LEAST <= found <= MOST:
+            wrong = N_(
+                "the ratio gives the other wheel %(teeth)s teeth: from %(least)s to %(most)s are possible"
+            )
+            values = {"teeth": found, "least": LEAST, "most": MOST}
+            raise WrongValue(Message(wrong, values), Message(N_("another ratio, or other teeth")))
+        object.__setattr__(self, "teeth", (one or found, two or found))
 
     def _of_teeth(self) -> float:
         """The ratio; where no word says the pair, it is that which the centre distance is nearer to, else external."""
@@ -265,7 +289,17 @@ class Spur:
 
     @property
     def internal(self) -> bool:
-        return self.ratio > 0
+        return self.mesh == "internal" if self.open else self.ratio > 0
+
+    @property
+    def open(self) -> bool:
+        """Whether its ratio is what the drive leaves it."""
+        return math.isnan(self.ratio)
+
+    @property
+    def sense(self) -> int:
+        """−1 where the wheels turn in opposite senses."""
+        return 1 if self.internal else -1
 
 
 Given = Spur

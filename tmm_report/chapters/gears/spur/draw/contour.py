@@ -124,21 +124,24 @@ def _length(piece: Array) -> float:
 def _axes(plane: Plane, names: tuple[str, str], num: Num) -> Iterator[Item]:
     """The frame with ticks and figures, the axes through zero where they are seen."""
     corner, low, high = plane.corner, *plane.window
+    right, top = corner.real, corner.imag  # the letters stand clear of a figure at the very end of their axis
     yield polygon((0, corner.real, corner, 1j * corner.imag), NORMAL)
     for value in _ticks(low.real, high.real):
         x = (value - low.real) * plane.scale
         yield line(complex(x, 0), complex(x, 1.2), THIN)
         yield Text(complex(x, -2.6), (num(value),), SMALL, 0)
+        right = max(right, x + width((num(value),), SMALL) / 2)
         if value == 0:
             yield line(complex(x, 0), complex(x, corner.imag), THIN)
     for value in _ticks(low.imag, high.imag):
         y = (value - low.imag) * plane.scale
         yield line(complex(0, y), complex(1.2, y), THIN)
         yield Text(complex(-1.2, y), (num(value),), SMALL, 1)
+        top = max(top, y + SMALL / 2)
         if value == 0:
             yield line(complex(0, y), complex(corner.real, y), THIN)
-    yield Text(complex(corner.real + 1.5, -2.6), (Symbol("x", names[0]),))
-    yield Text(complex(-1.2, corner.imag + 3), (Symbol("x", names[1]),), align=1)
+    yield Text(complex(right + 1.5, -2.6), (Symbol("x", names[0]),))
+    yield Text(complex(-1.2, top + 3), (Symbol("x", names[1]),), align=1)
 
 
 def _ticks(low: float, high: float) -> list[float]:
