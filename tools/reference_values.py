@@ -130,8 +130,12 @@ def _drive(found: Any) -> Named:
 
 
 def _ordinary(found: Ordinary, prefix: str) -> Named:
-    n = found.s.number
-    for key, value in gears.belt(n("d1"), n("d2"), n("a"), found.given.sense < 0).items():
+    n, made = found.s.number, {}
+    if found.kind == "belt":
+        made = gears.belt(n("d1"), n("d2"), n("a"), found.given.sense < 0)
+    elif found.kind == "chain":
+        made = gears.chain((round(n("z1")), round(n("z2"))), n("p"), round(n("links")))
+    for key, value in made.items():
         yield f"{prefix}_{key}", value
 
 

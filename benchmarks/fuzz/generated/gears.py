@@ -156,6 +156,34 @@ def drive(made: Made, walk: Any) -> Made:
     return made
 
 
+def chain(made: Made, walk: Any) -> Made:
+    made["teeth"] = walk.random.randint(17, 29)
+    if "ratio" in made:
+        made["ratio"] = abs(value(made["ratio"]))
+    else:
+        made["teeth"] = [made["teeth"], walk.random.randint(30, 70)]
+    if "distance" in made:
+        made.pop("links", None)
+    return made
+
+
+def friction(made: Made, walk: Any) -> Made:
+    if made.get("contact") == "internal":
+        made.pop("ratio", None)
+        made |= {"driving": "80 mm", "driven": f"{walk.random.randint(120, 300)} mm"}
+    return made
+
+
+def train(made: Made, walk: Any) -> Made:
+    made["idlers"] = [walk.random.randint(17, 40) for _ in range(walk.random.randint(1, 3))]
+    made["teeth"] = [walk.random.randint(17, 30), walk.random.randint(60, 90)]
+    if "ratio" in made and walk.random.random() < 0.5:
+        made |= {"teeth": made["teeth"][0], "ratio": walk.random.choice((3.5, 4))}
+    else:
+        made.pop("ratio", None)
+    return made
+
+
 def eccentric(made: Made, walk: Any) -> Made:
     if "teeth" in made:
         z = walk.random.randint(20, 30)

@@ -121,6 +121,7 @@ SETS: Mapping[str, Sequence[Keys]] = {
         ("driven", "ratio"),
         ("driving", "driven", "ratio"),
     ],
+    "FrictionStage": [("driving", "driven"), ("driving", "ratio"), ("driven", "ratio")],
     "BeltDrive": [("driving", "driven"), ("driving", "driven_speed"), ("driven", "driven_speed")],
     "Disc": [("width",), ("diameter",), ()],
     "Rim": [("height", "width"), ("diameter", "width"), ()],

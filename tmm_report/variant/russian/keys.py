@@ -63,6 +63,7 @@ coaxiality: соосность
 coefficient: коэффициент
 collar: буртик
 collars: гребни
+contact: контакт
 contacts: контакты, пары трения
 corrected: исправлено
 count: число, количество
@@ -150,6 +151,7 @@ harmonics: гармоники
 height: высота
 helix: угол наклона зубьев
 highest: наивысший
+idlers: паразитные колёса
 induction: асинхронный
 inline: рядный
 inner: внутренний
@@ -284,6 +286,7 @@ share: доля
 shunt: шунтовой, параллельного возбуждения
 side: сторона
 sine: четверть синусоиды
+slack: провисание
 sleeve: муфта регулятора
 sleeve_arm: плечо муфты
 slider: ползун

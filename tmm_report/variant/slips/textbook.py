@@ -20,8 +20,11 @@ _NEAREST = {
     "belts, v_belt, timing, клиноременная": N_(
         "a belt drive is a stage of the block drive, kind: belt; its friction alone is in contacts, kind: belt drive"
     ),
-    "chain, chains, цепная, цепь": N_(
-        "chains are not offered: the nearest is a stage of the block drive, kind: belt"
+    "chains, roller_chain, sprocket, sprockets, звёздочка, звездочка": N_(
+        "a chain is a stage of the block drive, kind: chain"
+    ),
+    "idler, idlers, parasitic, паразитное, паразитные": N_(
+        "wheels between two others are the idlers of a stage of the block drive, kind: train"
     ),
     "harmonic_drive, harmonic, wave, strain_wave, cycloidal, cyclo, волновая, волновой, циклоидальная": N_(
         "wave and cycloidal gears are not offered: the nearest are kind: planetary and the block eccentric"
@@ -39,8 +42,11 @@ _NEAREST = {
     "torsional, two_rotor, three_rotor, holzer, крутильные": N_(
         "torsional vibration of one disc on a shaft is in vibration, by its inertia; a row of discs is not offered"
     ),
-    "variator, cvt, friction_drive, friction_gear, вариатор, фрикционная, лобовая": N_(
-        "friction drives are not offered: their ratio and efficiency stand with a part of dynamics"
+    "variator, cvt, вариатор, лобовая": N_(
+        "a variator is not offered: at one of its ratios it is a stage of the block drive, kind: friction"
+    ),
+    "friction_drive, friction_gear, friction_wheels": N_(
+        "friction wheels are a stage of the block drive, kind: friction"
     ),
     "geneva, maltese, maltese_cross, indexing, мальтийский, мальтийская, крест": N_(
         "Geneva wheels are not offered: a cam of mechanism.cams has dwells, and a linkage by synthesis: {dwell: {…}}"

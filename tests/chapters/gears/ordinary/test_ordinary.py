@@ -14,6 +14,22 @@ V = {
     "distance": "400 mm", "length": "standard", "coefficient": 0.3, "reserve": 1.3, "mass": "0.18 kg/m",
 }  # fmt: skip
 BELTS = {"open": OPEN, "crossed": CROSSED, "V": V}
+CHAIN = {
+    "kind": "chain",
+    "teeth": 25,
+    "ratio": 2.4,
+    "pitch": "19.05 mm",
+    "distance": "700 mm",
+    "mass": "1.9 kg/m",
+}
+FRICTION = {
+    "kind": "friction", "driving": "80 mm", "driven": "160 mm", "slip": "2 %", "coefficient": 0.15, "width": "30 mm",
+}  # fmt: skip
+INNER = {"kind": "friction", "contact": "internal", "driving": "80 mm", "driven": "260 mm"}
+TRAIN = {"kind": "train", "teeth": [20, 50], "idlers": [30, 24], "module": "4 mm"}
+RINGED = {"kind": "train", "teeth": 20, "ratio": 4, "idlers": [30], "module": "4 mm", "mesh": "internal"}
+OTHERS = {"chain": CHAIN, "friction": FRICTION, "inner": INNER, "train": TRAIN, "ringed": RINGED}
+EVERY = {**BELTS, **OTHERS}
 
 
 def test_a_mesh_without_teeth_needs_a_ratio():
@@ -40,9 +56,9 @@ def test_the_belt_has_one_velocity_on_both_pulleys_but_for_the_slip(name):
     assert (found.speed[stage.output] < 0) == (name == "crossed")
 
 
-@pytest.mark.parametrize("name", BELTS)
-def test_the_driven_pulley_gets_the_efficiency_s_part_of_the_power(name):
-    found = solve(BELTS[name], PAIR, torque="25 N*m")
+@pytest.mark.parametrize("name", EVERY)
+def test_the_driven_wheel_gets_the_efficiency_s_part_of_the_power(name):
+    found = solve(EVERY[name], PAIR, torque="25 N*m")
     assert abs(found.loads.imbalance) < 1e-9 * found.loads.supplied
     expected = found.stages[0].efficiency * found.stages[1].efficiency
     assert found.efficiency == pytest.approx(expected, rel=1e-12)
@@ -67,6 +83,49 @@ def test_the_diagrams_carry_the_velocity_of_the_belt_over(name):
     v = found.plans.velocity
     step = 0.011 / abs(v[spot.tied])
     assert v[spot.name] / v[spot.tied] == pytest.approx(1 - found.stages[1].given.slip, rel=step)
+
+
+@pytest.mark.parametrize("name", EVERY)
+def test_the_diagrams_agree_with_calculation(name):
+    found = solve(EVERY[name], PAIR)
+    for row in found.plans.comparison:
+        assert abs(row.graph - row.analytic) <= 1.001 * row.floor, row.key
+
+
+@pytest.mark.parametrize("name", EVERY)
+def test_the_sense_and_the_ratio_of_the_train_are_those_of_the_stage(name):
+    found = solve(EVERY[name])
+    (stage,) = found.stages
+    assert found.ratio == pytest.approx(stage.ratio, rel=1e-12)
+    assert (stage.ratio > 0) == (stage.given.sense > 0)
+
+
+def test_idlers_change_the_sense_alone():
+    for idlers in ([30], [30, 24], [17, 90, 33]):
+        one = solve(TRAIN | {"idlers": idlers})
+        assert one.ratio == pytest.approx(2.5 * (-1) ** (len(idlers) + 1), rel=1e-12)
+        assert one.efficiency == pytest.approx(0.98 ** (len(idlers) + 1), rel=1e-12)
+
+
+def test_every_idler_has_its_speed_and_its_load():
+    found = solve(PAIR, TRAIN, torque="10 N*m")
+    names = found.stages[1].given.wheels
+    z = [found.train.by_name[name].teeth for name in names]
+    for k, name in enumerate(names[1:], 1):
+        turned = found.speed[names[0]] * z[0] / z[k] * (-1) ** k
+        assert found.speed[name] == pytest.approx(turned, rel=1e-12)
+    power = found.speed[names[0]] * found.stages[1].s.number("T1")
+    for k, row in enumerate(found.stages[1].s.rows[:-1]):
+        v = abs(found.speed[row.index]) * row.number("d") / 2
+        assert row.number("F_t") * v == pytest.approx(abs(power) * 0.98**k, rel=1e-9)
+
+
+def test_the_chain_has_an_even_number_of_links_near_the_distance():
+    s = solve(CHAIN).stages[0].s
+    assert s.number("links") == 116 and s.number("z2") == 60 and s.number("a") == pytest.approx(0.7, abs=0.02)
+    odd = solve({"kind": "chain", "teeth": [25, 60], "pitch": "19.05 mm", "links": 117})
+    assert "bent link" in odd.doubts[0].text() and odd.stages[0].s.number("links") == 117
+    assert solve({"kind": "chain", "teeth": [25, 60], "pitch": "10 mm"}).stages[0].s.number("a_about") == 0.4
 
 
 def test_the_usual_rules():
@@ -121,3 +180,35 @@ def test_belts_that_are_stated_wrongly(change, words):
     stated = {key: value for key, value in (OPEN | change).items() if value is not None}
     with pytest.raises(ValueError, match=words):
         solve(stated)
+
+
+@pytest.mark.parametrize(
+    ("stated", "words"),
+    [
+        (CHAIN | {"distance": "100 mm"}, "sprockets meet"),
+        ({"kind": "chain", "teeth": [25, 60], "pitch": "19.05 mm", "links": 60}, "too short"),
+        (INNER | {"driven": "80 mm"}, "does not run within"),
+        (RINGED | {"ratio": 1.5}, "holds no wheel"),
+    ],
+)
+def test_other_stages_that_cannot_be(stated, words):
+    with pytest.raises(ProblemError, match=words):
+        solve(stated)
+
+
+@pytest.mark.parametrize(
+    ("stated", "words"),
+    [
+        (CHAIN | {"ratio": -2}, "same sense"),
+        (CHAIN | {"links": 120}, "both stated"),
+        (CHAIN | {"ratio": 90}, "asks for a driven wheel of 2250"),
+        ({"kind": "chain", "teeth": 25, "pitch": "19.05 mm"}, "neither the ratio nor the teeth"),
+        (FRICTION | {"driven": None}, "not determined"),
+        (INNER | {"ratio": -3}, "same sense"),
+        ({"kind": "train", "teeth": [20, 40], "module": "4 mm"}, "idlers"),
+        (TRAIN | {"idlers": []}, "idlers"),
+    ],
+)
+def test_other_stages_that_are_stated_wrongly(stated, words):
+    with pytest.raises(ValueError, match=words):
+        solve({key: value for key, value in stated.items() if value is not None})

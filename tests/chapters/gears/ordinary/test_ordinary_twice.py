@@ -1,11 +1,12 @@
 """Every formula of an ordinary stage by a second way: numpy, equilibrium of a pulley, powers of the train."""
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
 from test_drive import PAIR, solve
-from test_ordinary import BELTS
+from test_ordinary import BELTS, OTHERS
 from twice import disagreements
 
 from tmm_report.mechanics.gears import belts
@@ -13,6 +14,11 @@ from tmm_report.mechanics.gears import belts
 TWO = {"kind": "belt", "driving": "90 mm", "driven": "250 mm"}
 DRIVES = {
     **{f"belt {name}": [one] for name, one in BELTS.items()},
+    **{name: [PAIR, one] for name, one in OTHERS.items()},
+    "chain by its links": [{"kind": "chain", "teeth": [17, 40], "pitch": "12.7 mm", "links": 100, "slack": 0}],
+    "friction, driving sought": [{"kind": "friction", "driven": "300 mm", "ratio": 3, "slip": 0.01}],
+    "friction, driven sought": [{"kind": "friction", "driving": "90 mm", "ratio": 3, "slip": 0.01}],
+    "a ring drives": [{"kind": "friction", "contact": "internal", "driving": "300 mm", "driven": "90 mm"}],
     "belt by length": [TWO | {"length": "1600 mm", "coefficient": 0.25}],
     "belt, driving sought": [PAIR, {"kind": "belt", "belt": "crossed", "driven": "250 mm", "ratio": 2.5, "slip": 0.01}],
     "belt, multiplier": [TWO | {"driven": "60 mm", "distance": "0.5 m", "coefficient": 0.3}],
@@ -25,7 +31,10 @@ DRIVES = {
 def test_every_formula_agrees_with_the_second_way(name, torque):
     found = solve(*DRIVES[name], **({"torque": torque} if torque else {}))
     stage = found.stages[-1]
-    assert disagreements(stage.s, WAYS[stage.kind](found, stage)) == []
+    ways = WAYS[stage.kind](found, stage)
+    assert disagreements(stage.s, ways) == []
+    for row in getattr(stage.s, "rows", ()):
+        assert disagreements(row, ways["rows"][row.row]) == []
 
 
 def _belt(found, stage):
@@ -84,4 +93,82 @@ def _strands(stage, force, wrap, theta, v):
     }  # fmt: skip
 
 
-WAYS = {"belt": _belt}
+def _chain(found, stage):
+    """By the polygon of the sprocket, by the power; the number of links that the distance found has again."""
+    n, of = stage.s.number, stage.given
+    one, two = of.z
+    pitch, speed = of.pitch, abs(found.speed[stage.input])
+    # a regular polygon of side p: circumscribed radius
+    radius = [abs(pitch / (np.exp(2j * np.pi / z) - 1)) for z in (one, two)]
+    bent = ((two - one) / math.pi / 2) ** 2
+
+    def links(a):
+        return 2 * a / pitch + (one + two) / 2 + bent * pitch / a
+
+    mean = speed * one * pitch / math.pi / 2
+    steps = np.linspace(-math.pi / one, math.pi / one, 2001)  # a joint goes round by one tooth
+    along = speed * radius[0] * np.cos(steps)
+    ways = {
+        "z_exact": one * abs(of.ratio or 0), "u": found.speed[stage.input] / found.speed[stage.output],
+        "d1": 2 * radius[0], "d2": 2 * radius[1], "L": n("links") * pitch, "a_put": n("a") * (1 - of.slack),
+        "v": mean, "v_max": along.max(), "v_min": along.min(), "delta": (along.max() - along.min()) / mean,
+    }  # fmt: skip
+    assert links(n("a")) == pytest.approx(n("links"), rel=1e-12)
+    ways["a"] = n("a")
+    if "a_about" in stage.s:
+        ways["links_about"] = links(n("a_about"))
+    if "T1" in stage.s:
+        force = abs(found.loads.power[found.input]) * _before(found, stage) / mean
+        heavy = (of.mass or 0.0) * mean**2
+        ways |= {"F_t": force, "F_c": heavy, "F_tight": force + heavy}
+    return ways
+
+
+def _friction(found, stage):
+    """By the train; the pressing force from the friction that it makes."""
+    of = stage.given
+    one, two = stage.members
+    speed = abs(found.speed[stage.input])
+    v = speed * one.radius
+    ways = {
+        "d1": 2 * one.radius, "d2": 2 * two.radius, "u": found.speed[stage.input] / found.speed[stage.output],
+        "a": two.distance, "v": v, "v_slip": v - abs(found.speed[stage.output]) * two.radius,
+    }  # fmt: skip
+    assert (
+        abs(two.distance - (two.radius + one.radius if of.sense < 0 else abs(two.radius - one.radius)))
+        < 1e-12
+    )
+    if "T1" in stage.s:
+        force = abs(found.loads.power[found.input]) * _before(found, stage) / v
+        ways["F_t"] = force
+        if of.coefficient:
+            pressed = of.reserve * force / of.coefficient
+            ways |= {"F_n": pressed, "q_n": pressed / (of.width or 1.0)}
+    return ways
+
+
+def _train(found, stage):
+    """By the speeds of the train; the forces by the torques of its meshes."""
+    of, members = stage.given, stage.members
+    ways = {
+        "z_exact": abs(of.ratio or 0) * of.z[0], "u": found.speed[stage.input] / found.speed[stage.output],
+        "a": members[-1].distance,
+    }  # fmt: skip
+    first = sum(len(one.meshes) for one in found.stages[: found.stages.index(stage)])
+    rows = [{} for _ in members]
+    for k, (one, two) in enumerate(pairwise(members)):
+        force = abs(float(found.loads.mesh_torque[first + k])) / one.radius
+        rows[k] = {
+            "a": abs(two.distance - one.distance),
+            "F_t": force,
+            "F_r": force * math.sin(math.pi / 9) / math.cos(math.pi / 9),
+        }
+    for k in range(1, len(members) - 1):
+        before, after = rows[k - 1]["F_t"], rows[k]["F_t"]
+        lean = math.tan(math.pi / 9)
+        # on the idler the forces lie on the same side across, and one against the other along the line of the axes
+        rows[k]["F_axis"] = abs(before * (1 + 1j * lean) + after * (1 - 1j * lean))
+    return {**ways, "rows": rows}
+
+
+WAYS = {"belt": _belt, "chain": _chain, "friction": _friction, "train": _train}

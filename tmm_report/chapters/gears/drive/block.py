@@ -16,7 +16,13 @@ from tmm_report.chapters.gears.drive.crank import Crank
 from tmm_report.chapters.gears.drive.plans import DriveScales
 from tmm_report.chapters.gears.drive.power import block as power
 from tmm_report.chapters.gears.drive.stages import Given as StageGiven
-from tmm_report.chapters.gears.ordinary.given import BeltStage, Ordinary
+from tmm_report.chapters.gears.ordinary.given import (
+    BeltStage,
+    ChainStage,
+    FrictionStage,
+    Ordinary,
+    TrainStage,
+)
 from tmm_report.chapters.gears.planetary import block as planetary
 from tmm_report.chapters.gears.planetary.block import PlanetaryModel
 from tmm_report.chapters.gears.spur import block as spur
@@ -45,11 +51,14 @@ def _kind(value: Any) -> str:
 StageModel = Annotated[
     Annotated[Stated[Spur], Tag("<spur>")]
     | Annotated[PlanetaryModel, Tag("<planetary>")]
-    | Annotated[Stated[BeltStage], Tag("<belt>")],
+    | Annotated[Stated[BeltStage], Tag("<belt>")]
+    | Annotated[Stated[ChainStage], Tag("<chain>")]
+    | Annotated[Stated[FrictionStage], Tag("<friction>")]
+    | Annotated[Stated[TrainStage], Tag("<train>")],
     Discriminator(
         _kind,
         custom_error_type="shape",
-        custom_error_message=N_("begin with kind: spur, planetary or belt"),
+        custom_error_message=N_("begin with kind: spur, planetary, belt, chain, friction or train"),
     ),
 ]
 

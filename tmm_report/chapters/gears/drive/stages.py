@@ -13,6 +13,7 @@ from typing import Protocol, assert_never
 
 from tmm_report.chapters.gears.drive.bounds import check_search
 from tmm_report.chapters.gears.ordinary import solve as ordinary
+from tmm_report.chapters.gears.ordinary.given import Ordinary
 from tmm_report.chapters.gears.planetary.solve import stage as planetary
 from tmm_report.chapters.gears.spur.solve import pair as spur
 from tmm_report.mechanics.gears.trains import Member, Mesh
@@ -117,7 +118,7 @@ def _solved(given: Given) -> Stage:
             return spur.solve(given)
         case planetary.Given():
             return planetary.solve(given)
-        case ordinary.BeltStage():
+        case Ordinary():
             return ordinary.solve(given)
         case _:
             assert_never(given)

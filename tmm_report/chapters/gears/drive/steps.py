@@ -14,6 +14,7 @@ from tmm_report.chapters.gears.drive.power.steps import Steps as PowerSteps
 from tmm_report.chapters.gears.drive.solve import Found
 from tmm_report.chapters.gears.drive.stages import Stage
 from tmm_report.chapters.gears.drive.values import Member, OfStage, Segment, Values, letters
+from tmm_report.chapters.gears.ordinary import solve as ordinary
 from tmm_report.chapters.gears.planetary.quantities.stage import book
 from tmm_report.chapters.gears.planetary.solve import stage as planetary
 from tmm_report.mechanics.gears import trains
@@ -107,6 +108,7 @@ class Whole:
         own = PI * self.members[stage.input].n / 30 if before is None else before
         names = [self._turns(stage.input, own), self._turns(stage.output, self._output(number))]
         names += [self._turns(satellite, turned) for satellite, turned in self._satellites(stage)]
+        names += [self._turns(idler, turned) for idler, turned in self._idlers(stage)]
         for member in stage.members:
             self.omega(member.name)
         return names if number else names[1:]
@@ -137,6 +139,13 @@ class Whole:
                 carried, driving = self.omega(mesh.carrier), self.omega(wheel.name)
                 turned = (driving - carried) * self.members[wheel.name].z / self.members[satellite.name].z
                 yield satellite.name, carried + turned if mesh.internal else carried - turned
+
+    def _idlers(self, stage: Stage) -> Iterator[tuple[str, Expr]]:
+        """By the teeth, each from the wheel that drives it."""
+        for mesh in stage.meshes:
+            if mesh.j != stage.output and not mesh.carrier and isinstance(stage, ordinary.Found):
+                turned = self.omega(mesh.i) * self.members[mesh.i].z / self.members[mesh.j].z
+                yield mesh.j, turned if mesh.internal else -turned
 
     def _apart(self, mesh: trains.Mesh) -> tuple[trains.Member, trains.Member]:
         one, other = self.found.train.by_name[mesh.i], self.found.train.by_name[mesh.j]

@@ -1,17 +1,17 @@
-"""Chapter of ordinary stages of a drive, without the shape of teeth: belts.
+"""Chapter of ordinary stages of a drive, the shape of teeth left out: belts, chains, friction wheels, idlers.
 
 Each kind by its closed formulas (steps/); what the drive asks of a stage is that of the `Run` of drive/stages.py.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from typing import Any, NamedTuple
 
 from tmm_report.chapters.gears.ordinary import values
-from tmm_report.chapters.gears.ordinary.given import BeltStage, Given
-from tmm_report.chapters.gears.ordinary.steps import belt
+from tmm_report.chapters.gears.ordinary.given import BeltStage, ChainStage, FrictionStage, Given, TrainStage
+from tmm_report.chapters.gears.ordinary.steps import belt, chain, friction, train
+from tmm_report.chapters.gears.ordinary.steps.train import ANGLE
 from tmm_report.mechanics.gears import trains
 from tmm_report.problems import Message, Problem
 from tmm_report.records import dataclass
@@ -20,17 +20,19 @@ __all__ = ["Found", "Given", "solve"]
 
 
 class Kind(NamedTuple):
-    """`geometry`: what is found of a stage at rest; `work`: at the speed of its driving wheel, rad/s, and the torque on
-    it, N·m, or None."""
+    """`steps`: a module with what is found of a stage at rest (`geometry`), its `members` and `meshes`, and what is
+    found at the speed of its driving wheel, rad/s, and the torque on it, N·m, or None (`work`)."""
 
     name: str
     sheet: type[values.Numbers]
-    geometry: Callable[[Any, Any], None]
-    work: Callable[[Any, Any, float, float | None], None]
+    steps: Any
 
 
 KINDS: dict[type, Kind] = {
-    BeltStage: Kind("belt", values.Belt, belt.geometry, belt.work),
+    BeltStage: Kind("belt", values.Belt, belt),
+    ChainStage: Kind("chain", values.Chain, chain),
+    FrictionStage: Kind("friction", values.Friction, friction),
+    TrainStage: Kind("train", values.Train, train),
 }
 
 
@@ -76,23 +78,18 @@ class Found:
 
     @property
     def members(self) -> tuple[trains.Member, ...]:
-        one, two = self.given.wheels
-        n = self.s.number
-        return (
-            trains.Member(one, "wheel", radius=n("d1") / 2),
-            trains.Member(two, "wheel", radius=n("d2") / 2, distance=n("a")),
-        )
+        found: tuple[trains.Member, ...] = KINDS[type(self.given)].steps.members(self.s, self.given)
+        return found
 
     @property
     def meshes(self) -> tuple[trains.Mesh, ...]:
-        one, two = self.given.wheels
-        same = self.given.sense > 0
-        return (trains.Mesh(one, two, "", same, self.efficiency, size=abs(self.ratio), apart=True),)
+        found: tuple[trains.Mesh, ...] = KINDS[type(self.given)].steps.meshes(self.s, self.given)
+        return found
 
     @property
     def angles(self) -> tuple[float | None, ...]:
         """Of every mesh the angle of pressure, rad; None of what has no teeth."""
-        return (None,) * len(self.meshes)
+        return (ANGLE if self.kind == "train" else None,) * len(self.meshes)
 
     @property
     def shares(self) -> int:
@@ -104,7 +101,7 @@ class Found:
 
     @property
     def doubts(self) -> tuple[Problem, ...]:
-        return ()
+        return chain.doubts(self.given) if isinstance(self.given, ChainStage) else ()
 
     def summary(self) -> list[Message]:
         """What is wrong, a line each."""
@@ -115,7 +112,7 @@ def solve(given: Given) -> Found:
     """Raises ProblemError with every mistake and what would work."""
     kind = KINDS[type(given)]
     s = kind.sheet(given.wheels, given.label)
-    kind.geometry(s, given)
+    kind.steps.geometry(s, given)
     return Found(given, s)
 
 
@@ -123,6 +120,6 @@ def working(found: Found, speed: float, torque: float | None) -> Found:
     """The stage with its driving wheel turning at `speed`, rad/s, under the torque on it, N·m, where that is known."""
     kind = KINDS[type(found.given)]
     s = kind.sheet(found.given.wheels, found.given.label)
-    kind.geometry(s, found.given)
-    kind.work(s, found.given, speed, torque)
+    kind.steps.geometry(s, found.given)
+    kind.steps.work(s, found.given, speed, torque)
     return replace(found, s=s)

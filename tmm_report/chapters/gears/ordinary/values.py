@@ -8,10 +8,11 @@ from dataclasses import replace
 
 from tmm_report.i18n import NP_
 from tmm_report.problems import N_
-from tmm_report.quantity.sheet import Q, Sheet
+from tmm_report.quantity.sheet import Q, Row, Sheet
 from tmm_report.quantity.symbols import Symbol, both
 
-PUT = NP_("index", "put")
+PUT, SET, SLIDE = NP_("index", "put"), NP_("index", "set"), NP_("index", "slide")
+MAX, MIN = NP_("index", "max"), NP_("index", "min")
 
 
 class Numbers(Sheet):
@@ -62,3 +63,82 @@ class Belt(Numbers):
     F_c = Q("F_c", "N", N_("centrifugal tension"))
     F_put = Q(Symbol("F", PUT), "N", N_("tension with which the belt is put on"))
     F_shaft = Q("R", "N", N_("force by which the strands pull a shaft"))
+
+
+class Chain(Numbers):
+    z1 = Q("z", "", N_("number of teeth of the driving sprocket"), digits=9)
+    z2 = Q("z", "", N_("number of teeth of the driven sprocket"), digits=9)
+    z_exact = Q(
+        Symbol("z", "", "′"), "", N_("number of teeth of the driven sprocket that the ratio asks for")
+    )
+    u_required = Q(Symbol("u", "", "′"), "", N_("required ratio of the stage"))
+    u = Q("u", "", N_("ratio of the chain drive"))
+    p = Q("p", "m", N_("pitch of the chain"), "mm")
+    d1 = Q("d", "m", N_("pitch diameter of the driving sprocket"), "mm")
+    d2 = Q("d", "m", N_("pitch diameter of the driven sprocket"), "mm")
+    a_about = Q(Symbol("a", "", "′"), "m", N_("distance of the centres before the links are counted"), "mm")
+    links_about = Q(Symbol("W", "", "′"), "", N_("number of links at this distance"))
+    links = Q("W", "", N_("number of links of the chain"), digits=9)
+    a = Q("a", "m", N_("distance of the centres of a taut chain"), "mm")
+    slack = Q("epsilon", "", N_("part by which the distance is made shorter, so that the chain sags"))
+    a_put = Q(Symbol("a", SET), "m", N_("distance at which the sprockets are set"), "mm")
+    L = Q("L", "m", N_("length of the chain"), "mm")
+    omega1 = Q("omega", "rad/s", N_("angular velocity of the driving sprocket"))
+    v = Q("v", "m/s", N_("mean velocity of the chain"))
+    v_max = Q(Symbol("v", MAX), "m/s", N_("greatest velocity of the chain along itself"))
+    v_min = Q(Symbol("v", MIN), "m/s", N_("least velocity of the chain along itself"))
+    delta = Q("delta", "", N_("unevenness of the chain's velocity, as it runs on a polygon"))
+    T1 = Q("T", "N·m", N_("torque on the driving sprocket"))
+    F_t = Q("F_t", "N", N_("circumferential force"))
+    q = Q("q", "kg/m", N_("mass of a metre of the chain"))
+    F_c = Q("F_c", "N", N_("centrifugal tension"))
+    F_tight = Q("F_1", "N", N_("tension of the driving strand"))
+
+
+class Friction(Numbers):
+    d1 = Q("d", "m", N_("diameter of the driving wheel"), "mm")
+    d2 = Q("d", "m", N_("diameter of the driven wheel"), "mm")
+    epsilon = Q("epsilon", "", N_("slip: the part of its velocity that the driven wheel loses"))
+    u_required = Q(Symbol("u", "", "′"), "", N_("required ratio of the stage"))
+    u = Q("u", "", N_("ratio of the friction wheels"))
+    a = Q("a", "m", N_("distance of the centres"), "mm")
+    omega1 = Q("omega", "rad/s", N_("angular velocity of the driving wheel"))
+    v = Q("v", "m/s", N_("velocity of the circumference of the driving wheel"))
+    v_slip = Q(Symbol("v", SLIDE), "m/s", N_("velocity of slipping"))
+    T1 = Q("T", "N·m", N_("torque on the driving wheel"))
+    F_t = Q("F_t", "N", N_("circumferential force"))
+    f = Q("f", "", N_("coefficient of friction"))
+    k = Q("k", "", N_("reserve against slipping"))
+    F_n = Q("F_n", "N", N_("force that presses the wheels together"))
+    b = Q("b", "m", N_("length of the line of contact"), "mm")
+    q_n = Q("q_n", "N/m", N_("pressing force on a metre of the line of contact"), "N/mm", formed="N/m")
+
+
+class Train(Numbers):
+    """`rows`: of its wheels, in their order."""
+
+    rows: tuple[TrainWheel, ...] = ()
+    m = Q("m", "m", N_("module"), "mm")
+    z_exact = Q(Symbol("z", "", "′"), "", N_("number of teeth of the driven wheel that the ratio asks for"))
+    u_required = Q(Symbol("u", "", "′"), "", N_("required ratio of the stage"))
+    u = Q("u", "", N_("ratio of the train"))
+    a = Q(
+        "a",
+        "m",
+        N_("distance between the axes of the driving and the driven wheel, all axes in a plane"),
+        "mm",
+    )
+    eta_mesh = Q("eta", "", N_("efficiency of a mesh"))
+    omega1 = Q("omega", "rad/s", N_("angular velocity of the driving wheel"))
+    T1 = Q("T", "N·m", N_("torque on the driving wheel"))
+
+
+class TrainWheel(Row):
+    """Of a wheel; its forces with the wheel after it."""
+
+    z = Q("z", "", N_("number of teeth"), digits=9)
+    d = Q("d", "m", N_("pitch diameter"), "mm")
+    a = Q("a", "m", N_("distance from the axis of the next wheel"), "mm")
+    F_t = Q("F_t", "N", N_("circumferential force on the next wheel"))
+    F_r = Q("F_r", "N", N_("radial force on the next wheel"))
+    F_axis = Q("R", "N", N_("force of both meshes on the axis of an idler"))

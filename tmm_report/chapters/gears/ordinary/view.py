@@ -9,13 +9,16 @@ from typing import Any, NamedTuple
 from markupsafe import Markup
 
 from tmm_report.chapters.gears.ordinary.draw import sketch
+from tmm_report.chapters.gears.ordinary.quantities import tables
 from tmm_report.chapters.gears.ordinary.solve import Found
+from tmm_report.chapters.gears.ordinary.values import Train, TrainWheel
 from tmm_report.chapters.gears.ordinary.words import CHOSEN, GROUPS, HEADINGS, INTRODUCED
 from tmm_report.figures.drawing import Drawing
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula
 from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.page import Page
+from tmm_report.report.paper.layout import Column, Table, numeric
 from tmm_report.report.part import Part
 
 LEAST_WRAP = {"belt open": 150, "belt crossed": 150, "belt V": 120}  # deg, by the rule of machine parts
@@ -38,7 +41,7 @@ class OrdinaryView(ChapterView):
     own = True
 
     def __init__(self, found: Found, page: Page, label: str):
-        super().__init__(page, found.s)
+        super().__init__(page, found.s, tables(found, label))
         self.found, self.label = found, label
         self.one, self.two = found.input, found.output
 
@@ -53,7 +56,9 @@ class OrdinaryView(ChapterView):
         """What is stated: the numbers that no formula gives."""
         told = [key for key in self.s.DECLARED if key in self.s and not self.s.has_formula(key)]
         left = ("omega1", "T1", *self.found.given.chosen)
-        return self.listed(key for key in told if key not in left)
+        teeth = [self.page.value(row.z) for row in self.wheels if not row.has_formula("z")]
+        stated = [self.sized(key) for key in told if key not in left]
+        return self.page.listed([*teeth, *stated])
 
     def groups(self) -> Iterator[Written]:
         chosen = self.found.given.chosen
@@ -61,6 +66,31 @@ class OrdinaryView(ChapterView):
             how = [self.t(CHOSEN[chosen[key]], value=self.sized(key)) for key in taken if key in chosen]
             if (formulas := self.formulas(*keys)) or how:
                 yield Written(self.t(text), formulas, how)
+
+    # ------------------------------------------------------------ of a train
+
+    @property
+    def wheels(self) -> tuple[TrainWheel, ...]:
+        return self.s.rows if isinstance(self.s, Train) else ()
+
+    def of_wheels(self) -> list[Formula]:
+        """Distances, then forces mesh by mesh."""
+        keys = ("a", "F_t", "F_r", "F_axis")
+        return [row.formula(key) for key in keys for row in self.wheels if row.has_formula(key)]
+
+    def wheels_table(self) -> Table:
+        table = self.table("train")
+        names = [self.page.word(name, table, "wheel", row) for row, name in enumerate(table["wheel"].values)]
+        keys = [one.key for one in table.columns if one.key != "wheel"]
+        columns = [self.page.column(table, key) for key in keys]
+        return numeric(self.t("Wheels of the train"), Column(self.t("Wheel"), names), columns)
+
+    def of_table(self) -> list[dict[str, Any]]:
+        """What the columns of the table are."""
+        keys = [one.key for one in self.table("train").columns if one.key != "wheel"]
+        return self.columns_explained("train", *keys)
+
+    # ------------------------------------------------------------ what is said beside
 
     def symbols(self) -> list[dict[str, Any]]:
         """Every symbol of the stage with its meaning."""

@@ -135,6 +135,18 @@ def belt(one: float, other: float, distance: float, crossed: bool) -> dict[str, 
     return {"theta": theta, "alpha1": first, "alpha2": second, "L": length}
 
 
+def chain(z: tuple[int, int], pitch: float, links: int) -> dict[str, Number]:
+    """Pitch diameters by the polygons, length, m, and the distance of the centres as the greater root of
+    2 a² − (W − (z1 + z2)/2) p a + ((z2 − z1)/2π)² p² = 0."""
+    own = context()
+    p = exact(pitch)
+    middle = links - own.mpf(z[0] + z[1]) / 2
+    bent = ((z[1] - z[0]) / (2 * own.pi)) ** 2
+    a = p * (middle + own.sqrt(middle**2 - 8 * bent)) / 4
+    d1, d2 = (p / own.sin(own.pi / one) for one in z)
+    return {"d1": d1, "d2": d2, "a": a, "L": links * p}
+
+
 def speeds(members: Sequence[Member], meshes: Sequence[Mesh], given: Mapping[str, Any]) -> dict[str, Number]:
     """Angular velocities of all members by Willis' equations, (ω_i − ω_H) z_i = ∓(ω_j − ω_H) z_j, for stated ones."""
     by_name = {member.name: member for member in members}

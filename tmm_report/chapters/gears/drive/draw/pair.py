@@ -13,16 +13,16 @@ def pair(sketch: Sketch, stage: spur.Found) -> float:
     """The pair drawn; gives where the input shaft ends and leaves `sketch.x` where the stage does."""
     entry, out = member(stage, stage.input), member(stage, stage.output)
     x = sketch.x + (DISC if entry.kind == "ring" else RIM) + SIDE
-    start, end = (_wheel(sketch, wheel, x, side) for wheel, side in ((entry, -1), (out, 1)))
+    start, end = (wheel(sketch, one, x, side) for one, side in ((entry, -1), (out, 1)))
     sketch.x = x + (DISC if out.kind == "ring" else RIM) + SIDE
     sketch.shaft(end, sketch.x, sketch.y(out))
     return start
 
 
-def _wheel(sketch: Sketch, wheel: Member, x: float, side: int) -> float:
+def wheel(sketch: Sketch, one: Member, x: float, side: int) -> float:
     """A wheel, or a ring open on one side, with both halves; gives where its web stands on the shaft."""
-    y, r = sketch.y(wheel), sketch.radius(wheel)
-    ring = wheel.kind == "ring"
+    y, r = sketch.y(one), sketch.radius(one)
+    ring = one.kind == "ring"
     half, web = (r + CLEAR, x + side * DISC) if ring else (r - CLEAR, x)
     for up in (half, -half):
         if ring:
@@ -32,5 +32,5 @@ def _wheel(sketch: Sketch, wheel: Member, x: float, side: int) -> float:
     sketch.web(web, y - half, y + half)
     sketch.cross(web, y)
     away = 1 if y + half > 0 and not ring else -1
-    sketch.name(wheel.name, complex(x + (RIM if not ring else 0), y + away * half), complex(1, away))
+    sketch.name(one.name, complex(x + (RIM if not ring else 0), y + away * half), complex(1, away))
     return web

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from tmm_report.chapters.gears.ordinary.draw.belt import belt
+from tmm_report.chapters.gears.ordinary.draw.belt import belt, chain
+from tmm_report.chapters.gears.ordinary.draw.wheels import friction, train
 from tmm_report.chapters.gears.ordinary.solve import Found
 from tmm_report.figures.drawing import Drawing
 
-SKETCHES = {"belt": belt}
+SKETCHES = {"belt": belt, "chain": chain, "friction": friction, "train": train}
 
 
 def sketch(found: Found, title: str) -> Drawing:

@@ -6,7 +6,7 @@ import math
 
 from tmm_report.chapters.gears.ordinary.given import STANDARD, BeltStage
 from tmm_report.chapters.gears.ordinary.values import Belt
-from tmm_report.mechanics.gears import belts
+from tmm_report.mechanics.gears import belts, trains
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.quantity.formula import PI, Expr, cos, sin, sqrt
 from tmm_report.quantity.functions import arcsin, exp
@@ -86,6 +86,19 @@ def _short(of: BeltStage, exact: float | None) -> Problem:
     wrong = N_("a belt of %(length)s mm is too short for the pulleys")
     right = Message(N_("a longer belt, or smaller pulleys"))
     return mistake(wrong, ("length",), right, length=f"{1e3 * (exact or 0):.5g}")
+
+
+def members(s: Belt, of: BeltStage) -> tuple[trains.Member, ...]:
+    one, two = of.wheels
+    return (
+        trains.Member(one, "wheel", radius=s.number("d1") / 2),
+        trains.Member(two, "wheel", radius=s.number("d2") / 2, distance=s.number("a")),
+    )
+
+
+def meshes(s: Belt, of: BeltStage) -> tuple[trains.Mesh, ...]:
+    one, two = of.wheels
+    return (trains.Mesh(one, two, "", of.sense > 0, of.eta, size=abs(s.number("u")), apart=True),)
 
 
 def work(s: Belt, of: BeltStage, speed: float, torque: float | None) -> None:
