@@ -1,8 +1,7 @@
 """The course project: its chapters in the order of the note, what each is given, what it finds, how it is solved.
 
-The records are the list of chapters: a chapter is a field of what is given, a field of what is found and a line of
-`solve`, all checked by types. Everything else of a chapter (its block of a variant, its quantities, its view) stands
-in its folder and is found there by the field's name, only when it is asked for: see `room`.
+A chapter is a field of what is given, a field of what is found and a line of `solve`, all checked by types. All else of
+it (block, quantities, view) stands in its folder and is found by the name of its field when asked for: see `room`.
 """
 
 from __future__ import annotations
@@ -29,10 +28,11 @@ from tmm_report.problems import N_, Message, Problem, ProblemError
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
+    from tmm_report.chapters.cams.cam import solve as cam
     from tmm_report.chapters.find import solve as find
     from tmm_report.chapters.gears.drive import solve as drive
     from tmm_report.chapters.gears.eccentric.solve import mechanism as eccentric
-    from tmm_report.chapters.lever.cam import solve as cam
+    from tmm_report.chapters.lever.cams import solve as cams
     from tmm_report.chapters.lever.force_plans import solve as force_plans
     from tmm_report.chapters.lever.friction import solve as friction
     from tmm_report.chapters.lever.kinematics.solve import positions as kinematics
@@ -77,7 +77,7 @@ if not TYPE_CHECKING:
     synthesis = Late("lever.synthesis.solve")
     structure = Late("lever.structure.solve")
     kinematics = Late("lever.kinematics.solve.positions")
-    cam = Late("lever.cam.solve")
+    cams = Late("lever.cams.solve")
     plans = Late("lever.plans.solve")
     kinetostatics = Late("lever.kinetostatics.solve.positions")
     force_plans = Late("lever.force_plans.solve")
@@ -100,6 +100,7 @@ if not TYPE_CHECKING:
     contacts = Late("machine.contacts.solve")
     efficiency = Late("machine.efficiency.solve")
     wear = Late("machine.wear.solve")
+    cam = Late("cams.cam.solve")
     drive = Late("gears.drive.solve")
     eccentric = Late("gears.eccentric.solve.mechanism")
 
@@ -143,6 +144,7 @@ class Variant:
     contacts: contacts.Given | None = None
     efficiency: efficiency.Given | None = None
     wear: wear.Given | None = None
+    cam: cam.Given | None = None
     drive: drive.Given | None = None
     eccentric: eccentric.Given | None = None
     title: Title = field(default_factory=Title)
@@ -162,7 +164,7 @@ class LeverFound:
     given: LeverGiven
     structure: structure.Structure
     kinematics: kinematics.Kinematics
-    cam: cam.Cams | None
+    cams: cams.Cams | None
     plans: plans.Plans
     kinetostatics: kinetostatics.Kinetostatics | None = None
     force_plans: force_plans.ForcePlans | None = None
@@ -212,6 +214,7 @@ class Results:
     contacts: contacts.Found | None = None
     efficiency: efficiency.Found | None = None
     wear: wear.Found | None = None
+    cam: cam.Found | None = None
     drive: drive.Found | None = None
     eccentric: eccentric.Found | None = None
 
@@ -280,6 +283,7 @@ def _solved(variant: Variant, moved: Moved | None) -> Results:
         contacts=contacts.solve(variant.contacts, moving) if variant.contacts else None,
         efficiency=efficiency.solve(variant.efficiency, moving) if variant.efficiency else None,
         wear=wear.solve(variant.wear, moving) if variant.wear and whole else None,
+        cam=cam.solve(variant.cam) if variant.cam else None,
         drive=drive.solve(variant.drive, moving) if variant.drive else None,
         eccentric=eccentric.solve(variant.eccentric) if variant.eccentric else None,
     )
@@ -310,7 +314,7 @@ def solve_lever(
         given,
         links,
         motion,
-        cam.solve(motion) if given.mechanism.cams else None,
+        cams.solve(motion) if given.mechanism.cams else None,
         drawn,
         forces,
         force_plans.solve(given.drawing, given.positions.force_plan, forces, drawn) if forces else None,
@@ -394,8 +398,8 @@ def room(chapter: str, name: str) -> Any:
 
 def wing(chapter: str) -> str:
     """Which wing a chapter stands in, "lever." and so on: none for the title page."""
-    if chapter == "find":  # of no wing: it asks all of them
-        return ""
+    if chapter in ("find", "cam"):  # the first is of no wing: it asks all of them
+        return "cams." if chapter == "cam" else ""
     if chapter in (INITIAL_DATA, *BEFORE, *LEVER):
         return "lever."
     return "gears." if chapter in GEARS else "machine." if chapter in OTHERS else ""
@@ -428,7 +432,7 @@ def schema() -> dict[str, Any]:
     """The JSON Schema (draft 2020-12) of the format, for editors."""
     from tmm_report.variant.editor import schema_of  # only `tmm-report schema` needs it
 
-    kinds = "a lever mechanism, a gear drive, an eccentric mechanism, or several of them"
+    kinds = "a lever mechanism, a cam, a gear drive, an eccentric mechanism, or several of them"
     return schema_of([block.Block for block in _rooms().all()], f"A variant of a course project: {kinds}.")
 
 
@@ -475,9 +479,7 @@ def _further(read: Read) -> Iterator[Problem]:
 
     if stated(read) and not any(map(read.is_broken, ("mechanism", "positions", "drawing", "synthesis"))):
         lever = LeverGiven(**_given(("structure", "kinematics"), read))
-        yield from _unsolvable(
-            lambda: kinematics.solve(lever.positions, structure.solve(lever.mechanism)),
-        )
+        yield from _unsolvable(lambda: kinematics.solve(lever.positions, structure.solve(lever.mechanism)))
     gears = [name for name in ("drive", "eccentric") if name in read.data and not read.is_broken(name)]
     yield from _of_gears(Variant(**_given(gears, read)))
 

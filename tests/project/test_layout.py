@@ -33,9 +33,13 @@ ROOT = Path(__file__).parents[2]
 CHAPTERS = ROOT / "tmm_report" / "chapters"
 STAGES = ("spur", "planetary", "ordinary")  # solved within a drive, and printed within its chapter
 AFTER = tuple(name for name in course.OTHERS if name not in course.BEFORE)
-ORDER = ("title", *course.BEFORE, course.INITIAL_DATA, *course.LEVER, *STAGES, *AFTER)  # of the note
+SHARED = (
+    "cam",
+)  # printed after the lever mechanism, but its rooms are those of the mechanism's cam pairs, too
+LATER = tuple(name for name in AFTER if name not in SHARED)
+ORDER = ("title", *course.BEFORE, *SHARED, course.INITIAL_DATA, *course.LEVER, *STAGES, *LATER)  # of the note
 FOUND = (*course.LEVER, *STAGES, *course.OTHERS)
-WINGS = ("lever", "gears", "machine")
+WINGS = ("cams", "lever", "gears", "machine")
 OPEN = ("given", "solve", "quantities")  # rooms of a chapter that later chapters may enter
 
 

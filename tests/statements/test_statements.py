@@ -27,6 +27,8 @@ TABLES = (
     "cam_motion_k_table",
     "cam_profile_k",
     "stage1_quality",
+    "cam_motion_table",
+    "cam_profile",
 )
 
 
@@ -49,6 +51,24 @@ def test_single_numbers(name):
     values = {one["key"]: one["value"] for one in found(name)["values"]}
     asked = answers(name)["values"]
     assert {key: values[key] for key in asked} == pytest.approx(asked, rel=DIGITS)
+
+
+ANGLE = 1e-5  # degrees: an extreme is flat, so that its angle is found to half of its digits
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if "at_deg" in answers(name)])
+def test_angles_at_which_they_are_reached(name):
+    angles = {one["key"]: one["at_deg"] for one in found(name)["values"] if "at_deg" in one}
+    asked = answers(name)["at_deg"]
+    assert {key: angles[key] for key in asked} == pytest.approx(asked, abs=ANGLE)
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if "columns" in answers(name)])
+def test_whole_columns(name):
+    for table, asked in answers(name)["columns"].items():
+        of = columns(found(name), table)
+        for key, numbers in asked.items():
+            assert of[key] == pytest.approx(numbers, rel=DIGITS, abs=1e-15), (table, key)
 
 
 @pytest.mark.parametrize("name", NAMES)

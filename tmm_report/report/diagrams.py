@@ -14,7 +14,7 @@ from tmm_report.figures.charts.graphs import Curve, Graph, Letters, graph
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.lettering import Label, Parts, lettered
 from tmm_report.i18n import Translator
-from tmm_report.mechanics.lever.cycle import Extreme
+from tmm_report.mechanics.cams.extremes import Extreme
 from tmm_report.quantity.formula import Var
 from tmm_report.quantity.model import Column, Quantity, Table
 from tmm_report.quantity.ref import Ref

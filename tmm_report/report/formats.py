@@ -172,7 +172,7 @@ _TEX_SIGNS = {
     "−": "$-$", "·": "$\\cdot$", "°": "$^{\\circ}$", "→": "$\\to$", "×": "$\\times$", "≤": "$\\leqslant$",
     "≥": "$\\geqslant$", "±": "$\\pm$", "≈": "$\\approx$", "∥": "$\\parallel$", "⟂": "$\\perp$", "≠": "$\\neq$",
     "\N{NO-BREAK SPACE}": "~", "\N{NARROW NO-BREAK SPACE}": "\\,", "‖": "$\\parallel$", "∞": "$\\infty$",
-    "↻": "$\\circlearrowright$", "↺": "$\\circlearrowleft$",
+    "′": "$'$", "″": "$''$", "↻": "$\\circlearrowright$", "↺": "$\\circlearrowleft$",
     "\n": " ", "\t": " ", "’": "'", "φ": "$\\varphi$", "ε": "$\\varepsilon$",
 }  # fmt: skip
 _SIGNS = _GREEK_MACRO | _TEX_SIGNS

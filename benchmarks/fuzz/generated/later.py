@@ -1,10 +1,12 @@
 """What the format takes besides, drawn after all else and by draws of its own, so that what was drawn before stays:
-points by a distance and an angle, strokes that are run up and down, upright rails, a main link that slides."""
+points by a distance and an angle, strokes that are run up and down, upright rails, a main link that slides, a cam."""
 
 from __future__ import annotations
 
 from random import Random
 from typing import Any
+
+from benchmarks.fuzz.generated.levers import cam_alone
 
 Data = dict[str, Any]
 UPRIGHT = {"above": "left", "below": "right", "right": "up", "left": "down"}
@@ -23,6 +25,8 @@ def later(data: Data, random: Random) -> None:
         _upright(mechanism, random)
     if not mechanism and not data.get("find") and random.random() < 0.05:
         data["travel"] = _travel(random)
+    if not data.get("find") and random.random() < 0.08:
+        data["cam"] = cam_alone(random)
 
 
 def _corner(name: str, link: Data, random: Random) -> None:

@@ -206,6 +206,59 @@ def cam(random: Random) -> tuple[Data, Data]:
     return data, {} if swings else {"B": UPRIGHT}
 
 
+def cam_alone(random: Random) -> Data:
+    """The block `cam`: as a sheet states it."""
+    base, end = random.uniform(35, 60), random.choice(("roller", "roller", "knife", "flat"))
+    swings = random.random() < 0.45
+    one: Data = {"follower": end}
+    if end == "roller":
+        one["roller"] = mm(random.uniform(5, 15))
+        if random.random() < 0.5:
+            del one["follower"]
+    _law(one, swings, base, random)
+    if one.get("base") == "smallest" and end == "flat" and random.random() < 0.8:
+        one["least_curvature"] = "4 mm"
+    if "phases" in one:
+        _divided(one["phases"], random)
+        if "base" in one and one["base"] != "smallest" and random.random() < 0.3:
+            one["pitch_base"] = one.pop("base")
+    if swings:
+        one["centre_distance"], one["side"] = mm(random.uniform(130, 150)), random.choice(("against", "with"))
+        if end != "flat" or random.random() < 0.1:
+            one["arm"] = mm(random.uniform(115, 135))
+        elif random.random() < 0.3:
+            one["face_offset"] = mm(random.choice((-6, 5, 12)))
+    elif random.random() < 0.6 and "profile" not in one:
+        free = one.get("base") == "smallest" and end != "flat"
+        one["offset"] = "free" if free and random.random() < 0.5 else mm(random.choice((-8, 6, 12)))
+        if random.random() < 0.4 and not one["offset"].startswith(("-", "free")):
+            one["side"] = random.choice(("against", "with", "left", "right"))
+    for key, value in (
+        ("rotation", random.choice(("clockwise", "counter-clockwise"))),
+        ("speed", f"{random.randint(60, 400)} rpm"),
+        ("positions", random.choice((12, 24, 36, 17))),
+        ("pressure_angle_limit", "35 deg"),
+    ):
+        if random.random() < 0.5:
+            one[key] = value
+    return one
+
+
+def _divided(phases: list[Data], random: Random) -> None:
+    """Dwells that are the rest, or none at all; phases by equal parts."""
+    kind = random.random()
+    if kind < 0.3:
+        phases[-1]["dwell"] = "rest"
+    elif kind < 0.5:
+        phases[1]["dwell"] = phases[3]["dwell"] = "equal"
+    elif kind < 0.7:
+        phases[0]["rise"] = phases[2]["return"] = "180 deg"
+        phases[1]["dwell"], phases[3]["dwell"] = "0 deg", 0
+    for phase in phases:
+        if random.random() < 0.3:
+            phase["divisions"] = random.choice((1, 6, 8))
+
+
 def _law(one: Data, swings: bool, base: float, random: Random) -> None:
     kind = random.choice(("phases", "phases", "table", "profile"))
     turned = [30 * k for k in range(13)]

@@ -17,7 +17,7 @@ KEYS = {"": "cam_S", "′": "cam_S1", "′′": "cam_S2"}
 
 
 def pairs(name: str):
-    return solved(name).lever.cam.cams
+    return solved(name).lever.cams.cams
 
 
 def sheet(name: str, own: str):

@@ -25,11 +25,13 @@ BEFORE = 7 * EDGE  # rad: surely before a break
 
 @dataclass(frozen=True)
 class Phase:
-    """A part of the cam's turn of `angle`, rad, by the shape of its law; a dwell has none."""
+    """A part of the cam's turn of `angle`, rad, by the shape of its law; a dwell has none. `parts`: into how many equal
+    parts it is divided for a table, 0 of none."""
 
     kind: Kind
     angle: float
     law: Shape | None = None
+    parts: int = 0
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,11 +69,11 @@ class Phases:
             here = number == k
             if not np.any(here):
                 continue
-            for whole, part in zip(found, self._phase(k, phase, theta), strict=True):
+            for whole, part in zip(found, self.of_phase(k, phase, theta), strict=True):
                 np.copyto(whole, part, where=here)
         return found  # type: ignore[return-value]
 
-    def _phase(self, k: int, phase: Phase, theta: Array) -> Three:
+    def of_phase(self, k: int, phase: Phase, theta: Array) -> Three:
         if phase.law is None:
             high = self.level(k)
             return np.full_like(theta, high), np.zeros_like(theta), np.zeros_like(theta)
@@ -81,10 +83,24 @@ class Phases:
         start = 0.0 if way > 0 else h
         return start + way * h * f, way * h * slope / phase.angle, way * h * bend / phase.angle**2
 
+    def within(self, k: int) -> WithinPhase:
+        """The law as phase `k` has it, its ends as they are within it."""
+        return WithinPhase(self.phases, self.lift, k)
+
     def level(self, k: int) -> float:
         """The displacement at which phase `k` begins: that of the low or of the high position."""
         last = next((p.kind for p in reversed(self.phases[:k]) if p.kind != "dwell"), "return")
         return self.lift if last == "rise" else 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class WithinPhase(Phases):
+    """A law by phases as one of them, its `number` from 0, has it: where it ends its derivatives are still its own."""
+
+    number: int = 0
+
+    def of(self, theta: Array) -> Three:
+        return self.of_phase(self.number, self.phases[self.number], np.asarray(theta, dtype=float))
 
 
 @dataclass(frozen=True, eq=False)

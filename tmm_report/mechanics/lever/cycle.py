@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, assert_never
 import numpy as np
 
 from tmm_report.mechanics.calculus.vectors import dot
+from tmm_report.mechanics.cams.extremes import Extreme as Extreme
 from tmm_report.mechanics.cams.follower_laws import BEFORE
 from tmm_report.mechanics.lever.cams.kinks import breaks
 from tmm_report.mechanics.lever.cycle_search import FULL_TURN, Search
@@ -29,16 +30,6 @@ Array = Any
 
 EQUAL = 1e-12  # values nearer than this part of the largest are one
 WITHIN = np.array([-1e-9, -1e-13, 1e-13, 1e-9])  # rad from a limit: to its rounding, and surely within
-
-
-@dataclass(frozen=True)
-class Extreme:
-    """An extreme value and the angle turned from position 0, rad, at which it is reached; in a corner on which `side`
-    of it, -1 before and +1 after, elsewhere 0."""
-
-    value: float
-    turned: float
-    side: int = 0
 
 
 def least_and_greatest(

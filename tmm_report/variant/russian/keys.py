@@ -100,6 +100,7 @@ density: плотность
 disc: диск
 displacement: перемещение
 distance: расстояние
+divisions: деления
 drawing_tables: таблицы чертежей
 driven: ведомая, ведомый
 driven_speed: скорость ведомого
@@ -117,6 +118,7 @@ exponent: показатель
 extension: продолжение
 external_teeth: наружные зубья
 face: торец
+face_offset: смещение плоскости
 fan: вентилятор
 fast: быстроходная
 feedback: обратная связь
@@ -216,6 +218,7 @@ phase: фаза
 phases: фазы
 pins: ролики, шарики
 pitch: шаг
+pitch_base: радиус центрового профиля
 pivot: пята
 pivots: оси
 places: положения ползуна, места

@@ -49,7 +49,7 @@ _NEAREST = {
         "friction wheels are a stage of the block drive, kind: friction"
     ),
     "geneva, maltese, maltese_cross, indexing, мальтийский, мальтийская, крест": N_(
-        "Geneva wheels are not offered: a cam of mechanism.cams has dwells, and a linkage by synthesis: {dwell: {…}}"
+        "Geneva wheels are not offered: a cam (cam, or cams) has dwells, and a linkage by synthesis: {dwell: {…}}"
     ),
     "ratchet, pawl, храповой, храповик, храповая, собачка": N_(
         "ratchets are not offered: the rocker that drives one is analysed by itself"
@@ -100,7 +100,9 @@ _NEAREST = {
         "its crank is half the stroke, nothing is to be found: state the mechanism"
     ),
     "motor, двигатель": N_("the motor stands in dynamics: {motor: {…}}, what it is to overcome beside it"),
-    "cam, cams, кулачок, кулачковый": N_("a cam is found where it is stated: mechanism.cams"),
+    "cam, cams, кулачок, кулачковый": N_(
+        "a cam is found where it is stated: the block cam, or mechanism.cams"
+    ),
     "path, trajectory, coupler_curve, straight_line, траектория, прямило": N_(
         "linkages along a path are not offered: an arc of a coupler point (dwell) and positions of a body are"
     ),

@@ -10,8 +10,8 @@ from reading import wrong
 from test_against_results import wrong_cells, wrong_formulas
 
 from tmm_report import render
-from tmm_report.chapters.lever.cam.quantities import demands, values
-from tmm_report.chapters.lever.cam.solve import Cams
+from tmm_report.chapters.cams.cam.quantities import demands, values
+from tmm_report.chapters.cams.cam.solve.found import Cams
 from tmm_report.course import loads, solve
 from tmm_report.mechanics.cams.shapes import NAMED
 from tmm_report.problems import ProblemError
@@ -28,7 +28,7 @@ def written(text):
     note = read(render(results, "html")["note.html"].decode())
     document = json.loads(render(results, "json")["results.json"])
     wrong([*wrong_cells(note, document), *wrong_formulas(note, document)])
-    return results.lever.cam.cams[0]
+    return results.lever.cams.cams[0]
 
 
 @pytest.mark.parametrize("start", STARTS)
@@ -43,7 +43,7 @@ def test_the_starts_come_into_every_piece():
     for start in STARTS:
         found = solve(
             loads(TEXT.replace("      lift:", f"      start: -{start} deg\n      lift:"))
-        ).lever.cam.cams[0]
+        ).lever.cams.cams[0]
         numbers |= {found.number_of(one) for one in found.samples if one.phase.kind == "rise"}
     assert numbers == set(range(len(found.pieces)))
 
@@ -113,7 +113,7 @@ def test_least_sizes_of_levers(case):
     found = written(text)
     least = found.cam.sized.radius(found.cam.sized.lowest.least)
     assert least <= found.pitch_base * (1 + 1e-12) < least + 0.5e-3
-    exact = solve(loads(text.replace("      round: 0.5 mm\n", ""))).lever.cam.cams[0]
+    exact = solve(loads(text.replace("      round: 0.5 mm\n", ""))).lever.cams.cams[0]
     asked = {"rise": exact.cam.limit, "return": exact.cam.back}[exact.cam.sized.lowest.way]
     reached = {"rise": exact.rise, "return": exact.back}[exact.cam.sized.lowest.way].value
     assert reached == pytest.approx(asked, abs=1e-8)  # nowhere more than is permitted, and once as much

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from tmm_report import course
-from tmm_report.chapters.lever.cam import formulas
-from tmm_report.chapters.lever.cam import quantities as q
+from tmm_report.chapters.cams.cam import formulas
+from tmm_report.chapters.cams.cam import quantities as q
 from tmm_report.mechanics.lever.cycle import Cycle
 from tmm_report.quantity.formula import agrees, at
 from tmm_report.quantity.model import Book
@@ -96,7 +96,7 @@ def test_no_plan_is_drawn_in_a_dwell():
 
 
 def test_formulas_written_out_give_the_numbers_of_the_tables(lever):
-    (found,), book = lever.cam.cams, Book.of(q.tables(lever.cam), q.values(lever.cam))
+    (found,), book = lever.cams.cams, Book.of(q.tables(lever.cams), q.values(lever.cams))
     motion = book.tables["cam_motion_k_table"]
     for written in formulas.laws(found, book):
         _, *rates = written.formulas
@@ -117,7 +117,7 @@ def test_formulas_written_out_give_the_numbers_of_the_tables(lever):
 
 def test_the_pressure_angle_is_between_normal_and_velocity(lever):
     """By the motion alone: cos α = |v·n|/|v| of the point that is driven, wherever it moves."""
-    (found,), motion = lever.cam.cams, lever.kinematics.diagram
+    (found,), motion = lever.cams.cams, lever.kinematics.diagram
     cam, phi = found.cam, motion.phi
     touch = cam.contact(phi)
     if cam.flat:
@@ -131,7 +131,7 @@ def test_the_pressure_angle_is_between_normal_and_velocity(lever):
 
 
 def test_the_greatest_pressure_angle_bounds_the_rows_of_its_phase(lever):
-    (found,) = lever.cam.cams
+    (found,) = lever.cams.cams
     fine = found.at(np.linspace(0, 2 * np.pi, 20001))
     for sign, greatest in ((1, found.rise), (-1, found.back)):
         moving = np.abs(fine.alpha[sign * fine.first > 1e-9])
@@ -150,7 +150,7 @@ def test_extremes_hold_all_positions_also_where_the_acceleration_jumps(lever):
 
 
 def test_the_least_radius_of_curvature_bounds_all(lever):
-    (found,) = lever.cam.cams
+    (found,) = lever.cams.cams
     radius = found.cam.own_radius(np.linspace(0, 2 * np.pi, 3001))
     assert found.least.value <= np.min(radius[radius > 0]) * (1 + 1e-9)
 
@@ -163,7 +163,7 @@ def test_a_steeper_rise_exceeds_the_limit_and_the_note_says_it():
     steep = (
         text("roller").replace("rise: 100 deg", "rise: 50 deg").replace("dwell: 110 deg", "dwell: 160 deg")
     )
-    (found,) = course.solve(course.loads(steep)).lever.cam.cams
+    (found,) = course.solve(course.loads(steep)).lever.cams.cams
     assert found.exceeds and np.degrees(found.rise.value) > 30
 
 
@@ -181,5 +181,5 @@ def test_a_turn_begins_where_the_variant_says():
     start = course.loads(text("roller").replace("base: 40 mm", "base: 40 mm, start: 50 deg")).lever
     found = course.solve_lever(start)
     assert isinstance(found.kinematics.cycle, Cycle)
-    lift = found.cam.cams[0]
+    lift = found.cams.cams[0]
     assert np.allclose(lift.cam.given.theta(np.radians(50.0)), 0.0)

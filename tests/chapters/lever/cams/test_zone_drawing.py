@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tmm_report.chapters.lever.cam import draw_zone
+from tmm_report.chapters.cams.cam.draw import zone as draw_zone
 from tmm_report.course import loads, solve
 from tmm_report.figures.drawing import THICK
 from tmm_report.figures.primitives import Circle, Text
@@ -16,7 +16,7 @@ TEXT = Path(__file__).parents[3].joinpath("statements/cam_from_pressure_angles.y
 
 @pytest.fixture(scope="module", params=["[-12 mm, 0]", "[0, 0]", "[9 mm, 0]"])
 def drawn(request):
-    found = solve(loads(TEXT.replace("[-12 mm, 0]", request.param))).lever.cam.cams[0]
+    found = solve(loads(TEXT.replace("[-12 mm, 0]", request.param))).lever.cams.cams[0]
     zone = found.cam.sized
     mu = draw_zone.scale(found, zone)
     return found, zone, mu, draw_zone.drawing(found, zone, mu)

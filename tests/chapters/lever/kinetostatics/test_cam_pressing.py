@@ -42,7 +42,7 @@ positions: {{table: 12, diagram: 72, plans: [1], force_plan: 1}}
 def test_along_the_normal_the_follower_has_what_its_weight_and_acceleration_take(roller, sense):
     """One mass on a guide without friction: N cos α = m(g + S''ω²), by hand."""
     lever = valve(roller=roller, sense=sense)
-    (one,), (found,) = lever.kinetostatics.pressings, lever.cam.cams
+    (one,), (found,) = lever.kinetostatics.pressings, lever.cams.cams
     for pressed, lifted in ((one.table, found.table), (one.diagram, found.diagram)):
         wanted = 0.5 * (9.81 + lifted.second * SPEED**2) / np.cos(lifted.alpha)
         assert np.allclose(pressed, wanted, rtol=1e-9)
@@ -50,7 +50,7 @@ def test_along_the_normal_the_follower_has_what_its_weight_and_acceleration_take
 
 def test_a_fast_cam_throws_its_follower_off_and_its_closure_is_told():
     (one,) = valve().kinetostatics.pressings
-    (found,) = valve().cam.cams
+    (found,) = valve().cams.cams
     fine = found.at(np.linspace(0.0, 2 * np.pi, 100001))
     deepest = np.min(0.5 * (9.81 + fine.second * SPEED**2) / np.cos(fine.alpha))
     assert one.parts and one.closure == pytest.approx(-deepest, rel=1e-7)
@@ -101,7 +101,7 @@ def test_results_tell_the_reaction_and_the_angles_at_which_they_part():
 
 
 def test_a_cosine_law_jumps_at_both_ends_by_its_greatest_acceleration():
-    (found,) = valve("cosine").cam.cams
+    (found,) = valve("cosine").cams.cams
     rise, back = (np.pi**2 / 2 * 0.012 / np.radians(angle) ** 2 for angle in (97.0, 80.0))
     assert np.degrees([shock.turned for shock in found.shocks]) == pytest.approx([0.0, 97.0, 130.0, 210.0])
     assert [shock.second for shock in found.shocks] == pytest.approx([rise, rise, -back, -back], rel=1e-6)
@@ -109,25 +109,25 @@ def test_a_cosine_law_jumps_at_both_ends_by_its_greatest_acceleration():
 
 
 def test_a_parabolic_law_jumps_in_the_middle_too_twice_as_far():
-    (found,) = valve("parabolic").cam.cams
+    (found,) = valve("parabolic").cams.cams
     rise = 4 * 0.012 / np.radians(97.0) ** 2
     assert [shock.second for shock in found.shocks[:3]] == pytest.approx([rise, -2 * rise, rise])
     assert len(found.shocks) == 6
 
 
 def test_a_uniform_law_has_hard_shocks_only():
-    (found,) = valve("uniform").cam.cams
+    (found,) = valve("uniform").cams.cams
     rise, back = (0.012 / np.radians(angle) for angle in (97.0, 80.0))
     assert [shock.first for shock in found.shocks] == pytest.approx([rise, -rise, -back, back])
     assert all(shock.hard for shock in found.shocks)
 
 
 def test_sine_and_polynomial_have_none():
-    assert valve("sine").cam.cams[0].shocks == () == valve("polynomial").cam.cams[0].shocks
+    assert valve("sine").cams.cams[0].shocks == () == valve("polynomial").cams.cams[0].shocks
 
 
 def test_extremes_of_the_law_are_the_published_ones_between_the_positions_too():
-    (found,) = valve("sine").cam.cams
+    (found,) = valve("sine").cams.cams
     h, beta, back = 0.012, np.radians(97.0), np.radians(80.0)
     S, first, second = ([end.value for end in ends] for ends in found.ends)
     assert S[0] == pytest.approx(0.0, abs=1e-12) and S[1] == pytest.approx(h)
@@ -137,7 +137,7 @@ def test_extremes_of_the_law_are_the_published_ones_between_the_positions_too():
 
 def test_an_extreme_at_the_end_of_a_phase_is_that_of_its_own_side():
     """The end of a phase is between the angles that are searched: the acceleration there is the law's greatest."""
-    (found,) = valve("cosine", rise=97.13).cam.cams
+    (found,) = valve("cosine", rise=97.13).cams.cams
     largest = np.pi**2 / 2 * 0.012 / np.radians(80.0) ** 2
     low, high = found.ends[2]
     assert (low.value, high.value) == pytest.approx((-largest, largest), rel=1e-9)
@@ -145,7 +145,7 @@ def test_an_extreme_at_the_end_of_a_phase_is_that_of_its_own_side():
 
 
 def test_drawn_curves_hold_all_diagram_positions_and_both_sides_of_a_jump():
-    (found,) = valve("parabolic").cam.cams
+    (found,) = valve("parabolic").cams.cams
     drawn, known = found.drawn, found.diagram
     near = np.abs(drawn.turned[:, None] - known.turned).argmin(axis=0)
     assert np.allclose(drawn.turned[near], known.turned) and np.allclose(drawn.second[near], known.second)
@@ -156,10 +156,10 @@ def test_drawn_curves_hold_all_diagram_positions_and_both_sides_of_a_jump():
 def test_a_table_that_dips_below_its_base_circle_says_so():
     steep = "[0 deg, 0 mm], [45 deg, 0 mm], [90 deg, 9 mm], [135 deg, 9 mm], [180 deg, 9 mm], [225 deg, 0 mm]"
     more = "lifts: [" + steep + ", [270 deg, 0 mm], [315 deg, 0 mm]]"
-    (found,) = tabled(more).lever.cam.cams
+    (found,) = tabled(more).lever.cams.cams
     assert found.below and found.ends[0][0].value < -1e-4
     smooth = ", ".join(f"[{x} deg, {8 - 8 * np.cos(np.radians(x)):.6f} mm]" for x in range(0, 360, 15))
-    assert not tabled(f"lifts: [{smooth}]").lever.cam.cams[0].below
+    assert not tabled(f"lifts: [{smooth}]").lever.cams.cams[0].below
 
 
 def tabled(law: str, more: str = ""):

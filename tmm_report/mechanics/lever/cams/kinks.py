@@ -6,15 +6,15 @@ is taken within the piece that begins there.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
 from tmm_report.mechanics.calculus.distinct import distinct
-from tmm_report.mechanics.cams.cam import ByLaw, Cam, Sliding, lowest_sliding, lowest_swinging
+from tmm_report.mechanics.cams.cam import ByLaw
 from tmm_report.mechanics.cams.follower_laws import EDGE, FULL_TURN
-from tmm_report.mechanics.cams.stated_profile import ByProfile, Polar
+from tmm_report.mechanics.cams.kinks import kinks
 from tmm_report.mechanics.lever.mechanism import Mechanism
 
 Array = Any
@@ -25,33 +25,13 @@ NEAR = 0.1  # rad from a break: there a derivative is taken within its piece
 
 def breaks(mechanism: Mechanism) -> Array:
     """Angles of the driving link's x axis at which the motion is not smooth, rad, ascending within a turn."""
-    found = [phi for cam in mechanism.cams for phi in _of_cam(cam)]
+    found = [phi for cam in mechanism.cams for phi in kinks(cam)]
     return distinct(np.mod(np.array(found, dtype=float), FULL_TURN))
 
 
 def law_sense(mechanism: Mechanism) -> int:
     """The sense in which the laws go over the cam's angle: at the end of a phase the next one holds."""
     return next((cam.given.sense for cam in mechanism.cams if isinstance(cam.given, ByLaw)), 1)
-
-
-def _of_cam(cam: Cam) -> Iterator[float]:
-    given = cam.given
-    if isinstance(given, ByLaw):
-        yield from (given.start + given.sense * theta for theta in given.law.breaks)
-    elif isinstance(given, ByProfile) and isinstance(given.curve, Polar):
-        yield from (phi for u in given.curve.angles if (phi := _touched(cam, given, u)) is not None)
-
-
-def _touched(cam: Cam, given: ByProfile, u: float) -> float | None:
-    """The cam's angle at which the follower touches the point of the parameter `u`; None where it never does."""
-    p, d, _ = given.curve.of(np.array([u]))
-    normal = complex(-1j * d[0] / abs(d[0]))
-    if cam.flat:
-        return float(np.angle(complex(cam.normal(np.array(0.0))) / normal))
-    b = complex(p[0]) + (cam.roller or 0.0) * normal
-    motion = cam.motion
-    q = lowest_sliding(motion, abs(b)) if isinstance(motion, Sliding) else lowest_swinging(motion, abs(b))
-    return None if q is None else float(np.angle(complex(motion.point(np.array(q), 0.0, 0.0).z) / b))
 
 
 def slope_within(of: Callable[[Array], Array], phi: Array, sense: int, edges: Array) -> tuple[Array, Array]:

@@ -19,13 +19,12 @@ from tmm_report.mechanics.lever.vector_equations import (
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, kept
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.terms.cycle import PHI as PHI
+from tmm_report.quantity.terms.cycle import POSITION as POSITION
 
 Array = Any
 
 CLOSENESS = N_("closeness of group %(group)s to a singular position, 1 … 0 (of a dyad, a sine)")
-
-POSITION = Quantity("position", None, "", Message(N_("number of the position")))
-PHI = Quantity("phi", Symbol("phi"), "deg", Message(N_("angle turned by the driving link from position 0")))
 
 PHASE = Quantity(
     "phi",

@@ -1,172 +1,14 @@
 """The key `cams` of the block `mechanism` as pydantic models."""
 
-import math
-from collections.abc import Iterator, Sequence
-from typing import Annotated, Literal, get_args
+from typing import Literal
 
-from pydantic import Field, Tag, model_validator
+from pydantic import Field, model_validator
 
-from tmm_report.mechanics.cams.shapes import (
-    Graph,
-    Parabolic,
-    Piece,
-    Shape,
-    Unfit,
-    by_velocity,
-    lines,
-    named,
-    trapezoid,
-)
+from tmm_report.chapters.cams.cam.block.models import CamStated
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.model import Model
-from tmm_report.variant.values import (
-    MAP,
-    SCALAR,
-    Angle,
-    Distance,
-    KeyName,
-    Length,
-    Name,
-    Number,
-    Point,
-    Positive,
-    Reads,
-    by_shape,
-    quantity,
-)
-
-PhaseAngle = Annotated[float, quantity("angle", 1e-6, 2 * math.pi, "0 … 360 deg")]
-PressureLimit = Annotated[float, quantity("angle", 1e-6, math.pi / 2, "0 … 90 deg")]
-LawName = Literal[
-    "parabolic", "decreasing", "cosine", "sine", "trapezoid", "modified_trapezoid", "modified_sine", "polynomial",
-    "polynomial_4567", "uniform",
-]  # fmt: skip
-MOST = 48  # pieces of a graph
-Width = Annotated[float, quantity("number", 1e-6, 1e6, "above 0")]
-
-
-class PieceModel(Model):
-    """A piece of a graph of acceleration, so many parts wide."""
-
-    width: Width = Field(default=1.0, description="parts of the phase: the widths count against one another")
-    constant: Number | None = Field(default=None, description="its ordinate")
-    line: tuple[Number, Number] | None = Field(default=None, description="its ordinates at both ends")
-    sine: tuple[Number, Number] | None = Field(
-        default=None, description="the same: a quarter of a sine, level where the ordinate is the larger"
-    )
-
-    @model_validator(mode="after")
-    def one_form(self) -> "PieceModel":
-        if sum(form is not None for form in (self.constant, self.line, self.sine)) != 1:
-            wrong = Message(N_("a piece of a graph has one form"))
-            right = N_("{width: 2, constant: 1}, {width: 1, line: [1, -1]} or {width: 1, sine: [0, 1]}")
-            raise WrongValue(wrong, Message(right))
-        if self.sine is not None and self.sine[0] * self.sine[1] < 0:
-            wrong = Message(N_("a quarter of a sine does not pass through zero"))
-            raise WrongValue(wrong, Message(N_("two pieces: sine: [1, 0], then sine: [0, -1]")))
-        return self
-
-
-GraphPart = Annotated[
-    Annotated[Number, Tag(SCALAR)] | Annotated[PieceModel, Tag(MAP)],
-    by_shape(N_("an ordinate, such as 1.5, or a piece: {width: 2, constant: 1}")),
-]
-
-
-class PhaseModel(Model):
-    """A part of the cam's turn: the follower rises, stands or returns."""
-
-    rise: PhaseAngle | None = Field(default=None, description="the angle of a rise", examples=["120 deg"])
-    dwell: PhaseAngle | None = Field(default=None, description="the angle of a dwell")
-    return_: PhaseAngle | None = Field(default=None, alias="return", description="the angle of a return")
-    law: LawName | None = Field(default=None, description="the law of a rise or a return")
-    ratio: Annotated[float, quantity("number", 0.05, 20.0, "0.05 … 20")] | None = Field(
-        default=None,
-        description="of the parabolic law: a1/a2, of its acceleration to its deceleration",
-        examples=[1.8],
-    )
-    ramp: Annotated[float, quantity("number", 1e-3, 0.25, "0.001 … 0.25")] | None = Field(
-        default=None,
-        description="of the trapezoid: each of its four slopes, a share of the phase; left out, 1/8",
-    )
-    acceleration: list[GraphPart] | None = Field(
-        default=None, min_length=2, max_length=MOST,
-        description="instead of a law its graph to any scale: pieces, or ordinates at equal parts of the phase",
-    )  # fmt: skip
-    velocity: list[Number] | None = Field(
-        default=None, min_length=3, max_length=MOST,
-        description="instead of a law ordinates of velocity to any scale at equal parts of the phase",
-    )  # fmt: skip
-
-    @model_validator(mode="after")
-    def one_kind(self) -> "PhaseModel":
-        if sum(angle is not None for angle in (self.rise, self.dwell, self.return_)) != 1:
-            wrong = Message(N_("a phase is a rise, a dwell or a return, one of them"))
-            raise WrongValue(wrong, Message(N_("{rise: 120 deg, law: sine} or {dwell: 30 deg}")))
-        ways = [way for way in (self.law, self.acceleration, self.velocity) if way is not None]
-        if len(ways) != (self.dwell is None):
-            wrong = Message(N_("a rise and a return have a law, a dwell has none"))
-            right = Message(
-                N_("{rise: 120 deg, law: sine}; laws: %(words)s; or a graph, acceleration: [0, 1, 0, -1, 0]"),
-                {"words": ", ".join(get_args(LawName))},
-            )
-            raise WrongValue(wrong, right)
-        for key, law in (("ratio", "parabolic"), ("ramp", "trapezoid")):
-            if getattr(self, key) is not None and self.law != law:
-                wrong = Message(N_("%(key)s belongs to the law %(law)s"), {"key": key, "law": law})
-                raise WrongValue(wrong, Message(N_("leave one of the two")))
-        self.shape()
-        return self
-
-    def shape(self) -> Shape | None:
-        """The shape of its law; None of a dwell. Raises WrongValue for a graph that is none of a rise."""
-        try:
-            return self._shape()
-        except Unfit as error:
-            text, right = UNFIT[str(error)]
-            raise WrongValue(Message(text), Message(right)) from None
-
-    def _shape(self) -> Shape | None:
-        if self.velocity is not None:
-            return by_velocity(self.velocity)
-        if self.acceleration is not None:
-            return Graph(tuple(_pieces(self.acceleration)))
-        if self.ratio is not None:
-            return Parabolic(self.ratio)
-        if self.ramp is not None:
-            return trapezoid(self.ramp)
-        return named(self.law) if self.law else None
-
-
-UNFIT = {
-    "one sign": (
-        N_("a graph of acceleration lies on both sides of zero: the follower speeds up, then slows down"),
-        N_("ordinates of both signs, such as [0, 1, 0, -1, 0]"),
-    ),
-    "turns back": (
-        N_("by this graph the follower turns back within the phase"),
-        N_("for a return too the graph is that of a rise: first above zero, the velocity nowhere below it"),
-    ),
-}
-
-
-def _pieces(stated: Sequence[PieceModel | float]) -> Iterator[Piece]:
-    """Raises WrongValue of pieces among ordinates."""
-    ordinates = [one for one in stated if not isinstance(one, PieceModel)]
-    pieces = [one for one in stated if isinstance(one, PieceModel)]
-    if ordinates and pieces:
-        wrong = Message(N_("a graph is stated by ordinates or by pieces"))
-        raise WrongValue(wrong, Message(N_("write an ordinate as a piece: {width: 1, constant: 2}")))
-    if ordinates:
-        yield from lines(ordinates)
-    for one in pieces:
-        if one.line is not None:
-            yield from lines(one.line, [one.width])
-        elif one.sine is not None:
-            yield Piece(one.width, *one.sine, "sine")
-        else:
-            yield Piece(one.width, float(one.constant or 0.0), float(one.constant or 0.0))
+from tmm_report.variant.values import Angle, Distance, KeyName, Name
 
 
 class RollerModel(Model):
@@ -187,74 +29,13 @@ class FlatModel(Model):
     )
 
 
-class CircleModel(Model):
-    """A circular cam."""
-
-    radius: Positive
-    at: Point = Field(
-        description="its centre from the cam's pivot, in the cam's axes", examples=["[15 mm, 0]"]
-    )
-
-
-class ProfileModel(Model):
-    """The cam's own profile in its axes, from its pivot."""
-
-    circle: CircleModel | None = None
-    points: list[Point] | None = Field(default=None, description="at least 8, all round", max_length=1000)
-    polar: list[tuple[Angle, Positive]] | None = Field(
-        default=None, description="pairs of polar angle and radius, at least 8", max_length=1000
-    )
-
-    @model_validator(mode="after")
-    def one_way(self) -> "ProfileModel":
-        if sum(part is not None for part in (self.circle, self.points, self.polar)) != 1:
-            wrong = Message(N_("a profile is stated in one way"))
-            raise WrongValue(wrong, Message(N_("circle, points or polar")))
-        return self
-
-
-def _base(written: object) -> float | Literal["smallest"]:
-    return "smallest" if written == "smallest" else _RADIUS.value(written)
-
-
-_RADIUS = quantity("length", 1e-9)
-Base = Annotated[
-    float | Literal["smallest"],
-    Reads(
-        _base,
-        {"anyOf": [{"enum": ["smallest"]}, dict(_RADIUS.schema)], "examples": ["40 mm", "smallest"]},
-        "length",
-    ),
-]
-
-
-Step = Annotated[float, quantity("length", 1e-6, 0.1, "0.001 … 100 mm")]
-
-
-class CamModel(Model):
+class CamModel(CamStated):
     """A cam pair: the follower's link touches the cam by a roller or a flat face."""
 
     cam: Name | None = Field(default=None, description="the cam's link; left out, the driving link")
     follower: Name = Field(description="a link that slides on a fixed guide or swings about a fixed point")
     roller: RollerModel | None = None
     flat: FlatModel | None = None
-    base: Base | None = Field(
-        default=None, description="least radius of the profile; smallest: by the permitted pressure angles"
-    )
-    round: Step | None = Field(
-        default=None, description="to which the smallest radius is rounded up: that of the pitch curve of a roller",
-        examples=["1 mm"],
-    )  # fmt: skip
-    lift: Positive | None = Field(default=None, description="of a sliding follower", examples=["30 mm"])
-    swing: PhaseAngle | None = Field(default=None, description="of a swinging follower", examples=["20 deg"])
-    phases: list[PhaseModel] = Field(default=[], max_length=24, description="the law, phase by phase")
-    lifts: list[tuple[Angle, Length]] = Field(
-        default=[], max_length=1000, description="the law as a table: cam angle, lift of a sliding follower"
-    )
-    swings: list[tuple[Angle, Angle]] = Field(
-        default=[], max_length=1000, description="the law as a table: cam angle, swing"
-    )
-    profile: ProfileModel | None = Field(default=None, description="the cam itself, instead of a law")
     start: Angle | None = Field(
         default=None,
         description="angle of the cam's x axis at the beginning of the law; left out, that of position 0 where it is "
@@ -265,17 +46,6 @@ class CamModel(Model):
         description="of a swinging follower: where it touches, seen from its pivot to the cam's",
     )
     centre: KeyName | None = Field(default=None, description="name of the centre of curvature; left out, K")
-    pressure_angle_limit: PressureLimit | None = Field(
-        default=None, description="left out, 30 deg of a sliding, 45 deg of a swinging follower"
-    )
-    least_curvature: Positive | None = Field(
-        default=None,
-        description="of the profile under a flat face, for its smallest base circle",
-        examples=["5 mm"],
-    )
-    return_angle_limit: PressureLimit | None = Field(
-        default=None, description="of the return; left out, none: a spring or a weight drives it"
-    )
 
     @model_validator(mode="after")
     def one_end(self) -> "CamModel":
@@ -286,24 +56,9 @@ class CamModel(Model):
             )
         return self
 
-    @model_validator(mode="after")
-    def one_law(self) -> "CamModel":
-        ways = [self.phases, self.lifts, self.swings, self.profile]
-        if sum(bool(way) for way in ways) != 1:
-            wrong = Message(N_("the follower's law is not stated in one way"))
-            right = Message(N_("phases with lift or swing, a table lifts or swings, or the cam's profile"))
-            raise WrongValue(wrong, right)
-        return self
-
-    @model_validator(mode="after")
-    def rounds(self) -> "CamModel":
-        if self.round is not None and self.base != "smallest":
-            wrong = Message(N_("only the smallest base circle is rounded"))
-            raise WrongValue(wrong, Message(N_("base: smallest, or leave out round")))
-        if self.least_curvature is not None and (self.base != "smallest" or self.flat is None):
-            wrong = Message(N_("the least curvature is of the smallest base circle under a flat face"))
-            raise WrongValue(wrong, Message(N_("leave it out")))
-        return self
+    @property
+    def faced(self) -> bool:
+        return self.flat is not None
 
     @property
     def at(self) -> str:

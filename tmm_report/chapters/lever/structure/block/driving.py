@@ -9,8 +9,8 @@ from typing import Annotated
 
 from pydantic import Field, model_validator
 
-from tmm_report.chapters.lever.structure.block import cam_laws_build
-from tmm_report.chapters.lever.structure.block.cams import PhaseModel
+from tmm_report.chapters.cams.cam.block import laws as cam_laws
+from tmm_report.chapters.cams.cam.block.models import PhaseModel
 from tmm_report.mechanics.calculus.motion_laws import (
     FULL_TURN,
     Harmonic,
@@ -134,8 +134,7 @@ def build(model: LawModel) -> MotionLaw:
         return Polynomial((model.angle, *model.polynomial), float(model.time or 0.0))
     if model.angles is not None:
         return _tabulated(model.angles)
-    cam_laws_build.must_fill(model.phases, back=False)
-    phases = tuple(cam_laws_build.phase_of(one) for one in model.phases)
+    phases = cam_laws.turn_of(model.phases, back=False, divided=False)
     return Phased(Phases(phases, float(model.swing or 0.0)), model.angle, float(model.time or 0.0))
 
 

@@ -6,8 +6,8 @@ from typing import Annotated
 
 from pydantic import Field, model_validator
 
-from tmm_report.chapters.lever.structure.block import cam_laws_build
-from tmm_report.chapters.lever.structure.block.cams import PhaseModel
+from tmm_report.chapters.cams.cam.block import laws as cam_laws
+from tmm_report.chapters.cams.cam.block.models import PhaseModel
 from tmm_report.mechanics.calculus.motion_laws import (
     Harmonic,
     MotionLaw,
@@ -148,8 +148,7 @@ def build(model: StrokeModel) -> MotionLaw:
         case "lengths":
             return _tabulated(model.lengths or [])
         case "phases":
-            cam_laws_build.must_fill(model.phases, back=False)
-            phases = tuple(cam_laws_build.phase_of(one) for one in model.phases)
+            phases = cam_laws.turn_of(model.phases, back=False, divided=False)
             return Phased(Phases(phases, float(model.rise or 0.0)), start, float(model.time or 0.0))
     return _uniform(model, start)
 

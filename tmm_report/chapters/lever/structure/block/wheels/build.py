@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from tmm_report.chapters.lever.structure.block.cam_laws_build import Wrong
+from tmm_report.chapters.cams.cam.block.laws import Wrong
 from tmm_report.chapters.lever.structure.block.wheels.models import RackModel, RollingModel, WheelsModel
 from tmm_report.mechanics.calculus.vectors import cross, dot
 from tmm_report.mechanics.lever.mechanism import FRAME, Guide, Mechanism, Slide

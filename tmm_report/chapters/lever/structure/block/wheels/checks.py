@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from tmm_report.chapters.lever.structure.block.cam_laws_build import Wrong
+from tmm_report.chapters.cams.cam.block.laws import Wrong
 from tmm_report.chapters.lever.structure.block.wheels import build
 from tmm_report.mechanics.lever.mechanism import FRAME, Mechanism
 from tmm_report.problems import N_, Message, Problem, mistake

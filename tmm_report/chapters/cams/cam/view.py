@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from markupsafe import Markup
 
-from tmm_report.chapters.lever.cam import draw, draw_zone, formulas
-from tmm_report.chapters.lever.cam import quantities as q
-from tmm_report.chapters.lever.cam.formulas import Written
-from tmm_report.chapters.lever.cam.sizing import Sizing, sizing
-from tmm_report.chapters.lever.cam.solve import CamFound, Cams
+from tmm_report.chapters.cams.cam import formulas
+from tmm_report.chapters.cams.cam import quantities as q
+from tmm_report.chapters.cams.cam.draw import profile, zone
+from tmm_report.chapters.cams.cam.formulas import Written
+from tmm_report.chapters.cams.cam.sizing import Sizing, sizing
+from tmm_report.chapters.cams.cam.solve.alone import Found
+from tmm_report.chapters.cams.cam.solve.found import CamFound, Cams, Divided, Sampled
 from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.drawing import Drawing
 from tmm_report.mechanics.cams.least_size import Zone
@@ -23,18 +25,28 @@ from tmm_report.quantity.model import Book, Value
 from tmm_report.report.chapter_view import BookView
 from tmm_report.report.diagrams import CycleGraphs, points, scale_of
 from tmm_report.report.page import Page
-from tmm_report.report.paper.layout import Table, worded
+from tmm_report.report.paper.layout import Column, Table, numeric, worded
 from tmm_report.report.part import Failed, Part
-
-if TYPE_CHECKING:
-    from tmm_report.course import LeverFound
 
 SIZES = ("cam_base", "cam_roller", "cam_lift", "cam_offset", "cam_arm", "cam_apart")
 
 
-def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
-    if lever.cam is not None:
-        yield Part("lever/cam", CamsView(lever.cam, lever.sample, page))
+def parts(found: Found | Sampled, page: Page, label: str = "") -> Iterator[Part]:
+    """`found`: a cam that stands alone, or the pairs of a lever mechanism."""
+    match found:
+        case Sampled(cams, sample):
+            yield Part("lever/cams", CamsView(cams, sample, page))
+        case _:
+            yield Part("cams/cam", CamsView(found, found.sample, page))
+
+
+def picture(found: Found, page: Page) -> Drawing:
+    """The cam with its follower, for a list of many."""
+    (one,) = found.cams
+    return profile.drawing(one, profile.scale(one))
+
+
+BY_POLES = ("cam_gamma", "cam_gamma_pitch", "cam_x_pitch", "cam_y_pitch")  # left to the results
 
 
 class CamsView:
@@ -57,10 +69,10 @@ class CamView(BookView):
         self.cam, self.name = found.cam, found.cam.name
 
     def value(self, key: str) -> Value:
-        return super().value(f"{key}_{self.name}")
+        return super().value(q.named(self.found, key))
 
     def knows(self, key: str) -> bool:
-        return super().knows(f"{key}_{self.name}")
+        return super().knows(q.named(self.found, key))
 
     def conclusions(self) -> list[Markup]:
         text = N_(
@@ -114,17 +126,17 @@ class CamView(BookView):
 
     @cached_property
     def _zone_mu(self) -> float:
-        return draw_zone.scale(self.found, self._zone)
+        return zone.scale(self.found, self._zone)
 
     def zone_scale(self) -> Var:
         return scale_of("mu_l", self._zone_mu, "m/mm")
 
     def zone(self) -> Drawing:
-        return draw_zone.drawing(self.found, self._zone, self._zone_mu)
+        return zone.drawing(self.found, self._zone, self._zone_mu)
 
     def asked(self, caption: Any) -> Table:
         """What rise and return ask."""
-        table, page = self.table(f"cam_least_{self.name}"), self.page
+        table, page = self.table(q.named(self.found, "cam_least")), self.page
         own = [column.quantity for column in table.columns[1:]]
         units = {one.key: "mm" if one.unit == "m" else one.shown for one in own}
         rows = [
@@ -138,7 +150,7 @@ class CamView(BookView):
         return worded(caption, [self.t("Phase"), *heads], rows, (2, 2, 2, 2))
 
     def phases(self, caption: Any) -> Table:
-        table, page = self.table(f"cam_phases_{self.name}"), self.page
+        table, page = self.table(q.named(self.found, "cam_phases")), self.page
         rows = [
             [
                 page.cell(table, "number", k), page.word(self.t(q.KINDS[phase.kind]), table, "phase", k),
@@ -155,7 +167,7 @@ class CamView(BookView):
 
     def pieces(self, caption: Any) -> Table:
         """The graphs of acceleration, piece by piece."""
-        table, page = self.table(f"cam_pieces_{self.name}"), self.page
+        table, page = self.table(q.named(self.found, "cam_pieces")), self.page
         keys = [one.key for one in (q.BEGINS, q.WIDTH, q.REACHED, q.SLOPE, q.BEND, q.NEXT)]
         rows = [
             [
@@ -174,14 +186,14 @@ class CamView(BookView):
         """What a law is written out of, for a sentence. `row`: its number among them."""
         phase = self.found.samples[row].phase
         return {
-            "k": self.page.shown(self.table(f"cam_law_{self.name}"), "at", row),
+            "k": self.page.shown(self.table(q.named(self.found, "cam_law")), "at", row),
             "phase": self.t(q.KINDS[phase.kind]),
             "law": self.t(q.law_word(phase)),
         }
 
     def shocks(self, caption: Any) -> Table:
         """Where the law has shocks, and of which kind."""
-        table, page = self.table(f"cam_shocks_{self.name}"), self.page
+        table, page = self.table(q.named(self.found, "cam_shocks")), self.page
         rows = [
             [
                 page.cell(table, "phi", k, places=1), *(page.cell(table, key, k) for key in ("first", "second")),
@@ -198,10 +210,31 @@ class CamView(BookView):
         return any(shock.hard for shock in self.found.shocks)
 
     def motion(self, caption: Any) -> Table:
-        return self.by_positions(caption, f"cam_motion_{self.name}_table")
+        return self.by_positions(caption, q.named(self.found, "cam_motion", "table"))
 
     def profile_table(self, caption: Any) -> Table:
-        return self.by_positions(caption, f"cam_profile_{self.name}")
+        table = self.table(q.named(self.found, "cam_profile"))
+        left = ("position", "phi", *(BY_POLES if self.found.alone else ()))
+        return self.by_positions(
+            caption, table.name, [one.key for one in table.columns if one.key not in left]
+        )
+
+    # ------------------------------------------------------------ of a cam alone
+
+    def divisions(self, part: Divided) -> Table:
+        """Motion and centre profile, or profile, at the ends of the equal parts of a phase."""
+        table, page = self.table(q.named(self.found, "cam_divisions", str(part.phase + 1))), self.page
+        curve = ("cam_R_pitch", "cam_delta_pitch") if self.cam.roller else ("cam_R", "cam_delta")
+        motion = [one.key for make in q.MOTION_OF if (one := make(self.found)).key in table]
+        numbers = [page.cell(table, "part", row, places=0) for row in range(len(table))]
+        kind = self.t(q.KINDS[self.found.phases[part.phase].kind])
+        caption = self.t(N_("Phase %(number)s, %(kind)s, by equal parts"), number=part.phase + 1, kind=kind)
+        columns = [page.column(table, key) for key in ("phi", *motion, *curve)]
+        return numeric(caption, Column(self.t("Part"), numbers), columns)
+
+    def leans(self, kind: str) -> bool:
+        """Whether the pressure angles of a rise or of a return are told with their signs."""
+        return not self.cam.flat and self.knows(f"cam_alpha_{kind}_min")
 
     # ------------------------------------------------------------ diagrams
 
@@ -219,7 +252,7 @@ class CamView(BookView):
         curves.append(Curve(np.degrees(drawn.alpha), panel=3, extremes=self._greatest_angles))
         curves += [Curve(np.full_like(drawn.alpha, sign * limit), panel=3, extremes=()) for sign in (1, -1)]
         named = [make(self.found) for make in (q.displacement, q.first, q.second, q.pressure)]
-        graphs = CycleGraphs(drawn.turned, self.found.kinematics.numbered, self.page.tr)
+        graphs = CycleGraphs(drawn.turned, self.found.turn.numbered, self.page.tr)
         return graphs.graph(curves, [graphs.axis(one) for one in named])
 
     @property
@@ -239,7 +272,7 @@ class CamView(BookView):
 
     @cached_property
     def _scale(self) -> float:
-        return draw.scale(self.found)
+        return profile.scale(self.found)
 
     def drawing(self) -> Drawing:
-        return draw.drawing(self.found, self._scale)
+        return profile.drawing(self.found, self._scale)

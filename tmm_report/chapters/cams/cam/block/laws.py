@@ -7,7 +7,7 @@ import math
 from collections.abc import Sequence
 from itertools import pairwise
 
-from tmm_report.chapters.lever.structure.block import cams as c
+from tmm_report.chapters.cams.cam.block import models as c
 from tmm_report.mechanics.cams.cam import Sliding, Swinging
 from tmm_report.mechanics.cams.follower_laws import FULL_TURN, Kind, Law, Phase, Phases, Tabled
 from tmm_report.mechanics.cams.stated_profile import ByProfile, Circle, Polar
@@ -23,7 +23,7 @@ class Wrong(WrongValue):
         self.key = key
 
 
-def law(model: c.CamModel, swings: bool) -> Law:
+def law(model: c.CamStated, swings: bool) -> Law:
     """The law of the follower; its lift, m, of one that slides, rad of one that swings."""
     wanted, other = ("swing", "lift") if swings else ("lift", "swing")
     table, foreign = (model.swings, model.lifts) if swings else (model.lifts, model.swings)
@@ -38,21 +38,15 @@ def law(model: c.CamModel, swings: bool) -> Law:
         return _tabled(table, f"{wanted}s")
     if (height := getattr(model, wanted)) is None:
         raise Wrong(wanted, Message(N_("the key %(key)s is missing"), {"key": wanted}))
-    must_fill(model.phases)
-    return Phases(tuple(phase_of(phase) for phase in model.phases), height)
+    return Phases(turn_of(model.phases), height)
 
 
-def phase_of(model: c.PhaseModel) -> Phase:
-    kinds: tuple[tuple[Kind, float | None], ...] = (
-        ("rise", model.rise), ("dwell", model.dwell), ("return", model.return_),
-    )  # fmt: skip
-    kind, angle = next((kind, angle) for kind, angle in kinds if angle is not None)
-    return Phase(kind, angle, model.shape())
-
-
-def must_fill(stated: Sequence[c.PhaseModel], back: bool = True) -> None:
-    """The phases fill a turn, and rises and returns take turns, from the lowest position, `back` to it in the end."""
-    phases = [phase_of(phase) for phase in stated]
+def turn_of(stated: Sequence[c.PhaseModel], back: bool = True, divided: bool = True) -> tuple[Phase, ...]:
+    """The phases, those of no angle left out. They fill a turn, and rises and returns take turns, from the lowest
+    position, `back` to it in the end; `divided`: whether they may be divided into parts."""
+    phases = [phase_of(one, dwell) for one, dwell in zip(stated, _dwells(stated), strict=True)]
+    if not divided and any(phase.parts for phase in phases):
+        raise Wrong("phases", Message(N_("the phases of a cam alone are divided into parts")))
     whole = math.degrees(sum(phase.angle for phase in phases))
     if abs(whole - 360.0) > 1e-6:
         text = N_("the phases of the law make %(sum)s° and not 360°")
@@ -66,6 +60,26 @@ def must_fill(stated: Sequence[c.PhaseModel], back: bool = True) -> None:
         raise Wrong(
             "phases", Message(text), Message(N_("begin with a rise from the lowest position; start turns it"))
         )
+    return tuple(phase for phase in phases if phase.angle > 0)
+
+
+def _dwells(stated: Sequence[c.PhaseModel]) -> list[float]:
+    """The angles of the dwells, rad: those that are to be the rest of the turn share what the others leave."""
+    sums = [sum(x for x in (one.rise, one.dwell, one.return_) if isinstance(x, float)) for one in stated]
+    left, sharing = FULL_TURN - sum(sums), sum(one.dwell == "rest" for one in stated)
+    if sharing and left < -1e-9:
+        text = N_("the other phases take %(sum)s° already: nothing of the turn is left for a dwell")
+        raise Wrong("phases", Message(text, {"sum": f"{math.degrees(sum(sums)):.6g}"}))
+    share = max(left, 0.0) / sharing if sharing else 0.0
+    return [share if one.dwell == "rest" else float(one.dwell or 0.0) for one in stated]
+
+
+def phase_of(model: c.PhaseModel, dwell: float) -> Phase:
+    kinds: tuple[tuple[Kind, float | None], ...] = (
+        ("rise", model.rise), ("dwell", None if model.dwell is None else dwell), ("return", model.return_),
+    )  # fmt: skip
+    kind, angle = next((kind, angle) for kind, angle in kinds if angle is not None)
+    return Phase(kind, angle, model.shape(), model.divisions or 0)
 
 
 def _tabled(table: list[tuple[float, float]], key: str) -> Tabled:
@@ -94,10 +108,10 @@ def _tabled(table: list[tuple[float, float]], key: str) -> Tabled:
 
 
 def by_profile(
-    model: c.CamModel, motion: Sliding | Swinging, roller: float | None, face: complex
+    model: c.CamStated, motion: Sliding | Swinging, roller: float | None, face: complex
 ) -> ByProfile:
-    for key in ("base", "lift", "swing", "start"):
-        if getattr(model, key) is not None:
+    for key in ("base", "pitch_base", "lift", "swing", "start"):
+        if getattr(model, key, None) is not None:
             raise Wrong(key, Message(N_("this follows from the profile of the cam")))
     if roller is None and isinstance(motion, Swinging):
         right = N_("state its law, or let it end in a roller")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmm_report.chapters.lever.structure.block.cam_laws_build import Wrong
+from tmm_report.chapters.cams.cam.block.laws import Wrong
 from tmm_report.mechanics.calculus.vectors import cross
 from tmm_report.mechanics.cams.cam import ByLaw, Cam
 from tmm_report.mechanics.cams.follower_laws import FULL_TURN

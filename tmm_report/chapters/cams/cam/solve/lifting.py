@@ -6,24 +6,19 @@ sense of rotation; the pressure angle is above zero where the normal leans as in
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
+from tmm_report.chapters.cams.cam.solve.turn import BEFORE, Turn
 from tmm_report.mechanics.calculus.distinct import distinct
 from tmm_report.mechanics.cams.cam import ByLaw, Cam, Sliding
-from tmm_report.mechanics.cams.follower_laws import EDGE, FULL_TURN
-from tmm_report.mechanics.lever.cams.kinks import breaks
-from tmm_report.mechanics.lever.cycle import Extreme
+from tmm_report.mechanics.cams.extremes import greatest
+from tmm_report.mechanics.cams.follower_laws import FULL_TURN
 from tmm_report.records import dataclass
 
 Array = Any
 FINE = 1441  # angles of a turn among which extremes are first looked for
-GOLD = (np.sqrt(5.0) - 1) / 2
-NARROWED = 40  # golden sections: a bracket of half a degree shrinks to rounding
-BEFORE = 3 * EDGE  # rad before a break: the piece that ends there
 BESIDE = 2e-4  # rad: so little before a break the curve of the piece that ends there stands, 0.01 mm on paper
 
 
@@ -50,21 +45,19 @@ def side_of(cam: Cam) -> int:
     return 1 if isinstance(cam.motion, Sliding) else cam.motion.side
 
 
-def lowest(cam: Cam, kinematics: Kinematics) -> float:
+def lowest(cam: Cam, turn: Turn) -> float:
     """The coordinate from which displacements count, times its sense."""
     side = side_of(cam)
     if isinstance(cam.given, ByLaw):
         return side * cam.given.low
-    (found,) = greatest(
-        lambda x: -side * cam.moved(kinematics.cycle.phi(x))[0].z[None], np.linspace(0, FULL_TURN, FINE)
-    )
+    (found,) = greatest(lambda x: -side * cam.moved(turn.phi(x))[0].z[None], np.linspace(0, FULL_TURN, FINE))
     return -found.value
 
 
-def lifted(cam: Cam, kinematics: Kinematics, turned: Array, low: float) -> Lifted:
+def lifted(cam: Cam, turn: Turn, turned: Array, low: float) -> Lifted:
     """The follower and the contact at angles turned from position 0, rad. `low`: see `lowest`."""
-    sense, side = kinematics.cycle.sense, side_of(cam)
-    phi = kinematics.cycle.phi(turned)
+    sense, side = turn.sense, side_of(cam)
+    phi = turn.phi(turned)
     q, b = cam.moved(phi)
     touch = cam.contact(phi)
     profile, pitch = touch.at * np.exp(-1j * phi), b.z * np.exp(-1j * phi)
@@ -82,46 +75,21 @@ def lifted(cam: Cam, kinematics: Kinematics, turned: Array, low: float) -> Lifte
     )
 
 
-def breaks_of(kinematics: Kinematics) -> Array:
-    """Angles turned, rad, ascending, of one turn or of the sweep, at which a phase of a law begins or is half over."""
-    cycle = kinematics.cycle
-    found = np.mod(cycle.sense * (breaks(kinematics.linkage.mechanism) - cycle.zero), FULL_TURN)
-    found = distinct(np.where(FULL_TURN - found < BEFORE, 0.0, found))
-    return found[found <= cycle.sweep]
-
-
-def searched(kinematics: Kinematics) -> Array:
+def searched(turn: Turn) -> Array:
     """Angles turned among which extremes are looked for, rad, ascending: the breaks among them, so that no piece
     of the law is searched together with another."""
-    even = np.linspace(0.0, kinematics.cycle.sweep, FINE)
-    return distinct(np.concatenate([even, breaks_of(kinematics)]))
+    even = np.linspace(0.0, turn.sweep, FINE)
+    return distinct(np.concatenate([even, turn.breaks]))
 
 
-def drawn_at(kinematics: Kinematics) -> Array:
+def drawn_at(turn: Turn) -> Array:
     """Angles turned at which curves are drawn, rad, ascending: the diagram positions, every 2.5° at least, and both
     sides of every break, so that a jump stands upright."""
-    found, last = breaks_of(kinematics), float(kinematics.diagram_turned[-1])
+    last = float(turn.diagram[-1])
     count = 1 + round(last / np.radians(2.5))
-    beside = np.concatenate([found, found - BESIDE])
+    beside = np.concatenate([turn.breaks, turn.breaks - BESIDE])
     turns = np.arange(1 + round(last / FULL_TURN)) * FULL_TURN
     every = (beside[:, None] + turns).ravel()
     every = every[(every >= 0) & (every <= last)]
-    turned = np.sort(np.concatenate([kinematics.diagram_turned, np.linspace(0.0, last, count), every]))
+    turned = np.sort(np.concatenate([turn.diagram, np.linspace(0.0, last, count), every]))
     return turned[np.diff(turned, prepend=-1.0) > BEFORE]
-
-
-def greatest(of: Callable[[Array], Array], fine: Array) -> list[Extreme]:
-    """The greatest of each of several functions, `of`: (P,) -> (Q, P): the best of the angles `fine`, then golden
-    sections between its neighbours, all functions at once."""
-    values = of(fine)
-    each, k = np.arange(len(values)), np.argmax(values, axis=1)
-    low, high = fine[np.maximum(k - 1, 0)], fine[np.minimum(k + 1, len(fine) - 1)]
-    best, at = values[each, k], fine[k]
-    for _ in range(NARROWED):
-        inner = np.stack([high - GOLD * (high - low), low + GOLD * (high - low)])
-        found = of(inner.ravel()).reshape(len(each), 2, len(each))[each, :, each].T
-        left = found[0] >= found[1]
-        high, low = np.where(left, inner[1], high), np.where(left, low, inner[0])
-        value, x = np.where(left, found[0], found[1]), np.where(left, inner[0], inner[1])
-        best, at = np.where(value > best, value, best), np.where(value > best, x, at)
-    return [Extreme(float(value), float(x)) for value, x in zip(best, at, strict=True)]

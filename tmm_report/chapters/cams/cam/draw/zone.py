@@ -9,9 +9,9 @@ from math import tan
 
 import numpy as np
 
-from tmm_report.chapters.lever.cam.draw import finest
-from tmm_report.chapters.lever.cam.lifting import BEFORE
-from tmm_report.chapters.lever.cam.solve import CamFound
+from tmm_report.chapters.cams.cam.draw.profile import finest
+from tmm_report.chapters.cams.cam.solve.found import CamFound
+from tmm_report.chapters.cams.cam.solve.turn import BEFORE
 from tmm_report.figures.drawing import (
     AXIS,
     NORMAL,
@@ -102,7 +102,7 @@ def _axis(found: CamFound) -> Place:
 
 
 def _letters(found: CamFound, zone: Zone, mu: float) -> Iterator[Tag]:
-    name = symbol(found.kinematics.linkage.structure.driver_pair.name)
+    name = symbol(found.letters[0])
     made, best = (complex(place.e, -place.s0) / mu for place in (_axis(found), zone.best))
     yield Tag((name,), (made,), gap=2.0, prefer=-1 - 1j)
     yield Tag((Symbol(name.base, name.sub, "*"),), (best,), gap=2.0, prefer=1 - 1j)

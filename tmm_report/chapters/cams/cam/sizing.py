@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from tmm_report.chapters.lever.cam import quantities as q
-from tmm_report.chapters.lever.cam.solve import CamFound
+from tmm_report.chapters.cams.cam import quantities as q
+from tmm_report.chapters.cams.cam.solve.found import CamFound
 from tmm_report.mechanics.cams.least_size import Bound, Face, Lever, Place, Zone
 from tmm_report.quantity.formula import Expr, Formula, arccos, cos, expr, sqrt, tan
 from tmm_report.quantity.model import Book, Table, Value
@@ -19,14 +19,14 @@ class Sizing:
     kind = ""
 
     def __init__(self, found: CamFound, book: Book):
-        self.found, self.book, self.name = found, book, found.cam.name
+        self.found, self.book = found, book
 
     def _value(self, key: str) -> Value:
-        return self.book[f"{key}_{self.name}"]
+        return self.book[q.named(self.found, key)]
 
     @property
     def table(self) -> Table:
-        return self.book.tables[f"cam_least_{self.name}"]
+        return self.book.tables[q.named(self.found, "cam_least")]
 
     def asked(self) -> Iterator[Formula]:
         """What the law asks."""

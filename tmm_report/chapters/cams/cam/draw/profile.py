@@ -10,7 +10,7 @@ from itertools import product
 
 import numpy as np
 
-from tmm_report.chapters.lever.cam.solve import CamFound
+from tmm_report.chapters.cams.cam.solve.found import CamFound
 from tmm_report.figures.drawing import (
     AXIS,
     DASHED,
@@ -83,7 +83,7 @@ def _items(found: CamFound, mu: float) -> Iterator[Item]:
 
 def _places(found: CamFound) -> list[tuple[int, complex, complex]]:
     """Number, place of the follower's end (the contact of a flat face) and outward normal, to a cam at rest, m."""
-    count = found.kinematics.distinct
+    count = found.turn.distinct
     phi = found.phi(found.table.turned[:count])
     touch = found.cam.contact(phi)
     end = touch.at if found.cam.flat else found.cam.moved(phi)[1].z
@@ -127,14 +127,12 @@ def _follower(found: CamFound, mu: float) -> Iterator[Item]:
 def _letters(found: CamFound, mu: float) -> list[Tag]:
     cam = found.cam
     _, b = cam.moved(found.phi(0.0))
-    own = found.kinematics.linkage.structure
-    tags = [Tag((symbol(own.driver_pair.name),), (0j,), gap=2.0, prefer=1 - 1j)]
+    axis, pivot = found.letters
+    tags = [Tag((symbol(axis),), (0j,), gap=2.0, prefer=1 - 1j)]
     radius = 0.55 * cam.base / mu
     tags.append(Tag((Symbol("ω", cam.cam),), (cmath.rect(radius, 0.3 + found.sense * 0.6),), gap=0.8))
     if not found.slides:
-        frame = own.mechanism.links["0"].points
-        name = next((p for p, z in frame.items() if abs(z - cam.axis - found.pivot) < 1e-9), "")
-        tags.append(Tag((symbol(name),), (found.pivot / mu,), gap=2.0))
+        tags.append(Tag((symbol(pivot),), (found.pivot / mu,), gap=2.0))
     tags.append(Tag((symbol(cam.point),), (complex(b.z) / mu,), gap=1.5))
     return tags
 

@@ -1,37 +1,40 @@
-"""Cam pairs of a lever mechanism: the follower's law over the cycle, the pressure angle, the profile of the cam.
+"""A cam and its follower: the law over the turn, the pressure angle, the profile of the cam; of a cam that stands alone
+and of the pairs of a lever mechanism alike.
 
 Source: Artobolevsky, Theory of mechanisms and machines, ch. 26; Frolov (ed.), Theory of mechanisms, ch. 15.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import replace
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from tmm_report.chapters.lever.cam.lifting import (
-    BEFORE,
+from tmm_report.chapters.cams.cam.solve.lifting import (
+    FINE,
     Lifted,
-    breaks_of,
     drawn_at,
-    greatest,
     lifted,
     lowest,
     searched,
     side_of,
 )
-from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
+from tmm_report.chapters.cams.cam.solve.turn import BEFORE, Turn
 from tmm_report.mechanics.cams.cam import ByLaw, Cam, Sliding
-from tmm_report.mechanics.cams.follower_laws import FULL_TURN, Phase, Phases
+from tmm_report.mechanics.cams.extremes import Extreme, greatest
+from tmm_report.mechanics.cams.follower_laws import FULL_TURN, Kind, Phase, Phases
 from tmm_report.mechanics.cams.shapes import Graph, Laid, Shape
-from tmm_report.mechanics.lever.cams.replacing_dyad import rests
-from tmm_report.mechanics.lever.cycle import Extreme
 from tmm_report.records import dataclass
 
 Array = Any
 Ends = tuple[Extreme, Extreme]
 BELOW = 1e-3  # of the lift: a spline that goes below its table by less does not
+STILL = 1e-6  # of the cam: so near its axis a centre of curvature is on it
+EQUAL = 1e-9  # of a size: two that differ by less are one
+KINDS: tuple[Kind, Kind] = ("rise", "return")
 SHOCK = 1e-6  # of the largest: a derivative that differs by less on both sides of a break does not jump
 
 
@@ -65,13 +68,24 @@ class Shock:
 
 
 @dataclass(frozen=True, eq=False)
+class Divided:
+    """A phase, counted from 0, at the ends of its equal parts."""
+
+    phase: int
+    lifted: Lifted
+
+
+@dataclass(frozen=True, eq=False)
 class CamFound:
-    """Found of one cam pair. `rise`, `back`: the greatest pressure angles of the rises and of the returns, rad;
+    """Found of one cam pair; `letters`: names of the cam's axis and of the pivot of a follower that swings.
+
+    `rise`, `back`: the greatest pressure angles of the rises and of the returns, rad;
     `least`: least radius of curvature where the profile is convex, m; `ends`: least and greatest displacement and
     derivatives, m or rad; `low`: the coordinate from which displacements count, times its sense."""
 
     cam: Cam
-    kinematics: Kinematics
+    turn: Turn
+    letters: tuple[str, str]
     low: float
     table: Lifted
     diagram: Lifted
@@ -82,19 +96,19 @@ class CamFound:
 
     def at(self, turned: Array) -> Lifted:
         """At angles turned from position 0, rad."""
-        return lifted(self.cam, self.kinematics, turned, self.low)
+        return lifted(self.cam, self.turn, turned, self.low)
 
     @cached_property
     def drawn(self) -> Lifted:
         """At the angles at which its curves are drawn."""
-        return self.at(drawn_at(self.kinematics))
+        return self.at(drawn_at(self.turn))
 
     @cached_property
     def shocks(self) -> tuple[Shock, ...]:
         """Where the law of phases has shocks."""
         if not self.phases:
             return ()
-        turned = breaks_of(self.kinematics)
+        turned = self.turn.breaks
         after, before = self.at(turned), self.at(np.mod(turned - BEFORE, FULL_TURN))
         first, second = after.first - before.first, after.second - before.second
         largest = [max(abs(end.value) for end in ends) for ends in self.ends[1:]]
@@ -110,7 +124,7 @@ class CamFound:
 
     @property
     def sense(self) -> int:
-        return self.kinematics.cycle.sense
+        return self.turn.sense
 
     @property
     def law(self) -> ByLaw | None:
@@ -176,7 +190,7 @@ class CamFound:
 
     def phi(self, turned: Array) -> Array:
         """Angles of the cam's x axis."""
-        return self.kinematics.cycle.phi(turned)
+        return self.turn.phi(turned)
 
     @property
     def pivot(self) -> complex:
@@ -186,8 +200,9 @@ class CamFound:
     @cached_property
     def resting(self) -> tuple[int, ...]:
         """Table positions in which the follower dwells and the centre of curvature is on the axis of the cam."""
-        resting = np.flatnonzero(rests(self.kinematics.table, self.cam))
-        return tuple(int(k) for k in resting if k < self.kinematics.distinct)
+        away = np.abs(self.cam.contact(self.phi(self.table.turned)).centre)
+        resting = np.flatnonzero(away < STILL * self.cam.size)
+        return tuple(int(k) for k in resting if k < self.turn.distinct)
 
     @property
     def below(self) -> bool:
@@ -222,34 +237,138 @@ class CamFound:
             return self.law.law.lift
         return self.ends[0][1].value
 
+    @cached_property
+    def leaning(self) -> dict[Kind, Ends]:
+        """Of the rises and of the returns the least and the greatest pressure angle with its sign, both ends of a phase
+        counted as it has them; of a law by phases."""
+        found: dict[Kind, list[Ends]] = {}
+        for k, phase in enumerate(self.phases):
+            if phase.law is not None:
+                found.setdefault(phase.kind, []).append(
+                    self._over(k, lambda own, phi: self.sense * own.pressure(phi))
+                )
+        return {
+            kind: (min((low for low, _ in ends), key=_value), max((high for _, high in ends), key=_value))
+            for kind, ends in found.items()
+        }
+
+    @cached_property
+    def moving(self) -> Extreme | None:
+        """The least radius of curvature of the profile where it is convex and the follower moves, m; None where
+        there is none."""
+
+        def convex(own: Cam, phi: Array) -> Array:
+            radius = own.own_radius(phi)
+            return np.where(radius > 0, radius, np.inf)
+
+        ends = [self._over(k, convex)[0] for k, phase in enumerate(self.phases) if phase.law is not None]
+        least = min(ends, key=_value, default=None)
+        return least if least is not None and np.isfinite(least.value) else None
+
+    def _over(self, k: int, of: Callable[[Cam, Array], Array]) -> Ends:
+        """The least and the greatest over phase `k`, of a function of the cam as the phase has it and of the angle of
+        its x axis."""
+        own, law = self._within(k)
+        assert isinstance(law.law, Phases)
+        low, high = law.law.edges[k], law.law.edges[k + 1]
+        inside = [theta for theta in law.law.breaks if low < theta < high]
+        fine = np.unique(np.concatenate([np.linspace(low, high, FINE // 4), inside]))
+
+        def both(theta: Array) -> Array:
+            values = of(own, law.start + law.sense * theta)
+            return np.array([-values, values])
+
+        least, most = greatest(both, fine)
+        return tuple(  # type: ignore[return-value]
+            Extreme(sign * one.value, float(np.mod(one.turned - self._begins, FULL_TURN)))
+            for sign, one in ((-1, least), (1, most))
+        )
+
+    def _within(self, k: int) -> tuple[Cam, ByLaw]:
+        """The cam with its law as phase `k` has it, and the law."""
+        law = self.law
+        assert law is not None and isinstance(law.law, Phases)
+        return replace(self.cam, given=replace(law, law=law.law.within(k))), law
+
+    @property
+    def _begins(self) -> float:
+        """The angle of the law in position 0, rad."""
+        return float(self.law.theta(self.phi(0.0))) if self.law else 0.0
+
+    @cached_property
+    def divided(self) -> tuple[Divided, ...]:
+        """The phases that are to be divided into equal parts, at the ends of these."""
+        return tuple(self._divided(k, phase) for k, phase in enumerate(self.phases) if phase.parts)
+
+    def _divided(self, k: int, phase: Phase) -> Divided:
+        own, law = self._within(k)
+        assert isinstance(law.law, Phases)
+        turned = law.law.edges[k] + np.linspace(0.0, phase.angle, phase.parts + 1) - self._begins
+        return Divided(k, lifted(own, self.turn, turned, self.low))
+
+    @cached_property
+    def face(self) -> Ends:
+        """Of a flat face the outermost contacts along it, m from the follower's point; of one that swings from its
+        pivot."""
+
+        def along(turned: Array) -> Array:
+            phi = self.phi(turned)
+            q, b = self.cam.moved(phi)
+            at = self.cam.contact(phi).at - (b.z if self.slides else self.pivot)
+            place = np.real(at * np.conj(self.cam.turn(q.z) * self.cam.face))
+            return np.array([-place, place])
+
+        least, most = greatest(along, searched(self.turn))
+        return Extreme(-least.value, least.turned), most
+
+    @property
+    def alone(self) -> bool:
+        """Whether it is no part of a lever mechanism: its numbers need no name then."""
+        return not self.cam.name
+
 
 @dataclass(frozen=True, eq=False)
 class Cams:
-    """Found by `solve`: one a cam pair."""
+    """What is found of cams that turn together."""
 
     cams: tuple[CamFound, ...]
 
 
-def solve(kinematics: Kinematics) -> Cams | None:
-    """None of a mechanism without cam pairs."""
-    cams = kinematics.linkage.mechanism.cams
-    return Cams(tuple(_solve(cam, kinematics) for cam in cams)) if cams else None
+class Sampled(NamedTuple):
+    """The cam pairs of a lever mechanism, and the table position of which formulas are written out."""
+
+    found: Cams
+    sample: int
 
 
-def _solve(cam: Cam, kinematics: Kinematics) -> CamFound:
-    low = lowest(cam, kinematics)
-    table, diagram = (lifted(cam, kinematics, x, low) for x in (kinematics.turned, kinematics.diagram_turned))
-    return CamFound(cam, kinematics, low, table, diagram, *_extremes(cam, kinematics, low))
+def _value(end: Extreme) -> float:
+    return end.value
 
 
-def _extremes(
-    cam: Cam, kinematics: Kinematics, low: float
-) -> tuple[Extreme, Extreme, Extreme, tuple[Ends, Ends, Ends]]:
+def pair(cam: Cam, turn: Turn, letters: tuple[str, str]) -> CamFound:
+    """What is found of one pair over a turn of its cam."""
+    low = lowest(cam, turn)
+    table, diagram = (lifted(cam, turn, x, low) for x in (turn.table, turn.diagram))
+    found = CamFound(cam, turn, letters, low, table, diagram, *_extremes(cam, turn, low))
+    if turn.sweep < FULL_TURN - BEFORE or not found.leaning:
+        return found
+    rise, back = (_largest(found.leaning[kind]) for kind in KINDS)
+    return replace(found, rise=rise, back=back)  # the ends of the phases counted
+
+
+def _largest(ends: Ends) -> Extreme:
+    """The one of the larger size, without its sign; of equal ones the first."""
+    least, most = ends
+    first, second = sorted((Extreme(-least.value, least.turned), most), key=lambda end: end.turned)
+    return second if second.value > first.value * (1 + EQUAL) else first
+
+
+def _extremes(cam: Cam, turn: Turn, low: float) -> tuple[Extreme, Extreme, Extreme, tuple[Ends, Ends, Ends]]:
     """The greatest pressure angles of the rises and of the returns, the least radius of curvature, the ends of the
     displacement and of its derivatives."""
 
     def of(turned: Array) -> Array:
-        here = lifted(cam, kinematics, turned, low)
+        here = lifted(cam, turn, turned, low)
         angle, rate = np.abs(here.alpha), here.first
         moves = 1e-9 * (cam.size if isinstance(cam.motion, Sliding) else 1.0)
         rising, falling = np.where(rate > moves, angle, 0.0), np.where(rate < -moves, angle, 0.0)
@@ -257,7 +376,7 @@ def _extremes(
         moved = (here.S, here.first, here.second)
         return np.array([rising, falling, convex, *(way * x for x in moved for way in (-1, 1))])
 
-    rise, back, sharp, *ends = greatest(of, searched(kinematics))
+    rise, back, sharp, *ends = greatest(of, searched(turn))
     S, first, second = (
         (Extreme(-least.value, least.turned), most) for least, most in zip(ends[::2], ends[1::2], strict=True)
     )

@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from tmm_report.chapters.lever.cam import quantities as q
-from tmm_report.chapters.lever.cam.solve import CamFound, Sample
+from tmm_report.chapters.cams.cam import quantities as q
+from tmm_report.chapters.cams.cam.solve.found import CamFound, Sample
 from tmm_report.mechanics.cams.shapes import Graph, Laid, Parabolic, rising
 from tmm_report.quantity.formula import PI, Expr, Formula, Number, cos, expr, sin, sqrt
 from tmm_report.quantity.formula import arccos as angle_of
@@ -33,13 +33,13 @@ def laws(found: CamFound, book: Book) -> list[Written]:
 
 
 def _law(found: CamFound, book: Book, row: int) -> Iterator[Formula]:
-    sample, table = found.samples[row], book.tables[f"cam_law_{found.cam.name}"]
+    sample, table = found.samples[row], book.tables[q.named(found, "cam_law")]
     h = book[q.lift(found).key].var()
     theta, beta, tau = (table.var(key, row) for key in (q.WITHIN.key, q.BETA.key, q.SHARE.key))
     yield table.formula(q.SHARE.key, row, theta / beta)
     f, slope, bend = _shape(found, book, row, tau)
     rises = sample.phase.kind == "rise"
-    motion = book.tables[f"cam_motion_{found.cam.name}_table"]
+    motion = book.tables[q.named(found, "cam_motion", "table")]
     steps: list[Expr] = [h * f if rises else h * (1 - f)]
     steps += [h * slope / beta, h * bend / beta**2] if rises else [-(h * slope / beta), -(h * bend / beta**2)]
     keys = [make(found).key for make in (q.displacement, q.first, q.second)]
@@ -54,11 +54,11 @@ def _shape(found: CamFound, book: Book, row: int, tau: Expr) -> Three:
     if isinstance(law, Parabolic):
         n: Expr = expr(1)
         if law.ratio != 1:
-            n = book.tables[f"cam_law_{found.cam.name}"].var(q.RATIO.key, row)
+            n = book.tables[q.named(found, "cam_law")].var(q.RATIO.key, row)
         return _parabolic(tau, n, sample.share < law.switch, law.ratio == 1)
     if isinstance(law, Graph):
         number = found.number_of(sample)
-        return _piece(found.pieces[number].laid, book.tables[f"cam_pieces_{found.cam.name}"], number, tau)
+        return _piece(found.pieces[number].laid, book.tables[q.named(found, "cam_pieces")], number, tau)
     return WHOLE[law.name](tau) if law else (expr(0), expr(0), expr(0))
 
 
@@ -166,9 +166,8 @@ def pitch_base(found: CamFound, book: Book) -> Formula | None:
     """R0 = R + r of a roller."""
     if not found.cam.roller:
         return None
-    name = found.cam.name
-    return book[f"cam_pitch_base_{name}"].formula(
-        book[f"cam_base_{name}"].var() + book[f"cam_roller_{name}"].var()
+    return book[q.named(found, "cam_pitch_base")].formula(
+        book[q.named(found, "cam_base")].var() + book[q.named(found, "cam_roller")].var()
     )
 
 
@@ -176,25 +175,26 @@ def start(found: CamFound, book: Book) -> Formula | None:
     """The follower's lowest position over the base circle: S0 = √(R0² − e²), or the angle of triangle O, C, B."""
     if found.cam.flat or found.law is None:
         return None
-    name = found.cam.name
-    base = book[f"cam_{'pitch_' if found.cam.roller else ''}base_{name}"].var()
+    base = book[q.named(found, "cam_pitch_base" if found.cam.roller else "cam_base")].var()
     if found.slides:
-        return book[f"cam_start_{name}"].formula(sqrt(base**2 - book[f"cam_offset_{name}"].var() ** 2))
-    d, arm = book[f"cam_apart_{name}"].var(), book[f"cam_arm_{name}"].var()
-    return book[f"cam_start_{name}"].formula(angle_of((d**2 + arm**2 - base**2) / (2 * d * arm)))
+        return book[q.named(found, "cam_start")].formula(
+            sqrt(base**2 - book[q.named(found, "cam_offset")].var() ** 2)
+        )
+    d, arm = book[q.named(found, "cam_apart")].var(), book[q.named(found, "cam_arm")].var()
+    return book[q.named(found, "cam_start")].formula(angle_of((d**2 + arm**2 - base**2) / (2 * d * arm)))
 
 
 def pressure(found: CamFound, book: Book, position: int) -> Formula | None:
     """tan α = (S' − e)/(S0 + S), or [l(ψ' ∓ 1) ± d cos(ψ0 + ψ)]/(d sin(ψ0 + ψ)); None of a flat face."""
     if found.cam.flat or not np.isfinite(found.table.alpha[position]):
         return None
-    name, table = found.cam.name, book.tables[f"cam_motion_{found.cam.name}_table"]
+    table = book.tables[q.named(found, "cam_motion", "table")]
     S, slope = (table.var(make(found).key, position) for make in (q.displacement, q.first))
-    lowest = book[f"cam_start_{name}"].var()
+    lowest = book[q.named(found, "cam_start")].var()
     if found.slides:
-        tangent = (slope - book[f"cam_offset_{name}"].var()) / (lowest + S)
+        tangent = (slope - book[q.named(found, "cam_offset")].var()) / (lowest + S)
     else:
-        d, arm = book[f"cam_apart_{name}"].var(), book[f"cam_arm_{name}"].var()
+        d, arm = book[q.named(found, "cam_apart")].var(), book[q.named(found, "cam_arm")].var()
         turned = lowest + S
         near = d * cos(turned)
         top = near - arm * (1 - slope) if found.alike else arm * (1 + slope) - near

@@ -1,0 +1,109 @@
+"""The key `cam` as a pydantic model: a cam that stands alone, as a course's sheet states it."""
+
+from collections.abc import Mapping
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import Field, model_validator
+
+from tmm_report.chapters.cams.cam.block.models import CamStated
+from tmm_report.chapters.cams.cam.given import Follower
+from tmm_report.problems import N_, Message
+from tmm_report.quantity.units import WrongValue
+from tmm_report.variant.russian import english
+from tmm_report.variant.values import Length, Positive, Reads, SignedSpeed, Turn, quantity, whole
+
+Count = Annotated[int, whole(8, 360)]
+FREE = "free"
+_LENGTH, _POSITIVE = quantity("length"), quantity("length", 1e-9)
+
+
+def _free(length: Reads) -> Reads:
+    """A length, or the word that leaves it to be found."""
+
+    def read(written: object) -> float | str:
+        word = english(written, (FREE,))
+        return FREE if isinstance(word, str) and word.strip() == FREE else length.value(written)
+
+    return Reads(
+        read, {"anyOf": [{"enum": [FREE]}, dict(length.schema)], "examples": ["12 mm", FREE]}, "length"
+    )
+
+
+Offset = Annotated[float | Literal["free"], _free(_LENGTH)]
+
+
+class CamAloneModel(CamStated):
+    """A cam with its follower: a translating one has a lift, a swinging one a swing."""
+
+    NOT_OFFERED: ClassVar[Mapping[str, str]] = {
+        **dict.fromkeys(
+            ("knife", "edge", "flat"), N_("of a cam alone it is said by follower: knife or flat")
+        ),
+    }
+
+    follower: Follower | None = Field(
+        default=None, description="how it touches the cam; left out, by a roller where that is stated"
+    )
+    roller: Positive | None = Field(default=None, description="radius of the roller", examples=["10 mm"])
+    pitch_base: Positive | None = Field(
+        default=None,
+        description="instead of base: least radius of the centre profile (pitch curve), of the roller's centre",
+        examples=["50 mm"],
+    )
+    offset: Offset | None = Field(
+        default=None,
+        description="of the line of a translating follower from the cam's axis; above zero where it lessens the "
+        "pressure angle of the rise; free: that of the smallest cam",
+    )
+    arm: Positive | None = Field(
+        default=None, description="of a swinging follower: from its pivot to the roller's centre or the edge"
+    )
+    centre_distance: Positive | None = Field(
+        default=None,
+        description="of a swinging follower: from the cam's axis to its pivot",
+        examples=["120 mm"],
+    )
+    face_offset: Length | None = Field(
+        default=None,
+        description="of the flat face of a swinging follower from its pivot, above zero towards the cam; left out, 0",
+    )
+    side: Literal["against", "with", "left", "right"] | None = Field(
+        default=None,
+        description="which way a swinging follower lifts: against or with the cam's rotation; on which side of the "
+        "axis the line of a translating one passes: against the rotation (the surface of the cam comes up there), with "
+        "it, left, right",
+    )
+    rotation: Turn = Field(default="counter-clockwise", description="the sense in which the cam turns")
+    speed: SignedSpeed | None = Field(
+        default=None, description="of the cam, rad/s or rpm, negative: clockwise", examples=["150 rpm"]
+    )
+    positions: Count = Field(default=12, description="equal parts of the turn: 12, 24, 36 …")
+
+    @property
+    def faced(self) -> bool:
+        return self.follower == "flat"
+
+    @property
+    def swinging(self) -> bool:
+        stated = (self.swing, self.arm, self.centre_distance)
+        return bool(self.swings) or any(one is not None for one in stated)
+
+    @model_validator(mode="after")
+    def one_follower(self) -> "CamAloneModel":
+        if self.follower is None and self.roller is None:
+            wrong = Message(N_("how the follower touches the cam is not stated"))
+            raise WrongValue(wrong, Message(N_("roller: 10 mm, or follower: knife, or follower: flat")))
+        if self.roller is not None and self.follower in ("knife", "flat"):
+            wrong = Message(N_("the follower has a roller, or a knife edge or a flat face, one of them"))
+            raise WrongValue(wrong, Message(N_("leave one of the two")))
+        if self.follower == "roller" and self.roller is None:
+            wrong = Message(N_("the radius of the roller is missing"))
+            raise WrongValue(wrong, Message(N_("roller: 10 mm")))
+        return self
+
+    @model_validator(mode="after")
+    def one_base(self) -> "CamAloneModel":
+        if self.base is not None and self.pitch_base is not None:
+            wrong = Message(N_("the base circle is stated twice: of the profile and of the pitch curve"))
+            raise WrongValue(wrong, Message(N_("leave one of the two")))
+        return self

@@ -1,0 +1,45 @@
+"""A cam that stands alone over its turn."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from tmm_report.chapters.cams.cam.given import Given
+from tmm_report.chapters.cams.cam.solve.found import Cams, pair
+from tmm_report.chapters.cams.cam.solve.turn import whole_turn
+from tmm_report.problems import N_, Message
+from tmm_report.records import dataclass
+
+LETTERS = ("O", "C")
+
+
+@dataclass(frozen=True, eq=False)
+class Found(Cams):
+    """Found by `solve`; `sample`: the table position of which formulas are written out."""
+
+    sample: int = 0
+
+    @property
+    def sound(self) -> bool:
+        """Whether the pressure angles are within the permitted ones."""
+        return not any(one.exceeds or one.exceeds_back for one in self.cams)
+
+    def summary(self) -> Iterator[Message]:
+        """The main numbers in a sentence."""
+        text = N_(
+            "cam: base circle %(base)s mm; greatest pressure angles %(rise)s° in the rise, %(back)s° in the return; "
+            "least radius of curvature %(rho)s mm"
+        )
+        for one in self.cams:
+            rise, back = (f"{np.degrees(end.value):.2f}" for end in (one.rise, one.back))
+            sizes = {"base": f"{1e3 * one.cam.base:.4g}", "rho": f"{1e3 * one.least.value:.4g}"}
+            yield Message(text, {"rise": rise, "back": back, **sizes})
+
+
+def solve(given: Given) -> Found:
+    turn = whole_turn(given.cam, given.sense, given.table, given.diagram, given.omega)
+    found = pair(given.cam, turn, LETTERS)
+    moving = np.flatnonzero(np.abs(found.table.first[: turn.distinct]) > 1e-9 * max(abs(found.lift), 1e-9))
+    return Found((found,), int(moving[0]) if moving.size else 0)
