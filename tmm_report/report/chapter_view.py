@@ -44,6 +44,10 @@ class BookView:
         """A single number in running text, without its unit."""
         return self.page.shown(self.value(key), unit=unit, **form)
 
+    def bound(self, key: str) -> Markup:
+        """A relative difference that is not exceeded."""
+        return self.page.bound(self.value(key))
+
     def measured(self, key: str, unit: str = "", **form: Any) -> Markup:
         """A single number in running text with its unit."""
         return self.page.measured(self.value(key), unit=unit, **form)

@@ -66,6 +66,7 @@ class _Environment(Environment):
 
 
 BEHIND = "\N{NULL}"  # begins what belongs to the sentence before; in no text
+ROUNDING = 1e-6  # what is smaller beside 1 is no result of the note: a second way to a number leaves so much
 TRIMMED = True  # blocks take their line's blanks and end with them
 
 
@@ -325,6 +326,13 @@ class Page:
         """`cell` in running text."""
         cell = self.cell(of, *args, **form)
         return self.form.marked(cell, cell.ref)
+
+    def bound(self, of: Value | Table, key: str = "", row: int = 0) -> Markup:
+        """A relative difference that is not exceeded; what is nothing but rounding is said so."""
+        value = of.value if isinstance(of, Value) else of[key].number(row)
+        if abs(value) < ROUNDING:
+            return self.t(N_("the error of rounding"))
+        return self.shown(of, key, row, digits=2, scale=0)
 
     def measured(self, of: Value, **form: Any) -> Markup:
         """A single number in running text with its unit."""

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from markupsafe import Markup
 
-from tmm_report.i18n import Translator
+from tmm_report.i18n import NP_, Translator
 from tmm_report.mechanics.lever.assur_groups import ROMAN, Group, Structure
 from tmm_report.mechanics.lever.wheels.coupled import Coupled
 from tmm_report.problems import N_
@@ -28,6 +28,29 @@ ALONG_LINK = {
     "along": N_("along the rotation of the link"),
     "against": N_("against the rotation of the link"),
 }
+
+
+OF_SO_MANY = (  # in words up to ten, as a sentence says them of things it counts: of two links, two pairs
+    NP_("of so many", "one"), NP_("of so many", "two"), NP_("of so many", "three"), NP_("of so many", "four"),
+    NP_("of so many", "five"),
+    NP_("of so many", "six"), NP_("of so many", "seven"), NP_("of so many", "eight"), NP_("of so many", "nine"),
+    NP_("of so many", "ten"),
+)  # fmt: skip
+SO_MANY_PAIRS = (
+    NP_("so many pairs", "one"), NP_("so many pairs", "two"), NP_("so many pairs", "three"),
+    NP_("so many pairs", "four"),
+    NP_("so many pairs", "five"), NP_("so many pairs", "six"), NP_("so many pairs", "seven"),
+    NP_("so many pairs", "eight"), NP_("so many pairs", "nine"), NP_("so many pairs", "ten"),
+)  # fmt: skip
+
+
+def of_so_many(count: int, tr: Translator) -> str:
+    """How many things something consists of, in words up to ten."""
+    return tr.pgettext("of so many", OF_SO_MANY[count - 1]) if 1 <= count <= 10 else str(count)
+
+
+def so_many_pairs(count: int, tr: Translator) -> str:
+    return tr.pgettext("so many pairs", SO_MANY_PAIRS[count - 1]) if 1 <= count <= 10 else str(count)
 
 
 def roman(number: int) -> str:

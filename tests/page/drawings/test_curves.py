@@ -75,7 +75,7 @@ def column(curve: Curve, caption: str, document: dict[str, Any]) -> tuple[str, s
 
 def letter_of_driver(curve: Curve, caption: str) -> bool:
     """Whether a curve shows a rate of a driving link that moves by a law."""
-    return curve.axis.letter[0] in "ωε" and ("driving link" in caption or "начального звена" in caption)
+    return curve.axis.letter[0] in "ωε" and ("driving link" in caption or "ведущего звена" in caption)
 
 
 def signs(document: dict[str, Any]) -> dict[str, str]:

@@ -82,7 +82,7 @@ class CorrectedView(SlidingView):
     @property
     def worst(self) -> Markup:
         """Of both ways to the moment: noise is told as nothing."""
-        return self.number("friction_disagreement", digits=2, scale=1e-30)
+        return self.bound("friction_disagreement")
 
     # ------------------------------------------------------------ the slider that tilts
 

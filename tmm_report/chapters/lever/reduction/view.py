@@ -139,4 +139,4 @@ class ReductionView(BookView):
     # ------------------------------------------------------------ check
 
     def disagreement(self) -> Markup:
-        return self.number("reduction_disagreement", digits=2, scale=0)
+        return self.bound("reduction_disagreement")

@@ -32,7 +32,14 @@ from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Table, worded
 from tmm_report.report.part import Part
 from tmm_report.report.schemes import Schemes
-from tmm_report.report.words import PAIR_KINDS, group_name, roman, structural_formula
+from tmm_report.report.words import (
+    PAIR_KINDS,
+    group_name,
+    of_so_many,
+    roman,
+    so_many_pairs,
+    structural_formula,
+)
 
 if TYPE_CHECKING:
     from tmm_report.course import LeverFound
@@ -124,6 +131,17 @@ class StructureView(BookView):
 
     def formula(self) -> str:
         return structural_formula(self.found.linkage.structure)
+
+    def counted(self, key: str) -> int:
+        return round(self.value(key).value)
+
+    def of_links(self) -> str:
+        """How many moving links, as the mechanism consists of them."""
+        return of_so_many(self.counted("n"), self.page.tr)
+
+    def pairs_of(self, key: str) -> str:
+        """How many pairs of class V ("p5") or IV ("p4"), as the links form them."""
+        return so_many_pairs(self.counted(key), self.page.tr)
 
     def mobility(self) -> Formula:
         n, p5, p4 = map(self.var, ("n", "p5", "p4"))

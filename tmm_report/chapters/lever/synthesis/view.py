@@ -185,7 +185,7 @@ class SynthesisView(ChapterView):
 
     def conclusions(self) -> list[Markup]:
         sizes = [key for key in LENGTHS if self.s.get(key)]
-        lines = [self.t(N_("Synthesis: the linkage has %(lengths)s."), lengths=self._taken(sizes))]
+        lines = [self.t(N_("The synthesis gives the linkage %(lengths)s."), lengths=self._taken(sizes))]
         for key in ("stroke", "swing", "K", "pressure", "transmission"):
             if f"{key}_met" in self.s and key in self.s:
                 text = N_("%(asked)s was asked, the analysed mechanism has %(met)s.")

@@ -200,4 +200,4 @@ class TranslationView(BookView):
     # ------------------------------------------------------------ check
 
     def disagreement(self) -> Markup:
-        return self.number("translation_disagreement", digits=2, scale=0)
+        return self.bound("translation_disagreement")

@@ -164,7 +164,7 @@ class FlywheelView(ChapterView):
         return worded(caption, [self.t("Way"), *heads], rows, (8, 3, 3, 3))
 
     def miss(self) -> Markup:
-        return self.page.shown(self.table("proof"), "miss", 1, digits=2, scale=0.0)
+        return self.page.bound(self.table("proof"), "miss", 1)
 
     # ------------------------------------------------------------ diagrams
 

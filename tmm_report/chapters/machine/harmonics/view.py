@@ -120,7 +120,7 @@ class HarmonicsView(ChapterView):
     def worst(self, wave: Wave) -> Markup:
         """Of the amplitudes by these formulas."""
         assert wave.check is not None
-        return self.page.shown(check(wave.link).value(wave.check), digits=2, scale=0)
+        return self.page.bound(check(wave.link).value(wave.check))
 
     def turns(self, wave: Wave) -> bool:
         """Whether the motion differs along the link, so that it has a field."""

@@ -63,4 +63,4 @@ class LeverView(BookView):
 
     def disagreement(self, of: str) -> Markup:
         """The worst of the "lever" or of the "power" balance."""
-        return self.number(f"{of}_disagreement", digits=2, scale=0)
+        return self.bound(f"{of}_disagreement")

@@ -219,7 +219,7 @@ class CycleView(BookView):
 
     @property
     def sum(self) -> Markup:
-        return self.number("works_sum", digits=2, scale=1e-30)
+        return self.bound("works_sum")
 
     @property
     def power(self) -> Markup:

@@ -68,7 +68,8 @@ def parts(lever: LeverFound, page: Page) -> Iterator[Part | None]:
 
 UNBOUNDED = N_(
     "The balancing moment grows without bound towards the limit position, so that no extremes of it are given; at the "
-    "positions that exist Zhukovsky's lever and the power balance confirm it within a relative difference of %(worst)s."
+    "positions that exist Zhukovsky's lever and the power balance confirm it, the relative difference does not exceed "
+    "%(worst)s."
 )
 DISAGREE = N_(
     "The balancing moments of the force analysis, of Zhukovsky's lever and of the power balance disagree by a relative "
@@ -99,8 +100,8 @@ class KinetostaticsView(BookView):
         found = self.found
         text = N_(
             "The balancing moment varies over the cycle from %(low)s N·m at the angle of turn %(lowat)s to %(high)s "
-            "N·m at %(highat)s; Zhukovsky's lever and the power balance confirm it within a relative difference of "
-            "%(worst)s."
+            "N·m at %(highat)s; Zhukovsky's lever and the power balance confirm it, the relative difference "
+            "does not exceed %(worst)s."
         )
         if not found.agrees:
             text = N_(
@@ -109,7 +110,7 @@ class KinetostaticsView(BookView):
                 "%(low)s N·m at the angle of turn %(lowat)s to %(high)s N·m at %(highat)s."
             )
         worse = "lever" if found.worst_lever >= found.worst_power else "power"
-        worst = self.number(f"{worse}_disagreement", digits=2, scale=0)
+        worst = self.bound(f"{worse}_disagreement")
         if not found.bounded:
             text = UNBOUNDED if found.agrees else DISAGREE
             return [self.t(text, worst=worst), *self.cycle.conclusions()]
