@@ -8,6 +8,9 @@ GAUGES = MECHANICS + "gears/inspection.py"
 GAUGED = ("tests/mechanics/gears/test_inspection.py",)
 SHEETS = ("tests/chapters/gears/spur/test_gear_inspection.py",)
 STATED = ("tests/chapters/gears/spur/test_spur_as_stated.py",)
+BACKLASH = MECHANICS + "gears/backlash.py"
+LOOSE = ("tests/mechanics/gears/test_backlash.py",)
+FITTED = ("tests/chapters/gears/spur/test_gear_backlash.py",)
 QUALITY = MECHANICS + "gears/quality.py"
 QUALITIES = ("tests/mechanics/gears/test_quality.py",)
 SHIFTED = ("tests/chapters/gears/spur/test_gear_quality.py",)
@@ -389,4 +392,28 @@ FAULTS = (
           'turned if of.mesh == "internal" and other is rows[-1] else -turned', "-turned", tests=STAGES),
     Fault("an idler loaded by one of its meshes", ORDINARY + "steps/train.py",
           "(before.F_t + row.F_t) ** 2", "before.F_t**2", tests=STAGES),
+    # --- backlash ---
+    Fault("thinned teeth of a helical wheel by the transverse arc", GAUGES,
+          "self.thinned / float(np.cos(self.pair.beta))", "self.thinned", tests=LOOSE),
+    Fault("arcs of thinned teeth not carried to the working circles", BACKLASH,
+          "wider = np.cos(p.t.alpha) / np.cos(p.alpha_w)", "wider = 1.0", tests=LOOSE),
+    Fault("angles of free turning by the radius", BACKLASH, "(2 * self.circumferential / float(d)",
+          "(self.circumferential / float(d)", tests=LOOSE),
+    Fault("a ring closest to its pinion at the shortest distance", BACKLASH,
+          "(deviation if pair.internal else -deviation)", "-deviation", tests=LOOSE),
+    Fault("a chord of thinned teeth on the nominal circle", SPUR + "solve/backlash.py",
+          "float(chord[0]) if cut.thinned == 0 else cut.chord_below(float(chord[1]))",
+          "float(chord[0]) if cut.thinned == 0 else float(cut.constant_chord[0])", tests=FITTED),
+    Fault("the shift of the rack taken for the thinning", SPUR + "solve/backlash.py", "2 * math.tan(alpha)",
+          "math.tan(alpha)", tests=(*TWICE, *FITTED)),
+    Fault("the tolerance not added", SPUR + "solve/backlash.py", "(least[0] + field[0], least[1] + field[1])",
+          "(least[0], least[1])", tests=FITTED),
+    Fault("guaranteed backlash asked of each wheel", SPUR + "solve/backlash.py", "or 0.0)) / 2", "or 0.0))",
+          tests=FITTED),
+    Fault("less than guaranteed found enough", SPUR + "solve/backlash.py", "self.close.normal >= wanted",
+          "self.far.normal >= wanted", tests=FITTED),
+    Fault("deviations of the other wheel in a drawing's table", SPUR + "view/backlash.py",
+          "(self.names[i], size):", "(self.names[1 - i], size):", tests=FITTED),
+    Fault("backlash of the thickest teeth for that of the thinnest", SPUR + "loosening.py", "if end == \"most\")",
+          "if end == \"none\")", tests=TWICE),
 )  # fmt: skip

@@ -205,6 +205,7 @@ NEEDS: Mapping[str, Sequence[tuple[str, Keys]]] = {
         ("bell_crank", ("lift", "radius", "balls", "spring")),
     ],
     "PartModel": [("radius_of_gyration", ("mass",))],
+    "Backlash": [("tolerance", ("thinning",))],
     "Press": [("rated", ("torque",))],
     "rotor.Given": [("grade", ("speed", "mass")), ("width", ("diameter",)), ("diameter", ("width",))],
 }
@@ -234,6 +235,7 @@ NAMED: Mapping[str, Sequence[Any]] = {
     "DriverModel.speed": (*("1200 rpm", "90 rpm", "12 rad/s", 9.4) * 6, "synthesis.speed"),
     "Generator.y": ("x^2", "sqrt x", "log10 x", "exp x", "sin x", "1/x"),
     **{f"{name}.materials": PAIRS for name in RUBBING},
+    "Backlash.grade": ("8-B", "7-C", "9-8-8-A", "7-6-6-Ba"),
     "Flywheel.delta": ("1/30", 0.05, "1/80", 0.1, "4 %"),
     "Eccentric.ratio": (3, 4, "5/2", 2.5, "7/2"),
     "Heavy.unbalance": ("12 g*mm", "0.02 kg*m", "300 g*mm"),

@@ -10,7 +10,7 @@ from test_spur_stage import CASES, FREE, GUIDE
 from twice import disagreements
 
 from tmm_report import course
-from tmm_report.chapters.gears.spur.given import Inspection, Quality
+from tmm_report.chapters.gears.spur.given import Backlash, Inspection, Quality
 from tmm_report.chapters.gears.spur.quantities import book
 from tmm_report.chapters.gears.spur.solve import pair as spur
 from tmm_report.chapters.gears.spur.solve.motion import sliding_limit
@@ -23,6 +23,7 @@ from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page
 
 RING = CASES["internal"]
+LOOSE = replace(GUIDE, teeth=(14, 28), shift=(0.18, 0.5))
 MORE = {
     "undercut": replace(FREE, teeth=(10, 40), ratio=-4.0, shift=(-0.2, 0.5)),
     "pointed": replace(FREE, shift=(1.2, 0.0)),
@@ -44,6 +45,18 @@ MORE = {
     "quality, helical": replace(CASES["helical"], quality=Quality()),
     "quality, ring": replace(RING, quality=Quality()),
     "quality, cut short": replace(FREE, teeth=(10, 40), ratio=-4.0, shift=(-0.2, 0.5), quality=Quality()),
+    "thinned": replace(FREE, backlash=Backlash(thinning=(60e-6, 9e-5), tolerance=5e-5, axes=4e-5)),
+    "thinned by the rack": replace(
+        CASES["helical"], backlash=Backlash(thinning=1e-4, tolerance=(5e-5, 8e-5), by="rack", axes=5e-5)
+    ),
+    "thinned by the span": replace(RING, backlash=Backlash(thinning=6e-5, by="span")),
+    "guaranteed": replace(FREE, backlash=Backlash(guaranteed=1e-4)),
+    "guaranteed, helical": replace(CASES["helical"], backlash=Backlash(guaranteed=1e-4, axes=3e-5)),
+    "guaranteed, helical ring": replace(
+        CASES["internal, helical"], backlash=Backlash(guaranteed=1e-4, axes=3e-5, tolerance=5e-5)
+    ),
+    "guaranteed, loose": replace(LOOSE, backlash=Backlash(guaranteed=0.4e-3)),
+    "thinned, loose": replace(LOOSE, backlash=Backlash(thinning=5e-5)),
     "fast": spur.Given(-2, 0.0025, None, (42, 84), shift=(0.2, 0.0)),
 }
 ALL = {**CASES, **MORE}
@@ -76,6 +89,8 @@ def told(found):
         wrong += disagreements(made.gauges[i], _of_gauge(found.inspected[i]), formed=True)
     if made.divided is not None:
         wrong += disagreements(made.divided, _of_pressure(found), formed=True)
+    if made.loosened is not None:
+        wrong += disagreements(made.loosened, _of_backlash(found), formed=True)
     for tool, cut in zip(made.tools, found.cutters, strict=True):
         wrong += disagreements(tool, _of_tool(cut.by), formed=True)
     return wrong
@@ -102,6 +117,33 @@ def _ways(found):
     if (motion := found.motion) is not None:
         ways |= {"v_pitch": motion.whole[0][2], "v_along": motion.omega[1] * float(p.d_b[1]) / 2}
         ways["sliding_limit"] = sliding_limit(motion.whole[0][2])
+    return ways
+
+
+def _of_backlash(found):
+    """From pairs without backlash: how far the axes are apart of those, and of what shift the thinned teeth are."""
+    of, p, given = found.backlash, found.pair, found.given
+    turn, ways = math.tan(p.rack.alpha), {}
+    factor = {"rack": 2 * turn, "span": 1 / math.cos(p.rack.alpha)}.get(of.stated.by, 1.0)
+    for place, i in (("one", 0), ("two", 1)):
+        ways[f"field_{place}"] = 1e3 * factor * (of.stated.of_both("tolerance") or (0.0, 0.0))[i]
+        stated = of.stated.of_both("thinning") or (0.0, 0.0)
+        thin = {"rack": 2 * stated[i] * turn, "span": stated[i] / math.cos(p.rack.alpha)}.get(of.stated.by)
+        thin = of.least[i] if of.asked or thin is None else thin
+        ways[f"thin_{place}"] = 1e3 * thin
+        ways[f"span_fall_{place}"] = 1e3 * thin * math.cos(p.rack.alpha)
+    for end, loose, thinned in (("least", of.close, of.least), ("most", of.far, of.most)):
+        lost = [thin / (2 * p.m * turn) for thin in thinned]
+        less = replace(p, a_w=loose.a_w, x1=p.x1 - p.signs[0] * lost[0], x2=p.x2 - p.signs[1] * lost[1])
+        bare = float(less.p_w - sum(replace(p, a_w=loose.a_w).s_w))
+        ways |= {f"a_{end}": 1e3 * loose.a_w, f"alpha_{end}": float(less.alpha_w)}
+        ways |= {f"by_axes_{end}": 1e3 * bare, f"j_w_{end}": 1e3 * float(less.backlash)}
+        ways[f"by_teeth_{end}"] = 1e3 * (float(less.backlash) - bare)
+        ways[f"j_n_{end}"] = 1e3 * float(less.normal_backlash)
+        for i, place in enumerate(("one", "two")):
+            ways[f"turn_{end}_{place}"] = float(less.backlash / less.d_w[i] * 2)
+    if of.asked:
+        assert of.close.normal == pytest.approx(given.backlash.guaranteed, rel=1e-9)
     return ways
 
 

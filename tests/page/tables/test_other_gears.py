@@ -50,6 +50,20 @@ DRIVES = {
         "kind: spur, module: 3 mm, teeth: [20, 40], centre_distance: 101 mm, shift: [0.2, rest], helix: 25 deg, "
         "width: 8 mm, rack: {c*: 0.3}, inspection: {drawing_tables: true}",
     ],
+    "backlash: stated, by the rack, by a span, guaranteed, of the axes, by its grade alone": [
+        "kind: spur, module: 4 mm, teeth: [17, 34], mesh: external, shift: [0.25, 0], "
+        "inspection: {drawing_tables: true}, "
+        "backlash: {grade: 8-B, thinning: [0.06 mm, 0.09 mm], tolerance: 0.05 mm, axes: 0.04 mm, guaranteed: 0.12 mm}",
+        "kind: spur, module: 3 mm, teeth: [20, 40], centre_distance: 101 mm, helix: 25 deg, rack: {c*: 0.3}, "
+        "backlash: {by: rack, thinning: 0.1 mm, tolerance: [0.05 mm, 0.08 mm], axes: 0.05 mm}",
+        "kind: spur, mesh: internal, ratio: 3, module: 3 mm, teeth: [25, 75], shift: [0.4, 0.5], "
+        "backlash: {by: span, thinning: 0.05 mm}, inspection: {drawing_tables: true}",
+        "kind: spur, mesh: internal, ratio: 3, module: 3 mm, teeth: [21, 63], shift: [0, 0], helix: 12 deg, "
+        "backlash: {guaranteed: 0.1 mm, axes: 0.03 mm, tolerance: 0.05 mm}, inspection: {drawing_tables: true}",
+        "kind: spur, module: 4 mm, teeth: [20, 41], mesh: external, shift: [0, 0], backlash: {axes: 0.05 mm}",
+        "kind: spur, module: 4 mm, teeth: [20, 42], mesh: external, shift: [0, 0], backlash: {grade: 7-6-6-Ba}, "
+        "inspection: {drawing_tables: true}",
+    ],
     "quality over shifts and distances: external, internal, helical, without a shift that is allowed": [
         "kind: spur, module: 4 mm, teeth: [12, 25], centre_distance: 76 mm, shift: [0.5, rest], "
         "quality: {x1: [0.3, 0.5, 0.7], least_tip: 0.25, centre_distances: [75 mm, 76 mm, 77 mm]}",

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.mechanics.calculus.roots import root_between
 from tmm_report.mechanics.gears.involute import inv, inverse
 from tmm_report.mechanics.gears.meshing import Pair
 from tmm_report.records import dataclass
@@ -20,11 +21,13 @@ Array = Any
 
 @dataclass(frozen=True, eq=False)
 class Gauged:
-    """Wheel `i` (0, 1) of a pair as gauges meet it. `width`: of its face, None where nobody says it."""
+    """Wheel `i` (0, 1) of a pair as gauges meet it. `width`: of its face, None where nobody says it; `thinned`: by how
+    much its teeth are thinner than those without backlash, along the arc of the pitch circle in the normal section."""
 
     pair: Pair
     i: int
     width: float | None = None
+    thinned: float = 0.0
 
     @cached_property
     def ring(self) -> bool:
@@ -49,10 +52,15 @@ class Gauged:
         return float(getattr(self.pair, key)[self.i])
 
     @cached_property
+    def s(self) -> float:
+        """Thickness on the pitch circle, as it is left."""
+        return self.of("s") - self.thinned / float(np.cos(self.pair.beta))
+
+    @cached_property
     def _solid(self) -> float:
         """Arc of the base circle between the flanks that a span holds: of a tooth, of a ring's space."""
         tooth = self.of("d_b") * (
-            self.of("s") / self.of("d") + (-1 if self.ring else 1) * float(inv(self.pair.t.alpha))
+            self.s / self.of("d") + (-1 if self.ring else 1) * float(inv(self.pair.t.alpha))
         )
         return float(self.pair.p_b) - tooth if self.ring else tooth
 
@@ -166,8 +174,17 @@ class Gauged:
     def _normal(self, d: Array) -> tuple[Array, Array]:
         """Diameter of curvature of the normal section of the cylinder d, and half the angle of a tooth in it."""
         turn = np.cos(np.arctan(np.tan(self.pair.beta) * d / self.of("d")))
-        tooth = self.pair.thickness((d, d))[self.i]
+        tooth = self.pair.thickness((d, d))[self.i] - (self.of("s") - self.s) * d / self.of("d")
         return d / turn**2, tooth * turn**3 / d
+
+    def chord_below(self, height: float) -> float:
+        """Chord where a caliper that is set to a distance from the tip stands on the tooth; nan where that is beyond
+        the involutes."""
+        ends = np.array([float(self.at(rho)) for rho in self.involute])
+        left = self.chord(ends)[1] - height
+        if not left[0] * left[1] <= 0:
+            return float("nan")
+        return float(self.chord(root_between(lambda d: self.chord(d)[1] - height, *ends))[0])
 
     @cached_property
     def tip_sag(self) -> float:
@@ -179,13 +196,13 @@ class Gauged:
     def constant_chord(self) -> tuple[float, float]:
         """Between the points where the rack's flanks touch a tooth that stands in the middle of its space; and the
         distance to it from the tip."""
-        s, alpha = self.of("s") * np.cos(self.pair.beta), self.pair.rack.alpha  # in the normal section
+        s, alpha = self.s * np.cos(self.pair.beta), self.pair.rack.alpha  # in the normal section
         head = (self.of("d") - self.of("d_a") if self.ring else self.of("d_a") - self.of("d")) / 2
         return float(s * np.cos(alpha) ** 2), float(head - s * np.sin(2 * alpha) / 4 + self.tip_sag)
 
     @cached_property
     def chord_touches(self) -> float:
         """Radius of curvature of the flank where the constant chord ends."""
-        aside = self.of("s") * np.cos(self.pair.beta) * np.cos(self.pair.rack.alpha) * np.cos(self.beta_b) / 2
+        aside = self.s * np.cos(self.pair.beta) * np.cos(self.pair.rack.alpha) * np.cos(self.beta_b) / 2
         base = self.of("d_b") * np.tan(self.pair.t.alpha) / 2
         return float(base - aside if self.ring else base + aside)

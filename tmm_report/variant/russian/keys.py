@@ -145,6 +145,7 @@ governor: регулятор
 grade: степень точности
 greatest: наибольшее
 groove: канавка
+guaranteed: гарантированный зазор
 half_cone: половина угла конуса
 hand_force: сила руки
 hands: руки
@@ -329,6 +330,7 @@ swing: размах, угол размаха
 swings: размахи
 synchronous: синхронная скорость
 thickness: толщина
+thinning: утонение, утонение зубьев
 throttle: дроссель
 tight: натянутая ветвь
 tilt: наклон ряда

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import field
 from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
         Shift,
         ShiftOrRest,
         Span,
+        Thinning,
         ToothOrRest,
         by_shape,
         quantity,
@@ -116,6 +118,70 @@ class Inspection:
     drawing_tables: Annotated[
         Flag, Field(description="true: the tables of GOST 2.403 for the drawings of both wheels")
     ] = False
+
+
+GRADE = re.compile(r"(\d{1,2}(?:-\d{1,2}){0,2})-([ABCDEH])([xyzabcdh]?)(?:/(I{1,3}|IV|VI?))?")
+LIKE_LATIN = str.maketrans("АВСЕН", "ABCEH")  # as Russian keyboards write the kinds of fit
+
+
+def _grade(value: Any) -> str:
+    """8-B, 8-7-6-Ba: degrees of accuracy and the kind of fit, as GOST 1643 writes them; the norm's numbers are not
+    looked up."""
+    text = "".join(str(value).split()).replace("–", "-").translate(LIKE_LATIN)
+    match = GRADE.fullmatch(text)
+    if match and all(1 <= int(degree) <= 12 for degree in match[1].split("-")):
+        return text
+    wrong = N_("%(value)s is no degree of accuracy with a kind of fit")
+    right = Message(N_("degrees from 1 to 12 and a fit A, B, C, D, E or H: 8-B, 8-7-6-Ba"))
+    raise WrongValue(Message(wrong, {"value": shown(value)}), right)
+
+
+@dataclass(frozen=True)
+class Backlash:
+    """What backlash the pair has: its fit by name, and the numbers of the norm as the assignment states them."""
+
+    grade: Annotated[
+        Annotated[str, Reads(_grade, {"type": "string", "maxLength": 20, "examples": ["8-B"]})] | None,
+        Field(description="degrees of accuracy and kind of fit by GOST 1643: for the drawings alone"),
+    ] = None
+    thinning: Annotated[
+        Annotated[
+            Annotated[Thinning, Tag(SCALAR)] | Annotated[tuple[Thinning, Thinning], Tag(LIST)],
+            by_shape(N_("one length, or that of each wheel: [0.06 mm, 0.09 mm]")),
+        ]
+        | None,
+        Field(
+            description="least thinning of the teeth, on the pitch circle across them, of both wheels or of each; left "
+            "out, what the guaranteed backlash asks for",
+        ),
+    ] = None
+    tolerance: Annotated[
+        Annotated[
+            Annotated[Thinning, Tag(SCALAR)] | Annotated[tuple[Thinning, Thinning], Tag(LIST)],
+            by_shape(N_("one length, or that of each wheel: [0.06 mm, 0.09 mm]")),
+        ]
+        | None,
+        Field(description="by how much the teeth may be thinner still"),
+    ] = None
+    by: Annotated[
+        Literal["thickness", "rack", "span"],
+        Field(
+            description="what the two lengths are of: the teeth, the shift of the rack E_H, or the span E_W"
+        ),
+    ] = "thickness"
+    guaranteed: Annotated[
+        Thinning | None,
+        Field(description="least normal backlash that the pair must have", examples=["0.12 mm"]),
+    ] = None
+    axes: Annotated[
+        Thinning | None,
+        Field(description="by how much the centre distance may be longer or shorter", examples=["0.04 mm"]),
+    ] = None
+
+    def of_both(self, key: str) -> tuple[float, float] | None:
+        """`thinning` or `tolerance` of each wheel."""
+        stated = getattr(self, key)
+        return stated if isinstance(stated, tuple) or stated is None else (stated, stated)
 
 
 @dataclass(frozen=True)
@@ -226,6 +292,10 @@ class Spur:
         Field(
             description="by what the wheels are measured, with the formulas; left out, a table of the usual sizes"
         ),
+    ] = None
+    backlash: Annotated[
+        Backlash | None,
+        Field(description="thinning of the teeth for a backlash: limits of the measured sizes"),
     ] = None
     quality: Annotated[
         Quality | None,

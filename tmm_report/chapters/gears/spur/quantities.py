@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.gears.spur import qualities
+from tmm_report.chapters.gears.spur import loosening, qualities
 from tmm_report.chapters.gears.spur.solve.pair import Found
 from tmm_report.chapters.gears.spur.steps import stage
 from tmm_report.chapters.gears.spur.values import Points
@@ -54,6 +54,8 @@ def values(found: Found, prefix: str) -> Iterator[Value]:
     made = stage(found, prefix)
     yield from made.s.values()
     yield from made.drawn.values()
+    if made.loosened:
+        yield from made.loosened.values()
     if made.divided:
         yield from made.divided.values()
 
@@ -76,6 +78,8 @@ def tables(found: Found, prefix: str) -> Iterator[Table]:
         **({} if found.contour.feasible else {"lacks": (LACKS, _lacks(found))}),
         **({"cutter": (CUTTER, _rows(cut, made.tools))} if cut else {}),
     }
+    if found.backlash and found.backlash.limits:
+        parts["limits"] = loosening.LIMITS, loosening.limits(made, found.backlash)
     if found.quality:
         parts |= {key: (meaning, of) for key, meaning, of in qualities.tables(made, found.quality)}
     told = {"name": found.name, "wheel": found.given.wheels[0]}

@@ -12,10 +12,20 @@ from typing import Any
 import numpy as np
 
 from tmm_report.chapters.gears.spur.gauging import gauges
+from tmm_report.chapters.gears.spur.loosening import loosened
 from tmm_report.chapters.gears.spur.qualities import divided
 from tmm_report.chapters.gears.spur.solve.motion import FAST, NARROWEST, SLOW, WIDEST, sliding_limit
 from tmm_report.chapters.gears.spur.solve.pair import EQUAL, Found
-from tmm_report.chapters.gears.spur.values import Divided, Drawn, Gauge, Tool, Values, Wheel, letters
+from tmm_report.chapters.gears.spur.values import (
+    Divided,
+    Drawn,
+    Gauge,
+    Loosened,
+    Tool,
+    Values,
+    Wheel,
+    letters,
+)
 from tmm_report.mechanics.gears import shift_sharing
 from tmm_report.quantity.formula import PI, Expr, Number, Var, arccos, cos, sin, sqrt, tan
 from tmm_report.quantity.functions import arcsin, arctan
@@ -79,6 +89,11 @@ class Stage:
     def divided(self) -> Divided | None:
         """Of the quality over the division of the shifts; None where it is not asked for."""
         return divided(self, self.found.quality) if self.found.quality else None
+
+    @cached_property
+    def loosened(self) -> Loosened | None:
+        """Of the backlash; None where it is not asked for."""
+        return loosened(self, self.found.backlash) if self.found.backlash else None
 
     # ------------------------------------------------------------ terms
 

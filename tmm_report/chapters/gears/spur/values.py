@@ -192,6 +192,53 @@ class Divided(Sheet):
     gamma_a = Q("gamma_a", "", PRESSURE_TIP)
 
 
+STATED_LOSS = N_("what is stated of wheel %(wheel)s: shift of the rack or shortening of the span")
+STATED_FIELD = N_("tolerance of what is stated of wheel %(wheel)s")
+THIN = N_("least thinning of the teeth of wheel %(wheel)s, across them on the pitch circle")
+FIELD = N_("by how much the teeth of wheel %(wheel)s may be thinner still")
+SPAN_FALL = N_("by how much the least thinning changes the span of wheel %(wheel)s")
+CLOSE, FAR = N_("centre distance that leaves the least backlash"), N_("and that which leaves the greatest")
+CLOSE_ANGLE, FAR_ANGLE = N_("operating angle at the first"), N_("operating angle at the second")
+BY_AXES = N_("backlash on the working circles that the centre distance leaves")
+BY_TEETH = N_("backlash on the working circles by the thinning of the teeth")
+J_W, J_N = N_("backlash on the working circles"), N_("backlash along the normal of the teeth")
+TURNS = N_("angle by which wheel %(wheel)s turns freely while its mate is held")
+
+
+def _turn(prime: str) -> Q:
+    return Q(Symbol("phi", "j", prime), "deg", TURNS)
+
+
+class Loosened(Sheet):
+    """Backlash of a pair, the least (′) and the greatest (′′)."""
+
+    guaranteed = Q(Symbol("j", "n", "min"), "m", N_("normal backlash that must be left at least"), *MM)
+    axes = Q("f_a", "m", N_("by how much the centre distance may be longer or shorter"), *MM)
+    stated_one, stated_two = (Q("E", "m", STATED_LOSS, *MM) for _ in range(2))
+    wide_one, wide_two = (Q("T", "m", STATED_FIELD, *MM) for _ in range(2))
+    thin_one, thin_two = (Q("E_s", "m", THIN, *MM) for _ in range(2))
+    field_one, field_two = (Q("T_s", "m", FIELD, *MM) for _ in range(2))
+    span_fall_one, span_fall_two = (Q("E_W", "m", SPAN_FALL, *MM) for _ in range(2))
+    a_least, a_most = Q(Symbol("a", "w", "′"), "m", CLOSE, *MM), Q(Symbol("a", "w", "′′"), "m", FAR, *MM)
+    alpha_least = Q(Symbol("alpha", "w", "′"), "deg", CLOSE_ANGLE)
+    alpha_most = Q(Symbol("alpha", "w", "′′"), "deg", FAR_ANGLE)
+    by_axes_least, by_axes_most = (Q(Symbol("j", "a", prime), "m", BY_AXES, *MM) for prime in ("′", "′′"))
+    by_teeth_least, by_teeth_most = (Q(Symbol("j", "s", prime), "m", BY_TEETH, *MM) for prime in ("′", "′′"))
+    j_w_least, j_w_most = (Q(Symbol("j", "w", prime), "m", J_W, *MM) for prime in ("′", "′′"))
+    j_n_least, j_n_most = (Q(Symbol("j", "n", prime), "m", J_N, *MM) for prime in ("′", "′′"))
+    turn_least_one, turn_least_two, turn_most_one, turn_most_two = map(_turn, ("′", "′", "′′", "′′"))
+
+
+class Limited(Sheet):
+    """Columns of the limits of measured sizes; each row has the letter of its size."""
+
+    nominal = Q(None, "m", N_("without thinning"), "mm")
+    first_off = Q(None, "m", N_("deviation with the least thinning"), "mm")
+    second_off = Q(None, "m", N_("deviation with the greatest thinning"), "mm")
+    first = Q(None, "m", N_("limit with the least thinning"), "mm")
+    second = Q(None, "m", N_("limit with the greatest thinning"), "mm")
+
+
 class Along(Sheet):
     """Over the division of the shifts or over the centre distance; those of a wheel have its name in key and letter."""
 

@@ -53,6 +53,14 @@ VELOCITY = N_(
     "ω of the wheel by the distance of the point; across the line of action by its radius of curvature."
 )
 
+THINNED = N_(
+    "Measured as without thinning, with teeth so much thinner: span and pins by their thickness, chords where a "
+    "caliper set to the nominal height stands."
+)
+LOOSE = N_(
+    "The outlines stand at the centre distance of the shifts, thinned teeth leave what they lose, as arcs of the "
+    "working circles."
+)
 DIVIDED = N_(
     "The shifts are divided otherwise at the same centre distance, or chosen anew at another, and each pair is found "
     "for itself: λ by the ratio of the velocities along the profiles, γ by the radii of both."
@@ -95,6 +103,9 @@ WAYS = (
         of="wheel pin stage{0}_m",
     ),
     Way("stage*_inspection.*", CHORD, of="wheel d_y stage{0}_m"),
+    Way("stage*_limits.size", NAME),
+    Way("stage*_limits.*", THINNED, of="wheel size stage{0}_thin_1 stage{0}_m"),
+    Way("stage*_j_w_least stage*_j_w_most", LOOSE, of="stage{0}_a_w stage{0}_x_sum stage{0}_axes"),
     Way("stage*_bounds.limit stage*_bounds.side", NAME),
     Way("stage*_bounds.x_*", BOUND, of="limit wheel side stage{0}_x_sum"),
     Way(

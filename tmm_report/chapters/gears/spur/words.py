@@ -114,3 +114,14 @@ COUNTED = {
         "v′ of its mate."
     ),
 }
+BY_WHAT = {
+    "rack": N_("It is stated as the additional shift of the rack; the teeth lose"),
+    "span": N_("It is stated as the change of the span; the teeth lose"),
+}
+MEASURED = {
+    "s": N_("thickness on the pitch circle, across the teeth"),
+    "W": N_("span"),
+    "s_c": N_("constant chord, at its nominal distance from the tip"),
+    "s_y": N_("chordal thickness, at its nominal distance from the tip"),
+    "M": N_("measurement over pins or balls"),
+}

@@ -10,7 +10,7 @@ from dataclasses import replace
 from functools import cached_property
 
 from tmm_report.chapters.gears.spur.given import EQUAL, Given
-from tmm_report.chapters.gears.spur.solve import quality
+from tmm_report.chapters.gears.spur.solve import backlash, quality
 from tmm_report.chapters.gears.spur.solve.conditions import BY_ASSEMBLY, conditions_of
 from tmm_report.chapters.gears.spur.solve.contour import Contour, contour_of
 from tmm_report.chapters.gears.spur.solve.cutter import Cut, cutters_of
@@ -226,6 +226,11 @@ class Found:
         return measured(self.given, self.pair)
 
     @cached_property
+    def backlash(self) -> backlash.Found | None:
+        """With teeth thinned and axes apart, where it is asked for."""
+        return backlash.backlash_of(self.given, self.pair, self.inspected)
+
+    @cached_property
     def quality(self) -> quality.Found | None:
         """Over the division of the shifts and over the centre distance, where it is asked for."""
         return quality.quality_of(self.given, self.teeth, self.pair)
@@ -277,6 +282,7 @@ def solve(given: Given) -> Found:
     pair = choose_shifts(given, chosen)
     check_pair(given, pair)
     check_inspection(given, pair)
+    backlash.check_backlash(given, pair)
     quality.check_quality(given, chosen, pair)
     path = path_of(pair)
     limit = given.sliding_limit or WIDEST

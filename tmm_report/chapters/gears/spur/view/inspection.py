@@ -140,20 +140,26 @@ class InspectionView:
         else:
             yield from (self._single(key) for key in ("alpha", "ha", "c"))
         yield self._wheel("x", i)
-        yield [t("degree of accuracy by GOST 1643"), DASH, left]
+        grade = of.found.given.backlash.grade if of.found.given.backlash else None
+        yield [t("degree of accuracy by GOST 1643"), DASH, grade or left]
 
     def _control(self, i: int, left: Markup) -> Iterator[list[Any]]:
         """One of the sizes that tell the thickness of the teeth: the span, else over pins, else the constant chord."""
         gauge = self.gauges[i]
         ways = (("span_teeth", "W"), ("pin", "M"), ("s_c", "h_c"))
-        for key in next((keys for keys in ways if all(key in gauge for key in keys)), ()):
+        chosen = next((keys for keys in ways if all(key in gauge for key in keys)), ())
+        for key in chosen:
             column = self.table[key]
             yield [
                 self.page.message(column.meaning),
                 self.page.head(column.symbol(i), column.quantity.printed),
                 self._size(key, i),
             ]
-        yield [self.t("limit deviations of the measured size"), DASH, left]
+        off: list[Markup] = []
+        if self.of.backlash is not None and chosen:
+            off = list(self.of.backlash.deviations(i, chosen[0] if chosen[0] == "s_c" else chosen[1]))
+        deviations = self.page.listed(off, "; ") if off else left
+        yield [self.t("limit deviations of the measured size"), DASH, deviations]
 
     def _reference(self, i: int, left: Markup) -> Iterator[list[Any]]:
         yield self._wheel("d", i)

@@ -13,6 +13,7 @@ from tmm_report.chapters.gears.spur.quantities import tables
 from tmm_report.chapters.gears.spur.solve.conditions import BY_ASSEMBLY
 from tmm_report.chapters.gears.spur.solve.pair import Found
 from tmm_report.chapters.gears.spur.steps import stage
+from tmm_report.chapters.gears.spur.view.backlash import BacklashView
 from tmm_report.chapters.gears.spur.view.cutter import CutterView
 from tmm_report.chapters.gears.spur.view.inspection import InspectionView
 from tmm_report.chapters.gears.spur.view.motion import MotionView
@@ -242,6 +243,11 @@ class SpurView(ChapterView):
     def inspection(self) -> InspectionView:
         """By what the wheels are measured."""
         return InspectionView(self)
+
+    @cached_property
+    def backlash(self) -> BacklashView | None:
+        """With teeth thinned and axes apart."""
+        return BacklashView(self) if self.found.backlash else None
 
     @cached_property
     def quality(self) -> QualityView | None:
