@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from tmm_report.chapters.find import solve as find
     from tmm_report.chapters.gears.drive import solve as drive
     from tmm_report.chapters.gears.eccentric.solve import mechanism as eccentric
+    from tmm_report.chapters.gears.train.solve import train
     from tmm_report.chapters.lever.cams import solve as cams
     from tmm_report.chapters.lever.force_plans import solve as force_plans
     from tmm_report.chapters.lever.friction import solve as friction
@@ -101,6 +102,7 @@ if not TYPE_CHECKING:
     efficiency = Late("machine.efficiency.solve")
     wear = Late("machine.wear.solve")
     cam = Late("cams.cam.solve")
+    train = Late("gears.train.solve.train")
     drive = Late("gears.drive.solve")
     eccentric = Late("gears.eccentric.solve.mechanism")
 
@@ -145,6 +147,7 @@ class Variant:
     efficiency: efficiency.Given | None = None
     wear: wear.Given | None = None
     cam: cam.Given | None = None
+    train: train.Given | None = None
     drive: drive.Given | None = None
     eccentric: eccentric.Given | None = None
     title: Title = field(default_factory=Title)
@@ -179,8 +182,7 @@ class LeverFound:
 
     @property
     def sample(self) -> int:
-        """The position of which formulas are written out: that of the force plan, else of the plans, else the first
-        that is regular."""
+        """The position of which formulas are written out: of the force plan, else of the plans, else a regular one."""
         forces = self.force_plans.drawn if self.force_plans is not None else ()
         if drawn := forces or self.plans.drawn:
             return drawn[0].position
@@ -215,6 +217,7 @@ class Results:
     efficiency: efficiency.Found | None = None
     wear: wear.Found | None = None
     cam: cam.Found | None = None
+    train: train.Found | None = None
     drive: drive.Found | None = None
     eccentric: eccentric.Found | None = None
 
@@ -240,16 +243,16 @@ def solve(variant: Variant, moved: Moved | None = None) -> Results:
 
 def _of_gears(variant: Variant) -> Iterator[Problem]:
     """What cannot be solved of gears, whatever becomes of the other chapters."""
-    if variant.drive is not None:
-        yield from _unsolvable(partial(drive.solve, variant.drive))
-    if variant.eccentric is not None:
-        yield from _unsolvable(partial(eccentric.solve, variant.eccentric))
+    yield from _unsolvable(variant.train, lambda given: train.solve(given))
+    yield from _unsolvable(variant.drive, lambda given: drive.solve(given))
+    yield from _unsolvable(variant.eccentric, lambda given: eccentric.solve(given))
 
 
-def _unsolvable(run: Callable[[], object]) -> list[Problem]:
-    """The mistakes met in solving a part."""
+def _unsolvable(given: Any, run: Callable[[Any], object]) -> list[Problem]:
+    """The mistakes met in solving a part that is given."""
     try:
-        run()
+        if given is not None:
+            run(given)
     except ProblemError as error:
         return error.problems
     return []
@@ -265,8 +268,7 @@ def _solved(variant: Variant, moved: Moved | None) -> Results:
             machine=variant.dynamics,
         )
     moving = _moving(lever) if lever else None
-    # what goes on over the cycle is asked of a mechanism that closes all round
-    whole = not lever or not lever.kinematics.gaps
+    whole = not lever or not lever.kinematics.gaps  # what goes on over the cycle is asked of one that closes
     return Results(
         variant,
         lever=lever,
@@ -284,6 +286,7 @@ def _solved(variant: Variant, moved: Moved | None) -> Results:
         efficiency=efficiency.solve(variant.efficiency, moving) if variant.efficiency else None,
         wear=wear.solve(variant.wear, moving) if variant.wear and whole else None,
         cam=cam.solve(variant.cam) if variant.cam else None,
+        train=train.solve(variant.train) if variant.train else None,
         drive=drive.solve(variant.drive, moving) if variant.drive else None,
         eccentric=eccentric.solve(variant.eccentric) if variant.eccentric else None,
     )
@@ -303,13 +306,14 @@ def _moving(lever: LeverFound, rubs: bool = True) -> Moving:
 def solve_lever(
     given: LeverGiven, moved: Moved | None = None, flywheel: Any = None, machine: Any = None
 ) -> LeverFound:
-    """The chapters of a lever mechanism. `flywheel`: its Given, by which the friction of the pairs is in the machine
-    whose positions are counted; `machine`: that of the machine in motion, whose springs are drawn. Raises
-    ProblemError."""
+    """The chapters of a lever mechanism. `flywheel`: its Given, by which friction is in the machine whose positions are
+    counted; `machine`: that of the machine in motion, whose springs are drawn. Raises ProblemError."""
     links = moved.structure if moved else structure.solve(given.mechanism)
     motion = moved.kinematics if moved else kinematics.solve(given.positions, links, given.way)
     drawn = plans.solve(given.drawing, given.positions.plans, motion)
-    forces = moved.kinetostatics if moved else _forces(given.loads, motion)
+    forces = moved.kinetostatics if moved else None
+    if given.loads and not moved:
+        forces = kinetostatics.solve(given.loads, motion)
     found = LeverFound(
         given,
         links,
@@ -331,15 +335,9 @@ def solve_lever(
     return replace(found, readings=_readings(found)) if given.readings else found
 
 
-def _forces(given: Loads | None, motion: kinematics.Kinematics) -> kinetostatics.Kinetostatics | None:
-    return kinetostatics.solve(given, motion) if given else None
-
-
 def _readings(found: LeverFound) -> readings.ReadingsFound:
-    """A student may have read any number of the chapters before."""
-    before = (
-        (name, getattr(found, name)) for name in LEVER if name != "structure"
-    )  # no table by positions there
+    """A student may have read any number of the chapters before; structure has no table by positions."""
+    before = ((name, getattr(found, name)) for name in LEVER if name != "structure")
     tables = (
         (name, table)
         for name, chapter in before
@@ -356,7 +354,7 @@ LEVER = tuple(record.name for record in fields(LeverFound) if record.name not in
 OTHERS = tuple(record.name for record in fields(Results) if record.name not in ("variant", "lever"))
 """The chapters beside the lever's: the key of such a chapter's block is its name."""
 BEFORE = ("find", "synthesis")  # what stands in the note before the lever mechanism, of the others
-GEARS = ("spur", "planetary", "ordinary", "drive", "eccentric")  # the first three are stages of a drive
+GEARS = ("spur", "planetary", "ordinary", "train", "drive", "eccentric")  # three kinds of stages first
 
 
 def chapters(results: Results) -> Iterator[tuple[str, Any]]:
@@ -432,7 +430,7 @@ def schema() -> dict[str, Any]:
     """The JSON Schema (draft 2020-12) of the format, for editors."""
     from tmm_report.variant.editor import schema_of  # only `tmm-report schema` needs it
 
-    kinds = "a lever mechanism, a cam, a gear drive, an eccentric mechanism, or several of them"
+    kinds = "a lever mechanism, a cam, a gear train or drive, an eccentric mechanism, or several of them"
     return schema_of([block.Block for block in _rooms().all()], f"A variant of a course project: {kinds}.")
 
 
@@ -479,8 +477,10 @@ def _further(read: Read) -> Iterator[Problem]:
 
     if stated(read) and not any(map(read.is_broken, ("mechanism", "positions", "drawing", "synthesis"))):
         lever = LeverGiven(**_given(("structure", "kinematics"), read))
-        yield from _unsolvable(lambda: kinematics.solve(lever.positions, structure.solve(lever.mechanism)))
-    gears = [name for name in ("drive", "eccentric") if name in read.data and not read.is_broken(name)]
+        yield from _unsolvable(
+            lever, lambda of: kinematics.solve(of.positions, structure.solve(of.mechanism))
+        )
+    gears = [one for one in ("train", "drive", "eccentric") if one in read.data and not read.is_broken(one)]
     yield from _of_gears(Variant(**_given(gears, read)))
 
 

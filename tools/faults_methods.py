@@ -35,7 +35,86 @@ PRESS = "cam_press"
 ORDINARY = "tmm_report/chapters/gears/ordinary/"
 STAGES = ("tests/chapters/gears/ordinary",)
 
+COMPOUND = MECHANICS + "gears/compound/"
+TRAIN = "tmm_report/chapters/gears/train/"
+
+
+def _trains(*wrong: tuple[str, str, str, str]) -> tuple[Fault, ...]:
+    """Of compound gear trains, each held by the tests of its mechanics, its chapter, its statements."""
+    by = (
+        "tests/mechanics/gears/compound/test_compound.py",
+        "tests/chapters/gears/train/test_train.py",
+    )
+    return tuple(
+        Fault(f"train: {name}", file, old, new, "hoist_differential", by) for name, file, old, new in wrong
+    )
+
+
+TRAINS = _trains(
+    ("a row turned, its power not", COMPOUND + "rows.py", "not one.forth)", "one.forth)"),
+    ("a carrier by the row's own ratio", COMPOUND + "rows.py", "(1 - ratio(row.turned()))", "(1 - ratio(row))"),
+    ("a carrier's part left out", COMPOUND + "rows.py", "times(1 - u, row.carrier))", "None)"),
+    ("a ratio upside down", COMPOUND + "rows.py", "size = z[link.j] / z[link.i]", "size = z[link.i] / z[link.j]"),
+    ("losses against the power", COMPOUND + "rows.py",
+     "way[link.mesh] if link.forth else -way", "way[link.mesh] if link.forth else way"),
+    ("internal meshes turn the sense", COMPOUND + "rows.py",
+     "not train.meshes[link.mesh].internal", "train.meshes[link.mesh].internal"),
+    ("the torque of the second wheel without losses", COMPOUND + "powers.py", "* mesh.efficiency**x *", "*"),
+    ("a carrier without its torque", COMPOUND + "powers.py",
+     "member[mesh.carrier] -= float(on_i) + on_j", "member[mesh.carrier] -= float(on_i)"),
+    ("what circulates is all that goes forth", COMPOUND + "powers.py", "found = min(forth, back)", "found = forth"),
+    ("a locking factor in each mesh", COMPOUND + "powers.py", "factor ** (-1 / len(inside))", "factor**-1"),
+    ("driven from its output in its own direction", COMPOUND + "powers.py",
+     "1.0 if driven > 0 else -1.0", "-1.0 if driven > 0 else 1.0"),
+    ("a pitch at the first mesh alone", COMPOUND + "conditions.py", "for m in range(count)", "for m in range(1)"),
+    ("assembly by the other sign", COMPOUND + "conditions.py",
+     "below - sign(train, row) * above", "below + sign(train, row) * above"),
+    ("two of three central wheels judged", COMPOUND + "conditions.py",
+     "yield from moving\n    for one, other in combinations(moving, 2):",
+     "yield from moving\n    for one, other in ():"),
+    ("neighbours without their heads", COMPOUND + "conditions.py", "(teeth[name] + 2 * TIP)", "(teeth[name])"),
+    ("coaxial with what is not", COMPOUND + "conditions.py",
+     "found += [Coaxial(first, k)] if first != k else []", "found += [Coaxial(0, k)] if first != k else []"),
+    ("rings that interfere", COMPOUND + "conditions.py", "2 * z * square - 4 * TIP)", "2 * z * square - 3 * TIP)"),
+    ("sets out of range", COMPOUND + "search.py", "& (z[name] >= low) & (z[name] <= high)", "& (z[name] <= high)"),
+    ("a neighbour of the ring that fits left out", COMPOUND + "search.py",
+     "np.arange(-task.shifted, task.shifted + 1)", "np.arange(0, task.shifted + 1)"),
+    ("combinations skipped", COMPOUND + "search.py", "range(0, total, size)", "range(size, total, size)"),
+    ("every number of satellites goes", COMPOUND + "search.py",
+     "fails = [~conditions.assembles(task.train, task.rows, z, k), ~_apart(task, z, k)]",
+     "fails = [~_apart(task, z, k), ~_apart(task, z, k)]"),
+    ("the largest train first", COMPOUND + "search.py",
+     "return sorted([*best, *found])[:most]", "return sorted([*best, *found], reverse=True)[:most]"),
+    ("the load along the motion of the output", TRAIN + "solve/train.py",
+     "name, sense = other, -1.0", "name, sense = other, 1.0"),
+    ("half the rope's drum forgotten", TRAIN + "solve/train.py",
+     "given.rope.drum / 2\n    power", "given.rope.drum\n    power"),
+    ("the outer wheel slower", TRAIN + "solve/train.py",
+     "given.output[0]: one * (1 + share)", "given.output[0]: one * (1 - share)"),
+    ("shares of what goes in", TRAIN + "solve/train.py",
+     "sign = -1.0 if outside > 0 else 1.0", "sign = 1.0 if outside > 0 else -1.0"),
+    ("satellites by the other sense", TRAIN + "steps.py",
+     "carried + about if mesh.internal else carried - about", "carried - about if mesh.internal else carried + about"),
+    ("teeth of the row exchanged", TRAIN + "steps.py",
+     "above, below = [link.j for link in row.links], [link.i for link in row.links]",
+     "below, above = [link.j for link in row.links], [link.i for link in row.links]"),
+    ("efficiency divided where it multiplies", TRAIN + "steps.py",
+     "expression * mesh.eta if x > 0", "expression / mesh.eta if x > 0"),
+    ("primes that do not join", TRAIN + "solve/built.py", "if len(same) > 1:", "if len(same) > 2:"),
+    ("bevel wheels that all turn alike", TRAIN + "solve/built.py", "return not carrier or any(", "return True or any("),
+    ("heights by the teeth exchanged", TRAIN + "solve/plans.py", "share = z_i / (", "share = z_j / ("),
+    ("satellites whose axes stand still", TRAIN + "solve/plans.py", "speed[first.carried_by] * y if", "0.0 * y if"),
+    ("a scheme that need not be untangled", TRAIN + "draw/scheme.py",
+     "return min(routes, key=lambda one: crossings(self.bars(one)))",
+     "return max(routes, key=lambda one: crossings(self.bars(one)))"),
+    ("the branches' table exchanged", TRAIN + "steps.py",
+     "row_.share_0, row_.share = share, real.get(name)", "row_.share, row_.share_0 = share, real.get(name)"),
+    ("torques without losses called with", TRAIN + "steps.py",
+     "row.T, row.N = float(found.flow", "row.T, row.N = float(found.ideal"),
+)  # fmt: skip
+
 FAULTS = (
+    *TRAINS,
     # --- motion by every method ---
     Fault("Coriolis part of a slide's equation negated", "tmm_report/mechanics/rivals/motion/coordinates.py",
           "(bent - 2j * wa * moved", "(bent + 2j * wa * moved",

@@ -99,6 +99,18 @@ def test_instants(name):
         assert {key: table[key][row] for key in asked} == pytest.approx(asked, rel=DIGITS)
 
 
+@pytest.mark.parametrize("name", [name for name in NAMES if "rows" in answers(name)])
+def test_rows(name):
+    """Numbers of tables whose rows have names: of a member, of a mesh."""
+    document = found(name)
+    for table, named in answers(name)["rows"].items():
+        ((key, rows),) = named.items()
+        there = columns(document, table)
+        for row, asked in rows.items():
+            of = there[key].index(row)
+            assert {column: there[column][of] for column in asked} == pytest.approx(asked, rel=DIGITS)
+
+
 BY_TIME = (
     "uneven_crank", "slider_drives", "tipper_by_cylinder", "excavator_bucket", "four_bar_run_up",
     "shears_by_polynomial", "slotted_link_by_table",

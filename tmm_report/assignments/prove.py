@@ -74,7 +74,7 @@ class Proof:
 
 def _lever(variant: Variant) -> Variant:
     """The variant without gears, which are the template's own and are solved with it."""
-    return replace(variant, drive=None, eccentric=None)
+    return replace(variant, train=None, drive=None, eccentric=None)
 
 
 def _unsolved(problem: Problem) -> Rejection:
@@ -120,7 +120,7 @@ def proof(ranges: Ranges, form: Form) -> Proof:
     results = course.solve(replace(template, lever=lever))
     found = {value.key: value for value in values(results)}
     limits = _limits(ranges, found)
-    of_lever = {value.key for value in values(replace(results, drive=None, eccentric=None))}
+    of_lever = {value.key for value in values(replace(results, train=None, drive=None, eccentric=None))}
     touched = {path[0] for parameter in ranges.parameters for path in parameter.paths}
     whole = not touched.isdisjoint(OTHERS) or any(one.key not in of_lever for one in limits) or lever is None
     partial = lever is not None and lever.allow_partial

@@ -1,8 +1,9 @@
-"""What goes together in the gear drives of a drawn variant."""
+"""What goes together in the gear drives of a drawn variant, and its compound gear trains."""
 
 from __future__ import annotations
 
 from fractions import Fraction
+from random import Random
 from typing import Any
 
 Made = dict[str, Any]
@@ -200,3 +201,111 @@ def eccentric(made: Made, walk: Any) -> Made:
         made.setdefault("width", "20 mm")
     made.pop("ring_up_to", None) if walk.random.random() < 0.5 else None
     return made
+
+
+# --- compound trains: the schemes of collections, what is asked of them by chance
+
+CLOSED: Made = {
+    "wheels": {"1": 18, "2": 36, "3": 90, "3'": 21, "4": 30, "5": 81},
+    "carriers": {"H": 2},
+    "joined": [["5", "H"]],
+    "meshes": ["1-2", "2-3 internal", "3'-4", "4-5 internal"],
+    "input": 1,
+    "output": "H",
+}
+THREE_K: Made = {
+    "wheels": {"a": 18, "g": 36, "b": 90, "f": 33, "e": 87},
+    "carriers": {"H": ["g", "f"]},
+    "joined": [["g", "f"]],
+    "meshes": ["a-g", "g-b internal", "f-e internal"],
+    "input": "a",
+    "output": "e",
+    "fixed": "b",
+}
+IDLERS: Made = {
+    "wheels": {"1": 24, "2": 36, "3": 30, "4": 60, "4'": 20, "5": 80},
+    "meshes": ["1-2", "2-3", "3-4", "4'-5 внутреннее"],
+    "input": 1,
+    "output": 5,
+}
+SUNS: Made = {
+    "wheels": {"A": 28, "B": 22, "C": 26, "D": 24},
+    "carriers": {"E": ["B", "C"]},
+    "joined": [["B", "C"]],
+    "meshes": ["A-B", "C-D"],
+    "input": "E",
+    "output": "D",
+    "fixed": "A",
+}
+CHAIN: Made = {
+    "wheels": {"1": 20, "2": 20, "3": 21, "4": 82},
+    "carriers": {"H": ["2", "3"]},
+    "meshes": ["1-2", "2-3", "3-4 internal"],
+    "input": 1,
+    "output": "H",
+    "fixed": [4],
+}
+TWO_INPUTS: Made = {
+    "wheels": {"1": 21, "2": 33, "3": 87},
+    "carriers": {"H": 2},
+    "meshes": ["1-2", "2-3 internal"],
+    "input": [1, 3],
+    "output": "H",
+}
+AXLE: Made = {
+    "wheels": {"1": 11, "2": 43, "3": 20, "4": 12, "5": 20},
+    "carriers": {"H": 4},
+    "joined": [[2, "H"]],
+    "meshes": ["1-2 bevel", "3-4 bevel", "4-5 bevel same"],
+    "input": 1,
+    "output": [3, 5],
+}
+RANGES: Made = {"a": [15, 24], "g": [18, 40], "b": [50, 100], "f": [15, 40], "e": [50, 100]}
+
+
+def compound(random: Random) -> Made:
+    def often(part: float = 0.4) -> bool:
+        return random.random() < part
+
+    scheme = random.choice((CLOSED, THREE_K, IDLERS, SUNS, CHAIN, TWO_INPUTS, AXLE))
+    found: Made = {**scheme, **_motion(scheme, random)}
+    loads: tuple[Made, ...] = (
+        {"torque": f"{random.randint(1, 200)} N*m"},
+        {"power": f"{random.uniform(0.2, 8):.3g} kW"},
+        {"output_torque": f"{random.randint(20, 900)} N*m"},
+        {"output_power": f"{random.uniform(0.2, 8):.3g} kW"},
+        {"rope": {"drum": "400 mm", "force": f"{random.randint(1, 12)} kN"}},
+    )
+    single = len(loads) if isinstance(scheme["output"], str | int) else 2
+    found |= random.choice(loads[:single]) if often(0.8) else {}
+    if often(0.7):
+        found["efficiency"] = {
+            key: value
+            for key, value in (("external", 0.98), ("internal", 0.99), ("bevel", 0.96))
+            if often(0.7)
+        }
+        if often():
+            found["efficiency"]["meshes"] = {scheme["meshes"][0].split(" ")[0]: random.choice((0.9, 0.97))}
+    found |= {"name": random.choice(("3K", "drum", "привод"))} if often() else {}
+    found |= {"satellites": random.choice((2, 3, [3, 4]))} if often() and "carriers" in scheme else {}
+    found |= {"module": f"{random.choice((2, 2.5, 4))} mm"} if often() else {}
+    found |= {"modules": {next(iter(scheme["wheels"])): "3 mm"}} if often(0.1) else {}
+    if scheme is THREE_K and often():
+        found |= {"wheels": RANGES, "find": {"ratio": random.choice((60, 90, 116))}}
+        found["find"] |= {"tolerance": f"{random.randint(1, 5)} %"} if often(0.7) else {}
+        found["find"] |= {"shifted": random.choice((0, 1))} if often() else {}
+    return found
+
+
+def _motion(scheme: Made, random: Random) -> Made:
+    speed = f"{random.randint(60, 1500)} rpm"
+    if scheme is TWO_INPUTS:
+        return {"speed": speed, "speeds": {"3": f"{random.choice((-1, 1)) * random.randint(20, 300)} rpm"}}
+    if scheme is not AXLE:
+        return {"speed": speed} if random.random() < 0.7 else {}
+    found: Made = {"speed": speed, "speeds": {"5": f"{random.randint(0, 300)} rpm"}}
+    if random.random() < 0.6:
+        road = {"speed": "36 km/h", "wheel": "640 mm"}
+        found = {"road": road | ({"radius": "18 m", "track": "1.45 m"} if random.random() < 0.7 else {})}
+    found |= {"locking": random.choice((1.25, 2))} if random.random() < 0.5 else {}
+    return found | ({"cases": [{"1": "900 rpm", "5": "0 rpm"}]} if random.random() < 0.5 else {})

@@ -1,11 +1,13 @@
 """What the format takes besides, drawn after all else and by draws of its own, so that what was drawn before stays:
-points by a distance and an angle, strokes that are run up and down, upright rails, a main link that slides, a cam."""
+points by a distance and an angle, strokes that are run up and down, upright rails, a main link that slides, a cam,
+compound gear trains."""
 
 from __future__ import annotations
 
 from random import Random
 from typing import Any
 
+from benchmarks.fuzz.generated.gears import compound
 from benchmarks.fuzz.generated.levers import cam_alone
 
 Data = dict[str, Any]
@@ -27,6 +29,8 @@ def later(data: Data, random: Random) -> None:
         data["travel"] = _travel(random)
     if not data.get("find") and random.random() < 0.08:
         data["cam"] = cam_alone(random)
+    if not data.get("find") and random.random() < 0.05:
+        data["train"] = compound(random)
 
 
 def _corner(name: str, link: Data, random: Random) -> None:

@@ -57,7 +57,8 @@ def wrong_meshes(note: Note, document: dict[str, Any]) -> Iterator[str]:
         symbols = [head.symbol for head in table.heads]
         if symbols[-3:] not in (["N", "N_тр", "η"], ["N", "N_fr", "η"]):
             continue
-        flows = {c["key"]: c["values"] for c in document["tables"]["drive_meshes"]["columns"]}
+        of = next(cell.mark.table for cell in table.rows[0] if cell.mark)
+        flows = {c["key"]: c["values"] for c in document["tables"][of]["columns"]}
         for row, flow in zip(table.rows, flows["N"], strict=True):
             power, lost, eta = (cell.printed for cell in row[-3:])
             assert power and lost and eta

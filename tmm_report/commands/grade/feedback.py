@@ -70,6 +70,7 @@ SECTIONS = {
     "cam": N_("Cam mechanism"),
     "efficiency": N_("Efficiency of machines joined"),
     "wear": N_("Wear"),
+    "train": N_("Gear train"),
     "drive": _DRIVE,
     "spur": _DRIVE,
     "planetary": _DRIVE,

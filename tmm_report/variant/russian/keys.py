@@ -40,6 +40,7 @@ begin: начало
 bell_crank: угловой рычаг
 belt: ремень
 between: между
+bevel: коническое
 beyond: за хордой
 bodies: тела
 body: тело
@@ -50,6 +51,8 @@ by_place: по месту
 by_speed: по скорости
 cam: кулачок
 carrier: водило
+carriers: водила
+cases: случаи
 centre: центр
 centre_distance: межосевое расстояние
 centre_distances: межосевые расстояния
@@ -116,6 +119,7 @@ ends: концы
 engine: двигатель внутреннего сгорания
 exponent: показатель
 extension: продолжение
+external: внешнее
 external_teeth: наружные зубья
 face: торец
 face_offset: смещение плоскости
@@ -161,8 +165,10 @@ inner: внутренний
 input: вход
 insensitivity: нечувствительность
 inspection: контрольные размеры, контроль
+internal: внутреннее
 isodrome: изодром
 isolators: виброизоляторы
+joined: соединены, одно целое
 joints: шарниры
 journal: цапфа
 journals: цапфы
@@ -180,6 +186,7 @@ lifts: подъёмы
 limit: предел
 line: прямая, отрезок прямой
 load: нагрузка
+locking: коэффициент блокировки, блокировка
 losses_of_acceleration: потери ускорения
 lower: нижний
 lower_offset: смещение нижнего
@@ -196,6 +203,7 @@ meshes: зацепления
 method: метод
 methods: методы
 middle: середина
+modules: модули
 motor: мотор, двигатель
 motors: двигатели
 moves: движет
@@ -208,7 +216,9 @@ opposed: оппозитный
 order: порядок
 outer: наружный
 output: выход
+output_power: мощность на выходе
 output_share: доля выхода
+output_torque: момент на выходе
 overload: перегрузка
 own: собственный
 pairs: пары
@@ -259,6 +269,7 @@ rim: обод
 ring_teeth: зубья эпицикла
 ring_up_to: эпицикл до
 rise: удаление
+road: дорога
 rocker: коромысло
 rocker_from: начальный угол коромысла
 rocker_joint: шарнир коромысла
@@ -270,6 +281,7 @@ rod_length: длина шатуна
 rod_ratio: относительная длина шатуна
 roller: ролик
 rolling: качение
+rope: канат
 rotating: вращающийся
 rotor: ротор
 rotors: роторы
@@ -287,6 +299,7 @@ servo: сервомотор
 shaft: вал
 shafts: валы
 share: доля
+shifted: сдвиг
 shunt: шунтовой, параллельного возбуждения
 side: сторона
 sine: четверть синусоиды
@@ -341,6 +354,8 @@ tolerance: допуск
 torque: крутящий момент
 torsion_springs: пружины кручения
 towards: к
+track: колея
+train: зубчатый механизм, зацепления
 transmissibility: коэффициент передачи силы
 transmission: угол передачи, углы передачи
 travel: движение по направляющей
