@@ -495,4 +495,14 @@ FAULTS = (
           "(self.names[i], size):", "(self.names[1 - i], size):", tests=FITTED),
     Fault("backlash of the thickest teeth for that of the thinnest", SPUR + "loosening.py", "if end == \"most\")",
           "if end == \"none\")", tests=TWICE),
+    # --- stated tips ---
+    Fault("heads of stated tips shortened by the diameter", SPUR + "steps.py", "full - w.d_a) / (2 * s.m)",
+          "full - w.d_a) / s.m", tests=TWICE),
+    Fault("clearance of stated tips at the wrong root", SPUR + "steps.py",
+          "else self.s.a_w - (w.d_f + tip) / 2", "else self.s.a_w - (w.d_f + w.d_a) / 2",
+          tests=TWICE),
+    Fault("stated tips taken for the other wheel", MECHANICS + "gears/pair_sizes.py", "self._plain(self.tips)",
+          "self._plain(self.tips[::-1])", tests=STATED),
+    Fault("tips of a ring refused from inside", SPUR + "solve/mistakes.py", "2 * float(pair.a_w) + mate), root",
+          "2 * float(pair.a_w) - mate), root", tests=STATED),
 )  # fmt: skip

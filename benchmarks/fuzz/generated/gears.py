@@ -61,6 +61,12 @@ def spur(made: Made, walk: Any) -> Made:
         made["centre_distance"] = f"{module * round(20 * (1 + ratio) / 2, 1):.6g} mm"
     if "mesh" in made and "ratio" in made:
         made["ratio"] = abs(value(made["ratio"])) * (1 if made["mesh"] == "internal" else -1)
+    if "tip_diameters" in made:
+        z = made.get("teeth", [20, 40])
+        ring = value(made.get("ratio", -2)) > 0
+        m = value(made["module"])
+        made["tip_diameters"] = [f"{m * (z[0] + 2):.6g} mm", f"{m * (z[1] + (-1.7 if ring else 2)):.6g} mm"]
+        made.setdefault("teeth", z)
     if "quality" in made:
         made["quality"] = _quality(made, walk)
     return made

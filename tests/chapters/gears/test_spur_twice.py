@@ -23,6 +23,7 @@ from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page
 
 RING = CASES["internal"]
+STATED_TIPS = tuple(float(d) + 1e-4 * (-1, 1)[i] for i, d in enumerate(spur.solve(RING).pair.d_a))
 LOOSE = replace(GUIDE, teeth=(14, 28), shift=(0.18, 0.5))
 MORE = {
     "undercut": replace(FREE, teeth=(10, 40), ratio=-4.0, shift=(-0.2, 0.5)),
@@ -57,6 +58,8 @@ MORE = {
     ),
     "guaranteed, loose": replace(LOOSE, backlash=Backlash(guaranteed=0.4e-3)),
     "thinned, loose": replace(LOOSE, backlash=Backlash(thinning=5e-5)),
+    "stated tips": replace(FREE, tip_diameters=(0.097, 0.181)),
+    "stated tips, ring": replace(RING, tip_diameters=STATED_TIPS),
     "fast": spur.Given(-2, 0.0025, None, (42, 84), shift=(0.2, 0.0)),
 }
 ALL = {**CASES, **MORE}
@@ -162,6 +165,13 @@ def _of_wheel(found, i):
     p = found.pair
     ways = {key: 1e3 * float(getattr(p, key)[i]) for key in OF_WHEELS.split()}
     ways |= {"x": float((p.x1, p.x2)[i]), "x_min": float(p.x_min[i]), "alpha_a": float(p.alpha_a[i])}
+    if found.given.tip_diameters:
+        sign = p.signs[i]
+        ways["tip_lost"] = sign * (float(p.d[i]) - float(p.d_a[i])) / (2 * p.m) + p.rack.ha + sign * ways["x"]
+        reach = [float(d) / 2 for d in (p.d_f[i], p.d_a[1 - i])]
+        ways["clearance"] = 1e3 * (
+            float(p.a_w) - sum(reach) if not p.internal else sign * (reach[1] - reach[0]) - p.a_w
+        )
     along = p.sliding(np.array([p.rho_p[0], p.rho_u[0]]))
     lower, upper = along.first if i == 0 else along.second[::-1]
     return ways | {"rho_l": 1e3 * float(p.rho_l[i]), "root_sliding": lower, "tip_sliding": upper}

@@ -65,6 +65,12 @@ DRIVES = {
         "kind: spur, module: 4 mm, teeth: [20, 42], mesh: external, shift: [0, 0], backlash: {grade: 7-6-6-Ba}, "
         "inspection: {drawing_tables: true}",
     ],
+    "stated tips": [
+        "kind: spur, module: 5 mm, teeth: [13, 31], centre_distance: 112 mm, shift: [0.42, rest], "
+        "tip_diameters: [78.5 mm, 164 mm], quality: {}",
+        "kind: spur, module: 3 mm, teeth: [25, 75], mesh: internal, shift: [0.4, 0.5], "
+        "tip_diameters: [82.5 mm, 222.5 mm]",
+    ],
     "quality over shifts and distances: external, internal, helical, without a shift that is allowed": [
         "kind: spur, module: 4 mm, teeth: [12, 25], centre_distance: 76 mm, shift: [0.5, rest], "
         "quality: {x1: [0.3, 0.5, 0.7], least_tip: 0.25, centre_distances: [75 mm, 76 mm, 77 mm]}",

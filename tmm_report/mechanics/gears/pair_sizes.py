@@ -51,6 +51,7 @@ class Wheels:
     cutter: Cutter | None = (
         None  # cuts the ring of an internal pair, both wheels of an external one; None: the rack
     )
+    tips: Both | None = None  # diameters of the tip circles; None: they follow from the shifts
 
     # ------------------------------------------------------------ signed, transverse
 
@@ -191,6 +192,8 @@ class Wheels:
 
     @cached_property
     def _d_a(self) -> Both:
+        if self.tips is not None:
+            return self._plain(self.tips)
         if not (self.internal and self.trimmed):
             return self._full
         return self._both(lambda i: self._full[i] if np.all(self.signs[i] > 0) else self._trimmed(i))
@@ -205,7 +208,8 @@ class Wheels:
     @cached_property
     def trimming(self) -> Both:
         """By how much the tip circles of rings are widened to clear the fillets of their pinions, m; 0: of the rest."""
-        return self._both(lambda i: np.abs(self._d_a[i] - self._full[i]))
+        kept = self.tips is not None
+        return self._both(lambda i: 0 * self._full[i] if kept else np.abs(self._d_a[i] - self._full[i]))
 
     @cached_property
     def d(self) -> Both:
@@ -229,7 +233,8 @@ class Wheels:
 
     @cached_property
     def d_a(self) -> Both:
-        """Tip circles. Equalised, d_a1 = 2 a_w − d_f2 − 2 c* m, where the tips are cut down; else of full height."""
+        """Tip circles, as they are stated; else, equalised, d_a1 = 2 a_w − d_f2 − 2 c* m, where the tips are cut down;
+        else of full height."""
         return self._plain(self._d_a)
 
     @cached_property

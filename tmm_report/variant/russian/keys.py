@@ -348,6 +348,7 @@ throttle: дроссель
 tight: натянутая ветвь
 tilt: наклон ряда
 time: время
+tip_diameters: диаметры вершин
 tip_shortening: укорочение головки
 to: до какого
 tolerance: допуск

@@ -88,3 +88,54 @@ def test_a_ratio_that_is_not_stated_is_not_given():
     found = spur.solve(replace(FREE, ratio=math.nan))
     assert found.given.by_teeth
     assert found.wanted == found.ratio == -2.0
+
+
+# ---------------------------------------------------------------- stated tips
+
+PAIR = "teeth: [13, 31], centre_distance: 112 mm, shift: [0.42, rest]"
+RING = "teeth: [25, 75], mesh: internal, shift: [0.4, 0.5]"
+
+
+def test_stated_tips_are_those_of_the_pair():
+    """Contact ratio of a sheet's own diameters by the textbook's formula; usual ones, stated, change nothing."""
+    one, two = 78.5, 164.0
+    found = pair(f"{PAIR}, tip_diameters: [{one} mm, {two} mm]")
+    alpha = math.radians(20)
+    alpha_w = math.acos(110 * math.cos(alpha) / 112)
+    turned = [13 * (math.tan(math.acos(65 * math.cos(alpha) / one)) - math.tan(alpha_w))]
+    turned.append(31 * (math.tan(math.acos(155 * math.cos(alpha) / two)) - math.tan(alpha_w)))
+    assert float(found.eps) == pytest.approx(sum(turned) / (2 * math.pi), rel=1e-12)
+    assert [1e3 * float(d) for d in found.d_a] == pytest.approx([one, two], rel=1e-15)
+    for stage in (PAIR, RING):
+        usual = pair(stage)
+        same = pair(f"{stage}, tip_diameters: [{float(usual.d_a[0])!r}, {float(usual.d_a[1])!r}]")
+        assert float(same.eps) == pytest.approx(float(usual.eps), rel=1e-12)
+        assert same.s_a == pytest.approx(usual.s_a, rel=1e-9) and same.clearance == pytest.approx(
+            usual.clearance
+        )
+
+
+TIP_SLIPS = {
+    f"{PAIR}, tip_diameters: [90 mm, 164 mm]": ("tip_diameters.0", "to 81.44 mm"),
+    f"{PAIR}, tip_diameters: [78 mm, 140 mm]": ("tip_diameters.1", "from 142.56 to 167.3 mm"),
+    f"{PAIR}, tip_diameters: [78 mm, 164]": ("tip_diameters.1", "164 mm?"),
+    f"{PAIR}, tip_diameters: [78 mm]": ("tip_diameters", "missing"),
+    f"{PAIR}, tip_diameter: [78 mm, 164 mm]": ("tip_diameter", "tip_diameters"),
+    f"{RING}, tip_diameters: [125 mm, 380 mm]": ("tip_diameters", "do not reach each other"),
+}
+
+
+@pytest.mark.parametrize("stage", TIP_SLIPS)
+def test_slips_of_stated_tips(stage):
+    place, text = TIP_SLIPS[stage]
+    with pytest.raises(ProblemError) as told:
+        course.solve(load(stage))
+    assert f".{place}" in str(told.value) and text in str(told.value)
+
+
+def test_a_ring_whose_tips_run_into_its_pinion_is_told():
+    usual = pair(RING)
+    least = 2 * float(usual.a_w) + float(usual.d_f[0])
+    pair(f"{RING}, tip_diameters: [{float(usual.d_a[0])!r}, {least + 1e-4!r}]")
+    with pytest.raises(ProblemError, match=r"tip_diameters\.1"):
+        pair(f"{RING}, tip_diameters: [{float(usual.d_a[0])!r}, {least - 1e-4!r}]")

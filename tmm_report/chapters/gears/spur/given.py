@@ -273,6 +273,10 @@ class Spur:
             description="false: tips of full height whatever the clearance, of a ring whatever fillets they touch"
         ),
     ] = True
+    tip_diameters: Annotated[
+        tuple[Span, Span] | None,
+        Field(description="left out, they follow from the shifts", examples=["[78.9 mm, 164.8 mm]"]),
+    ] = None
     cutter: Annotated[
         Cutter | None,
         Field(

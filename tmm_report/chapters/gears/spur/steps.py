@@ -236,7 +236,8 @@ class Stage:
         if self.found.altered and isinstance(stated, tuple):
             s.stated_one, s.stated_two = stated
         s.y = Computed((s.a_w - s.a) / s.m, p.y)
-        s.shortening = Computed(s.x_sum - s.y, p.shortening) if self.equalised else float(p.shortening)
+        if p.tips is None:
+            s.shortening = Computed(s.x_sum - s.y, p.shortening) if self.equalised else float(p.shortening)
 
     @property
     def equalised(self) -> bool:
@@ -313,8 +314,28 @@ class Stage:
 
     def _tips(self) -> None:
         for i, w in enumerate(self.wheels):
-            w.d_a = Computed(self._tip(i), self.pair.d_a[i])
+            if self.pair.tips is not None:
+                self._stated_tip(i)
+            else:
+                w.d_a = Computed(self._tip(i), self.pair.d_a[i])
             w.alpha_a = _angle(arccos(w.d_b / w.d_a), self.pair.alpha_a[i])
+        if self.pair.tips is not None:
+            self._clearances()
+
+    def _stated_tip(self, i: int) -> None:
+        """The tip circle as it is stated, and what the head has lost; the clearance at the root of the other wheel."""
+        s, w, ring = self.s, self.wheels[i], self.ring(i)
+        w.d_a = float(self.pair.d_a[i])
+        full = w.d - 2 * s.m * (s.ha - w.x) if ring else w.d + 2 * s.m * (s.ha + w.x)
+        w.tip_lost = (w.d_a - full if ring else full - w.d_a) / (2 * s.m)
+
+    def _clearances(self) -> None:
+        """At the root of each wheel, of stated tips."""
+        for i, w in enumerate(self.wheels):
+            tip = self.wheels[1 - i].d_a
+            apart = (w.d_f - tip if self.ring(i) else tip - w.d_f) / 2
+            room = apart - self.s.a_w if self.internal else self.s.a_w - (w.d_f + tip) / 2
+            w.clearance = Computed(room, self.pair.clearance[i])
 
     def _tip(self, i: int) -> Expr:
         s, w, other = self.s, self.wheels[i], self.wheels[1 - i]

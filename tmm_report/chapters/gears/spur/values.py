@@ -119,6 +119,8 @@ class Wheel(Row):
     rho_m = Q("rho_m", "m", MEETS, *MM)
     rho_u = Q("rho_u", "m", UPPER, *MM)
     rho_l = Q("rho_l", "m", N_("radius of curvature where the involute begins"), *MM)
+    tip_lost = Q(Symbol("Deltay"), "", N_("coefficient of the shortening of the head"))
+    clearance = Q("c", "m", N_("radial clearance at the root"), *MM)
 
 
 class Gauge(Row):

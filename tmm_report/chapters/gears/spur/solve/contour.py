@@ -59,8 +59,9 @@ class Contour:
 def contour_of(pair: Pair, sliding: float) -> Contour:
     """The contour with the limits by which the stage itself is judged; `sliding`: the largest specific sliding."""
     z1, z2 = int(pair.z1), int(pair.z2)
+    usual = pair.tips is not None  # the contour is that of tips that follow from the shifts
     blocking = Blocking(
         z1, z2, pair.m, pair.rack, pair.beta, bool(pair.internal), POINTING, CONTACT, sliding=sliding,
-        shortened=pair.shortened, trimmed=pair.trimmed, cutter=pair.cutter,
+        shortened=pair.shortened or usual, trimmed=pair.trimmed or usual, cutter=pair.cutter,
     )  # fmt: skip
     return Contour(blocking, complex(float(pair.x1), float(pair.x2)))

@@ -130,8 +130,30 @@ def _pair(given: Given, pair: meshing.Pair) -> Iterator[Problem]:
         yield mistake(N_("no division of the shifts makes the sliding equal"), ("shift",), right)
     elif pair.backlash < -1e-6 * pair.m:
         yield _overlapping(given, pair)
+    elif problems := list(_stated_tips(given, pair)):
+        yield from problems
     else:
         yield from _beyond(given, pair)
+
+
+def _stated_tips(given: Given, pair: meshing.Pair) -> Iterator[Problem]:
+    """Stated tip diameters that leave no teeth, or no clearance at the roots of the other wheel."""
+    for i, d in enumerate(given.tip_diameters or ()):
+        root, mate = float(pair.d_f[i]), float(pair.d_f[1 - i])
+        if pair.signs[i] < 0:
+            low, high = max(float(pair.d_b[i]), 2 * float(pair.a_w) + mate), root
+        else:
+            low, high = root, mate - 2 * float(pair.a_w) if pair.internal else 2 * float(pair.a_w) - mate
+        if low < d <= high * (1 + 1e-9):
+            continue
+        wrong = N_(
+            "tips of wheel %(wheel)s of %(diameter)s mm leave no teeth, or no clearance at the roots of its mate"
+        )
+        right = Message(
+            N_("a diameter from %(low)s to %(high)s mm"),
+            {"low": _mm(low, up=True), "high": _mm(high, up=False)},
+        )
+        yield mistake(wrong, ("tip_diameters", i), right, wheel=given.wheels[i], diameter=_mm(d))
 
 
 def _beyond(given: Given, pair: meshing.Pair) -> Iterator[Problem]:
@@ -230,6 +252,10 @@ def _no_contact(given: Given, pair: meshing.Pair) -> Problem:
     wrong = N_("with the shifts %(x1)s and %(x2)s the teeth do not reach each other")
     if pair.eps_tips > 0:  # by the tip circles they would
         wrong = N_("with the shifts %(x1)s and %(x2)s cutting leaves no involutes that meet each other")
+    if given.tip_diameters is not None:
+        wrong = N_("with these tip diameters the teeth do not reach each other")
+        right = Message(N_("leave out tip_diameters: those that follow from the shifts are then told"))
+        return mistake(wrong, ("tip_diameters",), right)
     shown = {"x1": _text(float(pair.x1)), "x2": _text(float(pair.x2))}
     if given.centre_distance is None:
         return mistake(wrong, ("shift",), Message(N_("shifts between −0.5 and 1.5, or shift: rule")), **shown)

@@ -92,6 +92,7 @@ def quality_of(given: Given, teeth: Teeth, pair: Pair) -> Found | None:
     """None where nothing is asked."""
     if (asked := given.quality) is None:
         return None
+    pair = _usual_tips(given, pair)
     alone, ends = allowed(pair, asked.least_tip, asked.least_contact)
     stated = np.array(asked.x1 or _round(ends, float(pair.x1)))
 
@@ -112,6 +113,13 @@ def quality_of(given: Given, teeth: Teeth, pair: Pair) -> Found | None:
         _play(pair, ends),
         *(Course(_over(given, teeth, a), asked.sliding) for a in (over, _between(over)) if over.size),
     )
+
+
+def _usual_tips(given: Given, pair: Pair) -> Pair:
+    """The pair with tips that follow from its shifts, where others are stated: those of one shift suit no other."""
+    if pair.tips is None:
+        return pair
+    return replace(pair, tips=None, shortened=given.tip_shortening, trimmed=given.tip_shortening)
 
 
 def _between(numbers: Array) -> Array:
@@ -141,7 +149,9 @@ def _over(given: Given, teeth: Teeth, distances: Array) -> Pair:
     first one is kept."""
     shift = (given.shift[0], math.nan) if isinstance(given.shift, tuple) and not given.rests else given.shift
     made = [
-        choose_shifts(replace(given, centre_distance=float(a), teeth=teeth.z, shift=shift), teeth)
+        choose_shifts(
+            replace(given, centre_distance=float(a), teeth=teeth.z, shift=shift, tip_diameters=None), teeth
+        )
         for a in distances
     ]
     x1, x2 = (np.array([float(getattr(one, key)) for one in made]) for key in ("x1", "x2"))
@@ -158,6 +168,7 @@ def check_quality(given: Given, teeth: Teeth, pair: Pair) -> None:
 
 
 def _wrong(given: Given, asked: Quality, teeth: Teeth, pair: Pair) -> Iterator[Problem]:
+    pair = _usual_tips(given, pair)
     yield from _unsorted("x1", asked.x1 or ())
     yield from _unsorted("centre_distances", asked.centre_distances or ())
     if asked.x1:

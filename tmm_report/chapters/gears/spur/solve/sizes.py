@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 from tmm_report.chapters.gears.spur.given import EQUAL, Given
 from tmm_report.mechanics.gears import meshing, shift_sharing
@@ -71,16 +72,17 @@ def choose_shifts(given: Given, chosen: Teeth) -> Pair:
     left = 1 - given.rests[0] if given.rests else chosen.small  # whose shift comes first
     x1, x2 = stated or _own_shifts(given, chosen)
     settings = (*chosen.z, given.module, given.rack, given.helix)
-    made = (given.internal, given.tip_shortening, given.tip_shortening, given.cutter)
+    cut = given.tip_shortening and given.tip_diameters is None
+    made = (given.internal, cut, cut, given.cutter)
     if given.centre_distance is None:
-        pair = meshing.meshed(*settings, x1, x2, *made)
+        pair = replace(meshing.meshed(*settings, x1, x2, *made), tips=given.tip_diameters)
         return (
             shift_sharing.with_first_shift(pair, shift_sharing.equal_sliding(pair))
             if given.shift == EQUAL
             else pair
         )
     needed = meshing.shift_sum(*settings, given.centre_distance, given.internal)
-    pair = Pair(*settings, x1, x2, given.centre_distance, *made)
+    pair = Pair(*settings, x1, x2, given.centre_distance, *made, given.tip_diameters)
     if stated and not given.rests:
         # shifts written with a few digits are meant to fill the distance
         return shift_sharing.filling(pair, 0, x1, needed) if abs(pair.x_sum - needed) <= ROUNDED else pair

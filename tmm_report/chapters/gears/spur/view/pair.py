@@ -106,6 +106,9 @@ class SpurView(ChapterView):
     def one_shift(self, i: int) -> Markup:
         return self.page.value(self.wheels[i].x)
 
+    def stated_tip(self, i: int) -> Markup:
+        return self.page.value(self.wheels[i].d_a)
+
     @property
     def needless(self) -> bool:
         """Whether the smaller wheel needs no shift of its own."""
