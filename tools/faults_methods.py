@@ -8,12 +8,6 @@ GAUGES = MECHANICS + "gears/inspection.py"
 GAUGED = ("tests/mechanics/gears/test_inspection.py",)
 SHEETS = ("tests/chapters/gears/spur/test_gear_inspection.py",)
 STATED = ("tests/chapters/gears/spur/test_spur_as_stated.py",)
-BACKLASH = MECHANICS + "gears/backlash.py"
-LOOSE = ("tests/mechanics/gears/test_backlash.py",)
-FITTED = ("tests/chapters/gears/spur/test_gear_backlash.py",)
-QUALITY = MECHANICS + "gears/quality.py"
-QUALITIES = ("tests/mechanics/gears/test_quality.py",)
-SHIFTED = ("tests/chapters/gears/spur/test_gear_quality.py",)
 TWICE = ("tests/chapters/gears/test_spur_twice.py",)
 LENGTHS = ("tests/chapters/lever/test_stated_lengths.py",)
 
@@ -374,27 +368,6 @@ FAULTS = (
           "omega * lifted.second", "valve_cam", ALONE),
     Fault("the base circle of the centre profile as of the profile", CAM + "block/build.py",
           "return stated.pitch_base - (roller or 0.0)", "return stated.pitch_base", "valve_cam", ALONE),
-    # --- quality over the shifts ---
-    Fault("curvatures of an internal pair added", QUALITY, "other = pair.side * pair.line - one",
-          "other = pair.line - one", tests=QUALITIES),
-    Fault("pressure of helical teeth by the transverse radii", QUALITY, "pair.m * np.cos(beta_b) *", "pair.m *",
-          tests=QUALITIES),
-    Fault("the bound of the shifts outside them", QUALITY, "grid[[above[0] - 1, above[0]]]",
-          "grid[[above[0], above[0] + 1]]", tests=QUALITIES),
-    Fault("ends that jump taken for bounds", QUALITY, "if abs(of(np.array(x))) < JUMP else", "if True else",
-          tests=SHIFTED),
-    Fault("contact passed over among the bounds", QUALITY, "limits_of(pair, thickness, ratio)",
-          "limits_of(pair, thickness, -9.0)", tests=(*QUALITIES, *SHIFTED)),
-    Fault("sliding by the mate's velocity inverted", SPUR + "solve/quality.py", "own / (1 - own)", "own / (1 + own)",
-          tests=SHIFTED),
-    Fault("other shifts kept over the centre distance", SPUR + "solve/quality.py", "(given.shift[0], math.nan) if",
-          "(math.nan, given.shift[1]) if", tests=SHIFTED),
-    Fault("the clearance of one wheel alone", SPUR + "solve/quality.py", "for side in trial.interference",
-          "for side in trial.interference[1:]", tests=SHIFTED),
-    Fault("round shifts beyond the bounds", SPUR + "solve/quality.py", "math.floor(high / step) + 1)]",
-          "math.floor(high / step) + 2)]", tests=SHIFTED),
-    Fault("pressure at the tip by the tips of both", SPUR + "qualities.py", '"rho_p" if i == lower else upper',
-          "upper", tests=TWICE),
     # --- ordinary stages of a drive ---
     Fault("a belt that slips drives faster", ORDINARY + "steps/belt.py", "diameter * (1 - s.epsilon)",
           "diameter * (1 + s.epsilon)", "conveyor_drive", STAGES),
@@ -471,38 +444,4 @@ FAULTS = (
           'turned if of.mesh == "internal" and other is rows[-1] else -turned', "-turned", tests=STAGES),
     Fault("an idler loaded by one of its meshes", ORDINARY + "steps/train.py",
           "(before.F_t + row.F_t) ** 2", "before.F_t**2", tests=STAGES),
-    # --- backlash ---
-    Fault("thinned teeth of a helical wheel by the transverse arc", GAUGES,
-          "self.thinned / float(np.cos(self.pair.beta))", "self.thinned", tests=LOOSE),
-    Fault("arcs of thinned teeth not carried to the working circles", BACKLASH,
-          "wider = np.cos(p.t.alpha) / np.cos(p.alpha_w)", "wider = 1.0", tests=LOOSE),
-    Fault("angles of free turning by the radius", BACKLASH, "(2 * self.circumferential / float(d)",
-          "(self.circumferential / float(d)", tests=LOOSE),
-    Fault("a ring closest to its pinion at the shortest distance", BACKLASH,
-          "(deviation if pair.internal else -deviation)", "-deviation", tests=LOOSE),
-    Fault("a chord of thinned teeth on the nominal circle", SPUR + "solve/backlash.py",
-          "float(chord[0]) if cut.thinned == 0 else cut.chord_below(float(chord[1]))",
-          "float(chord[0]) if cut.thinned == 0 else float(cut.constant_chord[0])", tests=FITTED),
-    Fault("the shift of the rack taken for the thinning", SPUR + "solve/backlash.py", "2 * math.tan(alpha)",
-          "math.tan(alpha)", tests=(*TWICE, *FITTED)),
-    Fault("the tolerance not added", SPUR + "solve/backlash.py", "(least[0] + field[0], least[1] + field[1])",
-          "(least[0], least[1])", tests=FITTED),
-    Fault("guaranteed backlash asked of each wheel", SPUR + "solve/backlash.py", "or 0.0)) / 2", "or 0.0))",
-          tests=FITTED),
-    Fault("less than guaranteed found enough", SPUR + "solve/backlash.py", "self.close.normal >= wanted",
-          "self.far.normal >= wanted", tests=FITTED),
-    Fault("deviations of the other wheel in a drawing's table", SPUR + "view/backlash.py",
-          "(self.names[i], size):", "(self.names[1 - i], size):", tests=FITTED),
-    Fault("backlash of the thickest teeth for that of the thinnest", SPUR + "loosening.py", "if end == \"most\")",
-          "if end == \"none\")", tests=TWICE),
-    # --- stated tips ---
-    Fault("heads of stated tips shortened by the diameter", SPUR + "steps.py", "full - w.d_a) / (2 * s.m)",
-          "full - w.d_a) / s.m", tests=TWICE),
-    Fault("clearance of stated tips at the wrong root", SPUR + "steps.py",
-          "else self.s.a_w - (w.d_f + tip) / 2", "else self.s.a_w - (w.d_f + w.d_a) / 2",
-          tests=TWICE),
-    Fault("stated tips taken for the other wheel", MECHANICS + "gears/pair_sizes.py", "self._plain(self.tips)",
-          "self._plain(self.tips[::-1])", tests=STATED),
-    Fault("tips of a ring refused from inside", SPUR + "solve/mistakes.py", "2 * float(pair.a_w) + mate), root",
-          "2 * float(pair.a_w) - mate), root", tests=STATED),
 )  # fmt: skip
