@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from faults import FRICTION, MECHANICS, SPUR, Fault
+from faults import DRIVE, FRICTION, MECHANICS, SPUR, Fault
 
 GAUGES = MECHANICS + "gears/inspection.py"
 GAUGED = ("tests/mechanics/gears/test_inspection.py",)
@@ -444,4 +444,50 @@ FAULTS = (
           'turned if of.mesh == "internal" and other is rows[-1] else -turned', "-turned", tests=STAGES),
     Fault("an idler loaded by one of its meshes", ORDINARY + "steps/train.py",
           "(before.F_t + row.F_t) ** 2", "before.F_t**2", tests=STAGES),
+    # --- a drive from its machine back to the motor ---
+    Fault("power of a shaft before its bearings for that behind them", CHAIN,
+          "        if received\n", "        if not received\n", BELT, CHAINS),
+    Fault("shafts that all turn as the motor", CHAIN,
+          "np.cumprod(np.asarray(ratios, float), axis=-1)", "np.asarray(ratios, float)", BELT, CHAINS),
+    Fault("the rounded factor always", CHAIN,
+          "(PER_KILOWATT * math.pi / 30000) if rounded else exact", "(PER_KILOWATT * math.pi / 30000)", BELT, CHAINS),
+    Fault("an overload that weakens the motor", CHAIN,
+          "load <= (1 + overload)", "load <= (1 - overload)", BELT, CHAINS),
+    Fault("the strongest motor for the weakest", CHAIN,
+          "(motors[k][0], abs(", "(-motors[k][0], abs(", BELT, CHAINS),
+    Fault("a motor far from the middle of the range", CHAIN,
+          "abs(math.log(judged[k].ratio / middle))", "-abs(math.log(judged[k].ratio / middle))", BELT, CHAINS),
+    Fault("the slow stage's ratio for the fast one", CHAIN,
+          "[whole / one, one] if slow", "[one, whole / one] if slow", BELT, CHAINS),
+    Fault("a progression that grows", CHAIN,
+          "times**powers", "times**-powers", BELT, CHAINS),
+    Fault("the bearings of the last shaft left out of the efficiency", POWER + "plan.py",
+          "given.bearings.efficiency ** sum(pairs)", "given.bearings.efficiency ** sum(pairs[:-1])", BELT, POWERS),
+    Fault("the working member's efficiency left out", POWER + "plan.py",
+          "sum(pairs), own])", "sum(pairs)])", BELT, POWERS),
+    Fault("the teeth of the other wheel rounded down", POWER + "plan.py",
+          "math.floor(exact[k] + 0.5)", "math.floor(exact[k])", BELT, POWERS),
+    Fault("the stated ratios not taken out of the whole", POWER + "plan.py",
+          "rest = u / wanted", "rest = u", BELT, POWERS),
+    Fault("the pull at the rim's diameter", POWER + "given.py",
+          "return self.diameter / 2", "return self.diameter", BELT, POWERS),
+    Fault("the sprocket's pitches on its radius", POWER + "given.py",
+          "self.pitch / (2 * math.pi)", "self.pitch / math.pi", BELT, POWERS),
+    Fault("the mean moment where the greatest is asked for", POWER + "ahead.py",
+          "if given.peak else", "if not given.peak else", BELT, POWERS),
+    Fault("forces in the teeth by the motor's torque alone", POWER + "quantities.py",
+          "carried *= abs(stage.ratio)", "carried *= 1 + 0 * abs(stage.ratio)", BELT, POWERS),
+    Fault("forces in the teeth without the losses between", POWER + "solve.py",
+          "powers = power_chain.shaft_powers(self.base, self.links, self.bearings)",
+          "powers = power_chain.shaft_powers(self.base, self.links, self.bearings * 0 + 1)", BELT, POWERS),
+    Fault("a weak motor told as a slow one", POWER + "quantities.py",
+          '"" if one.strong else "weak"', '"weak" if one.strong else ""', BELT, POWERS),
+    Fault("a formula of a shaft with the bearings of the next", POWER + "steps.py",
+          "bearing = k - 1 if received else k", "bearing = k", BELT, POWERS),
+    Fault("what the motor allows without the losses", POWER + "steps.py",
+          's.P_motor * s["eta_total"].var(digits=5)', "s.P_motor * 1", BELT, POWERS),
+    Fault("columns of the shafts exchanged", POWER + "view.py",
+          '("P", "n", "omega", "T"))', '("P", "omega", "n", "T"))', BELT),
+    Fault("the verdicts of the motors shifted by one", POWER + "view.py",
+          'VERDICTS[table["verdict"].values[row]]', 'VERDICTS[table["verdict"].values[row - 1]]', BELT),
 )  # fmt: skip

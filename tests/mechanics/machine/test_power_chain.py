@@ -124,3 +124,10 @@ def test_no_other_motor_is_better(motors, needed, speed, overload, low, wide):
             return max(ratio / math.sqrt(low * high), math.sqrt(low * high) / ratio)
 
         assert all(off(k) <= off(i) * (1 + 1e-12) for i in able if motors[i][0] == motors[k][0])
+
+
+def test_the_weakest_that_will_do_and_of_equal_ones_the_nearest():
+    motors = [(5500.0, 100.0), (4000.0, 120.0), (4000.0, 104.0), (3000.0, 100.0)]
+    assert chosen(motors, judge(motors, 3500, 10.0, 0.0, 8.0, 12.5), 8.0, 12.5) == 2
+    assert chosen(motors, judge(motors, 3500, 10.0, 0.2, 8.0, 12.5), 8.0, 12.5) == 3
+    assert chosen(motors, judge(motors, 6000, 10.0, 0.05, 8.0, 12.5), 8.0, 12.5) is None
