@@ -312,8 +312,8 @@ FAULTS = (
     Fault(
         "all satellites of a stage are taken for one in the forces",
         "tmm_report/chapters/gears/drive/crank_quantities.py",
-        "(radius * stage.shares), angle",
-        "radius, angle",
+        "(radius * stage.shares)\n",
+        "radius\n",
         tests=("tests/chapters/machine/test_drive_turns_the_link.py",),
     ),
     # --- random groups above class II ---

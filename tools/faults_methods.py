@@ -29,6 +29,10 @@ PRESS = "cam_press"
 ORDINARY = "tmm_report/chapters/gears/ordinary/"
 STAGES = ("tests/chapters/gears/ordinary",)
 
+POWER, CHAIN = DRIVE + "power/", MECHANICS + "machine/power_chain.py"
+CHAINS, POWERS = ("tests/mechanics/machine/test_power_chain.py",), ("tests/chapters/gears/drive_power",)
+BELT = "belt_conveyor"
+
 COMPOUND = MECHANICS + "gears/compound/"
 TRAIN = "tmm_report/chapters/gears/train/"
 

@@ -436,6 +436,7 @@ AFTER: Mapping[str, Callable[[Made, Any], Made]] = {
     "EfficiencyModel": _efficiencies,
     "PlanetaryModel": gears.planetary,
     "Spur": gears.spur,
+    "PairStage": gears.pair,
     "BeltStage": gears.belt,
     "DriveModel": gears.drive,
     "ChainStage": gears.chain,

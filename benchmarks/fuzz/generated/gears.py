@@ -102,6 +102,15 @@ def belt(made: Made, walk: Any) -> Made:
     return made
 
 
+def pair(made: Made, walk: Any) -> Made:
+    made["teeth"] = [walk.random.randint(17, 30), walk.random.randint(31, 90)]
+    if "ratio" in made:
+        made["ratio"] = round(-made["teeth"][1] / made["teeth"][0], 3)
+        if walk.random.random() < 0.5:
+            made["teeth"][walk.random.randint(0, 1)] = "rest"
+    return made
+
+
 POWER = ("motors", "overload", "ratio_range", "needed", "bearings", "coupling", "split", "shafts")
 
 

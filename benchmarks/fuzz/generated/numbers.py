@@ -302,6 +302,8 @@ SIZES: dict[str, tuple[float, float, str]] = {
     "TrainStage.ratio": (2, 4, ""),
     "TrainStage.module": (1, 8, "mm"),
     "TrainStage.efficiency": (0.9, 1, ""),
+    "PairStage.ratio": (-5, -1, ""),
+    "PairStage.efficiency": (0.9, 1, ""),
     "Spur.ratio": (-5, -1, ""),
     "Spur.module": (1, 8, "mm"),
     "Spur.width": (10, 60, "mm"),

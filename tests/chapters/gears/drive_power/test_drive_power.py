@@ -119,6 +119,15 @@ def test_forces_in_the_teeth_follow_the_shafts():
     assert forces["3-4"] == pytest.approx(on_sun / (3 * sun), rel=1e-12)
 
 
+def test_stages_and_meshes_have_the_torques_of_the_printed_table():
+    belt = {"kind": "belt", "driving": "100 mm", "driven": "200 mm"}
+    found = solve(belt, PAIR, speed="1410 rpm", output=DRUM, bearings=0.99, shafts={"torque": 9550})
+    assert found.stages[0].s.number("T1") == pytest.approx(found.power.torque[0], rel=1e-12)
+    (loaded,) = (table for table in tables(found) if table.name == "drive_mesh_loads")
+    radius = found.train.by_name["3"].radius
+    assert loaded["F_t"].values[0] == pytest.approx(found.power.torque[1] / radius, rel=1e-12)
+
+
 def test_the_motor_is_chosen_and_every_one_is_told_why_not():
     losses = {"bearings": 0.99, "coupling": 0.97}
     found = solve(OPEN, OPEN, output=DRUM, motors=MOTORS, ratio_range=[25, 30], **losses).power

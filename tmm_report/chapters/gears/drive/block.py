@@ -21,6 +21,7 @@ from tmm_report.chapters.gears.ordinary.given import (
     ChainStage,
     FrictionStage,
     Ordinary,
+    PairStage,
     TrainStage,
 )
 from tmm_report.chapters.gears.planetary import block as planetary
@@ -29,7 +30,7 @@ from tmm_report.chapters.gears.spur import block as spur
 from tmm_report.chapters.gears.spur.given import Spur
 from tmm_report.chapters.lever.plans import block as plans
 from tmm_report.chapters.lever.structure import block as structure
-from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
+from tmm_report.problems import N_, Message, Problem, ProblemError, doubt, mistake
 from tmm_report.quantity.paper import ACCURACY
 from tmm_report.variant import model
 from tmm_report.variant.model import Read
@@ -43,9 +44,19 @@ Torque = Annotated[float, quantity("moment", 1e-12)]  # the input drives: else t
 SLOWEST = 1e-9  # of the input's speed: a slower output stands still
 
 
+OF_PAIR = {"kind", "name", "ratio", "teeth", "mesh", "efficiency"}
+
+
 def _kind(value: Any) -> str:
+    if isinstance(value, PairStage) or (isinstance(value, dict) and _without_size(value)):
+        return "<pair>"
     kind = value.get("kind") if isinstance(value, dict) else getattr(value, "kind", None)
     return f"<{kind}>"
+
+
+def _without_size(stage: Mapping[str, Any]) -> bool:
+    """Whether it is a pair of wheels of which the teeth are stated, and nothing of their size."""
+    return stage.get("kind") == "spur" and "teeth" in stage and stage.keys() <= OF_PAIR
 
 
 StageModel = Annotated[
@@ -54,7 +65,8 @@ StageModel = Annotated[
     | Annotated[Stated[BeltStage], Tag("<belt>")]
     | Annotated[Stated[ChainStage], Tag("<chain>")]
     | Annotated[Stated[FrictionStage], Tag("<friction>")]
-    | Annotated[Stated[TrainStage], Tag("<train>")],
+    | Annotated[Stated[TrainStage], Tag("<train>")]
+    | Annotated[Stated[PairStage], Tag("<pair>")],
     Discriminator(
         _kind,
         custom_error_type="shape",
@@ -191,6 +203,9 @@ def doubts(read: Read) -> Iterator[Problem]:
     for k, stage in enumerate(written.stages if written else ()):
         if isinstance(stage, Spur):
             yield from spur.doubts(stage, ("drive", "stages", k))
+        elif isinstance(stage, PairStage) and power.given(written) is None:
+            wrong = N_("no module is stated, so of the pair no more than the ratio is found")
+            yield doubt(wrong, ("drive", "stages", k), Message(N_("state module: 4 mm for its geometry")))
 
 
 def _tolerances(written: DriveModel) -> Iterator[Problem]:

@@ -38,4 +38,5 @@ def _forces(found: Found) -> Iterator[tuple[float, float | None]]:
     for stage in map(run, found.stages):
         for mesh, angle in zip(stage.meshes, stage.angles, strict=True):
             radius = found.train.by_name[mesh.i].radius
-            yield abs(float(next(torques))) / (radius * stage.shares), angle
+            force = abs(float(next(torques))) / (radius * stage.shares)
+            yield force if stage.sized else math.nan, angle

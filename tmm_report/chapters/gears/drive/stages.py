@@ -13,7 +13,7 @@ from typing import Protocol, assert_never
 
 from tmm_report.chapters.gears.drive.bounds import check_search
 from tmm_report.chapters.gears.ordinary import solve as ordinary
-from tmm_report.chapters.gears.ordinary.given import Ordinary
+from tmm_report.chapters.gears.ordinary.given import Ordinary, PairStage
 from tmm_report.chapters.gears.planetary.solve import stage as planetary
 from tmm_report.chapters.gears.spur.solve import pair as spur
 from tmm_report.mechanics.gears.trains import Member, Mesh
@@ -61,6 +61,10 @@ class Run(Protocol):
         """Through how many like meshes side by side the power goes: satellites."""
 
     @property
+    def sized(self) -> bool:
+        """Whether its sizes are known, so that forces follow from torques."""
+
+    @property
     def sound(self) -> bool: ...
     @property
     def doubts(self) -> tuple[Problem, ...]: ...
@@ -92,7 +96,7 @@ def solve_known(given: tuple[Given, ...]) -> list[Stage | None]:
 
 def is_open(given: Given) -> bool:
     """Whether the stage has the ratio that the drive leaves it."""
-    return isinstance(given, spur.Given) and given.open
+    return isinstance(given, spur.Given | PairStage) and given.open
 
 
 @lru_cache(maxsize=8)

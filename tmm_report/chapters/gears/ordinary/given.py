@@ -9,7 +9,7 @@ from dataclasses import field
 from functools import partial
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
-from tmm_report.chapters.gears.spur.given import signed_ratio
+from tmm_report.chapters.gears.spur.given import signed_ratio, with_rest
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.units import WrongValue
 from tmm_report.records import dataclass
@@ -29,6 +29,7 @@ if TYPE_CHECKING:
         Span,
         SpanOrWord,
         Tooth,
+        ToothOrRest,
         by_shape,
         quantity,
         whole,
@@ -43,6 +44,7 @@ OF_STAGE = partial(
 RATIO = {"type": "number", "description": "minus: the shafts turn in opposite senses"}
 STANDARD = "standard"
 FEWEST, MOST = 6, 1000  # teeth of a wheel
+DRAWN = 3e-3  # module with which wheels are drawn whose own is not stated, m
 
 
 @dataclass(frozen=True)
@@ -378,6 +380,57 @@ class TrainStage(Ordinary):
         return self.of_mesh ** (len(self.idlers) + 1)
 
 
+@dataclass(frozen=True)
+class PairStage(Ordinary):
+    """A pair of toothed wheels on fixed axes of which no module is stated: no more than its ratio is found."""
+
+    kind: Literal["spur"] = field(default="spur", kw_only=True)
+    ratio: Annotated[
+        Annotated[float, Reads(OF_STAGE, RATIO)] | None,
+        Field(description="left out, that of the teeth", examples=[-3]),
+    ] = field(default=None, kw_only=True)
+    teeth: Annotated[
+        tuple[ToothOrRest, ToothOrRest],
+        Field(description="one of both may be the rest", examples=["[20, 60]", "[20, rest]"]),
+    ] = field(kw_only=True)
+    mesh: Annotated[
+        Literal["external", "internal"] | None,
+        Field(description="left out, by the sign of the ratio, else external"),
+    ] = field(default=None, kw_only=True)
+    efficiency: Annotated[Efficiency | None, Field(description="left out, 0.98")] = field(
+        default=None, kw_only=True
+    )
+
+    def __post_init__(self) -> None:
+        """The sense is that of the mesh, whatever sign the ratio has; the rest is found where there is a ratio."""
+        if self.mesh is not None and self.ratio is not None:
+            object.__setattr__(self, "ratio", self.sense * abs(self.ratio))
+        object.__setattr__(self, "teeth", with_rest(self.teeth, self.ratio))
+        if self.sense > 0 and self.teeth[0] == self.teeth[1]:
+            wrong = Message(N_("a ring cannot have as many teeth as its pinion"))
+            raise WrongValue(wrong, Message(N_("give the ring more teeth than the pinion")))
+
+    @property
+    def open(self) -> bool:
+        """Whether its ratio is what the drive leaves it."""
+        return 0 in self.teeth
+
+    @property
+    def sense(self) -> int:
+        internal = self.mesh == "internal" or (
+            self.mesh is None and self.ratio is not None and self.ratio > 0
+        )
+        return 1 if internal else -1
+
+    @property
+    def variety(self) -> str:
+        return "pair internal" if self.sense > 0 else "pair external"
+
+    @property
+    def eta(self) -> float:
+        return self.efficiency or 0.98
+
+
 def _positive(ratio: float | None, wrong: str) -> None:
     """Raises WrongValue for a minus where both shafts turn in the same sense."""
     if ratio is not None and ratio < 0:
@@ -405,4 +458,4 @@ def teeth_of(teeth: int | tuple[int, int], ratio: float | None) -> tuple[int, in
     return teeth, round(teeth * abs(ratio or 1.0))
 
 
-Given = BeltStage | ChainStage | FrictionStage | TrainStage
+Given = PairStage | BeltStage | ChainStage | FrictionStage | TrainStage

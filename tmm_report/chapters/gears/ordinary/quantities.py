@@ -19,6 +19,8 @@ TITLES = {
     "chain": N_("chain drive"),
     "friction external": N_("friction wheels, outer contact"),
     "friction internal": N_("friction wheels, inner contact"),
+    "pair external": N_("pair of wheels, outer mesh"),
+    "pair internal": N_("pair of wheels, inner mesh"),
     "train external": N_("train with idlers"),
     "train internal": N_("train with idlers and a ring"),
 }

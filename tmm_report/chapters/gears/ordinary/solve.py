@@ -9,8 +9,15 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 from tmm_report.chapters.gears.ordinary import values
-from tmm_report.chapters.gears.ordinary.given import BeltStage, ChainStage, FrictionStage, Given, TrainStage
-from tmm_report.chapters.gears.ordinary.steps import belt, chain, friction, train
+from tmm_report.chapters.gears.ordinary.given import (
+    BeltStage,
+    ChainStage,
+    FrictionStage,
+    Given,
+    PairStage,
+    TrainStage,
+)
+from tmm_report.chapters.gears.ordinary.steps import belt, chain, friction, pair, train
 from tmm_report.chapters.gears.ordinary.steps.train import ANGLE
 from tmm_report.mechanics.gears import trains
 from tmm_report.problems import Message, Problem
@@ -33,6 +40,7 @@ KINDS: dict[type, Kind] = {
     ChainStage: Kind("chain", values.Chain, chain),
     FrictionStage: Kind("friction", values.Friction, friction),
     TrainStage: Kind("train", values.Train, train),
+    PairStage: Kind("pair", values.PairOfWheels, pair),
 }
 
 
@@ -94,6 +102,10 @@ class Found:
     @property
     def shares(self) -> int:
         return 1
+
+    @property
+    def sized(self) -> bool:
+        return self.kind != "pair"
 
     @property
     def sound(self) -> bool:

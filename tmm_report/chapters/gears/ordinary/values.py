@@ -114,6 +114,15 @@ class Friction(Numbers):
     q_n = Q("q_n", "N/m", N_("pressing force on a metre of the line of contact"), "N/mm", formed="N/m")
 
 
+class PairOfWheels(Numbers):
+    z1 = Q("z", "", N_("number of teeth of the driving wheel"), digits=9)
+    z2 = Q("z", "", N_("number of teeth of the driven wheel"), digits=9)
+    u_required = Q(Symbol("u", "", "′"), "", N_("required ratio of the stage"))
+    u = Q("u", "", N_("ratio of the pair of wheels"))
+    omega1 = Q("omega", "rad/s", N_("angular velocity of the driving wheel"))
+    T1 = Q("T", "N·m", N_("torque on the driving wheel"))
+
+
 class Train(Numbers):
     """`rows`: of its wheels, in their order."""
 

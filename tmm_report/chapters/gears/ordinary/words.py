@@ -12,6 +12,7 @@ HEADINGS = {
     "chain": N_("Chain drive %(name)s"),
     "friction": N_("Friction wheels %(name)s"),
     "train": N_("Train of wheels %(name)s"),
+    "pair": N_("Pair of wheels %(name)s"),
 }
 INTRODUCED = {
     "belt open": N_(
@@ -40,6 +41,16 @@ INTRODUCED = {
         "Between the driving wheel %(one)s and the driven wheel %(two)s there are idlers: each drives and is driven, "
         "so that its teeth cancel out of the ratio and only the sense depends on their number. The shape of the teeth "
         "is not found; the wheels are cut without shift."
+    ),
+    "pair external": N_(
+        "Wheels %(one)s and %(two)s are in outer mesh; wheel %(one)s drives, wheel %(two)s turns in the opposite "
+        "sense. No module is stated, so no size is found: the wheels are drawn with a module of 3 mm, and velocities "
+        "of their points are right in their ratio alone."
+    ),
+    "pair internal": N_(
+        "Wheels %(one)s and %(two)s are in inner mesh; wheel %(one)s drives, both turn in the same sense. No module is "
+        "stated, so no size is found: the wheels are drawn with a module of 3 mm, and velocities of their points are "
+        "right in their ratio alone."
     ),
     "train internal": N_(
         "Between the driving wheel %(one)s and the ring %(two)s there are idlers: each drives and is driven, so that "
@@ -155,6 +166,7 @@ GROUPS: dict[str, tuple[Group, ...]] = {
         ),
         Group(N_("which is on a metre of the line of contact"), ("q_n",)),
     ),
+    "pair": (Group(N_("The ratio of the pair of wheels is"), ("u",)),),
     "train": (
         Group(N_("The number of teeth of the driven wheel that the ratio asks for:"), ("z_exact",)),
         Group(N_("The ratio of the train, in which the teeth of every idler cancel:"), ("u",)),

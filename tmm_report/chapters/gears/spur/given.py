@@ -61,6 +61,22 @@ of_pair = partial(
 SIGN = {"type": "number", "description": "minus: an external pair, plus: an internal one"}
 
 
+def with_rest(teeth: tuple[int, int], ratio: float | None) -> tuple[int, int]:
+    """The teeth of both wheels, the rest, 0, by the ratio; without one it waits for the drive to divide its own."""
+    one, two = teeth
+    if not one + two:
+        right = Message(N_("one of both, for example [20, rest]"))
+        raise WrongValue(Message(N_("the teeth of both wheels are sought by one ratio")), right)
+    if ratio is None or math.isnan(ratio) or one * two:
+        return teeth
+    found = math.floor((one * abs(ratio) if one else two / abs(ratio)) + 0.5)
+    if not LEAST <= found <= MOST:
+        wrong = N_("the ratio gives the other wheel %(teeth)s teeth: from %(least)s to %(most)s are possible")
+        values = {"teeth": found, "least": LEAST, "most": MOST}
+        raise WrongValue(Message(wrong, values), Message(N_("another ratio, or other teeth")))
+    return one or found, two or found
+
+
 @dataclass(frozen=True)
 class Rack(rack.Rack):
     """The basic rack that cuts the teeth."""
@@ -316,7 +332,7 @@ class Spur:
     def __post_init__(self) -> None:
         """An external pair stated in a word has a minus, written or not; a ratio left out is that of the teeth."""
         if self.teeth is not None and 0 in self.teeth:
-            self._find_rest(*self.teeth)
+            object.__setattr__(self, "teeth", with_rest(self.teeth, self.ratio))
         elif math.isnan(self.ratio):
             object.__setattr__(self, "ratio", self._of_teeth())
             object.__setattr__(self, "by_teeth", True)
@@ -326,23 +342,6 @@ class Spur:
             wrong = N_("the wheels of an internal pair turn in the same sense: its ratio has no minus")
             right = Message(N_("either ratio: %(ratio)s or mesh: external"), {"ratio": f"{-self.ratio:g}"})
             raise WrongValue(Message(wrong), right)
-
-    def _find_rest(self, one: int, two: int) -> None:
-        """The teeth of the other wheel by the ratio; without one they wait for the drive, which divides its own."""
-        if not one + two:
-            right = Message(N_("one of both, for example [20, rest]"))
-            raise WrongValue(Message(N_("the teeth of both wheels are sought by one ratio")), right)
-        if math.isnan(self.ratio):
-            return
-        exact = one * abs(self.ratio) if one else two / abs(self.ratio)
-        found = math.floor(exact + 0.5)
-        if not LEAST <= found <= MOST:
-            wrong = N_(
-                "the ratio gives the other wheel %(teeth)s teeth: from %(least)s to %(most)s are possible"
-            )
-            values = {"teeth": found, "least": LEAST, "most": MOST}
-            raise WrongValue(Message(wrong, values), Message(N_("another ratio, or other teeth")))
-        object.__setattr__(self, "teeth", (one or found, two or found))
 
     def _of_teeth(self) -> float:
         """The ratio; where no word says the pair, it is that which the centre distance is nearer to, else external."""

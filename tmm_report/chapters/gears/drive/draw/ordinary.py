@@ -19,7 +19,7 @@ def ordinary(sketch: Sketch, stage: Found) -> float:
     x = sketch.x + (DISC if entry.kind == "ring" else RIM) + SIDE
     end = x
     match stage.kind:
-        case "train":
+        case "train" | "pair":
             end = _train(sketch, stage, x)
         case "friction":
             for one in (entry, out):

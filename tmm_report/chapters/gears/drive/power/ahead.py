@@ -11,6 +11,7 @@ from tmm_report.chapters.gears.drive.power.given import Given as PowerGiven
 from tmm_report.chapters.gears.drive.power.plan import Known, Need, Plan, make
 from tmm_report.chapters.gears.drive.stages import Given as StageGiven
 from tmm_report.chapters.gears.drive.stages import Stage, solve_known
+from tmm_report.chapters.gears.ordinary.given import PairStage
 from tmm_report.chapters.gears.spur.given import Spur
 from tmm_report.problems import N_, Message, ProblemError, mistake
 
@@ -46,12 +47,12 @@ def _known(given: StageGiven, found: Stage | None) -> Known:
         return Known(
             getattr(given, "kind", "planetary"), found.efficiency, abs(found.wanted), abs(found.ratio)
         )
-    assert isinstance(given, Spur) and given.teeth is not None  # no other is open
-    return Known("spur", given.efficiency, teeth=given.teeth)
+    assert isinstance(given, Spur | PairStage) and given.teeth is not None  # no other is open
+    return Known("spur", given.efficiency if isinstance(given, Spur) else given.eta, teeth=given.teeth)
 
 
 def _with(given: StageGiven, ratio: float, teeth: tuple[int, int]) -> StageGiven:
-    assert isinstance(given, Spur)
+    assert isinstance(given, Spur | PairStage)
     return replace(given, ratio=given.sense * ratio, teeth=teeth)
 
 

@@ -74,9 +74,9 @@ class Found:
         return self.load is not None and self.load > (1 + self.given.overload) * (1 + 1e-9)
 
     def handed_on(self) -> Array:
-        """Torque that each shaft gives to the next, behind its own bearings, N·m, (S,); exact."""
+        """Torque that each shaft gives to the next, behind its own bearings, N·m, (S,), by the factor of the table."""
         powers = power_chain.shaft_powers(self.base, self.links, self.bearings)
-        return power_chain.torque(powers, self.omega)
+        return power_chain.torque(powers, self.omega, self.given.shafts.torque == 9550)
 
     def driving(self) -> list[float]:
         """Torque on the driving wheel of every stage, N·m."""

@@ -7,7 +7,7 @@ from tmm_report.chapters.gears.ordinary.draw.wheels import friction, train
 from tmm_report.chapters.gears.ordinary.solve import Found
 from tmm_report.figures.drawing import Drawing
 
-SKETCHES = {"belt": belt, "chain": chain, "friction": friction, "train": train}
+SKETCHES = {"belt": belt, "chain": chain, "friction": friction, "train": train, "pair": train}
 
 
 def sketch(found: Found, title: str) -> Drawing:

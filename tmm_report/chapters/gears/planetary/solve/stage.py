@@ -103,6 +103,10 @@ class Found:
         return self.satellites
 
     @property
+    def sized(self) -> bool:
+        return True
+
+    @property
     def sound(self) -> bool:
         """Its conditions are met: the search takes no other teeth, and stated ones that break one are refused."""
         return True

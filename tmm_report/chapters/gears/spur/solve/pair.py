@@ -103,6 +103,10 @@ class Found:
     def shares(self) -> int:
         return 1
 
+    @property
+    def sized(self) -> bool:
+        return True
+
     @cached_property
     def starts(self) -> tuple[float, float]:
         """Radii of curvature where the involutes really begin, m."""
