@@ -19,6 +19,7 @@ QUALITIES = ("tests/mechanics/gears/test_quality.py",)
 SHIFTED = ("tests/chapters/gears/spur/test_gear_quality.py",)
 GAUGES = MECHANICS + "gears/inspection.py"
 STATED = ("tests/chapters/gears/spur/test_spur_as_stated.py",)
+COAXIAL = ("tests/chapters/gears/spur/test_coaxial_pairs.py",)
 TWICE = ("tests/chapters/gears/test_spur_twice.py",)
 
 FAULTS = (
@@ -490,4 +491,6 @@ FAULTS = (
           "self._plain(self.tips[::-1])", tests=STATED),
     Fault("tips of a ring refused from inside", SPUR + "solve/mistakes.py", "2 * float(pair.a_w) + mate), root",
           "2 * float(pair.a_w) - mate), root", tests=STATED),
+    Fault("a pair that leads back drawn on", "tmm_report/chapters/gears/drive/places.py", "side = -sides[-1]",
+          "side = sides[-1]", tests=COAXIAL),
 )  # fmt: skip

@@ -30,6 +30,9 @@ TABLES = (
     "drive_sought",
     "drive_shafts",
     "stage1_quality",
+    "stage1_wheels",
+    "stage1_inspection",
+    "stage1_limits",
     "cam_motion_table",
     "cam_profile",
 )

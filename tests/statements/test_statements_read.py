@@ -17,7 +17,8 @@ from tmm_report.report.formats import Tex
 
 PROBLEMS = (
     "clutch_for_pressure", "conical_pivot_for_pressure", "fan_on_deflected_isolators", "geared_start",
-    "linkage_of_three_pairs", "rim_for_stress", "shifts_by_quality",
+    "linkage_of_three_pairs", "rim_for_stress", "shifts_by_quality", "helical_pair_by_distance",
+    "ring_measured_between_pins", "reverted_reducer",
 )  # fmt: skip
 
 

@@ -213,6 +213,7 @@ NEEDS: Mapping[str, Sequence[tuple[str, Keys]]] = {
 RARE: Mapping[str, float] = {
     "PlanetaryModel.teeth": 0.3,
     "Spur.tip_diameters": 0.3,
+    "Spur.coaxial": 0.1,
     "DriverModel.range": 0.3,
     "DriverModel.gear": 0.3,
     "DriverModel.turns": 0.4,

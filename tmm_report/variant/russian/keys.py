@@ -62,6 +62,7 @@ circle: окружность
 clear: просвет
 clearance: радиальный зазор
 coast: выбег
+coaxial: соосная, соосно
 coaxiality: соосность
 coefficient: коэффициент
 collar: буртик

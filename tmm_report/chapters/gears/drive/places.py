@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from tmm_report.chapters.gears.drive.stages import Stage, member
+from tmm_report.chapters.gears.spur.solve import pair as spur
 from tmm_report.mechanics.gears.trains import FRAME, Member, Mesh
 
 LETTERS = "ABCDEFGKLMNQRSTUVWXYZ"  # names of points; H is a carrier, O an axis, P the pole
@@ -30,12 +31,16 @@ class Spot(NamedTuple):
 def placed(stages: Sequence[Stage]) -> tuple[tuple[int, ...], dict[str, float]]:
     """The side of each stage and the y of every member's axis, m.
 
-    A planetary stage stands above the input shaft, else below its own axis; the driven shaft of a pair below.
+    A planetary stage stands above the input shaft, else below its own axis; the driven shaft of a pair below, of one
+    that leads back to the axis of the pair before above.
     """
-    main, sides, axes = 0.0, [], {}
+    main, axes = 0.0, {}
+    sides: list[int] = []
     for stage in stages:
         planetary = any(one.kind == "carrier" for one in stage.members)
         side = 1 if planetary and main == 0 and 1 not in sides else -1
+        if isinstance(stage, spur.Found) and stage.given.coaxial:
+            side = -sides[-1]
         sides.append(side)
         start = member(stage, stage.input).distance
         for one in stage.members:

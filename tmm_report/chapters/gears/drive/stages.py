@@ -17,7 +17,9 @@ from tmm_report.chapters.gears.ordinary.given import Ordinary, PairStage
 from tmm_report.chapters.gears.planetary.solve import stage as planetary
 from tmm_report.chapters.gears.spur.solve import pair as spur
 from tmm_report.mechanics.gears.trains import Member, Mesh
-from tmm_report.problems import Message, Problem, ProblemError
+from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
+
+ROUNDED = 5e-7  # m: what a centre distance written in mm may differ by
 
 Given = spur.Given | planetary.Given | ordinary.Given
 Stage = spur.Found | planetary.Found | ordinary.Found
@@ -88,7 +90,7 @@ def solve_known(given: tuple[Given, ...]) -> list[Stage | None]:
     found: list[Stage | None] = []
     for k, one in enumerate(given):
         try:
-            found.append(None if is_open(one) else _solved(one))
+            found.append(None if is_open(one) else _solved(_on_axis(one, found[-1] if found else None)))
         except ProblemError as error:
             raise ProblemError([_placed(problem, k) for problem in error.problems]) from None
     return found
@@ -108,12 +110,33 @@ def _all(given: tuple[Given, ...]) -> tuple[Stage, ...]:
     problems: list[Problem] = []
     for k, stage in enumerate(given):
         try:
-            found.append(_solved(stage))
+            found.append(_solved(_on_axis(stage, found[-1] if len(found) == k and found else None)))
         except ProblemError as error:
             problems += [_placed(problem, k) for problem in error.problems]
     if problems:
         raise ProblemError(problems)
     return tuple(found)
+
+
+def _on_axis(given: Given, before: Stage | None) -> Given:
+    """A pair that leads back to the axis of the pair before it has the centre distance of that one. Raises ProblemError
+    where there is none such, or another distance is stated."""
+    if not isinstance(given, spur.Given) or not given.coaxial:
+        return given
+    if not isinstance(before, spur.Found):
+        right = Message(
+            N_("the stage before must be of kind: spur and without mistakes; else leave out coaxial")
+        )
+        raise ProblemError(
+            [mistake(N_("no pair stands before this one to be coaxial with"), ("coaxial",), right)]
+        )
+    a_w, stated = float(before.pair.a_w), given.centre_distance
+    if stated is not None and abs(stated - a_w) > ROUNDED:
+        wrong = N_("the centre distance of %(stated)s mm is not that of the pair before, %(before)s mm")
+        told = {"stated": f"{1e3 * stated:.6g}", "before": f"{1e3 * a_w:.6g}"}
+        right = Message(N_("leave out centre_distance: it is that of the pair before"))
+        raise ProblemError([mistake(wrong, ("centre_distance",), right, **told)])
+    return replace(given, centre_distance=a_w)
 
 
 def _solved(given: Given) -> Stage:

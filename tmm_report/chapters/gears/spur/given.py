@@ -271,6 +271,13 @@ class Spur:
             examples=["[14, 28]", "[20, rest]"],
         ),
     ] = None
+    coaxial: Annotated[
+        Flag,
+        Field(
+            description="true: the driven shaft lies on the axis of the driving one of the pair before, whose centre "
+            "distance this pair has"
+        ),
+    ] = False
     helix: Helix = 0.0
     width: Annotated[Span | None, Field(description="face width, for the overlap of helical teeth")] = None
     rack: Rack = field(default_factory=Rack)
