@@ -9,7 +9,7 @@ PLANS = "tmm_report/chapters/lever/plans/"
 CAM = "tmm_report/chapters/cams/cam/"
 SHAPES, LEAST, LAW_WRITTEN = (
     MECHANICS + "cams/shapes.py",
-    MECHANICS + "cams/least_size.py",
+    MECHANICS + "cams/sizes/least_size.py",
     CAM + "formulas.py",
 )
 CAMS = ("tests/mechanics/cams", "tests/chapters/lever/cams")
@@ -261,7 +261,8 @@ FAULTS = (
           "cam_press", CAMS),
     Fault("the formula of a lever's least angle", CAM + "sizing.py", "else arccos(c) - limit - S",
           "else arccos(c) + limit - S", "cam_press", CAMS),
-    Fault("least curvature without the acceleration", LEAST, "bend: curvature - S - bend",
+    Fault("least curvature without the acceleration", MECHANICS + "cams/sizes/least_face.py",
+          "bend: curvature - S - bend",
           "bend: curvature - S", "cam_press", CAMS),
     Fault("reach of the contact along a face", CAM + "quantities/sizes.py", "for end in found.ends[1])",
           "for end in found.ends[2])", "cam_press", CAMS),

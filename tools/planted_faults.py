@@ -35,11 +35,13 @@ import faults_motion  # noqa: E402
 import faults_note  # noqa: E402
 import faults_words  # noqa: E402
 from faults import Fault  # noqa: E402
+from plants import cams as faults_cams  # noqa: E402
 
 FAULTS = (
     *faults.FAULTS,
     *faults_motion.FAULTS,
     *faults_balance.FAULTS,
+    *faults_cams.FAULTS,
     *faults_note.FAULTS,
     *faults_edges.FAULTS,
     *faults_cures.FAULTS,

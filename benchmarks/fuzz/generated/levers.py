@@ -223,7 +223,9 @@ def cam_alone(random: Random) -> Data:
         if "base" in one and one["base"] != "smallest" and random.random() < 0.3:
             one["pitch_base"] = one.pop("base")
     if swings:
-        one["centre_distance"], one["side"] = mm(random.uniform(130, 150)), random.choice(("against", "with"))
+        free = one.get("base") == "smallest" and end != "flat" and random.random() < 0.5
+        one["centre_distance"] = "free" if free else mm(random.uniform(130, 150))
+        one["side"] = random.choice(("against", "with"))
         if end != "flat" or random.random() < 0.1:
             one["arm"] = mm(random.uniform(115, 135))
         elif random.random() < 0.3:
@@ -264,7 +266,12 @@ def _law(one: Data, swings: bool, base: float, random: Random) -> None:
     turned = [30 * k for k in range(13)]
     if kind == "profile":
         away = base / 4
+        tip = {"base": mm(base), "nose": mm(base / 3), "lift": mm(base / 3)}
         shapes: tuple[Data, ...] = (
+            {"tangent": tip},
+            {"tangent": {"base": mm(base), "nose": mm(base / 3), "half_angle": "50 deg"}},
+            {"arcs": tip | {"flank": mm(4 * base)}},
+            {"arcs": tip | {"half_angle": "70 deg"}},
             {"circle": {"radius": mm(base), "at": [mm(away), 0]}},
             {"polar": [[f"{t} deg", mm(base + away * math.sin(math.radians(t)) ** 2)] for t in turned[:-1]]},
             {

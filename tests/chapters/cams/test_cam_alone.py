@@ -209,6 +209,26 @@ BAD = [
     (f"roller: 5 mm, {SIZES}, phases: [{{rise: 200 deg, law: sine}}, {{return: 100 deg, law: sine}}]",
      "cam.phases", "make 300"),
     (f"roller: 5 mm, base: 40 mm, {LAW % 'sine'}", "cam", "lift is missing"),
+    ("roller: 5 mm, profile: {tangent: {base: 30 mm, nose: 40 mm, lift: 8 mm}}", "cam.profile", "above zero"),
+    ("roller: 5 mm, profile: {tangent: {base: 30 mm, nose: 9 mm}}", "cam.profile.tangent", "2 of these sizes"),
+    ("roller: 5 mm, profile: {arcs: {base: 30 mm, nose: 9 mm, lift: 8 mm}}", "cam.profile.arcs", "3 of these sizes"),
+    ("roller: 5 mm, profile: {arcs: {base: 30 mm, nose: 9 mm, lift: 8 mm, distance: 29 mm}}",
+     "cam.profile.arcs", "make the third"),
+    ("roller: 5 mm, profile: {arcs: {base: 30 mm, nose: 9 mm, lift: 8 mm, flank: 25 mm}}",
+     "cam.profile", "less curved"),
+    ("roller: 5 mm, profile: {arcs: {base: 30 mm, nose: 9 mm, lift: 8 mm, half_angle: 20 deg}}",
+     "cam.profile", "hollow"),
+    ("roller: 5 mm, profile: {tangent: {base: 30 mm, nose: 9 mm, half_angle: 100 deg}}", "cam.profile", "do not meet"),
+    ("follower: flat, profile: {tangent: {base: 30 mm, nose: 9 mm, lift: 8 mm}}", "cam.profile", "jumps"),
+    ("roller: 5 mm, arm: 20 mm, centre_distance: 90 mm, side: with, profile: {tangent: {base: 30 mm, nose: 9 mm, "
+     "lift: 8 mm}}", "cam.profile", "does not reach"),
+    ("roller: 5 mm, lift: 8 mm, profile: {tangent: {base: 30 mm, nose: 9 mm, lift: 8 mm}}", "cam.lift", "follows"),
+    (f"roller: 5 mm, base: 40 mm, swing: 20 deg, arm: 90 mm, centre_distance: free, side: with, {LAW % 'sine'}",
+     "cam.centre_distance", "smallest cam"),
+    (f"roller: 5 mm, base: smallest, swing: 20 deg, arm: 90 mm, centre_distance: 80 mm, side: against, {LAW % 'sine'}",
+     "cam.base", "no cam keeps"),
+    (f"roller: 5 mm, base: smallest, swing: 150 deg, arm: 90 mm, centre_distance: free, side: with, "
+     f"return_angle_limit: 30 deg, {LAW % 'sine'}", "cam.base", "no place of the cam's axis"),
 ]  # fmt: skip
 
 

@@ -7,8 +7,9 @@ import pytest
 from exhaustive import many
 
 from tmm_report.mechanics.cams.follower_laws import FULL_TURN, Phase, Phases
-from tmm_report.mechanics.cams.least_size import Lever, Zone, under_face
 from tmm_report.mechanics.cams.shapes import NAMED, Parabolic, named
+from tmm_report.mechanics.cams.sizes.least_face import under_face
+from tmm_report.mechanics.cams.sizes.least_size import Lever, Zone
 
 SMOOTH = [name for name in NAMED if name != "uniform"]
 COARSE, FINE = (np.linspace(0.0, FULL_TURN, count) for count in (6001, 100001))
@@ -80,7 +81,7 @@ def test_a_course_with_unequal_accelerations():
     assert zone.at(0.012).radius == pytest.approx(0.0538142374724, rel=1e-9)
 
 
-def lever(seed):
+def lever(seed, swing=(8, 30), alike=None):
     random = np.random.default_rng(5000 + seed)
     angles = np.radians([random.uniform(60, 140), random.uniform(0.5, 60), random.uniform(60, 120)])
     law = Phases(
@@ -88,11 +89,12 @@ def lever(seed):
             Phase("rise", angles[0], named(random.choice(SMOOTH))), Phase("dwell", angles[1]),
             Phase("return", angles[2], named(random.choice(SMOOTH))), Phase("dwell", FULL_TURN - angles.sum()),
         ),
-        math.radians(random.uniform(8, 30)),
+        math.radians(random.uniform(*swing)),
     )  # fmt: skip
     apart = random.uniform(0.1, 0.25)
     back = None if random.random() < 0.3 else math.radians(random.uniform(30, 65))
-    arm, alike = apart * random.uniform(0.6, 1.15), bool(random.random() < 0.5)
+    arm, drawn_alike = apart * random.uniform(0.6, 1.15), bool(random.random() < 0.5)
+    alike = drawn_alike if alike is None else alike
     return Lever(law, arm, apart, alike, math.radians(random.uniform(30, 55)), back)
 
 
@@ -113,7 +115,15 @@ def leans(lever, lowest, over=FINE):
 
 @pytest.mark.parametrize("seed", many(range(300), 12))
 def test_the_least_lever_cam_is_permitted_and_none_is_smaller(seed):
-    one = lever(seed)
+    the_least_is_permitted_and_none_is_smaller(lever(seed))
+
+
+@pytest.mark.parametrize("seed", many(range(100), 20))
+def test_the_least_cam_of_a_lever_that_swings_faster_than_its_cam_turns(seed):
+    the_least_is_permitted_and_none_is_smaller(lever(seed, (50, 90), True))
+
+
+def the_least_is_permitted_and_none_is_smaller(one):
     tried = np.linspace(1e-3, math.pi - 1e-3, 601)
     permitted = leans(one, tried, COARSE)
     if one.lowest is None:

@@ -22,7 +22,7 @@ import numpy as np
 
 from tmm_report.mechanics.calculus.vectors import cross, dot
 from tmm_report.mechanics.cams.follower_laws import FULL_TURN, Law
-from tmm_report.mechanics.cams.least_size import Size
+from tmm_report.mechanics.cams.sizes.least_size import Size
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:

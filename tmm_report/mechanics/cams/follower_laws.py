@@ -1,4 +1,5 @@
-"""Laws of a follower's motion over a turn of its cam: phases of rise, dwell and return, or a table of lifts.
+"""Laws of a follower's motion over a turn of its cam: phases of rise, dwell and return, a table of lifts, or a cam of
+arcs.
 
 A phase of the angle β lifts by h·f(τ), τ = θ/β, so that S' = h f'/β and S'' = h f''/β²; a return lowers by the same.
 The shapes f stand in `shapes.py`.
@@ -13,13 +14,14 @@ from typing import Any, Literal
 
 import numpy as np
 
+from tmm_report.mechanics.cams.arcs import EDGE as EDGE
+from tmm_report.mechanics.cams.arcs import FULL_TURN as FULL_TURN
+from tmm_report.mechanics.cams.arcs import ArcLaw
 from tmm_report.mechanics.cams.shapes import Shape, Three
 from tmm_report.records import dataclass
 
 Array = Any
 Kind = Literal["rise", "dwell", "return"]
-FULL_TURN = 2 * np.pi
-EDGE = 1e-9  # rad: an angle as near as this before the end of a phase belongs to the next
 BEFORE = 7 * EDGE  # rad: surely before a break
 
 
@@ -87,6 +89,18 @@ class Phases:
         """The law as phase `k` has it, its ends as they are within it."""
         return WithinPhase(self.phases, self.lift, k)
 
+    def third(self, theta: Array) -> Array:
+        """d³S/dθ³, within the pieces."""
+        theta = np.mod(np.asarray(theta, dtype=float) + EDGE, FULL_TURN) - EDGE
+        number = np.clip(np.searchsorted(self.edges - EDGE, theta, side="right") - 1, 0, len(self.phases) - 1)
+        found = np.zeros(theta.shape)
+        for k, phase in enumerate(self.phases):
+            if phase.law is not None:
+                t = np.clip((theta - self.edges[k]) / phase.angle, 0.0, 1.0)
+                way = 1 if phase.kind == "rise" else -1
+                np.copyto(found, way * self.lift / phase.angle**3 * phase.law.third(t), where=number == k)
+        return found
+
     def level(self, k: int) -> float:
         """The displacement at which phase `k` begins: that of the low or of the high position."""
         last = next((p.kind for p in reversed(self.phases[:k]) if p.kind != "dwell"), "return")
@@ -140,6 +154,12 @@ class Spline:
         slope = (y1 - y0) / h + ((3 * b * b - 1) * high - (3 * a * a - 1) * low) * h / 6
         return value, slope, a * low + b * high
 
+    def third(self, at: Array) -> Array:
+        """The third derivative, one between two knots."""
+        at = self.x[0] + np.mod(np.asarray(at, dtype=float) - self.x[0], self.x[-1] - self.x[0])
+        k = np.clip(np.searchsorted(self.x, at, side="right") - 1, 0, len(self.x) - 2)
+        return (self._bends[k + 1] - self._bends[k]) / (self.x[k + 1] - self.x[k])
+
 
 @dataclass(frozen=True, eq=False)
 class Tabled:
@@ -152,6 +172,10 @@ class Tabled:
     def spline(self) -> Spline:
         x = np.array([*self.angles, self.angles[0] + FULL_TURN])
         return Spline(x, np.array([*self.lifts, self.lifts[0]]))
+
+    def third(self, theta: Array) -> Array:
+        """d³S/dθ³, one between two angles of the table."""
+        return self.spline.third(theta)
 
     @property
     def breaks(self) -> tuple[float, ...]:
@@ -167,4 +191,4 @@ class Tabled:
         return self.spline.of(theta)
 
 
-Law = Phases | Tabled
+Law = Phases | Tabled | ArcLaw

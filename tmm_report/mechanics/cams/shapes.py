@@ -49,6 +49,9 @@ class Shape(Protocol):
     def of(self, t: Array) -> Three:
         """f, f', f'' at shares (...); at a break those of what follows it."""
 
+    def third(self, t: Array) -> Array:
+        """The third derivative there, within the pieces: where f'' jumps it has no bound."""
+
 
 # ---------------------------------------------------------------- by one formula
 
@@ -97,6 +100,16 @@ FORMULAS: dict[str, Callable[[Array], Three]] = {
 }
 
 
+THIRD: dict[str, Callable[[Array], Array]] = {
+    "uniform": np.zeros_like,
+    "decreasing": lambda t: np.full_like(t, -12.0),
+    "cosine": lambda t: -(pi**3) / 2 * np.sin(pi * t),
+    "sine": lambda t: 4 * pi**2 * np.cos(2 * pi * t),
+    "polynomial": lambda t: 60 * (1 - 6 * t + 6 * t * t),
+    "polynomial_4567": lambda t: 840 * t * (1 - t) * (1 - 5 * t + 5 * t * t),
+}
+
+
 @dataclass(frozen=True)
 class Whole:
     """One formula of `FORMULAS` over the whole phase."""
@@ -109,6 +122,9 @@ class Whole:
 
     def of(self, t: Array) -> Three:
         return FORMULAS[self.name](np.asarray(t, dtype=float))
+
+    def third(self, t: Array) -> Array:
+        return THIRD[self.name](np.asarray(t, dtype=float))
 
 
 @dataclass(frozen=True)
@@ -139,6 +155,9 @@ class Parabolic:
             np.where(first, 2 * up * t, 2 * down * left),
             np.where(first, 2 * up, -2 * down),
         )
+
+    def third(self, t: Array) -> Array:
+        return np.zeros(np.shape(t))
 
 
 # ---------------------------------------------------------------- by a graph of acceleration
@@ -222,6 +241,14 @@ class Graph:
                 np.copyto(whole, part, where=number == k)
         return found  # type: ignore[return-value]
 
+    def third(self, t: Array) -> Array:
+        t = np.asarray(t, dtype=float)
+        number = np.searchsorted(np.array(self.breaks) - EDGE, t, side="right")
+        found = np.zeros(t.shape)
+        for k, one in enumerate(self.laid):
+            np.copyto(found, _rate(one, t - one.at), where=number == k)
+        return found
+
 
 def within(one: Laid, x: Array) -> Three:
     """f, f', f'' of a piece, x of the phase after its beginning."""
@@ -244,6 +271,14 @@ def within(one: Laid, x: Array) -> Three:
         slope + one.end * x + size / k * s,
         one.end + size * c,
     )
+
+
+def _rate(one: Laid, x: Array) -> Array:
+    """The derivative of the acceleration of a piece."""
+    if one.form == "line":
+        return np.full(np.shape(x), (one.end - one.start) / one.width)
+    k, size = quarter(one)
+    return size * k * np.cos(k * x) if rising(one) else -size * k * np.sin(k * x)
 
 
 def rising(one: Piece | Laid) -> bool:

@@ -154,7 +154,7 @@ WRONG_SIZES = {
         LEVER,
         "pressure_angle_limit: 40 deg",
         "pressure_angle_limit: 8 deg",
-        "no cam keeps",
+        "no place of the cam",
     ),
 }
 

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from tmm_report.chapters.cams.cam import quantities as q
 from tmm_report.chapters.cams.cam.solve.found import CamFound
-from tmm_report.mechanics.cams.least_size import Bound, Face, Lever, Place, Zone
+from tmm_report.mechanics.cams.sizes.least_face import Face
+from tmm_report.mechanics.cams.sizes.least_size import Bound, Lever, Place, Zone
 from tmm_report.quantity.formula import Expr, Formula, arccos, cos, expr, sqrt, tan
 from tmm_report.quantity.model import Book, Table, Value
 
@@ -71,7 +72,16 @@ class LeverSizing(Sizing):
         c = arm * (1 - slope if lever.alike else 1 + slope) * cos(limit) / d
         start = self._value("cam_start_least")
         yield start.formula(limit - arccos(c) - S if lowest.beyond else arccos(c) - limit - S)
-        yield self._value("cam_r0_least").formula(sqrt(d**2 + arm**2 - 2 * d * arm * cos(start.var())))
+        yield self._value("cam_r0_least").formula(self._radius(d, start.var()))
+
+    def best(self) -> Iterator[Formula]:
+        """The radius at the best distance of the pivots."""
+        d, start = self._value("cam_apart_best").var(), self._value("cam_start_least_best").var()
+        yield self._value("cam_r0_least_best").formula(self._radius(d, start))
+
+    def _radius(self, d: Expr, start: Expr) -> Expr:
+        arm = self._value("cam_arm").var()
+        return sqrt(d**2 + arm**2 - 2 * d * arm * cos(start))
 
 
 class FaceSizing(Sizing):

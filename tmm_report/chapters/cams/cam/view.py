@@ -9,16 +9,16 @@ from typing import Any
 import numpy as np
 from markupsafe import Markup
 
-from tmm_report.chapters.cams.cam import formulas
+from tmm_report.chapters.cams.cam import arcs_written, formulas
 from tmm_report.chapters.cams.cam import quantities as q
-from tmm_report.chapters.cams.cam.draw import profile, zone
+from tmm_report.chapters.cams.cam.draw import centres, profile, zone
 from tmm_report.chapters.cams.cam.formulas import Written
 from tmm_report.chapters.cams.cam.sizing import Sizing, sizing
 from tmm_report.chapters.cams.cam.solve.alone import Found
 from tmm_report.chapters.cams.cam.solve.found import CamFound, Cams, Divided, Sampled
 from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.drawing import Drawing
-from tmm_report.mechanics.cams.least_size import Zone
+from tmm_report.mechanics.cams.sizes.least_size import Lever, Zone
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula, Var
 from tmm_report.quantity.model import Book, Value
@@ -28,6 +28,7 @@ from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Column, Table, numeric, worded
 from tmm_report.report.part import Failed, Part
 
+PIECED = ("cam_nose", "cam_flank", "cam_distance", "cam_half_angle", "cam_flank_angle")
 SIZES = ("cam_base", "cam_roller", "cam_lift", "cam_offset", "cam_arm", "cam_apart")
 
 
@@ -113,6 +114,36 @@ class CamView(BookView):
         pitch = formulas.pitch_base(self.found, self.book) if self.sizing is None else None
         return [one for one in (pitch, formulas.start(self.found, self.book)) if one is not None]
 
+    # ------------------------------------------------------------ base circle, flanks and nose
+
+    @cached_property
+    def pieced(self) -> arcs_written.Written | None:
+        """Its formulas; None where the textbook's do not hold."""
+        law = self.found.pieced
+        return (
+            arcs_written.Written(self.found, law, self.book)
+            if law and arcs_written.central(self.found)
+            else None
+        )
+
+    def pieced_sizes(self) -> Markup:
+        return self.listed(PIECED)
+
+    def pieced_explained(self) -> list[dict[str, Any]]:
+        values = [self.value(key) for key in PIECED if self.knows(key)]
+        return [self.page.explained(one.key, one, one.quantity.printed) for one in values]
+
+    def changes(self, caption: Any) -> Table:
+        """The follower on both sides of the changes."""
+        table, page = self.table(q.named(self.found, "cam_changes")), self.page
+        own = [column.quantity for column in table.columns[1:]]
+        rows = [
+            [page.word(self.t(word), table, "place", k), *(page.cell(table, one.key, k) for one in own)]
+            for k, word in enumerate(table["place"].values)
+        ]
+        heads = [page.head(table[one.key].symbol(), table[one.key].unit) for one in own]
+        return worded(caption, [self.t("Where"), *heads], rows, (4, *(2 for _ in own)))
+
     # ------------------------------------------------------------ the least cam
 
     @cached_property
@@ -134,9 +165,24 @@ class CamView(BookView):
     def zone(self) -> Drawing:
         return zone.drawing(self.found, self._zone, self._zone_mu)
 
-    def asked(self, caption: Any) -> Table:
+    @property
+    def _lever(self) -> Lever:
+        assert isinstance(self.cam.sized, Lever)
+        return self.cam.sized
+
+    @cached_property
+    def _centres_mu(self) -> float:
+        return centres.scale(self.found, self._lever)
+
+    def centres_scale(self) -> Var:
+        return scale_of("mu_l", self._centres_mu, "m/mm")
+
+    def centres(self) -> Drawing:
+        return centres.drawing(self.found, self._lever, self._centres_mu)
+
+    def asked(self, caption: Any, name: str = "cam_least") -> Table:
         """What rise and return ask."""
-        table, page = self.table(q.named(self.found, "cam_least")), self.page
+        table, page = self.table(q.named(self.found, name)), self.page
         own = [column.quantity for column in table.columns[1:]]
         units = {one.key: "mm" if one.unit == "m" else one.shown for one in own}
         rows = [

@@ -33,6 +33,17 @@ BASE = N_("Stated; or the smallest that the law asks for, rounded up to the stat
 REACH = N_(
     "The contact is as far along a flat face as the first derivative of the displacement: its greatest size."
 )
+SIZED = N_("Stated, or of what is stated: the circles of base and nose and the flanks touch one another.")
+MEETS = N_(
+    "On each piece of the profile the follower stands where a circle, or a line, turned by the cam holds it; the "
+    "condition of contact differentiated twice."
+)
+CHANGES = N_("By the piece of the profile that ends or begins there, flank, nose or base circle.")
+ZONE = N_(
+    "In the zone where the axis of the cam may stand, bounded by two straight lines for each position of the "
+    "follower: its place nearest to the lowest centre of the roller, or to the pivot."
+)
+HOLDS = N_("The two positions of the follower whose lines hold the axis there, sought over the law.")
 JUMP = N_("Where two phases meet: the difference of the derivatives on both sides.")
 APART = N_("By the places of both pivots that the variant states.")
 LIFT = N_("The greatest displacement of the law less the least.")
@@ -51,6 +62,22 @@ def _ways(own: str, same: str) -> tuple[Way, ...]:
         Way("cam_pieces@.*", GRAPH, of="number form"),
         Way("cam_least@.phase", NAME),
         Way("cam_least@.*", ASKED, of="phase"),
+        Way("cam_changes@.place", NAME),
+        Way("cam_changes@.*", CHANGES, of="place"),
+        Way("cam_nose@ cam_flank@ cam_distance@ cam_half_angle@", SIZED, of="cam_base@"),
+        Way(
+            "cam_flank_angle@ cam_nose_angle@ cam_S_change@ cam_S1_change@ cam_S2_start@ cam_S2_flank@",
+            MEETS,
+            of="cam_base@ cam_nose@ cam_half_angle@",
+        ),
+        Way("cam_S2_nose@ cam_S2_apex@", MEETS, of="cam_base@ cam_nose@ cam_half_angle@"),
+        Way("cam_zone@.phase", NAME),
+        Way("cam_zone@.*", HOLDS, of="phase"),
+        Way(
+            "cam_apart_best@ cam_start_least_best@ cam_apart_least@",
+            ZONE,
+            of="cam_arm@ cam_alpha_limit@ cam_alpha_back@",
+        ),
         Way("cam_shocks@.*", JUMP, of="phi shock"),
         Way("cam_motion@_table.*", LAW, of="phi cam_S@ cam_lift@"),
         Way("cam_divisions@_*.part", COUNTED),

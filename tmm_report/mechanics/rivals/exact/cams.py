@@ -10,13 +10,14 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.mechanics.cams.arcs import ArcLaw
 from tmm_report.mechanics.cams.cam import FLATTEST, ByLaw, Cam, Sliding
 from tmm_report.mechanics.cams.follower_laws import EDGE, FULL_TURN, Phases
 from tmm_report.mechanics.cams.shapes import EDGE as SHARE
 from tmm_report.mechanics.cams.shapes import Graph, Parabolic, Shape
 from tmm_report.mechanics.lever.cams.replacing_dyad import CamDyad
 from tmm_report.mechanics.lever.motion import Linkage
-from tmm_report.mechanics.rivals.exact import cam_profiles
+from tmm_report.mechanics.rivals.exact import cam_arcs, cam_profiles
 from tmm_report.mechanics.rivals.exact.cam_profiles import spline_at
 from tmm_report.mechanics.rivals.exact.numbers import Number, Three, context, cross, dot, exact, point, unit
 from tmm_report.mechanics.rivals.exact.scheme import Body, Drives, Pose
@@ -115,11 +116,13 @@ def coordinate(cam: Cam, phi: Number) -> Three:
         return cam_profiles.coordinate(cam, phi)
     rough = given.theta(float(phi))
     theta = given.sense * (phi - exact(given.start))
-    s = (
-        _phases(given.law, theta, float(rough))
-        if isinstance(given.law, Phases)
-        else spline_at(given.law.spline, theta)
-    )
+    match given.law:
+        case Phases():
+            s = _phases(given.law, theta, float(rough))
+        case ArcLaw():
+            s = cam_arcs.displacement(given.law, theta, float(rough))
+        case _:
+            s = spline_at(given.law.spline, theta)
     sign = given.side * given.sense
     return Three(exact(given.low) + given.side * s.z, sign * s.d, given.side * s.dd)
 

@@ -29,6 +29,7 @@ def _free(length: Reads) -> Reads:
     )
 
 
+Distance = Annotated[float | Literal["free"], _free(_POSITIVE)]
 Offset = Annotated[float | Literal["free"], _free(_LENGTH)]
 
 
@@ -58,10 +59,9 @@ class CamAloneModel(CamStated):
     arm: Positive | None = Field(
         default=None, description="of a swinging follower: from its pivot to the roller's centre or the edge"
     )
-    centre_distance: Positive | None = Field(
+    centre_distance: Distance | None = Field(
         default=None,
-        description="of a swinging follower: from the cam's axis to its pivot",
-        examples=["120 mm"],
+        description="of a swinging follower: from the cam's axis to its pivot; free: that of the smallest cam",
     )
     face_offset: Length | None = Field(
         default=None,

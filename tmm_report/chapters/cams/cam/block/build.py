@@ -10,11 +10,12 @@ from collections.abc import Iterator
 
 from tmm_report.chapters.cams.cam.block.alone import FREE, CamAloneModel
 from tmm_report.chapters.cams.cam.block.laws import Wrong, by_profile, law
-from tmm_report.chapters.cams.cam.block.sizes import LIMITS, least, lowest, smallest
+from tmm_report.chapters.cams.cam.block.pieced import by_arcs
+from tmm_report.chapters.cams.cam.block.sizes import LIMITS, best_distance, least, lowest, smallest
 from tmm_report.chapters.cams.cam.block.touching import must_touch
 from tmm_report.chapters.cams.cam.given import Given
 from tmm_report.mechanics.cams.cam import ByLaw, Cam, Sliding, Swinging
-from tmm_report.mechanics.cams.least_size import Zone
+from tmm_report.mechanics.cams.sizes.least_size import Zone
 from tmm_report.mechanics.cams.stated_profile import ByProfile
 from tmm_report.problems import N_, Message, Problem, mistake
 
@@ -51,7 +52,9 @@ def built(stated: CamAloneModel) -> Given:
     if stated.base == "smallest":
         base, sized = smallest(stated, motion, roller, face, sense, limit)
     given: ByLaw | ByProfile
-    if stated.profile:
+    if stated.profile and stated.profile.pieced:
+        given, base = by_arcs(stated, motion, roller, face, sense, 0.0)
+    elif stated.profile:
         given = by_profile(stated, motion, roller, face)
     else:
         side = motion.side if isinstance(motion, Swinging) else 1
@@ -143,9 +146,12 @@ def _swinging(stated: CamAloneModel, sense: int) -> Swinging:
         right = N_("side: against or side: with the cam's rotation")
         raise Wrong("side", Message(text), Message(right))
     side = sense if stated.side == "with" else -sense
-    long = stated.arm or stated.centre_distance
+    apart = stated.centre_distance
+    if apart == FREE:
+        apart = best_distance(stated, stated.side == "with")
+    long = stated.arm or float(apart)
     arm = complex(long, -side * (stated.face_offset or 0.0)) if stated.faced else complex(long)
-    return Swinging(complex(-side * stated.centre_distance), arm, side)
+    return Swinging(complex(-side * float(apart)), arm, side)
 
 
 def _face(motion: Sliding | Swinging) -> complex:

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import Annotated, Literal, Self, get_args
+from typing import Annotated, ClassVar, Literal, Self, get_args
 
 from pydantic import Field, Tag, model_validator
 
@@ -55,6 +55,7 @@ DwellAngle = Annotated[
 ]
 Divisions = Annotated[int, whole(1, 48)]
 PressureLimit = Annotated[float, quantity("angle", 1e-6, math.pi / 2, "0 … 90 deg")]
+HalfAngle = Annotated[float, quantity("angle", 1e-6, math.pi, "0 … 180 deg")]
 LawName = Literal[
     "parabolic", "decreasing", "cosine", "sine", "trapezoid", "modified_trapezoid", "modified_sine", "polynomial",
     "polynomial_4567", "uniform",
@@ -202,6 +203,53 @@ class CircleModel(Model):
     )
 
 
+class TangentModel(Model):
+    """A tangent cam: straight flanks that touch the base circle and the nose."""
+
+    NEEDED: ClassVar[int] = 2
+    SIZES: ClassVar[tuple[str, ...]] = ("nose", "lift", "half_angle", "distance")
+
+    base: Positive = Field(description="radius of the base circle, the least of the cam", examples=["32 mm"])
+    nose: Positive | None = Field(default=None, description="radius of the nose", examples=["10 mm"])
+    lift: Positive | None = Field(default=None, description="from the base circle to the tip of the nose")
+    half_angle: HalfAngle | None = Field(
+        default=None,
+        description="half angle of action (of ascent), from the beginning of the lift to the tip",
+    )
+    distance: Positive | None = Field(default=None, description="of the nose's centre from the cam's axis")
+
+    @property
+    def sizes(self) -> dict[str, float]:
+        """Those that are stated beside the base circle."""
+        return {key: getattr(self, key) for key in self.SIZES if getattr(self, key) is not None}
+
+    @model_validator(mode="after")
+    def enough(self) -> Self:
+        wrong = Message(
+            N_(
+                "beside the base circle %(needed)s of these sizes make the cam, and %(stated)s are stated: %(sizes)s"
+            ),
+            {"needed": str(self.NEEDED), "stated": str(len(self.sizes)), "sizes": ", ".join(self.SIZES)},
+        )
+        if len(self.sizes) != self.NEEDED:
+            raise WrongValue(wrong, Message(N_("nose and lift, for example: nose: 10 mm, lift: 16 mm")))
+        if set(self.sizes) == {"nose", "lift", "distance"}:
+            text = N_("of the nose, the lift and the distance of its centre two make the third, and no flank")
+            raise WrongValue(
+                Message(text), Message(N_("the flank or the half angle in place of one of them"))
+            )
+        return self
+
+
+class ArcsModel(TangentModel):
+    """A cam of circular arcs: base circle, two flanks, the nose."""
+
+    NEEDED: ClassVar[int] = 3
+    SIZES: ClassVar[tuple[str, ...]] = (*TangentModel.SIZES, "flank")
+
+    flank: Positive | None = Field(default=None, description="radius of the flanks", examples=["120 mm"])
+
+
 class ProfileModel(Model):
     """The cam's own profile in its axes, from its pivot."""
 
@@ -211,12 +259,24 @@ class ProfileModel(Model):
         default=None, description="pairs of polar angle and radius, at least 8", max_length=1000
     )
 
+    tangent: TangentModel | None = Field(
+        default=None,
+        description="a symmetrical cam with straight flanks, which begins to lift where a law would",
+    )
+    arcs: ArcsModel | None = Field(default=None, description="the same with flanks that are arcs")
+
     @model_validator(mode="after")
     def one_way(self) -> "ProfileModel":
-        if sum(part is not None for part in (self.circle, self.points, self.polar)) != 1:
+        ways = (self.circle, self.points, self.polar, self.tangent, self.arcs)
+        if sum(part is not None for part in ways) != 1:
             wrong = Message(N_("a profile is stated in one way"))
-            raise WrongValue(wrong, Message(N_("circle, points or polar")))
+            raise WrongValue(wrong, Message(N_("circle, points, polar, tangent or arcs")))
         return self
+
+    @property
+    def pieced(self) -> TangentModel | None:
+        """Of base circle, flanks and nose."""
+        return self.tangent or self.arcs
 
 
 def _base(written: object) -> float | Literal["smallest"]:

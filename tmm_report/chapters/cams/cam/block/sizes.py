@@ -4,6 +4,7 @@ found raises Wrong with the key that is wrong."""
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -20,7 +21,9 @@ from tmm_report.mechanics.cams.cam import (
     lowest_swinging,
 )
 from tmm_report.mechanics.cams.follower_laws import FULL_TURN
-from tmm_report.mechanics.cams.least_size import Face, Lever, Size, Zone, under_face
+from tmm_report.mechanics.cams.sizes.centres import Centres, Condition, NoZone
+from tmm_report.mechanics.cams.sizes.least_face import Face, under_face
+from tmm_report.mechanics.cams.sizes.least_size import Lever, Size, Zone
 from tmm_report.mechanics.cams.stated_profile import ByProfile
 from tmm_report.problems import N_, Message
 
@@ -51,9 +54,7 @@ def smallest(
             model.return_angle_limit,
         )  # fmt: skip
         if sized.lowest is None:
-            text = N_("no cam keeps the pressure angles with these pivots and this lever")
-            right = N_("a longer phase, a smaller swing, another distance of the pivots, greater angles")
-            raise Wrong("base", Message(text), Message(right))
+            raise _no_place(sized)
         radius = sized.radius(sized.lowest.least)
     pitch = _rounded(model, radius)
     if pitch <= roller:
@@ -61,6 +62,50 @@ def smallest(
         told = {"roller": f"{roller:.4g}", "radius": f"{pitch:.4g}"}
         raise Wrong("base", Message(text, told), Message(N_("a smaller roller, or state it: base: 40 mm")))
     return pitch - roller, sized
+
+
+def best_distance(model: CamStated, alike: bool) -> float:
+    """Of the pivots of the smallest cam under a swinging roller or edge, m."""
+    arm = getattr(model, "arm", None)
+    if model.base != "smallest" or model.faced or arm is None:
+        text = N_("a free distance of the pivots is that of the smallest cam under a roller or an edge")
+        raise Wrong(
+            "centre_distance", Message(text), Message(N_("base: smallest, or centre_distance: 120 mm"))
+        )
+    limit = model.pressure_angle_limit or LIMITS[Swinging]
+    centres = Centres(law(model, True), arm, alike, limit, model.return_angle_limit)
+    try:
+        return abs(centres.best.p)
+    except NoZone as error:
+        raise _nowhere(error) from None
+
+
+def _no_place(sized: Lever) -> Wrong:
+    """Why no cam keeps the angles at a distance of the pivots, and what would."""
+    try:
+        closest = sized.centres.closest
+    except NoZone as error:
+        return _nowhere(error)
+    text = N_("no cam keeps the pressure angles with these pivots and this lever")
+    least = abs(closest.p)
+    if sized.apart >= least:
+        right = N_("the pivots nearer to one another: the axis of the cam may stand from %(least)s m on")
+        return Wrong("base", Message(text), Message(right, {"least": f"{least:.4g}"}))
+    right = N_("the pivots %(least)s m apart or more, or a longer phase: %(phases)s")
+    told = {"least": f"{math.ceil(1e4 * least) / 1e4:.4g}", "phases": _asking(closest.by)}
+    return Wrong("base", Message(text), Message(right, told))
+
+
+def _nowhere(error: NoZone) -> Wrong:
+    text = N_("no place of the cam's axis keeps the pressure angles, whatever the distance of the pivots")
+    right = N_("a smaller swing, greater angles, or a longer phase: %(phases)s")
+    return Wrong("base", Message(text), Message(right, {"phases": _asking(error.args[0])}))
+
+
+def _asking(conditions: Sequence[Condition]) -> str:
+    """The phases, as their keys, in which the follower moves where a condition is asked."""
+    asked = {"rise" if one.at.slope > 0 else "return" for one in conditions if one.at.slope}
+    return ", ".join(sorted(asked, reverse=True)) or "rise, return"
 
 
 def _rounded(model: CamStated, radius: float) -> float:

@@ -29,7 +29,7 @@ from tmm_report.figures.drawing import (
 from tmm_report.figures.lettering import Symbol, symbol
 from tmm_report.figures.primitives import Arrow
 from tmm_report.mechanics.cams.follower_laws import FULL_TURN
-from tmm_report.mechanics.cams.least_size import Place, Zone
+from tmm_report.mechanics.cams.sizes.least_size import Place, Zone
 
 BELOW = 1.25  # of the lowest place of the axis: how far the zone is drawn
 FINE = 241

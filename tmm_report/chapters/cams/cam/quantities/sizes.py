@@ -6,12 +6,14 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from tmm_report.chapters.cams.cam.quantities import arcs
 from tmm_report.chapters.cams.cam.quantities.names import letter, of, speed, unit
 from tmm_report.chapters.cams.cam.quantities.tables import PITCH, demands
 from tmm_report.chapters.cams.cam.solve.found import CamFound, Cams
 from tmm_report.i18n import NP_
 from tmm_report.mechanics.cams.cam import Sliding, Swinging
-from tmm_report.mechanics.cams.least_size import Face, Lever, Turned, Zone
+from tmm_report.mechanics.cams.sizes.least_face import Face
+from tmm_report.mechanics.cams.sizes.least_size import Lever, Turned, Zone
 from tmm_report.problems import N_
 from tmm_report.quantity.model import Quantity, Value
 from tmm_report.quantity.symbols import Symbol
@@ -39,6 +41,7 @@ ASKS = {
 def values(found: Cams) -> Iterator[Value]:
     for one in found.cams:
         yield from _sizes(one)
+        yield from arcs.values(one)
         match one.cam.sized:
             case Zone() as zone:
                 yield from _least(one, zone)
@@ -148,6 +151,20 @@ def _least_lever(found: CamFound, lever: Lever, lowest: float) -> Iterator[Value
     yield least.value(lowest)
     text = N_("least radius of the pitch curve by the pressure angles")
     yield of(found, "cam_r0_least", Symbol("R", f"0,{MIN}"), "m", text).value(lever.radius(lowest))
+    best = lever.centres.best
+    text = N_("distance of the pivots with which the cam is smallest")
+    yield of(found, "cam_apart_best", Symbol("d", BEST), "m", text).value(abs(best.p))
+    text = N_(
+        "least angle between the arm of follower %(follower)s and the line of the pivots at that distance"
+    )
+    start = of(found, "cam_start_least_best", Symbol("beta", f"0,{BEST}"), "rad", text, "deg")
+    yield start.value(-float(np.angle(best.p)))
+    text = N_("least radius of the pitch curve with that distance of the pivots")
+    yield of(found, "cam_r0_least_best", Symbol("R", f"0,{BEST}"), "m", text).value(
+        lever.centres.radius(best)
+    )
+    text = N_("least distance of the pivots with which the pressure angles are permitted")
+    yield of(found, "cam_apart_least", Symbol("d", MIN), "m", text).value(abs(lever.centres.closest.p))
 
 
 def _least_face(found: CamFound, under: Face) -> Iterator[Value]:

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.chapters.cams.cam.quantities import arcs
 from tmm_report.chapters.cams.cam.quantities.names import (
     acceleration,
     displacement,
@@ -24,8 +25,10 @@ from tmm_report.chapters.cams.cam.solve.found import CamFound, Cams, Divided
 from tmm_report.chapters.cams.cam.solve.lifting import Lifted
 from tmm_report.i18n import NP_
 from tmm_report.mechanics.cams.follower_laws import Kind, Phase
-from tmm_report.mechanics.cams.least_size import Demand, Face, Lever, Turned, Zone
 from tmm_report.mechanics.cams.shapes import Parabolic
+from tmm_report.mechanics.cams.sizes.least_face import Face
+from tmm_report.mechanics.cams.sizes.least_size import Lever, Turned, Zone
+from tmm_report.mechanics.cams.sizes.searched import Demand
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, text_column
 from tmm_report.quantity.symbols import Symbol
@@ -69,6 +72,7 @@ FORMS = {"line": N_("straight"), "sine": N_("quarter of a sine")}
 PITCH = NP_("index", "pc")  # of the pitch curve
 
 LEAST = Message(N_("what the permitted pressure angles ask of the size of the cam"))
+HOLDING = Message(N_("what holds the axis of the smallest cam at the best distance of the pivots"))
 AT = Quantity("theta", Symbol("theta"), "deg", Message(N_("angle of the cam from the beginning of its law")))
 ASKED_SLOPE_MEANING = Message(
     N_("first derivative of the displacement by the angle of the cam at the same place")
@@ -108,6 +112,9 @@ def tables(found: Cams) -> Iterator[Table]:
             yield Table(named(one, "cam_pieces"), PIECES, _pieces(one))
         if one.cam.sized is not None:
             yield Table(named(one, "cam_least"), LEAST, tuple(_demands(one)))
+        if isinstance(one.cam.sized, Lever):
+            yield Table(named(one, "cam_zone"), HOLDING, tuple(_holding(one, one.cam.sized)))
+        yield from arcs.tables(one)
         if one.shocks:
             yield Table(named(one, "cam_shocks"), JUMPS, _shocks(one))
         for which, lifted in (("table", one.table), ("diagram", one.diagram)):
@@ -211,6 +218,15 @@ def _demands(found: CamFound) -> Iterator[Column]:
         yield ASKED_BEND.column([under.curvature - under.asked.b - under.asked.S])
     else:
         yield asked_slope(found).column([demand.slope for demand in asked.values()])
+
+
+def _holding(found: CamFound, lever: Lever) -> Iterator[Column]:
+    """The conditions that hold the best axis."""
+    asked = lever.centres.best.by
+    yield text_column("phase", Message(N_("what the follower does")), [KINDS[one.way] for one in asked])
+    yield AT.column([math.degrees(one.at.theta) for one in asked])
+    yield asked_S(found).column([one.at.S for one in asked])
+    yield asked_slope(found).column([one.at.slope for one in asked])
 
 
 def _shocks(found: CamFound) -> tuple[Column, ...]:

@@ -23,6 +23,7 @@ from tmm_report.chapters.cams.cam.solve.lifting import (
     side_of,
 )
 from tmm_report.chapters.cams.cam.solve.turn import BEFORE, Turn
+from tmm_report.mechanics.cams.arcs import ArcLaw
 from tmm_report.mechanics.cams.cam import ByLaw, Cam, Sliding
 from tmm_report.mechanics.cams.extremes import Extreme, greatest
 from tmm_report.mechanics.cams.follower_laws import FULL_TURN, Kind, Phase, Phases
@@ -130,6 +131,11 @@ class CamFound:
     def law(self) -> ByLaw | None:
         """The stated law; None where the profile is stated."""
         return self.cam.given if isinstance(self.cam.given, ByLaw) else None
+
+    @property
+    def pieced(self) -> ArcLaw | None:
+        """The law of a cam of base circle, flanks and nose."""
+        return self.law.law if self.law and isinstance(self.law.law, ArcLaw) else None
 
     @property
     def phases(self) -> tuple[Phase, ...]:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from tmm_report.chapters.cams.cam.block.laws import Wrong as Wrong
 from tmm_report.chapters.cams.cam.block.laws import by_profile, law
+from tmm_report.chapters.cams.cam.block.pieced import by_arcs
 from tmm_report.chapters.cams.cam.block.sizes import LIMITS, least, lowest, smallest
 from tmm_report.chapters.cams.cam.block.touching import must_touch
 from tmm_report.chapters.lever.structure.block import cams as c
@@ -47,7 +48,7 @@ def cam(
     base, sized = model.base, None
     if base == "smallest":
         base, sized = smallest(model, motion, roller, face, sense, limit)
-    given = _given(model, motion, roller, face, sense, zero, base)
+    given, base = _given(model, motion, roller, face, sense, zero, base)
     made = Cam(
         name, body.name, follower.name, model.at, model.centre or "K", axis, motion, given, roller, limit,
         base or least(given), face, f"{name}t" if model.flat else "", back, sized,
@@ -64,15 +65,18 @@ def _given(
     sense: int,
     zero: object,
     base: float | None,
-) -> ByLaw | ByProfile:
-    """The follower's motion; a law begins at `start`, left out at the angle of position 0 if that is stated."""
-    if model.profile:
-        return by_profile(model, motion, roller, face)
+) -> tuple[ByLaw | ByProfile, float | None]:
+    """The follower's motion, and the base circle; a law begins at `start`, left out at the angle of position 0 if that
+    is stated."""
+    if model.profile and not model.profile.pieced:
+        return by_profile(model, motion, roller, face), base
     begins = zero.angle if isinstance(zero, ZeroAngle) else 0.0
     start = model.start if model.start is not None else begins
+    if model.profile:
+        return by_arcs(model, motion, roller, face, sense, start)
     side = motion.side if isinstance(motion, Swinging) else 1
     low = lowest(base, motion, roller, face)
-    return ByLaw(law(model, isinstance(motion, Swinging)), low, side, start, sense)
+    return ByLaw(law(model, isinstance(motion, Swinging)), low, side, start, sense), base
 
 
 def _face(flat: c.FlatModel, motion: Sliding | Swinging) -> complex:

@@ -1,4 +1,4 @@
-"""Least size of a cam: by the permitted pressure angles of a roller or knife edge, by the curvature under a flat face.
+"""Least size of a cam by the permitted pressure angles of its roller or knife edge.
 
 A roller that slides has the pressure angle tan α = (S' − e)/(s0 + S): in the plane of S' and S it keeps the permitted
 α₁ of the rise and α₂ of the return where
@@ -11,9 +11,8 @@ and the least radius of the pitch curve is r0² = s0² + e².
 
 A roller on a lever l, whose pivot is at the distance d, lifted by ψ from the lowest angle ψ0 with the line of pivots,
 has k tan α = (l(1 + kψ') − d cos(ψ0 + ψ))/(d sin(ψ0 + ψ)), k = −1 where it rises as the cam turns, else 1: within ±α₁
-where ψ0 + ψ lies between ±(arccos c − α₁) and arccos c + α₁, c = l(1 + kψ') cos α₁/d.
-
-Under a flat face across its motion the radius of curvature is r0 + S + S''.
+where ψ0 + ψ lies between ±(arccos c − α₁) and the less of arccos c + α₁ and 2π − arccos c − α₁, c = l(1 + kψ') cos
+α₁/d. Where d is free, or no ψ0 is found, the zone of `centres.py` says which d are possible.
 
 Source: Artobolevsky, Theory of mechanisms and machines, ch. 26; Levitsky, Cam mechanisms, ch. 4.
 """
@@ -22,35 +21,22 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import cached_property, partial
-from itertools import combinations, pairwise
+from itertools import combinations
 from math import cos, hypot, inf, pi, sqrt, tan
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from tmm_report.mechanics.cams.follower_laws import EDGE, FULL_TURN, Law
+from tmm_report.mechanics.cams.follower_laws import Law
+from tmm_report.mechanics.cams.sizes.centres import Centres, Way
+from tmm_report.mechanics.cams.sizes.least_face import Face, TurnedFace
+from tmm_report.mechanics.cams.sizes.searched import Demand, greatest
 from tmm_report.records import dataclass
 
 Array = Any
 Bound = Literal["rise", "return", "dwell"]
-GRID, FINER, ROUNDS = 400, 40, 7  # points of a piece of the law, of each of its refinements, how many
 SLACK = 1e-12  # of the size: a bound that is passed by less is kept
-
-
-class Demand(NamedTuple):
-    """What one way of the follower asks: b, m, reached at the angle `theta` of the law, rad, with S, m, and S', m."""
-
-    b: float
-    theta: float
-    S: float
-    slope: float
-
-
-class Face(NamedTuple):
-    """A flat face across its motion: the least radius of `curvature` under it, m, and what it asks."""
-
-    curvature: float
-    asked: Demand
+NEAR = 1e-9  # rad: the same of an angle
 
 
 class Line(NamedTuple):
@@ -83,12 +69,12 @@ class Zone:
 
     @cached_property
     def of_rise(self) -> Demand:
-        return _greatest(self.law, lambda S, slope, _: slope / tan(self.rise) - S)
+        return greatest(self.law, lambda S, slope, _: slope / tan(self.rise) - S)
 
     @cached_property
     def of_return(self) -> Demand | None:
         back = self.back
-        return None if back is None else _greatest(self.law, lambda S, slope, _: -slope / tan(back) - S)
+        return None if back is None else greatest(self.law, lambda S, slope, _: -slope / tan(back) - S)
 
     @cached_property
     def lines(self) -> tuple[Line, ...]:
@@ -130,7 +116,7 @@ class Turned(NamedTuple):
     whether the cam would press along the lever's far side, and where in the law."""
 
     least: float
-    way: Literal["rise", "return"]
+    way: Way
     beyond: bool
     asked: Demand
 
@@ -160,11 +146,16 @@ class Lever:
         ]
         least = max(found, key=lambda one: one.least)
         most = min(-self._greatest(way, partial(self._high, limit)).b for way, limit in self._limited)
-        return least if least.least <= most and 0 < least.least < pi else None
+        return least if least.least <= most + NEAR and 0 < least.least < pi else None
 
     @property
-    def _limited(self) -> list[tuple[Literal["rise", "return"], float]]:
-        return [("rise", self.rise), *([("return", self.back)] if self.back is not None else [])]  # type: ignore[list-item]
+    def _limited(self) -> list[tuple[Way, float]]:
+        return self.centres.limits
+
+    @cached_property
+    def centres(self) -> Centres:
+        """Where the axis may stand with any distance of the pivots."""
+        return Centres(self.law, self.arm, self.alike, self.rise, self.back)
 
     def radius(self, lowest: float) -> float:
         """Least radius of the pitch curve with an angle ψ0, m."""
@@ -177,41 +168,18 @@ class Lever:
         return side * (np.arccos(np.clip(self.c(slope, limit), -1, 1)) - limit) - S
 
     def _high(self, limit: float, S: Array, slope: Array) -> Array:
-        return S - np.arccos(np.clip(self.c(slope, limit), -1, 1)) - limit
+        steep = np.arccos(np.clip(self.c(slope, limit), -1, 1)) + limit
+        return S - np.minimum(steep, 2 * pi - steep)
 
     def _greatest(self, way: str, of: Callable[[Array, Array], Array]) -> Demand:
         """Over the rises and dwells, or over the returns."""
         sense = -1 if way == "return" else 1
-        return _greatest(self.law, lambda S, slope, _: np.where(sense * slope >= 0, of(S, slope), -inf))
+        return greatest(self.law, lambda S, slope, _: np.where(sense * slope >= 0, of(S, slope), -inf))
 
     def _never(self, way: str, limit: float) -> bool:
         """Whether somewhere no angle of the lever at all keeps the limit."""
         return self._greatest(way, lambda _, slope: np.abs(self.c(slope, limit))).b > 1
 
 
-def under_face(law: Law, curvature: float) -> Face:
-    """Of the least base circle, `asked.b`, m, with a least radius of curvature, m; at a jump of the acceleration by the
-    side that asks for more."""
-    return Face(curvature, _greatest(law, lambda S, _, bend: curvature - S - bend))
-
-
-def _greatest(law: Law, of: Callable[[Array, Array, Array], Array]) -> Demand:
-    """Of a function of S, S' and S'' over the turn, piece by piece of the law."""
-    edges = sorted({0.0, *law.breaks, FULL_TURN})
-    best = Demand(-inf, 0.0, 0.0, 0.0)
-    for low, high in pairwise(edges):
-        last = high - 2 * EDGE  # nearer to a break the law is already that of what follows
-        x = np.append(np.linspace(low, last, GRID + 1), high)
-        for _ in range(ROUNDS):
-            S, slope, bend = law.of(x)
-            y = of(S, slope, bend)
-            k = int(np.argmax(y))
-            if y[k] > best.b:
-                best = Demand(float(y[k]), float(x[k]), float(S[k]), float(slope[k]))
-            x = np.linspace(x[max(k - 1, 0)], x[min(k + 1, len(x) - 1)], FINER + 1)
-            x = x[(x <= last) | (x == high)]
-    return best
-
-
-Size = Zone | Lever | Face
+Size = Zone | Lever | Face | TurnedFace
 """By what the least size of a cam was found."""

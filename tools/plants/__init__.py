@@ -1,0 +1,1 @@
+"""Wrong outputs to be planted, by what they are wrong of."""

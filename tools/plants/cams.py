@@ -1,0 +1,66 @@
+"""Wrong sizes of cams and cams of arcs, to be planted."""
+
+from __future__ import annotations
+
+from faults import MECHANICS, Fault
+
+OF_CAMS, CAM_PRESS = MECHANICS + "cams/", "cam_press"
+SIZED_BY, BY_ARCS = ("tests/mechanics/cams/test_centres.py",), ("tests/mechanics/cams/test_arcs.py",)
+BY_RULES = ("tests/mechanics/cams/test_curvature_and_rules.py",)
+
+FAULTS = (
+    # --- sizes of cams, cams of arcs ---
+    Fault("cam sizes: the derivative laid off the wrong way along the arm", OF_CAMS + "sizes/centres.py",
+          "1 - slope if self.alike else 1 + slope", "1 + slope if self.alike else 1 - slope", CAM_PRESS, SIZED_BY),
+    Fault("cam sizes: a zone held by one side of the arm", OF_CAMS + "sizes/centres.py", "for side in (1, -1):",
+          "for side in (1, 1):", CAM_PRESS, SIZED_BY),
+    Fault("cam sizes: the return asks of the rise", OF_CAMS + "sizes/centres.py",
+          'slope >= 0 if way == "rise" else slope <= 0', 'slope <= 0 if way == "rise" else slope >= 0', CAM_PRESS,
+          SIZED_BY),
+    Fault("cam sizes: three conditions kept by two", OF_CAMS + "sizes/centres.py",
+          "all(c.excess(one.p) <= slack for c in others if c not in one.by)", "True", CAM_PRESS, SIZED_BY),
+    Fault("cam sizes: the zone's outside is drawn", OF_CAMS + "sizes/centres.py", "        if b <= 0:",
+          "        if b >= 0:", CAM_PRESS, SIZED_BY),
+    Fault("cam sizes: one peak of a law is enough", OF_CAMS + "sizes/searched.py", "[-PEAKS:]]", "[-1:]]", CAM_PRESS,
+          ("tests/mechanics/cams/test_centres.py", "tests/mechanics/cams/test_least_size.py")),
+    Fault("cam sizes: curvature under a swinging face without its acceleration", OF_CAMS + "sizes/least_face.py",
+          "bend / rate**3", "0 * bend", CAM_PRESS, SIZED_BY),
+    Fault("cam sizes: curvature under a swinging face with one turn of its rate", OF_CAMS + "sizes/least_face.py",
+          "(2 * rate - 1) / rate**2", "1 / rate", CAM_PRESS, SIZED_BY),
+    Fault("cam sizes: the contact on a swinging face without its swing", OF_CAMS + "sizes/least_face.py",
+          "self.apart * np.cos(lowest + S) / self._rate(slope)", "self.apart * np.cos(lowest + S)", CAM_PRESS,
+          SIZED_BY),
+    Fault("cam sizes: the least cam under a swinging face passed over", OF_CAMS + "sizes/least_face.py",
+          "ceil((lowest - least) / (2 * pi))", "(1 + ceil((lowest - least) / (2 * pi)))", CAM_PRESS, SIZED_BY),
+    Fault("cam sizes: the far side of an arm that leans too much", OF_CAMS + "sizes/least_size.py",
+          "np.minimum(steep, 2 * pi - steep)", "steep", CAM_PRESS, ("tests/mechanics/cams/test_least_size.py",)),
+    Fault("cam sizes: flank radius of a cam of arcs", OF_CAMS + "arcs.py", "over = distance**2 + base**2 - nose**2",
+          "over = distance**2 + base**2 + nose**2", CAM_PRESS, BY_ARCS),
+    Fault("cam sizes: the nose's place by the flank", OF_CAMS + "arcs.py", "return sqrt(square) - away * a",
+          "return sqrt(square) + away * a", CAM_PRESS, BY_ARCS),
+    Fault("cam sizes: the lift at the change without the roller", OF_CAMS + "arcs.py", "far = away + one.roller",
+          "far = away", CAM_PRESS, BY_ARCS),
+    Fault("cam sizes: acceleration over an arc without the rod's turn", OF_CAMS + "arcs.py",
+          "(x.d**2 + x.z * x.dd + d**2) / root", "(x.d**2 + x.z * x.dd) / root", CAM_PRESS, BY_ARCS),
+    Fault("cam sizes: acceleration of an arm over an arc", OF_CAMS + "arcs.py", "dot(gone, gone) + dot(",
+          "dot(", CAM_PRESS, BY_ARCS),
+    Fault("cam sizes: acceleration of a face over an arc", OF_CAMS + "arcs.py",
+          " - 2 * d * dot(1j * n, w.d)) / ahead", ") / ahead", CAM_PRESS, BY_ARCS),
+    Fault("cam sizes: acceleration of an arm over a straight flank", OF_CAMS + "arcs.py", "-(bend + g * d**2)",
+          "-bend", CAM_PRESS, BY_ARCS),
+    Fault("cam sizes: acceleration of a slider on a straight flank", OF_CAMS + "arcs.py", " - 2 * d * n.d.imag",
+          " - d * n.d.imag", CAM_PRESS, BY_ARCS),
+    Fault("cam sizes: curvature of the pitch curve without the acceleration", OF_CAMS + "sizes/curvature.py",
+          " - Y * bend)", ")", CAM_PRESS, BY_RULES),
+    Fault("cam sizes: curvature of a lever's pitch curve the wrong way", OF_CAMS + "sizes/curvature.py",
+          "(1j * side * bend - slope**2) * w", "(1j * side * bend + slope**2) * w", CAM_PRESS, BY_RULES),
+    Fault("cam sizes: a groove's hollow parts taken for convex",
+          OF_CAMS + "sizes/curvature.py", "_least(law, place, -1)",
+          "_least(law, place, 1)", CAM_PRESS, BY_RULES),
+    Fault("cam sizes: a roller rounded up", OF_CAMS + "sizes/rules.py", "floor(most / step + 1e-9)",
+          "floor(most / step + 1)", CAM_PRESS, BY_RULES),
+    Fault("cam sizes: jerk of a slanting piece", OF_CAMS + "shapes.py", "(one.end - one.start) / one.width)",
+          "(one.end - one.start))", CAM_PRESS, BY_RULES),
+    Fault("cam sizes: jerk of a table", OF_CAMS + "follower_laws.py", "(self._bends[k + 1] - self._bends[k])",
+          "(self._bends[k] - self._bends[k + 1])", CAM_PRESS, BY_RULES),
+)  # fmt: skip
