@@ -54,8 +54,6 @@ def spur(made: Made, walk: Any) -> Made:
         sign = walk.random.choice((-1, -1, 1))
         made["ratio"] = sign * float(Fraction(made["teeth"][1], made["teeth"][0]))
         made.pop("centre_distance", None) if walk.random.random() < 0.5 else None
-        if walk.random.random() < 0.2:
-            made["teeth"][walk.random.randint(0, 1)] = "rest"
     elif "centre_distance" in made:
         module, ratio = value(made["module"]), abs(value(made.setdefault("ratio", -2)))
         made["centre_distance"] = f"{module * round(20 * (1 + ratio) / 2, 1):.6g} mm"
@@ -69,6 +67,8 @@ def spur(made: Made, walk: Any) -> Made:
         made.setdefault("teeth", z)
     if "quality" in made:
         made["quality"] = _quality(made, walk)
+    if "teeth" in made and "ratio" in made and walk.random.random() < 0.2:
+        made["teeth"][walk.random.randint(0, 1)] = "rest"
     return made
 
 
@@ -134,8 +134,8 @@ def drive(made: Made, walk: Any) -> Made:
         opened = random.choice(pairs)
         whole *= random.uniform(2.2, 6) / abs(value(opened.get("ratio", 2)))
         opened["teeth"] = [random.randint(17, 26), "rest"]
-        for key in ("ratio", "centre_distance", "shift", "inspection"):
-            opened.pop(key, None)
+        for key in set(opened) - {"kind", "name", "module", "mesh", "teeth", "rack", "helix", "efficiency"}:
+            opened.pop(key)
         made.setdefault("motors", [])
     turns = random.choice((950, 1410, 2850))
     machine = made["output"] if isinstance(made.get("output"), dict) else {"power": "2 kW"}
@@ -158,14 +158,15 @@ def drive(made: Made, walk: Any) -> Made:
     else:
         machine["speed"] = f"{rpm:.6g} rpm"
     made["output"] = machine
-    made.pop("needed", None)
+    made.pop("needed", None) if random.random() < 0.9 else None
     shafts = 1 + len(stages)
     if isinstance(made.get("coupling"), dict):
         made["coupling"].pop("after", None)
     shafts += "coupling" in made
     if isinstance(made.get("bearings"), dict) and "pairs" in made["bearings"]:
         made["bearings"]["pairs"] = [random.randint(0, 2) for _ in range(shafts)]
-    if isinstance(made.get("split"), dict) and "step" not in made["split"]:
+    opened = any("rest" in stage.get("teeth", ()) for stage in stages if isinstance(stage.get("teeth"), list))
+    if opened and isinstance(made.get("split"), dict):
         made["split"] = {"step": 1.2}
     if "motors" not in made and "shafts" in made:
         made["shafts"].pop("by", None)

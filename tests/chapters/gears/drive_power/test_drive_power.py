@@ -7,6 +7,7 @@ from conftest import examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tmm_report import course, render
 from tmm_report.chapters.gears.drive import solve as drive
 from tmm_report.chapters.gears.drive.block import DriveModel, build
 from tmm_report.chapters.gears.drive.power.quantities import verdict
@@ -259,3 +260,19 @@ def test_what_cannot_be_found_is_said(stated, said):
         return
     (line,) = problems(*stages, **more)
     assert said in line and line.startswith("drive.")
+
+
+@pytest.mark.parametrize(
+    "keys",
+    [
+        "speed: 90 rpm, output: {force: 9 kN, diameter: 0.4 m}",  # the machine goes as the drive does
+        "motors: [[m, 3 kW, 900 rpm]], output: {diameter: 0.4 m}",
+        "motors: [[m, 3 kW, 900 rpm]]",
+        "speed: 90 rpm, output: {power: 2 kW}",
+        "speed: 90 rpm, output: {power: 2 kW, teeth: 9, pitch: 80 mm, speed: 0.5 m/s}",
+    ],
+)
+def test_its_note_is_written_whatever_is_left_out(keys):
+    text = f"language: en\ndrive: {{{keys}, stages: [{{kind: spur, teeth: [20, 60]}}]}}\n"
+    note = render(course.solve(course.loads(text)), "html")["note.html"].decode()
+    assert "The power passes the parts" in note and "nan" not in note

@@ -115,7 +115,8 @@ class PowerView(ChapterView):
         return [row.formula(key) for key in ("P", "n", "omega", "T")]
 
     def reached(self) -> list[Formula]:
-        return self.formulas("v_actual") + [self.formula("delta_n", digits=4)] * ("delta_n" in self.s)
+        told = self.formulas("v_actual")
+        return [*told, self.formula("delta_n", digits=4)] if self.knows("delta_n") else told
 
     # ------------------------------------------------------------ tables
 

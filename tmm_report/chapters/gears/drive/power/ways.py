@@ -30,7 +30,12 @@ def _divided(q: Known) -> Expr:
     return stages.var("u_required", row)
 
 
+MOMENTS = N_(
+    "Of the balancing moment of the driving link over the cycle: its mean, its greatest size, and where that is."
+)
+
 WAYS = (
+    Way("drive_M_mean drive_M_greatest drive_M_angle drive_M_fr", MOMENTS, of="drive_P_out drive_omega_out"),
     Way("drive_u_low drive_u_high", RANGE, of="drive_tolerance drive_u_teeth"),
     Way("stage*_u_required", by=_divided),
     Way(
