@@ -30,7 +30,7 @@ WAYS = (
     Way("stage*_train.d", N_("The teeth by the module."), of="wheel z stage{0}_m"),
     Way("stage*_train.*", N_("Wheel by wheel, as the formulas of the note do."), of="wheel z d stage{0}_m"),
     Way(
-        "stage*_epsilon stage*_u_required stage*_f stage*_phi stage*_k stage*_q stage*_slack stage*_p stage*_b "
+        "stage*_epsilon stage*_u_required stage*_f stage*_phi stage*_k stage*_q stage*_slack stage*_p stage[0-9]_b "
         "stage*_eta_mesh",
         STATED,
     ),
