@@ -29,6 +29,7 @@ from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
     from tmm_report.chapters.cams.cam import solve as cam
+    from tmm_report.chapters.cams.cam_forces import solve as cam_forces
     from tmm_report.chapters.find import solve as find
     from tmm_report.chapters.gears.drive import solve as drive
     from tmm_report.chapters.gears.eccentric.solve import mechanism as eccentric
@@ -102,6 +103,7 @@ if not TYPE_CHECKING:
     efficiency = Late("machine.efficiency.solve")
     wear = Late("machine.wear.solve")
     cam = Late("cams.cam.solve")
+    cam_forces = Late("cams.cam_forces.solve")
     train = Late("gears.train.solve.train")
     drive = Late("gears.drive.solve")
     eccentric = Late("gears.eccentric.solve.mechanism")
@@ -147,6 +149,7 @@ class Variant:
     efficiency: efficiency.Given | None = None
     wear: wear.Given | None = None
     cam: cam.Given | None = None
+    cam_forces: cam_forces.Given | None = None
     train: train.Given | None = None
     drive: drive.Given | None = None
     eccentric: eccentric.Given | None = None
@@ -217,6 +220,7 @@ class Results:
     efficiency: efficiency.Found | None = None
     wear: wear.Found | None = None
     cam: cam.Found | None = None
+    cam_forces: cam_forces.Found | None = None
     train: train.Found | None = None
     drive: drive.Found | None = None
     eccentric: eccentric.Found | None = None
@@ -268,6 +272,7 @@ def _solved(variant: Variant, moved: Moved | None) -> Results:
             machine=variant.dynamics,
         )
     moving = _moving(lever) if lever else None
+    alone = cam.solve(variant.cam) if variant.cam else None
     whole = not lever or not lever.kinematics.gaps  # what goes on over the cycle is asked of one that closes
     return Results(
         variant,
@@ -285,7 +290,8 @@ def _solved(variant: Variant, moved: Moved | None) -> Results:
         contacts=contacts.solve(variant.contacts, moving) if variant.contacts else None,
         efficiency=efficiency.solve(variant.efficiency, moving) if variant.efficiency else None,
         wear=wear.solve(variant.wear, moving) if variant.wear and whole else None,
-        cam=cam.solve(variant.cam) if variant.cam else None,
+        cam=alone,
+        cam_forces=cam_forces.solve(variant.cam_forces, alone) if variant.cam_forces and alone else None,
         train=train.solve(variant.train) if variant.train else None,
         drive=drive.solve(variant.drive, moving) if variant.drive else None,
         eccentric=eccentric.solve(variant.eccentric) if variant.eccentric else None,
@@ -311,9 +317,8 @@ def solve_lever(
     links = moved.structure if moved else structure.solve(given.mechanism)
     motion = moved.kinematics if moved else kinematics.solve(given.positions, links, given.way)
     drawn = plans.solve(given.drawing, given.positions.plans, motion)
-    forces = moved.kinetostatics if moved else None
-    if given.loads and not moved:
-        forces = kinetostatics.solve(given.loads, motion)
+    forces = kinetostatics.solve(given.loads, motion) if given.loads and not moved else None
+    forces = moved.kinetostatics if moved else forces
     found = LeverFound(
         given,
         links,
@@ -338,12 +343,8 @@ def solve_lever(
 def _readings(found: LeverFound) -> readings.ReadingsFound:
     """A student may have read any number of the chapters before; structure has no table by positions."""
     before = ((name, getattr(found, name)) for name in LEVER if name != "structure")
-    tables = (
-        (name, table)
-        for name, chapter in before
-        if chapter is not None
-        for table in room(name, "quantities").tables(chapter)
-    )
+    known = ((name, one) for name, one in before if one is not None)
+    tables = ((name, table) for name, one in known for table in room(name, "quantities").tables(one))
     return readings.solve(found.given.readings, found.plans, tables)
 
 
@@ -396,11 +397,11 @@ def room(chapter: str, name: str) -> Any:
 
 def wing(chapter: str) -> str:
     """Which wing a chapter stands in, "lever." and so on: none for the title page."""
-    if chapter in ("find", "cam"):  # the first is of no wing: it asks all of them
-        return "cams." if chapter == "cam" else ""
-    if chapter in (INITIAL_DATA, *BEFORE, *LEVER):
+    if chapter in ("cam", "cam_forces"):
+        return "cams."
+    if chapter in (INITIAL_DATA, *BEFORE[1:], *LEVER):  # the first, find, is of no wing: it asks all of them
         return "lever."
-    return "gears." if chapter in GEARS else "machine." if chapter in OTHERS else ""
+    return "gears." if chapter in GEARS else "machine." if chapter in OTHERS[1:] else ""
 
 
 # ---------------------------------------------------------------- from the text of a variant
@@ -438,10 +439,8 @@ def _rooms() -> Rooms:
     """The blocks of all chapters; that of a gear chapter is loaded only for a file that has it."""
     from tmm_report.variant.model import Rooms
 
-    return Rooms(
-        [room(name, "block") for name in ("title", *LEVER)],
-        {name: partial(room, name, "block") for name in OTHERS},
-    )
+    beside = {name: partial(room, name, "block") for name in OTHERS}
+    return Rooms([room(name, "block") for name in ("title", *LEVER)], beside)
 
 
 def _variant(document: yamlread.Document, file: str, soft: list[Problem]) -> Variant:

@@ -27,6 +27,8 @@ DRIVE = "tmm_report/chapters/gears/drive/"
 SPUR = "tmm_report/chapters/gears/spur/"
 PLANETARY = "tmm_report/chapters/gears/planetary/"
 REDUCTION = "tmm_report/chapters/lever/reduction/"
+CAM_FORCES, VALVE = "tmm_report/chapters/cams/cam_forces/", "valve_cam"
+BY_FILE = ("tests/chapters/cams/test_cam_forces.py", "tests/statements")
 TRANSMISSION = "tmm_report/chapters/lever/transmission/"
 PRESS, KNUCKLE = "tmm_report/chapters/lever/press/", "knuckle_press"
 PRESSED = ("tests/chapters/lever/press",)
@@ -458,4 +460,21 @@ FAULTS = (
           "parallelogram_drive"),
     Fault("position 0 at the other extreme", MECHANICS + "lever/cycle.py",
           "roots[np.argmax(reached)]", "roots[np.argmin(reached)]"),
+    # --- the chapter of a cam's forces ---
+    Fault("normal force in the column of the moment", CAM_FORCES + "quantities.py",
+          "yield SMOOTH.column(at.pressed.smooth)", "yield SMOOTH.column(at.pressed.torque)", VALVE, BY_FILE),
+    Fault("a moment that friction drives", CAM_FORCES + "view.py",
+          'self._var("cam_T0") + self._var("cam_T_fr")', 'self._var("cam_T0") - self._var("cam_T_fr")', VALVE, BY_FILE),
+    Fault("the reserve left out of a spring", CAM_FORCES + "solve.py",
+          "asked.reserve * parts.inertia", "parts.inertia", VALVE, BY_FILE),
+    Fault("preload of a ratio by the rest of it", CAM_FORCES + "solve.py",
+          "Held(kind, ratio * found.value,", "Held(kind, (1 - ratio) * found.value,", VALVE, BY_FILE),
+    Fault("a follower that leaves is sound", CAM_FORCES + "solve.py",
+          "self.jams or self.leaves or", "self.jams or", VALVE, BY_FILE),
+    Fault("greatest and least of the phases exchanged", CAM_FORCES + "quantities.py",
+          'suffix = ("min", "max")[end]', 'suffix = ("max", "min")[end]', VALVE, BY_FILE),
+    Fault("the load of the way back on both", "tmm_report/chapters/cams/cam/block/forces.py",
+          "(stated.rise, stated.return_)", "(stated.return_, stated.return_)", VALVE, BY_FILE),
+    Fault("a journal by its whole diameter", "tmm_report/chapters/cams/cam/block/loads.py",
+          "(self.diameter or 0.0) / 2", "(self.diameter or 0.0)", VALVE, BY_FILE),
 )  # fmt: skip

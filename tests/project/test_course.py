@@ -52,7 +52,10 @@ def test_every_key_of_the_file_belongs_to_one_block():
 
 @pytest.mark.parametrize("chapter", course.OTHERS)
 def test_a_chapter_beside_the_levers_has_the_key_of_its_name(chapter):
-    assert [*course.room(chapter, "block").Block.model_fields] == [chapter]
+    own = (
+        [] if chapter == "cam_forces" else [chapter]
+    )  # the keys of a cam's forces stand in the block of the cam
+    assert [*course.room(chapter, "block").Block.model_fields] == own
 
 
 def test_no_public_type_is_any():

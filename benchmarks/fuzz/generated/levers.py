@@ -7,6 +7,7 @@ from collections.abc import Callable
 from random import Random
 from typing import Any
 
+from benchmarks.fuzz.generated.cam_loads import loaded
 from benchmarks.fuzz.generated.geared import (
     coupled_cranks,
     planet_on_crank,
@@ -243,6 +244,8 @@ def cam_alone(random: Random) -> Data:
     ):
         if random.random() < 0.5:
             one[key] = value
+    if random.random() < 0.6:
+        loaded(one, swings, end, random)
     return one
 
 

@@ -1,11 +1,14 @@
-"""What is given of a cam that stands alone."""
+"""What is given of a cam that stands alone, and of the forces that it has to overcome."""
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
-from tmm_report.mechanics.cams.cam import Cam
 from tmm_report.records import dataclass
+
+if TYPE_CHECKING:
+    from tmm_report.mechanics.cams.cam import Cam
+    from tmm_report.mechanics.cams.turn import Loaded
 
 Follower = Literal["roller", "knife", "flat"]
 
@@ -18,5 +21,31 @@ class Given:
     cam: Cam
     sense: int
     omega: float | None = None
+    table: int = 12
+    diagram: int = 72
+
+
+@dataclass(frozen=True)
+class SpringAsked:
+    """A spring of which something is to be found: `rate`, N/m or N m/rad, `preload`, N or N m, None of what is; `ratio`
+    of the preload by the greatest force; `reserve`: K."""
+
+    rate: float | None = None
+    preload: float | None = None
+    ratio: float | None = None
+    reserve: float = 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class Forces:
+    """`loaded`: the follower with its loads, without a spring of which something is to be found, `spring`; `asked`:
+    angles turned at which forces are wanted, rad; `permitted`: pressure in the contact, Pa; `weighs`: whether the
+    weight counts."""
+
+    loaded: Loaded
+    spring: SpringAsked | None = None
+    asked: tuple[float, ...] = ()
+    permitted: float | None = None
+    weighs: bool = False
     table: int = 12
     diagram: int = 72

@@ -6,8 +6,8 @@ from typing import TypedDict
 from pydantic import Field
 
 from tmm_report.chapters.cams.cam.block.alone import CamAloneModel
-from tmm_report.chapters.cams.cam.given import Given
-from tmm_report.problems import Problem
+from tmm_report.chapters.cams.cam.given import Forces, Given
+from tmm_report.problems import N_, Message, Problem, doubt
 from tmm_report.variant import model
 from tmm_report.variant.model import Read
 
@@ -22,18 +22,38 @@ class Block(model.Block):
 
 class Taken(TypedDict):
     cam: Given | None
+    cam_forces: Forces | None
 
 
 def given(read: Read) -> Taken:
     from tmm_report.chapters.cams.cam.block.build import built
+    from tmm_report.chapters.cams.cam.block.forces import built_forces
 
     stated = read.block(Block).cam
-    return {"cam": None if stated is None else built(stated)}
+    if stated is None:
+        return {"cam": None, "cam_forces": None}
+    return {"cam": built(stated), "cam_forces": built_forces(stated) if stated.loaded else None}
 
 
 def mistakes(read: Read) -> Iterator[Problem]:
     from tmm_report.chapters.cams.cam.block.build import wrong
+    from tmm_report.chapters.cams.cam.block.forces import wrong as wrong_forces
 
     stated = read.block(Block).cam
     if stated is not None and not read.is_broken("cam"):
-        yield from wrong(stated)
+        found = [*wrong(stated)]
+        yield from found
+        if stated.loaded and not found:
+            yield from wrong_forces(stated)
+
+
+def doubts(read: Read) -> Iterator[Problem]:
+    stated = read.block(Block).cam
+    if stated is None or not stated.loaded or read.is_broken("cam"):
+        return
+    if stated.follower is None and stated.roller is None:
+        text = N_("how the follower touches the cam is not stated: a knife edge is taken")
+        yield doubt(text, ("cam",), Message(N_("roller: 10 mm, or follower: knife, or follower: flat")))
+    if stated.sought and stated.base is None:
+        text = N_("no base circle is stated: the smallest by the permitted pressure angle is taken")
+        yield doubt(text, ("cam",), Message(N_("base: 40 mm, or base: smallest")))

@@ -5,6 +5,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
+from tmm_report.chapters.cams.cam.block.loads import LoadedModel
 from tmm_report.chapters.cams.cam.block.models import CamStated
 from tmm_report.chapters.cams.cam.given import Follower
 from tmm_report.problems import N_, Message
@@ -33,7 +34,7 @@ Distance = Annotated[float | Literal["free"], _free(_POSITIVE)]
 Offset = Annotated[float | Literal["free"], _free(_LENGTH)]
 
 
-class CamAloneModel(CamStated):
+class CamAloneModel(LoadedModel, CamStated):
     """A cam with its follower: a translating one has a lift, a swinging one a swing."""
 
     NOT_OFFERED: ClassVar[Mapping[str, str]] = {
@@ -84,13 +85,19 @@ class CamAloneModel(CamStated):
         return self.follower == "flat"
 
     @property
+    def sought(self) -> bool:
+        """Whether the base circle is the smallest: that is so, too, of a task of forces alone, which states none."""
+        none = self.base is None and self.pitch_base is None and not self.profile
+        return self.base == "smallest" or (none and self.loaded and not self.faced)
+
+    @property
     def swinging(self) -> bool:
         stated = (self.swing, self.arm, self.centre_distance)
         return bool(self.swings) or any(one is not None for one in stated)
 
     @model_validator(mode="after")
     def one_follower(self) -> "CamAloneModel":
-        if self.follower is None and self.roller is None:
+        if self.follower is None and self.roller is None and not self.loaded:
             wrong = Message(N_("how the follower touches the cam is not stated"))
             raise WrongValue(wrong, Message(N_("roller: 10 mm, or follower: knife, or follower: flat")))
         if self.roller is not None and self.follower in ("knife", "flat"):

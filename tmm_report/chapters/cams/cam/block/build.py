@@ -49,7 +49,7 @@ def built(stated: CamAloneModel) -> Given:
     face = _face(motion)
     limit, back = stated.pressure_angle_limit or LIMITS[type(motion)], stated.return_angle_limit
     base, sized = _base(stated, roller), None
-    if stated.base == "smallest":
+    if stated.sought:
         base, sized = smallest(stated, motion, roller, face, sense, limit)
     given: ByLaw | ByProfile
     if stated.profile and stated.profile.pieced:
