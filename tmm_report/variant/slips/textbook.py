@@ -31,7 +31,10 @@ _NEAREST = {
     ),
     "rack, rack_and_pinion, реечная, рейка": N_("a rack moves a link of the mechanism: mechanism.racks"),
     "differential, дифференциал, дифференциальная, epicyclic, эпициклическая": N_(
-        "it is a stage of kind: planetary"
+        "it is a stage of kind: planetary; one with bevel wheels, closed, or with two outputs is the block train"
+    ),
+    "3k, 3к, compound, closed_differential, замкнутый, car_axle, final_drive": N_(
+        "gear trains of any scheme are the block train"
     ),
     "radius_of_gyration, gyration, gd2, радиус_инерции, маховой_момент": N_(
         "a moment of inertia may be written by mass and radius of gyration: inertia: 60 kg * (200 mm)^2"

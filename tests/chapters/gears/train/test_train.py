@@ -42,6 +42,15 @@ TWO_INPUTS = {
     "wheels": {"1": 21, "2": 33, "3": 87}, "carriers": {"H": "2"}, "meshes": ["1-2", "2-3 internal"],
     "input": ["1", "3"], "output": "H", "speed": "960 rpm", "speeds": {"3": "150 rpm"},
 }  # fmt: skip
+HELD_BEVEL = {
+    "wheels": {"1": 30, "2": 15, "3": 30}, "carriers": {"H": "2"}, "meshes": ["1-2 bevel", "2-3 bevel"], "input": "1",
+    "output": "H", "fixed": "3",
+}  # fmt: skip
+RING_DRIVES = {
+    "wheels": {"1": 20, "2": 30, "3": 80, "4": 20, "5": 28, "6": 76}, "carriers": {"H": "2", "C": "5"},
+    "meshes": ["1-2", "2-3 internal", "4-5", "5-6 internal"], "joined": [["H", "6"]], "input": "3", "output": "C",
+    "fixed": ["1", "4"],
+}  # fmt: skip
 SCHEMES = {"closed": CLOSED, "3K": THREE_K, "suns": SUNS, "one crown": ONE_CROWN, "two inputs": TWO_INPUTS}
 
 
@@ -82,6 +91,8 @@ def test_a_load_is_the_same_stated_in_every_way():
         CLOSED, rope={"drum": "400 mm", "force": "9 kN"}, efficiency={"external": 0.98, "internal": 0.99}
     )
     torque = float(one.flow.loads.torque["1"])
+    row = whole(one).loads["1"]
+    assert row["T"].value == torque == pytest.approx(row["T_0"].value / one.efficiency)
     power, useful = (abs(float(one.flow.loads.power[name])) for name in ("1", "H"))
     for load in (
         {"torque": torque}, {"power": power}, {"output_power": useful}, {"output_torque": "1800 N*m"},
@@ -89,6 +100,27 @@ def test_a_load_is_the_same_stated_in_every_way():
         again = found(CLOSED, **load, efficiency={"external": 0.98, "internal": 0.99})
         assert float(again.flow.loads.torque["H"]) == pytest.approx(-1800.0, rel=1e-12)
         assert again.efficiency == pytest.approx(one.efficiency, rel=1e-12)
+
+
+def test_the_branches_share_the_power_as_the_terms_of_the_formula():
+    """u = (1 − u13) + u13 u35: the first term is what goes through the carrier, the second through the ring."""
+    of = found(CLOSED, efficiency={"external": 0.98, "internal": 0.99}, torque="10 N*m")
+    branches, u13, u35 = whole(of).branches, -90 / 18, -81 / 21
+    assert branches["H"]["share_0"].value == pytest.approx((1 - u13) / of.ratio)
+    assert branches["5"]["share_0"].value == pytest.approx(u13 * u35 / of.ratio)
+    lossy = u13 * 0.98 * 0.99 * u35 * 0.98 * 0.99
+    assert branches["5"]["share"].value == pytest.approx(lossy / of.force_ratio)
+
+
+def test_the_forces_in_the_meshes_turn_the_sun_and_the_ring():
+    """2T/(m z) on each of three satellites, the same in both meshes without losses; the ring is held by its moment."""
+    plain = {**SUNS, "wheels": {"1": 20, "2": 30, "3": 80}, "carriers": {"H": "2"}, "joined": []}
+    plain |= {"meshes": ["1-2", "2-3 internal"], "input": "1", "output": "H", "fixed": "3"}
+    of = found(plain, torque="30 N*m", module="2 mm", satellites=3)
+    forces = [one["F_t"].value for one in whole(of).meshes]
+    assert forces == pytest.approx([30 / 0.020 / 3] * 2)
+    assert float(of.flow.loads.torque["3"]) == pytest.approx(forces[1] * 3 * 0.080)
+    assert "F_t" not in whole(found(plain, torque="30 N*m")).meshes[0]
 
 
 def test_the_speed_of_the_output_is_stated_as_well():
@@ -138,9 +170,12 @@ def test_rows_that_give_speeds_only_together_are_solved():
 # --- pictures
 
 
-@pytest.mark.parametrize("name", SCHEMES)
+TANGLED = {"axle": AXLE, "bevel, one wheel held": HELD_BEVEL, "two rows, a ring drives": RING_DRIVES}
+
+
+@pytest.mark.parametrize("name", [*SCHEMES, *TANGLED])
 def test_the_scheme_of_a_usual_train_crosses_nothing(name):
-    drawn = Scheme(found(SCHEMES[name]))
+    drawn = Scheme(found({**SCHEMES, **TANGLED}[name]))
     assert crossings(drawn.bars(drawn.route)) < 1
 
 
@@ -189,7 +224,12 @@ def test_the_teeth_found_are_solved_as_if_they_were_stated():
     of = found(THREE_K, wheels=ranges, find={"ratio": 100, "tolerance": "2 %"}, satellites=[3, 4])
     again = found(THREE_K, wheels=dict(of.sought.teeth), satellites=of.sought.satellites[0])
     assert again.ratio == pytest.approx(of.ratio) and abs(of.ratio / 100 - 1) <= 0.02
-    assert again.conditions.met and of.sound
+    assert again.conditions.met and of.sound and not of.sought.efficiency
+    lossy = {"external": 0.98, "internal": 0.99}
+    sets = found(THREE_K, wheels=ranges, find={"ratio": 100, "tolerance": "2 %"}, efficiency=lossy).sought
+    third = found(THREE_K, wheels=sets.candidates.set(2), efficiency=lossy)
+    assert len(sets.efficiency) == len(sets.candidates.ratio)
+    assert sets.efficiency[2] == pytest.approx(third.efficiency)
     assert sum(of.sought.candidates.counts.values()) == of.sought.candidates.examined
 
 

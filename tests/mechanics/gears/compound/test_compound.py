@@ -293,6 +293,15 @@ def test_assembly_is_that_of_every_way_to_put_the_satellites_in(kind, z, k):
         assert (abs(number - round(number)) < 1e-9) == fits(pairs, inside, k)
 
 
+@pytest.mark.parametrize(("kind", "wanted"), [(chain, (20 + 21 + 2 * 22) - 20), (three_k, 20 + 20 + 2 * 21)])
+def test_of_single_crowns_it_is_the_sum_or_the_difference_of_the_central_wheels(kind, wanted):
+    """Both turn against the stopped carrier in one sense: their difference, else their sum."""
+    train, one, other, held = kind((20, 21, 22, 0, 0), 1.0)
+    teeth = {m.name: m.teeth for m in train.members if m.teeth}
+    row = next(row for row in rows_of(train, [one, other, *held], held) if one in (row.a, row.b))
+    assert float(conditions.assembly_number(train, row, teeth, 4)) == pytest.approx(wanted / 4)
+
+
 def test_of_three_central_wheels_every_two_are_judged():
     train, one, other, held = three_k((18, 36, 33, 0, 0), 1.0)
     rows = rows_of(train, [one, other, *held], held)
@@ -379,7 +388,7 @@ def test_3k_against_brute_force():
 
 
 def test_closed_against_brute_force():
-    ranges = {"1": (16, 20), "2": (26, 31), "3": (60, 90), "3'": (17, 20), "4": (24, 28), "5": (60, 90)}
+    ranges = {"1": (16, 20), "2": (26, 31), "3": (70, 90), "3'": (17, 20), "4": (24, 28), "5": (60, 90)}
     found = search.search(task(closed, ranges, 22.0, 0.02), most=10**6)
     wanted = set()
     for a, g, c, d in itertools.product(
@@ -387,7 +396,7 @@ def test_closed_against_brute_force():
     ):
         b, e = a + 2 * g, c + 2 * d
         u = 1 + Fraction(b, a) + Fraction(b * e, a * c)
-        if not (60 <= b <= 90 and 60 <= e <= 90) or abs(u / 22 - 1) > Fraction(2, 100):
+        if not (70 <= b <= 90 and 60 <= e <= 90) or abs(u / 22 - 1) > Fraction(2, 100):
             continue
         if ring_free(g, b) and ring_free(d, e):
             wanted |= {(a, g, b, c, d, e, k) for k in (3, 4) if (a + b) % k == 0 and tips_apart(a + g, g, k)}

@@ -133,5 +133,8 @@ def _solutions(found: Found) -> Iterator[Column]:
     yield Quantity("u", Symbol("u"), "", Message(N_("ratio of the angular velocities"))).column(of.ratio)
     miss = 100 * (np.asarray(of.ratio) / task.ratio - 1)
     yield Quantity("delta_u", Symbol("Delta", "u"), "%", Message(N_("deviation of the ratio"))).column(miss)
+    if found.sought.efficiency:
+        eta = Message(N_("efficiency of the train with this set; 0: it locks itself"))
+        yield Quantity("eta", Symbol("eta"), "", eta).column(list(found.sought.efficiency))
     size = Message(N_("diameter that the train fills, in modules of the first wheel"))
     yield Quantity("D", Symbol("D"), "", size).column(of.size)

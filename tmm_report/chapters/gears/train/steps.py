@@ -76,7 +76,18 @@ class Numbers:
         made = OfMesh("train_meshes", k, ratio_index(mesh.i, mesh.j))
         made.N, made.N_fr = float(flow.loads.mesh_power[k]), float(flow.loads.loss[k])
         made.eta, made.way = flow.train.meshes[k].efficiency, flow.way[k]
+        made.F_t = self._force(k)
         return made
+
+    def _force(self, k: int) -> float | None:
+        """2 T/(m z k) on one of k satellites, of a mesh with parallel axes whose module is stated."""
+        found, mesh = self.found, self.train.meshes[k]
+        stated = found.given.module is not None or mesh.i in found.given.modules
+        if not stated or not found.built.flat[k]:
+            return None
+        sharing = found.conditions.k if mesh.carrier else 1
+        torque = abs(float(found.flow.loads.mesh_torque[k]))
+        return torque / (found.places.radius[mesh.i] * sharing) if sharing else None
 
     def _given(self) -> None:
         found, s, given = self.found, self.s, self.found.given

@@ -12,6 +12,7 @@ from tmm_report.quantity.symbols import Symbol, both
 WORDS = (NP_("index", "in"), NP_("index", "out"), NP_("index", "lost"), NP_("index", "circ"))
 FORCE_RATIO = N_("ratio of the torques with the losses in the meshes, −M_out/M_in")
 BACK = N_("efficiency with the power going in at the output; not positive: it locks itself")
+FORCE = N_("circumferential force in the mesh, of several satellites on one")
 WAY = N_(
     "flow of the power about the carrier: 1 from the first wheel to the second, −1 back, 0 nothing moves"
 )
@@ -85,6 +86,7 @@ class OfMesh(Row):
     N_fr = Q("N_fr", "W", N_("power lost"))
     eta = Q("eta", "", N_("efficiency of the mesh, its carrier stopped"))
     way = Q("x", "", WAY)
+    F_t = Q("F_t", "N", FORCE)
 
 
 class Flowing(Row):

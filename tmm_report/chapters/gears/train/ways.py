@@ -35,6 +35,9 @@ SEARCH = N_(
 )
 TEETH = N_("Stated, or of the set of teeth that is taken.")
 NUMBERS = N_("Stated, or one of the numbers from 2 to 6, which are all looked at.")
+TEETH_FORCE = N_(
+    "Twice the torque on the first wheel by its module and teeth, and by the satellites that share it."
+)
 SCALE = N_("Chosen so that the drawing fits the paper, from the usual scales.")
 FREEDOM = N_("The members that turn on their own less the independent equations of the meshes.")
 BACK_LOOP = N_("What the branches at a shaft bring back against the others.")
@@ -60,6 +63,7 @@ WAYS = (
     Way("train_loads.F_free", by=lambda q: abs(q("T_free")) / (q("train_D_wheel") / 2)),
     Way("train_loads.* train_flow.*", EQUILIBRIUM, of="member"),
     Way("train_meshes.eta", MESH, of="mesh"),
+    Way("train_meshes.F_t", TEETH_FORCE, of="mesh train_freedom"),
     Way("train_meshes.*", EQUILIBRIUM, of="mesh eta"),
     Way("train_branches.*", SHARES, of="shaft member"),
     Way("train_distances.*", DISTANCE, of="mesh other"),

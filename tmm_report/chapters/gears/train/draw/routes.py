@@ -11,10 +11,12 @@ from dataclasses import replace
 from itertools import combinations
 from typing import NamedTuple
 
+import numpy as np
+
 from tmm_report.records import dataclass
 
 TOUCH = 0.4  # mm: ends nearer than this to a line lie on it
-ROUNDS = 6
+TRIED = 400  # changes: a train of many rows is drawn as it stands then
 
 
 class Bar(NamedTuple):
@@ -41,48 +43,33 @@ class Route:
 
 def crossings(bars: Sequence[Bar]) -> float:
     """How many strokes of two bodies cross, those that lie on one another counted thrice, long strokes a little."""
-    cost = 0.0
-    for one, other in combinations(bars, 2):
-        if one.body == other.body:
-            continue
-        if one.upright and other.upright:
-            near = abs(one.start.real - other.start.real) < TOUCH
-            cost += 3.0 if near and _overlap(_span(one, 1), _span(other, 1)) else 0.0
-        elif not one.upright and not other.upright:
-            near = abs(one.start.imag - other.start.imag) < TOUCH
-            cost += 3.0 if near and _overlap(_span(one, 0), _span(other, 0)) else 0.0
-        else:
-            tall, flat = (one, other) if one.upright else (other, one)
-            x, y = tall.start.real, flat.start.imag
-            low, high = _span(tall, 1)
-            left, right = _span(flat, 0)
-            cost += 1.0 if low - TOUCH < y < high + TOUCH and left - TOUCH < x < right + TOUCH else 0.0
-    return cost + 1e-4 * sum(abs(bar.end - bar.start) for bar in bars)
-
-
-def _span(bar: Bar, way: int) -> tuple[float, float]:
-    ends = [(one.real, one.imag)[way] for one in (bar.start, bar.end)]
-    return min(ends), max(ends)
-
-
-def _overlap(one: tuple[float, float], other: tuple[float, float]) -> bool:
-    return min(one[1], other[1]) - max(one[0], other[0]) > -TOUCH
+    start, end = (np.array([getattr(bar, key) for bar in bars]) for key in ("start", "end"))
+    low = np.minimum(start.real, end.real), np.minimum(start.imag, end.imag)
+    high = np.maximum(start.real, end.real), np.maximum(start.imag, end.imag)
+    # what overlaps along both axes meets: of an upright and a level stroke that is a crossing
+    along, across = (
+        np.minimum.outer(h, h) - np.maximum.outer(w, w) > -TOUCH for w, h in zip(low, high, strict=True)
+    )
+    names, upright = np.array([bar.body for bar in bars]), np.array([bar.upright for bar in bars])
+    met = along & across & (names[:, None] != names)
+    alike = met & (upright[:, None] == upright)
+    return float(met.sum() + 2 * alike.sum()) / 2 + 1e-4 * float(np.abs(end - start).sum())
 
 
 def best(
     start: Route, sided: Sequence[str], free: Sequence[str], drawn: Callable[[Route], list[Bar]]
 ) -> Route:
-    """The route with the fewest crossings that single changes lead to. `sided`: members with a web on either side;
-    `free`: bodies that may go outside."""
-    found, cost = start, crossings(drawn(start))
-    for _ in range(ROUNDS):
-        near = [(crossings(drawn(other)), k, other) for k, other in enumerate(_changed(found, sided, free))]
-        if not near:
-            break
-        least, _, other = min(near, key=lambda one: one[:2])
-        if least >= cost - 1e-9:
-            break
-        found, cost = other, least
+    """A route with few crossings that single changes lead to, each taken as it is met. `sided`: members with a web on
+    either side; `free`: bodies that may go outside."""
+    found, cost, tried, better = start, crossings(drawn(start)), 0, True
+    while better:
+        better = False
+        for other in _changed(found, sided, free):
+            if (tried := tried + 1) > TRIED:
+                return found
+            if (least := crossings(drawn(other))) < cost - 1e-9:
+                found, cost, better = other, least, True
+                break
     return found
 
 

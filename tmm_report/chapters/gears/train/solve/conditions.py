@@ -78,6 +78,11 @@ class Conditions:
     def _of_satellites(self) -> tuple[Assembly | Neighbours, ...]:
         return (*self.assembly, *self.neighbours)
 
+    @property
+    def k(self) -> int:
+        """The number of satellites, 0 where it is open."""
+        return self._of_satellites[0].k if self.stated and self._of_satellites else 0
+
     def possible(self) -> Iterator[int]:
         """Numbers of satellites for which both conditions hold."""
         for k in sorted({one.k for one in self._of_satellites}):

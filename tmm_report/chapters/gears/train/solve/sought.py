@@ -21,6 +21,7 @@ class Sought:
 
     task: Task
     candidates: Candidates
+    efficiency: tuple[float, ...] = ()  # of the solutions, 0 of one that locks itself; none without losses
 
     @property
     def teeth(self) -> Mapping[str, int]:

@@ -172,6 +172,8 @@ class Found:
 def solve(given: Given) -> Found:
     """Raises ProblemError: of speeds or torques that are not determined, of teeth that cannot be found."""
     sought = find(given) if given.sought else None
+    if sought and given.efficiency is not None:
+        sought = replace(sought, efficiency=tuple(_efficiencies(given, sought)))
     teeth = sought.teeth if sought else {name: one.low for name, one in given.wheels.items()}
     built = build(given, teeth)
     speed = turned(built, stated_speeds(given, built))
@@ -262,6 +264,15 @@ def _regular(built: Built, steps: tuple[Step, ...], start: Mapping[str, float], 
 
 
 # --- torques
+
+
+def _efficiencies(given: Given, sought: Sought) -> Iterator[float]:
+    """Of every solution, 0 where it locks itself."""
+    for row in range(len(sought.candidates.ratio)):
+        built = build(given, sought.candidates.set(row))
+        speed = turned(built, stated_speeds(given, built))
+        *_, found = _flows(given, built, speed, ())
+        yield 0.0 if bool(found.loads.locks(given.output[0])) else float(found.loads.efficiency)
 
 
 def _flows(
