@@ -14,10 +14,11 @@ from typing import Any
 from markupsafe import Markup
 
 from tmm_report.i18n import Translator
-from tmm_report.problems import Message
+from tmm_report.problems import N_, Message
 from tmm_report.report.formats import Html, Png, Tex
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template
+from tmm_report.report.paper.punctuation import joined
 from tmm_report.report.part import Failed, Part, Title
 from tmm_report.resources import data_root
 
@@ -60,14 +61,16 @@ def _written(given: Mapping[str, Any], parts: Sequence[Part], page: Page, undone
     page.numbering.end_front()
     head = chapter("title")
     note = template(f"report.{fmt}.j2").render(given, head=head, body=body, **_own_files(fmt))
-    return page.numbering.resolved(note)
+    return joined(page.numbering.resolved(note), fmt, page.t(N_("where")), page.t(N_("Here")))
 
 
 def _conclusions(parts: Sequence[Part]) -> list[Markup]:
-    """What the chapters say in the conclusions, each view once; what failed comes first."""
+    """What the chapters say in the conclusions, each view once and in one paragraph; what failed comes first."""
     views = dict.fromkeys(part.view for part in parts if part.concludes)
-    lines = [line for view in views for line in view.conclusions()]
-    return sorted(lines, key=lambda line: not isinstance(line, Failed))
+    said = [list(view.conclusions()) for view in views]
+    failed = [line for lines in said for line in lines if isinstance(line, Failed)]
+    sound = ([line for line in lines if not isinstance(line, Failed)] for lines in said)
+    return [*failed, *(Markup(" ").join(lines) for lines in sound if lines)]
 
 
 def _given(title: Title, page: Page) -> dict[str, Any]:

@@ -41,6 +41,10 @@ from tmm_report.resources import data_root
 
 P = ParamSpec("P")
 T = TypeVar("T")
+_POINTS = re.compile(
+    r"[A-Z]\d{0,2}(?:, [A-Z]\d{0,2})*"
+)  # names of points as a mechanism has them, or a list of such
+LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _VALUE = re.compile(r"%(?:\((\w+)\)[sd]|%)")
 
 
@@ -101,6 +105,11 @@ def _pieces(text: str) -> tuple[tuple[str, bool], ...]:
     return (*pieces, (text[end:], False))
 
 
+def _indexed(value: Any) -> Any:
+    """Names of points with their numbers as indices, S₂: in running text as in formulas."""
+    return value.translate(LOWERED) if type(value) is str and _POINTS.fullmatch(value) else value
+
+
 class Page:
     """What templates call: text, mathematics and numbers in one format and one language."""
 
@@ -145,7 +154,9 @@ class Page:
         parts = _pieces(text)
         if len(parts) == 1:
             return self.text(parts[0][0])
-        pieces = [self.text(values[piece] if named else piece) for piece, named in parts if named or piece]
+        pieces = [
+            self.text(_indexed(values[piece]) if named else piece) for piece, named in parts if named or piece
+        ]
         return Markup("".join(pieces))
 
     def message(self, message: Message) -> Markup:
@@ -355,4 +366,4 @@ class Page:
         return unit_text(unit, self.tr.language)
 
     def listed(self, items: Iterable[Any], between: str = ", ") -> Markup:
-        return Markup(str.join(self.text(between), map(self.text, items)))
+        return Markup(str.join(self.text(between), map(self.text, map(_indexed, items))))

@@ -13,12 +13,11 @@ from tmm_report.mechanics.lever.wheels.coupled import Coupled
 from tmm_report.problems import N_
 from tmm_report.quantity.terms.directions import COMPASS
 from tmm_report.quantity.text import unit_text
-from tmm_report.report.page import Page
+from tmm_report.report.page import LOWERED, Page
 
 if TYPE_CHECKING:  # loaded only where methods are compared
     from tmm_report.mechanics.rivals.model import Method
 
-SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 PAIR_KINDS = {"R": N_("revolute"), "P": N_("prismatic"), "H": N_("higher")}
 ALONG_POINT = {
     "along": N_("along the motion of the point"),
@@ -59,13 +58,13 @@ def roman(number: int) -> str:
 
 def group_name(group: Group) -> str:
     """The label with the order as an index: II₂(2,3)."""
-    return f"{ROMAN[group.group_class]}{str(group.order).translate(SUBSCRIPT)}({','.join(group.links)})"
+    return f"{ROMAN[group.group_class]}{str(group.order).translate(LOWERED)}({','.join(group.links)})"
 
 
 def group_label(label: str) -> str:
     """A group's label as the solvers write it, "II2(2,3)", with the order as an index."""
     name, _, links = label.partition("(")
-    return f"{name.translate(SUBSCRIPT)}({links}"
+    return f"{name.translate(LOWERED)}({links}"
 
 
 def structural_formula(structure: Structure) -> str:

@@ -251,4 +251,14 @@ class FlywheelView(ChapterView):
             )
             return [self.t(text, delta=self.number("delta_0", digits=4))]
         text = N_("A flywheel of %(J)s kg·m² leaves the machine the coefficient of non-uniformity %(delta)s.")
-        return [self.t(text, J=self.number("J_fl"), delta=self.number("delta_run", digits=4))]
+        lines = [self.t(text, J=self.number("J_fl"), delta=self.number("delta_run", digits=4))]
+        if "J_shaft" in self.s and self.s.number("i") != 1:
+            text = N_(
+                "That is its moment of inertia reduced to the main link; on its own shaft, with the ratio %(ratio)s, "
+                "it has %(J)s kg·m²."
+            )
+            lines.append(self.t(text, ratio=self.number("i"), J=self.number("J_shaft")))
+        if "D" in self.s and "m" in self.s:
+            text = N_("Its diameter is %(D)s m, its mass %(m)s kg.")
+            lines.append(self.t(text, D=self.number("D"), m=self.number("m")))
+        return lines

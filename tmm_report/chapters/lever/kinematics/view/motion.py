@@ -148,8 +148,13 @@ class MotionView(BookView):
             text = WORKING_OF_SEVERAL[stroke.by]
             yield self.t(text, **within)
             return
-        first, last = (self.turned(f"S_{name}_{end}") for end in stroke.ends)
-        text = WORKING[stroke.by]
+        keys = [f"S_{name}_{end}" for end in stroke.ends]
+        begin, end = (round(math.degrees(self.value(key).at or 0.0), 1) for key in keys)
+        first, last = map(self.turned, keys)
+        if end == 0:  # the stroke that ends with the cycle does so at its last angle and position
+            last, end = Markup("360"), 360.0
+            within["other"] = within["other"] or self.found.positions.table
+        text = (WORKING if begin < end else WORKING_ROUND)[stroke.by]
         yield self.t(text, first=first, last=last, **within)
 
     def stroke(self, travel: Travel) -> Markup:
@@ -253,6 +258,16 @@ WORKING = {
     "longer": N_(
         "Its working stroke, the longer-lasting one, lasts from the angle of turn %(first)s° to %(last)s°, positions "
         "%(one)s … %(other)s."
+    ),
+}
+WORKING_ROUND = {
+    "load": N_(
+        "Its working stroke, in which the stated load does its work, lasts from the angle of turn %(first)s° over the "
+        "end of the cycle to %(last)s°, positions %(one)s … %(other)s."
+    ),
+    "longer": N_(
+        "Its working stroke, the longer-lasting one, lasts from the angle of turn %(first)s° over the end of the cycle "
+        "to %(last)s°, positions %(one)s … %(other)s."
     ),
 }
 WORKING_OF_SEVERAL = {

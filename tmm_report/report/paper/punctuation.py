@@ -1,0 +1,33 @@
+"""Formulas as parts of sentences: what stands behind a formula, and with what word its explanation begins.
+
+A formula that another follows, or its explanation, ends with a comma; so does a sentence that is explained. Behind a
+table the explanation begins a sentence of its own, behind a colon it goes on without a word.
+"""
+
+from __future__ import annotations
+
+import re
+
+_HTML = (
+    # formula, then a formula or its explanation
+    (r'(</math>(?:</span>)?)(</div>(?:<div class="number">[^<]*</div>)?</div>\s*)'
+     r'(?=<p class="where">|<div class="formula")', r"\1,\2"),
+    (r'\.(</p>\s*<p class="where">)', r",\1"),
+    (r'(</table>\s*</div>\s*</div>\s*<p class="where">)WHERE ', r"\1HERE "),
+    (r'(:</p>\s*<p class="where">)WHERE ', r"\1"),
+)  # fmt: skip
+_TEX = (
+    (r"^(\\Note(?:Formula|Display)\{.*)\}(\s*)(?=\\noindent WHERE |\\Note(?:Formula|Display)\{)", r"\1,}\2"),
+    (r"\.(\s*\\noindent WHERE )", r",\1"),
+    (r"(\\end\{Note(?:Long)?Table\}\s*\\noindent )WHERE ", r"\1HERE "),
+    (r"(:\s*\\noindent )WHERE ", r"\1"),
+)
+_RULES = {"html": _HTML, "tex": _TEX}
+
+
+def joined(text: str, fmt: str, where: str, here: str) -> str:
+    """The rendered note with its formulas and explanations joined into sentences. `where`, `here`: the words."""
+    for pattern, put in _RULES.get(fmt, ()):
+        pattern = pattern.replace("WHERE", re.escape(where))
+        text = re.sub(pattern, put.replace("HERE", here), text, flags=re.M)
+    return text
