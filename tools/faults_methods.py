@@ -489,8 +489,8 @@ FAULTS = (
           "bearing = k - 1 if received else k", "bearing = k", BELT, POWERS),
     Fault("what the motor allows without the losses", POWER + "steps.py",
           's.P_motor * s["eta_total"].var(digits=5)', "s.P_motor * 1", BELT, POWERS),
-    Fault("columns of the shafts exchanged", POWER + "view.py",
-          '("P", "n", "omega", "T"))', '("P", "omega", "n", "T"))', BELT),
+    Fault("what turns a shaft told of the next", POWER + "view.py",
+          "self.by(shaft)", "self.by(max(shaft - 1, 0))", BELT, POWERS),
     Fault("the verdicts of the motors shifted by one", POWER + "view.py",
-          'VERDICTS[table["verdict"].values[row]]', 'VERDICTS[table["verdict"].values[row - 1]]', BELT),
+          'VERDICTS[table["verdict"].values[row]]', 'VERDICTS[table["verdict"].values[row - 1]]', BELT, POWERS),
 )  # fmt: skip

@@ -12,7 +12,12 @@ from tmm_report.chapters.gears.drive import solve as drive
 from tmm_report.chapters.gears.drive.block import DriveModel, build
 from tmm_report.chapters.gears.drive.power.quantities import verdict
 from tmm_report.chapters.gears.drive.quantities import tables
+from tmm_report.chapters.gears.drive.view import DriveView
+from tmm_report.i18n import Translator
 from tmm_report.problems import ProblemError
+from tmm_report.report.formats import Html
+from tmm_report.report.numbering import Numbering
+from tmm_report.report.page import Page
 
 RPM = 30 / math.pi
 PAIR = {"kind": "spur", "ratio": -3, "module": "3 mm", "teeth": [20, 60], "efficiency": 0.97}
@@ -276,3 +281,19 @@ def test_its_note_is_written_whatever_is_left_out(keys):
     text = f"language: en\ndrive: {{{keys}, stages: [{{kind: spur, teeth: [20, 60]}}]}}\n"
     note = render(course.solve(course.loads(text)), "html")["note.html"].decode()
     assert "The power passes the parts" in note and "nan" not in note
+
+
+def test_the_words_of_the_tables_stand_in_their_rows():
+    """What a motor is refused for, and what brings the power to a shaft: words that no number of the results holds."""
+    belt = {"kind": "belt", "ratio": 2, "driving": "100 mm", "driven": "200 mm"}
+    losses = {"bearings": 0.99, "coupling": 0.98}
+    found = solve(belt, OPEN, OPEN, output=DRUM, motors=MOTORS, ratio_range=[25, 30], **losses)
+    view = DriveView(found, Page(Html(), Translator("en"), Numbering()), "drive").power_view
+    verdicts = [str(row[-1]) for row in view.motors_table().parts[0].rows]
+    assert verdicts == [
+        "too weak, ratio too great", "ratio too great", "too weak", "this one is taken",
+        "too weak, ratio too small", "ratio too small",
+    ]  # fmt: skip
+    assert [str(row[1]) for row in view.shafts_table().parts[0].rows] == [
+        "motor", "stage 1–2", "stage 3–4", "stage 5–6", "coupling",
+    ]  # fmt: skip
