@@ -12,7 +12,7 @@ from tmm_report.mechanics.gears.compound.search import Candidates, Reason, Task,
 from tmm_report.problems import N_, Message, ProblemError, mistake
 from tmm_report.records import dataclass
 
-MOST = 40_000_000  # combinations: some five seconds
+MOST = 20_000_000  # combinations: some three seconds
 
 
 @dataclass(frozen=True, eq=False)

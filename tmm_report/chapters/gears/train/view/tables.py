@@ -131,7 +131,7 @@ class TrainTables(ChapterView):
             ]
             for row, one in enumerate(self.found.conditions.assembly)
         ]
-        heads = [self.t("Row"), page.head(table["k"].symbol()), page.head(Symbol("C")), self.t("Number")]
+        heads = [self.t("Row"), page.head(table["k"].symbol()), page.head(Symbol("C")), self.t("Condition")]
         return worded(self.t("Condition of assembly"), heads, rows, (2, 1, 2, 2))
 
     def neighbours(self) -> layout.Table:
