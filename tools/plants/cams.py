@@ -8,6 +8,13 @@ OF_CAMS, CAM_PRESS = MECHANICS + "cams/", "cam_press"
 SIZED_BY, BY_ARCS = ("tests/mechanics/cams/test_centres.py",), ("tests/mechanics/cams/test_arcs.py",)
 BY_RULES = ("tests/mechanics/cams/test_curvature_and_rules.py",)
 
+FACED, DREW = (
+    ("tests/chapters/cams/test_faces_and_rules.py",),
+    ("tests/chapters/cams/test_centres_drawing.py",),
+)
+STATED = ("tests/statements/test_statements.py",)
+BLOCK, DRAWN = "tmm_report/chapters/cams/cam/block/", "tmm_report/chapters/cams/cam/draw/"
+
 FAULTS = (
     # --- sizes of cams, cams of arcs ---
     Fault("cam sizes: the derivative laid off the wrong way along the arm", OF_CAMS + "sizes/centres.py",
@@ -63,4 +70,24 @@ FAULTS = (
           "(one.end - one.start))", CAM_PRESS, BY_RULES),
     Fault("cam sizes: jerk of a table", OF_CAMS + "follower_laws.py", "(self._bends[k + 1] - self._bends[k])",
           "(self._bends[k] - self._bends[k + 1])", CAM_PRESS, BY_RULES),
+    Fault("cam sizes: a chosen roller by half of the radius", OF_CAMS + "sizes/rules.py", "OF_RADIUS = 0.4",
+          "OF_RADIUS = 0.5",
+          CAM_PRESS, BY_RULES),
+    Fault("cam sizes: a shaft without the roller", OF_CAMS + "sizes/rules.py", "return OF_SHAFT * diameter + roller",
+          "return OF_SHAFT * diameter", CAM_PRESS, FACED),
+    Fault("cam sizes: the distance of a face on the other side", BLOCK + "sizes.py",
+          "return float((normal * motion.arm.conjugate()).real)",
+          "return -float((normal * motion.arm.conjugate()).real)",
+          CAM_PRESS, FACED),
+    Fault("cam sizes: the tangent at 45 degrees from the wrong place", DRAWN + "face.py",
+          "foot = touch.real + touch.imag",
+          "foot = touch.imag - touch.real", CAM_PRESS, FACED),
+    Fault("cam sizes: what is laid off along the arm the wrong way in the drawing", DRAWN + "centres.py",
+          "yield polyline(page(*(arms * (1 + k * slope))), THICK)",
+          "yield polyline(page(*(arms * (1 - k * slope))), THICK)",
+          CAM_PRESS, DREW),
+    Fault("cam sizes: the velocity at the change without the speed", "tmm_report/chapters/cams/cam/quantities/arcs.py",
+          "fast.unit, text).value(omega * end.first)", "fast.unit, text).value(end.first)", CAM_PRESS, STATED),
+    Fault("cam sizes: both sides of the change exchanged", "tmm_report/chapters/cams/cam/quantities/arcs.py",
+          "start, end, nose, tip = rows[:4]", "start, nose, end, tip = rows[:4]", CAM_PRESS, STATED),
 )  # fmt: skip

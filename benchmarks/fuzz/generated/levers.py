@@ -216,6 +216,8 @@ def cam_alone(random: Random) -> Data:
         one["roller"] = mm(random.uniform(5, 15))
         if random.random() < 0.5:
             del one["follower"]
+        if random.random() < 0.3:
+            one["shaft"] = "20 mm"
     _law(one, swings, base, random)
     if one.get("base") == "smallest" and end == "flat" and random.random() < 0.8:
         one["least_curvature"] = "4 mm"
@@ -223,6 +225,8 @@ def cam_alone(random: Random) -> Data:
         _divided(one["phases"], random)
         if "base" in one and one["base"] != "smallest" and random.random() < 0.3:
             one["pitch_base"] = one.pop("base")
+        if "roller" in one and one.get("base", "smallest") == "smallest" and random.random() < 0.3:
+            one["roller"] = "chosen"
     if swings:
         free = one.get("base") == "smallest" and end != "flat" and random.random() < 0.5
         one["centre_distance"] = "free" if free else mm(random.uniform(130, 150))

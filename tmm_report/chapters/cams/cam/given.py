@@ -16,13 +16,15 @@ Follower = Literal["roller", "knife", "flat"]
 @dataclass(frozen=True, eq=False)
 class Given:
     """A cam with its follower over a turn: `sense` +1 counter-clockwise; `omega`: rad/s, above zero, None where no
-    speed is stated; `table`, `diagram`: equal parts of the turn for the tables and the curves."""
+    speed is stated; `table`, `diagram`: equal parts of the turn for the tables and the curves;
+    `shaft`: its diameter, m."""
 
     cam: Cam
     sense: int
     omega: float | None = None
     table: int = 12
     diagram: int = 72
+    shaft: float | None = None
 
 
 @dataclass(frozen=True)

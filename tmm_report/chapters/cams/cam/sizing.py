@@ -6,9 +6,10 @@ from collections.abc import Iterator
 
 from tmm_report.chapters.cams.cam import quantities as q
 from tmm_report.chapters.cams.cam.solve.found import CamFound
-from tmm_report.mechanics.cams.sizes.least_face import Face
+from tmm_report.mechanics.cams.sizes.least_face import Face, TurnedFace
 from tmm_report.mechanics.cams.sizes.least_size import Bound, Lever, Place, Zone
-from tmm_report.quantity.formula import Expr, Formula, arccos, cos, expr, sqrt, tan
+from tmm_report.mechanics.cams.sizes.rules import OF_CURVATURE, OF_RADIUS, OF_SHAFT
+from tmm_report.quantity.formula import Expr, Formula, Number, arccos, cos, expr, sin, sqrt, tan
 from tmm_report.quantity.model import Book, Table, Value
 
 LIMITS: dict[str, str] = {"rise": "cam_alpha_limit", "dwell": "cam_alpha_limit", "return": "cam_alpha_back"}
@@ -94,6 +95,36 @@ class FaceSizing(Sizing):
         yield self._value("cam_r0_least").formula(self._value("cam_curvature").var() - S - bend)
 
 
+class TurnedFaceSizing(Sizing):
+    """Under a flat face that swings."""
+
+    kind = "turned face"
+
+    def taken(self) -> Iterator[Formula]:
+        away, d, start = (self._value(key).var() for key in ("cam_away", "cam_apart", "cam_start_least"))
+        yield self._value("cam_r0_least").formula(away + d * sin(start))
+
+
+class Rules:
+    """What guides ask of roller and shaft, written out."""
+
+    def __init__(self, found: CamFound, book: Book):
+        self.found, self.book = found, book
+
+    def _value(self, key: str) -> Value:
+        return self.book[q.named(self.found, key)]
+
+    def roller(self) -> Iterator[Formula]:
+        radius, curvature = self._value("cam_pitch_base").var(), self._value("cam_rho_pitch").var()
+        yield self._value("cam_roller_by_radius").formula(Number(OF_RADIUS) * radius)
+        yield self._value("cam_roller_by_curvature").formula(Number(OF_CURVATURE) * curvature)
+
+    def shaft(self) -> Formula:
+        by = Number(OF_SHAFT) * self._value("cam_shaft").var()
+        rolls = bool(self.found.cam.roller)
+        return self._value("cam_r0_shaft").formula(by + self._value("cam_roller").var() if rolls else by)
+
+
 def sizing(found: CamFound, book: Book) -> Sizing | None:
     """None of a cam whose size is stated."""
     match found.cam.sized:
@@ -103,6 +134,8 @@ def sizing(found: CamFound, book: Book) -> Sizing | None:
             return LeverSizing(found, lever, book)
         case Face():
             return FaceSizing(found, book)
+        case TurnedFace():
+            return TurnedFaceSizing(found, book)
     return None
 
 

@@ -11,13 +11,14 @@ from markupsafe import Markup
 
 from tmm_report.chapters.cams.cam import arcs_written, formulas
 from tmm_report.chapters.cams.cam import quantities as q
-from tmm_report.chapters.cams.cam.draw import centres, profile, zone
+from tmm_report.chapters.cams.cam.draw import centres, face, profile, zone
 from tmm_report.chapters.cams.cam.formulas import Written
-from tmm_report.chapters.cams.cam.sizing import Sizing, sizing
+from tmm_report.chapters.cams.cam.sizing import Rules, Sizing, sizing
 from tmm_report.chapters.cams.cam.solve.alone import Found
 from tmm_report.chapters.cams.cam.solve.found import CamFound, Cams, Divided, Sampled
 from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.drawing import Drawing
+from tmm_report.mechanics.cams.sizes.least_face import Face
 from tmm_report.mechanics.cams.sizes.least_size import Lever, Zone
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula, Var
@@ -164,6 +165,36 @@ class CamView(BookView):
 
     def zone(self) -> Drawing:
         return zone.drawing(self.found, self._zone, self._zone_mu)
+
+    @property
+    def _under(self) -> Face:
+        assert isinstance(self.cam.sized, Face)
+        return self.cam.sized
+
+    @cached_property
+    def _face_mu(self) -> float:
+        return face.scale(self.found, self._under)
+
+    def face_scale(self) -> Var:
+        return scale_of("mu_l", self._face_mu, "m/mm")
+
+    def face(self) -> Drawing:
+        return face.drawing(self.found, self._under, self._face_mu)
+
+    @cached_property
+    def rules(self) -> Rules:
+        return Rules(self.found, self.book)
+
+    @property
+    def fits(self) -> bool:
+        """Whether the roller keeps the rules."""
+        limits = self.found.roller_limits
+        return limits is not None and (self.cam.roller or 0.0) <= limits.most * (1 + 1e-9)
+
+    @property
+    def about_shaft(self) -> bool:
+        """Whether the cam is large enough for its shaft."""
+        return self.found.pitch_base >= self.value("cam_r0_shaft").value * (1 - 1e-9)
 
     @property
     def _lever(self) -> Lever:

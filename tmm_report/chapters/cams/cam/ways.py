@@ -44,6 +44,9 @@ ZONE = N_(
     "follower: its place nearest to the lowest centre of the roller, or to the pivot."
 )
 HOLDS = N_("The two positions of the follower whose lines hold the axis there, sought over the law.")
+AWAY = N_("As the variant states the face: its distance from the pivot.")
+ROLLER = N_("Stated; or chosen: the greatest that the rules allow, rounded down to a whole millimetre.")
+LESSER = N_("The lesser of the two.")
 JUMP = N_("Where two phases meet: the difference of the derivatives on both sides.")
 APART = N_("By the places of both pivots that the variant states.")
 LIFT = N_("The greatest displacement of the law less the least.")
@@ -78,6 +81,10 @@ def _ways(own: str, same: str) -> tuple[Way, ...]:
             ZONE,
             of="cam_arm@ cam_alpha_limit@ cam_alpha_back@",
         ),
+        Way("cam_away@", AWAY, of="cam_apart@"),
+        Way("cam_roller_most@", LESSER, of="cam_roller_by_radius@ cam_roller_by_curvature@"),
+        Way("cam_shaft@", STATED),
+        Way("cam_roller@", ROLLER, of="cam_roller_most@"),
         Way("cam_shocks@.*", JUMP, of="phi shock"),
         Way("cam_motion@_table.*", LAW, of="phi cam_S@ cam_lift@"),
         Way("cam_divisions@_*.part", COUNTED),
@@ -88,7 +95,7 @@ def _ways(own: str, same: str) -> tuple[Way, ...]:
         Way("cam_apart@", APART, of="cam_base@ cam_arm@"),
         Way("cam_base@", BASE, of="cam_r0_least@"),
         Way("cam_reach@", REACH, of="cam_lift@"),
-        Way("cam_alpha_limit@ cam_alpha_back@ cam_curvature@ cam_arm@ cam_roller@ cam_offset@", STATED),
+        Way("cam_alpha_limit@ cam_alpha_back@ cam_curvature@ cam_arm@ cam_offset@", STATED),
         Way("cam_*", EXTREME, of="cam_base* cam_lift*"),
     )
     return tuple(

@@ -26,7 +26,12 @@ class Demand(NamedTuple):
 
 
 def greatest(law: Law, of: Callable[[Array, Array, Array], Array]) -> Demand:
-    """Of a function of S, S' and S'' over the turn, piece by piece of the law, about the highest peaks of each: peaks
+    """Of a function of S, S' and S'' over the turn."""
+    return greatest_at(law, lambda theta: of(*law.of(theta)))
+
+
+def greatest_at(law: Law, of: Callable[[Array], Array]) -> Demand:
+    """Of a function of the law's angle over the turn, piece by piece of the law, about the highest peaks of each: peaks
     of nearly one height are where a size is held in two places."""
     edges = sorted({0.0, *law.breaks, FULL_TURN})
     best = Demand(-inf, 0.0, 0.0, 0.0)
@@ -34,11 +39,11 @@ def greatest(law: Law, of: Callable[[Array, Array, Array], Array]) -> Demand:
         last = high - 2 * EDGE  # nearer to a break the law is already that of what follows
         x = np.append(np.linspace(low, last, GRID + 1), high)[None]
         for _ in range(ROUNDS):
-            S, slope, bend = law.of(x)
-            y = np.where((x <= last) | (x == high), of(S, slope, bend), -inf)
+            y = np.where((x <= last) | (x == high), of(x), -inf)
             k = np.unravel_index(int(np.argmax(y)), y.shape)
             if y[k] > best.b:
-                best = Demand(float(y[k]), float(x[k]), float(S[k]), float(slope[k]))
+                S, slope, _ = law.of(x[k])
+                best = Demand(float(y[k]), float(x[k]), float(S), float(slope))
             row, peak = _peaks(y) if len(y) == 1 else (np.arange(len(y)), np.argmax(y, axis=1))
             ends = x[row, np.maximum(peak - 1, 0)], x[row, np.minimum(peak + 1, x.shape[1] - 1)]
             x = np.linspace(*ends, FINER + 1, axis=-1)

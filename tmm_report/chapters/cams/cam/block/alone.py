@@ -14,23 +14,24 @@ from tmm_report.variant.russian import english
 from tmm_report.variant.values import Length, Positive, Reads, SignedSpeed, Turn, quantity, whole
 
 Count = Annotated[int, whole(8, 360)]
-FREE = "free"
+FREE, CHOSEN = "free", "chosen"
 _LENGTH, _POSITIVE = quantity("length"), quantity("length", 1e-9)
 
 
-def _free(length: Reads) -> Reads:
+def _free(length: Reads, left: str = FREE) -> Reads:
     """A length, or the word that leaves it to be found."""
 
     def read(written: object) -> float | str:
-        word = english(written, (FREE,))
-        return FREE if isinstance(word, str) and word.strip() == FREE else length.value(written)
+        word = english(written, (left,))
+        return left if isinstance(word, str) and word.strip() == left else length.value(written)
 
     return Reads(
-        read, {"anyOf": [{"enum": [FREE]}, dict(length.schema)], "examples": ["12 mm", FREE]}, "length"
+        read, {"anyOf": [{"enum": [left]}, dict(length.schema)], "examples": ["12 mm", left]}, "length"
     )
 
 
 Distance = Annotated[float | Literal["free"], _free(_POSITIVE)]
+Roller = Annotated[float | Literal["chosen"], _free(_POSITIVE, CHOSEN)]
 Offset = Annotated[float | Literal["free"], _free(_LENGTH)]
 
 
@@ -46,7 +47,15 @@ class CamAloneModel(LoadedModel, CamStated):
     follower: Follower | None = Field(
         default=None, description="how it touches the cam; left out, by a roller where that is stated"
     )
-    roller: Positive | None = Field(default=None, description="radius of the roller", examples=["10 mm"])
+    roller: Roller | None = Field(
+        default=None,
+        description="radius of the roller; chosen: the greatest that the rules allow, in whole millimetres",
+    )
+    shaft: Positive | None = Field(
+        default=None,
+        description="diameter of the cam's shaft, by which the smallest base circle is limited too",
+        examples=["30 mm"],
+    )
     pitch_base: Positive | None = Field(
         default=None,
         description="instead of base: least radius of the centre profile (pitch curve), of the roller's centre",

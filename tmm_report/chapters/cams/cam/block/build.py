@@ -8,10 +8,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from tmm_report.chapters.cams.cam.block.alone import FREE, CamAloneModel
+from tmm_report.chapters.cams.cam.block.alone import CHOSEN, FREE, CamAloneModel
 from tmm_report.chapters.cams.cam.block.laws import Wrong, by_profile, law
 from tmm_report.chapters.cams.cam.block.pieced import by_arcs
-from tmm_report.chapters.cams.cam.block.sizes import LIMITS, best_distance, least, lowest, smallest
+from tmm_report.chapters.cams.cam.block.sizes import (
+    LIMITS,
+    best_distance,
+    chosen_roller,
+    least,
+    lowest,
+    smallest,
+)
 from tmm_report.chapters.cams.cam.block.touching import must_touch
 from tmm_report.chapters.cams.cam.given import Given
 from tmm_report.mechanics.cams.cam import ByLaw, Cam, Sliding, Swinging
@@ -44,10 +51,10 @@ def wrong(stated: CamAloneModel) -> Iterator[Problem]:
 def built(stated: CamAloneModel) -> Given:
     """Raises Wrong."""
     sense = _sense(stated)
-    roller = None if stated.faced else stated.roller or 0.0
     motion = _swinging(stated, sense) if stated.swinging else _sliding(stated, sense)
     face = _face(motion)
     limit, back = stated.pressure_angle_limit or LIMITS[type(motion)], stated.return_angle_limit
+    roller = None if stated.faced else _roller(stated, motion, face, sense, limit)
     base, sized = _base(stated, roller), None
     if stated.sought:
         base, sized = smallest(stated, motion, roller, face, sense, limit)
@@ -65,7 +72,16 @@ def built(stated: CamAloneModel) -> Given:
     )
     must_touch(made)
     omega = None if stated.speed is None else abs(stated.speed)
-    return Given(made, sense, omega, stated.positions, max(DRAWN, stated.positions))
+    return Given(made, sense, omega, stated.positions, max(DRAWN, stated.positions), stated.shaft)
+
+
+def _roller(
+    stated: CamAloneModel, motion: Sliding | Swinging, face: complex, sense: int, limit: float
+) -> float:
+    """Its radius, m, 0 of an edge."""
+    if stated.roller == CHOSEN:
+        return chosen_roller(stated, motion, face, sense, limit, stated.pitch_base)
+    return float(stated.roller or 0.0)
 
 
 def _sense(stated: CamAloneModel) -> int:

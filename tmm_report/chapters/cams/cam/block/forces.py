@@ -150,7 +150,7 @@ def _rubbing(stated: CamAloneModel) -> Iterator[Problem]:
     if stated.pin is not None and not rolls:
         text = N_("an edge or a flat face slides on its cam and has no pin")
         yield mistake(text, ("cam", "pin"), Message(N_("face_friction: 0.1")))
-    if stated.pin is not None and stated.roller is not None and stated.pin.half >= stated.roller:
+    if stated.pin is not None and isinstance(stated.roller, float) and stated.pin.half >= stated.roller:
         yield mistake(N_("the pin of a roller is as thick as the roller itself"), ("cam", "pin"))
     if stated.face_friction is not None and rolls:
         text = N_("a roller does not slide on its cam")

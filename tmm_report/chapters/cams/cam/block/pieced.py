@@ -7,7 +7,7 @@ import math
 
 from tmm_report.chapters.cams.cam.block.laws import Wrong
 from tmm_report.chapters.cams.cam.block.models import CamStated, TangentModel
-from tmm_report.chapters.cams.cam.block.sizes import lowest
+from tmm_report.chapters.cams.cam.block.sizes import face_away, lowest
 from tmm_report.mechanics.calculus.vectors import dot
 from tmm_report.mechanics.cams.arcs import ArcLaw, Impossible, Outline, Rocker, Slider, outline
 from tmm_report.mechanics.cams.cam import ByLaw, Sliding, Swinging
@@ -75,5 +75,4 @@ def _follower(motion: Sliding | Swinging, roller: float | None, face: complex, s
     alike = motion.side * sense > 0
     if roller is not None:
         return Rocker(abs(motion.arm), abs(motion.pivot), alike, roller)
-    normal = 1j * face * (1 if motion.side * dot(motion.arm, face) > 0 else -1)
-    return Rocker(float(dot(normal, motion.arm)), abs(motion.pivot), alike, None)
+    return Rocker(face_away(motion, face), abs(motion.pivot), alike, None)

@@ -22,11 +22,14 @@ from tmm_report.mechanics.cams.cam import (
 )
 from tmm_report.mechanics.cams.follower_laws import FULL_TURN
 from tmm_report.mechanics.cams.sizes.centres import Centres, Condition, NoZone
-from tmm_report.mechanics.cams.sizes.least_face import Face, under_face
+from tmm_report.mechanics.cams.sizes.curvature import OnArm, OnLine, least_convex
+from tmm_report.mechanics.cams.sizes.least_face import Face, TurnedFace, under_face
 from tmm_report.mechanics.cams.sizes.least_size import Lever, Size, Zone
+from tmm_report.mechanics.cams.sizes.rules import by_shaft, chosen, roller_limits
 from tmm_report.mechanics.cams.stated_profile import ByProfile
 from tmm_report.problems import N_, Message
 
+STEP = 1e-3  # m: to whole steps a chosen roller is rounded down
 LIMITS = {Sliding: math.radians(30.0), Swinging: math.radians(45.0)}  # of the pressure angle, the course's
 
 
@@ -42,6 +45,10 @@ def smallest(
     if model.profile:
         raise Wrong("base", Message(N_("this follows from the profile of the cam")))
     if roller is None:
+        if isinstance(motion, Swinging):
+            turned = _under_turned_face(model, motion, face, motion.side * sense > 0, limit)
+            assert turned.lowest is not None
+            return _rounded(model, turned.radius(turned.lowest)), turned
         under = _under_face(model, motion, face)
         return _rounded(model, under.asked.b), under
     sized: Zone | Lever
@@ -56,6 +63,8 @@ def smallest(
         if sized.lowest is None:
             raise _no_place(sized)
         radius = sized.radius(sized.lowest.least)
+    if (shaft := getattr(model, "shaft", None)) is not None:
+        radius = max(radius, by_shaft(shaft, roller))
     pitch = _rounded(model, radius)
     if pitch <= roller:
         text = N_("the roller, %(roller)s m, is larger than the least radius of its centre, %(radius)s m")
@@ -113,22 +122,82 @@ def _rounded(model: CamStated, radius: float) -> float:
     return radius if step is None else step * math.ceil(radius / step - 1e-9)
 
 
-def _under_face(model: CamStated, motion: Sliding | Swinging, face: complex) -> Face:
+STATE = N_("state it: base: 40 mm")
+
+
+def _under_face(model: CamStated, motion: Sliding, face: complex) -> Face:
     """Least base circle by the curvature."""
-    state = Message(N_("state it: base: 40 mm"))
-    if isinstance(motion, Swinging) or abs((face * motion.turn * motion.along.conjugate()).real) > 1e-9:
+    if abs((face * motion.turn * motion.along.conjugate()).real) > 1e-9:
         text = N_("the smallest cam under a flat face is found of one that slides across its face")
-        raise Wrong("base", Message(text), state)
+        raise Wrong("base", Message(text), Message(STATE))
+    under = under_face(law(model, False), _curvature(model))
+    if not under.asked.b > 0:
+        raise _any_will_do()
+    return under
+
+
+def _under_turned_face(
+    model: CamStated, motion: Swinging, face: complex, alike: bool, limit: float
+) -> TurnedFace:
+    """The same of a face that swings."""
+    away = face_away(motion, face)
+    turned = TurnedFace(law(model, True), away, abs(motion.pivot), alike, _curvature(model), limit)
+    if turned.lowest is None:
+        text = N_(
+            "no cam under this face keeps the curvature and the pressure angle at this distance of the pivots"
+        )
+        right = N_("a longer phase, a smaller swing, a greater distance, a smaller least_curvature")
+        raise Wrong("base", Message(text), Message(right))
+    if turned.any_will_do:
+        raise _any_will_do()
+    return turned
+
+
+def face_away(motion: Swinging, face: complex) -> float:
+    """Distance of a swinging face from its pivot, m, above zero on its far side from the cam."""
+    normal = 1j * face * (1 if motion.side * (motion.arm * face.conjugate()).real > 0 else -1)
+    return float((normal * motion.arm.conjugate()).real)
+
+
+def _curvature(model: CamStated) -> float:
     if model.least_curvature is None:
         text = N_("under a flat face the smallest cam follows from the least radius of curvature")
         right = Message(N_("for example, %(example)s"), {"example": "least_curvature: 5 mm"})
         raise Wrong("base", Message(text), right)
-    under = under_face(law(model, False), model.least_curvature)
-    if not under.asked.b > 0:
+    return model.least_curvature
+
+
+def _any_will_do() -> Wrong:
+    text = N_("by this law any base circle keeps the curvature: none is smallest")
+    return Wrong("base", Message(text), Message(STATE))
+
+
+def chosen_roller(
+    model: CamStated, motion: Sliding | Swinging, face: complex, sense: int, limit: float, pitch: float | None
+) -> float:
+    """The greatest roller that the rules allow, rounded down; `pitch`: least radius of the pitch curve, m, where it is
+    stated."""
+    if pitch is None and not getattr(model, "sought", False):
+        text = N_("a roller is chosen by the pitch curve")
         raise Wrong(
-            "base", Message(N_("by this law any base circle keeps the curvature: none is smallest")), state
+            "roller", Message(text), Message(N_("base: smallest, pitch_base: 50 mm, or roller: 10 mm"))
         )
-    return under
+    if model.profile:
+        raise Wrong("roller", Message(N_("this is stated where the profile is: roller: 10 mm")))
+    radius = smallest(model, motion, 0.0, face, sense, limit)[0] if pitch is None else pitch
+    start = lowest(radius, motion, 0.0, face)
+    place: OnLine | OnArm
+    if isinstance(motion, Sliding):
+        place = OnLine(sense * motion.offset, start)
+    else:
+        d, arm = abs(motion.pivot), abs(motion.arm)
+        leaning = math.acos((d * d + arm * arm - radius**2) / (2 * d * arm))
+        place = OnArm(arm, d, leaning, motion.side * sense > 0)
+    limits = roller_limits(radius, least_convex(law(model, isinstance(motion, Swinging)), place))
+    found = chosen(limits.most, STEP if limits.most >= STEP else STEP / 10)
+    if found is None:
+        raise Wrong("roller", Message(N_("no roller keeps the rules on this pitch curve")), Message(STATE))
+    return found
 
 
 def lowest(base: float | None, motion: Sliding | Swinging, roller: float | None, face: complex) -> float:

@@ -12,8 +12,9 @@ from tmm_report.chapters.cams.cam.quantities.tables import PITCH, demands
 from tmm_report.chapters.cams.cam.solve.found import CamFound, Cams
 from tmm_report.i18n import NP_
 from tmm_report.mechanics.cams.cam import Sliding, Swinging
-from tmm_report.mechanics.cams.sizes.least_face import Face
+from tmm_report.mechanics.cams.sizes.least_face import Face, TurnedFace
 from tmm_report.mechanics.cams.sizes.least_size import Lever, Turned, Zone
+from tmm_report.mechanics.cams.sizes.rules import by_shaft
 from tmm_report.problems import N_
 from tmm_report.quantity.model import Quantity, Value
 from tmm_report.quantity.symbols import Symbol
@@ -21,7 +22,7 @@ from tmm_report.quantity.tabulated import tabulated
 
 RISE, RETURN, LIMIT = NP_("index", "rise"), NP_("index", "ret"), NP_("index", "lim")
 MAX, MIN, BEST = NP_("index", "max"), NP_("index", "min"), NP_("index", "best")
-FACE = NP_("index", "face")
+FACE, SHAFT = NP_("index", "face"), NP_("index", "shaft")
 MOVES = NP_("index", "mov")  # where the follower moves
 LEANS = {
     "rise min": N_(
@@ -51,6 +52,10 @@ def values(found: Cams) -> Iterator[Value]:
                 yield from _least_lever(one, lever, lowest.least)
             case Face() as under:
                 yield from _least_face(one, under)
+            case TurnedFace(lowest=float(lowest)) as turned:
+                yield from _least_turned_face(one, turned, lowest)
+        if one.alone:
+            yield from _rules(one)
         if one.alone and one.cam.flat:
             yield from _face(one)
         yield from _limits(one)
@@ -175,6 +180,41 @@ def _least_face(found: CamFound, under: Face) -> Iterator[Value]:
     text = N_("greatest distance of the contact from the axis of the follower along its face")
     ends = (abs(end.value) for end in found.ends[1])
     yield of(found, "cam_reach", Symbol("b"), "m", text, "mm").value(max(ends))
+
+
+def _least_turned_face(found: CamFound, turned: TurnedFace, lowest: float) -> Iterator[Value]:
+    text = N_("least permitted radius of curvature of the profile")
+    yield of(found, "cam_curvature", Symbol("rho", LIMIT), "m", text, "mm").value(turned.curvature)
+    text = N_("distance of the face from its pivot, above zero on the far side from the cam")
+    yield of(found, "cam_away", Symbol("b", FACE), "m", text, "mm").value(turned.away)
+    text = N_("least angle of the flat face with the line of the pivots by the curvature")
+    yield of(found, "cam_start_least", Symbol("beta", f"0,{MIN}"), "rad", text, "deg").value(lowest)
+    text = N_("least radius of the base circle by the curvature")
+    yield of(found, "cam_r0_least", Symbol("R", f"0,{MIN}"), "m", text).value(float(turned.radius(lowest)))
+
+
+def _rules(found: CamFound) -> Iterator[Value]:
+    """What guides allow of the roller and of the shaft; the jerk."""
+    if (limits := found.roller_limits) is not None:
+        text = N_("greatest radius of the roller by the least radius of the pitch curve")
+        yield of(found, "cam_roller_by_radius", Symbol("r", "1"), "m", text, "mm").value(limits.by_radius)
+        text = N_("greatest radius of the roller by the curvature of the pitch curve")
+        yield of(found, "cam_roller_by_curvature", Symbol("r", "2"), "m", text, "mm").value(
+            limits.by_curvature
+        )
+        text = N_("greatest radius of the roller by both rules")
+        yield of(found, "cam_roller_most", Symbol("r", LIMIT), "m", text, "mm").value(limits.most)
+    if found.shaft is not None:
+        text = N_("diameter of the shaft of cam %(cam)s")
+        yield of(found, "cam_shaft", Symbol("d", SHAFT), "m", text, "mm").value(found.shaft)
+        text = N_("least radius of the pitch curve about the shaft")
+        least = by_shaft(found.shaft, found.cam.roller or 0.0)
+        yield of(found, "cam_r0_shaft", Symbol("R", f"0,{SHAFT}"), "m", text, "mm").value(least)
+    if found.jerk is not None:
+        text = N_("greatest size of the third derivative of the displacement within the pieces of the law")
+        sign = Symbol(letter(found) + "′′′", MAX)
+        jerk = of(found, "cam_jerk", sign, unit(found) if found.slides else "", text)
+        yield jerk.value(found.jerk.value, found.jerk.turned)
 
 
 def _face(found: CamFound) -> Iterator[Value]:

@@ -26,7 +26,7 @@ from tmm_report.chapters.cams.cam.solve.lifting import Lifted
 from tmm_report.i18n import NP_
 from tmm_report.mechanics.cams.follower_laws import Kind, Phase
 from tmm_report.mechanics.cams.shapes import Parabolic
-from tmm_report.mechanics.cams.sizes.least_face import Face
+from tmm_report.mechanics.cams.sizes.least_face import Face, TurnedFace
 from tmm_report.mechanics.cams.sizes.least_size import Lever, Turned, Zone
 from tmm_report.mechanics.cams.sizes.searched import Demand
 from tmm_report.problems import N_, Message
@@ -184,6 +184,9 @@ def demands(found: CamFound) -> dict[Kind, Demand]:
             return asked | ({"return": zone.of_return} if zone.of_return is not None else {})
         case Lever(lowest=Turned() as lowest):
             return {lowest.way: lowest.asked}
+        case TurnedFace(lowest=float(lowest)) as turned:
+            worst = turned.worst(lowest)
+            return {_way(found, worst): worst}
         case Face() as under:
             return {_way(found, under.asked): under.asked}
     return {}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -40,6 +41,6 @@ class Found(Cams):
 
 def solve(given: Given) -> Found:
     turn = whole_turn(given.cam, given.sense, given.table, given.diagram, given.omega)
-    found = pair(given.cam, turn, LETTERS)
+    found = replace(pair(given.cam, turn, LETTERS), shaft=given.shaft)
     moving = np.flatnonzero(np.abs(found.table.first[: turn.distinct]) > 1e-9 * max(abs(found.lift), 1e-9))
     return Found((found,), int(moving[0]) if moving.size else 0)

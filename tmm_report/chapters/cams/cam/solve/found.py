@@ -28,6 +28,8 @@ from tmm_report.mechanics.cams.cam import ByLaw, Cam, Sliding
 from tmm_report.mechanics.cams.extremes import Extreme, greatest
 from tmm_report.mechanics.cams.follower_laws import FULL_TURN, Kind, Phase, Phases
 from tmm_report.mechanics.cams.shapes import Graph, Laid, Shape
+from tmm_report.mechanics.cams.sizes.rules import Limits, roller_limits
+from tmm_report.mechanics.cams.sizes.searched import greatest_at
 from tmm_report.records import dataclass
 
 Array = Any
@@ -94,6 +96,7 @@ class CamFound:
     back: Extreme
     least: Extreme
     ends: tuple[Ends, Ends, Ends]
+    shaft: float | None = None  # diameter of the cam's, m
 
     def at(self, turned: Array) -> Lifted:
         """At angles turned from position 0, rad."""
@@ -215,6 +218,24 @@ class CamFound:
         """Whether a law stated by a table goes below the base circle between its angles."""
         low, high = self.ends[0]
         return self.law is not None and not self.phases and low.value < -BELOW * high.value
+
+    @cached_property
+    def roller_limits(self) -> Limits | None:
+        """By the rules of guides; None without a roller, and of a profile that is nowhere convex."""
+        if not self.cam.roller or not np.isfinite(self.least.value):
+            return None
+        return roller_limits(self.pitch_base, self.least.value + self.cam.roller)
+
+    @cached_property
+    def jerk(self) -> Extreme | None:
+        """The greatest size of the third derivative of the displacement within the pieces of a law by phases, m or rad,
+        at an angle turned, rad."""
+        law = self.law
+        if law is None or not isinstance(law.law, Phases):
+            return None
+        third = law.law.third
+        found = greatest_at(law.law, lambda theta: np.abs(third(theta)))
+        return Extreme(found.b, float(np.mod(found.theta - self._begins, FULL_TURN)))
 
     @property
     def exceeds(self) -> bool:
