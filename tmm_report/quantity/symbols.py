@@ -77,7 +77,7 @@ def latex_escape(text: str) -> str:
 
 def _printable(sign: str) -> bool:
     kazakh = sign in "ӘәҒғҚқҢңӨөҰұҮүҺһ"
-    return " " <= sign <= "~" or "А" <= sign <= "я" or kazakh or sign in "ЁёІіЇїЄєҐґЎў«»—–…№"
+    return " " <= sign <= "~" or "А" <= sign <= "я" or kazakh or sign in "ЁёІіЇїЄєҐґЎў«»“”—–…№"
 
 
 _MARKUP = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#x27;"})
