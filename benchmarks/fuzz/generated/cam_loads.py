@@ -31,8 +31,8 @@ def loaded(one: Data, swings: bool, end: str, random: Random) -> None:
                 one["contact"][key] = random.choice(("steel", "cast iron", "bronze", metal))
         if random.random() < 0.5:
             one["contact"]["permitted"] = "800 MPa"
-    if end == "roller" and random.random() < 0.2:
-        one["closure"] = "groove"
+    if end == "roller" and random.random() < 0.3:
+        one["closure"] = random.choice(("groove", "force"))
     if random.random() < 0.5:
         one["at"] = ["50 deg", "200 deg"]
 

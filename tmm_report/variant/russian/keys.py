@@ -62,12 +62,14 @@ chords: хорды
 circle: окружность
 clear: просвет
 clearance: радиальный зазор
+closure: замыкание
 coast: выбег
 coaxial: соосная, соосно
 coaxiality: соосность
 coefficient: коэффициент
 collar: буртик
 collars: гребни
+compression: сжатие
 contact: контакт
 contacts: контакты, пары трения
 corrected: исправлено
@@ -124,6 +126,7 @@ extension: продолжение
 external: внешнее
 external_teeth: наружные зубья
 face: торец
+face_friction: трение по кулачку
 face_offset: смещение плоскости
 fan: вентилятор
 fast: быстроходная
@@ -223,14 +226,17 @@ output: выход
 output_power: мощность на выходе
 output_share: доля выхода
 output_torque: момент на выходе
+overhang: вылет
 overload: перегрузка
 own: собственный
 pairs: пары
 parallel: параллельно
 part: часть
 parts: части
+permitted: допускаемое
 phase: фаза
 phases: фазы
+pin: ось ролика
 pins: ролики, шарики
 pitch: шаг
 pitch_base: радиус центрового профиля
@@ -238,6 +244,7 @@ pivot: пята
 pivots: оси
 places: положения ползуна, места
 planes: плоскости
+poisson: коэффициент пуассона
 polar: полярный
 polynomial: полином, многочлен
 power: мощность
@@ -258,6 +265,7 @@ radii: радиусы
 radius_of_gyration: радиус инерции
 ramp: скос
 range: диапазон
+rate: жёсткость пружины
 rated: номинальный, номинальная
 ratio_range: диапазон передаточных отношений, пределы передаточного отношения
 ratio_weight: вес отношения
@@ -304,6 +312,7 @@ shaft: вал
 shafts: валы
 share: доля
 shifted: сдвиг
+shortens: укорачивается
 shunt: шунтовой, параллельного возбуждения
 side: сторона
 sine: четверть синусоиды
@@ -358,6 +367,7 @@ tip_shortening: укорочение головки
 to: до какого
 tolerance: допуск
 torque: крутящий момент
+torsion: пружина кручения
 torsion_springs: пружины кручения
 towards: к
 track: колея
@@ -365,6 +375,7 @@ train: зубчатый механизм, зацепления
 transmissibility: коэффициент передачи силы
 transmission: угол передачи, углы передачи
 travel: движение по направляющей
+turned: закручивание
 turning_guide: вращающаяся кулиса, механизм витворта
 turns: обороты
 unbalance: дисбаланс
@@ -390,6 +401,7 @@ working: рабочий участок
 working_speed: скорость рабочего хода, средняя скорость рабочего хода
 wrap: угол обхвата
 wrist_pin: поршневой палец
+young: модуль упругости
 """
 SYMBOLS = frozenset(["K", "c*", "cos", "ha*", "sin", "t", "x", "x0", "x1", "xz", "y", "yz", "z0"])
 """Keys that are letters in any language."""

@@ -24,7 +24,7 @@ PHASES = Message(N_("least and greatest of the rises and returns"))
 SPRINGS = Message(N_("springs that just keep the follower on the cam"))
 LEAVES = Message(N_("angles over which the follower leaves the cam"))
 
-SPRING, INERTIA, FR = NP_("index", "spr"), NP_("index", "in"), NP_("index", "fr")
+SPRING, INERTIA, FR = NP_("index", "spr"), NP_("index", "ine"), NP_("index", "fr")
 MAX, MIN, OFF, PERMITTED = NP_("index", "max"), NP_("index", "min"), NP_("index", "off"), NP_("index", "perm")
 MEAN, NEED, JAM = NP_("index", "mean"), NP_("index", "need"), NP_("index", "jam")
 RUBS = {
@@ -33,7 +33,7 @@ RUBS = {
 }  # fmt: skip
 
 SPRING_KINDS = {
-    "chosen": N_("chosen"),
+    "chosen": N_("the chosen one"),
     "constant": N_("of a constant force"),
     "half": N_("preload half of the greatest"),
     "unloaded": N_("without a preload"),

@@ -237,12 +237,14 @@ class ForcesView(BookView):
         """What the follower needs and the normal force; the moment of the drive; the pressure in the contact."""
         table, at = self.table("cam_forces_diagram"), self.found.drawn
         graphs = CycleGraphs(at.turned, self.found.given.table, self.page.tr)
-        shown = [("cam_needed", at.parts.whole), ("cam_N", at.pressed.N), ("cam_T0", at.pressed.smooth)]
-        if "cam_T" in table:
-            shown.append(("cam_T", at.pressed.torque))
+        shown = [("cam_needed", at.parts.whole), ("cam_N", at.pressed.N)]
+        rubs = "cam_T" in table
+        shown += [("cam_T", at.pressed.torque)] if rubs else []
+        shown.append(("cam_T0", at.pressed.smooth))
         if at.pressure is not None:
             shown.append(("cam_sigma", at.pressure / q.MEGA))
-        panels = {"cam_N": "cam_needed", "cam_T": "cam_T0"} if self.found.slides else {"cam_T": "cam_T0"}
+        panels = {"cam_N": "cam_needed"} if self.found.slides else {}
+        panels |= {"cam_T0": "cam_T"} if rubs else {}
         heads = [key for key, _ in shown if key not in panels]
         keys = {key for key, _ in shown}
         shared = {one for pair in panels.items() if keys.issuperset(pair) for one in pair}
