@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from faults import FUNCTION, LOADED, MECHANICS, OTHERS, SHAPER, STATICS, SYNTHESIS, TOLD, Fault
 
+ORDINARY = "tmm_report/chapters/gears/ordinary/"
+STAGES = ("tests/chapters/gears/ordinary",)
+
 FAULTS = (
     # --- 40 digits and the self-test ---
     Fault(
@@ -470,4 +473,24 @@ FAULTS += (
     Fault("the minus of a statement is lost", MECHANICS + "lever/stated_masses.py",
           "return -worked(inner, of)", "return worked(inner, of)", SHAPER,
           ("tests/chapters/lever/test_stated_masses.py", *LOADED)),
+    # --- stages of a drive whose axes cross ---
+    Fault("cone angles of both wheels exchanged", ORDINARY + "steps/bevel.py", "arctan(s.z1 / s.z2) if square",
+          "arctan(s.z2 / s.z1) if square", tests=STAGES),
+    Fault("the mean circle at the outer end of the teeth", ORDINARY + "steps/bevel.py", "s.R_m = s.R_e - s.b / 2",
+          "s.R_m = s.R_e - s.b * 0", tests=STAGES),
+    Fault("radial and axial forces of a bevel wheel exchanged", ORDINARY + "steps/bevel.py",
+          "s.F_a2 = s.F_t * tan(s.alpha) * sin(s.delta2)", "s.F_a2 = s.F_t * tan(s.alpha) * cos(s.delta2)",
+          tests=STAGES),
+    Fault("the friction of a worm helps it", ORDINARY + "steps/worm.py", "tan(s.gamma) / tan(s.gamma + s.phi)",
+          "tan(s.gamma - s.phi) / tan(s.gamma)", tests=STAGES),
+    Fault("splashing not counted", ORDINARY + "steps/worm.py", "s.k * s.eta_mesh if of.splash < 1 else s.eta_mesh",
+          "1 * s.eta_mesh", tests=STAGES),
+    Fault("sliding along the axis of the worm", ORDINARY + "steps/worm.py", "s.v1 / cos(s.gamma)",
+          "s.v1 * cos(s.gamma)", tests=STAGES),
+    Fault("a left-handed worm turns its wheel as a right-handed one", ORDINARY + "crossing.py",
+          '(self.hand == "right") == (self.worm == "above")', 'self.worm == "above"', tests=STAGES),
+    Fault("power that flows back through a worm passes", "tmm_report/chapters/gears/drive/solve.py",
+          '== "worm" and power < 0', '== "worm" and power < -1e9', tests=STAGES),
+    Fault("cones of friction pressed by the whole force", ORDINARY + "steps/friction.py",
+          "s.F_a1 = s.F_n * sin(s.delta1)", "s.F_a1 = 1 * s.F_n", tests=STAGES),
 )  # fmt: skip

@@ -62,7 +62,7 @@ ROWS = 24
 
 USUAL = re.compile(
     r"accuracy|alpha_w_\d+|drive_step|cam_alpha_limit_\w+|(eccentric|stage\d)_(alpha|ha|c|accuracy)|governor_[gq]|k_part|methods_floor"
-    r"|stage\d_(eta_stopped|external_least|external_most|rings_least|rings_most|beta|k_least|k_most|tolerance|least_tip|least_contact|phi|slack|eta_mesh|k)|drive_tolerance"
+    r"|stage\d_(eta_stopped|external_least|external_most|rings_least|rings_most|beta|k_least|k_most|tolerance|least_tip|least_contact|phi|slack|eta_mesh|k|sigma|psi)|drive_tolerance"
     r"|contacts_\d+\.(z|groove|half_cone|n_hand|beta)|vibration_(g|isolators)|travel_g|dynamics_within|wear_\w+_\d+_(constant|arc)|dynamics_parts\.(eta|i)"
 )
 """What a variant may leave out: it has a usual value then."""

@@ -113,10 +113,11 @@ def test_an_internal_pair_has_no_minus():
 # --- what is not offered is refused by its name
 
 
-@pytest.mark.parametrize("kind", ["worm", "bevel"])
-def test_a_stage_of_another_kind_is_named(kind):
+@pytest.mark.parametrize(
+    ("kind", "nearest"), [("hypoid", "are kind: bevel and kind: worm"), ("sprocket", "kind: chain")]
+)
+def test_a_stage_of_another_kind_is_named(kind, nearest):
     (line,) = lines(text=f"drive:\n  speed: 1440 rpm\n  stages: [{{kind: {kind}, ratio: 20}}]\n")
-    nearest = {"bevel": "kind: spur has the same ratio", "worm": "stand with a part of dynamics"}[kind]
     assert f"there is no kind: {kind}; " in line and nearest in line
 
 

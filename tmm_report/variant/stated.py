@@ -65,7 +65,12 @@ def model_of(record: type) -> type[Model]:
         "values": values,
         "Field": Field,
         "Tag": Tag,
-        **vars(sys.modules[record.__module__]),
+        # fields may be inherited of a record in another module
+        **{
+            name: value
+            for of in reversed(record.__mro__)
+            for name, value in vars(sys.modules[of.__module__]).items()
+        },
     }
     hints = get_type_hints(record, names, include_extras=True)
     not_stated, left_out = (getattr(record, names, ()) for names in ("NOT_STATED", "LEFT_OUT"))

@@ -468,6 +468,8 @@ AFTER: Mapping[str, Callable[[Made, Any], Made]] = {
     "BeltStage": gears.belt,
     "DriveModel": gears.drive,
     "ChainStage": gears.chain,
+    "BevelStage": gears.bevel,
+    "WormStage": gears.worm,
     "FrictionStage": gears.friction,
     "TrainStage": gears.train,
     "Eccentric": gears.eccentric,

@@ -79,8 +79,8 @@ def _quality(made: Made, walk: Any) -> Made:
         asked["x1"] = sorted({round(walk.random.uniform(-0.1, 0.7), 2) for _ in range(5)})
     if "centre_distances" in asked:
         plain = 15.0 * value(made["module"])
-        if "teeth" in made:
-            one, two = made["teeth"]
+        if "rest" not in (teeth := made.get("teeth", ["rest"])):
+            one, two = teeth
             plain = value(made["module"]) * (two - one if value(made["ratio"]) > 0 else two + one) / 2
         asked["centre_distances"] = [
             f"{plain * (1 + k / 200):.6g} mm" for k in range(walk.random.randint(2, 4))
@@ -95,6 +95,8 @@ def belt(made: Made, walk: Any) -> Made:
         made["ratio"] = abs(made["ratio"])
     if not {"driven", "ratio"} <= set(made) or "driving" not in made:
         made["driven"] = "280 mm"
+    if {"driving", "ratio"} <= set(made) and walk.random.random() < 0.4:
+        made["driven"] = "standard"
     if made.get("belt") != "V":
         made.pop("groove", None)
     if "distance" in made and made.get("length") != "standard":
@@ -188,6 +190,24 @@ def friction(made: Made, walk: Any) -> Made:
     if made.get("contact") == "internal":
         made.pop("ratio", None)
         made |= {"driving": "80 mm", "driven": f"{walk.random.randint(120, 300)} mm"}
+    if made.get("contact") != "bevel":
+        made.pop("shaft_angle", None)
+    return made
+
+
+def bevel(made: Made, walk: Any) -> Made:
+    one = walk.random.randint(17, 25)
+    made["teeth"] = one if "ratio" in made else [one, walk.random.randint(30, 60)]
+    return made
+
+
+def worm(made: Made, walk: Any) -> Made:
+    made["starts"] = walk.random.choice((1, 1, 2, 4))
+    if "teeth" in made:
+        made["teeth"] = walk.random.randint(28, 60)
+        made.pop("ratio", None)
+    else:
+        made["ratio"] = walk.random.choice((16, 20, 30))
     return made
 
 

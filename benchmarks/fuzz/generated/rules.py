@@ -45,6 +45,8 @@ ONE: Mapping[str, Sequence[Keys]] = {
     "Plane": [("radius", "mass")],
     "EfficiencyModel": [("series", "parallel"), ("input", "output")],
     "PlanetaryModel": [("fixed", "second")],
+    "BevelStage": [("module", "mean_module")],
+    "WormStage": [("friction_angle", "coefficient", "efficiency")],
     "DriverModel": [("speed", "period", "law")],
     "Linear": [("force", "unbalance", "base")],
     "Choose": [("spring", "balls", "sleeve")],

@@ -45,11 +45,13 @@ def test_what_is_not_offered_says_so(key):
 
 STAGE = "drive: {{speed: 1000 rpm, stages: [{{kind: {}, ratio: 20}}]}}"
 NAMED = {
-    STAGE.format("worm"): ("drive.stages.0", "worm gears are not offered"),
-    STAGE.format("червячная"): ("drive.stages.0", "worm gears are not offered"),
-    STAGE.format("bevel"): ("drive.stages.0", "kind: spur has the same ratio"),
-    STAGE.format("hypoid"): ("drive.stages.0", "kind: spur has the same ratio"),
-    STAGE.format("коническая"): ("drive.stages.0", "kind: spur has the same ratio"),
+    STAGE.format("worm gear"): ("drive.stages.0", "kind: worm"),
+    STAGE.format("червяк"): ("drive.stages.0", "kind: worm"),
+    STAGE.format("mitre"): ("drive.stages.0", "kind: bevel"),
+    STAGE.format("hypoid"): (
+        "drive.stages.0",
+        "the nearest stages of the block drive are kind: bevel and kind: worm",
+    ),
     STAGE.format("v_belt"): ("drive.stages.0", "kind: belt"),
     STAGE.format("roller chain"): ("drive.stages.0", "kind: chain"),
     STAGE.format("idler"): ("drive.stages.0", "kind: train"),
@@ -124,7 +126,7 @@ IN_THE_MECHANISM = {
     "mechanism.cams.K.mushroom": ("  assembly:", "  cams: {K: {mushroom: 1}}\n  assembly:", "flat: {at: B}"),
     "mechanism.cams.K.knife": ("  assembly:", "  cams: {K: {knife: 1}}\n  assembly:", "a roller with radius: 0"),
     "mechanism.wheels.0.mesh": (
-        "  assembly:", "  wheels: [{links: [1, 2], ratio: 2, mesh: bevel}]\n  assembly:", "its axes are parallel"),
+        "  assembly:", "  wheels: [{links: [1, 2], ratio: 2, mesh: bevel}]\n  assembly:", "kind: bevel"),
 }  # fmt: skip
 
 

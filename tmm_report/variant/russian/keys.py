@@ -145,6 +145,7 @@ free_angle: свободный угол
 free_length: свободная длина, длина без нагрузки
 frequency: частота
 from: от, из
+friction_angle: угол трения
 fulcrum: точка опоры
 full: полный
 function: функция
@@ -157,6 +158,7 @@ groove: канавка
 guaranteed: гарантированный зазор
 half_angle: половинный угол
 half_cone: половина угла конуса
+hand: направление витка
 hand_force: сила руки
 hands: руки
 harmonic: гармоника
@@ -203,6 +205,7 @@ material: материал
 materials: материалы
 max_moment: наибольший момент
 mean: средний
+mean_module: средний модуль
 mean_speed: средняя скорость
 member: звено передачи
 meshes: зацепления
@@ -309,6 +312,7 @@ sectors: секторы
 series: последовательно
 servo: сервомотор
 shaft: вал
+shaft_angle: угол между осями
 shafts: валы
 share: доля
 shifted: сдвиг
@@ -332,6 +336,7 @@ so_that: чтобы, так чтобы
 spacing: расположение
 span: число зубьев в общей нормали
 speeds: скорости
+splash: разбрызгивание
 split: разбивка, разбивка передаточного отношения
 spokes: спицы
 spring: пружина
@@ -399,9 +404,10 @@ within: в пределах
 work: работа
 working: рабочий участок
 working_speed: скорость рабочего хода, средняя скорость рабочего хода
+worm: червяк
 wrap: угол обхвата
 wrist_pin: поршневой палец
 young: модуль упругости
 """
-SYMBOLS = frozenset(["K", "c*", "cos", "ha*", "sin", "t", "x", "x0", "x1", "xz", "y", "yz", "z0"])
+SYMBOLS = frozenset(["K", "c*", "cos", "ha*", "q", "sin", "t", "x", "x0", "x1", "xz", "y", "yz", "z0"])
 """Keys that are letters in any language."""

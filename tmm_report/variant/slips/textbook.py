@@ -10,17 +10,17 @@ import re
 from tmm_report.problems import N_, Message
 
 _NEAREST = {
-    "worm, червячная, червяк, червячный": N_(
-        "worm gears are not offered: their ratio and efficiency stand with a part of dynamics, friction and "
-        "self-locking are those of contacts, kind: screw"
+    "worm, worms, worm_gear, червяк, червячный": N_("a worm is a stage of the block drive, kind: worm"),
+    "hypoid, spiroid, гипоидная, гипоидный, спироидная": N_(
+        "hypoid and spiroid gears are not offered: the nearest stages of the block drive are kind: bevel and kind: worm"
     ),
-    "bevel, hypoid, conical, mitre, коническая, конический, гипоидная": N_(
-        "gears of crossing axes are not offered: kind: spur has the same ratio and teeth, its axes are parallel"
+    "bevel, conical, mitre, bevels, bevel_gear, конический": N_(
+        "bevel wheels are a stage of the block drive, kind: bevel"
     ),
-    "belts, v_belt, timing, клиноременная": N_(
+    "belt, belts, v_belt, timing, клиноременная": N_(
         "a belt drive is a stage of the block drive, kind: belt; its friction alone is in contacts, kind: belt drive"
     ),
-    "chains, roller_chain, sprocket, sprockets, звёздочка, звездочка": N_(
+    "chain, chains, roller_chain, sprocket, sprockets, звёздочка, звездочка": N_(
         "a chain is a stage of the block drive, kind: chain"
     ),
     "idler, idlers, parasitic, паразитное, паразитные": N_(

@@ -1,5 +1,6 @@
 """Ordinary stages in drives: what they state, how they turn and load the train, what is refused."""
 
+import numpy as np
 import pytest
 from test_drive import PAIR, solve
 
@@ -28,7 +29,28 @@ FRICTION = {
 INNER = {"kind": "friction", "contact": "internal", "driving": "80 mm", "driven": "260 mm"}
 TRAIN = {"kind": "train", "teeth": [20, 50], "idlers": [30, 24], "module": "4 mm"}
 RINGED = {"kind": "train", "teeth": 20, "ratio": 4, "idlers": [30], "module": "4 mm", "mesh": "internal"}
-OTHERS = {"chain": CHAIN, "friction": FRICTION, "inner": INNER, "train": TRAIN, "ringed": RINGED}
+CONES = FRICTION | {"contact": "bevel", "shaft_angle": "70 deg"}
+BEVEL = {"kind": "bevel", "teeth": 20, "ratio": 2.5, "module": "4 mm"}
+OBLIQUE = {
+    "kind": "bevel", "teeth": [18, 40], "mean_module": "3 mm", "shaft_angle": "75 deg", "width": "30 mm",
+    "efficiency": 0.97,
+}  # fmt: skip
+WORM = {
+    "kind": "worm", "starts": 2, "teeth": 40, "module": "5 mm", "q": 10, "friction_angle": "1.8 deg", "splash": 0.96,
+}  # fmt: skip
+LOCKED = {
+    "kind": "worm",
+    "starts": 1,
+    "ratio": 30,
+    "module": "4 mm",
+    "q": 12.5,
+    "coefficient": 0.12,
+    "worm": "below",
+}
+OTHERS = {
+    "chain": CHAIN, "friction": FRICTION, "inner": INNER, "train": TRAIN, "ringed": RINGED, "cones": CONES,
+    "bevel": BEVEL, "oblique": OBLIQUE, "worm": WORM, "locked": LOCKED,
+}  # fmt: skip
 EVERY = {**BELTS, **OTHERS}
 
 
@@ -128,6 +150,52 @@ def test_the_chain_has_an_even_number_of_links_near_the_distance():
     assert solve({"kind": "chain", "teeth": [25, 60], "pitch": "10 mm"}).stages[0].s.number("a_about") == 0.4
 
 
+@pytest.mark.parametrize("hand", ["right", "left"])
+@pytest.mark.parametrize("place", ["above", "below"])
+def test_the_wheel_turns_as_the_thread_drives_it(hand, place):
+    """In space: the worm along x, turning counter-clockwise as seen from its left end; a point of its thread at the
+    wheel, held back from sliding along the tooth, moves the tooth along the axis."""
+    found = solve(WORM | {"hand": hand, "worm": place}).stages[0]
+    spin, up = np.array([-1.0, 0, 0]), -1.0 if place == "above" else 1.0  # the wheel lies that way
+    contact = np.array([0, up, 0])
+    rubbing = np.cross(spin, contact)  # velocity of the worm's point there
+    lead = 0.2 if hand == "right" else -0.2
+    tooth = np.array([1, 0, 0]) * lead + np.cross(
+        [1, 0, 0], contact
+    )  # a right-handed helix advances as it turns along x
+    # the tooth moves along x so that the difference of the velocities lies along the thread
+    along = float(np.linalg.solve(np.array([[1, tooth[0]], [0, tooth[2]]]), [0, rubbing[2]])[1])
+    forth = -along * tooth[0]
+    wheel = np.cross([0, 0, 1], -contact)[0]  # of the point at the worm where the wheel turns about +z
+    turns = forth / wheel  # > 0: counter-clockwise to the reader
+    # turned about the line of centres, the reader's side of the wheel looks to the output, at the right
+    seen_from_left = -turns
+    assert np.sign(seen_from_left) == found.given.sense == np.sign(found.ratio)
+
+
+def test_a_worm_of_the_stated_efficiency_has_its_friction():
+    stated = {key: value for key, value in WORM.items() if key != "friction_angle"} | {"efficiency": 0.75}
+    found = solve(stated, torque="20 N*m").stages[0]
+    assert found.efficiency == pytest.approx(0.75) and found.s.number("eta") == pytest.approx(0.75)
+    again = solve(WORM | {"friction_angle": f"{found.s.number('phi')!r} deg"}).stages[0]
+    assert again.efficiency == pytest.approx(0.75, rel=1e-9)
+
+
+def test_the_worm_locks_where_its_lead_does_not_exceed_the_friction():
+    assert not solve(WORM).stages[0].locks and solve(LOCKED).stages[0].locks
+    assert "eta_back" in solve(WORM).stages[0].s and "eta_back" not in solve(LOCKED).stages[0].s
+
+
+def test_power_that_would_flow_back_through_a_worm_is_refused():
+    planet = {
+        "kind": "planetary", "ratio": 6.6, "module": "5 mm", "satellites": 3, "teeth": [20, 46, 112], "input": "sun",
+        "output": "carrier", "second": {"member": "ring", "speed": "-1400 rpm"},
+    }  # fmt: skip
+    with pytest.raises(ProblemError, match="backwards through the worm"):
+        solve(planet, WORM)
+    assert solve(planet | {"second": {"member": "ring", "speed": "300 rpm"}}, WORM).loads.settled
+
+
 def test_the_usual_rules():
     """Without a distance, without an efficiency."""
     found = solve({"kind": "belt", "driving": "100 mm", "driven": "200 mm"}).stages[0]
@@ -189,6 +257,9 @@ def test_belts_that_are_stated_wrongly(change, words):
         ({"kind": "chain", "teeth": [25, 60], "pitch": "19.05 mm", "links": 60}, "too short"),
         (INNER | {"driven": "80 mm"}, "does not run within"),
         (RINGED | {"ratio": 1.5}, "holds no wheel"),
+        (BEVEL | {"shaft_angle": "150 deg"}, "crown wheel"),
+        (BEVEL | {"width": "60 mm"}, "too near to the apex"),
+        (CONES | {"shaft_angle": "150 deg"}, "is a plate"),
     ],
 )
 def test_other_stages_that_cannot_be(stated, words):
@@ -207,6 +278,13 @@ def test_other_stages_that_cannot_be(stated, words):
         (INNER | {"ratio": -3}, "same sense"),
         ({"kind": "train", "teeth": [20, 40], "module": "4 mm"}, "idlers"),
         (TRAIN | {"idlers": []}, "idlers"),
+        (FRICTION | {"shaft_angle": "90 deg"}, "axes of cylinders"),
+        (BEVEL | {"mean_module": "3 mm"}, "one module"),
+        (BEVEL | {"ratio": None}, "neither the ratio nor the teeth"),
+        (WORM | {"efficiency": 0.8}, "one statement"),
+        (WORM | {"friction_angle": None}, "one statement"),
+        (LOCKED | {"ratio": 3}, "asks for a driven wheel of 3"),
+        (LOCKED | {"ratio": None}, "neither the ratio nor the teeth"),
     ],
 )
 def test_other_stages_that_are_stated_wrongly(stated, words):

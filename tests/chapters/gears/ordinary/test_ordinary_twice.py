@@ -144,6 +144,83 @@ def _friction(found, stage):
         if of.coefficient:
             pressed = of.reserve * force / of.coefficient
             ways |= {"F_n": pressed, "q_n": pressed / (of.width or 1.0)}
+    if of.contact == "bevel":
+        angle = of.shaft_angle  # the apex is as far from both circles
+        reach = math.hypot(one.radius, (two.radius + one.radius * math.cos(angle)) / math.sin(angle))
+        first, second = math.asin(one.radius / reach), math.asin(two.radius / reach)
+        assert first + second == pytest.approx(angle, rel=1e-9)
+        ways |= {"delta1": first, "delta2": second}
+        if "F_n" in ways:
+            ways |= {"F_a1": ways["F_n"] * one.radius / reach, "F_a2": ways["F_n"] * two.radius / reach}
+    return ways
+
+
+def _bevel(found, stage):
+    """In space: both cones touch along a line; a force on the tooth square to it, taken apart along both axes."""
+    n, of = stage.s.number, stage.given
+    angle, (one, two) = of.shaft_angle, of.z
+    # the common line parts the angle between the axes so that the circles on it are as the teeth
+    line = np.array([math.cos(angle), math.sin(angle)]) * one + np.array([1.0, 0.0]) * two
+    first = math.atan2(line[1], line[0])
+    second = angle - first
+    module, mean = n("m_e"), n("m_m")
+    outer = module * one / math.sin(first) / 2
+    speed = abs(found.speed[stage.input])
+    ways = {
+        "z_exact": one * abs(of.ratio or 0), "u": found.speed[stage.input] / found.speed[stage.output],
+        "delta1": first, "delta2": second, "R_e": outer, "b": 2 * (outer - n("R_m")),
+        "R_m": outer * mean / module, "m_e": module, "m_m": mean, "d_e1": module * one, "d_e2": module * two,
+        "d_m1": mean * one, "d_m2": mean * two, "z_v1": one / math.sin(math.pi / 2 - first),
+        "z_v2": two / math.sin(math.pi / 2 - second), "v": speed * stage.members[0].radius,
+    }  # fmt: skip
+    assert n("b") == pytest.approx(of.width or 0.285 * outer, rel=1e-12)
+    assert (module if of.module else mean) == (of.module or of.mean_module)
+    if "T1" in stage.s:
+        force = (
+            abs(found.loads.power[found.input]) * _before(found, stage) / (speed * stage.members[0].radius)
+        )
+        axes = [np.array([1.0, 0.0]), np.array([math.cos(angle), math.sin(angle)])]  # both away from the apex
+        across = np.array([math.sin(first), -math.cos(first)])  # square to the common line, towards axis 1
+        pressed = (
+            force * math.sin(of.alpha) / math.cos(of.alpha) * across
+        )  # on wheel 1; on wheel 2 the other way
+        ways["F_t"] = force
+        for k, (axis, on) in enumerate(zip(axes, (pressed, -pressed), strict=True), 1):
+            ways[f"F_a{k}"] = float(on @ axis)
+            ways[f"F_r{k}"] = float(np.linalg.norm(on - (on @ axis) * axis))
+    return ways
+
+
+def _worm(found, stage):
+    """By the inclined plane into which a turn of the thread is unrolled; velocities and powers in space."""
+    n, of = stage.s.number, stage.given
+    z1, z2 = of.z
+    around, along = math.pi * of.module * of.q, math.pi * of.module * z1
+    slope = along / around
+    rough = math.tan(math.radians(n("phi")))
+    raised, lowered = (
+        (slope + rough) / (1 - slope * rough),
+        (slope - rough) / (1 + slope * rough),
+    )  # force by the load
+    speed = abs(found.speed[stage.input])
+    turned = abs(found.speed[stage.output])
+    one, two = (member.radius for member in stage.members)
+    ways = {
+        "z_exact": z1 * abs(of.ratio or 0), "u": found.speed[stage.input] / found.speed[stage.output],
+        "gamma": math.acos(around / math.hypot(around, along)), "d1": around / math.pi,
+        "d2": of.module * z2, "a": one + two, "eta_mesh": slope / raised, "eta": stage.efficiency,
+        "eta_back": lowered / slope, "omega2": turned, "v1": speed * one, "v2": turned * two,
+        "v_slip": math.hypot(speed * one, turned * two),
+    }  # fmt: skip
+    ways["phi"] = math.atan(of.coefficient) if of.coefficient is not None else math.radians(n("phi"))
+    assert stage.efficiency == pytest.approx(of.splash * slope / raised, rel=1e-12)
+    if "T1" in stage.s:
+        power = abs(found.loads.power[found.input]) * _before(found, stage)
+        load = power * stage.efficiency / (turned * two)
+        ways |= {"T2": power * stage.efficiency / turned, "F_t2": load, "F_t1": load * raised}
+        ways["F_r"] = load * math.sin(of.alpha) / math.cos(of.alpha)
+        # what the worm's shaft gives the mesh: its power without what the oil takes
+        assert ways["F_t1"] * speed * one == pytest.approx(power * of.splash, rel=1e-9)
     return ways
 
 
@@ -171,4 +248,11 @@ def _train(found, stage):
     return {**ways, "rows": rows}
 
 
-WAYS = {"belt": _belt, "chain": _chain, "friction": _friction, "train": _train}
+WAYS = {
+    "belt": _belt,
+    "chain": _chain,
+    "friction": _friction,
+    "train": _train,
+    "bevel": _bevel,
+    "worm": _worm,
+}

@@ -18,11 +18,13 @@ from tmm_report.chapters.gears.drive.power import block as power
 from tmm_report.chapters.gears.drive.stages import Given as StageGiven
 from tmm_report.chapters.gears.ordinary.given import (
     BeltStage,
+    BevelStage,
     ChainStage,
     FrictionStage,
     Ordinary,
     PairStage,
     TrainStage,
+    WormStage,
 )
 from tmm_report.chapters.gears.planetary import block as planetary
 from tmm_report.chapters.gears.planetary.block import PlanetaryModel
@@ -66,11 +68,15 @@ StageModel = Annotated[
     | Annotated[Stated[ChainStage], Tag("<chain>")]
     | Annotated[Stated[FrictionStage], Tag("<friction>")]
     | Annotated[Stated[TrainStage], Tag("<train>")]
-    | Annotated[Stated[PairStage], Tag("<pair>")],
+    | Annotated[Stated[PairStage], Tag("<pair>")]
+    | Annotated[Stated[BevelStage], Tag("<bevel>")]
+    | Annotated[Stated[WormStage], Tag("<worm>")],
     Discriminator(
         _kind,
         custom_error_type="shape",
-        custom_error_message=N_("begin with kind: spur, planetary, belt, chain, friction or train"),
+        custom_error_message=N_(
+            "begin with kind: spur, planetary, belt, chain, friction, train, bevel or worm"
+        ),
     ),
 ]
 

@@ -32,13 +32,13 @@ def placed(stages: Sequence[Stage]) -> tuple[tuple[int, ...], dict[str, float]]:
     """The side of each stage and the y of every member's axis, m.
 
     A planetary stage stands above the input shaft, else below its own axis; the driven shaft of a pair below, of one
-    that leads back to the axis of the pair before above.
+    that leads back to the axis of the pair before above, as that of a worm which lies below.
     """
     main, axes = 0.0, {}
     sides: list[int] = []
     for stage in stages:
         planetary = any(one.kind == "carrier" for one in stage.members)
-        side = 1 if planetary and main == 0 and 1 not in sides else -1
+        side = 1 if planetary and main == 0 and 1 not in sides else getattr(stage, "side", -1)
         if isinstance(stage, spur.Found) and stage.given.coaxial:
             side = -sides[-1]
         sides.append(side)
@@ -59,6 +59,12 @@ def height(stages: Sequence[Stage], axes: Mapping[str, float], sides: Sequence[i
                 halved = one.kind == "ring" and one.name not in (stage.input, stage.output)
                 reach.append(axes[one.name] - (0 if halved else side * one.radius))
     return max(reach) - min(reach)
+
+
+def breadth(stages: Sequence[Stage]) -> float:
+    """What the wheels take up along the driving shaft that are seen from their sides there, m: axes cross it."""
+    crossing = (stage for stage in stages if any(mesh.crosses for mesh in stage.meshes))
+    return sum(2 * member(stage, stage.output).radius for stage in crossing)
 
 
 def spots_of(stages: Sequence[Stage], axes: Mapping[str, float]) -> Iterator[Spot]:

@@ -18,7 +18,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated
 
-from tmm_report.chapters.gears.drive.places import Spot, height, placed, spots_of, velocity_of
+from tmm_report.chapters.gears.drive.places import Spot, breadth, height, placed, spots_of, velocity_of
 from tmm_report.chapters.gears.drive.sheet import Line, Sheet
 from tmm_report.chapters.gears.drive.stages import Stage
 from tmm_report.chapters.lever.plans.solve import Comparison
@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 
 # mm: the scheme's height, the largest velocity, the plan of angular velocities
 TALL, WIDE, LONG = 150.0, 90.0, 155.0
+SIDEWAYS = 75.0  # mm: of wheels along a shaft that their axes cross
 POLE = 60.0  # mm: the largest pole distance
 
 
@@ -95,7 +96,8 @@ def draw(
     sides, axes = placed(stages)
     spots = tuple(spots_of(stages, axes))
     analytic = {spot.name: velocity_of(spot, train.by_name, axes, speed) for spot in spots}
-    chosen = _chosen(scales, height(stages, axes, sides), analytic.values(), speed.values())
+    largest = max(height(stages, axes, sides), breadth(stages) * TALL / SIDEWAYS)
+    chosen = _chosen(scales, largest, analytic.values(), speed.values())
     pen = Pen(accuracy)
     sheet = Sheet(train, axes, spots, chosen, pen)
     sheet.construct(known)

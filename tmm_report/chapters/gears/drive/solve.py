@@ -22,7 +22,7 @@ from tmm_report.chapters.gears.drive.power.given import Given as PowerGiven
 from tmm_report.chapters.gears.drive.stages import Given as StageGiven
 from tmm_report.chapters.gears.drive.stages import Stage, doubts_of, run, solve_all, working
 from tmm_report.mechanics.gears.trains import Loads, Train, loads, speeds
-from tmm_report.problems import N_, Message, Problem, doubt
+from tmm_report.problems import N_, Message, Problem, ProblemError, doubt, mistake
 from tmm_report.quantity.paper import ACCURACY
 from tmm_report.records import dataclass
 
@@ -232,9 +232,22 @@ def solve(given: Given, moving: Moving | None = None) -> Found:
     if torque:
         given = replace(given, torque=torque)
         load = _loads(given, stages, train, speed)
+    _check_worms(stages, load)
     plans = _plans(given, stages, train, speed)
     stages = tuple(_at_work(given, stages, speed, load, shafts))
     return Found(given, stages, train, speed, load, plans, found, bool(torque), shafts)
+
+
+def _check_worms(stages: Sequence[Stage], load: Loads) -> None:
+    """Raises ProblemError where the power flows from a wheel to its worm, whose efficiency is that of the worm."""
+    powers = iter(load.mesh_power)
+    for k, stage in enumerate(stages):
+        for mesh in stage.meshes:
+            power = float(next(powers))
+            if mesh.crosses and getattr(stage, "kind", "") == "worm" and power < 0:
+                wrong = N_("the power flows backwards through the worm stage, from the wheel to the worm")
+                right = Message(N_("other speeds of the inputs, or a stage of another kind"))
+                raise ProblemError([mistake(wrong, ("drive", "stages", k), right)])
 
 
 def _at_work(

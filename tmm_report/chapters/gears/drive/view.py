@@ -143,6 +143,10 @@ class DriveView(ChapterView):
         return self.page.sym(self.speeds_of["omega_rel"].symbol()) if any_carried else None
 
     @property
+    def by_worm(self) -> bool:
+        return any(isinstance(one, ordinary.Found) and one.kind == "worm" for one in self.found.stages)
+
+    @property
     def carried_over(self) -> bool:
         """Whether a belt brings a velocity to another pulley."""
         return any(mesh.apart for mesh in self.found.train.meshes)

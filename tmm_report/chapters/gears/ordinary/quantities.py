@@ -21,6 +21,9 @@ TITLES = {
     "friction internal": N_("friction wheels, inner contact"),
     "pair external": N_("pair of wheels, outer mesh"),
     "pair internal": N_("pair of wheels, inner mesh"),
+    "friction bevel": N_("friction wheels, cones"),
+    "bevel": N_("bevel wheels"),
+    "worm": N_("worm and wheel"),
     "train external": N_("train with idlers"),
     "train internal": N_("train with idlers and a ring"),
 }

@@ -11,13 +11,15 @@ from typing import Any, NamedTuple
 from tmm_report.chapters.gears.ordinary import values
 from tmm_report.chapters.gears.ordinary.given import (
     BeltStage,
+    BevelStage,
     ChainStage,
     FrictionStage,
     Given,
     PairStage,
     TrainStage,
+    WormStage,
 )
-from tmm_report.chapters.gears.ordinary.steps import belt, chain, friction, pair, train
+from tmm_report.chapters.gears.ordinary.steps import belt, bevel, chain, friction, pair, train, worm
 from tmm_report.chapters.gears.ordinary.steps.train import ANGLE
 from tmm_report.mechanics.gears import trains
 from tmm_report.problems import Message, Problem
@@ -41,6 +43,8 @@ KINDS: dict[type, Kind] = {
     FrictionStage: Kind("friction", values.Friction, friction),
     TrainStage: Kind("train", values.Train, train),
     PairStage: Kind("pair", values.PairOfWheels, pair),
+    BevelStage: Kind("bevel", values.Bevel, bevel),
+    WormStage: Kind("worm", values.Worm, worm),
 }
 
 
@@ -106,6 +110,16 @@ class Found:
     @property
     def sized(self) -> bool:
         return self.kind != "pair"
+
+    @property
+    def side(self) -> int:
+        """Where the driven axis lies in the scheme, +1 above the driving one, -1 below."""
+        return 1 if isinstance(self.given, WormStage) and self.given.worm == "below" else -1
+
+    @property
+    def locks(self) -> bool:
+        """Of a worm, whether its wheel cannot drive it."""
+        return isinstance(self.s, values.Worm) and worm.locks(self.s)
 
     @property
     def sound(self) -> bool:

@@ -9,10 +9,11 @@ from typing import Any, NamedTuple
 from markupsafe import Markup
 
 from tmm_report.chapters.gears.ordinary.draw import sketch
+from tmm_report.chapters.gears.ordinary.given import WormStage
 from tmm_report.chapters.gears.ordinary.quantities import tables
 from tmm_report.chapters.gears.ordinary.solve import Found
 from tmm_report.chapters.gears.ordinary.values import Train, TrainWheel
-from tmm_report.chapters.gears.ordinary.words import CHOSEN, GROUPS, HEADINGS, INTRODUCED
+from tmm_report.chapters.gears.ordinary.words import CHOSEN, GROUPS, HANDED, HEADINGS, INTRODUCED, WAY
 from tmm_report.figures.drawing import Drawing
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula
@@ -50,7 +51,12 @@ class OrdinaryView(ChapterView):
         return self.t(HEADINGS[self.found.kind], name=self.found.name)
 
     def introduced(self) -> Markup:
-        return self.t(INTRODUCED[self.found.given.variety], one=self.one, two=self.two)
+        given = self.found.given
+        text = self.t(INTRODUCED[given.variety], one=self.one, two=self.two)
+        if not isinstance(given, WormStage):
+            return text
+        lies = self.t(HANDED[f"{given.hand} {given.worm}"])
+        return self.page.listed([text, lies, self.t(WAY[given.sense])], " ")
 
     def given_values(self) -> Markup:
         """What is stated: the numbers that no formula gives."""
@@ -104,6 +110,21 @@ class OrdinaryView(ChapterView):
         least = LEAST_WRAP.get(self.found.given.variety)
         if least is not None:
             yield self._wrapped(least)
+        if self.found.kind == "worm":
+            yield self._held()
+
+    def _held(self) -> Markup:
+        """Of a worm: whether its wheel can drive it."""
+        text = N_(
+            "The lead angle %(gamma)s° is greater than the angle of friction %(phi)s°: the worm does not lock itself, "
+            "a load on the wheel drives it."
+        )
+        if self.found.locks:
+            text = N_(
+                "The lead angle %(gamma)s° does not exceed the angle of friction %(phi)s°: the worm locks itself, no "
+                "load on the wheel drives it."
+            )
+        return self.t(text, gamma=self.number("gamma", digits=4), phi=self.number("phi", digits=4))
 
     def _wrapped(self, least: int) -> Markup:
         """The lesser angle of wrap against the rule."""

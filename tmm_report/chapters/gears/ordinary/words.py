@@ -13,6 +13,8 @@ HEADINGS = {
     "friction": N_("Friction wheels %(name)s"),
     "train": N_("Train of wheels %(name)s"),
     "pair": N_("Pair of wheels %(name)s"),
+    "bevel": N_("Bevel wheels %(name)s"),
+    "worm": N_("Worm and wheel %(name)s"),
 }
 INTRODUCED = {
     "belt open": N_(
@@ -36,6 +38,19 @@ INTRODUCED = {
     "friction internal": N_(
         "Friction wheels %(one)s and %(two)s are pressed together, one within the other; wheel %(one)s drives, both "
         "turn in the same sense."
+    ),
+    "friction bevel": N_(
+        "Cones %(one)s and %(two)s are pressed together; cone %(one)s drives. Their axes meet; in the scheme and in "
+        "the diagrams the driven axis is turned about the common tangent till both are parallel: the cones then turn "
+        "in opposite senses, and this is the minus of the ratio. The diameters are those of the mean sections."
+    ),
+    "bevel": N_(
+        "The axes of bevel wheels %(one)s and %(two)s meet; wheel %(one)s drives. In the scheme and in the diagrams "
+        "the driven axis is turned about the common tangent of the mean pitch circles till both are parallel: the "
+        "wheels then turn in opposite senses, and this is the minus of the ratio. The shape of the teeth is not found."
+    ),
+    "worm": N_(
+        "Worm %(one)s drives wheel %(two)s, at a right angle to it. The shape of thread and teeth is not found."
     ),
     "train external": N_(
         "Between the driving wheel %(one)s and the driven wheel %(two)s there are idlers: each drives and is driven, "
@@ -65,10 +80,33 @@ CHOSEN = {
     "by length": N_(
         "The distance of the centres, %(value)s, is that at which the strands and the arcs have this length."
     ),
+    "usual width": N_(
+        "The width of the teeth is taken by the usual rule, as a part of the outer cone distance: %(value)s."
+    ),
     "whole": N_("Taken, a whole number: %(value)s."),
     "even": N_("Taken, an even whole number, so that no bent link is needed: %(value)s."),
     "forty pitches": N_("The distance of the centres is wished for at forty pitches: %(value)s."),
     "by rule": N_("The distance of the centres is taken by the usual rule: %(value)s."),
+}
+
+
+HANDED = {
+    "right above": N_("The thread is right-handed, the worm lies above the wheel."),
+    "right below": N_("The thread is right-handed, the worm lies below the wheel."),
+    "left above": N_("The thread is left-handed, the worm lies above the wheel."),
+    "left below": N_("The thread is left-handed, the worm lies below the wheel."),
+}
+WAY = {
+    1: N_(
+        "Looked at with the driving end of the worm's shaft on the left, from where the worm turns counter-clockwise, "
+        "the wheel turns clockwise. In the diagrams the axis of the wheel is turned about the line of centres till "
+        "both are parallel: both then turn in the same sense."
+    ),
+    -1: N_(
+        "Looked at with the driving end of the worm's shaft on the left, from where the worm turns counter-clockwise, "
+        "the wheel turns counter-clockwise, too. In the diagrams the axis of the wheel is turned about the line of "
+        "centres till both are parallel: they then turn in opposite senses, and this is the minus of the ratio."
+    ),
 }
 
 
@@ -155,7 +193,10 @@ GROUPS: dict[str, tuple[Group, ...]] = {
     ),
     "friction": (
         Group(N_("The other diameter follows from the ratio and the slip:"), ("d1", "d2")),
-        Group(N_("The ratio of the friction wheels and the distance of the centres:"), ("u", "a")),
+        Group(
+            N_("The ratio of the friction wheels, and of cylinders the distance of the centres:"), ("u", "a")
+        ),
+        Group(N_("The angles of the cones by the ratio of their diameters:"), ("delta1", "delta2")),
         Group(N_("The velocity at the circumference, and that of slipping:"), ("v", "v_slip")),
         Group(N_("The circumferential force is"), ("F_t",)),
         Group(
@@ -164,12 +205,53 @@ GROUPS: dict[str, tuple[Group, ...]] = {
             ),
             ("F_n",),
         ),
-        Group(N_("which is on a metre of the line of contact"), ("q_n",)),
+        Group(N_("For it the cones are pressed along their axes by"), ("F_a1", "F_a2")),
+        Group(N_("On a metre of the line of contact the pressing force is"), ("q_n",)),
     ),
     "pair": (Group(N_("The ratio of the pair of wheels is"), ("u",)),),
     "train": (
         Group(N_("The number of teeth of the driven wheel that the ratio asks for:"), ("z_exact",)),
         Group(N_("The ratio of the train, in which the teeth of every idler cancel:"), ("u",)),
         Group(N_("From the driving to the driven axis, all of them in one plane, it is"), ("a",)),
+    ),
+    "bevel": (
+        Group(N_("The number of teeth of the driven wheel that the ratio asks for:"), ("z_exact",), ("z2",)),
+        Group(N_("The ratio of the bevel wheels is"), ("u",)),
+        Group(N_("The pitch cone angles:"), ("delta1", "delta2")),
+        Group("", (), ("psi",)),
+        Group(
+            N_("The cone distances, outer and mean, the width of the teeth and the modules:"),
+            ("R_e", "b", "R_m", "m_e", "m_m"),
+        ),
+        Group(N_("The outer and the mean pitch diameters:"), ("d_e1", "d_e2", "d_m1", "d_m2")),
+        Group(N_("The numbers of teeth of the equivalent spur wheels:"), ("z_v1", "z_v2")),
+        Group(N_("The velocity at the mean pitch circles:"), ("v",)),
+        Group(
+            N_(
+                "The forces are reckoned at the mean diameter, the teeth straight; the radial force on the one wheel "
+                "is the axial one on the other where the axes are square:"
+            ),
+            ("F_t", "F_r1", "F_a1", "F_r2", "F_a2"),
+        ),
+    ),
+    "worm": (
+        Group(N_("The number of teeth of the driven wheel that the ratio asks for:"), ("z_exact",), ("z2",)),
+        Group(N_("The ratio is that of the teeth of the wheel to the starts of the worm:"), ("u",)),
+        Group(
+            N_("The lead angle of the thread, the pitch diameters and the distance of the axes:"),
+            ("gamma", "d1", "d2", "a"),
+        ),
+        Group(
+            N_("The efficiency by the lead angle and the reduced angle of friction:"),
+            ("phi", "eta_mesh", "eta"),
+        ),
+        Group(N_("Where the wheel drives, the efficiency of the mesh is"), ("eta_back",)),
+        Group(
+            N_(
+                "The velocities at both pitch circles are at right angles, and their difference is that of sliding:"
+            ),
+            ("omega2", "v1", "v2", "v_slip"),
+        ),
+        Group(N_("The torque on the wheel and the forces in the mesh:"), ("T2", "F_t2", "F_t1", "F_r")),
     ),
 }

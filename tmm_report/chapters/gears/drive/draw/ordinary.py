@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tmm_report.chapters.gears.drive.draw.crossing import crossing
 from tmm_report.chapters.gears.drive.draw.pair import wheel
 from tmm_report.chapters.gears.drive.draw.sketch import DISC, RIM, SIDE, Sketch
 from tmm_report.chapters.gears.drive.stages import member
@@ -15,6 +16,8 @@ FACE = 2.6  # half the length of a friction wheel and of a pulley
 
 def ordinary(sketch: Sketch, stage: Found) -> float:
     """The stage drawn; gives where the input shaft ends and leaves `sketch.x` where the stage does."""
+    if stage.meshes[0].crosses:
+        return crossing(sketch, stage)
     entry, out = member(stage, stage.input), member(stage, stage.output)
     x = sketch.x + (DISC if entry.kind == "ring" else RIM) + SIDE
     end = x

@@ -100,7 +100,7 @@ def mistakes(model: Any, data: Any, linked: bool, link: bool) -> Iterator[Proble
     """`data`: the drive's mapping, with what could not be read; `linked`: whether the driving link takes the speed of
     the drive; `link`: whether there is one."""
     stated, asked = model.model_fields_set, given(model)
-    if not {"speed", "motors"} & set(data):
+    if not {"speed", "motors"} & set(data) and not _paced(model, asked):
         right = Message(N_("state speed: 1450 rpm, or motors: [[100L4, 4 kW, 1410 rpm]]"))
         yield mistake(N_("how fast the drive is turned is not stated"), ("drive",), right)
     if model.speed is not None and model.motors:
@@ -120,6 +120,12 @@ def mistakes(model: Any, data: Any, linked: bool, link: bool) -> Iterator[Proble
         yield from _open(model)
         return
     yield from _together(model, data, asked, linked, link)
+
+
+def _paced(model: Any, asked: Given | None) -> bool:
+    """Whether the speed of the machine says how fast all the shafts turn."""
+    opened = any(getattr(stage, "open", False) for stage in model.stages)
+    return asked is not None and asked.machine is not None and asked.machine.omega is not None and not opened
 
 
 def _open(model: Any) -> Iterator[Problem]:

@@ -97,6 +97,10 @@ def make(given: Given, stages: Sequence[Known], speed: float | None, need: Need,
     opened = [k for k, one in enumerate(stages) if one.ratio is None]
     wanted = math.prod(one.wanted for one in stages if one.wanted is not None)
     stated = speed if speed is not None else given.motors[0].speed if len(given.motors) == 1 else None
+    if stated is None and not given.motors and given.machine is not None and given.machine.omega is not None:
+        stated = given.machine.omega * _whole(
+            stages
+        )  # no motor is looked for: the machine says how fast all turns
     if given.machine is not None:
         need = _need(given.machine, None if opened or stated is None else stated / _whole(stages))
     required = None if need.power is None else need.power / eta

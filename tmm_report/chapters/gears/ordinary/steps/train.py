@@ -40,7 +40,7 @@ def geometry(s: Train, of: TrainStage) -> None:
 def wheels(of: TrainStage) -> tuple[TrainWheel, ...]:
     rows = tuple(TrainWheel(f"{of.label}_train", row, name) for row, name in enumerate(of.wheels))
     for row, z in zip(rows, of.z, strict=True):
-        row.z = float(z)
+        row.z = z
         row.d = z * of.module
     return rows
 
