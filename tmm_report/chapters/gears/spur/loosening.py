@@ -127,13 +127,15 @@ class _Loosening:
         """What thinning adds, both along the working circles and along the normal, and the angles by which the wheels
         turn freely."""
         s, st, g = self.s, self.stage, self.stage.s
-        parts, alpha_w = self._left(end), self._angle(end)
+        parts, alpha_w, along = self._left(end), self._angle(end), None
         if thin is not None and any(thin):
-            self._by_teeth(end, alpha_w, loose)
-            teeth = s.var(f"by_teeth_{end}")
-            parts = teeth if parts is None else parts + teeth
+            along = self._by_teeth(end, alpha_w)
+        if parts is not None and along is not None:
+            s.put(f"by_teeth_{end}", Computed(along, loose.circumferential - loose.by_distance))
+            parts = parts + s.var(f"by_teeth_{end}")
+        whole = parts if parts is not None else along
         s.put(
-            f"j_w_{end}", loose.circumferential if parts is None else Computed(parts, loose.circumferential)
+            f"j_w_{end}", loose.circumferential if whole is None else Computed(whole, loose.circumferential)
         )
         across = s.var(f"j_w_{end}") * cos(alpha_w)
         s.put(f"j_n_{end}", Computed(across * cos(g.beta_b) if st.helical else across, loose.normal))
@@ -141,14 +143,14 @@ class _Loosening:
             turned = 2 * s.var(f"j_w_{end}") * cos(alpha_w) / st.wheels[i].d_b
             s.put(f"turn_{end}_{place}", Computed(turned, float(np.degrees(loose.turns[i]))))
 
-    def _by_teeth(self, end: str, alpha_w: Var, loose: Loose) -> None:
+    def _by_teeth(self, end: str, alpha_w: Var) -> Expr:
+        """What the teeth of both wheels have lost, as an arc of the working circles."""
         s, st = self.s, self.stage
         both: Expr = s.thin_one + s.thin_two
         for key in (f"field_{place}" for place in PLACES if end == "most"):
             both = both + s.var(key) if key in s else both
         along = both / cos(st.s.beta) if st.helical else both
-        number = loose.circumferential - loose.by_distance
-        s.put(f"by_teeth_{end}", Computed(along * cos(st.alpha_t) / cos(alpha_w), number))
+        return along * cos(st.alpha_t) / cos(alpha_w)
 
 
 def _of_wheel(of: Q, key: str, name: str) -> Q:

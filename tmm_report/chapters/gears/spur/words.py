@@ -119,9 +119,9 @@ BY_WHAT = {
     "span": N_("It is stated as the change of the span; the teeth lose"),
 }
 MEASURED = {
-    "s": N_("thickness on the pitch circle, across the teeth"),
+    "s": N_("thickness on the pitch circle"),
     "W": N_("span"),
-    "s_c": N_("constant chord, at its nominal distance from the tip"),
-    "s_y": N_("chordal thickness, at its nominal distance from the tip"),
+    "s_c": N_("constant chord"),
+    "s_y": N_("chordal thickness"),
     "M": N_("measurement over pins or balls"),
 }

@@ -89,15 +89,14 @@ class BacklashView(ChapterView):
         rows = [
             [
                 page.word(self.t(MEASURED[size]), table, "size", row),
-                page.word(wheel, table, "wheel", row),
                 page.sym(table["nominal"].symbol(row)),
                 *(page.cell(table, key, row, places=3) for key in shown),
             ]
-            for row, (wheel, size) in enumerate(zip(table["wheel"].values, table["size"].values, strict=True))
+            for row, size in enumerate(table["size"].values)
         ]
-        heads = [self.t("Dimension"), self.t("Wheel"), self.t("Symbol")]
+        heads = [self.t("Dimension"), self.t("Symbol")]
         heads += [page.listed([page.message(table[key].meaning), page.unit("mm")]) for key in shown]
-        return worded(caption, heads, rows, (3.4, 1.2, 1.2, *[1.8] * len(shown)))
+        return worded(caption, heads, rows, (3.6, 1.2, *[1.8] * len(shown)))
 
     def deviations(self, i: int, size: str) -> Iterator[Markup]:
         """Of a measured size of wheel i, for its drawing: with the least thinning and with the greatest."""
