@@ -70,7 +70,9 @@ def _together(variants: Sequence[Variant]) -> Iterator[Results | ProblemError]:
 
 
 def render(
-    results: Results, fmt: Literal["html", "tex", "json", "csv", "png"] = "html", language: str | None = None
+    results: Results,
+    fmt: Literal["html", "tex", "json", "csv", "png", "dxf"] = "html",
+    language: str | None = None,
 ) -> dict[str, bytes]:
     """The note with its figures, or the numbers, as file name -> content.
 

@@ -17,9 +17,10 @@ import numpy as np
 
 from tmm_report.course import INITIAL_DATA, Results, chapters, room
 from tmm_report.i18n import Translator
+from tmm_report.problems import N_, Message, Problem, ProblemError
 from tmm_report.quantity.model import Column, Quantity, Table, Value
 
-__all__ = ["Column", "Table", "Value", "as_csv", "as_json", "tables", "values"]
+__all__ = ["Column", "Table", "Value", "as_csv", "as_dxf", "as_json", "tables", "values"]
 
 FORMAT = 1
 
@@ -128,6 +129,24 @@ def _numbers(column: Any) -> list[Any]:
 def _plain(x: Any) -> str | float:
     """A text, a whole number, or a number without a negative zero."""
     return x if isinstance(x, str | int) else float(x) + 0.0
+
+
+def as_dxf(results: Results) -> dict[str, bytes]:
+    """File name -> DXF of each cam, mm, in its own axes. Raises ProblemError of a variant without one."""
+    from tmm_report.figures.dxf import Outline, Ring, dxf  # only drawings for CAD need it
+
+    found: dict[str, bytes] = {}
+    for quantities, chapter in _rooms(results):
+        for name, layers in quantities.cad_outlines(chapter) if hasattr(quantities, "cad_outlines") else ():
+            shapes = {
+                layer: [Ring(0j, one) if np.ndim(one) == 0 else Outline(one) for one in curves]
+                for layer, curves in layers.items()
+            }
+            found[f"{name}.dxf"] = dxf(shapes)
+    if not found:
+        text = N_("a drawing for CAD (dxf) is that of a cam: this variant has none")
+        raise ProblemError([Problem(Message(text), Message(N_("the block cam, or mechanism.cams")))])
+    return found
 
 
 def as_csv(results: Results, tr: Translator) -> dict[str, bytes]:

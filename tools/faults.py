@@ -58,6 +58,9 @@ SPRING = "governor_spring"
 RIM = "press_flywheel"
 SHAPER, FUNCTION = "shaper_synthesis", "function_generator"
 
+CAM = "tmm_report/chapters/cams/cam/"
+REVERSED = ("tests/mechanics/cams/test_reversed_motion.py",)
+MADE = ("tests/chapters/cams/test_cam_made.py",)
 FAULTS = (
     # --- questions asked backwards ---
     Fault("the slope by the unknown in the unit of its range", FIND + "solve.py",
@@ -477,4 +480,16 @@ FAULTS = (
           "(stated.rise, stated.return_)", "(stated.return_, stated.return_)", VALVE, BY_FILE),
     Fault("a journal by its whole diameter", "tmm_report/chapters/cams/cam/block/loads.py",
           "(self.diameter or 0.0) / 2", "(self.diameter or 0.0)", VALVE, BY_FILE),
+    Fault("the outer wall of a groove a radius away", CAM + "solve/making.py", "profile + 2 * (cam.roller",
+          "profile + (cam.roller", "valve_cam", MADE),
+    Fault("the cutter within the cam", CAM + "solve/making.py", "profile + r * normal",
+          "profile - r * normal", "valve_cam", MADE),
+    Fault("reversed motion without the roller", MECHANICS + "cams/reversed_motion.py",
+          "return along + _root(cam, across)", "return along + (cam.roller or 0.0)", "valve_cam", REVERSED),
+    Fault("a wrong profile proved right", CAM + "solve/making.py", "k = int(np.argmax(np.abs(off)))",
+          "k = int(np.argmin(np.abs(off)))", "valve_cam", MADE),
+    Fault("the sheet of a cam with its followers turned with it", CAM + "draw/sheet.py", "back = np.exp(-1j * phi) *",
+          "back = np.exp(1j * phi) *", "valve_cam", MADE),
+    Fault("a drawing for CAD in metres", CAM + "quantities/cad_outlines.py", "[1e3 * cam.profile(phi)]",
+          "[cam.profile(phi)]", "valve_cam", MADE),
 )  # fmt: skip

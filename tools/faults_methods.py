@@ -12,7 +12,7 @@ TWICE = ("tests/chapters/gears/test_spur_twice.py",)
 LENGTHS = ("tests/chapters/lever/test_stated_lengths.py",)
 
 CAM = "tmm_report/chapters/cams/cam/"
-ALONE = ("tests/chapters/cams/test_cam_alone.py",)
+CAM_ALONE = ("tests/chapters/cams/test_cam_alone.py",)
 STATEMENTS = ("tests/statements/test_statements.py",)
 ZONE = "tmm_report/chapters/cams/cam/draw/zone.py"
 CAMS = ("tests/mechanics/cams", "tests/chapters/lever/cams")
@@ -353,24 +353,24 @@ FAULTS = (
           "[demand.slope for demand in asked.values()]", "[demand.S for demand in asked.values()]", "cam_press", CAMS),
     # --- a cam alone ---
     Fault("the offset on the other side of the cam", CAM + "block/build.py", 'return e if side == "against" else -e',
-          'return e if side == "with" else -e', "valve_cam", ALONE),
+          'return e if side == "with" else -e', "valve_cam", CAM_ALONE),
     Fault("a swinging follower lifts the other way", CAM + "block/build.py",
           'side = sense if stated.side == "with" else -sense', 'side = -sense if stated.side == "with" else sense',
           "valve_cam", STATEMENTS),
     Fault("the rest of the turn not shared by the dwells", CAM + "block/laws.py", "max(left, 0.0) / sharing if",
-          "max(left, 0.0) if", "valve_cam", ALONE),
+          "max(left, 0.0) if", "valve_cam", CAM_ALONE),
     Fault("the end of a phase with the derivatives of the next", MECHANICS + "cams/follower_laws.py",
-          "return WithinPhase(self.phases, self.lift, k)", "return self", "valve_cam", ALONE),
+          "return WithinPhase(self.phases, self.lift, k)", "return self", "valve_cam", CAM_ALONE),
     Fault("a phase divided without its last part", CAM + "solve/found.py", "phase.angle, phase.parts + 1)",
-          "phase.angle, phase.parts + 1, endpoint=False)", "valve_cam", ALONE),
+          "phase.angle, phase.parts + 1, endpoint=False)", "valve_cam", CAM_ALONE),
     Fault("signs of the pressure angles lost", CAM + "solve/found.py", "Extreme(sign * one.value,",
-          "Extreme(abs(one.value),", "valve_cam", ALONE),
+          "Extreme(abs(one.value),", "valve_cam", CAM_ALONE),
     Fault("length of a flat face by the mean of its ends", CAM + "quantities/sizes.py", "high.value - low.value",
-          "high.value + low.value", "valve_cam", ALONE),
+          "high.value + low.value", "valve_cam", CAM_ALONE),
     Fault("acceleration of a follower without the square", CAM + "quantities/tables.py", "omega**2 * lifted.second",
-          "omega * lifted.second", "valve_cam", ALONE),
+          "omega * lifted.second", "valve_cam", CAM_ALONE),
     Fault("the base circle of the centre profile as of the profile", CAM + "block/build.py",
-          "return stated.pitch_base - (roller or 0.0)", "return stated.pitch_base", "valve_cam", ALONE),
+          "return stated.pitch_base - (roller or 0.0)", "return stated.pitch_base", "valve_cam", CAM_ALONE),
     # --- ordinary stages of a drive ---
     Fault("a belt that slips drives faster", ORDINARY + "steps/belt.py", "diameter * (1 - s.epsilon)",
           "diameter * (1 + s.epsilon)", "conveyor_drive", STAGES),

@@ -36,6 +36,7 @@ ROUNDING = (
     "balance_error",
     "potential_error",
     "_residual",
+    "cam_recovered",
 )
 INTEGRATED = re.compile(r"dynamics_\w+_(start|coast)")
 ROUGH = (

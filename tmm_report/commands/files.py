@@ -14,7 +14,7 @@ from tmm_report.course import Results, Variant
 from tmm_report.i18n import Translator
 from tmm_report.problems import N_
 
-FORMATS = ("html", "tex", "json", "csv", "png")
+FORMATS = ("html", "tex", "json", "csv", "png", "dxf")
 PICTURED = 26  # positions of plans and force plans whose pictures are made: 13 of each
 
 
@@ -36,6 +36,10 @@ def render(results: Results, fmt: str, language: str | None = None) -> dict[str,
         from tmm_report.results import as_csv
 
         return {f"tables/{name}": content for name, content in as_csv(results, tr).items()}
+    if fmt == "dxf":
+        from tmm_report.results import as_dxf
+
+        return as_dxf(results)
     if fmt not in FORMATS:
         raise ValueError(f"format {fmt!r} is none of {', '.join(FORMATS)}")
     if fmt == "png":

@@ -240,6 +240,8 @@ def cam_alone(random: Random) -> Data:
         one["offset"] = "free" if free and random.random() < 0.5 else mm(random.choice((-8, 6, 12)))
         if random.random() < 0.4 and not one["offset"].startswith(("-", "free")):
             one["side"] = random.choice(("against", "with", "left", "right"))
+    if end == "roller" and random.random() < 0.4:
+        one |= {"closure": "groove"} if random.random() < 0.5 else {"cutter": "3 mm"}
     for key, value in (
         ("rotation", random.choice(("clockwise", "counter-clockwise"))),
         ("speed", f"{random.randint(60, 400)} rpm"),

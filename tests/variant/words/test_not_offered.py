@@ -122,7 +122,7 @@ def test_a_governor_of_no_kind_is_still_told():
 IN_THE_MECHANISM = {
     "mechanism.driver.solenoid": ("link: 1,", "solenoid: 3, link: 1,", "stated by its stroke"),
     "mechanism.driver.universal_joint": ("speed: 1}", "speed: 1, universal_joint: {}}", "law of the driving link"),
-    "mechanism.cams.K.groove": ("  assembly:", "  cams: {K: {groove: 1}}\n  assembly:", "runs outside on the cam"),
+    "mechanism.cams.K.groove": ("  assembly:", "  cams: {K: {groove: 1}}\n  assembly:", "of a cam alone"),
     "mechanism.cams.K.mushroom": ("  assembly:", "  cams: {K: {mushroom: 1}}\n  assembly:", "flat: {at: B}"),
     "mechanism.cams.K.knife": ("  assembly:", "  cams: {K: {knife: 1}}\n  assembly:", "a roller with radius: 0"),
     "mechanism.wheels.0.mesh": (

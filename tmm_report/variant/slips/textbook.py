@@ -112,7 +112,7 @@ _NEAREST = {
     "knife, knife_edge, pointed, остриё, игольчатый": N_("a knife edge is a roller with radius: 0"),
     "mushroom, flat_face, тарельчатый, плоский_толкатель": N_("a flat follower is stated by flat: {at: B}"),
     "groove, grooved, desmodromic, паз, пазовый": N_(
-        "grooves are not offered: the roller runs outside on the cam"
+        "the roller of mechanism.cams runs outside; a groove is stated of a cam alone: cam: {closure: groove}"
     ),
     "solenoid, electromagnet, pneumatic, pneumocylinder, hydraulic, пневмоцилиндр, гидроцилиндр, электромагнит": N_(
         "a cylinder of any kind is stated by its stroke: cylinder: [A, B], stroke: {…}; what moves it is not modelled"

@@ -17,7 +17,8 @@ Follower = Literal["roller", "knife", "flat"]
 class Given:
     """A cam with its follower over a turn: `sense` +1 counter-clockwise; `omega`: rad/s, above zero, None where no
     speed is stated; `table`, `diagram`: equal parts of the turn for the tables and the curves;
-    `shaft`: its diameter, m."""
+    `shaft`: its diameter, m; `cutter`: its radius, m, where the path of its centre is asked for; `groove`: the
+    roller runs between two walls."""
 
     cam: Cam
     sense: int
@@ -25,6 +26,8 @@ class Given:
     table: int = 12
     diagram: int = 72
     shaft: float | None = None
+    cutter: float | None = None
+    groove: bool = False
 
 
 @dataclass(frozen=True)

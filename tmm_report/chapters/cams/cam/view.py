@@ -11,11 +11,12 @@ from markupsafe import Markup
 
 from tmm_report.chapters.cams.cam import arcs_written, formulas
 from tmm_report.chapters.cams.cam import quantities as q
-from tmm_report.chapters.cams.cam.draw import centres, face, profile, zone
+from tmm_report.chapters.cams.cam.draw import centres, face, profile, sheet, zone
 from tmm_report.chapters.cams.cam.formulas import Written
 from tmm_report.chapters.cams.cam.sizing import Rules, Sizing, sizing
 from tmm_report.chapters.cams.cam.solve.alone import Found
 from tmm_report.chapters.cams.cam.solve.found import CamFound, Cams, Divided, Sampled
+from tmm_report.chapters.cams.cam.solve.making import Making
 from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.drawing import Drawing
 from tmm_report.mechanics.cams.sizes.least_face import Face
@@ -57,6 +58,7 @@ class CamsView:
     def __init__(self, found: Cams, position: int, page: Page):
         self.book = Book.of(q.tables(found), q.values(found))
         self.cams = [CamView(one, self.book, position, page) for one in found.cams]
+        self.made = [MadeView(one, self.book, page) for one in found.made]
 
     def conclusions(self) -> list[Markup]:
         return [text for cam in self.cams for text in cam.conclusions()]
@@ -353,3 +355,24 @@ class CamView(BookView):
 
     def drawing(self) -> Drawing:
         return profile.drawing(self.found, self._scale)
+
+
+class MadeView(BookView):
+    """How a cam that stands alone is made, and the proof of its profile."""
+
+    def __init__(self, made: Making, book: Book, page: Page):
+        super().__init__(page, book)
+        self.made = made
+
+    def walls(self, caption: Any) -> Table:
+        return self.by_positions(caption, "cam_walls")
+
+    def sheet(self) -> Drawing:
+        return sheet.drawing(self.made, self._mu)
+
+    @cached_property
+    def _mu(self) -> float:
+        return sheet.scale(self.made)
+
+    def scale_var(self) -> Var:
+        return scale_of("mu_l", self._mu, "m/mm")

@@ -21,6 +21,14 @@ PARTS = N_(
     "By the law of the phase and, for the profile, by the envelope of the follower's end; at the ends of a phase "
     "as the phase has them."
 )
+WALLS = N_(
+    "From the point of contact along the common normal: by the roller's diameter to the outer wall, by the radius of "
+    "the cutter to the path of its centre."
+)
+REVERSED = N_(
+    "The profile is turned back and the follower let down on it: where it rests is compared with its law, position by "
+    "position."
+)
 GRAPH = N_(
     "The stated graph of acceleration: widths made shares of the phase, ordinates below zero scaled to equal "
     "areas, all ordinates to the lift, then integrated twice, piece by piece."
@@ -89,6 +97,10 @@ def _ways(own: str, same: str) -> tuple[Way, ...]:
         Way("cam_motion@_table.*", LAW, of="phi cam_S@ cam_lift@"),
         Way("cam_divisions@_*.part", COUNTED),
         Way("cam_divisions@_*.*", PARTS, of="part phi cam_lift@ cam_base@"),
+        Way("cam_walls@.*", WALLS, of="phi cam_roller@ cam_cutter@"),
+        Way("cam_outline@.*", WALLS, of="phi cam_roller@ cam_cutter@"),
+        Way("cam_recovered@ cam_recovered_rounded@", REVERSED, of="cam_base@ cam_lift@"),
+        Way("cam_cutter@", STATED),
         Way("cam_profile@.*", PROFILE, of="phi cam_base@ cam_roller@"),
         Way("cam_alpha_rise@ cam_alpha_return@ cam_rho@", EXTREME, of="cam_base@ cam_lift@ cam_apart@"),
         Way("cam_lift@", LIFT, of="cam_base@"),

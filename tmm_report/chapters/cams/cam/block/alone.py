@@ -13,7 +13,7 @@ from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.russian import english
 from tmm_report.variant.values import Length, Positive, Reads, SignedSpeed, Turn, quantity, whole
 
-Count = Annotated[int, whole(8, 360)]
+Count = Annotated[int, whole(12, 360)]
 FREE, CHOSEN = "free", "chosen"
 _LENGTH, _POSITIVE = quantity("length"), quantity("length", 1e-9)
 
@@ -86,6 +86,9 @@ class CamAloneModel(LoadedModel, CamStated):
     rotation: Turn = Field(default="counter-clockwise", description="the sense in which the cam turns")
     speed: SignedSpeed | None = Field(
         default=None, description="of the cam, rad/s or rpm, negative: clockwise", examples=["150 rpm"]
+    )
+    cutter: Positive | None = Field(
+        default=None, description="radius of the cutter, for the path of its centre", examples=["6 mm"]
     )
     positions: Count = Field(default=12, description="equal parts of the turn: 12, 24, 36 …")
 

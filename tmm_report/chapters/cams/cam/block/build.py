@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import numpy as np
+
 from tmm_report.chapters.cams.cam.block.alone import CHOSEN, FREE, CamAloneModel
 from tmm_report.chapters.cams.cam.block.laws import Wrong, by_profile, law
 from tmm_report.chapters.cams.cam.block.pieced import by_arcs
@@ -19,9 +21,11 @@ from tmm_report.chapters.cams.cam.block.sizes import (
     lowest,
     smallest,
 )
-from tmm_report.chapters.cams.cam.block.touching import must_touch
+from tmm_report.chapters.cams.cam.block.touching import GRID, must_touch
 from tmm_report.chapters.cams.cam.given import Given
 from tmm_report.mechanics.cams.cam import ByLaw, Cam, Sliding, Swinging
+from tmm_report.mechanics.cams.follower_laws import FULL_TURN
+from tmm_report.mechanics.cams.making import undercut
 from tmm_report.mechanics.cams.sizes.least_size import Zone
 from tmm_report.mechanics.cams.stated_profile import ByProfile
 from tmm_report.problems import N_, Message, Problem, mistake
@@ -71,8 +75,19 @@ def built(stated: CamAloneModel) -> Given:
         "", "1", "2", "B", "K", 0j, motion, given, roller, limit, base or least(given), face, "", back, sized
     )
     must_touch(made)
+    groove = stated.closure == "groove"
+    _must_be_made(made, groove, stated.cutter)
     omega = None if stated.speed is None else abs(stated.speed)
-    return Given(made, sense, omega, stated.positions, max(DRAWN, stated.positions), stated.shaft)
+    return Given(
+        made,
+        sense,
+        omega,
+        stated.positions,
+        max(DRAWN, stated.positions),
+        stated.shaft,
+        stated.cutter,
+        groove,
+    )
 
 
 def _roller(
@@ -82,6 +97,34 @@ def _roller(
     if stated.roller == CHOSEN:
         return chosen_roller(stated, motion, face, sense, limit, stated.pitch_base)
     return float(stated.roller or 0.0)
+
+
+def _must_be_made(made: Cam, groove: bool, cutter: float | None) -> None:
+    """A roller has room in its groove, and the cutter in every hollow. Raises Wrong."""
+    roller = made.roller or 0.0
+    if groove and not roller:
+        raise Wrong(
+            "closure",
+            Message(N_("a groove holds a roller between its walls")),
+            Message(N_("roller: 10 mm, or leave out closure")),
+        )
+    if groove and cutter is not None and cutter > roller:
+        text = N_("the cutter, %(cutter)s m, does not enter the groove: the roller has %(roller)s m")
+        told = {"cutter": f"{cutter:.4g}", "roller": f"{roller:.4g}"}
+        raise Wrong("cutter", Message(text, told), Message(N_("a cutter of the roller's radius or smaller")))
+    match undercut(made, groove, cutter, np.linspace(0, FULL_TURN, GRID)):
+        case "outer":
+            text = N_(
+                "the outer wall of the groove is undercut: a hollow of the pitch curve is narrower than the roller"
+            )
+            raise Wrong(
+                "closure",
+                Message(text),
+                Message(N_("a larger base circle, a smaller roller or a smoother law")),
+            )
+        case "cutter":
+            text = N_("the cutter is too large for the hollow of the profile")
+            raise Wrong("cutter", Message(text), Message(N_("a smaller cutter")))
 
 
 def _sense(stated: CamAloneModel) -> int:

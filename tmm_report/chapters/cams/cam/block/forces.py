@@ -155,9 +155,6 @@ def _rubbing(stated: CamAloneModel) -> Iterator[Problem]:
     if stated.face_friction is not None and rolls:
         text = N_("a roller does not slide on its cam")
         yield mistake(text, ("cam", "face_friction"), Message(N_("pin: {diameter: 8 mm, friction: 0.1}")))
-    if stated.closure == "groove" and not rolls:
-        text = N_("a groove holds a roller between its walls")
-        yield mistake(text, ("cam", "closure"), Message(N_("roller: 10 mm")))
     if stated.contact is not None and not rolls and not stated.faced:
         text = N_("an edge touches the cam along no width: its pressure has no bound")
         yield mistake(text, ("cam", "contact"), Message(N_("roller: 10 mm, or leave it out")))

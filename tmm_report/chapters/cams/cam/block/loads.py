@@ -279,7 +279,8 @@ class LoadedModel(Model):
     )
     contact: ContactModel | None = Field(default=None, description="for the pressure in the contact")
     closure: Literal["force", "groove"] = Field(
-        default="force", description="groove: the cam holds the roller by a second wall and pulls it, too"
+        default="force",
+        description="groove: the cam holds the roller by a second wall, which is found, and pulls it, too",
     )
     at: list[TurnAngle] = Field(
         default=[],

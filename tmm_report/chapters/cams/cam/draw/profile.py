@@ -44,15 +44,15 @@ def scale(found: CamFound) -> float:
     return finest(2 * found.cam.base, partial(_items, found))
 
 
-def finest(size: float, drawn: Callable[[float], Iterable[Item]]) -> float:
-    """The finest of the scales 1, 2, 2.5, 4, 5·10ⁿ m/mm at which what is `drawn` at it fits a page; `size`: about what
-    is drawn, m: nothing is drawn many times as large as the page."""
+def finest(size: float, drawn: Callable[[float], Iterable[Item]], room: tuple[float, float] = ROOM) -> float:
+    """The finest of the scales 1, 2, 2.5, 4, 5·10ⁿ m/mm at which what is `drawn` at it fits a page, or another `room`;
+    `size`: about what is drawn, m: nothing is drawn many times as large as the room."""
     for power, digit in product(range(-6, 3), ROUND):
         mu = float(f"{digit * 10.0**power:.3g}")
-        if size / mu >= 4 * ROOM[0]:
+        if size / mu >= 4 * room[0]:
             continue
         wide, high = Drawing(tuple(drawn(mu))).size
-        if wide <= ROOM[0] and high <= ROOM[1]:
+        if wide <= room[0] and high <= room[1]:
             return mu
     return 1.0
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from tmm_report.chapters.cams.cam.given import Given
 from tmm_report.chapters.cams.cam.solve.found import Cams, pair
+from tmm_report.chapters.cams.cam.solve.making import making
 from tmm_report.chapters.cams.cam.solve.turn import whole_turn
 from tmm_report.problems import N_, Message
 from tmm_report.records import dataclass
@@ -43,4 +44,4 @@ def solve(given: Given) -> Found:
     turn = whole_turn(given.cam, given.sense, given.table, given.diagram, given.omega)
     found = replace(pair(given.cam, turn, LETTERS), shaft=given.shaft)
     moving = np.flatnonzero(np.abs(found.table.first[: turn.distinct]) > 1e-9 * max(abs(found.lift), 1e-9))
-    return Found((found,), int(moving[0]) if moving.size else 0)
+    return Found((found,), (making(given, found),), int(moving[0]) if moving.size else 0)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -31,6 +31,9 @@ from tmm_report.mechanics.cams.shapes import Graph, Laid, Shape
 from tmm_report.mechanics.cams.sizes.rules import Limits, roller_limits
 from tmm_report.mechanics.cams.sizes.searched import greatest_at
 from tmm_report.records import dataclass
+
+if TYPE_CHECKING:
+    from tmm_report.chapters.cams.cam.solve.making import Making
 
 Array = Any
 Ends = tuple[Extreme, Extreme]
@@ -356,9 +359,10 @@ class CamFound:
 
 @dataclass(frozen=True, eq=False)
 class Cams:
-    """What is found of cams that turn together."""
+    """What is found of cams that turn together; `made`: of one that stands alone, how it is made."""
 
     cams: tuple[CamFound, ...]
+    made: tuple[Making, ...] = ()
 
 
 class Sampled(NamedTuple):
