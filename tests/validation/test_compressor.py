@@ -131,7 +131,7 @@ def force_plan_cells(results) -> Iterator[Cell]:
     for link in "24":
         yield f"h{link}", reduced[link], printed[f"h{link}"]
         yield f"hG{link}", arms[f"G_{link}"], printed[f"hG{link}"]
-        # the guide puts the inertia force through the swing centre too
+        # the guide puts the inertia force through the centre of percussion too
         yield f"hFI{link}", arms[f"F_I{link}"], printed[f"hFI{link}"]
     yield "R24", reactions(results)["R24"], FORCES["plan_reactions_N"]["R24"]
 

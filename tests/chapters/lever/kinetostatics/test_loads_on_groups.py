@@ -1,4 +1,4 @@
-"""What the loading schemes and the equations of moments stand on: swing centres, components, single links, mm."""
+"""What the loading schemes and the equations of moments stand on: centres of percussion, components, links, mm."""
 
 from __future__ import annotations
 

@@ -57,7 +57,7 @@ class OfStage(Row):
 class Member(Row):
     z = Q("z", "", N_("number of teeth; 0: a carrier"))
     omega = Q("omega", "rad/s", N_("angular velocity"))
-    n = Q("n", "rpm", N_("frequency of rotation"))
+    n = Q("n", "rpm", N_("rotational speed"))
     omega_rel = Q(Symbol("omega", "", "(H)"), "rad/s", N_("angular velocity about the carrier of the axis"))
 
 

@@ -128,7 +128,7 @@ class DriveView(ChapterView):
         return self.number("tolerance")
 
     def rpm(self, name: str) -> Markup:
-        """The frequency of rotation of a member."""
+        """The rotational speed of a member."""
         return self.page.shown(self.members[name]["n"])
 
     @property
@@ -160,7 +160,7 @@ class DriveView(ChapterView):
         """What the formulas of the speeds are made of."""
         items = [
             ("drive:omega", "omega_i", self.t("angular velocity of member i"), "rad/s"),
-            ("drive:n", "n_i", self.t("its frequency of rotation"), "rpm"),
+            ("drive:n", "n_i", self.t("its rotational speed"), "rpm"),
             ("spur:z", "z_i", self.t("number of teeth of wheel i"), ""),
         ]
         return [

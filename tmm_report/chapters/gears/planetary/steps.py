@@ -107,7 +107,7 @@ class Stage:
                 row.x_n = float(self.sizes.shifts[wheel] / np.cos(given.helix))
 
     def _helical(self) -> None:
-        """Modules, profile angle and height of the head; of helical teeth of the transverse section."""
+        """Modules, profile angle and addendum; of helical teeth of the transverse section."""
         s, given, rack = self.s, self.given, self.task.rack
         keys = ("m",) if given.one_module else ("m_I", "m_II")
         if given.module_n is None or given.rack_n is None:

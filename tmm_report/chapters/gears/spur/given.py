@@ -89,7 +89,7 @@ class Rack(rack.Rack):
     ha: Annotated[
         float,
         quantity("number", 0.2, 2.0, "0.2 … 2"),
-        Field(alias="ha*", description="height of the head, in modules"),
+        Field(alias="ha*", description="addendum, in modules"),
     ] = 1.0
     c: Annotated[
         float, quantity("number", 0.0, 1.0, "0 … 1"), Field(alias="c*", description="clearance, in modules")

@@ -47,8 +47,8 @@ class Values(Sheet):
     u_required = Q("u", "", N_("required ratio of the angular velocities"))
     m = Q("m", "m", N_("module"), *MM)
     alpha = Q("alpha", "deg", N_("profile angle of the basic rack"))
-    ha = Q(HA, "", N_("coefficient of the height of the head"))
-    c = Q(C, "", N_("coefficient of the radial clearance"))
+    ha = Q(HA, "", N_("addendum coefficient"))
+    c = Q(C, "", N_("tip clearance coefficient"))
     beta = Q("beta", "deg", N_("helix angle"))
     b = Q("b", "m", N_("face width"), *MM)
 

@@ -66,9 +66,9 @@ class Ratio(Row):
 class Member(Row):
     z = Q("z", "", N_("number of teeth; 0: a carrier"))
     omega = Q("omega", "rad/s", N_("angular velocity"))
-    n = Q("n", "rpm", N_("frequency of rotation"))
+    n = Q("n", "rpm", N_("rotational speed"))
     omega_rel = Q(Symbol("omega", "", "(H)"), "rad/s", N_("angular velocity about the carrier of the axis"))
-    n_rel = Q(Symbol("n", "", "(H)"), "rpm", N_("frequency of rotation about the carrier of the axis"))
+    n_rel = Q(Symbol("n", "", "(H)"), "rpm", N_("rotational speed about the carrier of the axis"))
 
 
 class Load(Row):
@@ -117,7 +117,7 @@ class Neighbours(Row):
 
 class Case(Row):
     omega = Q("omega", "rad/s", N_("angular velocity in another motion"))
-    n = Q("n", "rpm", N_("frequency of rotation in another motion"))
+    n = Q("n", "rpm", N_("rotational speed in another motion"))
 
 
 def ratio_symbol(one: str, other: str, carrier: str = "", base: str = "u", star: bool = False) -> Symbol:

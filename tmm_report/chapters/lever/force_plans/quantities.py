@@ -24,7 +24,7 @@ if TYPE_CHECKING:  # drafting takes the names of its quantities from here
     from tmm_report.chapters.lever.force_plans.solve import ForcePlans
 
 ARMS = Message(N_("arms of the forces as read off the scheme"))
-REDUCED = Message(N_("inertia forces and couples reduced to one force through the swing centre"))
+REDUCED = Message(N_("inertia forces and couples reduced to one force through the centre of percussion"))
 MU_F = Quantity("mu_F", Symbol("mu", "F"), "N/mm", Message(N_("scale of the force plan")))
 ON_PAPER = Quantity("arm_mm", None, "mm", Message(N_("arm on the scheme")))
 ARM = Quantity("arm", Symbol("h"), "m", Message(N_("arm of the force")))
@@ -130,7 +130,11 @@ def _reduced(drawn: ForceDrawn) -> Table:
             force.column([one.force for one in rows]),
             couple.column([one.couple for one in rows]),
             h.column([one.arm for one in rows]),
-            Quantity("x_K", Symbol("x", "K"), "m", Message(N_("x of the swing centre"))).column(centres.real),
-            Quantity("y_K", Symbol("y", "K"), "m", Message(N_("y of the swing centre"))).column(centres.imag),
+            Quantity("x_K", Symbol("x", "K"), "m", Message(N_("x of the centre of percussion"))).column(
+                centres.real
+            ),
+            Quantity("y_K", Symbol("y", "K"), "m", Message(N_("y of the centre of percussion"))).column(
+                centres.imag
+            ),
         ),
     )

@@ -191,7 +191,7 @@ class ForcePlansView(BookView):
         ]
         heads = [
             self.t("Link"), *(self.page.head(table[key].symbol(), table[key].unit) for key in ("F_I", "M_I", "h")),
-            self.page.listed([self.t("Swing centre K: x; y"), self.page.unit("m")]),
+            self.page.listed([self.t("Centre of percussion K: x; y"), self.page.unit("m")]),
         ]  # fmt: skip
         return worded(caption, heads, rows, (1, 2, 2, 2, 3))
 

@@ -15,7 +15,7 @@ GRAPH = N_("Read off the force plan: the length of the vector by the scale of th
 ANALYTIC = N_("The value of the analytical method at the position.")
 ONE_FORCE = N_(
     "The inertia force and couple of the link put together to one force: h = M/F; it passes "
-    "through the swing centre."
+    "through the centre of percussion."
 )
 BY_OTHER = N_("The balancing moment by the other way, as the name says: by the reactions, or by the powers.")
 FORCE_BY_OTHER = N_(

@@ -63,7 +63,7 @@ def _motors(shafts: Shafts) -> Iterator[Column]:
     yield text_column("motor", Message(N_("type of the motor")), [motor.name for motor in motors])
     power = Quantity("P", Symbol("P"), "W", Message(N_("rated power of the motor")), "kW")
     yield power.column([motor.power for motor in motors])
-    turns = Quantity("n", Symbol("n"), "rpm", Message(N_("rated frequency of rotation of the motor")))
+    turns = Quantity("n", Symbol("n"), "rpm", Message(N_("rated rotational speed of the motor")))
     yield turns.column([motor.speed * RPM for motor in motors])
     ratio = Quantity("u", Symbol("u"), "", Message(N_("ratio of the whole drive with the motor")))
     yield ratio.column([one.ratio for one in judged])

@@ -24,7 +24,7 @@ class Values(Sheet):
     z_out = Q(Symbol("z", OUT), "", N_("number of teeth of the sprocket"), digits=9)
     t_out = Q("t", "m", N_("pitch of the chain"), "mm", formed="mm")
     omega_out = Q(Symbol("omega", OUT), "rad/s", N_("angular velocity of the machine's shaft"))
-    n_out = Q(Symbol("n", OUT), "rpm", N_("frequency of rotation of the machine's shaft as it is wanted"))
+    n_out = Q(Symbol("n", OUT), "rpm", N_("rotational speed of the machine's shaft as it is wanted"))
     T_out = Q(Symbol("T", OUT), "N·m", N_("useful torque on the machine's shaft"))
     P_out = Q(Symbol("P", OUT), "W", N_("useful power of the machine"), "kW", formed="kW")
     eta_bearings = Q(Symbol("eta", BEARINGS), "", N_("efficiency of a pair of bearings"))
@@ -33,7 +33,7 @@ class Values(Sheet):
     eta_total = Q(Symbol("eta", WHOLE), "", N_("efficiency from the motor to the useful power"))
     P_req = Q(Symbol("P", NEEDED), "W", N_("power needed of the motor"), "kW", formed="kW")
     P_motor = Q(Symbol("P", MOTOR), "W", N_("rated power of the motor"), "kW", formed="kW")
-    n_motor = Q(Symbol("n", MOTOR), "rpm", N_("rated frequency of rotation of the motor"))
+    n_motor = Q(Symbol("n", MOTOR), "rpm", N_("rated rotational speed of the motor"))
     overload = Q(None, "%", N_("permitted overload of the motor"))
     u_low = Q(None, "", N_("least permitted ratio of the whole drive"))
     u_high = Q(None, "", N_("greatest permitted ratio of the whole drive"))
@@ -58,7 +58,7 @@ class Values(Sheet):
 
 class Shaft(Row):
     P = Q("P", "W", N_("power of the shaft"), "kW", formed="kW")
-    n = Q("n", "rpm", N_("frequency of rotation of the shaft"))
+    n = Q("n", "rpm", N_("rotational speed of the shaft"))
     omega = Q("omega", "rad/s", N_("angular velocity of the shaft"))
     T = Q("T", "N·m", N_("torque of the shaft"))
 

@@ -6,7 +6,7 @@ from tmm_report.problems import N_
 from tmm_report.quantity.formula import Expr
 from tmm_report.quantity.ways import COUNTED, NAME, STATED, Known, Way
 
-JUDGED = N_("The rated frequency of rotation of the motor by the wanted one of the machine.")
+JUDGED = N_("The rated rotational speed of the motor by the wanted one of the machine.")
 LOAD = N_("The power needed of the motor by its rated power.")
 PARTS = N_("Stated; of a stage as it is found by its teeth, or stated.")
 MESH = N_(

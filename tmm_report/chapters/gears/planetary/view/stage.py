@@ -126,7 +126,7 @@ class PlanetaryView(PlanetaryTables):
         return self.table("motions").formula("eta", row, efficiency(self.stage), digits=4)
 
     def transverse(self) -> list[Formula]:
-        """Of helical teeth: modules, profile angle and height of the head in the transverse section."""
+        """Of helical teeth: modules, profile angle and addendum in the transverse section."""
         keys = ("m", "m_I", "m_II", "alpha", "ha")
         return [self.formula(key, digits=6) for key in keys if self.s.has_formula(key)]
 

@@ -168,7 +168,7 @@ class TrainView(TrainTables):
                 "",
             ),
             ("train:omega", "omega_i", self.t("angular velocity of member i"), "rad/s"),
-            ("train:n", "n_i", self.t("its frequency of rotation"), "rpm"),
+            ("train:n", "n_i", self.t("its rotational speed"), "rpm"),
             ("train:z", "z_i", self.t("number of teeth of wheel i"), ""),
         ]
         return [{"id": key, "symbol": s, "meaning": meaning, "unit": unit} for key, s, meaning, unit in items]

@@ -177,7 +177,7 @@ class ForcePlan:
 @dataclass(frozen=True, eq=False)
 class Reduced:
     """Inertia force and couple of a link reduced to one force: its arm h = M/F about the mass centre, m, and the
-    swing centre K through which it acts, world place, m."""
+    centre of percussion K through which it acts, world place, m."""
 
     link: str
     force: float
@@ -191,7 +191,7 @@ class ForceDrawn:
     """Force plans of one table position, the driving link's last, and the comparison of reactions and moment.
 
     `inertia`: formulas of the inertia forces and couples, F_I = m a_S and M_I = J ε; `apart`: links whose inertia force
-    and couple are left as they are, as the swing centre would lie off the sheet.
+    and couple are left as they are, as the centre of percussion would lie off the sheet.
     """
 
     position: int

@@ -46,7 +46,7 @@ from tmm_report.quantity.written import DIGITS, Worked
 
 HAND = 0.1  # mm: to this accuracy or worse, lengths stand in equations as they are read
 SCALE: tuple[str, ...] = ("drawing", "scales", "force")  # its key
-REACH = 80.0  # mm: a swing centre farther from the mass centre is off the sheet
+REACH = 80.0  # mm: a centre of percussion farther from the mass centre is off the sheet
 
 
 class Sheet:
@@ -144,7 +144,7 @@ class Sheet:
         return float(np.nanmax(self.solved.scale))
 
     def _reduce(self, link: str) -> None:
-        """The inertia force and couple as one force through the swing centre, where that lies on the sheet."""
+        """The inertia force and couple as one force through the centre of percussion, where that lies on the sheet."""
         force = next((a for a in self.acting[link] if a.kind == "inertia"), None)
         couple = next((c for c in self.couples[link] if c.key == inertia_couple(link).key), None)
         if force is None or couple is None:
