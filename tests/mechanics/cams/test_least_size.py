@@ -144,3 +144,16 @@ def test_least_cam_under_a_flat_face(name):
     S, _, bend = law.of(FINE)
     assert found.b >= np.max(0.005 - S - bend) - 1e-12
     assert found.b == pytest.approx(np.max(0.005 - S - bend), rel=2e-4)
+
+
+@pytest.mark.parametrize("slope", [0.3, 1.6, 2.0, 2.3])
+def test_the_angles_that_one_position_permits(slope):
+    """Also of a lever that swings so fast that the axis would lie behind it."""
+    one = Lever(drawn(1).law, 0.1, 0.1, True, math.radians(50))
+    turned = np.linspace(1e-4, math.pi - 1e-4, 20001)
+    tangent = (one.arm * (1 - slope) - one.apart * np.cos(turned)) / (one.apart * np.sin(turned))
+    permitted = turned[np.abs(tangent) <= math.tan(one.rise)]
+    high = -one._high(one.rise, np.array(0.0), np.array(slope))
+    low = max(one._low(one.rise, side, np.array(0.0), np.array(slope)) for side in (1, -1))
+    assert permitted.max() == pytest.approx(min(float(high), math.pi), abs=1e-3)
+    assert permitted.min() == pytest.approx(max(float(low), 0.0), abs=1e-3)
