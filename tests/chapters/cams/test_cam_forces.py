@@ -200,3 +200,13 @@ def test_every_table_has_its_results():
     results = solved(SLIDING, f"mass: 2.4 kg, load: 100 N, spring: smallest, {GUIDE}, at: [50 deg]")
     names = {table.name for table in tables(results)}
     assert {"cam_forces_table", "cam_forces_diagram", "cam_asked", "cam_force_ends", "cam_springs"} <= names
+
+
+def test_a_journal_is_stated_by_its_radius_or_its_diameter():
+    one, other = (
+        columns(solved(SLIDING, f"load: 200 N, pin: {{{size}, friction: 0.1}}"), "cam_forces_table")[
+            "cam_T_pin"
+        ]
+        for size in ("radius: 4 mm", "diameter: 8 mm")
+    )
+    assert one.max() > 0 and (one == other).all()
