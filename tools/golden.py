@@ -153,7 +153,7 @@ READ_IN_ALL = (  # together all chapters; a test counts them
     "compressor", "press", "hoist_drive", "eccentric", "cam_press", "tram_start", "machine_train", "engine_balance",
     "governor_porter", "governor_servo", "jack_and_belt", "locomotive_diesel", "forging_machine_wear", "grain_screen",
     "rotor", "slider_crank_offset", "shaper_synthesis", "function_generator", "press_flywheel", "governor_spring",
-    "descent_brake", "steam_hammer", "knuckle_press", "piston_pump", "hacksaw", "valve_cam",
+    "descent_brake", "steam_hammer", "knuckle_press", "piston_pump", "hacksaw", "valve_cam", "hoist_differential",
 )  # fmt: skip
 READ_IN_ITS_OWN = ("crank_rocker",)
 CALLED_IN = FALLBACK  # one is enough: the notes hold the translations
