@@ -9,11 +9,12 @@ from conftest import examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from note import read
+from notes import render
 from reading import wrong
 from test_against_results import unmarked, wrong_cells, wrong_formulas, wrong_spans
 from test_arithmetic import wrong_results
 
-from tmm_report import render, solve
+from tmm_report import solve
 from tmm_report.course import loads
 from tmm_report.mechanics.lever.stated_masses import LengthOf, MassOf, PerLength, dimension, worked
 from tmm_report.problems import ProblemError
@@ -106,7 +107,7 @@ def test_the_note_works_them_out(language):
     plain = render(found, "tex")["note.tex"].decode()
     for formula in ("m_{2}=q_{2}\\cdot l_{AB}", "m_{3}=0", "\\frac{m_{3}\\cdot l_{CB}^{2}}{3}"):
         assert formula in plain
-    assert ("S3 between C and B" if language == "en" else "S3 между C и B") in plain
+    assert ("S$_{3}$ between C and B" if language == "en" else "S$_{3}$ между C и B") in plain
 
 
 # ---------------------------------------------------------------- the grammar

@@ -68,6 +68,7 @@ SECTIONS = {
     "contacts": N_("Friction in single pairs"),
     "cams": N_("Cam pair"),
     "cam": N_("Cam mechanism"),
+    "cam_forces": N_("Forces of the cam mechanism"),
     "efficiency": N_("Efficiency of machines joined"),
     "wear": N_("Wear"),
     "train": N_("Gear train"),

@@ -25,7 +25,7 @@ SPRINGS = Message(N_("springs that just keep the follower on the cam"))
 LEAVES = Message(N_("angles over which the follower leaves the cam"))
 
 SPRING, INERTIA, FR = NP_("index", "spr"), NP_("index", "ine"), NP_("index", "fr")
-MAX, MIN, OFF, PERMITTED = NP_("index", "max"), NP_("index", "min"), NP_("index", "off"), NP_("index", "perm")
+MAX, MIN, OFF, PERMITTED = NP_("index", "max"), NP_("index", "min"), NP_("index", "off"), NP_("index", "lim")
 MEAN, NEED, JAM = NP_("index", "mean"), NP_("index", "need"), NP_("index", "jam")
 RUBS = {
     "guide": NP_("index", "way"), "pin": NP_("index", "axle"), "face": NP_("index", "face"),

@@ -99,7 +99,7 @@ WAYS = (
     ),
     Way("drive_teeth.mesh", NAME),
     Way("drive_*", STATED),
-    *ORDINARY,
     *SPUR,
     *PLANETARY,
+    *ORDINARY,
 )
