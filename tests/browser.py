@@ -21,10 +21,10 @@ from typing import Any
 import matplotlib
 import pytest
 from conftest import read
-from notes import NAMES, note, program
+from notes import NAMES, note, program, render
 from once import once
 
-from tmm_report import render, solve
+from tmm_report import solve
 from tmm_report.commands.assemblies.page import page
 from tmm_report.commands.assemblies.ways import find
 from tmm_report.course import Results, loads

@@ -73,6 +73,7 @@ def render(
     results: Results,
     fmt: Literal["html", "tex", "json", "csv", "png", "dxf"] = "html",
     language: str | None = None,
+    depth: Literal["short", "course", "full"] | None = None,
 ) -> dict[str, bytes]:
     """The note with its figures, or the numbers, as file name -> content.
 
@@ -82,8 +83,8 @@ def render(
     >>> "tables/balancing_table.csv" in render(results, "csv")
     True
 
-    `language`: of the note, that of the variant unless another of `languages` is named.
+    `language`: of the note, that of the variant unless another of `languages` is named; `depth`: how much it says.
     """
     from tmm_report.commands.files import render as make
 
-    return make(results, fmt, language)
+    return make(results, fmt, language, depth)

@@ -109,6 +109,9 @@ def solve(
         str, typer.Option("--format", help="Any of html,tex,json,csv,png,dxf, joined by commas.")
     ] = "html,tex",
     lang: Language = None,
+    depth: Annotated[
+        str | None, typer.Option("--depth", help="How much the note says: short, course or full.")
+    ] = None,
     all_: Annotated[
         bool,
         typer.Option(
@@ -126,7 +129,15 @@ def solve(
         from tmm_report.commands.solve import run
 
         done = run(
-            variant, output, formats, lang, console, combinations_too=all_, pdf=pdf, open_note=open_note
+            variant,
+            output,
+            formats,
+            lang,
+            console,
+            depth=depth,
+            combinations_too=all_,
+            pdf=pdf,
+            open_note=open_note,
         )
     ended(done)
 

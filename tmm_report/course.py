@@ -21,7 +21,9 @@ from tmm_report.chapters.lever.methods.given import Comparison
 from tmm_report.chapters.lever.plans.given import Drawing
 from tmm_report.chapters.lever.press.given import Press
 from tmm_report.chapters.lever.readings.given import Readings
-from tmm_report.chapters.title.given import Title
+from tmm_report.chapters.title.given import Note, Title
+from tmm_report.chapters.title.pieces import DEPTHS as DEPTHS
+from tmm_report.chapters.title.pieces import Depth as Depth
 from tmm_report.languages import DEFAULT, DecimalSign, stated_in
 from tmm_report.mechanics.lever.mechanism import Mechanism
 from tmm_report.problems import N_, Message, Problem, ProblemError
@@ -154,6 +156,7 @@ class Variant:
     drive: drive.Given | None = None
     eccentric: eccentric.Given | None = None
     title: Title = field(default_factory=Title)
+    note: Note = field(default_factory=Note)
     language: str = DEFAULT  # a code of the table of languages
     decimal_sign: DecimalSign = "comma"
     places: Mapping[tuple[str | int, ...], tuple[int, int]] = field(default_factory=dict, repr=False)
@@ -302,11 +305,7 @@ def _moving(lever: LeverFound, rubs: bool = True) -> Moving:
     """`rubs`: whether the friction of the pairs is in it, where it is stated."""
     from tmm_report.chapters.lever.moving import Moving  # only a lever mechanism needs it
 
-    return Moving(
-        lever.kinematics,
-        lever.kinetostatics,
-        friction=lever.friction if rubs else None,
-    )
+    return Moving(lever.kinematics, lever.kinetostatics, friction=lever.friction if rubs else None)
 
 
 def solve_lever(

@@ -36,6 +36,11 @@ class Translator(NamedTuple):
         """Of LaTeX's package babel."""
         return language(self.language).babel_options
 
+    @property
+    def letters(self) -> str:
+        """Of appendices."""
+        return language(self.language).letters
+
     def gettext(self, text: str) -> str:
         return _catalogue(self.language).gettext(text) if text else ""
 

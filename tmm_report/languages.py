@@ -22,6 +22,7 @@ class Language:
 
     `code`: ISO 639-1, that of --lang, of the key `language` and of HTML. `babel`: its name in LaTeX, `beside`: the
     language whose words a note has beside its own. `ids`: its texts are the message ids, without a catalogue.
+    `letters`: of appendices, in their order (GOST 7.32: without those that are taken for digits or for others).
     """
 
     code: str
@@ -30,6 +31,7 @@ class Language:
     babel: str
     beside: str = "english"
     ids: bool = False
+    letters: str = "ABCDEFGHJKLMNPQRSTUVWXYZ"
 
     @property
     def babel_options(self) -> str:
@@ -39,7 +41,7 @@ class Language:
 LANGUAGES = {
     row.code: row
     for row in (
-        Language("ru", "русский", "comma", babel="russian"),
+        Language("ru", "русский", "comma", babel="russian", letters="АБВГДЕЖИКЛМНПРСТУФХЦШЩЭЮЯ"),
         Language("en", "English", "point", babel="english", beside="russian", ids=True),
     )
 }

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from types import ModuleType
 from typing import Any
 
-from tmm_report.course import BEFORE, INITIAL_DATA, LEVER, Results, chapters, doubts, left_out, room
+from tmm_report.course import BEFORE, INITIAL_DATA, LEVER, Depth, Results, chapters, doubts, left_out, room
 from tmm_report.figures.drawing import Drawing
 from tmm_report.i18n import Translator
 from tmm_report.problems import N_, Message
@@ -20,10 +21,15 @@ Found = (
 )
 
 
-def render(results: Results, fmt: str, tr: Translator) -> dict[str, bytes]:
-    """File name -> content: "note.html" alone, "note.tex" with the figures it reads, or the figures as pictures."""
+def render(results: Results, fmt: str, tr: Translator, depth: Depth | None = None) -> dict[str, bytes]:
+    """File name -> content: "note.html" alone, "note.tex" with the figures it reads, or the figures as pictures.
+
+    `depth`: of the note, that of the variant unless it is stated."""
+    title, note = results.variant.title, results.variant.note
+    if depth is not None:
+        note = replace(note, depth=depth)
     return render_parts(
-        lambda page: list(parts(results, page)), results.variant.title, fmt, tr, tuple(_undone(results))
+        lambda page: list(parts(results, page)), title, fmt, tr, tuple(_undone(results)), note
     )
 
 

@@ -176,7 +176,7 @@ def refresh_text(file: Path) -> list[str]:
     told: list[str] = []
     results = solve(load(file))
     for language in languages(results.variant):
-        page = render(results, "html", language)["note.html"].decode()
+        page = render(results, "html", language, "full")["note.html"].decode()
         lines, target = read_note(page).words, GOLDEN / f"{file.stem}.{language}.txt"
         old = target.read_text("utf-8").splitlines() if target.is_file() else []
         changed = list(

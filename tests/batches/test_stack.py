@@ -9,8 +9,9 @@ import pytest
 from conftest import FILES, examples, read
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from notes import render
 
-from tmm_report import course, render, stack
+from tmm_report import course, stack
 from tmm_report.chapters.lever.kinetostatics.given import Diagram, Force, Loads
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.calculus.variants import Each, Unlike, one, together

@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from notes import render
 
-from tmm_report import course, render
+from tmm_report import course
 from tmm_report.chapters.lever.force_plans.loading_draw import TIED, loading_schemes
 from tmm_report.chapters.lever.schemes import ties_of
 from tmm_report.figures.drawing import Path

@@ -19,8 +19,9 @@ from exhaustive import many
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from mutations import KINDS, Data, bare, changed
+from notes import render
 
-from tmm_report import render, solve
+from tmm_report import solve
 from tmm_report.course import Results, loads
 from tmm_report.i18n import Translator
 from tmm_report.problems import Message, Problem, ProblemError

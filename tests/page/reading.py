@@ -16,10 +16,9 @@ from conftest import LEVERS as MECHANISMS
 from conftest import read as variant
 from exhaustive import many
 from note import Note, read
-from notes import NAMES, note
+from notes import NAMES, note, render
 from once import once
 
-from tmm_report import render
 from tmm_report.figures.drawing import Drawing
 from tmm_report.report.formats import Tex
 

@@ -5,9 +5,10 @@ from types import SimpleNamespace
 
 import pytest
 from conftest import read
+from notes import render
 from test_layout import ORDER
 
-from tmm_report import course, render
+from tmm_report import course
 from tmm_report.grading.expected import expected
 from tmm_report.quantity.tabulated import tabulated
 from tmm_report.results import tables

@@ -10,11 +10,11 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
-from notes import VARIANTS, program
+from notes import VARIANTS, program, render
 from payloads import PAYLOADS
 from typer.testing import CliRunner
 
-from tmm_report import load, render, solve
+from tmm_report import load, solve
 from tmm_report.chapters.title.given import Title
 from tmm_report.cli import app
 

@@ -12,10 +12,10 @@ from pathlib import Path
 import pytest
 from catalogues import messages
 from exhaustive import many
-from notes import VARIANTS, program
+from notes import VARIANTS, program, render
 from typer.testing import CliRunner
 
-from tmm_report import languages, load, render, solve
+from tmm_report import languages, load, solve
 from tmm_report.cli import app
 from tmm_report.commands.whole import LIST
 from tmm_report.course import schema

@@ -10,10 +10,10 @@ import pytest
 from browser import wide_results
 from conftest import read, solved
 from exhaustive import many
-from notes import NAMES, VARIANTS, note, program
+from notes import NAMES, VARIANTS, note, program, render
 from typesetting import set_by_tex, typeset
 
-from tmm_report import render, solve
+from tmm_report import solve
 from tmm_report.chapters.title.given import Title
 from tmm_report.commands.pdf import bare, compile_pdf
 from tmm_report.course import loads

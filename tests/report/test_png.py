@@ -5,10 +5,9 @@ import struct
 
 import pytest
 from conftest import read, solved
-from notes import note
+from notes import note, render
 from typer.testing import CliRunner
 
-from tmm_report import render
 from tmm_report.cli import app
 from tmm_report.commands.whole import LIST
 from tmm_report.figures import raster

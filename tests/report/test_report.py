@@ -304,7 +304,7 @@ def test_what_was_not_solved_is_left_out(less, fmt):
 @pytest.mark.exhaustive
 @pytest.mark.parametrize("fmt", ["html", "tex"])
 def test_same_results_give_the_same_bytes(fmt):
-    assert render(results("shaper"), fmt, Translator("ru")) == note("shaper", fmt, "ru")
+    assert render(results("shaper"), fmt, Translator("ru"), "full") == note("shaper", fmt, "ru")
 
 
 def test_what_several_chapters_ask_for_is_made_once_a_note():

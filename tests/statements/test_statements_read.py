@@ -7,12 +7,13 @@ from unittest.mock import patch
 
 import pytest
 from note import read
+from notes import render
 from reading import wrong
 from test_against_results import unmarked, wrong_cells, wrong_formulas, wrong_spans
 from test_arithmetic import wrong_results
 from test_latex_says_the_same import other_cells, other_formulas
 
-from tmm_report import course, render, solve
+from tmm_report import course, solve
 from tmm_report.report.formats import Tex
 
 PROBLEMS = (

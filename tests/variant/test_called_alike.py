@@ -5,8 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from notes import render
 
-from tmm_report import course, render
+from tmm_report import course
 from tmm_report.problems import ProblemError
 
 CASE = Path(__file__).parents[1] / "cases" / "mechanics" / "two_labels.yaml"

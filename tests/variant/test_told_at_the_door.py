@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 from mistyped import PUMP, lines, typed
+from notes import render
 
-from tmm_report import course, render, solve
+from tmm_report import course, solve
 
 DRIVE = "drive:\n  speed: 1000 rpm\n  stages: [{kind: spur, %s, teeth: [20, 60], module: 2 mm}]\n"
 

@@ -10,7 +10,7 @@ from hashlib import sha256
 from pathlib import Path, PurePosixPath
 
 from tmm_report.commands.talk import failure, unlinked
-from tmm_report.course import Results, Variant
+from tmm_report.course import Depth, Results, Variant
 from tmm_report.i18n import Translator
 from tmm_report.problems import N_
 
@@ -25,7 +25,9 @@ def translator(variant: Variant, language: str | None = None) -> Translator:
     return Translator(language)
 
 
-def render(results: Results, fmt: str, language: str | None = None) -> dict[str, bytes]:
+def render(
+    results: Results, fmt: str, language: str | None = None, depth: Depth | None = None
+) -> dict[str, bytes]:
     """File name -> content in one of FORMATS. What only one format needs is imported only for it."""
     tr = translator(results.variant, language)
     if fmt == "json":
@@ -46,7 +48,7 @@ def render(results: Results, fmt: str, language: str | None = None) -> dict[str,
         _see_few(results)
     from tmm_report.note import render as make_note
 
-    return make_note(results, fmt, tr)
+    return make_note(results, fmt, tr, depth)
 
 
 def _see_few(results: Results) -> None:

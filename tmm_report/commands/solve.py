@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from tmm_report import __version__
@@ -10,7 +11,7 @@ from tmm_report import solve as solve_variant
 from tmm_report.commands.files import FORMATS, combinations, render
 from tmm_report.commands.talk import Talk, failure, reason, unwritable, written
 from tmm_report.commands.whole import Put, put
-from tmm_report.course import LeverFound, Results, doubts, loads, sound, stated
+from tmm_report.course import DEPTHS, Depth, LeverFound, Results, doubts, loads, sound, stated
 from tmm_report.course import summary as in_short
 from tmm_report.problems import N_, Message
 from tmm_report.running.journal import digest
@@ -29,16 +30,19 @@ def run(
     language: str | None,
     talk: Talk,
     *,
+    depth: str | None = None,
     combinations_too: bool = False,
     pdf: bool = False,
     open_note: bool = False,
 ) -> bool:
     """Whether everything asked for was made and every check held. Raises ProblemError."""
-    wanted = chosen(formats, open_note)
+    wanted, deep = chosen(formats, open_note), depth_of(depth)
     folder = folder or Path(f"{variant.stem}-note")
     text, file = stated(variant)
     loaded = loads(text, file)
     talk.speak(language or loaded.language)
+    if deep:
+        loaded = replace(loaded, note=replace(loaded.note, depth=deep))
     results = solve_variant(loaded)
     files = _made(results, wanted, language, talk)
     if combinations_too:
@@ -53,6 +57,14 @@ def run(
     if open_note:
         _open(folder / "note.html")
     return good and not no_pdf
+
+
+def depth_of(text: str | None) -> Depth | None:
+    """The depth of the note that a text names. Raises ProblemError."""
+    found = next((depth for depth in DEPTHS if depth == text), None)
+    if text is not None and found is None:
+        raise failure(N_("--depth: unknown %(words)s; known: %(known)s"), words=text, known=", ".join(DEPTHS))
+    return found
 
 
 def chosen(formats: str, open_note: bool = False) -> list[str]:

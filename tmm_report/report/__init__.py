@@ -19,9 +19,20 @@ from tmm_report.report.formats import Html, Png, Tex
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template
 from tmm_report.report.paper.punctuation import joined
-from tmm_report.report.part import Failed, Part, Title
+from tmm_report.report.part import Failed, Note, Part, Title
 from tmm_report.resources import data_root
 
+
+class Whole:
+    """A note that says all."""
+
+    listed = whole = True
+
+    def stand(self, piece: str) -> str:
+        return "body"
+
+
+WHOLE = Whole()
 FORMATS: dict[str, Callable[[], Html | Tex]] = {"html": lambda: Html(breaking=True), "tex": Tex, "png": Png}
 
 
@@ -31,18 +42,21 @@ def render(
     fmt: str,
     tr: Translator,
     undone: Sequence[Message] = (),
+    note: Note = WHOLE,
 ) -> dict[str, bytes]:
     """File name -> content: "note.html" alone, "note.tex" with the figures it reads, or the figures as pictures.
 
-    `undone`: what was asked and is not in the note; the conclusions begin with it.
+    `undone`: what was asked and is not in the note; the conclusions begin with it. `note`: how much it says.
     """
-    page = Page(FORMATS[fmt](), tr, Numbering())
+    page = Page(FORMATS[fmt](), tr, Numbering(), note.stand)
     parts = make(page)
-    note = _written(_given(title, page), parts, page, undone)
-    return page.form.files if fmt == "png" else {f"note.{fmt}": note.encode(), **page.form.files}
+    text = _written(_given(title, page), parts, page, undone, note)
+    return page.form.files if fmt == "png" else {f"note.{fmt}": text.encode(), **page.form.files}
 
 
-def _written(given: Mapping[str, Any], parts: Sequence[Part], page: Page, undone: Sequence[Message]) -> str:
+def _written(
+    given: Mapping[str, Any], parts: Sequence[Part], page: Page, undone: Sequence[Message], note: Note
+) -> str:
     fmt = page.form.name
     given = {**given, "m": template(f"macros.{fmt}.j2").make_module(dict(given))}
 
@@ -54,14 +68,18 @@ def _written(given: Mapping[str, Any], parts: Sequence[Part], page: Page, undone
     body += [chapter("conclusions", lines=[*left_out, *concluded])]
     if page.cited:
         body.append(chapter("references"))
+    if page.appendices:
+        body.append(chapter("appendices"))
     # what stands in front tells of what the note has
     page.numbering.begin_front()
     failed = [*left_out, *(line for line in concluded if isinstance(line, Failed))]
-    body = [chapter("symbols"), chapter("introduction", failed=failed), *body]
+    listed = [chapter("symbols")] if note.listed else []
+    body = [*listed, chapter("introduction", failed=failed), *body]
     page.numbering.end_front()
     head = chapter("title")
-    note = template(f"report.{fmt}.j2").render(given, head=head, body=body, **_own_files(fmt))
-    return joined(page.numbering.resolved(note), fmt, page.t(N_("where")), page.t(N_("Here")))
+    text = template(f"report.{fmt}.j2").render(given, head=head, body=body, **_own_files(fmt))
+    text = page.numbering.resolved(text, note.whole)
+    return joined(text, fmt, page.t(N_("where")), page.t(N_("Here")))
 
 
 def _conclusions(parts: Sequence[Part]) -> list[Markup]:

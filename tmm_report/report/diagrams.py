@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from tmm_report.figures.charts.axes import angle_axis, round_ticks
+from tmm_report.figures.charts.axes import PAPER, angle_axis, round_ticks
 from tmm_report.figures.charts.graphs import Curve, Graph, Letters, graph
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.lettering import Label, Parts, lettered
@@ -41,14 +42,14 @@ class CycleGraphs:
         self.turned, self.positions, self.tr, self.along = turned, positions, tr, along
 
     def graph(self, curves: Sequence[Curve], labels: Sequence[Parts], join: bool = True) -> Graph:
-        """The axis of the angle is at a round scale, 2° to a millimetre of a turn; ticks at 30°, or farther apart."""
+        """The axis of the angle is at a round scale, 2.5° to a millimetre of a turn; ticks at 30°, or farther apart."""
         degrees = np.degrees(self.turned)
         extent = float(degrees[-1] - degrees[0])
-        wide = angle_axis(extent)
+        wide = partial(angle_axis, extent)
         angle = self.letter(self.along, "deg")
         return graph(
             curves, degrees, angle, labels,
-            wide=wide, step=_step(APART * extent / wide),
+            wide=wide, step=_step(APART * extent / wide(PAPER)),
             positions=self.positions, comma=self.tr.decimal == ",", join=join,
         )  # fmt: skip
 

@@ -6,7 +6,7 @@ Whatever is not Markup is escaped for its format, so that a name from a variant 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import field
 from functools import lru_cache
 from typing import Any, Protocol
@@ -46,7 +46,7 @@ class Html:
     name = "html"
     breaking: bool = False
     files: dict[str, bytes] = field(default_factory=dict)
-    waiting: list[tuple[Sheet, float, Markup]] = field(default_factory=list)
+    waiting: list[tuple[Sheet | None, float, Markup]] = field(default_factory=list)
 
     def escape(self, text: str) -> Markup:
         return _escaped(text, self.breaking)
@@ -72,21 +72,32 @@ class Html:
     def placed(self, figure: Markup, picture: Drawing | Graph) -> Markup:
         """A figure with its caption where it stands: in the text after those that wait, or among them."""
         sheet = sheet_of(picture.size)
-        if sheet is None:
-            return self.due() + figure
+        if sheet is None and not self.waiting:
+            return figure
         self.waiting.append((sheet, picture.size[1] + CAPTION, figure))
         return Markup("")
 
+    def apart(self, write: Callable[[], Markup]) -> Markup:
+        """What stands elsewhere, in an appendix, with the sheets of its own figures."""
+        before, self.waiting = self.waiting, []
+        try:
+            return write() + self.due()
+        finally:
+            self.waiting = before
+
     def due(self) -> Markup:
         """The sheets of the figures that wait; those that one sheet holds stand one above another."""
-        sheets: list[tuple[Sheet, float, Markup]] = []
+        sheets: list[tuple[Sheet | None, float, Markup]] = []
         for sheet, tall, figure in self.waiting:
-            if sheets and sheets[-1][0] == sheet and sheets[-1][1] + tall <= sheet.field[1]:
+            if sheet and sheets and sheets[-1][0] == sheet and sheets[-1][1] + tall <= sheet.field[1]:
                 _, taken, above = sheets.pop()
                 tall, figure = taken + tall, above + figure
             sheets.append((sheet, tall, figure))
         self.waiting.clear()
-        drawn = [f'<div class="sheet {sheet.name}">\n{figure}</div>\n' for sheet, _, figure in sheets]
+        drawn = [
+            f'<div class="sheet {sheet.name}">\n{figure}</div>\n' if sheet else figure
+            for sheet, _, figure in sheets
+        ]
         return Markup("".join(drawn))
 
 
@@ -116,6 +127,9 @@ class Tex:
     def math(self, item: Mathematics, tr: Translator, display: bool = False) -> Markup:
         text = item.latex(tr)
         return Markup("".join(map(_displayed, pieces(text))) if display else f"${text}$")
+
+    def apart(self, write: Callable[[], Markup]) -> Markup:
+        return write()
 
     def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
         name = f"figures/{anchor}.tex"

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Hashable, Iterable, Mapping
+from collections.abc import Hashable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import field
 from secrets import token_hex
 from typing import Any, NamedTuple
@@ -26,6 +27,7 @@ class Section(NamedTuple):
     place: Place
     title: str
     level: int
+    appendix: bool = False
 
 
 @dataclass
@@ -45,14 +47,36 @@ class Numbering:
     _counts: dict[Hashable, int] = field(default_factory=dict)
     _explained: set[Hashable] = field(default_factory=set)
     _front: int | None = None  # where the next section of what stands in front is put
+    appended: list[Section] = field(default_factory=list)  # of the appendices, which stand last
+    _letter: Place | None = None  # of the appendix that is being written
+    _begun: bool = False  # whether the piece that is being written has had a heading
+    _explained_there: set[Hashable] = field(default_factory=set)
 
     def section(self, title: str, level: int = 1, label: str = "") -> Place:
         """The next section of a level: 1, 2, ...; 2.1, 2.2, ..."""
-        above = self.sections[-1].place.number.split(".")[: level - 1] if level > 1 else []
+        written = self.appended if self._letter else self.sections
+        if self._letter:  # a piece that is cut out of a section begins there as one
+            level = min(level, written[-1].level + 1 if self._begun else 2)
+            self._begun = True
+        above = written[-1].place.number.split(".")[: level - 1] if level > 1 else []
         number = ".".join([*above, str(self._next(("section", *above)))])
-        place = self._keep(label, Place(number, f"section{number}"))
-        self.sections.append(Section(place, title, level))
+        place = self._keep(label, Place(number, self._anchor("section", number)))
+        written.append(Section(place, title, level))
         return place
+
+    @contextmanager
+    def appendix(self, place: Place, title: str) -> Iterator[None]:
+        """What is written within stands in an appendix: its sections, tables, figures and formulas are numbered by its
+        letter, `place.number`; what it explains is explained in the text again."""
+        explained = self._explained
+        if all(one.place != place for one in self.appended):
+            self.appended.append(Section(place, title, 1, True))
+        self._letter, self._begun, self._explained = place, False, self._explained_there | explained
+        try:
+            yield
+        finally:
+            self._explained_there |= self._explained
+            self._letter, self._explained = None, explained
 
     def unnumbered(self, title: str, label: str) -> Place:
         """A chapter without a number, as conclusions and references are."""
@@ -80,12 +104,20 @@ class Numbering:
 
     def take(self, kind: str, label: str = "") -> Place:
         """The next number of a kind: "figure", "table", "formula"."""
-        if kind != "formula":
+        if self._letter:
+            number = f"{self._letter.number}.{self._next((kind, self._letter))}"
+        elif kind != "formula":
             number = str(self._next(kind))
         else:
             chapter = self.sections[-1].place.number.split(".")[0] if self.sections else "0"
             number = f"{chapter}.{self._next((kind, chapter))}"
-        return self._keep(label, Place(number, f"{kind}{number}"))
+        return self._keep(label, Place(number, self._anchor(kind, number)))
+
+    def _anchor(self, kind: str, number: str) -> str:
+        """Of plain letters, whatever the letter of an appendix."""
+        if self._letter is None:
+            return f"{kind}{number}"
+        return f"{kind}-{self._letter.anchor}{number.removeprefix(self._letter.number)}"
 
     def place(self, label: str) -> Place:
         """The place of a label; of one that comes later, marks that stand for it until `resolved`."""
@@ -96,13 +128,33 @@ class Numbering:
             self._awaited[label] = Place(Markup(f"{mark}n"), Markup(f"{mark}a"))
         return self._awaited[label]
 
-    def resolved(self, text: str) -> str:
-        """The rendered text with the numbers and anchors of what came later in place of their marks."""
-        if missing := sorted(self._awaited.keys() - self.places.keys()):
+    def sentence(self, text: str) -> str:
+        """A sentence that refers to what comes later between marks: it goes if that does not come."""
+        if self._secret not in str(text):
+            return text
+        return Markup(f"{self._secret}b{text}{self._secret}e")
+
+    def resolved(self, text: str, whole: bool = True) -> str:
+        """The rendered text with the numbers and anchors of what came later in place of their marks. Of a note that is
+        not `whole` the sentences go that refer to what was left out of it."""
+
+        def kept(sentence: re.Match[str]) -> str:
+            marks = re.findall(rf"{self._secret}x(\d+)[na]", sentence[1])
+            awaited = list(self._awaited)
+            gone = not whole and any(awaited[int(k)] not in self.places for k in marks)
+            return "" if gone else sentence[1]
+
+        text = re.sub(rf"{self._secret}b(.*?){self._secret}e", kept, text, flags=re.S)
+        names = list(self._awaited)
+        left = (
+            range(len(names)) if whole else {int(k) for k in re.findall(rf"{self._secret}x(\d+)[na]", text)}
+        )
+        if missing := sorted({names[k] for k in left} - self.places.keys()):
             raise ValueError(f"the templates refer to what is not in the note: {missing}")
-        pairs = [(self._awaited[label], self.places[label]) for label in self._awaited]
+        pairs = [(self._awaited[label], self.places[label]) for label in names if label in self.places]
         marks = {mark: known for place, found in pairs for mark, known in zip(place, found, strict=True)}
-        return re.sub(rf"{self._secret}x\d+[na]", lambda mark: marks[mark[0]], text)
+        text = re.sub(rf"{self._secret}x\d+[na]", lambda mark: marks[mark[0]], text)
+        return re.sub(r"<p>\s*</p>\n?", "", text)
 
     def fresh(self, items: Iterable[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
         """Those of a "where" list's items that have not been explained before, by their "id"."""

@@ -31,7 +31,7 @@ from tmm_report.quantity.written import Equation, explained
 from tmm_report.report import diagrams
 from tmm_report.report.bytecode import bytecode_cache
 from tmm_report.report.formats import Format
-from tmm_report.report.numbering import Numbering
+from tmm_report.report.numbering import Numbering, Place
 from tmm_report.report.paper import layout
 from tmm_report.report.paper.layout import Cell, Words
 from tmm_report.report.paper.sheets import percent
@@ -113,8 +113,10 @@ def _indexed(value: Any) -> Any:
 class Page:
     """What templates call: text, mathematics and numbers in one format and one language."""
 
-    def __init__(self, form: Format, tr: Translator, numbering: Numbering):
-        self.form, self.tr, self.numbering = form, tr, numbering
+    def __init__(self, form: Format, tr: Translator, numbering: Numbering, stand: Callable[[str], str] = str):
+        """`stand`: where a piece of the note stands, by its name: `body`, `appendix` or `omit`."""
+        self.form, self.tr, self.numbering, self.stand = form, tr, numbering, stand
+        self.appendices: dict[Place, tuple[str, list[Markup]]] = {}  # title of the chapter, pieces
         self.symbols = SymbolList()
         self.cited: list[str] = []
         self._made: dict[tuple[Any, ...], Any] = {}
@@ -125,6 +127,21 @@ class Page:
         if key not in self._made:
             self._made[key] = make(*arguments, **named)
         return self._made[key]
+
+    def laid(self, piece: str, write: Callable[[], Markup]) -> Markup:
+        """A piece where it stands: here, among the appendices, one a chapter, or nowhere."""
+        where = self.stand(piece) if piece else "body"
+        if where != "appendix":
+            return Markup("") if where == "omit" else write()
+        chapter = self.numbering.chapters[-1]
+        place = next((at for at, (title, _) in self.appendices.items() if title == chapter.title), None)
+        if place is None:
+            number = len(self.appendices)
+            place = Place(self.tr.letters[number], f"appendix{number + 1}")
+            self.appendices[place] = chapter.title, []
+        with self.numbering.appendix(place, chapter.title):
+            self.appendices[place][1].append(self.form.apart(write))
+        return Markup("")
 
     def text(self, value: Any) -> Markup:
         """Anything for output: Markup as it is, other text escaped for the format."""
@@ -219,7 +236,8 @@ class Page:
         return Markup(f"{BEHIND}{cited}")
 
     def paragraph(self, parts: Iterable[Any]) -> Markup:
-        """Sentences one after another, with the sources behind what they are cited for."""
+        """Sentences one after another, with the sources behind what they are cited for; those go that refer to what the
+        note leaves out."""
         texts = [text for text in map(self.text, parts) if text]
         if len(texts) > 1 and texts[0].startswith(BEHIND):  # cited for what follows
             texts[:2] = texts[1::-1]
@@ -230,7 +248,7 @@ class Page:
                 stop = before[-1:] if before[-1:] in (".", ":") else ""
                 text = Markup(f"{before.removesuffix(stop)} {text.removeprefix(BEHIND)}{stop}")
             said.append(text.removeprefix(BEHIND))
-        return Markup(" ".join(said))
+        return Markup(" ".join(map(self.numbering.sentence, said)))
 
     # ------------------------------------------------------------ mathematics
 

@@ -26,6 +26,19 @@ class Title(Protocol):
     def topic(self) -> str: ...
 
 
+class Note(Protocol):
+    """How much the note says: whether letters are `listed` in front, whether nothing is left out."""
+
+    @property
+    def listed(self) -> bool: ...
+
+    @property
+    def whole(self) -> bool: ...
+
+    def stand(self, piece: str) -> str:
+        """Where a piece stands: `body`, `appendix` or `omit`."""
+
+
 class Part(NamedTuple):
     """`template`: of templates/chapters, without ".j2"; several parts may print one view.
 

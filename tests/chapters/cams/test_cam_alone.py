@@ -5,8 +5,9 @@ import math
 
 import numpy as np
 import pytest
+from notes import render
 
-from tmm_report import course, render
+from tmm_report import course
 from tmm_report.problems import ProblemError
 
 LAW = "phases: [{rise: 110 deg, law: %s}, {dwell: 30 deg}, {return: 120 deg, law: polynomial}, {dwell: rest}]"

@@ -5,8 +5,9 @@ import re
 
 import numpy as np
 import pytest
+from notes import render
 
-from tmm_report import course, load, render
+from tmm_report import course, load
 from tmm_report.chapters.cams.cam.draw import sheet
 from tmm_report.figures.drawing import Circle
 from tmm_report.problems import ProblemError

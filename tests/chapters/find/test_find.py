@@ -6,8 +6,9 @@ import math
 import numpy as np
 import pytest
 from conftest import path_of
+from notes import render
 
-from tmm_report import backwards, course, render, solve
+from tmm_report import backwards, course, solve
 from tmm_report.chapters.find.solve import MOST
 from tmm_report.results import tables, values
 from tmm_report.stack import solve_many

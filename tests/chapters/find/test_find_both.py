@@ -5,9 +5,10 @@ import math
 
 import numpy as np
 import pytest
+from notes import render
 from test_find import PIVOT, RAILS, asked, number_of, read_text, results_of
 
-from tmm_report import course, render, solve
+from tmm_report import course, solve
 from tmm_report.problems import ProblemError
 from tmm_report.results import tables, values
 from tmm_report.stack import solve_many

@@ -4,9 +4,10 @@ import math
 
 import numpy as np
 import pytest
+from notes import render
 from test_find import ACCELERATION, CASES, PIVOT, number_of, results_of, text_of
 
-from tmm_report import course, render, solve
+from tmm_report import course, solve
 from tmm_report.chapters.find.closed import Known, NotThereError
 from tmm_report.chapters.find.target import Target
 from tmm_report.problems import Message

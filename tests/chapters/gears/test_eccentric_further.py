@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from notes import render
 
-from tmm_report import course, render
+from tmm_report import course
 from tmm_report.chapters.gears.eccentric.given import Point
 from tmm_report.chapters.gears.eccentric.paths import traced
 from tmm_report.chapters.gears.eccentric.solve import mechanism as eccentric

@@ -10,8 +10,9 @@ import pytest
 from conftest import examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from notes import render
 
-from tmm_report import render, solve
+from tmm_report import solve
 from tmm_report.course import doubts, loads, sound, summary
 from tmm_report.problems import ProblemError
 

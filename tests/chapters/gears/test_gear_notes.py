@@ -5,8 +5,9 @@ import re
 from functools import cache
 
 import pytest
+from notes import render
 
-from tmm_report import render, solve
+from tmm_report import solve
 from tmm_report.course import loads
 
 FAILED = """

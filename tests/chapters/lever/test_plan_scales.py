@@ -7,9 +7,9 @@ import json
 import numpy as np
 import pytest
 from conftest import read
-from notes import VARIANTS
+from notes import VARIANTS, render
 
-from tmm_report import course, render, yamlread
+from tmm_report import course, yamlread
 from tmm_report.chapters.lever.plans.draw import plan_picture
 from tmm_report.problems import ProblemError
 from tmm_report.quantity.paper import LONGEST, ROUND, fitting_scale, segment_scale

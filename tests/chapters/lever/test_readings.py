@@ -8,10 +8,10 @@ from dataclasses import replace
 import pytest
 import yaml
 from conftest import read
-from notes import VARIANTS
+from notes import VARIANTS, render
 from typer.testing import CliRunner
 
-from tmm_report import course, render
+from tmm_report import course
 from tmm_report.cli import app
 from tmm_report.judging.asked import POSITION
 from tmm_report.problems import ProblemError

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 from conftest import read, solved, stating
 from note import read as read_note
-from notes import VARIANTS
+from notes import VARIANTS, render
 from reading import wrong
 from test_against_results import unmarked, wrong_cells, wrong_formulas
 from test_arithmetic import wrong_results
 
-from tmm_report import course, render
+from tmm_report import course
 from tmm_report.chapters.lever.kinematics.given import Positions
 from tmm_report.chapters.lever.kinetostatics.solve.positions import external_power, kinetic_energy
 from tmm_report.problems import ProblemError

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 from conftest import LEVERS
 from edge_variants import PUMP, ROCKER, found, refused
+from notes import render
 
-from tmm_report import course, render
+from tmm_report import course
 from tmm_report.problems import ProblemError
 
 

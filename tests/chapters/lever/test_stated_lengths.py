@@ -6,11 +6,12 @@ import math
 
 import pytest
 from note import read
+from notes import render
 from reading import wrong
 from test_against_results import unmarked, wrong_cells, wrong_formulas, wrong_spans
 from test_arithmetic import wrong_results
 
-from tmm_report import render, solve, stack
+from tmm_report import solve, stack
 from tmm_report.course import loads
 from tmm_report.problems import ProblemError
 

@@ -5,8 +5,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from notes import render
 
-from tmm_report import course, render
+from tmm_report import course
 from tmm_report.problems import ProblemError
 
 MECHANISM = """

@@ -10,10 +10,10 @@ import pytest
 from conftest import read as variant_of
 from exhaustive import many
 from note import read
+from notes import render
 from reading import wrong
 from test_against_results import unmarked, wrong_cells, wrong_formulas, wrong_spans
 
-from tmm_report import render
 from tmm_report.chapters.lever.plans.given import Segment
 from tmm_report.course import LeverGiven, solve
 from tmm_report.mechanics.lever.forces.force_on_crank_gear import GearDrive

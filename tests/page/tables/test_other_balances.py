@@ -5,11 +5,12 @@ from functools import cache
 
 import pytest
 from note import read
+from notes import render
 from reading import wrong
 from test_against_results import unmarked, wrong_cells, wrong_formulas, wrong_spans
 from test_arithmetic import wrong_results
 
-from tmm_report import render, solve
+from tmm_report import solve
 from tmm_report.course import loads
 
 MASS = "{mass: 0.5 kg, radius: 80 mm, angle: 30 deg, at: 100 mm}"

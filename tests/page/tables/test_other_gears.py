@@ -7,10 +7,11 @@ from pathlib import Path
 import pytest
 from exhaustive import many
 from note import read
+from notes import render
 from reading import wrong
 from test_against_results import unmarked, wrong_cells, wrong_formulas, wrong_spans
 
-from tmm_report import render, solve
+from tmm_report import solve
 from tmm_report.course import loads
 
 SUN = "kind: planetary, scheme: sun-ring, module: 5 mm, input: sun"

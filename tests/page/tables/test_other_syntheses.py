@@ -8,13 +8,14 @@ import pytest
 from curves import curves, is_graph
 from exhaustive import many
 from note import read, text_of
+from notes import render
 from pages import table_of
 from printed import unit
 from reading import wrong
 from test_against_results import unmarked, wrong_cells, wrong_formulas, wrong_spans
 from test_arithmetic import wrong_results
 
-from tmm_report import render, solve
+from tmm_report import solve
 from tmm_report.course import loads
 
 TEXTS = {

@@ -7,12 +7,12 @@ from functools import cache
 import pytest
 from exhaustive import many
 from note import read
-from notes import VARIANTS
+from notes import VARIANTS, render
 from reading import wrong
 from test_against_results import unmarked, wrong_cells, wrong_formulas, wrong_spans
 from test_arithmetic import wrong_results
 
-from tmm_report import course, render
+from tmm_report import course
 
 AT = "{distance: 50 mm}"
 ALL = "methods: [full, pivoted, substituted, optimum, rotors], rotors: {first: 50 mm, second: 40 mm}"

@@ -1,7 +1,8 @@
-"""The title page: what is written on it."""
+"""The title page: what is written on it; and how much the note says."""
 
 from __future__ import annotations
 
+from tmm_report.chapters.title.pieces import PIECES, Depth, Stand
 from tmm_report.records import dataclass
 
 
@@ -19,3 +20,33 @@ class Title:
     teacher: str = ""
     city: str = ""
     year: str = ""
+
+
+@dataclass(frozen=True)
+class Note:
+    """How much the note says. `body`, `appendix`, `omit`: pieces, or chapters, that stand elsewhere than at the
+    `depth`; `symbols`: whether letters are explained under their formulas alone, or listed in front, too."""
+
+    depth: Depth = "course"
+    body: tuple[str, ...] = ()
+    appendix: tuple[str, ...] = ()
+    omit: tuple[str, ...] = ()
+    symbols: bool | None = None
+
+    def stand(self, piece: str) -> Stand:
+        """Where a piece of the note stands: what is stated of itself, else of its chapter, else by the depth."""
+        for name in (piece, piece.split(".")[0]):
+            for stand in ("body", "appendix", "omit"):
+                if name in getattr(self, stand):
+                    return stand  # type: ignore[return-value]
+        return "body" if self.depth == "full" else getattr(PIECES[piece], self.depth)
+
+    @property
+    def listed(self) -> bool:
+        """Whether there is a list of symbols."""
+        return self.depth == "full" if self.symbols is None else self.symbols
+
+    @property
+    def whole(self) -> bool:
+        """Whether nothing is left out."""
+        return self.depth == "full" and not self.omit

@@ -35,9 +35,13 @@ TALLEST, ALONE, LEAST = (
     20.0,
 )  # mm: what curves fill of a panel at most; of the only one; in scarce room
 SPARE, EDGE = 5.0, 2.0  # mm beyond a curve where a value is written, and where none is
-ROOMS = (149.0, 241.0, 364.0)  # mm: height of A4 lying, A3 lying and standing, without their captions
+ROOMS = (
+    112.0,
+    149.0,
+    222.0,
+    364.0,
+)  # mm: height of half a page, of two thirds, of a whole one, of A3 standing
 ANGLES = (1.0, 1.25, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0)  # round scales of angles, times a power of ten
-LONGEST = 240.0  # mm: the axis of the angle
 ROUND = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0)  # steps of ticks, times a power of ten
 
 
@@ -152,9 +156,10 @@ def _finer(scale: float) -> float:
     return float(f"{max(before):.12g}")
 
 
-def angle_axis(extent: float) -> float:
-    """Length of an axis of `extent` degrees, mm, at a round scale: 180 for a turn, 240 for two."""
-    least = extent / LONGEST * (1 - 1e-9)
+def angle_axis(extent: float, room: float) -> float:
+    """Length of an axis of `extent` degrees, mm, at the smallest round scale that `room` mm hold: 144 for a turn, 2.5°
+    to a millimetre, where there are 144."""
+    least = extent / room * (1 - 1e-9)
     decade = 10.0 ** math.floor(math.log10(least))
     return extent / min(s * d for s in ANGLES for d in (decade, 10 * decade) if s * d >= least)
 

@@ -5,7 +5,7 @@ The layout is made here, by `axes`; `sheet` puts it on paper, `peaks` finds the 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cached_property
 from itertools import cycle
@@ -123,7 +123,7 @@ def graph(
     xlabel: Letters,
     ylabels: Sequence[Letters],
     *,
-    wide: float = 0.0,
+    wide: float | Callable[[float], float] = float,
     step: float = 30.0,
     positions: int = 0,
     comma: bool = False,
@@ -133,7 +133,7 @@ def graph(
 ) -> Graph:
     """Curves over `x` (P,), ascending, a panel for each of `ylabels`, sharing x; values at round scales.
 
-    `wide`: length of the axis of x, mm; 0: what the text of a page leaves. `step`: of x between ticks; `positions`:
+    `wide`: length of the axis of x, mm, or what it is by the room for it. `step`: of x between ticks; `positions`:
     how many positions the cycle is numbered with over the top, 0: none; `comma`: decimal comma; `join`: thin lines
     join the extremes of all panels; `title` is for who cannot see it; `bounds`: of what follows one another along x,
     numbered by Roman figures: uprights with their x over the top.
@@ -142,7 +142,7 @@ def graph(
     names = [_parts(label) for label in ylabels]
     own = [[curve for curve in curves if curve.panel == number] for number in range(len(names))]
     axes = [_axis(of, x) for of in own]
-    bare = Panel(0.0, 1.0, (float(x[0]), float(x[-1])), (0.0, 1.0), WIDEST, wide or PAPER - WIDEST - RIGHT)
+    bare = Panel(0.0, 1.0, (float(x[0]), float(x[-1])), (0.0, 1.0), WIDEST, _wide(wide, WIDEST))
     heads = [
         HEAD * sheet.rows(bare, name, list(zip(of, cycle(LOOKS), strict=False)))
         + (_over(positions, bounds) if k == 0 else 0.0)
@@ -150,10 +150,14 @@ def graph(
     ]
     laid = _stacked(bare, axes, heads)
     left = _left(laid, comma)
-    laid = [replace(panel, left=left, wide=wide or PAPER - left - RIGHT) for panel in laid]
+    laid = [replace(panel, left=left, wide=_wide(wide, left)) for panel in laid]
     return Graph(
         curves, x, _parts(xlabel), names, laid, step, positions, comma, join and len(names) > 1, title, bounds
     )
+
+
+def _wide(wide: float | Callable[[float], float], left: float) -> float:
+    return wide(PAPER - left - RIGHT) if callable(wide) else wide
 
 
 def _parts(text: Letters) -> Parts:

@@ -62,10 +62,11 @@ def placed(crowd: Crowd, at: complex, wide: float, up: bool) -> Box:
 
 
 def _boxes(panel: Panel, at: complex, wide: float, side: int) -> Iterator[Box]:
-    """Over or under the point, to its sides, farther away, on the other side; none goes out at the panel's sides."""
+    """Over or under the point, to its sides, farther away, on the other side, closer; none goes out at the
+    panel's sides."""
     half, near = wide / 2, OFF + TALL / 2
     beside = half + 1.6
-    for up in (near, near + 2.2, -near, near + 4.4, -near - 2.2, -near - 4.4):
+    for up in (near, near + 2.2, -near, near + 4.4, -near - 2.2, -near - 4.4, near - 0.45):
         for along in (0.0, beside, -beside):
             yield _box(panel, at + complex(along, side * up), wide)
         if up == near:

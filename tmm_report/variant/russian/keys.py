@@ -18,6 +18,7 @@ amplitude: амплитуда
 angles: углы
 angular: угловой, угловое
 apart: раздельно
+appendix: приложение, приложения
 arc: дуга
 arcs: из дуг
 area: площадь
@@ -44,7 +45,7 @@ between: между
 bevel: коническое
 beyond: за хордой
 bodies: тела
-body: тело
+body: тело, в тексте
 brake: тормоз
 bushing: втулка
 by: по
@@ -104,6 +105,7 @@ dead_zone: зона нечувствительности
 decimal_sign: десятичный знак
 deflection: осадка
 density: плотность
+depth: подробность
 disc: диск
 displacement: перемещение
 distance: расстояние
@@ -219,9 +221,11 @@ moves: движет
 needed: требуется
 no_load: холостой ход
 nose: радиус вершины
+note: записка
 of: от наибольшего
 offset: смещение направляющей, дезаксиал
 offset_ratio: относительное смещение
+omit: опустить, без
 opposed: оппозитный
 order: порядок
 outer: наружный
@@ -359,6 +363,7 @@ strokes: ходы
 surfaces: поверхности
 swing: размах, угол размаха
 swings: размахи
+symbols: обозначения
 synchronous: синхронная скорость
 tangent: с прямыми боками
 thickness: толщина

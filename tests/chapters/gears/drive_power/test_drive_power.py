@@ -6,8 +6,9 @@ import pytest
 from conftest import examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from notes import render
 
-from tmm_report import course, render
+from tmm_report import course
 from tmm_report.chapters.gears.drive import solve as drive
 from tmm_report.chapters.gears.drive.block import DriveModel, build
 from tmm_report.chapters.gears.drive.power.quantities import verdict

@@ -1,10 +1,11 @@
 """A pair of wheels of which no module is stated: its ratio, its place in the train and in the diagrams, no forces."""
 
 import pytest
+from notes import render
 from test_drive_power import DRUM, PAIR, PLANETARY, solve
 from twice import disagreements
 
-from tmm_report import course, render
+from tmm_report import course
 from tmm_report.chapters.gears.drive.quantities import tables
 
 BARE = {"kind": "spur", "teeth": [22, 66], "efficiency": 0.97}

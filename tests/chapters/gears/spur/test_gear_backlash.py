@@ -6,9 +6,10 @@ import re
 from dataclasses import replace
 
 import pytest
+from notes import render
 from test_spur_stage import CASES, FREE
 
-from tmm_report import course, render
+from tmm_report import course
 from tmm_report.chapters.gears.spur.given import Backlash, Inspection
 from tmm_report.chapters.gears.spur.solve import pair as spur
 from tmm_report.problems import ProblemError

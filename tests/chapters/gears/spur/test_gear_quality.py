@@ -7,9 +7,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from notes import render
 from test_spur_stage import CASES, FREE, GUIDE
 
-from tmm_report import course, render
+from tmm_report import course
 from tmm_report.chapters.gears.spur.given import Quality
 from tmm_report.chapters.gears.spur.solve import pair as spur
 from tmm_report.problems import ProblemError

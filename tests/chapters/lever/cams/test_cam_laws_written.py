@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from note import read
+from notes import render
 from reading import wrong
 from test_against_results import wrong_cells, wrong_formulas
 
-from tmm_report import render
 from tmm_report.chapters.cams.cam.quantities import demands, values
 from tmm_report.chapters.cams.cam.solve.found import Cams
 from tmm_report.course import loads, solve

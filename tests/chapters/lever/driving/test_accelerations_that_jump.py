@@ -4,8 +4,9 @@ import re
 
 import numpy as np
 import pytest
+from notes import render
 
-from tmm_report import course, render
+from tmm_report import course
 from tmm_report.chapters.lever.kinematics.solve.jumps import BESIDE, drawn
 from tmm_report.chapters.lever.kinematics.view.diagrams import Diagrams
 from tmm_report.i18n import Translator

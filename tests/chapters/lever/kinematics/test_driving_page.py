@@ -4,8 +4,9 @@ import re
 from pathlib import Path
 
 import pytest
+from notes import render
 
-from tmm_report import course, render
+from tmm_report import course
 
 CASES = Path(__file__).parents[3] / "cases" / "explain"
 KINDS = {

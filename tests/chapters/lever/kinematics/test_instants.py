@@ -4,8 +4,9 @@ import json
 
 import numpy as np
 import pytest
+from notes import render
 
-from tmm_report import course, render
+from tmm_report import course
 from tmm_report.problems import ProblemError
 
 TEXT = """

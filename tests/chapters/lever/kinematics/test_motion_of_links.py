@@ -8,8 +8,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from conftest import read, solved
+from notes import render
 
-from tmm_report import course, render
+from tmm_report import course
 from tmm_report.chapters.lever.initial_data import quantities as given
 from tmm_report.chapters.lever.kinematics import quantities as q
 from tmm_report.chapters.lever.kinematics.solve import analogues

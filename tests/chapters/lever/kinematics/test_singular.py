@@ -6,8 +6,9 @@ import json
 
 import numpy as np
 import pytest
+from notes import render
 
-from tmm_report import render, solve
+from tmm_report import solve
 from tmm_report.course import loads
 from tmm_report.mechanics.lever.assembly.stated import assemble
 from tmm_report.mechanics.lever.cycle import cycle_of

@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 import pytest
 from conftest import solved
-from notes import rendered
+from notes import render, rendered
 
-from tmm_report import course, render
+from tmm_report import course
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as q
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics, Solved, at, stated
 from tmm_report.chapters.lever.kinetostatics.solve.works import powers_of

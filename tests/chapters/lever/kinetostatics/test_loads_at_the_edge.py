@@ -10,8 +10,7 @@ import numpy as np
 import pytest
 from edge_variants import PUMP, ROCKER, forces, found, refused
 from exhaustive import many
-
-from tmm_report import render
+from notes import render
 
 
 def at(point: str, law: str, more: str = "") -> str:

@@ -5,11 +5,12 @@ import math
 
 import pytest
 from note import read
+from notes import render
 from reading import wrong
 from test_against_results import unmarked, wrong_cells, wrong_formulas
 from test_arithmetic import wrong_results
 
-from tmm_report import course, render
+from tmm_report import course
 from tmm_report.problems import ProblemError
 
 DEMANDS = {

@@ -13,8 +13,9 @@ import pytest
 from conftest import examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from notes import render
 
-from tmm_report import course, render, stack
+from tmm_report import course, stack
 from tmm_report.chapters.lever.kinetostatics.solve import acting_exact
 from tmm_report.chapters.lever.kinetostatics.solve.positions import solve
 from tmm_report.mechanics.lever.cycle import Cycle

@@ -8,10 +8,11 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from conftest import solved
+from notes import render
 from scipy.integrate import solve_ivp
 from test_dynamics_chapter import alone, book
 
-from tmm_report import course, render
+from tmm_report import course
 from tmm_report.chapters.machine.dynamics import draw
 from tmm_report.i18n import Translator
 from tmm_report.report.formats import Html

@@ -7,10 +7,11 @@ from pathlib import Path
 
 import pytest
 from exhaustive import many
+from notes import render
 from test_dynamics_chapter import alone, book
 from told import Told
 
-from tmm_report import course, render
+from tmm_report import course
 from tmm_report.commands.explain import run as explain
 from tmm_report.commands.gallery import run as gallery
 

@@ -10,9 +10,9 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from conftest import solved
-from notes import note
+from notes import note, render
 
-from tmm_report import course, render
+from tmm_report import course
 from tmm_report.chapters.machine.governor.draw import scheme
 from tmm_report.chapters.machine.governor.view import whole as views
 from tmm_report.chapters.machine.governor.view.brake import BrakeView

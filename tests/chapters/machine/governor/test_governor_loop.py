@@ -9,8 +9,9 @@ import pytest
 from conftest import ALL_FILES, solved
 from hypothesis import given
 from hypothesis import strategies as st
+from notes import render
 
-from tmm_report import course, render
+from tmm_report import course
 from tmm_report.mechanics.machine.governor import stability as small
 from tmm_report.problems import ProblemError
 

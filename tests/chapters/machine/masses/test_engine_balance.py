@@ -10,8 +10,9 @@ import pytest
 from conftest import examples, solved
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from notes import render
 
-from tmm_report import course, render
+from tmm_report import course
 from tmm_report.chapters.machine.engine.draw import scheme, star_picture
 from tmm_report.chapters.machine.engine.given import Cylinder, Given, Rod
 from tmm_report.chapters.machine.engine.limits import peak, series

@@ -9,8 +9,9 @@ import pytest
 from conftest import examples, solved
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from notes import render
 
-from tmm_report import course, render
+from tmm_report import course
 from tmm_report.chapters.machine.rotor.draw import polygon_picture, scheme
 from tmm_report.chapters.machine.rotor.given import Body, Given, Heavy, Plane, Products, Steps
 from tmm_report.chapters.machine.rotor.quantities import tables, values

@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import solved
-from notes import VARIANTS
+from notes import VARIANTS, render
 
-from tmm_report import course, render
+from tmm_report import course
 from tmm_report.chapters.lever.friction import solve as friction
 from tmm_report.chapters.lever.kinetostatics.solve.positions import at, stated
 from tmm_report.chapters.machine.dynamics import quantities as motion_quantities

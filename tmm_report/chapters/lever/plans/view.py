@@ -38,16 +38,19 @@ SENSE = {1: N_("counter-clockwise ↺"), -1: N_("clockwise ↻"), 0: N_("the vec
 
 
 def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
-    yield Part("lever/plans", PlansView(lever.plans, page))
+    yield Part("lever/plans", PlansView(lever.plans, lever.sample, page))
 
 
 class PlansView(BookView):
     difference = DIFFERENCE
     group = staticmethod(group_name)
 
-    def __init__(self, found: Plans, page: Page):
+    def __init__(self, found: Plans, sample: int, page: Page):
+        """`sample`: the position of which formulas are written out."""
         super().__init__(page, Book.of(q.tables(found), q.values(found)))
         self.found, self.named = found, found.named
+        drawn = [one.position for one in found.drawn]
+        self.first = sample if sample in drawn else next(iter(drawn), 0)  # the one that is explained in full
         self.picture = cache(self._picture)
 
     def conclusions(self) -> list[Markup]:

@@ -1,0 +1,122 @@
+"""Pages of the notes as they are printed, by chapter, and how full they are.
+
+    python -m benchmarks.pages [NAME ...] [--depth short|course|full] [--language ru|en] [--chapters]
+
+Prints HTML notes of shipped variants by a headless Chromium (`chromium` on the PATH), reads the PDF with Poppler's
+`pdftotext` and `pdftoppm`. A chapter's pages are counted in parts, from its heading to the next one; `fill` is the
+share of the room between a page's margins down to the lowest ink, the last page of every chapter left out.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import NamedTuple
+
+import numpy as np
+
+from tmm_report import load, render, solve
+from tmm_report.course import DEPTHS
+
+VARIANTS = Path(__file__).parents[1] / "variants"
+PRINT = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer"]
+WORD = re.compile(r'<word xMin="([\d.]+)" yMin="([\d.]+)" xMax="[\d.]+" yMax="[\d.]+">(.*?)</word>')
+DOTS = 20  # an inch, at which ink is looked for
+BELOW = 18.0  # mm from the lower edge: there stands the page's number
+
+
+class Chapter(NamedTuple):
+    """`pages`: in parts; `fill`: of each of its whole pages but the last, 0 … 1."""
+
+    title: str
+    pages: float
+    fill: list[float]
+
+
+def printed(html: bytes, folder: Path) -> Path:
+    """The PDF of a note."""
+    source, pdf = folder / "note.html", folder / "note.pdf"
+    source.write_bytes(html)
+    subprocess.run([*PRINT, f"--print-to-pdf={pdf}", source.as_uri()], check=True, capture_output=True)
+    return pdf
+
+
+def read_words(pdf: Path) -> list[list[tuple[float, float, str]]]:
+    """Of every page its words: x, y as a share of the height from above, text."""
+    text = subprocess.run(["pdftotext", "-bbox", pdf, "-"], check=True, capture_output=True).stdout.decode()
+    pages = re.findall(r'<page width="([\d.]+)" height="([\d.]+)">(.*?)</page>', text, re.S)
+    return [
+        [(float(x), float(y) / float(high), word) for x, y, word in WORD.findall(body)]
+        for _, high, body in pages
+    ]
+
+
+def fills(pdf: Path, folder: Path) -> list[float]:
+    """Of every page how far down its lowest ink is, as a share of the room between the margins."""
+    subprocess.run(["pdftoppm", "-r", str(DOTS), "-gray", pdf, folder / "page"], check=True)
+    found = []
+    for file in sorted(folder.glob("page-*.pgm")):
+        _, size, _, body = file.read_bytes().split(b"\n", 3)
+        wide, high = map(int, size.split())
+        ink = np.frombuffer(body, np.uint8).reshape(high, wide) < 200
+        top, low = int(20 / 25.4 * DOTS), int(high - BELOW / 25.4 * DOTS)
+        rows = np.flatnonzero(ink[top:low].any(axis=1))
+        found.append(float(rows[-1] + 1) / (low - top) if rows.size else 0.0)
+    return found
+
+
+def chapters(
+    html: bytes, words: list[list[tuple[float, float, str]]], filled: list[float]
+) -> Iterator[Chapter]:
+    """The chapters by their headings, as the contents lists them."""
+    titles = re.findall(r"<h1[^>]*>(.*?)</h1>", html.decode(), re.S)
+    titles = [re.sub(r"<[^>]*>", " ", title).strip() for title in titles]
+    starts, after = list[float](), float(len(words))
+    for title in reversed(titles):  # from the end: the contents names them all before
+        after = max((place for place in _places(words, title) if place <= after), default=after)
+        starts.insert(0, after)
+    for title, start, end in zip(titles, starts, [*starts[1:], float(len(words))], strict=True):
+        whole = filled[int(np.ceil(start)) : max(int(np.ceil(start)), int(np.ceil(end)) - 1)]
+        yield Chapter(title, end - start, whole)
+
+
+def _places(words: list[list[tuple[float, float, str]]], title: str) -> Iterator[float]:
+    """Where a line of the text begins as a title does: page and share of it."""
+    parts = title.split()[:4]
+    for page, own in enumerate(words):
+        texts = [word for *_, word in own]
+        for k in range(len(own) - len(parts) + 1):
+            if texts[k : k + len(parts)] == parts and (k == 0 or own[k - 1][1] < own[k][1] - 1e-3):
+                yield page + own[k][1]
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
+    parser.add_argument("names", nargs="*", default=sorted(path.stem for path in VARIANTS.glob("*.yaml")))
+    parser.add_argument("--language", default=None)
+    parser.add_argument("--depth", choices=DEPTHS, default=None)
+    parser.add_argument("--chapters", action="store_true", help="print the chapters too")
+    options = parser.parse_args()
+    print(f"{'':<40}{'pages':>7}{'fill':>7}{'least':>7}{'MB':>7}")
+    for name in options.names:
+        html = render(solve(load(VARIANTS / f"{name}.yaml")), "html", options.language, options.depth)[
+            "note.html"
+        ]
+        with TemporaryDirectory() as made:
+            pdf = printed(html, Path(made))
+            words, filled = read_words(pdf), fills(pdf, Path(made))
+        found = list(chapters(html, words, filled))
+        every = [one for chapter in found for one in chapter.fill]
+        mean, least = (np.mean(every), min(every)) if every else (1.0, 1.0)
+        print(f"{name:<40}{len(words):7d}{mean:7.2f}{least:7.2f}{len(html) / 1e6:7.2f}")
+        for chapter in found if options.chapters else ():
+            fill = f"{np.mean(chapter.fill):7.2f}{min(chapter.fill):7.2f}" if chapter.fill else ""
+            print(f"  {chapter.title[:36]:<38}{chapter.pages:7.1f}{fill}")
+
+
+if __name__ == "__main__":
+    main()

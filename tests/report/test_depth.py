@@ -1,0 +1,166 @@
+"""How much a note says: its pieces stand in the text, in appendices or nowhere, and what refers to them follows."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import pytest
+from conftest import read, solved
+from notes import VARIANTS
+
+from tmm_report import render
+from tmm_report.chapters.title.given import Note
+from tmm_report.chapters.title.pieces import DEPTHS, PIECES
+from tmm_report.course import Results, loads
+from tmm_report.languages import LANGUAGES
+from tmm_report.problems import ProblemError
+
+TEMPLATES = Path(__file__).parents[2] / "templates" / "chapters"
+NAMES = ("compressor", "cam_press", "hoist_drive", "punch_press")
+NUMBERED = re.compile(r'<(?:figure|div)[^>]* id="(figure|table|formula)(-appendix\d+\.|)([\d.]+)"')
+
+
+@cache
+def text(name: str, depth: str, language: str = "en") -> str:
+    return render(solved(name), "html", language, depth)["note.html"].decode()
+
+
+def noted(results: Results, **note) -> str:
+    variant = replace(results.variant, note=Note(**note))
+    return render(replace(results, variant=variant), "html", "en")["note.html"].decode()
+
+
+def heads(note: str) -> list[str]:
+    return [
+        re.sub(r"<[^>]*>", " ", head).strip() for head in re.findall(r"<h[123][^>]*>(.*?)</h[123]>", note)
+    ]
+
+
+def marked(note: str) -> set[str]:
+    return set(re.findall(r'data-q="([^"]+)"', note))
+
+
+def test_the_templates_name_every_piece_and_no_other():
+    said = "".join(path.read_text("utf-8") for path in TEMPLATES.rglob("*.j2"))
+    named = {
+        name for call in re.findall(r"m\.piece\((.*?)\)", said) for name in re.findall(r'"(\w[\w.]*)"', call)
+    }
+    assert named == set(PIECES)
+    assert all((TEMPLATES.parent.parent / "tmm_report/chapters").rglob(name.split(".")[0]) for name in PIECES)
+
+
+def test_the_documentation_lists_every_piece():
+    docs = (TEMPLATES.parents[1] / "docs" / "variant.md").read_text("utf-8")
+    for name, piece in PIECES.items():
+        assert f"| `{name}` | {piece.meaning} | {piece.short} | {piece.course} |\n" in docs
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("depth", DEPTHS)
+@pytest.mark.parametrize("name", NAMES)
+def test_every_link_leads_somewhere_and_nothing_is_left_of_marks(name, depth, language):
+    note = text(name, depth, language)
+    assert not re.search(r"later[0-9a-f]{32}", note)
+    anchors = re.findall(r' id="([^"]+)"', note)
+    assert len(anchors) == len(set(anchors))
+    assert set(re.findall(r'href="#([^"]+)"', note)) <= set(anchors)
+
+
+@pytest.mark.parametrize("depth", DEPTHS)
+@pytest.mark.parametrize("name", NAMES)
+def test_numbers_follow_one_another_in_the_text_and_in_each_appendix(name, depth):
+    """Sheets stand behind the text that comes to them, but the figures keep their order."""
+    found: dict[tuple[str, str], list[str]] = {}
+    for kind, appendix, number in NUMBERED.findall(text(name, depth)):
+        chapter = number.split(".")[0] if kind == "formula" and not appendix else ""
+        found.setdefault((kind + appendix, chapter), []).append(number.split(".")[-1])
+    assert found
+    for numbers in found.values():
+        assert numbers == [str(k) for k in range(1, len(numbers) + 1)]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_shorter_note_says_nothing_else(name):
+    short, course, full = (marked(text(name, depth)) for depth in DEPTHS)
+    assert short <= full and course <= full
+    assert "Appendix" not in text(name, "full") and "Appendix" not in text(name, "short")
+
+
+def test_the_usual_note_of_a_compressor_is_shorter_and_has_appendices():
+    course, full = heads(text("compressor", "course")), heads(text("compressor", "full"))
+    assert [head for head in course if head.startswith("Appendix")]
+    assert "List of symbols" in full and "List of symbols" not in course
+    assert sum("Plan of velocities" in head for head in full) > sum(
+        "Plan of velocities" in head for head in course
+    )
+
+
+def test_a_piece_goes_where_it_is_told_to():
+    results = solved("crank_rocker")
+    title = "Analogues of velocities and accelerations"
+
+    def places(**note) -> list[str]:
+        return [
+            head.removesuffix(title).strip() for head in heads(noted(results, **note)) if head.endswith(title)
+        ]
+
+    assert places(depth="course") == ["A.2"]
+    assert places(depth="course", omit=("kinematics.analogues",)) == []
+    assert places(depth="short", body=("kinematics",)) == places(depth="full") != []
+    assert places(depth="full", appendix=("kinematics.analogues",)) == ["A.1"]
+    kept = places(depth="full", appendix=("kinematics",), body=("kinematics.analogues",))
+    assert len(kept) == 1 and not kept[0].startswith("A")
+
+
+def test_letters_are_listed_where_it_is_asked():
+    results = solved("crank_rocker")
+    assert "List of symbols" in heads(noted(results, depth="short", symbols=True))
+    assert "List of symbols" not in heads(noted(results, depth="full", symbols=False))
+
+
+def test_the_text_does_not_rely_on_what_an_appendix_explains():
+    """Letters are explained in the text as if there were no appendices."""
+    results = solved("compressor")
+    apart = tuple(name for name, piece in PIECES.items() if piece.course == "appendix")
+
+    def explained(note: str) -> list[str]:
+        body = note.split('<h1 class="appendix"')[0]
+        return re.findall(r'<p class="where">(.*?)</p>', body, re.S)
+
+    with_them, without = noted(results, depth="course"), noted(results, depth="course", omit=apart)
+    assert explained(with_them) == explained(without)
+    assert len(re.findall(r'<p class="where">', with_them)) > len(explained(with_them))
+
+
+WRONG = {
+    "no such piece": (
+        "omit: [kinematics.analogs]",
+        "the note has no piece kinematics.analogs",
+        "kinematics.analogues",
+    ),
+    "no such chapter": ("appendix: [dragons]", "the note has no piece dragons", "kinematics"),
+    "in two places": ("{body: [balancing], omit: [balancing]}", "to stand in two places", "once"),
+    "no such depth": ("depth: deep", "", "course"),
+}
+
+
+@pytest.mark.parametrize("slip", WRONG)
+def test_slips(slip):
+    written, wrong, right = WRONG[slip]
+    block = f"note: {written}" if written.startswith("{") else f"note: {{{written}}}"
+    with pytest.raises(ProblemError) as error:
+        loads((VARIANTS / "crank_rocker.yaml").read_text("utf-8") + f"\n{block}\n")
+    (problem,) = error.value.problems
+    assert wrong in str(problem.wrong) and right in str(problem.right)
+    assert problem.path[0] == "note"
+
+
+def test_what_a_variant_states_is_read():
+    assert read("compressor").note == Note()
+    more = "\nnote: {depth: short, body: [plans], omit: [spur.contour], symbols: list}\n"
+    found = loads((VARIANTS / "crank_rocker.yaml").read_text("utf-8") + more).note
+    assert found == Note("short", ("plans",), (), ("spur.contour",), True)
+    assert found.stand("plans.values") == "body" and found.stand("spur.contour") == "omit"

@@ -1,0 +1,56 @@
+"""The pieces of the note that not every department wants, and where each stands at each depth.
+
+A template puts such a piece into `{% call m.piece("chapter.name") %} … {% endcall %}`; all else of it is always in the
+note. At `full` every piece stands in the text. The numbers of a piece left out stand in the results.
+"""
+
+from __future__ import annotations
+
+from typing import Literal, NamedTuple
+
+from tmm_report.problems import N_
+
+Depth = Literal["short", "course", "full"]
+Stand = Literal["body", "appendix", "omit"]
+DEPTHS: tuple[Depth, ...] = ("short", "course", "full")
+
+
+class Piece(NamedTuple):
+    """What a piece is, and where it stands in a short note and in one of the usual depth."""
+
+    meaning: str
+    short: Stand = "omit"
+    course: Stand = "body"
+
+
+PIECES: dict[str, Piece] = {
+    "structure.driving_links": Piece(N_("groups and classes with other driving links")),
+    "kinematics.contours": Piece(N_("vector contours of the groups, worked out at a position")),
+    "kinematics.singular": Piece(N_("how near the groups come to singular positions; dead points")),
+    "kinematics.angles": Piece(N_("motion of the links that are no outputs"), course="appendix"),
+    "kinematics.analogues": Piece(N_("analogues of velocities and accelerations"), course="appendix"),
+    "plans.others": Piece(N_("plans of the positions after the first one, worked out"), course="omit"),
+    "plans.values": Piece(N_("segments and values of all plans side by side"), course="appendix"),
+    "kinetostatics.directions": Piece(N_("directions of the reactions"), course="appendix"),
+    "kinetostatics.curves": Piece(N_("diagrams and hodographs of the reactions"), course="appendix"),
+    "kinetostatics.extremes": Piece(N_("extremes of the reactions over the cycle")),
+    "kinetostatics.works": Piece(N_("driving and resisting loads and their works")),
+    "friction.corrected": Piece(N_("reactions corrected for friction"), course="appendix"),
+    "flywheel.wittenbauer": Piece(N_("the flywheel by Wittenbauer's method"), course="appendix"),
+    "flywheel.rerikh": Piece(N_("the flywheel by Rerikh's method"), course="appendix"),
+    "balancing.left": Piece(
+        N_("shaking force and moment after balancing, position by position"), course="appendix"
+    ),
+    "balancing.moment": Piece(N_("what becomes of the shaking moment"), course="appendix"),
+    "balancing.harmonics": Piece(
+        N_("harmonics of the shaking force and counter-rotating weights"), course="appendix"
+    ),
+    "balancing.sliders": Piece(N_("harmonics of a slider and Lanchester's balancer"), course="appendix"),
+    "spur.contour": Piece(N_("blocking contour of a pair"), course="appendix"),
+    "spur.motion": Piece(
+        N_("velocities of the point of contact along the line of action"), course="appendix"
+    ),
+    "spur.quality": Piece(N_("quality of the mesh over the shifts")),
+    "spur.phase": Piece(N_("the mesh with two pairs of teeth in contact"), course="appendix"),
+    "spur.inspection": Piece(N_("sizes by which the teeth are measured")),
+}
