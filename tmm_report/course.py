@@ -305,7 +305,11 @@ def _moving(lever: LeverFound, rubs: bool = True) -> Moving:
     """`rubs`: whether the friction of the pairs is in it, where it is stated."""
     from tmm_report.chapters.lever.moving import Moving  # only a lever mechanism needs it
 
-    return Moving(lever.kinematics, lever.kinetostatics, friction=lever.friction if rubs else None)
+    return Moving(
+        lever.kinematics,
+        lever.kinetostatics,
+        friction=lever.friction if rubs else None,
+    )
 
 
 def solve_lever(
@@ -475,9 +479,7 @@ def _further(read: Read) -> Iterator[Problem]:
 
     if stated(read) and not any(map(read.is_broken, ("mechanism", "positions", "drawing", "synthesis"))):
         lever = LeverGiven(**_given(("structure", "kinematics"), read))
-        yield from _unsolvable(
-            lever, lambda of: kinematics.solve(of.positions, structure.solve(of.mechanism))
-        )
+        yield from _unsolvable(lever, lambda x: kinematics.solve(x.positions, structure.solve(x.mechanism)))
     gears = [one for one in ("train", "drive", "eccentric") if one in read.data and not read.is_broken(one)]
     yield from _of_gears(Variant(**_given(gears, read)))
 

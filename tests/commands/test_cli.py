@@ -69,7 +69,9 @@ def test_same_variant_same_bytes(name, tmp_path):
         "-o",
         str(tmp_path),
     ]
-    subprocess.run([*command, "--format", "html,tex,json,csv"], check=True, capture_output=True)
+    subprocess.run(
+        [*command, "--format", "html,tex,json,csv", "--depth", "full"], check=True, capture_output=True
+    )
     one = {file: text for fmt in ("html", "tex", "json", "csv") for file, text in note(name, fmt).items()}
     two = {path.relative_to(tmp_path).as_posix(): path for path in tmp_path.rglob("*") if path.is_file()}
     del two[LIST]

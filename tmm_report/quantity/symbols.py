@@ -206,8 +206,8 @@ class Latex(Notation):
         return base + (f"_{{{sub}}}" if sub else "") + (f"^{{{sup}}}" if sup else "")
 
     def run(self, run: str) -> str:
-        if run in _GREEK_TEX:
-            return _GREEK_TEX[run] + " "
+        if run and all(letter in _GREEK_TEX for letter in run):
+            return "".join(f"{_GREEK_TEX[letter]} " for letter in run)
         if run[0] in "'′":
             return "{}^{" + "\\prime" * len(run) + "}"
         if run in _SIGNS_TEX:

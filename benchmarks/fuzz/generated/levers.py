@@ -279,7 +279,9 @@ def _law(one: Data, swings: bool, base: float, random: Random) -> None:
         shapes: tuple[Data, ...] = (
             {"tangent": tip},
             {"tangent": {"base": mm(base), "nose": mm(base / 3), "half_angle": "50 deg"}},
+            {"tangent": {"base": mm(base), "nose": mm(base / 3), "distance": mm(base)}},
             {"arcs": tip | {"flank": mm(4 * base)}},
+            {"arcs": {"base": mm(base), "nose": mm(base / 3), "distance": mm(base), "flank": mm(4 * base)}},
             {"arcs": tip | {"half_angle": "70 deg"}},
             {"circle": {"radius": mm(base), "at": [mm(away), 0]}},
             {"polar": [[f"{t} deg", mm(base + away * math.sin(math.radians(t)) ** 2)] for t in turned[:-1]]},

@@ -37,7 +37,7 @@ def stated(file: Path) -> list[tuple[Written, set[float]]]:
 
 def written(values: list[tuple[Written, set[float]]], numbers: list[float], unit: str) -> list[Written]:
     """Those of the values that are one of the numbers, which are in `unit`."""
-    si = {"deg": math.pi / 180, "%": 1 / 100, "rpm": math.pi / 30}.get(unit, 1.0)
+    si = {"deg": math.pi / 180, "%": 1 / 100, "rpm": math.pi / 30, "MPa": 1e6}.get(unit, 1.0)
     wanted = {x * si for x in numbers if x}
     return [
         one

@@ -43,7 +43,7 @@ class Crowd:
         left, foot, right, top = box
         first, last = np.searchsorted(self._x, (left - 0.3, right + 0.3))
         near = slice(max(0, int(first) - 1), int(last) + 1)
-        found = sum(CURVES for line in self._lines if _crosses(line[near], foot - 0.2, top + 0.2))
+        found = sum(CURVES for line in self._lines if _crosses(line[near], foot - 0.4, top + 0.4))
         found += ZERO * (foot < self.panel.up(0.0) < top)
         found += OTHERS * sum(_overlap(box, other) for other in self.written)
         return found + OUTSIDE * (foot < self.panel.bottom + 0.2 or top > self.panel.top - 0.2)

@@ -37,7 +37,7 @@ JAM = N_("tan α = c/(f(c + 2b)) by the length and the overhang of the guide.")
 WAYS = (
     Way("cam_asked.state cam_force_ends.phase cam_springs.kind", NAME),
     Way("cam_force_ends.number", COUNTED),
-    Way("cam_mass cam_reserve cam_guide cam_overhang cam_guide_f cam_sigma_perm", STATED),
+    Way("cam_mass cam_reserve cam_guide cam_overhang cam_guide_f cam_sigma_perm cam_asked.phi", STATED),
     Way("cam_asked.cam_S cam_asked.cam_v cam_asked.cam_a cam_asked.cam_w cam_asked.cam_e", LAW, of="phi"),
     Way("cam_forces_*.cam_load cam_asked.cam_load", LOADED, of="phi"),
     Way("cam_forces_*.cam_weight cam_asked.cam_weight", WEIGHT, of="cam_mass"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from tmm_report.chapters.gears.drive.power.ways import WAYS as POWER
+from tmm_report.chapters.gears.ordinary.ways import GIVEN
 from tmm_report.chapters.gears.ordinary.ways import WAYS as ORDINARY
 from tmm_report.chapters.gears.planetary.ways import WAYS as PLANETARY
 from tmm_report.chapters.gears.spur.ways import WAYS as SPUR
@@ -99,7 +100,8 @@ WAYS = (
     ),
     Way("drive_teeth.mesh", NAME),
     Way("drive_*", STATED),
+    *ORDINARY,
     *SPUR,
     *PLANETARY,
-    *ORDINARY,
+    *GIVEN,
 )

@@ -31,6 +31,9 @@ WAYS = (
     Way("stage*_train.*", N_("Wheel by wheel, as the formulas of the note do."), of="wheel z d stage{0}_m"),
     Way("stage*_phi", N_("Stated; of a worm also by its coefficient of friction or by its efficiency.")),
     Way("stage*_psi", N_("The usual 0.285.")),
+)
+
+GIVEN = (  # whose names other stages have, too: told behind theirs
     Way(
         "stage*_m_e stage*_m_m stage*_sigma stage*_q stage*_k stage*_eta stage*_alpha stage*_epsilon stage*_u_required "
         "stage*_f stage*_slack stage*_p stage[0-9]_b stage*_eta_mesh stage[0-9]_m",
