@@ -58,6 +58,14 @@ def test_a_belt_that_is_too_short_has_no_distance():
     assert math.isnan(belts.length(0.1, 0.5, 0.1, False))
 
 
+@pytest.mark.parametrize("crossed", [False, True])
+def test_a_belt_about_pulleys_that_would_meet_has_no_distance(crossed):
+    """Of pulleys of 100 and 200 mm those that touch are 150 mm apart."""
+    touching = belts.length(0.1, 0.2, (0.1 + 0.2) / 2, crossed)
+    assert math.isnan(belts.distance(0.1, 0.2, touching * 0.999, crossed))
+    assert belts.distance(0.1, 0.2, touching * 1.001, crossed) > 0.15
+
+
 @pytest.mark.parametrize(
     ("size", "row"),
     [(0.197, 0.2), (1.2775, 1.25), (1.06, 1.0), (9.6, 10.0), (0.0995, 0.1), (335.0, 315.0), (336.0, 355.0)],

@@ -8,8 +8,6 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 R20 = (
     1.0,
     1.12,
@@ -41,13 +39,9 @@ def preferred(size: float) -> float:
     return float(f"{min(row, key=lambda one: (abs(one - size), one)):.6g}")
 
 
-def least_distance(one: float, other: float, crossed: bool) -> float:
-    """Of the centres, m, at which the pulleys of diameters `one`, `other` still touch or lie one in another."""
-    return (one + other) / 2 if crossed else max(abs(other - one) / 2, 0.0)
-
-
 def length(one: float, other: float, distance: float, crossed: bool) -> float:
-    """Of the belt, m: two strands and both arcs; nan where the distance is below `least_distance`."""
+    """Of the belt about pulleys of the diameters `one`, `other`, m: two strands and both arcs; nan where there are no
+    such strands."""
     reach = one + other if crossed else other - one
     sine = reach / (2 * distance)
     if abs(sine) > 1:
@@ -58,9 +52,10 @@ def length(one: float, other: float, distance: float, crossed: bool) -> float:
 
 
 def distance(one: float, other: float, belt: float, crossed: bool) -> float:
-    """Of the centres, m, for a belt of length `belt`, m, which grows with it; nan for one that is too short."""
-    low = least_distance(one, other, crossed)
-    if length(one, other, low, crossed) > belt if low else math.pi * one > belt:
+    """Of the centres, m, for a belt of length `belt`, m, which grows with it; nan for one so short that the pulleys
+    would meet."""
+    low = (one + other) / 2
+    if length(one, other, low, crossed) >= belt:
         return math.nan
     high = belt / 2 + low
     for _ in range(200):
@@ -68,4 +63,4 @@ def distance(one: float, other: float, belt: float, crossed: bool) -> float:
         if middle in (low, high):
             break
         low, high = (middle, high) if length(one, other, middle, crossed) < belt else (low, middle)
-    return float(np.mean((low, high)))
+    return (low + high) / 2

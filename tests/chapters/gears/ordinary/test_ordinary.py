@@ -224,6 +224,7 @@ def test_a_given_length_is_kept():
         ({"distance": "120 mm"}, "pulleys meet"),
         ({"length": "1250 mm"}, "both stated"),
         ({"distance": None, "length": "500 mm"}, "too short"),
+        ({"distance": None, "length": "920 mm"}, "a belt longer than 932.44 mm"),  # the pulleys would overlap
     ],
 )
 def test_belts_that_cannot_be(change, words):

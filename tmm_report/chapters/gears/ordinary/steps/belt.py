@@ -57,8 +57,8 @@ def _lengths(s: Belt, of: BeltStage) -> None:
         s.L_about = 2 * s.a_about + PI / 2 * (s.d1 + s.d2) + reach**2 / (4 * s.a_about)
         exact = belts.preferred(s.number("L_about"))
     found = stated if exact is None else belts.distance(one, two, exact, of.crossed)
-    if found is None or not math.isfinite(found):
-        raise ProblemError([_short(of, exact)])
+    if found is None or math.isnan(found):
+        raise ProblemError([_short(one, two, of, exact)])
     s.a = found
     reach = s.d1 + s.d2 if of.crossed else s.d2 - s.d1
     s.theta = arcsin(reach / (2 * s.a))
@@ -82,9 +82,12 @@ def _check(one: float, two: float, stated: float | None, of: BeltStage) -> None:
         raise ProblemError(problems)
 
 
-def _short(of: BeltStage, exact: float | None) -> Problem:
+def _short(one: float, two: float, of: BeltStage, exact: float | None) -> Problem:
+    least = belts.length(one, two, (one + two) / 2, of.crossed)
     wrong = N_("a belt of %(length)s mm is too short for the pulleys")
-    right = Message(N_("a longer belt, or smaller pulleys"))
+    right = Message(
+        N_("a belt longer than %(least)s mm, or smaller pulleys"), {"least": f"{1e3 * least:.5g}"}
+    )
     return mistake(wrong, ("length",), right, length=f"{1e3 * (exact or 0):.5g}")
 
 
