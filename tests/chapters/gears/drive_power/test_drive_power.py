@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from notes import render
 
 from tmm_report import course
+from tmm_report.chapters.gears.drive import bounds, stages
 from tmm_report.chapters.gears.drive import solve as drive
 from tmm_report.chapters.gears.drive.block import DriveModel, build
 from tmm_report.chapters.gears.drive.power.quantities import verdict
@@ -266,6 +267,36 @@ def test_what_cannot_be_found_is_said(stated, said):
         return
     (line,) = problems(*stages, **more)
     assert said in line and line.startswith("drive.")
+
+
+def test_the_mistakes_of_all_the_stages_are_told_beside_one_without_a_ratio():
+    chain = {"kind": "chain", "teeth": [20, 50], "pitch": "19.05 mm", "distance": "100 mm"}
+    cones = {"kind": "bevel", "teeth": [20, 50], "module": "4 mm", "width": "60 mm"}
+    back = OPEN | {"teeth": [20, 50], "coaxial": True}
+    said = problems(chain, OPEN, cones, back, output=DRUM, motors=[MOTORS[3]])
+    places = ["drive.stages.0.distance", "drive.stages.2.width", "drive.stages.3.coaxial"]
+    assert [line.partition(":")[0] for line in said] == places
+
+
+SOUGHT = {
+    "kind": "planetary", "scheme": "external-internal", "ratio": 11, "module": "3 mm", "satellites": 3,
+    "input": "wheel1", "output": "carrier", "fixed": "wheel3",
+}  # fmt: skip
+
+
+def test_the_search_of_a_stage_is_bounded_and_made_once_beside_one_without_a_ratio(monkeypatch):
+    made = []
+    searched = stages.planetary.solve
+    monkeypatch.setattr(stages.planetary, "solve", lambda one: made.append(one) or searched(one))
+    more = {"output": DRUM, "motors": [["m", "4 kW", "1800 rpm"]]}
+    monkeypatch.setattr(bounds, "MOST", 100)
+    with pytest.raises(ProblemError, match="combinations of teeth to be tried"):
+        solve(SOUGHT, OPEN, **more)
+    assert not made
+    monkeypatch.undo()
+    monkeypatch.setattr(stages.planetary, "solve", lambda one: made.append(one) or searched(one))
+    assert solve(SOUGHT, OPEN, **more).stages[1].teeth.z[0] == 20
+    assert len(made) == 1
 
 
 @pytest.mark.parametrize(

@@ -80,42 +80,30 @@ def run(stage: Stage) -> Run:
 
 def solve_all(given: tuple[Given, ...]) -> tuple[Stage, ...]:
     """Every stage in its own room. Raises ProblemError with the mistakes of all of them."""
-    return _all(given)
+    found = [stage for stage in solve_known(given) if stage is not None]
+    assert len(found) == len(given)  # those without a ratio have been given one
+    return tuple(found)
 
 
 def solve_known(given: tuple[Given, ...]) -> list[Stage | None]:
     """Those that have a ratio, None in the place of the others. Raises ProblemError likewise."""
-    if not any(is_open(one) for one in given):
-        return list(solve_all(given))
+    check_search(given)
     found: list[Stage | None] = []
+    problems: list[Problem] = []
     for k, one in enumerate(given):
         try:
             found.append(None if is_open(one) else _solved(_on_axis(one, found[-1] if found else None)))
         except ProblemError as error:
-            raise ProblemError([_placed(problem, k) for problem in error.problems]) from None
+            found.append(None)
+            problems += [_placed(problem, k) for problem in error.problems]
+    if problems:
+        raise ProblemError(problems)
     return found
 
 
 def is_open(given: Given) -> bool:
     """Whether the stage has the ratio that the drive leaves it."""
     return isinstance(given, spur.Given | PairStage) and given.open
-
-
-@lru_cache(maxsize=8)
-def _all(given: tuple[Given, ...]) -> tuple[Stage, ...]:
-    """The last ones are kept: the speed of a link that a drive turns is asked for before it is solved in its turn, and
-    students of one class share the columns of a table of drives."""
-    check_search(given)
-    found: list[Stage] = []
-    problems: list[Problem] = []
-    for k, stage in enumerate(given):
-        try:
-            found.append(_solved(_on_axis(stage, found[-1] if len(found) == k and found else None)))
-        except ProblemError as error:
-            problems += [_placed(problem, k) for problem in error.problems]
-    if problems:
-        raise ProblemError(problems)
-    return tuple(found)
 
 
 def _on_axis(given: Given, before: Stage | None) -> Given:
@@ -139,7 +127,11 @@ def _on_axis(given: Given, before: Stage | None) -> Given:
     return replace(given, centre_distance=a_w)
 
 
+@lru_cache(maxsize=32)
 def _solved(given: Given) -> Stage:
+    """The last ones are kept: the speed of a link that a drive turns is asked for before it is solved in its turn, a
+    drive divides its ratio when its other stages are solved, and students of one class share the columns of a table of
+    drives."""
     match given:
         case spur.Given():
             return spur.solve(given)
