@@ -274,6 +274,13 @@ def test_a_sentence_without_a_number_is_counted(monkeypatch):
     assert explained.unexplained([target]) == [target.name]
 
 
+def test_a_way_names_its_numbers_by_letters_and_stars_alone():
+    """Brackets and the like stand for themselves in a pattern, and no number's name has them: it would fit nothing."""
+    rooms = [room(chapter, "ways").WAYS for chapter in (INITIAL_DATA, *LEVER, *OTHERS)]
+    keys = [key for several in rooms for way in several for key in way.keys.split()]
+    assert len(keys) > 400 and [key for key in keys if re.fullmatch(r"[\w.*,:]+", key) is None] == []
+
+
 @pytest.mark.exhaustive
 def test_every_chapter_has_its_ways_and_every_way_is_of_some_number():
     """A way that fits no number of any variant is a slip of its name, but for those whose number a variant may have."""

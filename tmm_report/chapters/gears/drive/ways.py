@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from tmm_report.chapters.gears.drive.power.ways import WAYS as POWER
-from tmm_report.chapters.gears.ordinary.ways import GIVEN
 from tmm_report.chapters.gears.ordinary.ways import WAYS as ORDINARY
 from tmm_report.chapters.gears.planetary.ways import WAYS as PLANETARY
 from tmm_report.chapters.gears.spur.ways import WAYS as SPUR
@@ -103,5 +102,4 @@ WAYS = (
     *ORDINARY,
     *SPUR,
     *PLANETARY,
-    *GIVEN,
 )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tmm_report.problems import N_
-from tmm_report.quantity.ways import NAME, STATED, Way
+from tmm_report.quantity.ways import NAME, Way
 
 BY_LENGTH = N_(
     "Stated, or by the usual rule; of a stated length of the belt the distance at which the strands and the arcs "
@@ -15,11 +15,11 @@ TORQUE = N_("From the equilibrium of the members of the drive, with the losses b
 
 LINKS = N_("Stated, or the even whole number that is nearest to that at the distance wished for.")
 WHOLE = N_("Stated, or the whole number that is nearest to what the ratio asks for.")
-WISHED = N_("Stated, or forty pitches.")
+WISHED = N_("Stated, or by the usual rule: of a chain forty pitches, of a belt by the diameters of both pulleys.")
 
 WAYS = (
     Way("stage*_a", BY_LENGTH, of="stage{0}_d1 stage{0}_d2 stage{0}_L"),
-    Way("stage*_a_about", WISHED, of="stage{0}_p stage{0}_d1"),
+    Way("stage*_a_about", WISHED, of="stage{0}_p stage{0}_d1 stage{0}_d2"),
     Way("stage*_links", LINKS, of="stage{0}_links_about"),
     Way("stage*_z1 stage*_z2", WHOLE, of="stage{0}_u"),
     Way("stage*_d1 stage*_d2", ROW, of="stage{0}_u"),
@@ -29,14 +29,5 @@ WAYS = (
     Way("stage*_train.z", WHOLE, of="wheel stage{0}_u"),
     Way("stage*_train.d", N_("The teeth by the module."), of="wheel z stage{0}_m"),
     Way("stage*_train.*", N_("Wheel by wheel, as the formulas of the note do."), of="wheel z d stage{0}_m"),
-    Way("stage*_phi", N_("Stated; of a worm also by its coefficient of friction or by its efficiency.")),
     Way("stage*_psi", N_("The usual 0.285.")),
-)
-
-GIVEN = (  # whose names other stages have, too: told behind theirs
-    Way(
-        "stage*_m_e stage*_m_m stage*_sigma stage*_q stage*_k stage*_eta stage*_alpha stage*_epsilon stage*_u_required "
-        "stage*_f stage*_slack stage*_p stage[0-9]_b stage*_eta_mesh stage[0-9]_m",
-        STATED,
-    ),
 )
