@@ -182,7 +182,11 @@ class Found:
         wrong = N_(
             "the ratios of the stages, each within its tolerance, miss that of the drive by %(deviation)s %%"
         )
-        right = N_("tolerance: %(stage)s %% in the planetary stages, or other numbers of teeth in the pairs")
+        right = N_("other numbers of teeth or other diameters in the stages, or a greater tolerance")
+        if any(mesh.carrier for mesh in self.train.meshes):
+            right = N_(
+                "tolerance: %(stage)s %% in the planetary stages, or other numbers of teeth in the pairs"
+            )
         yield doubt(wrong, ("drive", "tolerance"), Message(right, values), **values)
 
     def summary(self) -> list[Message]:

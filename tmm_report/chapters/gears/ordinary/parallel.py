@@ -174,8 +174,8 @@ class BeltStage(Ordinary):
         found = {key: "row" for key, size in sizes.items() if size == STANDARD}
         if self.length is not None:
             found["a"] = "by length"
-        elif self.distance is None:
-            found["a"] = "by rule"
+        if self.distance is None and not isinstance(self.length, float):
+            found["a" if self.length is None else "a_about"] = "by rule"
         return found
 
     @property
@@ -377,6 +377,10 @@ class TrainStage(Ordinary):
     @property
     def variety(self) -> str:
         return f"train {self.mesh}"
+
+    @property
+    def chosen(self) -> dict[str, str]:
+        return {} if isinstance(self.teeth, tuple) else {"z2": "whole"}
 
     @property
     def of_mesh(self) -> float:

@@ -19,7 +19,7 @@ from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula
 from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.page import Page
-from tmm_report.report.paper.layout import Column, Table, numeric
+from tmm_report.report.paper.layout import Cell, Column, Table, numeric
 from tmm_report.report.part import Part
 
 LEAST_WRAP = {"belt open": 150, "belt crossed": 150, "belt V": 120}  # deg, by the rule of machine parts
@@ -62,16 +62,21 @@ class OrdinaryView(ChapterView):
         """What is stated: the numbers that no formula gives."""
         told = [key for key in self.s.DECLARED if key in self.s and not self.s.has_formula(key)]
         left = ("omega1", "T1", *self.found.given.chosen)
-        teeth = [self.page.value(row.z) for row in self.wheels if not row.has_formula("z")]
+        wheels = self.wheels[:-1] if "z2" in left else self.wheels
+        teeth = [self.page.value(row.z) for row in wheels]
         stated = [self.sized(key) for key in told if key not in left]
         return self.page.listed([*teeth, *stated])
 
     def groups(self) -> Iterator[Written]:
         chosen = self.found.given.chosen
         for text, keys, taken in GROUPS[self.found.kind]:
-            how = [self.t(CHOSEN[chosen[key]], value=self.sized(key)) for key in taken if key in chosen]
+            how = [self.t(CHOSEN[chosen[key]], value=self._taken(key)) for key in taken if key in chosen]
             if (formulas := self.formulas(*keys)) or how:
                 yield Written(self.t(text), formulas, how)
+
+    def _taken(self, key: str) -> Markup:
+        """A number that is chosen; the teeth of a train are those of its rows."""
+        return self.page.value(self.wheels[-1].z) if key == "z2" and self.wheels else self.sized(key)
 
     # ------------------------------------------------------------ of a train
 
@@ -87,8 +92,12 @@ class OrdinaryView(ChapterView):
     def wheels_table(self) -> Table:
         table = self.table("train")
         names = [self.page.word(name, table, "wheel", row) for row, name in enumerate(table["wheel"].values)]
-        keys = [one.key for one in table.columns if one.key != "wheel"]
-        columns = [self.page.column(table, key) for key in keys]
+        keys = [one.key for one in table.columns if one.key not in ("wheel", "z")]
+        teeth = [Cell(f"{row.number('z'):.0f}", table.ref("z", row.row)) for row in self.wheels]
+        columns = [
+            Column(self.page.head(table["z"].symbol()), teeth),
+            *(self.page.column(table, key) for key in keys),
+        ]
         return numeric(self.t("Wheels of the train"), Column(self.t("Wheel"), names), columns)
 
     def of_table(self) -> list[dict[str, Any]]:

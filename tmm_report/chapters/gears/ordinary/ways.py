@@ -15,7 +15,9 @@ TORQUE = N_("From the equilibrium of the members of the drive, with the losses b
 
 LINKS = N_("Stated, or the even whole number that is nearest to that at the distance wished for.")
 WHOLE = N_("Stated, or the whole number that is nearest to what the ratio asks for.")
-WISHED = N_("Stated, or by the usual rule: of a chain forty pitches, of a belt by the diameters of both pulleys.")
+WISHED = N_(
+    "Stated, or by the usual rule: of a chain forty pitches, of a belt by the diameters of both pulleys."
+)
 
 WAYS = (
     Way("stage*_a", BY_LENGTH, of="stage{0}_d1 stage{0}_d2 stage{0}_L"),

@@ -127,6 +127,7 @@ GROUPS: dict[str, tuple[Group, ...]] = {
             ("d2",),
         ),
         Group(N_("The ratio of the belt drive is"), ("u",)),
+        Group("", (), ("a_about",)),
         Group(
             N_("The length of the belt is first found approximately, and the nearest of the row is taken:"),
             ("L_about",),
@@ -210,7 +211,7 @@ GROUPS: dict[str, tuple[Group, ...]] = {
     ),
     "pair": (Group(N_("The ratio of the pair of wheels is"), ("u",)),),
     "train": (
-        Group(N_("The number of teeth of the driven wheel that the ratio asks for:"), ("z_exact",)),
+        Group(N_("The number of teeth of the driven wheel that the ratio asks for:"), ("z_exact",), ("z2",)),
         Group(N_("The ratio of the train, in which the teeth of every idler cancel:"), ("u",)),
         Group(N_("From the driving to the driven axis, all of them in one plane, it is"), ("a",)),
     ),
