@@ -90,7 +90,8 @@ def make(given: Given, stages: Sequence[Known], speed: float | None, need: Need,
     links = tuple(_links(given, stages))
     pairs = _pairs(given, len(links) + 1)
     own = given.machine.efficiency if given.machine else 1.0
-    eta = math.prod([one.efficiency for one in links] + [given.bearings.efficiency ** sum(pairs), own])
+    bearings = [given.bearings.efficiency**one for one in pairs]
+    eta = own * float(power_chain.efficiency([one.efficiency for one in links], bearings))
     if eta <= 0:
         wrong = N_("with the losses of its stages the drive locks itself, and no motor can turn it")
         raise ProblemError([mistake(wrong, ("drive", "stages"))])

@@ -32,7 +32,6 @@ VERDICTS = {
     "weak, slow": N_("too weak, ratio too small"),
     "weak, fast": N_("too weak, ratio too great"),
 }
-BY = {"motor": N_("motor"), "stage": N_("stage"), "coupling": N_("coupling")}
 
 
 def tables(found: Found, steps: Steps, prefix: str) -> Iterator[Table]:

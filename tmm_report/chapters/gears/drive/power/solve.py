@@ -5,7 +5,6 @@ Source: Dunaev, Lelikov, Design of units and machine parts, ch. 1.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from typing import Any, Protocol
 
@@ -93,7 +92,7 @@ class Found:
         return [Message(text, {"name": self.motor.name, **said})]
 
     def doubts(self) -> Iterator[Problem]:
-        """A motor that is stated and too weak; bearings that nothing is said of are no mistake."""
+        """A motor that is stated and too weak."""
         if self.overloaded and self.motor is not None and self.load is not None:
             wrong = N_(
                 "the motor has %(own)s kW, and %(power)s kW are needed: it is overloaded by %(over)s %%"
@@ -125,7 +124,3 @@ def solve(plan: Plan, stages: Sequence[Turned]) -> Found:
     omega = power_chain.shaft_speeds(plan.speed, ratios)
     torque = power_chain.torque(power, omega, plan.given.shafts.torque == 9550)
     return Found(plan, links, bearings, ratios, base, rated, power, omega, torque)
-
-
-def rpm(omega: float) -> float:
-    return omega * 30 / math.pi

@@ -7,14 +7,12 @@ from collections.abc import Mapping, Sequence
 from functools import reduce
 from operator import mul
 
-from tmm_report.chapters.gears.drive.power.plan import Link
+from tmm_report.chapters.gears.drive.power.plan import RPM, Link
 from tmm_report.chapters.gears.drive.power.solve import Found
 from tmm_report.chapters.gears.drive.power.values import Shaft, Sought, Values
 from tmm_report.mechanics.machine.power_chain import PER_KILOWATT
 from tmm_report.quantity.formula import PI, Expr, Number, sqrt
 from tmm_report.quantity.sheet import Computed, Row
-
-RPM = 30 / math.pi
 
 
 class Steps:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from tmm_report.chapters.gears.ordinary.given import STANDARD, BeltStage
+from tmm_report.chapters.gears.ordinary.steps.common import kept
 from tmm_report.chapters.gears.ordinary.values import Belt
 from tmm_report.mechanics.gears import belts, trains
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
@@ -19,30 +20,25 @@ def geometry(s: Belt, of: BeltStage) -> None:
     """Raises ProblemError for pulleys that meet, and for a belt that is too short."""
     s.epsilon, s.u_required = of.slip or None, of.ratio
     _diameters(s, of)
-    turned = s.d2 / _kept(s.d1, s, of)
+    turned = s.d2 / kept(s.d1, s)
     s.u = -turned if of.crossed else turned
     _lengths(s, of)
-
-
-def _kept(diameter: Expr, s: Belt, of: BeltStage) -> Expr:
-    """The part that the driven pulley keeps of what is in proportion to its velocity."""
-    return diameter * (1 - s.epsilon) if of.slip else diameter
 
 
 def _diameters(s: Belt, of: BeltStage) -> None:
     if of.driving is None:
         assert isinstance(of.driven, float)  # else the record is refused
         s.d2 = of.driven
-        s.d1 = s.d2 / _kept(abs(s.u_required), s, of)
+        s.d1 = s.d2 / kept(abs(s.u_required), s)
         return
     s.d1 = of.driving
     if isinstance(of.driven, float):
         s.d2 = of.driven
     elif of.driven == STANDARD:
-        s.d_exact = _kept(s.d1 * abs(s.u_required), s, of)
+        s.d_exact = kept(s.d1 * abs(s.u_required), s)
         s.d2 = belts.preferred(s.number("d_exact"))
     else:
-        s.d2 = _kept(s.d1 * abs(s.u_required), s, of)
+        s.d2 = kept(s.d1 * abs(s.u_required), s)
 
 
 def _lengths(s: Belt, of: BeltStage) -> None:

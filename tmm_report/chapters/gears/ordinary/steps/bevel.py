@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from tmm_report.chapters.gears.ordinary.given import BevelStage
+from tmm_report.chapters.gears.ordinary.steps.common import is_plane
 from tmm_report.chapters.gears.ordinary.values import Bevel
 from tmm_report.mechanics.gears import trains
 from tmm_report.problems import N_, Message, ProblemError, mistake
@@ -50,9 +51,7 @@ def geometry(s: Bevel, of: BevelStage) -> None:
 
 def _cones(s: Bevel, of: BevelStage) -> None:
     one, two = of.z
-    below = two / one + math.cos(of.shaft_angle)
-    first = math.atan2(math.sin(of.shaft_angle), below)
-    if not 0 < first < math.pi / 2 or of.shaft_angle - first >= math.radians(89):
+    if is_plane(of.shaft_angle, two / one):
         wrong = N_("at an angle of %(angle)s° between the axes one of these wheels is a crown wheel")
         right = Message(N_("another shaft_angle, or numbers of teeth that differ less"))
         raise ProblemError(

@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 
 from tmm_report.chapters.gears.ordinary.given import FrictionStage
+from tmm_report.chapters.gears.ordinary.steps.common import is_plane, kept
 from tmm_report.chapters.gears.ordinary.values import Friction
 from tmm_report.mechanics.gears import trains
 from tmm_report.problems import N_, Message, ProblemError, mistake
-from tmm_report.quantity.formula import Expr, cos, sin
+from tmm_report.quantity.formula import cos, sin
 from tmm_report.quantity.functions import arctan
 
 
@@ -17,11 +18,11 @@ def geometry(s: Friction, of: FrictionStage) -> None:
     s.epsilon, s.u_required = of.slip or None, of.ratio
     if of.driving is None:
         s.d2 = of.driven
-        s.d1 = s.d2 / _kept(abs(s.u_required), s, of)
+        s.d1 = s.d2 / kept(abs(s.u_required), s)
     else:
         s.d1 = of.driving
-        s.d2 = _kept(s.d1 * abs(s.u_required), s, of) if of.driven is None else of.driven
-    turned = s.d2 / _kept(s.d1, s, of)
+        s.d2 = kept(s.d1 * abs(s.u_required), s) if of.driven is None else of.driven
+    turned = s.d2 / kept(s.d1, s)
     s.u = turned if of.sense > 0 else -turned
     if of.contact == "bevel":
         _cones(s, of)
@@ -39,20 +40,13 @@ def geometry(s: Friction, of: FrictionStage) -> None:
 def _cones(s: Friction, of: FrictionStage) -> None:
     """Two cones with one apex, by their mean diameters."""
     angle = math.pi / 2 if of.shaft_angle is None else of.shaft_angle
-    by = s.number("d2") / s.number("d1")
-    first = math.atan2(math.sin(angle), by + math.cos(angle))
-    if not 0 < first < math.pi / 2 or angle - first >= math.radians(89):
+    if is_plane(angle, s.number("d2") / s.number("d1")):
         wrong = N_("at an angle of %(angle)s° between the axes one of these cones is a plate")
         right = Message(N_("another shaft_angle, or diameters that differ less"))
         raise ProblemError([mistake(wrong, ("shaft_angle",), right, angle=f"{math.degrees(angle):.4g}")])
     s.sigma = math.degrees(angle)
     s.delta1 = arctan(sin(s.sigma) / (s.d2 / s.d1 + cos(s.sigma)))
     s.delta2 = s.sigma - s.delta1
-
-
-def _kept(diameter: Expr, s: Friction, of: FrictionStage) -> Expr:
-    """The part that the driven wheel keeps of what is in proportion to its velocity."""
-    return diameter * (1 - s.epsilon) if of.slip else diameter
 
 
 def members(s: Friction, of: FrictionStage) -> tuple[trains.Member, ...]:
